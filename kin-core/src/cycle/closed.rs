@@ -11,14 +11,16 @@ use super::bounds::{Bounds, Doubt, UNDECIDED};
 use super::curved::Curved;
 use super::free::{self, Jump};
 use super::interpolation::{CROSSING, around, crosses, interpolated};
-use super::line::{InputLine, MEETING, count, distance, inputs_at, nearest, reach};
+use super::line::{InputLine, MEETING, count};
 use super::pieces::{BranchNode, BranchPiece, FoundPieces, Tip};
+use super::sought::{ClosedForms, Sought};
 use super::{EndKind, Incomplete};
-use crate::failure::Failure;
-use crate::mechanism::Mechanism;
-use crate::number::Row;
+use crate::any::PositionChoice;
+use crate::failure::{Failure, SolveError};
+use crate::number::Values;
+use crate::picture::TransmissionAngle;
 use crate::quantity::{Dimension, Quantity};
-use crate::track::{TrackError, track};
+use crate::track::TrackError;
 
 /// The number of intervals of the first division.
 const FIRST: u32 = 8;
@@ -67,33 +69,34 @@ enum Known {
     Undecided,
 }
 
-struct Interval<M: Mechanism<Scalar = f64>> {
+struct Interval {
     low: f64,
     high: f64,
     known: Known,
-    middle: Option<M::Unknowns<f64>>,
+    middle: Option<Values>,
 }
 
 /// A place at which two assemblies cross, the unknowns there, and the index of the other assembly.
-type BranchCrossing<M> = (f64, <M as Mechanism>::Unknowns<f64>, usize);
+type BranchCrossing = (f64, Values, usize);
 
 /// The end of a piece at a node. A part that turns freely there may have another direction than in the node.
-#[derive(Clone, Copy)]
-struct PieceEnd<M: Mechanism<Scalar = f64>> {
+#[derive(Clone)]
+struct PieceEnd {
     node: usize,
-    unknowns: M::Unknowns<f64>,
+    unknowns: Values,
 }
 
-struct Search<'a, M: Mechanism<Scalar = f64>> {
-    mechanism: &'a M,
-    bounded: M::With<Bounds>,
-    curved: M::With<Curved>,
-    line: &'a InputLine<M>,
-    size: f64,
+pub(super) struct Search<'a> {
+    pub(super) mechanism: &'a Sought<'a>,
+    functions: &'a dyn ClosedForms,
+    bounded: Vec<Bounds>,
+    curved: Vec<Curved>,
+    pub(super) line: &'a InputLine,
+    pub(super) size: f64,
     /// The ends of the intervals with which the search of an assembly begins: those of the assembly before it, which has most of its blocks
     /// in common with it.
     division: Vec<f64>,
-    found: FoundPieces<M>,
+    found: FoundPieces,
 }
 
 impl Known {
@@ -117,14 +120,15 @@ impl Known {
 }
 
 /// All pieces of branches of a mechanism whose blocks all have closed forms.
-pub(super) fn search<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &InputLine<M>) -> FoundPieces<M> {
+pub(super) fn search(mechanism: &Sought<'_>, functions: &dyn ClosedForms, line: &InputLine) -> FoundPieces {
     let place = |part: u32| line.low + (line.high - line.low) * (f64::from(part) / f64::from(FIRST));
     let mut search = Search {
         mechanism,
-        bounded: mechanism.convert(Bounds::rounded),
-        curved: mechanism.convert(Curved::rounded),
+        functions,
+        bounded: mechanism.rounded(),
+        curved: mechanism.parameters.iter().copied().map(Curved::rounded).collect(),
         line,
-        size: reach(mechanism),
+        size: mechanism.reach(),
         division: (0..=FIRST).map(place).collect(),
         found: FoundPieces {
             nodes: Vec::new(),
@@ -134,17 +138,53 @@ pub(super) fn search<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &InputLine
             seeds: Vec::new(),
         },
     };
-    for (index, assembly) in M::assemblies().enumerate() {
-        search.assembly(index, assembly);
+    for assembly in mechanism.assemblies() {
+        search.assembly(assembly);
     }
     search.unite();
     search.note_undecided();
     search.found
 }
 
-impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
-    fn solved(&self, s: f64, assembly: M::Assembly) -> Option<M::Unknowns<f64>> {
-        self.mechanism.solve_position(self.line.inputs(s), assembly).ok()
+impl Search<'_> {
+    pub(super) fn solved(&self, s: f64, assembly: usize) -> Option<Values> {
+        let choice = PositionChoice::Assembly(assembly);
+        self.mechanism.position(&self.line.inputs(s), choice).ok()
+    }
+
+    /// The other assemblies.
+    fn others(&self, assembly: usize) -> impl Iterator<Item = usize> {
+        self.mechanism.assemblies().filter(move |other| *other != assembly)
+    }
+
+    pub(super) fn distance(&self, one: &[f64], other: &[f64]) -> f64 {
+        self.mechanism.distance(self.size, one, other)
+    }
+
+    pub(super) fn transmission_angles(&self, s: f64, unknowns: &[f64]) -> Vec<TransmissionAngle> {
+        let mut angles = vec![TransmissionAngle::of("", 0.0, 1.0); self.functions.dyad_count()];
+        let (parameters, inputs) = (&self.mechanism.parameters, self.line.inputs(s));
+        self.functions
+            .transmission_angles(parameters, &inputs, unknowns, &mut angles);
+        angles
+    }
+
+    /// The unknowns over an interval, within bounds.
+    fn bounds(&self, low: f64, high: f64, assembly: usize) -> Result<Vec<Bounds>, SolveError> {
+        let mut unknowns = vec![Bounds::rounded(0.0); self.mechanism.unknowns().len()];
+        let inputs = self.line.inputs_at(Bounds::variable(low, high));
+        let choice = PositionChoice::Assembly(assembly);
+        self.functions.position(&self.bounded, &inputs, choice, &mut unknowns)?;
+        Ok(unknowns)
+    }
+
+    /// [`bounds`](Self::bounds) that know of second derivatives.
+    fn bounds_by_curvature(&self, low: f64, high: f64, assembly: usize) -> Result<Vec<Bounds>, SolveError> {
+        let mut unknowns = vec![Curved::rounded(0.0); self.mechanism.unknowns().len()];
+        let inputs = self.line.inputs_at(Curved::variable(low, high));
+        let choice = PositionChoice::Assembly(assembly);
+        self.functions.position(&self.curved, &inputs, choice, &mut unknowns)?;
+        Ok(unknowns.iter().map(|unknown| unknown.bounds).collect())
     }
 
     /// What the bounds say about an interval, and the position in its middle.
@@ -152,33 +192,28 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         &self,
         low: f64,
         high: f64,
-        assembly: M::Assembly,
+        assembly: usize,
         is_curved: bool,
-    ) -> (Option<Known>, Option<M::Unknowns<f64>>) {
+    ) -> (Option<Known>, Option<Values>) {
         let solved = if is_curved {
-            let inputs = inputs_at(self.line, Curved::variable(low, high));
-            let solved = self.curved.solve_position(inputs, assembly);
-            solved.map(|unknowns| Row::from_fn(|index| unknowns[index].bounds))
+            self.bounds_by_curvature(low, high, assembly)
         } else {
-            let inputs = inputs_at(self.line, Bounds::variable(low, high));
-            let solved = self.bounded.solve_position(inputs, assembly);
-            solved.map(|unknowns| Row::from_fn(|index| unknowns[index]))
+            self.bounds(low, high, assembly)
         };
-        let unknowns: M::Unknowns<Bounds> = match solved {
+        let unknowns = match solved {
             Ok(unknowns) => unknowns,
             Err(error) => {
                 let is_told = !matches!(error.failure, Failure::NotFinite { quantity } if quantity == UNDECIDED);
                 return (is_told.then_some(Known::Fails), None);
             }
         };
-        let doubts = unknowns.as_ref().iter().map(|unknown| unknown.doubt);
+        let doubts = unknowns.iter().map(|unknown| unknown.doubt);
         let doubt = doubts.fold(Doubt::NONE, Doubt::and);
         if doubt.is_rounding() {
             return (Some(Known::Rounding), None);
         }
         // towards a pole
         if unknowns
-            .as_ref()
             .iter()
             .any(|unknown| unknown.high - unknown.low > UNBOUNDED)
         {
@@ -188,10 +223,10 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
             let swing = (unknown.high - unknown.middle()).max(unknown.middle() - unknown.low);
             quantity.dimension == Dimension::Angle && swing > SWING
         };
-        if M::DESCRIPTION.unknowns.iter().zip(unknowns.as_ref()).any(swings) {
+        if self.mechanism.unknowns().iter().zip(&unknowns).any(swings) {
             return (None, None);
         }
-        let middle = M::Unknowns::from_fn(|index| unknowns[index].middle());
+        let middle = Values::from_fn(unknowns.len(), |index| unknowns[index].middle());
         if doubt == Doubt::NONE {
             (Some(Known::Closes), Some(middle))
         } else {
@@ -200,12 +235,11 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
     }
 
     /// The unknowns of the first block about which the bounds are in doubt over an interval.
-    fn doubtful_block(&self, low: f64, high: f64, assembly: M::Assembly) -> &'static str {
-        let inputs = inputs_at(self.line, Bounds::variable(low, high));
-        match self.bounded.solve_position(inputs, assembly) {
+    fn doubtful_block(&self, low: f64, high: f64, assembly: usize) -> &'static str {
+        match self.bounds(low, high, assembly) {
             Ok(unknowns) => {
                 let is_doubtful = |member: &usize| unknowns[*member].doubt != Doubt::NONE;
-                let mut blocks = M::DESCRIPTION.blocks.iter();
+                let mut blocks = self.mechanism.blocks().iter();
                 let block = blocks.find(|block| block.members.iter().any(is_doubtful));
                 block.map_or("", |block| block.unknowns)
             }
@@ -231,7 +265,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
             self.found.incomplete.push(Incomplete::Undecided {
                 assemblies: indices.len(),
                 range,
-                is_angle: self.line.is_angle(),
+                is_angle: self.line.is_angle,
             });
         }
     }
@@ -241,7 +275,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         let reason = Incomplete::Rounding {
             block,
             range,
-            is_angle: self.line.is_angle(),
+            is_angle: self.line.is_angle,
         };
         let is_known = |known: &Incomplete| match *known {
             Incomplete::Rounding {
@@ -256,11 +290,11 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         }
     }
 
-    fn intervals(&mut self, index: usize, assembly: M::Assembly) -> Vec<Interval<M>> {
+    fn intervals(&mut self, assembly: usize) -> Vec<Interval> {
         let shortest = SHORTEST * (self.line.high - self.line.low);
         let given = self.division.windows(2).rev();
         let mut waiting: Vec<(f64, f64)> = given.map(|ends| (ends[0], ends[1])).collect();
-        let mut done: Vec<Interval<M>> = Vec::with_capacity(32);
+        let mut done: Vec<Interval> = Vec::with_capacity(32);
         let mut division = Vec::with_capacity(self.division.len());
         division.push(self.line.low);
         let mut count = 0;
@@ -276,7 +310,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
                     continue;
                 }
                 None if high - low > shortest => {
-                    self.undecided(index, low, high);
+                    self.undecided(assembly, low, high);
                     Known::Undecided
                 }
                 None => Known::Short,
@@ -299,9 +333,9 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
     }
 
     /// Adds the pieces of one assembly.
-    fn assembly(&mut self, index: usize, assembly: M::Assembly) {
-        let intervals = self.intervals(index, assembly);
-        let mut open: Option<BranchPiece<M>> = None;
+    fn assembly(&mut self, assembly: usize) {
+        let intervals = self.intervals(assembly);
+        let mut open: Option<BranchPiece> = None;
         // Whether the assembly closes at the border before an interval, or at the end of the range; nothing if rounding
         // may decide about it.
         let closes_at = |search: &Self, place: usize| {
@@ -335,11 +369,16 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
             place += 1;
             if interval.known == Known::Closes {
                 if !closes {
-                    let node = self.limit(index, assembly, 0.5 * (interval.low + interval.high), interval.low);
+                    let node = self.limit(assembly, 0.5 * (interval.low + interval.high), interval.low);
                     open = Some(self.begun(assembly, self.at_node(node)));
                 }
-                if let (Some(piece), Some(middle)) = (open.as_mut(), interval.middle) {
-                    add(piece, 0.5 * (interval.low + interval.high), middle);
+                if let (Some(piece), Some(middle)) = (open.as_mut(), &interval.middle) {
+                    add(
+                        self.mechanism,
+                        piece,
+                        0.5 * (interval.low + interval.high),
+                        middle.clone(),
+                    );
                 }
                 closes = true;
                 continue;
@@ -354,7 +393,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
             let (low, high) = (interval.low, intervals[place - 1].high);
             if closes != after {
                 let (good, bad) = if closes { (low, high) } else { (high, low) };
-                let node = self.limit(index, assembly, good, bad);
+                let node = self.limit(assembly, good, bad);
                 let end = self.at_node(node);
                 if closes {
                     self.finish(open.take(), end);
@@ -363,8 +402,8 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
                 }
             } else if closes
                 && let Some([before, behind]) = self
-                    .pole(index, assembly, [low, high])
-                    .or_else(|| self.change_point(index, assembly, &intervals, first..place))
+                    .pole(assembly, [low, high])
+                    .or_else(|| self.change_point(assembly, &intervals, first..place))
             {
                 self.finish(open.take(), before);
                 open = Some(self.begun(assembly, behind));
@@ -374,21 +413,21 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         if let Some(mut piece) = open {
             let s = self.line.high;
             if let Some(unknowns) = self.solved(s, assembly) {
-                add(&mut piece, s, unknowns);
+                add(self.mechanism, &mut piece, s, unknowns);
             }
             self.found.pieces.push(piece);
         }
     }
 
     /// The end of a piece that has the unknowns of its node.
-    fn at_node(&self, node: usize) -> PieceEnd<M> {
+    fn at_node(&self, node: usize) -> PieceEnd {
         PieceEnd {
             node,
-            unknowns: self.found.nodes[node].unknowns,
+            unknowns: self.found.nodes[node].unknowns.clone(),
         }
     }
 
-    fn begun(&self, assembly: M::Assembly, end: PieceEnd<M>) -> BranchPiece<M> {
+    fn begun(&self, assembly: usize, end: PieceEnd) -> BranchPiece {
         BranchPiece {
             assembly: Some(assembly),
             low: Tip::Node(end.node),
@@ -397,81 +436,75 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         }
     }
 
-    fn finish(&mut self, piece: Option<BranchPiece<M>>, end: PieceEnd<M>) {
+    fn finish(&mut self, piece: Option<BranchPiece>, end: PieceEnd) {
         let Some(mut piece) = piece else {
             return;
         };
-        add(&mut piece, self.found.nodes[end.node].s, end.unknowns);
+        add(self.mechanism, &mut piece, self.found.nodes[end.node].s, end.unknowns);
         piece.high = Tip::Node(end.node);
         self.found.pieces.push(piece);
     }
 
     /// The limit between a place that closes and one that does not.
-    fn limit(&mut self, index: usize, assembly: M::Assembly, mut good: f64, mut bad: f64) -> usize {
+    fn limit(&mut self, assembly: usize, mut good: f64, mut bad: f64) -> usize {
         let (low, high) = (good.min(bad), good.max(bad));
         let known = self.found.nodes.iter().position(|node| {
-            node.kind == EndKind::Limit && node.s >= low && node.s <= high && node.assemblies[1] == index
+            node.kind == EndKind::Limit && node.s >= low && node.s <= high && node.assemblies[1] == assembly
         });
         if let Some(known) = known {
             return known;
         }
         self.narrow(assembly, &mut good, &mut bad);
-        let inputs = self.line.inputs(bad);
-        let error = self.mechanism.solve_position(inputs, assembly).err();
+        let choice = PositionChoice::Assembly(assembly);
+        let error = self.mechanism.position(&self.line.inputs(bad), choice).err();
         let block = error.as_ref().map_or("", |error| error.block);
         let is_domain =
             error.is_some_and(|error| !matches!(error.failure, Failure::OutOfReach { .. } | Failure::Singular { .. }));
-        let mut node: BranchNode<M> = BranchNode {
+        let mut node: BranchNode = BranchNode {
             kind: if is_domain { EndKind::Domain } else { EndKind::Limit },
             s: good,
             unknowns: self
                 .solved(good, assembly)
-                .unwrap_or_else(|| M::Unknowns::splat(f64::NAN)),
+                .unwrap_or_else(|| Values::splat(self.mechanism.unknowns().len(), f64::NAN)),
             block,
-            assemblies: [index, index],
+            assemblies: [assembly, assembly],
         };
         let mut closest = MEETING;
-        for (other, candidate) in M::assemblies().enumerate() {
-            if other == index {
-                continue;
-            }
-            let Some(unknowns) = self.solved(good, candidate) else {
+        for other in self.others(assembly) {
+            let Some(unknowns) = self.solved(good, other) else {
                 continue;
             };
-            let own = distance::<M>(self.size, &node.unknowns, &unknowns);
+            let own = self.distance(&node.unknowns, &unknowns);
             if own < closest {
                 closest = own;
                 node.kind = EndKind::Limit;
                 node.assemblies[1] = other;
             }
         }
-        let together = self.together(index, assembly, good, good > bad);
+        let together = self.together(assembly, good, good > bad);
         if let [_, _, ..] = together[..] {
             // Several blocks have their limits here, and all their assemblies meet.
             let own = node.unknowns;
-            let others = together
-                .iter()
-                .filter_map(|(other, _)| self.solved(good, M::assembly(*other)?));
-            let all: Vec<M::Unknowns<f64>> = others.map(|other| nearest::<M>(other, &own)).collect();
-            node.unknowns = Row::from_fn(|unknown| {
+            let others = together.iter().filter_map(|(other, _)| self.solved(good, *other));
+            let all: Vec<Values> = others.map(|other| self.mechanism.nearest(&other, &own)).collect();
+            node.unknowns = Values::from_fn(own.len(), |unknown| {
                 let sum = all.iter().fold(own[unknown], |sum, other| sum + other[unknown]);
                 sum / count(all.len() + 1)
             });
             let moves = |member: &usize| together.iter().any(|(_, apart)| apart[*member] != 0.0);
-            let mut blocks = M::DESCRIPTION.blocks.iter();
+            let mut blocks = self.mechanism.blocks().iter();
             if let Some(first) = blocks.find(|block| block.members.iter().any(moves)) {
                 node.block = first.unknowns;
             }
-            (node.kind, node.assemblies) = (EndKind::ChangePoint, [index, index]);
+            (node.kind, node.assemblies) = (EndKind::ChangePoint, [assembly, assembly]);
             return self.noted(node);
         }
-        if node.assemblies[1] != index {
-            let other = M::assembly(node.assemblies[1]).and_then(|other| self.solved(good, other));
-            if let Some(other) = other {
+        if node.assemblies[1] != assembly {
+            if let Some(other) = self.solved(good, node.assemblies[1]) {
                 // What the two assemblies differ by is the root of the distance to the limit, with opposite signs.
-                let other: M::Unknowns<f64> = nearest::<M>(other, &node.unknowns);
                 let own = node.unknowns;
-                node.unknowns = Row::from_fn(|unknown| own[unknown] + 0.5 * (other[unknown] - own[unknown]));
+                let other = self.mechanism.nearest(&other, &own);
+                node.unknowns = Values::from_fn(own.len(), |unknown| own[unknown] + 0.5 * (other[unknown] - own[unknown]));
             }
         }
         self.found.nodes.push(node);
@@ -484,25 +517,23 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
     /// zero. Two differences show that place, which is the limit of the block that the assemblies solve differently.
     fn together(
         &self,
-        index: usize,
-        assembly: M::Assembly,
+        assembly: usize,
         limit: f64,
         is_above: bool,
-    ) -> Vec<(usize, M::Unknowns<f64>)> {
+    ) -> Vec<(usize, Values)> {
         let range = (self.line.high - self.line.low) * if is_above { 1.0 } else { -1.0 };
         let [near, far] = ROOTS.map(|part| limit + part * range);
         let (Some(first), Some(second)) = (self.solved(near, assembly), self.solved(far, assembly)) else {
             return Vec::new();
         };
-        let others = M::assemblies().enumerate().filter(|(other, _)| *other != index);
-        let meets = others.filter_map(|(other, candidate)| {
-            let unknowns: M::Unknowns<f64> = nearest::<M>(self.solved(near, candidate)?, &first);
-            let one = distance::<M>(self.size, &first, &unknowns);
-            let two = distance::<M>(self.size, &second, &self.solved(far, candidate)?);
+        let meets = self.others(assembly).filter_map(|other| {
+            let unknowns = self.mechanism.nearest(&self.solved(near, other)?, &first);
+            let one = self.distance(&first, &unknowns);
+            let two = self.distance(&second, &self.solved(far, other)?);
             let (one, two) = (one * one, two * two);
             // From the limit outwards, in parts of the range.
             let remaining = (ROOTS[1] * one - ROOTS[0] * two) / (two - one);
-            let apart = Row::from_fn(|unknown| unknowns[unknown] - first[unknown]);
+            let apart = Values::from_fn(first.len(), |unknown| unknowns[unknown] - first[unknown]);
             (two > one && remaining.abs() <= TOGETHER).then_some((other, apart))
         });
         meets.collect()
@@ -512,7 +543,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
     ///
     /// The square of the difference of the two assemblies that meet is zero at the limit, and smooth on the side that closes. Its secants lead
     /// close to the limit, and bisection does the rest.
-    fn narrow(&self, assembly: M::Assembly, good: &mut f64, bad: &mut f64) {
+    fn narrow(&self, assembly: usize, good: &mut f64, bad: &mut f64) {
         let mut secant: Option<(f64, f64)> = None;
         let mut partner = None;
         for step in 0.. {
@@ -524,10 +555,9 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
             if (4..24).contains(&step)
                 && let Some(own) = self.solved(*good, assembly)
             {
-                let separation = |other: M::Assembly| Some(distance::<M>(self.size, &own, &self.solved(*good, other)?));
+                let separation = |other: usize| Some(self.distance(&own, &self.solved(*good, other)?));
                 if partner.is_none() {
-                    let others = M::assemblies().filter(|other| *other != assembly);
-                    let all = others.filter_map(|other| Some((other, separation(other)?)));
+                    let all = self.others(assembly).filter_map(|other| Some((other, separation(other)?)));
                     partner = all
                         .min_by(|one, other| one.1.total_cmp(&other.1))
                         .map(|(other, _)| other);
@@ -558,30 +588,30 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
     }
 
     /// The pole between two places at which an assembly closes, if there is one: a length grows towards both of them.
-    fn pole(&mut self, index: usize, assembly: M::Assembly, [low, high]: [f64; 2]) -> Option<[PieceEnd<M>; 2]> {
+    fn pole(&mut self, assembly: usize, [low, high]: [f64; 2]) -> Option<[PieceEnd; 2]> {
         let away = RESOLUTION * (self.line.high - self.line.low);
         let solved = |s: f64| self.solved(s, assembly);
         let [before, behind] = [(low, -away), (high, away)].map(|(s, away)| Some([solved(s)?, solved(s + away)?]));
         let (before, behind) = (before?, behind?);
         let grows =
-            |[near, far]: &[M::Unknowns<f64>; 2], unknown: usize| near[unknown].abs() > POLE * far[unknown].abs();
+            |[near, far]: &[Values; 2], unknown: usize| near[unknown].abs() > POLE * far[unknown].abs();
         let is_pole = |unknown: &usize| {
-            let is_angle = M::DESCRIPTION.unknowns[*unknown].dimension == Dimension::Angle;
+            let is_angle = self.mechanism.unknowns()[*unknown].dimension == Dimension::Angle;
             !is_angle && grows(&before, *unknown) && grows(&behind, *unknown)
         };
-        let unknown = (0..M::DESCRIPTION.unknowns.len()).find(is_pole)?;
-        let mut blocks = M::DESCRIPTION.blocks.iter();
-        let block = blocks.find(|block| block.members.contains(&unknown));
+        let unknown = (0..self.mechanism.unknowns().len()).find(is_pole)?;
+        let block = self.mechanism.block_of(unknown);
         // the zero of the reciprocal
         let [left, right] = [before[0][unknown], behind[0][unknown]].map(f64::abs);
         let s = low + (high - low) * (right / (left + right));
-        Some([before[0], behind[0]].map(|unknowns| {
+        let ([before, _], [behind, _]) = (before, behind);
+        Some([before, behind].map(|unknowns| {
             self.found.nodes.push(BranchNode {
                 kind: EndKind::Pole,
                 s,
-                unknowns,
-                block: block.map_or("", |block| block.unknowns),
-                assemblies: [index, index],
+                unknowns: unknowns.clone(),
+                block,
+                assemblies: [assembly, assembly],
             });
             PieceEnd {
                 node: self.found.nodes.len() - 1,
@@ -594,11 +624,10 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
     /// ends before it, and where it begins behind it. Both are the same unless a part turns freely there.
     fn change_point(
         &mut self,
-        index: usize,
-        assembly: M::Assembly,
-        intervals: &[Interval<M>],
+        assembly: usize,
+        intervals: &[Interval],
         own: Range<usize>,
-    ) -> Option<[PieceEnd<M>; 2]> {
+    ) -> Option<[PieceEnd; 2]> {
         let is_doubtful = |place: &usize| !intervals[*place].known.may_close();
         let (first, last) = (own.clone().find(is_doubtful)?, own.rev().find(is_doubtful)?);
         let (low, high) = (intervals[first].low, intervals[last].high);
@@ -609,13 +638,13 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
             .found
             .nodes
             .iter()
-            .position(|node| node.kind == EndKind::ChangePoint && is_inside(node.s) && node.assemblies[1] == index);
+            .position(|node| node.kind == EndKind::ChangePoint && is_inside(node.s) && node.assemblies[1] == assembly);
         if let Some(known) = known {
-            return Some([self.at_node(known); 2]);
+            return Some([known; 2].map(|node| self.at_node(node)));
         }
         // As far as it certainly closes on both sides, but not farther than the curvature allows.
         let far = FAR * range;
-        let may_close = |interval: &&Interval<M>| interval.known.may_close();
+        let may_close = |interval: &&Interval| interval.known.may_close();
         let before = intervals[..first].iter().rev().take_while(may_close).last();
         let after = intervals[last + 1..].iter().take_while(may_close).last();
         let start = before.map_or(low, |interval| self.closing(interval.low.max(low - far), low, assembly));
@@ -634,31 +663,30 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
             return None;
         }
         let places = around(middle, reach);
-        let solved = |s: f64, assembly: M::Assembly| self.solved(s, assembly);
-        if let Some(Jump { s, unknowns, block }) =
-            free::jump(solved, self.mechanism, self.line, self.size, assembly, &places)
+        if let Some(Jump { s, unknowns, block }) = free::jump(self, assembly, &places)
             && is_inside(s)
         {
-            let mut end = |unknowns: M::Unknowns<f64>| {
+            let mut end = |unknowns: Values| {
                 let node = self.noted(BranchNode {
                     kind: EndKind::ChangePoint,
                     s,
-                    unknowns,
+                    unknowns: unknowns.clone(),
                     block,
-                    assemblies: [index, index],
+                    assemblies: [assembly, assembly],
                 });
                 PieceEnd { node, unknowns }
             };
-            return Some([end(unknowns[0]), end(unknowns[1])]);
+            let [before, behind] = unknowns;
+            return Some([end(before), end(behind)]);
         }
         let block = self.doubtful_block(low - slack, high + slack, assembly);
-        let crossing = self.crossing(index, assembly, middle, reach);
+        let crossing = self.crossing(assembly, middle, reach);
         let (s, unknowns, block, other) = if let Some((s, unknowns, other)) = crossing.filter(|(s, ..)| is_inside(*s)) {
             (s, unknowns, block, other)
         } else {
             let unknowns = self.solved(start, assembly)?;
             let (from, to) = (self.line.inputs(start), self.line.inputs(end));
-            match track(self.mechanism, from, unknowns, to) {
+            match self.mechanism.track(&from, &unknowns, &to) {
                 Ok(_) => {
                     if is_rounding {
                         self.note_rounding(block, [low, high]);
@@ -666,14 +694,14 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
                     return None;
                 }
                 Err(TrackError::ChangePoint(obstacle) | TrackError::Limit(obstacle)) => (
-                    self.line.place(obstacle.inputs),
-                    obstacle.unknowns,
+                    self.line.place(&obstacle.inputs),
+                    Values::from(&*obstacle.unknowns),
                     obstacle.block,
-                    index,
+                    assembly,
                 ),
                 Err(_) => {
-                    self.undecided(index, low, high);
-                    (middle, unknowns, "", index)
+                    self.undecided(assembly, low, high);
+                    (middle, unknowns, "", assembly)
                 }
             }
         };
@@ -682,34 +710,33 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
             s,
             unknowns,
             block,
-            assemblies: [index, other],
+            assemblies: [assembly, other],
         });
-        let solved = |s: f64| self.solved(s, assembly);
-        let sides = (other == index)
-            .then(|| free::sides(solved, self.mechanism, self.line, self.size, s, reach))
+        let sides = (other == assembly)
+            .then(|| free::sides(self, assembly, s, reach))
             .flatten();
-        Some(sides.map_or([self.at_node(node); 2], |sides| {
+        Some(sides.map_or_else(|| [node; 2].map(|node| self.at_node(node)), |sides| {
             sides.map(|unknowns| PieceEnd { node, unknowns })
         }))
     }
 
     /// The place at which an assembly closes, as close to a wanted one as halving the way to another place finds it.
-    fn closing(&self, wanted: f64, near: f64, assembly: M::Assembly) -> f64 {
+    fn closing(&self, wanted: f64, near: f64, assembly: usize) -> f64 {
         let places = core::iter::successors(Some(wanted), |place| Some(0.5 * (place + near)));
         let mut closing = places.take(8).filter(|place| self.solved(*place, assembly).is_some());
         closing.next().unwrap_or(near)
     }
 
     /// Whether two nodes are change points at the same place.
-    fn is_same_place(&self, one: &BranchNode<M>, other: &BranchNode<M>) -> bool {
+    fn is_same_place(&self, one: &BranchNode, other: &BranchNode) -> bool {
         let tolerance = 8.0 * RESOLUTION * (self.line.high - self.line.low);
         [one, other].iter().all(|node| node.kind == EndKind::ChangePoint) && (one.s - other.s).abs() <= tolerance
     }
 
     /// The index of a change point, which is added unless it is known.
-    fn noted(&mut self, node: BranchNode<M>) -> usize {
+    fn noted(&mut self, node: BranchNode) -> usize {
         let known = self.found.nodes.iter().position(|known| {
-            self.is_same_place(known, &node) && distance::<M>(self.size, &known.unknowns, &node.unknowns) < MEETING
+            self.is_same_place(known, &node) && self.distance(&known.unknowns, &node.unknowns) < MEETING
         });
         known.unwrap_or_else(|| {
             self.found.nodes.push(node);
@@ -724,9 +751,8 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
             let own = &self.found.nodes[other];
             let mut before = self.found.nodes[..other].iter();
             let same = before.position(|node| {
-                let positions = [&node.unknowns, &own.unknowns];
-                self.is_same_place(node, own)
-                    && free::is_connected(self.mechanism, self.line, self.size, own.s, positions)
+                let positions: [&[f64]; 2] = [&node.unknowns, &own.unknowns];
+                self.is_same_place(node, own) && free::is_connected(self, own.s, positions)
             });
             if let Some(same) = same {
                 united[other] = united[same];
@@ -745,20 +771,20 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
     ///
     /// It is found from places as far away as another limit allows, and from closer ones as long as these differ: next
     /// to another limit, the assemblies are no smooth functions of the input.
-    fn crossing(&self, index: usize, assembly: M::Assembly, s: f64, reach: f64) -> Option<BranchCrossing<M>> {
+    fn crossing(&self, assembly: usize, s: f64, reach: f64) -> Option<BranchCrossing> {
         let tolerance = SETTLED * (self.line.high - self.line.low);
-        let mut best: Option<(f64, BranchCrossing<M>)> = None;
-        let mut before: Option<BranchCrossing<M>> = None;
+        let mut best: Option<(f64, BranchCrossing)> = None;
+        let mut before: Option<BranchCrossing> = None;
         for halving in 0..8 {
-            let found = self.crossing_within(index, assembly, s, reach * Float::powi(0.5, halving));
-            if let (Some(before), Some(found)) = (before, found) {
+            let found = self.crossing_within(assembly, s, reach * Float::powi(0.5, halving));
+            if let (Some(before), Some(found)) = (before, &found) {
                 let change = (found.0 - before.0).abs();
                 if change <= tolerance {
                     // Values that are farther away have more digits.
                     return Some(before);
                 }
-                if best.is_none_or(|(least, _)| change < least) {
-                    best = Some((change, found));
+                if best.as_ref().is_none_or(|(least, _)| change < *least) {
+                    best = Some((change, found.clone()));
                 }
             }
             before = found;
@@ -770,43 +796,43 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
     ///
     /// Both are smooth if they change roles at the crossing. So their difference, with its sign changed behind the crossing, is a smooth
     /// function with a simple zero, which inverse interpolation finds from places where the difference has all its digits.
-    fn crossing_within(&self, index: usize, assembly: M::Assembly, s: f64, reach: f64) -> Option<BranchCrossing<M>> {
+    fn crossing_within(&self, assembly: usize, s: f64, reach: f64) -> Option<BranchCrossing> {
         let places = around(s, reach);
         let own = places.map(|place| self.solved(place, assembly));
-        let first = own[CROSSING / 2]?;
-        let others = M::assemblies().enumerate().filter(|(other, _)| *other != index);
-        let candidates = others.filter_map(|(which, other)| {
+        let first = own[CROSSING / 2].clone()?;
+        let candidates = self.others(assembly).filter_map(|other| {
             let position = self.solved(places[CROSSING / 2], other)?;
-            Some((which, other, distance::<M>(self.size, &first, &position)))
+            Some((other, self.distance(&first, &position)))
         });
-        let (which, partner, _) = candidates.min_by(|one, other| one.2.total_cmp(&other.2))?;
-        let mut means: [M::Unknowns<f64>; CROSSING] = [first; CROSSING];
-        let mut halves = means;
+        let (partner, _) = candidates.min_by(|one, other| one.1.total_cmp(&other.1))?;
+        let count = first.len();
+        let mut means: [_; CROSSING] = core::array::from_fn(|_| first.clone());
+        let mut halves = means.clone();
         for (place, own) in own.into_iter().enumerate() {
-            let own: M::Unknowns<f64> = nearest::<M>(own?, &first);
-            let other: M::Unknowns<f64> = nearest::<M>(self.solved(places[place], partner)?, &own);
+            let own = self.mechanism.nearest(&own?, &first);
+            let other = self.mechanism.nearest(&self.solved(places[place], partner)?, &own);
             let side = if places[place] < s { 0.5 } else { -0.5 };
-            means[place] = Row::from_fn(|unknown| 0.5 * (own[unknown] + other[unknown]));
-            halves[place] = Row::from_fn(|unknown| side * (own[unknown] - other[unknown]));
+            means[place] = Values::from_fn(count, |unknown| 0.5 * (own[unknown] + other[unknown]));
+            halves[place] = Values::from_fn(count, |unknown| side * (own[unknown] - other[unknown]));
         }
-        let lead = (0..M::DESCRIPTION.unknowns.len()).max_by(|one, other| {
+        let lead = (0..count).max_by(|one, other| {
             let size = |unknown: usize| halves[0][unknown].abs();
             size(*one).total_cmp(&size(*other))
         })?;
         let differences: [f64; CROSSING] = core::array::from_fn(|place| halves[place][lead]);
         let found = interpolated(&differences, &places, 0.0);
-        let unknowns = M::Unknowns::from_fn(|unknown| {
+        let unknowns = Values::from_fn(count, |unknown| {
             interpolated(&places, &core::array::from_fn(|place| means[place][unknown]), found)
         });
-        let is_finite = unknowns.as_ref().iter().all(|value| value.is_finite());
-        (is_finite && crosses(&differences)).then_some((found, unknowns, which))
+        let is_finite = unknowns.iter().all(|value| value.is_finite());
+        (is_finite && crosses(&differences)).then_some((found, unknowns, partner))
     }
 }
 
 /// The intervals, where those that rounding decides are one with others close by, if the assembly closes in between.
 /// How far rounding reaches is not known better than that.
-fn bridged<M: Mechanism<Scalar = f64>>(intervals: Vec<Interval<M>>) -> Vec<Interval<M>> {
-    let mut all: Vec<Interval<M>> = Vec::with_capacity(intervals.len());
+fn bridged(intervals: Vec<Interval>) -> Vec<Interval> {
+    let mut all: Vec<Interval> = Vec::with_capacity(intervals.len());
     for own in intervals {
         let before = all.iter().rposition(|interval| !interval.known.may_close());
         if own.known == Known::Rounding
@@ -824,9 +850,9 @@ fn bridged<M: Mechanism<Scalar = f64>>(intervals: Vec<Interval<M>>) -> Vec<Inter
 }
 
 /// Adds a sample at the end of a piece, with angles on the nearest turns.
-fn add<M: Mechanism<Scalar = f64>>(piece: &mut BranchPiece<M>, s: f64, unknowns: M::Unknowns<f64>) {
+fn add(mechanism: &Sought<'_>, piece: &mut BranchPiece, s: f64, unknowns: Values) {
     let unknowns = match piece.samples.last() {
-        Some((_, last)) => nearest::<M>(unknowns, last),
+        Some((_, last)) => mechanism.nearest(&unknowns, last),
         None => unknowns,
     };
     if Float::is_finite(s) {

@@ -6,13 +6,14 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::limits::{SingularPlace, limits};
-use super::line::{InputLine, distance, nearest, reach};
+use super::line::InputLine;
 use super::pieces::{BranchNode, BranchPiece, FoundPieces, Tip};
+use super::sought::Sought;
 use super::{EndKind, Incomplete};
+use crate::any::{EveryPosition, PositionChoice};
 use crate::failure::SolveError;
-use crate::mechanism::Mechanism;
-use crate::number::Row;
-use crate::track::{TrackError, track};
+use crate::number::Values;
+use crate::track::TrackError;
 
 /// The number of intervals of the first division.
 const SEEDS: u32 = 8;
@@ -34,14 +35,14 @@ const MOST_PIECES: usize = 4096;
 const ASIDE: f64 = 1e-3;
 
 /// Whether a limit is a position of the whole mechanism.
-fn is_whole<M: Mechanism<Scalar = f64>>(limit: &SingularPlace) -> bool {
-    limit.unknowns.len() == M::DESCRIPTION.unknowns.len()
+fn is_whole(mechanism: &Sought<'_>, limit: &SingularPlace) -> bool {
+    limit.unknowns.len() == mechanism.unknowns().len()
 }
 
 /// An input and all positions that are known there.
-struct Seed<M: Mechanism<Scalar = f64>> {
+struct Seed {
     s: f64,
-    positions: Vec<M::Unknowns<f64>>,
+    positions: Vec<Values>,
     visited: Vec<bool>,
     /// Whether all positions were sought here; otherwise they are those of the branches that pass.
     is_sought: bool,
@@ -49,28 +50,30 @@ struct Seed<M: Mechanism<Scalar = f64>> {
     is_complete: bool,
 }
 
-struct Search<'a, M: Mechanism<Scalar = f64>> {
-    mechanism: &'a M,
-    line: &'a InputLine<M>,
+struct Search<'a> {
+    mechanism: &'a Sought<'a>,
+    functions: &'a dyn EveryPosition,
+    line: &'a InputLine,
     size: f64,
-    seeds: Vec<Seed<M>>,
-    found: FoundPieces<M>,
+    seeds: Vec<Seed>,
+    found: FoundPieces,
     /// Starts on the other side of limits, and the direction in which to go.
-    waiting: Vec<(usize, f64, M::Unknowns<f64>, f64)>,
+    waiting: Vec<(usize, f64, Values, f64)>,
 }
 
 /// All pieces of branches, or those that pass one of the seeds if the limits cannot be found by themselves.
 ///
 /// # Errors
 /// Returns the error of the search for positions, if a parameter is not finite.
-pub(super) fn search<M: Mechanism<Scalar = f64>>(
-    mechanism: &M,
-    line: &InputLine<M>,
-) -> Result<FoundPieces<M>, SolveError> {
+pub(super) fn search(
+    mechanism: &Sought<'_>,
+    functions: &dyn EveryPosition,
+    line: &InputLine,
+) -> Result<FoundPieces, SolveError> {
     match limits(mechanism, line) {
-        Ok(limits) => from_limits(mechanism, line, &limits),
+        Ok(limits) => from_limits(mechanism, functions, line, &limits),
         Err(reason) => {
-            let mut found = from_seeds(mechanism, line)?;
+            let mut found = from_seeds(mechanism, functions, line)?;
             found.incomplete.push(reason);
             Ok(found)
         }
@@ -78,7 +81,7 @@ pub(super) fn search<M: Mechanism<Scalar = f64>>(
 }
 
 /// The places that divide the range, and whether each is an end of it.
-fn division<M: Mechanism<Scalar = f64>>(line: &InputLine<M>) -> impl Iterator<Item = (f64, bool)> {
+fn division(line: &InputLine) -> impl Iterator<Item = (f64, bool)> {
     let (low, high) = (line.low, line.high);
     (0..=SEEDS).map(move |part| {
         let place = low + (high - low) * (f64::from(part) / f64::from(SEEDS));
@@ -90,22 +93,23 @@ fn division<M: Mechanism<Scalar = f64>>(line: &InputLine<M>) -> impl Iterator<It
 ///
 /// A circuit that does not pass the ends of the range has a smallest input, which is a limit. So it is found from there, or all positions
 /// beside this limit are sought.
-fn from_limits<M: Mechanism<Scalar = f64>>(
-    mechanism: &M,
-    line: &InputLine<M>,
+fn from_limits(
+    mechanism: &Sought<'_>,
+    functions: &dyn EveryPosition,
+    line: &InputLine,
     limits: &[SingularPlace],
-) -> Result<FoundPieces<M>, SolveError> {
-    let mut seeds: Vec<Seed<M>> = Vec::new();
+) -> Result<FoundPieces, SolveError> {
+    let mut seeds: Vec<Seed> = Vec::new();
     for (s, is_end) in division(line) {
         seeds.push(if is_end && line.is_closed && !seeds.is_empty() {
             seeds[0].again(s)
         } else if is_end {
-            seed(mechanism, line, s)?
+            seed(mechanism, functions, line, s)?
         } else {
             Seed::unknown(s)
         });
     }
-    let mut search = Search::new(mechanism, line, seeds);
+    let mut search = Search::new(mechanism, functions, line, seeds);
     search.all();
     let range = line.high - line.low;
     let mut places: Vec<f64> = limits.iter().map(|limit| limit.s).collect();
@@ -147,18 +151,22 @@ fn from_limits<M: Mechanism<Scalar = f64>>(
 }
 
 /// All pieces that pass one of the seeds.
-fn from_seeds<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &InputLine<M>) -> Result<FoundPieces<M>, SolveError> {
-    let mut seeds: Vec<Seed<M>> = Vec::new();
+fn from_seeds(
+    mechanism: &Sought<'_>,
+    functions: &dyn EveryPosition,
+    line: &InputLine,
+) -> Result<FoundPieces, SolveError> {
+    let mut seeds: Vec<Seed> = Vec::new();
     for (s, is_end) in division(line) {
         seeds.push(if is_end && line.is_closed && !seeds.is_empty() {
             seeds[0].again(s)
         } else {
-            seed(mechanism, line, s)?
+            seed(mechanism, functions, line, s)?
         });
     }
     let mut round = 1;
     loop {
-        let mut search = Search::new(mechanism, line, seeds);
+        let mut search = Search::new(mechanism, functions, line, seeds);
         search.all();
         let more = if round < ROUNDS { search.missing()? } else { Vec::new() };
         if more.is_empty() {
@@ -174,9 +182,15 @@ fn from_seeds<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &InputLine<M>) ->
     }
 }
 
-fn seed<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &InputLine<M>, s: f64) -> Result<Seed<M>, SolveError> {
+fn seed(
+    mechanism: &Sought<'_>,
+    functions: &dyn EveryPosition,
+    line: &InputLine,
+    s: f64,
+) -> Result<Seed, SolveError> {
     let mut positions = Vec::new();
-    let search = mechanism.positions_at(line.inputs(s), |_, unknowns| positions.push(unknowns))?;
+    let mut found = |unknowns: &[f64]| positions.push(Values::from(unknowns));
+    let search = functions.every_position(&mechanism.parameters, &line.inputs(s), &mut found)?;
     Ok(Seed {
         s,
         visited: vec![false; positions.len()],
@@ -186,7 +200,7 @@ fn seed<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &InputLine<M>, s: f64) 
     })
 }
 
-impl<M: Mechanism<Scalar = f64>> Seed<M> {
+impl Seed {
     /// An input at which nothing is known yet.
     fn unknown(s: f64) -> Self {
         Self {
@@ -199,12 +213,12 @@ impl<M: Mechanism<Scalar = f64>> Seed<M> {
     }
 
     /// Notes that a branch passes a position.
-    fn visit(&mut self, size: f64, unknowns: &M::Unknowns<f64>) {
+    fn visit(&mut self, mechanism: &Sought<'_>, size: f64, unknowns: &[f64]) {
         let mut known = self.positions.iter();
-        if let Some(known) = known.position(|known| distance::<M>(size, known, unknowns) < SAME) {
+        if let Some(known) = known.position(|known| mechanism.distance(size, known, unknowns) < SAME) {
             self.visited[known] = true;
         } else {
-            self.positions.push(*unknowns);
+            self.positions.push(Values::from(unknowns));
             self.visited.push(true);
         }
     }
@@ -221,17 +235,23 @@ impl<M: Mechanism<Scalar = f64>> Seed<M> {
 }
 
 /// The end of a way in one direction.
-struct WayEnd<M: Mechanism<Scalar = f64>> {
+struct WayEnd {
     tip: Tip,
-    samples: Vec<(f64, M::Unknowns<f64>)>,
+    samples: Vec<(f64, Values)>,
 }
 
-impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
-    fn new(mechanism: &'a M, line: &'a InputLine<M>, seeds: Vec<Seed<M>>) -> Self {
+impl<'a> Search<'a> {
+    fn new(
+        mechanism: &'a Sought<'a>,
+        functions: &'a dyn EveryPosition,
+        line: &'a InputLine,
+        seeds: Vec<Seed>,
+    ) -> Self {
         Self {
             mechanism,
+            functions,
             line,
-            size: reach(mechanism),
+            size: mechanism.reach(),
             seeds,
             found: FoundPieces {
                 nodes: Vec::new(),
@@ -244,8 +264,21 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
         }
     }
 
+    fn distance(&self, one: &[f64], other: &[f64]) -> f64 {
+        self.mechanism.distance(self.size, one, other)
+    }
+
+    fn near(&self, s: f64, near: &[f64]) -> Result<Values, SolveError> {
+        self.mechanism.position(&self.line.inputs(s), PositionChoice::Near(near))
+    }
+
+    fn track(&self, from: f64, unknowns: &[f64], to: f64) -> Result<Values, TrackError<Vec<f64>, Vec<f64>>> {
+        let [from, to] = [from, to].map(|s| self.line.inputs(s));
+        self.mechanism.track(&from, unknowns, &to)
+    }
+
     /// The outcome, with the inputs at which all positions were sought.
-    fn finished(self) -> FoundPieces<M> {
+    fn finished(self) -> FoundPieces {
         let mut found = self.found;
         let sought = self.seeds.iter().filter(|seed| seed.is_sought);
         found.seeds = sought.map(|seed| seed.s).collect();
@@ -254,11 +287,11 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
 
     /// Follows the two branches that meet at a limit.
     fn start_at(&mut self, limit: &SingularPlace) {
-        if !is_whole::<M>(limit) {
+        if !is_whole(self.mechanism, limit) {
             return;
         }
-        let mut position = M::Unknowns::splat(0.0);
-        let mut rates = position;
+        let mut position = Values::splat(self.mechanism.unknowns().len(), 0.0);
+        let mut rates = position.clone();
         for unknown in &limit.unknowns {
             (position[unknown.index], rates[unknown.index]) = (unknown.value, unknown.rate);
         }
@@ -269,14 +302,14 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
             }
             let mut own = Seed::unknown(s);
             for step in [ASIDE, -ASIDE] {
-                let guess = Row::from_fn(|index| position[index] + step * rates[index]);
-                let solved = self.mechanism.solve_position_near(self.line.inputs(s), guess);
+                let guess = Values::from_fn(position.len(), |index| position[index] + step * rates[index]);
+                let solved = self.near(s, &guess);
                 if let Ok(unknowns) = solved
-                    && distance::<M>(self.size, &unknowns, &position) < 100.0 * ASIDE
+                    && self.distance(&unknowns, &position) < 100.0 * ASIDE
                     && own
                         .positions
                         .iter()
-                        .all(|known| distance::<M>(self.size, known, &unknowns) >= SAME)
+                        .all(|known| self.distance(known, &unknowns) >= SAME)
                 {
                     own.positions.push(unknowns);
                     own.visited.push(false);
@@ -295,7 +328,7 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
 
     /// Seeks all positions at an input, and follows those that are on no piece yet.
     fn look(&mut self, s: f64) -> Result<(), SolveError> {
-        let mut own = seed(self.mechanism, self.line, s)?;
+        let mut own = seed(self.mechanism, self.functions, self.line, s)?;
         for piece in &self.found.pieces {
             let inside = piece.samples.iter().enumerate().filter(|(index, _)| {
                 let is_low = *index == 0 && matches!(piece.low, Tip::Node(_));
@@ -309,11 +342,10 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
             }
             let nearest = inside.min_by(|(_, one), (_, other)| (one.0 - s).abs().total_cmp(&(other.0 - s).abs()));
             let reached = nearest.and_then(|(_, (from, unknowns))| {
-                let (from, to) = (self.line.inputs(*from), self.line.inputs(s));
-                track(self.mechanism, from, *unknowns, to).ok()
+                self.track(*from, unknowns, s).ok()
             });
             if let Some(reached) = reached {
-                own.visit(self.size, &reached);
+                own.visit(self.mechanism, self.size, &reached);
             } else {
                 own.is_complete = false;
             }
@@ -332,16 +364,16 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
             .map(|(index, _)| index)
     }
 
-    fn is_at(&self, node: &BranchNode<M>, limit: &SingularPlace) -> bool {
+    fn is_at(&self, node: &BranchNode, limit: &SingularPlace) -> bool {
         let tolerance = LOCATED[usize::from(limit.is_multiple)];
-        let mut own = node.unknowns;
+        let mut own = node.unknowns.clone();
         for unknown in &limit.unknowns {
             own[unknown.index] = unknown.value;
         }
         let is_singular = matches!(node.kind, EndKind::Limit | EndKind::ChangePoint);
         is_singular
             && (node.s - limit.s).abs() <= tolerance * (self.line.high - self.line.low)
-            && distance::<M>(self.size, &own, &node.unknowns) <= LOCATED[1]
+            && self.distance(&own, &node.unknowns) <= LOCATED[1]
     }
 
     /// The number of ends of pieces at a node.
@@ -354,14 +386,14 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
     /// node, or positions that were not found.
     fn compare(&mut self, limits: &[SingularPlace]) {
         let nodes = || self.found.nodes.iter().enumerate();
-        let is_limit = |node: &BranchNode<M>| limits.iter().any(|limit| self.is_at(node, limit));
-        let joins = |(index, node): (usize, &BranchNode<M>)| match node.kind {
+        let is_limit = |node: &BranchNode| limits.iter().any(|limit| self.is_at(node, limit));
+        let joins = |(index, node): (usize, &BranchNode)| match node.kind {
             EndKind::Limit => self.branches_at(index) == 2,
             EndKind::ChangePoint => true,
             _ => false,
         };
         // If a block that is solved later does not close, its mechanism is not at a limit of an earlier one.
-        let is_whole = |limit: &&SingularPlace| is_whole::<M>(limit) && !limit.is_multiple;
+        let is_whole = |limit: &&SingularPlace| is_whole(self.mechanism, limit) && !limit.is_multiple;
         let whole = limits.iter().filter(is_whole);
         let reached = whole.clone().filter(|limit| self.nodes_at(limit).next().is_some());
         let (count, reached) = (whole.count(), reached.count());
@@ -369,7 +401,7 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
             && nodes().all(joins)
             && count == reached
             && self.found.pieces.len() < MOST_PIECES;
-        let is_angle = self.line.is_angle();
+        let is_angle = self.line.is_angle;
         let mut reasons = Vec::new();
         if !agrees {
             reasons.push(Incomplete::Disagreement { limits: count, reached });
@@ -390,9 +422,9 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
                     continue;
                 }
                 self.seeds[index].visited[which] = true;
-                let (s, unknowns) = (self.seeds[index].s, self.seeds[index].positions[which]);
-                let left = self.follow(s, unknowns, -1.0);
-                let right = self.follow(s, unknowns, 1.0);
+                let (s, unknowns) = (self.seeds[index].s, self.seeds[index].positions[which].clone());
+                let left = self.follow(s, unknowns.clone(), -1.0);
+                let right = self.follow(s, unknowns.clone(), 1.0);
                 let mut samples = left.samples;
                 samples.reverse();
                 samples.push((s, unknowns));
@@ -420,16 +452,16 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
                 // The branch that led to this node comes from the other assembly.
                 tip == Tip::Node(node)
                     && sample.is_some_and(|(to, known)| {
-                        let reached = track(self.mechanism, self.line.inputs(s), unknowns, self.line.inputs(*to));
-                        reached.is_ok_and(|reached| distance::<M>(self.size, &reached, known) < SAME)
+                        let reached = self.track(s, &unknowns, *to);
+                        reached.is_ok_and(|reached| self.distance(&reached, known) < SAME)
                     })
             });
             if is_known || self.found.pieces.len() >= MOST_PIECES {
                 continue;
             }
-            let way = self.follow(s, unknowns, direction);
-            let place = self.found.nodes[node];
-            let start = nearest::<M>(place.unknowns, &unknowns);
+            let way = self.follow(s, unknowns.clone(), direction);
+            let place = &self.found.nodes[node];
+            let start = self.mechanism.nearest(&place.unknowns, &unknowns);
             let mut samples = vec![(place.s, start), (s, unknowns)];
             samples.extend(way.samples);
             let piece = if direction > 0.0 {
@@ -453,7 +485,7 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
     }
 
     /// Goes on from seed to seed until the branch ends.
-    fn follow(&mut self, s: f64, unknowns: M::Unknowns<f64>, direction: f64) -> WayEnd<M> {
+    fn follow(&mut self, s: f64, unknowns: Values, direction: f64) -> WayEnd {
         let (mut s, mut unknowns) = (s, unknowns);
         let mut samples = Vec::new();
         loop {
@@ -469,16 +501,16 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
                 };
             };
             let to = self.seeds[next].s;
-            match track(self.mechanism, self.line.inputs(s), unknowns, self.line.inputs(to)) {
+            match self.track(s, &unknowns, to) {
                 Ok(reached) => {
                     (s, unknowns) = (to, reached);
-                    samples.push((s, unknowns));
-                    self.seeds[next].visit(self.size, &unknowns);
+                    samples.push((s, unknowns.clone()));
+                    self.seeds[next].visit(self.mechanism, self.size, &unknowns);
                 }
                 Err(error) => {
-                    let node = self.ended(s, unknowns, direction, error);
-                    let place = self.found.nodes[node];
-                    samples.push((place.s, nearest::<M>(place.unknowns, &unknowns)));
+                    let node = self.ended(s, &unknowns, direction, error);
+                    let place = &self.found.nodes[node];
+                    samples.push((place.s, self.mechanism.nearest(&place.unknowns, &unknowns)));
                     return WayEnd {
                         tip: Tip::Node(node),
                         samples,
@@ -492,41 +524,40 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
     fn ended(
         &mut self,
         s: f64,
-        unknowns: M::Unknowns<f64>,
+        unknowns: &[f64],
         direction: f64,
-        error: TrackError<M::Inputs<f64>, M::Unknowns<f64>>,
+        error: TrackError<Vec<f64>, Vec<f64>>,
     ) -> usize {
         let range = self.line.high - self.line.low;
         let node = match error {
             TrackError::Limit(obstacle) => {
-                self.node(EndKind::Limit, obstacle.inputs, obstacle.unknowns, obstacle.block)
+                self.node(EndKind::Limit, &obstacle.inputs, &obstacle.unknowns, obstacle.block)
             }
             TrackError::ChangePoint(obstacle) => {
-                self.node(EndKind::ChangePoint, obstacle.inputs, obstacle.unknowns, obstacle.block)
+                self.node(EndKind::ChangePoint, &obstacle.inputs, &obstacle.unknowns, obstacle.block)
             }
             TrackError::Unbounded(obstacle) => {
-                self.node(EndKind::Pole, obstacle.inputs, obstacle.unknowns, obstacle.block)
+                self.node(EndKind::Pole, &obstacle.inputs, &obstacle.unknowns, obstacle.block)
             }
             TrackError::TooManySteps(halt) | TrackError::Lost(halt) => {
-                self.node(EndKind::Lost, halt.inputs, halt.unknowns, "")
+                self.node(EndKind::Lost, &halt.inputs, &halt.unknowns, "")
             }
             TrackError::Failed(error) => {
-                let inputs: Vec<f64> = error.inputs.iter().map(|(_, value)| value).collect();
-                let inputs = M::Inputs::from_fn(|index| {
-                    inputs.get(index).copied().unwrap_or_else(|| self.line.inputs(s)[index])
-                });
-                self.node(EndKind::Domain, inputs, unknowns, error.block)
+                let mut inputs = self.line.inputs(s);
+                for (input, (_, value)) in inputs.iter_mut().zip(error.inputs.iter()) {
+                    *input = value;
+                }
+                self.node(EndKind::Domain, &inputs, unknowns, error.block)
             }
         };
-        let place = self.found.nodes[node];
+        let place = &self.found.nodes[node];
         let inside = place.s - direction * BESIDE * range;
         if place.kind == EndKind::Limit && (inside - s) * direction > 0.0 {
-            let inputs = self.line.inputs(inside);
-            if let Ok(near) = track(self.mechanism, self.line.inputs(s), unknowns, inputs) {
-                let limit = nearest::<M>(place.unknowns, &near);
-                let guess = Row::from_fn(|index| 2.0 * limit[index] - near[index]);
-                if let Ok(other) = self.mechanism.solve_position_near(inputs, guess)
-                    && distance::<M>(self.size, &other, &near) > 0.1 * distance::<M>(self.size, &guess, &near)
+            if let Ok(near) = self.track(s, unknowns, inside) {
+                let limit = self.mechanism.nearest(&place.unknowns, &near);
+                let guess = Values::from_fn(near.len(), |index| 2.0 * limit[index] - near[index]);
+                if let Ok(other) = self.near(inside, &guess)
+                    && self.distance(&other, &near) > 0.1 * self.distance(&guess, &near)
                 {
                     self.waiting.push((node, inside, other, -direction));
                 }
@@ -538,8 +569,8 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
     fn node(
         &mut self,
         kind: EndKind,
-        inputs: M::Inputs<f64>,
-        unknowns: M::Unknowns<f64>,
+        inputs: &[f64],
+        unknowns: &[f64],
         block: &'static str,
     ) -> usize {
         let s = self.line.place(inputs);
@@ -547,13 +578,13 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
         let known = self.found.nodes.iter().position(|node| {
             node.kind == kind
                 && (node.s - s).abs() <= SAME_PLACE * range
-                && distance::<M>(self.size, &node.unknowns, &unknowns) < SAME
+                && self.distance(&node.unknowns, unknowns) < SAME
         });
         known.unwrap_or_else(|| {
             self.found.nodes.push(BranchNode {
                 kind,
                 s,
-                unknowns,
+                unknowns: Values::from(unknowns),
                 block,
                 assemblies: [0, 0],
             });
@@ -562,7 +593,7 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
     }
 
     /// Seeds between neighbouring limits at which there are more positions than pieces.
-    fn missing(&self) -> Result<Vec<Seed<M>>, SolveError> {
+    fn missing(&self) -> Result<Vec<Seed>, SolveError> {
         let range = self.line.high - self.line.low;
         let mut places: Vec<f64> = self.found.nodes.iter().map(|node| node.s).collect();
         places.extend([self.line.low, self.line.high]);
@@ -574,7 +605,7 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
             if has_seed || high - low <= 10.0 * BESIDE * range {
                 continue;
             }
-            let own = seed(self.mechanism, self.line, 0.5 * (low + high))?;
+            let own = seed(self.mechanism, self.functions, self.line, 0.5 * (low + high))?;
             let pieces = self.found.pieces.iter().filter(|piece| {
                 let ends = [piece.samples.first(), piece.samples.last()].map(|end| end.map_or(f64::NAN, |end| end.0));
                 ends[0] < own.s && ends[1] > own.s

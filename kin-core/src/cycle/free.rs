@@ -5,11 +5,10 @@
 
 use alloc::vec::Vec;
 
+use super::closed::Search;
 use super::interpolation::{CROSSING, around, crosses, interpolated};
-use super::line::{InputLine, MEETING, distance, nearest};
-use crate::mechanism::Mechanism;
-use crate::number::Row;
-use crate::picture::TransmissionAngle;
+use super::line::MEETING;
+use crate::number::Values;
 use crate::quantity::Dimension;
 
 /// The largest error of the closure on a way of positions, as a part of the size. The straight line between two other positions that are
@@ -22,10 +21,10 @@ const PARTS: u32 = 8;
 const MOST_HALVES: usize = 6;
 
 /// A place at which an assembly jumps, because a part turns freely there.
-pub(super) struct Jump<M: Mechanism<Scalar = f64>> {
+pub(super) struct Jump {
     pub(super) s: f64,
     /// The unknowns before the place and behind it.
-    pub(super) unknowns: [M::Unknowns<f64>; 2],
+    pub(super) unknowns: [Values; 2],
     /// The unknowns of the block with the free part, separated by commas.
     pub(super) block: &'static str,
 }
@@ -36,124 +35,114 @@ pub(super) struct Jump<M: Mechanism<Scalar = f64>> {
 /// two smooth curves. Their difference has a simple zero in the unknown that frees the part, the length of the slide,
 /// and inverse interpolation finds it. If two links turn freely, one on the other, it is the angle between them that
 /// has a simple zero along a curve.
-pub(super) fn jump<M: Mechanism<Scalar = f64>>(
-    solved: impl Fn(f64, M::Assembly) -> Option<M::Unknowns<f64>>,
-    mechanism: &M,
-    line: &InputLine<M>,
-    size: f64,
-    assembly: M::Assembly,
+pub(super) fn jump(
+    search: &Search<'_>,
+    assembly: usize,
     places: &[f64; CROSSING],
-) -> Option<Jump<M>> {
+) -> Option<Jump> {
     const BEFORE: usize = CROSSING / 2 - 1;
     const BEHIND: usize = CROSSING / 2;
-    let start = solved(places[BEFORE], assembly)?;
-    let end = solved(places[BEHIND], assembly)?;
-    let others = M::assemblies().filter(|other| *other != assembly);
+    let start = search.solved(places[BEFORE], assembly)?;
+    let end = search.solved(places[BEHIND], assembly)?;
+    let mechanism = search.mechanism;
+    let others = mechanism.assemblies().filter(|other| *other != assembly);
     let candidates = others.filter_map(|other| {
-        let behind = solved(places[BEHIND], other)?;
-        Some((other, distance::<M>(size, &start, &behind)))
+        let behind = search.solved(places[BEHIND], other)?;
+        Some((other, search.distance(&start, &behind)))
     });
     let (partner, way) = candidates.min_by(|one, other| one.1.total_cmp(&other.1))?;
-    if way > 0.5 * distance::<M>(size, &start, &end) {
+    if way > 0.5 * search.distance(&start, &end) {
         return None;
     }
-    let (mut onward, mut back) = ([start; CROSSING], [end; CROSSING]);
+    let [mut onward, mut back] = [&start, &end].map(|own| core::array::from_fn::<Values, CROSSING, _>(|_| own.clone()));
     for (place, s) in places.iter().enumerate() {
-        let (own, other) = (solved(*s, assembly)?, solved(*s, partner)?);
+        let (own, other) = (search.solved(*s, assembly)?, search.solved(*s, partner)?);
         let [one, two] = if place < BEHIND { [own, other] } else { [other, own] };
-        (onward[place], back[place]) = (nearest::<M>(one, &start), nearest::<M>(two, &end));
+        (onward[place], back[place]) = (mechanism.nearest(&one, &start), mechanism.nearest(&two, &end));
     }
     let half = |place: usize, unknown: usize| 0.5 * (onward[place][unknown] - back[place][unknown]);
     let values = |unknown: usize| core::array::from_fn(|place| half(place, unknown));
-    let unknowns = 0..M::DESCRIPTION.unknowns.len();
+    let unknowns = 0..start.len();
     let lead = unknowns
         .filter(|unknown| crosses(&values(*unknown)))
         .max_by(|one, other| half(0, *one).abs().total_cmp(&half(0, *other).abs()));
     let (zero, block) = if let Some(lead) = lead {
-        let mut blocks = M::DESCRIPTION.blocks.iter();
-        let block = blocks.find(|block| block.members.contains(&lead))?;
-        (values(lead), block.unknowns)
+        (values(lead), mechanism.block_of(lead))
     } else {
-        let dyads: [M::Dyads<TransmissionAngle<f64>>; CROSSING] =
-            core::array::from_fn(|place| mechanism.transmission_angles_at(line.inputs(places[place]), onward[place]));
+        let dyads: [_; CROSSING] =
+            core::array::from_fn(|place| search.transmission_angles(places[place], &onward[place]));
         let folded = |dyad: usize| {
             core::array::from_fn(|place| {
                 let angle = dyads[place][dyad].folded();
                 if place < BEHIND { angle } else { -angle }
             })
         };
-        let dyad = (0..<M::Dyads<f64> as Row<f64>>::LENGTH).find(|dyad| crosses(&folded(*dyad)))?;
+        let dyad = (0..dyads[0].len()).find(|dyad| crosses(&folded(*dyad)))?;
         (folded(dyad), dyads[0][dyad].block)
     };
     let s = interpolated(&zero, places, 0.0);
-    let at = |curve: &[M::Unknowns<f64>; CROSSING]| {
-        M::Unknowns::from_fn(|unknown| interpolated(places, &core::array::from_fn(|place| curve[place][unknown]), s))
+    let at = |curve: &[Values; CROSSING]| {
+        Values::from_fn(start.len(), |unknown| interpolated(places, &core::array::from_fn(|place| curve[place][unknown]), s))
     };
     let unknowns = [at(&onward), at(&back)];
-    let is_finite = unknowns
-        .iter()
-        .all(|row| row.as_ref().iter().all(|value| value.is_finite()));
-    let is_jump = is_finite && s.is_finite() && distance::<M>(size, &unknowns[0], &unknowns[1]) >= MEETING;
+    let is_finite = unknowns.iter().all(|row| row.iter().all(|value| value.is_finite()));
+    let is_jump = is_finite && s.is_finite() && search.distance(&unknowns[0], &unknowns[1]) >= MEETING;
     is_jump.then_some(Jump { s, unknowns, block })
 }
 
 /// The unknowns of an assembly before and behind a place, if they are different positions there: a part turns freely, and no other assembly goes on
 /// where this one ends, since the declared range of an unknown leaves it out.
-pub(super) fn sides<M: Mechanism<Scalar = f64>>(
-    solved: impl Fn(f64) -> Option<M::Unknowns<f64>>,
-    mechanism: &M,
-    line: &InputLine<M>,
-    size: f64,
+pub(super) fn sides(
+    search: &Search<'_>,
+    assembly: usize,
     s: f64,
     reach: f64,
-) -> Option<[M::Unknowns<f64>; 2]> {
+) -> Option<[Values; 2]> {
     // from places that keep away from it, where the direction of the free part has lost its digits
     let side = |direction: f64| {
         let places = around(s + 0.55 * direction * reach, 0.45 * reach);
-        let first = solved(places[0])?;
-        let mut values = [first; CROSSING];
+        let first = search.solved(places[0], assembly)?;
+        let mut values: [_; CROSSING] = core::array::from_fn(|_| first.clone());
         for (value, place) in values.iter_mut().zip(places) {
-            *value = nearest::<M>(solved(place)?, &first);
+            *value = search.mechanism.nearest(&search.solved(place, assembly)?, &first);
         }
-        let unknowns: M::Unknowns<f64> =
-            Row::from_fn(|unknown| interpolated(&places, &core::array::from_fn(|place| values[place][unknown]), s));
-        is_position(mechanism, line, size, s, unknowns).then_some(unknowns)
+        let unknowns = Values::from_fn(first.len(), |unknown| {
+            interpolated(&places, &core::array::from_fn(|place| values[place][unknown]), s)
+        });
+        is_position(search, s, &unknowns).then_some(unknowns)
     };
     let (before, behind) = (side(-1.0)?, side(1.0)?);
-    (distance::<M>(size, &before, &behind) >= MEETING).then_some([before, behind])
+    (search.distance(&before, &behind) >= MEETING).then_some([before, behind])
 }
 
 /// Whether the closure holds, up to the error of an interpolation.
-fn is_position<M: Mechanism<Scalar = f64>>(
-    mechanism: &M,
-    line: &InputLine<M>,
-    size: f64,
+fn is_position(
+    search: &Search<'_>,
     s: f64,
-    unknowns: M::Unknowns<f64>,
+    unknowns: &[f64],
 ) -> bool {
-    let residuals = mechanism.residuals(line.inputs(s), unknowns);
-    residuals.as_ref().iter().all(|residual| residual.abs() <= FREE * size)
+    let residuals = search.mechanism.residuals(&search.line.inputs(s), unknowns);
+    residuals.iter().all(|residual| residual.abs() <= FREE * search.size)
 }
 
 /// Whether a straight line between two positions at the same input consists of positions. An angle that is half a turn
 /// apart may turn either way.
-pub(super) fn is_connected<M: Mechanism<Scalar = f64>>(
-    mechanism: &M,
-    line: &InputLine<M>,
-    size: f64,
+pub(super) fn is_connected(
+    search: &Search<'_>,
     s: f64,
-    [from, to]: [&M::Unknowns<f64>; 2],
+    [from, to]: [&[f64]; 2],
 ) -> bool {
-    let to: M::Unknowns<f64> = nearest::<M>(*to, from);
+    let unknowns = search.mechanism.unknowns();
+    let to = search.mechanism.nearest(to, from);
     let halves = |unknown: usize| {
-        let is_angle = M::DESCRIPTION.unknowns[unknown].dimension == Dimension::Angle;
+        let is_angle = unknowns[unknown].dimension == Dimension::Angle;
         is_angle && (to[unknown] - from[unknown]).abs() > core::f64::consts::PI - MEETING
     };
-    let free: Vec<usize> = (0..M::DESCRIPTION.unknowns.len())
+    let free: Vec<usize> = (0..to.len())
         .filter(|unknown| halves(*unknown))
         .collect();
     (0..1_usize << free.len().min(MOST_HALVES)).any(|ways| {
-        let mut way: M::Unknowns<f64> = Row::from_fn(|unknown| to[unknown] - from[unknown]);
+        let mut way = Values::from_fn(to.len(), |unknown| to[unknown] - from[unknown]);
         for (bit, unknown) in free.iter().take(MOST_HALVES).enumerate() {
             if ways & (1 << bit) != 0 {
                 way[*unknown] -= core::f64::consts::TAU.copysign(way[*unknown]);
@@ -161,8 +150,8 @@ pub(super) fn is_connected<M: Mechanism<Scalar = f64>>(
         }
         (0..=PARTS).all(|step| {
             let part = f64::from(step) / f64::from(PARTS);
-            let unknowns = Row::from_fn(|unknown| from[unknown] + part * way[unknown]);
-            is_position(mechanism, line, size, s, unknowns)
+            let unknowns = Values::from_fn(to.len(), |unknown| from[unknown] + part * way[unknown]);
+            is_position(search, s, &unknowns)
         })
     })
 }

@@ -17,6 +17,7 @@ use crate::quantity::WithUnit;
 /// # Ok::<(), kin_core::SolveError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum Incomplete {
     /// Rounding decides whether a block closes in a range of the input, in which the mechanism is too close to a change

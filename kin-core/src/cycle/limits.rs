@@ -7,11 +7,10 @@ use core::f64::consts::TAU;
 use num_traits::Float;
 
 use super::Incomplete;
-use super::line::{InputLine, reach};
+use super::line::InputLine;
 use super::polynomial::{ClosureQuantity, Quantities};
 use super::singular::{Singular, singular_positions};
-use crate::mechanism::Mechanism;
-use crate::number::Row;
+use super::sought::Sought;
 use crate::quantity::Dimension;
 
 /// A place at which the Jacobian of a block is singular.
@@ -29,16 +28,16 @@ pub(super) struct SingularPlace {
 /// # Errors
 /// Says if the closure is not algebraic, if an unknown has a declared range, or may grow beyond all bounds, if
 /// there are too many paths, or if one of them was lost.
-pub(super) fn limits<M: Mechanism<Scalar = f64>>(
-    mechanism: &M,
-    line: &InputLine<M>,
+pub(super) fn limits(
+    mechanism: &Sought<'_>,
+    line: &InputLine,
 ) -> Result<Vec<SingularPlace>, Incomplete> {
-    let description = M::DESCRIPTION;
+    let description = mechanism.description();
     if let Some(unknown) = description.unknowns.iter().find(|unknown| unknown.has_range) {
         return Err(Incomplete::DeclaredRange { unknown: unknown.name });
     }
     let moving = || {
-        let all = description.inputs.iter().zip(line.direction.as_ref()).enumerate();
+        let all = description.inputs.iter().zip(line.direction.iter()).enumerate();
         all.filter(|(_, (_, rate))| **rate != 0.0)
     };
     let is_angle = moving().all(|(_, (input, _))| input.dimension == Dimension::Angle);
@@ -59,17 +58,16 @@ pub(super) fn limits<M: Mechanism<Scalar = f64>>(
     let kinds = unknowns.map(|unknown| kind(unknown.dimension == Dimension::Angle));
     let quantities = Quantities::new(core::iter::once(kind(is_angle)).chain(kinds).collect());
     let mut closure = |at: &[f64], values: &mut [f64]| {
-        let unknowns = M::Unknowns::from_fn(|index| at[index + 1]);
-        let residuals = mechanism.residuals(line.inputs(place(at[0])), unknowns);
-        for (value, residual) in values.iter_mut().zip(residuals.as_ref()) {
+        let residuals = mechanism.residuals(&line.inputs(place(at[0])), &at[1..]);
+        for (value, residual) in values.iter_mut().zip(residuals.iter()) {
             *value = *residual;
         }
     };
     let size = if is_angle {
-        reach(mechanism)
+        mechanism.reach()
     } else {
         let ends = [line.low, line.high].map(|s| (from + rate * s).abs());
-        reach(mechanism).max(ends[0]).max(ends[1])
+        mechanism.reach().max(ends[0]).max(ends[1])
     };
     let found = singular_positions(&quantities, size, description.blocks, &mut closure)?;
     let period = is_angle.then_some(TAU);

@@ -1,13 +1,16 @@
 //! The line in the space of the inputs over which a cycle is taken.
 
+use alloc::vec::Vec;
 use core::f64::consts::{PI, TAU};
+
 use num_traits::Float;
 
 use super::bounds::Bounds;
+use super::sought::{Sought, sum_of_lengths};
 use crate::law::Side;
 use crate::mechanism::Mechanism;
 use crate::motion::Motion;
-use crate::number::{Row, at_constant_rate};
+use crate::number::{Row, Values, at_constant_rate};
 use crate::quantity::Dimension;
 use crate::solve::Scalar;
 use crate::sweep::{Drive, InputMotions, READ, SmoothDrive, Variable};
@@ -19,36 +22,33 @@ const NEAR: f64 = 1e-9;
 /// The part of a turn by which the places of the search are shifted, so that symmetric linkages have no limit exactly there.
 const SHIFT: f64 = 0.061_803;
 
-/// The largest [`distance`] of two positions next to the place where they meet.
+/// The largest [`distance`](Sought::distance) of two positions next to the place where they meet.
 pub(super) const MEETING: f64 = 1e-3;
 
 /// The inputs `from + s direction`, for s in a range.
-#[derive(Clone, Copy)]
-pub(super) struct InputLine<M: Mechanism<Scalar = f64>> {
-    pub(super) from: M::Inputs<f64>,
-    pub(super) direction: M::Inputs<f64>,
+#[derive(Clone, Debug)]
+pub(super) struct InputLine {
+    pub(super) from: Values,
+    pub(super) direction: Values,
     /// The range of the search. A closed range is shifted against the one that is told.
     pub(super) low: f64,
     pub(super) high: f64,
     pub(super) is_closed: bool,
+    /// Whether only angles move along the line.
+    pub(super) is_angle: bool,
 }
 
-impl<M: Mechanism<Scalar = f64>> InputLine<M> {
+impl InputLine {
     /// The line through a place in a direction, over all places where the mechanism may close.
-    fn whole(mechanism: &M, from: M::Inputs<f64>, direction: M::Inputs<f64>) -> Self {
-        let mut line = Self {
-            from,
-            direction,
-            low: -PI,
-            high: PI,
-            is_closed: false,
-        };
+    fn whole(mechanism: &Sought<'_>, from: Values, direction: Values) -> Self {
+        let mut line = Self::over(mechanism, from, direction, [-PI, PI]);
+        let direction = &line.direction;
         let moving = || {
-            let inputs = M::DESCRIPTION.inputs.iter().zip(direction.as_ref());
+            let inputs = mechanism.inputs().iter().zip(direction.iter());
             inputs.filter(|(_, rate)| **rate != 0.0)
         };
         if moving().any(|(input, _)| input.dimension == Dimension::Length) {
-            let reach = 2.0 * (reach(mechanism) + lengths::<M>(from));
+            let reach = 2.0 * (mechanism.reach() + sum_of_lengths(mechanism.inputs(), &line.from));
             let fastest = moving()
                 .filter(|(input, _)| input.dimension == Dimension::Length)
                 .fold(0.0, |fastest: f64, (_, rate)| fastest.max(rate.abs()));
@@ -65,26 +65,50 @@ impl<M: Mechanism<Scalar = f64>> InputLine<M> {
     }
 
     /// The line over a given range of s, or over all places where the mechanism may close.
-    pub(super) fn new(mechanism: &M, from: M::Inputs<f64>, direction: M::Inputs<f64>, range: Option<[f64; 2]>) -> Self {
+    pub(super) fn new(mechanism: &Sought<'_>, from: Values, direction: Values, range: Option<[f64; 2]>) -> Self {
         match range {
-            Some([start, end]) => Self {
-                from,
-                direction,
-                low: start.min(end),
-                high: end.max(start),
-                is_closed: false,
-            },
+            Some([start, end]) => Self::over(mechanism, from, direction, [start.min(end), end.max(start)]),
             None => Self::whole(mechanism, from, direction),
         }
     }
 
-    pub(super) fn inputs(&self, s: f64) -> M::Inputs<f64> {
-        M::Inputs::from_fn(|index| self.from[index] + self.direction[index] * s)
+    fn over(mechanism: &Sought<'_>, from: Values, direction: Values, [low, high]: [f64; 2]) -> Self {
+        let moving = mechanism.inputs().iter().zip(direction.iter());
+        let is_angle = moving
+            .filter(|(_, rate)| **rate != 0.0)
+            .all(|(input, _)| input.dimension == Dimension::Angle);
+        Self {
+            from,
+            direction,
+            low,
+            high,
+            is_closed: false,
+            is_angle,
+        }
+    }
+
+    pub(super) fn inputs(&self, s: f64) -> Values {
+        Values::from_fn(self.from.len(), |index| self.from[index] + self.direction[index] * s)
+    }
+
+    /// The inputs of the line as another number, for a place of that number.
+    pub(super) fn inputs_at<B: Scalar>(&self, s: B) -> Vec<B> {
+        let inputs = self.from.iter().zip(self.direction.iter());
+        let inputs = inputs.map(|(from, rate)| {
+            if *rate == 0.0 {
+                B::constant(*from)
+            } else if *from == 0.0 && *rate == 1.0 {
+                s
+            } else {
+                B::constant(*from) + B::constant(*rate) * s
+            }
+        });
+        inputs.collect()
     }
 
     /// The place of some inputs on the line.
-    pub(super) fn place(&self, inputs: M::Inputs<f64>) -> f64 {
-        let rates = self.direction.as_ref().iter().enumerate();
+    pub(super) fn place(&self, inputs: &[f64]) -> f64 {
+        let rates = self.direction.iter().enumerate();
         let (lead, rate) = rates.fold((0, 0.0_f64), |best, (index, rate)| {
             if rate.abs() > best.1.abs() {
                 (index, *rate)
@@ -93,14 +117,6 @@ impl<M: Mechanism<Scalar = f64>> InputLine<M> {
             }
         });
         (inputs[lead] - self.from[lead]) / rate
-    }
-
-    /// Whether only angles move along the line.
-    pub(super) fn is_angle(&self) -> bool {
-        let inputs = M::DESCRIPTION.inputs.iter().zip(self.direction.as_ref());
-        inputs
-            .filter(|(_, rate)| **rate != 0.0)
-            .all(|(input, _)| input.dimension == Dimension::Angle)
     }
 
     pub(super) fn period(&self) -> Option<f64> {
@@ -120,43 +136,44 @@ impl<M: Mechanism<Scalar = f64>> InputLine<M> {
 
     /// Whether the closure is the same after a given way, up to rounding, at some places that have nothing in common.
     /// An angle that is a multiple of an input, like that of a gear, may have made turns.
-    fn repeats(&self, mechanism: &M, way: f64) -> bool {
-        let size = reach(mechanism).max(f64::MIN_POSITIVE);
-        let bounded: M::With<Bounds> = mechanism.convert(Bounds::rounded);
+    fn repeats(&self, mechanism: &Sought<'_>, way: f64) -> bool {
+        let size = mechanism.reach().max(f64::MIN_POSITIVE);
+        let quantities = mechanism.unknowns();
         let agrees = |turned: Option<(usize, f64)>| {
             (0..4).map(f64::from).all(|seed| {
-                let unknowns: M::Unknowns<f64> = Row::from_fn(|index| {
+                let unknowns = Values::from_fn(quantities.len(), |index| {
                     let mixed = Float::sin((seed + 0.5) * (count(index) + 1.7) * 12.9898);
-                    match M::DESCRIPTION.unknowns[index].dimension {
+                    match quantities[index].dimension {
                         Dimension::Length => mixed * size,
                         _ => mixed,
                     }
                 });
-                let mut moved = unknowns;
+                let mut moved = unknowns.clone();
                 if let Some((index, angle)) = turned {
                     moved[index] += angle;
                 }
                 let s = 0.3 + 1.1 * seed;
                 let is_same = |near: f64, far: f64, tolerance: f64| (near - far).abs() <= tolerance;
-                let near = mechanism.residuals(self.inputs(s), unknowns);
-                let far = mechanism.residuals(self.inputs(s + way), moved);
-                let rows = || near.as_ref().iter().zip(far.as_ref());
+                let near = mechanism.residuals(&self.inputs(s), &unknowns);
+                let far = mechanism.residuals(&self.inputs(s + way), &moved);
+                let rows = || near.iter().zip(far.iter());
                 if !rows().all(|(near, far)| is_same(*near, *far, NEAR * (near.abs() + size.max(1.0)))) {
                     return false;
                 }
                 // Each row in its own unit: by the bounds of what rounding changes in it, a whole turn included.
-                let errors = |s: f64, unknowns: &M::Unknowns<f64>| {
-                    let inputs = inputs_at(self, Bounds::rounded(s));
-                    bounded.residuals(inputs, Row::from_fn(|index| Bounds::rounded(unknowns[index])))
+                let errors = |s: f64, unknowns: &[f64]| {
+                    let inputs = self.inputs_at(Bounds::rounded(s));
+                    let unknowns: Vec<Bounds> = unknowns.iter().copied().map(Bounds::rounded).collect();
+                    mechanism.bounded_residuals(&inputs, &unknowns)
                 };
                 let (one, other) = (errors(s, &unknowns), errors(s + way, &moved));
-                let errors = one.as_ref().iter().zip(other.as_ref());
+                let errors = one.iter().zip(&other);
                 let mut errors = errors.map(|(one, other)| one.error() + other.error());
                 rows().all(|(near, far)| is_same(*near, *far, errors.next().unwrap_or(0.0)))
             })
         };
         let angles = || {
-            let unknowns = M::DESCRIPTION.unknowns.iter().enumerate();
+            let unknowns = quantities.iter().enumerate();
             let angles = unknowns.filter(|(_, unknown)| unknown.dimension == Dimension::Angle);
             angles.flat_map(|(index, _)| {
                 let turns = (1..=MOST_TURNS).map(|turns| TAU * f64::from(turns));
@@ -167,7 +184,7 @@ impl<M: Mechanism<Scalar = f64>> InputLine<M> {
     }
 }
 
-impl<M: Mechanism<Scalar = f64>> Drive<M> for InputLine<M> {
+impl<M: Mechanism<Scalar = f64>> Drive<M> for InputLine {
     /// The only input that moves, if it is the place of the line itself.
     fn variable(&self) -> Variable {
         let mut moving = (0..M::DESCRIPTION.inputs.len()).filter(|input| self.direction[*input] != 0.0);
@@ -183,40 +200,11 @@ impl<M: Mechanism<Scalar = f64>> Drive<M> for InputLine<M> {
     }
 }
 
-impl<M: Mechanism<Scalar = f64>> SmoothDrive<M> for InputLine<M> {
+impl<M: Mechanism<Scalar = f64>> SmoothDrive<M> for InputLine {
     fn derivatives(&self, at: f64, _: Side) -> M::Inputs<Motion<f64, READ>> {
         let values = self.inputs(at);
         Row::from_fn(|input| Motion::at_constant_speed(values[input], self.direction[input]))
     }
-}
-
-/// The sum of all lengths of a mechanism.
-pub(super) fn reach<M: Mechanism<Scalar = f64>>(mechanism: &M) -> f64 {
-    let parameters = mechanism.parameters();
-    let named = M::DESCRIPTION.parameters.iter().zip(parameters.as_ref());
-    named
-        .filter(|(quantity, _)| quantity.dimension == Dimension::Length)
-        .fold(0.0, |sum, (_, value)| sum + value.abs())
-}
-
-fn lengths<M: Mechanism<Scalar = f64>>(inputs: M::Inputs<f64>) -> f64 {
-    let named = M::DESCRIPTION.inputs.iter().zip(inputs.as_ref());
-    named
-        .filter(|(quantity, _)| quantity.dimension == Dimension::Length)
-        .fold(0.0, |sum, (_, value)| sum + value.abs())
-}
-
-/// The distance of two positions: the largest difference of a direction, or of a length in parts of the size of the mechanism.
-pub(super) fn distance<M: Mechanism<Scalar = f64>>(size: f64, one: &M::Unknowns<f64>, other: &M::Unknowns<f64>) -> f64 {
-    let pairs = one.as_ref().iter().zip(other.as_ref());
-    let named = M::DESCRIPTION.unknowns.iter().zip(pairs);
-    named.fold(0.0, |largest: f64, (quantity, (one, other))| {
-        largest.max(match quantity.dimension {
-            Dimension::Angle => turned(one - other).abs(),
-            Dimension::Length => (one - other).abs() / size.max(f64::MIN_POSITIVE),
-            Dimension::Scalar => (one - other).abs() / one.abs().max(1.0),
-        })
-    })
 }
 
 /// The same angle in -π ..= π.
@@ -227,34 +215,6 @@ pub(super) fn turned(angle: f64) -> f64 {
 /// The whole turns that are nearest to an angle.
 pub(super) fn whole_turns(angle: f64) -> f64 {
     TAU * Float::round(angle / TAU)
-}
-
-/// The values of the unknowns, with angles on the turns closest to others.
-pub(super) fn nearest<M: Mechanism<Scalar = f64>>(
-    values: M::Unknowns<f64>,
-    near: &M::Unknowns<f64>,
-) -> M::Unknowns<f64> {
-    M::Unknowns::from_fn(|index| match M::DESCRIPTION.unknowns[index].dimension {
-        Dimension::Angle => near[index] + turned(values[index] - near[index]),
-        _ => values[index],
-    })
-}
-
-/// The inputs of the line as another number, for a place of that number.
-pub(super) fn inputs_at<M: Mechanism<Scalar = f64>, B: Scalar>(
-    line: &InputLine<M>,
-    s: B,
-) -> <M::With<B> as Mechanism>::Inputs<B> {
-    Row::from_fn(|index| {
-        let (from, rate) = (B::constant(line.from[index]), line.direction[index]);
-        if rate == 0.0 {
-            from
-        } else if line.from[index] == 0.0 && rate == 1.0 {
-            s
-        } else {
-            from + B::constant(rate) * s
-        }
-    })
 }
 
 /// A small count as a number.

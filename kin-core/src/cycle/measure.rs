@@ -227,9 +227,9 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
                 }
             };
             let mut blocks: M::Dyads<&'static str> = Row::splat("");
-            for end in self.branches[station.branch].ends {
-                let inputs = self.line.inputs(end.input);
-                let all = self.mechanism.transmission_angles_at(inputs, end.unknowns);
+            for end in &self.branches[station.branch].ends {
+                let unknowns = Row::from_fn(|unknown| end.unknowns[unknown]);
+                let all = self.mechanism.transmission_angles_at(self.inputs(end.input), unknowns);
                 for (block, dyad) in blocks.as_mut().iter_mut().zip(all.as_ref()) {
                     *block = dyad.block;
                     candidate(dyad.block, dyad.folded(), end.input);

@@ -2,14 +2,14 @@
 
 use alloc::vec::Vec;
 
-use crate::mechanism::Mechanism;
+use crate::number::Values;
 
 /// A place at which branches end.
-#[derive(Clone, Copy)]
-pub(super) struct BranchNode<M: Mechanism<Scalar = f64>> {
+#[derive(Clone)]
+pub(super) struct BranchNode {
     pub(super) kind: super::EndKind,
     pub(super) s: f64,
-    pub(super) unknowns: M::Unknowns<f64>,
+    pub(super) unknowns: Values,
     pub(super) block: &'static str,
     /// Two numbers that tell apart what only looks the same: the assemblies that meet, if the search knows them.
     pub(super) assemblies: [usize; 2],
@@ -26,20 +26,20 @@ pub(super) enum Tip {
 
 /// A branch, or a part of one that ends at the seam of a closed range. The tips belong to the smallest and the largest input.
 #[derive(Clone)]
-pub(super) struct BranchPiece<M: Mechanism<Scalar = f64>> {
-    /// The assembly, if the search knows it.
-    pub(super) assembly: Option<M::Assembly>,
+pub(super) struct BranchPiece {
+    /// The index of the assembly, if the search knows it.
+    pub(super) assembly: Option<usize>,
     pub(super) low: Tip,
     pub(super) high: Tip,
     /// Places and unknowns in ascending order, with angles that go on over turns. The first and the last belong to the tips.
-    pub(super) samples: Vec<(f64, M::Unknowns<f64>)>,
+    pub(super) samples: Vec<(f64, Values)>,
 }
 
 /// The outcome of a search.
 #[derive(Clone)]
-pub(super) struct FoundPieces<M: Mechanism<Scalar = f64>> {
-    pub(super) nodes: Vec<BranchNode<M>>,
-    pub(super) pieces: Vec<BranchPiece<M>>,
+pub(super) struct FoundPieces {
+    pub(super) nodes: Vec<BranchNode>,
+    pub(super) pieces: Vec<BranchPiece>,
     /// The reasons why there may be other pieces.
     pub(super) incomplete: Vec<super::Incomplete>,
     /// Assemblies by their indices, and ranges in which it is not known whether they close.

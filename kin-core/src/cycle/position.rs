@@ -1,15 +1,17 @@
 //! Positions and poses on the branches of a cycle.
 
+use alloc::vec::Vec;
 use core::f64::consts::PI;
 
 use num_traits::Float;
 
-use super::line::nearest;
 use super::{Branch, Cycle, EndKind};
+use crate::any::PositionChoice;
 use crate::failure::{Failure, InputValues, SolveError};
 use crate::mechanism::Mechanism;
+use crate::number::Row;
 use crate::sweep::Drive;
-use crate::track::track;
+use crate::track::TrackError;
 
 /// The distance by which an input may lie outside of its branch because of rounding, as a part of the largest input.
 const BESIDE: f64 = 64.0 * f64::EPSILON;
@@ -23,7 +25,7 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     /// lies at an end of the branch.
     pub fn position_on(&self, branch: usize, input: f64) -> Result<M::Unknowns<f64>, SolveError> {
         let failed = |failure: Failure| {
-            let names = InputValues::new(M::DESCRIPTION.inputs, self.line.inputs(input).as_ref());
+            let names = InputValues::new(M::DESCRIPTION.inputs, &self.line.inputs(input));
             let block = M::DESCRIPTION.blocks.first().map_or("", |block| block.unknowns);
             failure.at(block, names)
         };
@@ -35,34 +37,37 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
             let is_end = [0, 1].map(|end| own.ends[end].kind != EndKind::FullTurn && own.ends[end].input == *s);
             is_end == [false, false]
         });
-        let closest = |one: &&(f64, M::Unknowns<f64>), other: &&(f64, M::Unknowns<f64>)| {
-            (one.0 - input).abs().total_cmp(&(other.0 - input).abs())
-        };
+        let closest =
+            |one: &&(f64, Vec<f64>), other: &&(f64, Vec<f64>)| (one.0 - input).abs().total_cmp(&(other.0 - input).abs());
         let sample = inner.min_by(closest).or(own.samples.iter().min_by(closest));
-        let (s, near) = *sample.ok_or_else(none)?;
-        match own.assembly {
+        let (s, near) = sample.ok_or_else(none)?;
+        let sought = self.sought();
+        let found = match own.assembly {
             Some(assembly) => {
-                let solved = self.mechanism.solve_position(inputs, assembly)?;
-                let unknowns = nearest::<M>(solved, &near);
-                let is_turned = |index: usize| (unknowns[index] - solved[index]).abs() > PI;
-                if !(0..M::DESCRIPTION.unknowns.len()).any(is_turned) {
-                    return Ok(unknowns);
+                let solved = sought.position(&inputs, PositionChoice::Assembly(assembly))?;
+                let unknowns = sought.nearest(&solved, near);
+                let mut pairs = unknowns.iter().zip(solved.iter());
+                if pairs.any(|(unwrapped, solved)| (unwrapped - solved).abs() > PI) {
+                    // what depends on an angle itself, as the position of a rack does, depends on its turn
+                    let turned = sought.position(&inputs, PositionChoice::Near(&unknowns)).ok();
+                    let turned = turned.filter(|turned| sought.assembly_near(&inputs, turned) == Some(assembly));
+                    turned.map_or_else(|| unknowns.clone(), |turned| sought.nearest(&turned, &unknowns))
+                } else {
+                    unknowns
                 }
-                // what depends on an angle itself, as the position of a rack does, depends on its turn
-                let turned = self.mechanism.solve_position_near(inputs, unknowns).ok();
-                let is_same = |turned: &M::Unknowns<f64>| self.mechanism.assembly_near(inputs, *turned) == assembly;
-                let turned = turned.filter(is_same);
-                Ok(turned.map_or(unknowns, |turned| nearest::<M>(turned, &unknowns)))
             }
-            None => track(&self.mechanism, self.line.inputs(s), near, inputs).map_err(|error| match error {
-                crate::track::TrackError::Failed(error) => error,
-                _ => none(),
-            }),
-        }
+            None => sought
+                .track(&self.line.inputs(*s), near, &inputs)
+                .map_err(|error| match error {
+                    TrackError::Failed(error) => error,
+                    _ => none(),
+                })?,
+        };
+        Ok(Row::from_fn(|unknown| found[unknown]))
     }
 
     /// The place of an input in the range of a branch, which may be whole periods away from it.
-    fn place_on(&self, branch: &Branch<M>, input: f64) -> Result<f64, Failure> {
+    fn place_on(&self, branch: &Branch, input: f64) -> Result<f64, Failure> {
         let [low, high] = branch.ends.each_ref().map(|end| end.input);
         let slack = BESIDE * low.abs().max(high.abs());
         let contains = |place: &f64| *place >= low - slack && *place <= high + slack;
@@ -78,7 +83,7 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
             value: input,
             low,
             high,
-            is_angle: self.line.is_angle(),
+            is_angle: self.line.is_angle,
         })
     }
 
@@ -88,9 +93,9 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     /// The errors of [`position_on`](Self::position_on).
     pub fn pose_on(&self, branch: usize, input: f64) -> Result<M::Pose, SolveError> {
         let near = self.position_on(branch, input)?;
-        let values = self.line.inputs(input);
-        let motions = self.line.motions(input);
-        match self.branches[branch].assembly {
+        let values = self.inputs(input);
+        let motions = Drive::<M>::motions(&self.line, input);
+        match self.assembly_of(branch) {
             Some(assembly) if self.mechanism.assembly_near(values, near) != assembly => {
                 self.mechanism.solve_motion(motions, assembly)
             }

@@ -55,14 +55,14 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     }
 
     /// The sweep over a branch.
-    pub(super) fn course(&self, station: &BranchStation<M>) -> Course<M, InputLine<M>> {
+    pub(super) fn course(&self, station: &BranchStation<M>) -> Course<M, InputLine> {
         let [low, high] = self.branches[station.branch].ends.each_ref().map(|end| end.input);
         let (inputs, near) = (station.footing.inputs, station.footing.unknowns);
-        let assembly = self.branches[station.branch].assembly;
+        let assembly = self.assembly_of(station.branch);
         Course {
             mechanism: self.mechanism,
             assembly: assembly.unwrap_or_else(|| self.mechanism.assembly_near(inputs, near)),
-            drive: self.line,
+            drive: self.line.clone(),
             from: low,
             to: high,
             count: 2,
@@ -92,16 +92,15 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     fn inside(&self, branch: usize) -> Option<(f64, M::Unknowns<f64>)> {
         let branch = &self.branches[branch];
         let middle = 0.5 * (branch.ends[0].input + branch.ends[1].input);
-        let distance = |sample: &&(f64, M::Unknowns<f64>)| (sample.0 - middle).abs();
+        let distance = |sample: &&(f64, Vec<f64>)| (sample.0 - middle).abs();
         let samples = branch.samples.iter();
-        samples
-            .min_by(|one, other| distance(one).total_cmp(&distance(other)))
-            .copied()
+        let (at, unknowns) = samples.min_by(|one, other| distance(one).total_cmp(&distance(other)))?;
+        Some((*at, Row::from_fn(|unknown| unknowns[unknown])))
     }
 
     /// A pose of a branch. A quantity that depends on the turn of an angle follows it.
     fn station(&self, branch: usize, at: f64, unknowns: M::Unknowns<f64>) -> BranchStation<M> {
-        let inputs = self.line.inputs(at);
+        let inputs = self.inputs(at);
         let footing = Footing {
             at,
             inputs,
@@ -119,7 +118,7 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
 
     fn walked(&self, station: &BranchStation<M>, at: f64) -> Option<Footing<M>> {
         let mut walk = self.known(station).inside;
-        let reached = walk.step(&self.course(station), at, self.line.motions(at));
+        let reached = walk.step(&self.course(station), at, Drive::<M>::motions(&self.line, at));
         reached.ok().map(|reached| reached.footing)
     }
 

@@ -4,13 +4,15 @@
 //! length lies between a half and one: every bound and every tolerance then has one size, no square leaves the range of
 //! the numbers, and no digit changes.
 
+use alloc::vec;
 use core::iter;
 
 use num_traits::Float;
 
-use super::line::{count, distance};
-use crate::mechanism::Mechanism;
-use crate::number::Row;
+use super::line::count;
+use super::sought::Sought;
+use crate::any::PositionChoice;
+use crate::number::Values;
 use crate::quantity::{Dimension, Quantity};
 
 /// The factor by which a mechanism is enlarged to see whether its closure has a unit of length: a power of two, so that
@@ -33,19 +35,19 @@ pub(super) struct LengthUnit(f64);
 impl LengthUnit {
     /// The unit of a mechanism: that of its declaration if numbers stand for lengths there, so that it cannot be
     /// enlarged.
-    pub(super) fn of<M: Mechanism<Scalar = f64>>(mechanism: &M, from: M::Inputs<f64>) -> Self {
-        let description = M::DESCRIPTION;
+    pub(super) fn of(mechanism: &Sought<'_>, from: &[f64]) -> Self {
+        let description = mechanism.description();
         let lengths = |quantities: &'static [Quantity], values: &[f64]| {
             let named = quantities.iter().zip(values);
             named
                 .filter(|(quantity, _)| quantity.dimension == Dimension::Length)
                 .fold(0.0, |largest: f64, (_, value)| largest.max(value.abs()))
         };
-        let links = lengths(description.parameters, mechanism.parameters().as_ref());
+        let links = lengths(description.parameters, &mechanism.parameters);
         let largest = if links > 0.0 {
             links
         } else {
-            lengths(description.inputs, from.as_ref())
+            lengths(description.inputs, from)
         };
         if largest == 0.0 {
             return Self(1.0);
@@ -58,31 +60,25 @@ impl LengthUnit {
         }
     }
 
-    fn row<R: Row<f64>>(self, quantities: &[Quantity], values: R) -> R {
-        R::from_fn(|index| match quantities[index].dimension {
+    /// Lengths of the search, other quantities as they are.
+    pub(super) fn row(self, quantities: &[Quantity], values: &[f64]) -> Values {
+        Values::from_fn(values.len(), |index| match quantities[index].dimension {
             Dimension::Length => values[index] * self.0,
             _ => values[index],
         })
     }
 
     /// The mechanism of the search.
-    pub(super) fn mechanism<M: Mechanism<Scalar = f64>>(self, mechanism: &M) -> M {
-        M::from_parameters(self.row(M::DESCRIPTION.parameters, mechanism.parameters()))
+    pub(super) fn mechanism<'f>(self, mechanism: &Sought<'f>) -> Sought<'f> {
+        Sought {
+            parameters: self.row(mechanism.description().parameters, &mechanism.parameters),
+            ..*mechanism
+        }
     }
 
-    /// Inputs, or their rates, of the search.
-    pub(super) fn inputs<M: Mechanism<Scalar = f64>>(self, inputs: M::Inputs<f64>) -> M::Inputs<f64> {
-        self.row(M::DESCRIPTION.inputs, inputs)
-    }
-
-    /// Unknowns of the search.
-    fn unknowns<M: Mechanism<Scalar = f64>>(self, unknowns: M::Unknowns<f64>) -> M::Unknowns<f64> {
-        self.row(M::DESCRIPTION.unknowns, unknowns)
-    }
-
-    /// Unknowns in the mechanism's own unit.
-    pub(super) fn told<M: Mechanism<Scalar = f64>>(self, unknowns: M::Unknowns<f64>) -> M::Unknowns<f64> {
-        Self(1.0 / self.0).unknowns::<M>(unknowns)
+    /// The unit in which the search's own lengths are told.
+    pub(super) fn inverse(self) -> Self {
+        Self(1.0 / self.0)
     }
 }
 
@@ -98,17 +94,18 @@ fn reciprocal_power(value: f64) -> f64 {
 
 /// Whether each row of the closure is multiplied by a power of a factor by which all lengths are multiplied, and no
 /// declared range of a length has an end besides zero.
-fn is_homogeneous<M: Mechanism<Scalar = f64>>(mechanism: &M) -> bool {
+fn is_homogeneous(mechanism: &Sought<'_>) -> bool {
     let factor = LengthUnit(ENLARGED);
     let enlarged = factor.mechanism(mechanism);
-    let mut fits: M::Residuals<u16> = Row::splat(u16::MAX);
+    let (inputs, unknowns) = (mechanism.inputs(), mechanism.unknowns());
+    let mut fits = vec![u16::MAX; unknowns.len()];
     for seed in 0..3 {
         let mixed = |index: usize| Float::sin((f64::from(seed) + 0.5) * (count(index) + 1.7) * 12.9898);
-        let inputs: M::Inputs<f64> = Row::from_fn(|index| mixed(index + 11));
-        let unknowns: M::Unknowns<f64> = Row::from_fn(mixed);
-        let own = mechanism.residuals(inputs, unknowns);
-        let other = enlarged.residuals(factor.inputs::<M>(inputs), factor.unknowns::<M>(unknowns));
-        for (fits, (own, other)) in fits.as_mut().iter_mut().zip(own.as_ref().iter().zip(other.as_ref())) {
+        let given = Values::from_fn(inputs.len(), |index| mixed(index + 11));
+        let position = Values::from_fn(unknowns.len(), mixed);
+        let own = mechanism.residuals(&given, &position);
+        let other = enlarged.residuals(&factor.row(inputs, &given), &factor.row(unknowns, &position));
+        for (fits, (own, other)) in fits.iter_mut().zip(own.iter().zip(other.iter())) {
             for (bit, power) in POWERS.enumerate() {
                 let expected = own * Float::powi(ENLARGED, power);
                 if (other - expected).abs() > AGREEMENT * expected.abs() {
@@ -118,16 +115,14 @@ fn is_homogeneous<M: Mechanism<Scalar = f64>>(mechanism: &M) -> bool {
         }
     }
     let some = (1 << POWERS.count()) - 1;
-    fits.as_ref().iter().all(|fits| fits & some != 0) && ranges_have_no_end(mechanism)
+    fits.iter().all(|fits| fits & some != 0) && ranges_have_no_end(mechanism)
 }
 
 /// Whether the same positions lie in the declared ranges of lengths for a mechanism that is much larger, and much
 /// smaller.
-fn ranges_have_no_end<M: Mechanism<Scalar = f64>>(mechanism: &M) -> bool {
-    let mut lengths = M::DESCRIPTION
-        .unknowns
-        .iter()
-        .filter(|unknown| unknown.dimension == Dimension::Length);
+fn ranges_have_no_end(mechanism: &Sought<'_>) -> bool {
+    let (inputs, unknowns) = (mechanism.inputs(), mechanism.unknowns());
+    let mut lengths = unknowns.iter().filter(|unknown| unknown.dimension == Dimension::Length);
     if !lengths.any(|unknown| unknown.has_range) {
         return true;
     }
@@ -136,17 +131,18 @@ fn ranges_have_no_end<M: Mechanism<Scalar = f64>>(mechanism: &M) -> bool {
     let mut closes = false;
     let places = (0..PLACES).map(|place| f64::from(place) * core::f64::consts::TAU / f64::from(PLACES) + 0.1);
     let agrees = places
-        .flat_map(|place| M::assemblies().zip(iter::repeat(place)))
+        .flat_map(|place| mechanism.assemblies().zip(iter::repeat(place)))
         .all(|(assembly, place)| {
-            let inputs: M::Inputs<f64> = Row::splat(place);
+            let given = Values::splat(inputs.len(), place);
             let [large, small] = [0, 1].map(|which| {
-                let solved = mechanisms[which].solve_position(units[which].inputs::<M>(inputs), assembly);
-                solved.ok().map(|unknowns| units[which].told::<M>(unknowns))
+                let given = units[which].row(inputs, &given);
+                let solved = mechanisms[which].position(&given, PositionChoice::Assembly(assembly));
+                solved.ok().map(|position| units[which].inverse().row(unknowns, &position))
             });
             match (large, small) {
                 (Some(one), Some(other)) => {
                     closes = true;
-                    distance::<M>(1.0, &one, &other) < AGREEMENT.sqrt()
+                    mechanism.distance(1.0, &one, &other) < AGREEMENT.sqrt()
                 }
                 (None, None) => true,
                 _ => false,

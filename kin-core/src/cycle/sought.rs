@@ -1,0 +1,137 @@
+//! The mechanism of a search, without its type.
+
+use alloc::vec;
+use alloc::vec::Vec;
+
+use super::bounds::Bounds;
+use super::curved::Curved;
+use super::line::turned;
+use crate::any::{ClosureOver, PositionChoice, PositionOver, Transmissions};
+use crate::failure::SolveError;
+use crate::mechanism::{Block, Description};
+use crate::number::Values;
+use crate::quantity::{Dimension, Quantity};
+use crate::track::{TrackError, Tracked};
+
+/// What every search needs of a mechanism.
+pub(super) trait CycleFunctions: Tracked + ClosureOver<Bounds> {}
+
+impl<F: Tracked + ClosureOver<Bounds>> CycleFunctions for F {}
+
+/// What the search needs where every block has a closed form.
+pub(super) trait ClosedForms: CycleFunctions + PositionOver<Bounds> + PositionOver<Curved> + Transmissions {}
+
+impl<F: CycleFunctions + PositionOver<Bounds> + PositionOver<Curved> + Transmissions> ClosedForms for F {}
+
+/// A mechanism with its dimensions.
+#[derive(Clone)]
+pub(super) struct Sought<'f> {
+    pub(super) functions: &'f dyn CycleFunctions,
+    pub(super) parameters: Values,
+}
+
+impl Sought<'_> {
+    pub(super) fn description(&self) -> &'static Description {
+        self.functions.description()
+    }
+
+    pub(super) fn inputs(&self) -> &'static [Quantity] {
+        self.description().inputs
+    }
+
+    pub(super) fn unknowns(&self) -> &'static [Quantity] {
+        self.description().unknowns
+    }
+
+    pub(super) fn blocks(&self) -> &'static [Block] {
+        self.description().blocks
+    }
+
+    /// The names of the block of an unknown.
+    pub(super) fn block_of(&self, unknown: usize) -> &'static str {
+        let mut blocks = self.blocks().iter();
+        let block = blocks.find(|block| block.members.contains(&unknown));
+        block.map_or("", |block| block.unknowns)
+    }
+
+    /// The indices of all assemblies.
+    pub(super) fn assemblies(&self) -> core::ops::Range<usize> {
+        0..self.functions.assembly_count()
+    }
+
+    pub(super) fn assembly_near(&self, inputs: &[f64], unknowns: &[f64]) -> Option<usize> {
+        self.functions.assembly_near(&self.parameters, inputs, unknowns)
+    }
+
+    pub(super) fn position(&self, inputs: &[f64], choice: PositionChoice<'_, f64>) -> Result<Values, SolveError> {
+        let mut unknowns = Values::splat(self.unknowns().len(), 0.0);
+        self.functions
+            .position(&self.parameters, inputs, choice, &mut unknowns)?;
+        Ok(unknowns)
+    }
+
+    pub(super) fn residuals(&self, inputs: &[f64], unknowns: &[f64]) -> Values {
+        let mut residuals = Values::splat(unknowns.len(), 0.0);
+        let functions: &dyn ClosureOver<f64> = self.functions;
+        functions.residuals(&self.parameters, inputs, unknowns, &mut residuals);
+        residuals
+    }
+
+    /// The residuals of bounds.
+    pub(super) fn bounded_residuals(&self, inputs: &[Bounds], unknowns: &[Bounds]) -> Vec<Bounds> {
+        let mut residuals = vec![Bounds::rounded(0.0); unknowns.len()];
+        let functions: &dyn ClosureOver<Bounds> = self.functions;
+        functions.residuals(&self.rounded(), inputs, unknowns, &mut residuals);
+        residuals
+    }
+
+    /// The parameters as bounds of their last places.
+    pub(super) fn rounded(&self) -> Vec<Bounds> {
+        self.parameters.iter().copied().map(Bounds::rounded).collect()
+    }
+
+    pub(super) fn track(
+        &self,
+        from: &[f64],
+        unknowns: &[f64],
+        to: &[f64],
+    ) -> Result<Values, TrackError<Vec<f64>, Vec<f64>>> {
+        let found = self.functions.track_between(&self.parameters, from, unknowns, to)?;
+        Ok(Values::from(&*found))
+    }
+
+    /// The sum of all lengths.
+    pub(super) fn reach(&self) -> f64 {
+        sum_of_lengths(self.description().parameters, &self.parameters)
+    }
+
+    /// The distance of two positions: the largest difference of a direction, or of a length in parts of the size of the mechanism.
+    pub(super) fn distance(&self, size: f64, one: &[f64], other: &[f64]) -> f64 {
+        let pairs = one.iter().zip(other);
+        let named = self.unknowns().iter().zip(pairs);
+        named.fold(0.0, |largest: f64, (quantity, (one, other))| {
+            largest.max(match quantity.dimension {
+                Dimension::Angle => turned(one - other).abs(),
+                Dimension::Length => (one - other).abs() / size.max(f64::MIN_POSITIVE),
+                Dimension::Scalar => (one - other).abs() / one.abs().max(1.0),
+            })
+        })
+    }
+
+    /// The values of the unknowns, with angles on the turns closest to others.
+    pub(super) fn nearest(&self, values: &[f64], near: &[f64]) -> Values {
+        let unknowns = self.unknowns();
+        Values::from_fn(values.len(), |index| match unknowns[index].dimension {
+            Dimension::Angle => near[index] + turned(values[index] - near[index]),
+            _ => values[index],
+        })
+    }
+}
+
+/// The sum of those values that are lengths.
+pub(super) fn sum_of_lengths(quantities: &[Quantity], values: &[f64]) -> f64 {
+    let named = quantities.iter().zip(values);
+    named
+        .filter(|(quantity, _)| quantity.dimension == Dimension::Length)
+        .fold(0.0, |sum, (_, value)| sum + value.abs())
+}
