@@ -24,8 +24,32 @@ pub enum PositionChoice<'n, T> {
     Near(&'n [T]),
 }
 
-/// Positions in numbers of one type.
-pub trait PositionOver<T> {
+/// Positions of an assembly in numbers of one type.
+pub trait AssemblyOver<T> {
+    /// Writes the unknowns of an assembly, which is given by its index.
+    ///
+    /// # Errors
+    /// Those of [`Mechanism::solve_position`].
+    fn position_of_assembly(
+        &self,
+        parameters: &[T],
+        inputs: &[T],
+        assembly: usize,
+        unknowns: &mut [T],
+    ) -> Result<(), SolveError>;
+}
+
+/// Positions near others in numbers of one type.
+pub trait NearOver<T> {
+    /// Writes the unknowns of the position that is closest to values of them.
+    ///
+    /// # Errors
+    /// Those of [`Mechanism::solve_position_near`].
+    fn position_near(&self, parameters: &[T], inputs: &[T], near: &[T], unknowns: &mut [T]) -> Result<(), SolveError>;
+}
+
+/// Positions in numbers of one type, chosen in both ways. Each way is compiled by itself: name the trait of one way where it is enough.
+pub trait PositionOver<T>: AssemblyOver<T> + NearOver<T> {
     /// Writes the unknowns of a position.
     ///
     /// # Errors
@@ -36,8 +60,15 @@ pub trait PositionOver<T> {
         inputs: &[T],
         choice: PositionChoice<'_, T>,
         unknowns: &mut [T],
-    ) -> Result<(), SolveError>;
+    ) -> Result<(), SolveError> {
+        match choice {
+            PositionChoice::Assembly(index) => self.position_of_assembly(parameters, inputs, index, unknowns),
+            PositionChoice::Near(near) => self.position_near(parameters, inputs, near, unknowns),
+        }
+    }
 }
+
+impl<T, F: AssemblyOver<T> + NearOver<T>> PositionOver<T> for F {}
 
 /// The closure in numbers of one type.
 pub trait ClosureOver<T> {
@@ -145,19 +176,23 @@ fn assembly<M: Mechanism>(index: usize) -> M::Assembly {
     M::assembly(index).unwrap_or_else(|| panic!("{} has {} assemblies", M::DESCRIPTION.name, M::ASSEMBLY_COUNT))
 }
 
-impl<M: Mechanism, T: Scalar> PositionOver<T> for Of<M> {
-    fn position(
+impl<M: Mechanism, T: Scalar> AssemblyOver<T> for Of<M> {
+    fn position_of_assembly(
         &self,
         parameters: &[T],
         inputs: &[T],
-        choice: PositionChoice<'_, T>,
+        index: usize,
         unknowns: &mut [T],
     ) -> Result<(), SolveError> {
-        let mechanism = with::<M, T>(parameters);
-        let found = match choice {
-            PositionChoice::Assembly(index) => mechanism.solve_position(row(inputs), assembly::<M>(index)),
-            PositionChoice::Near(near) => mechanism.solve_position_near(row(inputs), row(near)),
-        }?;
+        let found = with::<M, T>(parameters).solve_position(row(inputs), assembly::<M>(index))?;
+        unknowns.copy_from_slice(found.as_ref());
+        Ok(())
+    }
+}
+
+impl<M: Mechanism, T: Scalar> NearOver<T> for Of<M> {
+    fn position_near(&self, parameters: &[T], inputs: &[T], near: &[T], unknowns: &mut [T]) -> Result<(), SolveError> {
+        let found = with::<M, T>(parameters).solve_position_near(row(inputs), row(near))?;
         unknowns.copy_from_slice(found.as_ref());
         Ok(())
     }

@@ -173,8 +173,8 @@ impl Search<'_> {
     fn bounds(&self, low: f64, high: f64, assembly: usize) -> Result<Vec<Bounds>, SolveError> {
         let mut unknowns = vec![Bounds::rounded(0.0); self.mechanism.unknowns().len()];
         let inputs = self.line.inputs_at(Bounds::variable(low, high));
-        let choice = PositionChoice::Assembly(assembly);
-        self.functions.position(&self.bounded, &inputs, choice, &mut unknowns)?;
+        self.functions
+            .position_of_assembly(&self.bounded, &inputs, assembly, &mut unknowns)?;
         Ok(unknowns)
     }
 
@@ -182,8 +182,8 @@ impl Search<'_> {
     fn bounds_by_curvature(&self, low: f64, high: f64, assembly: usize) -> Result<Vec<Bounds>, SolveError> {
         let mut unknowns = vec![Curved::rounded(0.0); self.mechanism.unknowns().len()];
         let inputs = self.line.inputs_at(Curved::variable(low, high));
-        let choice = PositionChoice::Assembly(assembly);
-        self.functions.position(&self.curved, &inputs, choice, &mut unknowns)?;
+        self.functions
+            .position_of_assembly(&self.curved, &inputs, assembly, &mut unknowns)?;
         Ok(unknowns.iter().map(|unknown| unknown.bounds).collect())
     }
 

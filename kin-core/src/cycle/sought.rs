@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use super::bounds::Bounds;
 use super::curved::Curved;
 use super::line::turned;
-use crate::any::{ClosureOver, PositionChoice, PositionOver, Transmissions};
+use crate::any::{AssemblyOver, ClosureOver, PositionChoice, Transmissions};
 use crate::failure::SolveError;
 use crate::mechanism::{Block, Description};
 use crate::number::Values;
@@ -19,9 +19,9 @@ pub(super) trait CycleFunctions: Tracked + ClosureOver<Bounds> {}
 impl<F: Tracked + ClosureOver<Bounds>> CycleFunctions for F {}
 
 /// What the search needs where every block has a closed form.
-pub(super) trait ClosedForms: CycleFunctions + PositionOver<Bounds> + PositionOver<Curved> + Transmissions {}
+pub(super) trait ClosedForms: CycleFunctions + AssemblyOver<Bounds> + AssemblyOver<Curved> + Transmissions {}
 
-impl<F: CycleFunctions + PositionOver<Bounds> + PositionOver<Curved> + Transmissions> ClosedForms for F {}
+impl<F: CycleFunctions + AssemblyOver<Bounds> + AssemblyOver<Curved> + Transmissions> ClosedForms for F {}
 
 /// A mechanism with its dimensions.
 #[derive(Clone)]
