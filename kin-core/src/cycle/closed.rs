@@ -188,13 +188,7 @@ impl Search<'_> {
     }
 
     /// What the bounds say about an interval, and the position in its middle.
-    fn known(
-        &self,
-        low: f64,
-        high: f64,
-        assembly: usize,
-        is_curved: bool,
-    ) -> (Option<Known>, Option<Values>) {
+    fn known(&self, low: f64, high: f64, assembly: usize, is_curved: bool) -> (Option<Known>, Option<Values>) {
         let solved = if is_curved {
             self.bounds_by_curvature(low, high, assembly)
         } else {
@@ -213,10 +207,7 @@ impl Search<'_> {
             return (Some(Known::Rounding), None);
         }
         // towards a pole
-        if unknowns
-            .iter()
-            .any(|unknown| unknown.high - unknown.low > UNBOUNDED)
-        {
+        if unknowns.iter().any(|unknown| unknown.high - unknown.low > UNBOUNDED) {
             return (None, None);
         }
         let swings = |(quantity, unknown): (&Quantity, &Bounds)| {
@@ -504,7 +495,9 @@ impl Search<'_> {
                 // What the two assemblies differ by is the root of the distance to the limit, with opposite signs.
                 let own = node.unknowns;
                 let other = self.mechanism.nearest(&other, &own);
-                node.unknowns = Values::from_fn(own.len(), |unknown| own[unknown] + 0.5 * (other[unknown] - own[unknown]));
+                node.unknowns = Values::from_fn(own.len(), |unknown| {
+                    own[unknown] + 0.5 * (other[unknown] - own[unknown])
+                });
             }
         }
         self.found.nodes.push(node);
@@ -515,12 +508,7 @@ impl Search<'_> {
     ///
     /// The square of the difference of two assemblies that meet grows with the distance from the place where it is
     /// zero. Two differences show that place, which is the limit of the block that the assemblies solve differently.
-    fn together(
-        &self,
-        assembly: usize,
-        limit: f64,
-        is_above: bool,
-    ) -> Vec<(usize, Values)> {
+    fn together(&self, assembly: usize, limit: f64, is_above: bool) -> Vec<(usize, Values)> {
         let range = (self.line.high - self.line.low) * if is_above { 1.0 } else { -1.0 };
         let [near, far] = ROOTS.map(|part| limit + part * range);
         let (Some(first), Some(second)) = (self.solved(near, assembly), self.solved(far, assembly)) else {
@@ -557,7 +545,9 @@ impl Search<'_> {
             {
                 let separation = |other: usize| Some(self.distance(&own, &self.solved(*good, other)?));
                 if partner.is_none() {
-                    let all = self.others(assembly).filter_map(|other| Some((other, separation(other)?)));
+                    let all = self
+                        .others(assembly)
+                        .filter_map(|other| Some((other, separation(other)?)));
                     partner = all
                         .min_by(|one, other| one.1.total_cmp(&other.1))
                         .map(|(other, _)| other);
@@ -593,8 +583,7 @@ impl Search<'_> {
         let solved = |s: f64| self.solved(s, assembly);
         let [before, behind] = [(low, -away), (high, away)].map(|(s, away)| Some([solved(s)?, solved(s + away)?]));
         let (before, behind) = (before?, behind?);
-        let grows =
-            |[near, far]: &[Values; 2], unknown: usize| near[unknown].abs() > POLE * far[unknown].abs();
+        let grows = |[near, far]: &[Values; 2], unknown: usize| near[unknown].abs() > POLE * far[unknown].abs();
         let is_pole = |unknown: &usize| {
             let is_angle = self.mechanism.unknowns()[*unknown].dimension == Dimension::Angle;
             !is_angle && grows(&before, *unknown) && grows(&behind, *unknown)
@@ -622,23 +611,17 @@ impl Search<'_> {
 
     /// The change point in some intervals at both ends of which an assembly closes, if there is one: where the assembly
     /// ends before it, and where it begins behind it. Both are the same unless a part turns freely there.
-    fn change_point(
-        &mut self,
-        assembly: usize,
-        intervals: &[Interval],
-        own: Range<usize>,
-    ) -> Option<[PieceEnd; 2]> {
+    fn change_point(&mut self, assembly: usize, intervals: &[Interval], own: Range<usize>) -> Option<[PieceEnd; 2]> {
         let is_doubtful = |place: &usize| !intervals[*place].known.may_close();
         let (first, last) = (own.clone().find(is_doubtful)?, own.rev().find(is_doubtful)?);
         let (low, high) = (intervals[first].low, intervals[last].high);
         let range = self.line.high - self.line.low;
         let slack = RESOLUTION * range;
         let is_inside = |s: f64| s >= low - slack && s <= high + slack;
-        let known = self
-            .found
-            .nodes
-            .iter()
-            .position(|node| node.kind == EndKind::ChangePoint && is_inside(node.s) && node.assemblies[1] == assembly);
+        let known =
+            self.found.nodes.iter().position(|node| {
+                node.kind == EndKind::ChangePoint && is_inside(node.s) && node.assemblies[1] == assembly
+            });
         if let Some(known) = known {
             return Some([known; 2].map(|node| self.at_node(node)));
         }
@@ -715,9 +698,10 @@ impl Search<'_> {
         let sides = (other == assembly)
             .then(|| free::sides(self, assembly, s, reach))
             .flatten();
-        Some(sides.map_or_else(|| [node; 2].map(|node| self.at_node(node)), |sides| {
-            sides.map(|unknowns| PieceEnd { node, unknowns })
-        }))
+        Some(sides.map_or_else(
+            || [node; 2].map(|node| self.at_node(node)),
+            |sides| sides.map(|unknowns| PieceEnd { node, unknowns }),
+        ))
     }
 
     /// The place at which an assembly closes, as close to a wanted one as halving the way to another place finds it.

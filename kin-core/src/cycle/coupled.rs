@@ -182,12 +182,7 @@ fn from_seeds(
     }
 }
 
-fn seed(
-    mechanism: &Sought<'_>,
-    functions: &dyn EveryPosition,
-    line: &InputLine,
-    s: f64,
-) -> Result<Seed, SolveError> {
+fn seed(mechanism: &Sought<'_>, functions: &dyn EveryPosition, line: &InputLine, s: f64) -> Result<Seed, SolveError> {
     let mut positions = Vec::new();
     let mut found = |unknowns: &[f64]| positions.push(Values::from(unknowns));
     let search = functions.every_position(&mechanism.parameters, &line.inputs(s), &mut found)?;
@@ -241,12 +236,7 @@ struct WayEnd {
 }
 
 impl<'a> Search<'a> {
-    fn new(
-        mechanism: &'a Sought<'a>,
-        functions: &'a dyn EveryPosition,
-        line: &'a InputLine,
-        seeds: Vec<Seed>,
-    ) -> Self {
+    fn new(mechanism: &'a Sought<'a>, functions: &'a dyn EveryPosition, line: &'a InputLine, seeds: Vec<Seed>) -> Self {
         Self {
             mechanism,
             functions,
@@ -269,7 +259,8 @@ impl<'a> Search<'a> {
     }
 
     fn near(&self, s: f64, near: &[f64]) -> Result<Values, SolveError> {
-        self.mechanism.position(&self.line.inputs(s), PositionChoice::Near(near))
+        self.mechanism
+            .position(&self.line.inputs(s), PositionChoice::Near(near))
     }
 
     fn track(&self, from: f64, unknowns: &[f64], to: f64) -> Result<Values, TrackError<Vec<f64>, Vec<f64>>> {
@@ -341,9 +332,7 @@ impl<'a> Search<'a> {
                 continue;
             }
             let nearest = inside.min_by(|(_, one), (_, other)| (one.0 - s).abs().total_cmp(&(other.0 - s).abs()));
-            let reached = nearest.and_then(|(_, (from, unknowns))| {
-                self.track(*from, unknowns, s).ok()
-            });
+            let reached = nearest.and_then(|(_, (from, unknowns))| self.track(*from, unknowns, s).ok());
             if let Some(reached) = reached {
                 own.visit(self.mechanism, self.size, &reached);
             } else {
@@ -521,21 +510,18 @@ impl<'a> Search<'a> {
     }
 
     /// The node at which a track ended. A limit's other side is noted.
-    fn ended(
-        &mut self,
-        s: f64,
-        unknowns: &[f64],
-        direction: f64,
-        error: TrackError<Vec<f64>, Vec<f64>>,
-    ) -> usize {
+    fn ended(&mut self, s: f64, unknowns: &[f64], direction: f64, error: TrackError<Vec<f64>, Vec<f64>>) -> usize {
         let range = self.line.high - self.line.low;
         let node = match error {
             TrackError::Limit(obstacle) => {
                 self.node(EndKind::Limit, &obstacle.inputs, &obstacle.unknowns, obstacle.block)
             }
-            TrackError::ChangePoint(obstacle) => {
-                self.node(EndKind::ChangePoint, &obstacle.inputs, &obstacle.unknowns, obstacle.block)
-            }
+            TrackError::ChangePoint(obstacle) => self.node(
+                EndKind::ChangePoint,
+                &obstacle.inputs,
+                &obstacle.unknowns,
+                obstacle.block,
+            ),
             TrackError::Unbounded(obstacle) => {
                 self.node(EndKind::Pole, &obstacle.inputs, &obstacle.unknowns, obstacle.block)
             }
@@ -566,13 +552,7 @@ impl<'a> Search<'a> {
         node
     }
 
-    fn node(
-        &mut self,
-        kind: EndKind,
-        inputs: &[f64],
-        unknowns: &[f64],
-        block: &'static str,
-    ) -> usize {
+    fn node(&mut self, kind: EndKind, inputs: &[f64], unknowns: &[f64], block: &'static str) -> usize {
         let s = self.line.place(inputs);
         let range = self.line.high - self.line.low;
         let known = self.found.nodes.iter().position(|node| {

@@ -35,11 +35,7 @@ pub(super) struct Jump {
 /// two smooth curves. Their difference has a simple zero in the unknown that frees the part, the length of the slide,
 /// and inverse interpolation finds it. If two links turn freely, one on the other, it is the angle between them that
 /// has a simple zero along a curve.
-pub(super) fn jump(
-    search: &Search<'_>,
-    assembly: usize,
-    places: &[f64; CROSSING],
-) -> Option<Jump> {
+pub(super) fn jump(search: &Search<'_>, assembly: usize, places: &[f64; CROSSING]) -> Option<Jump> {
     const BEFORE: usize = CROSSING / 2 - 1;
     const BEHIND: usize = CROSSING / 2;
     let start = search.solved(places[BEFORE], assembly)?;
@@ -82,7 +78,9 @@ pub(super) fn jump(
     };
     let s = interpolated(&zero, places, 0.0);
     let at = |curve: &[Values; CROSSING]| {
-        Values::from_fn(start.len(), |unknown| interpolated(places, &core::array::from_fn(|place| curve[place][unknown]), s))
+        Values::from_fn(start.len(), |unknown| {
+            interpolated(places, &core::array::from_fn(|place| curve[place][unknown]), s)
+        })
     };
     let unknowns = [at(&onward), at(&back)];
     let is_finite = unknowns.iter().all(|row| row.iter().all(|value| value.is_finite()));
@@ -92,12 +90,7 @@ pub(super) fn jump(
 
 /// The unknowns of an assembly before and behind a place, if they are different positions there: a part turns freely, and no other assembly goes on
 /// where this one ends, since the declared range of an unknown leaves it out.
-pub(super) fn sides(
-    search: &Search<'_>,
-    assembly: usize,
-    s: f64,
-    reach: f64,
-) -> Option<[Values; 2]> {
+pub(super) fn sides(search: &Search<'_>, assembly: usize, s: f64, reach: f64) -> Option<[Values; 2]> {
     // from places that keep away from it, where the direction of the free part has lost its digits
     let side = |direction: f64| {
         let places = around(s + 0.55 * direction * reach, 0.45 * reach);
@@ -116,31 +109,21 @@ pub(super) fn sides(
 }
 
 /// Whether the closure holds, up to the error of an interpolation.
-fn is_position(
-    search: &Search<'_>,
-    s: f64,
-    unknowns: &[f64],
-) -> bool {
+fn is_position(search: &Search<'_>, s: f64, unknowns: &[f64]) -> bool {
     let residuals = search.mechanism.residuals(&search.line.inputs(s), unknowns);
     residuals.iter().all(|residual| residual.abs() <= FREE * search.size)
 }
 
 /// Whether a straight line between two positions at the same input consists of positions. An angle that is half a turn
 /// apart may turn either way.
-pub(super) fn is_connected(
-    search: &Search<'_>,
-    s: f64,
-    [from, to]: [&[f64]; 2],
-) -> bool {
+pub(super) fn is_connected(search: &Search<'_>, s: f64, [from, to]: [&[f64]; 2]) -> bool {
     let unknowns = search.mechanism.unknowns();
     let to = search.mechanism.nearest(to, from);
     let halves = |unknown: usize| {
         let is_angle = unknowns[unknown].dimension == Dimension::Angle;
         is_angle && (to[unknown] - from[unknown]).abs() > core::f64::consts::PI - MEETING
     };
-    let free: Vec<usize> = (0..to.len())
-        .filter(|unknown| halves(*unknown))
-        .collect();
+    let free: Vec<usize> = (0..to.len()).filter(|unknown| halves(*unknown)).collect();
     (0..1_usize << free.len().min(MOST_HALVES)).any(|ways| {
         let mut way = Values::from_fn(to.len(), |unknown| to[unknown] - from[unknown]);
         for (bit, unknown) in free.iter().take(MOST_HALVES).enumerate() {

@@ -66,7 +66,9 @@ pub(super) fn joined_at_the_seam(mechanism: &Sought<'_>, line: &InputLine, found
             turns += 1.0;
             used[next] = true;
             for (s, unknowns) in pieces[next].samples.iter().skip(1) {
-                let near = samples.last().map_or_else(|| unknowns.clone(), |(_, near)| near.clone());
+                let near = samples
+                    .last()
+                    .map_or_else(|| unknowns.clone(), |(_, near)| near.clone());
                 samples.push((s + turns * period, mechanism.nearest(unknowns, &near)));
             }
             last = next;
@@ -94,7 +96,10 @@ pub(super) fn joined_at_the_seam(mechanism: &Sought<'_>, line: &InputLine, found
                 end(pieces[start].low, first_sample),
                 end(pieces[last].high, last_sample),
             ],
-            samples: samples.into_iter().map(|(s, unknowns)| (s, unknowns.to_vec())).collect(),
+            samples: samples
+                .into_iter()
+                .map(|(s, unknowns)| (s, unknowns.to_vec()))
+                .collect(),
             assembly: pieces[start].assembly,
             circuit: 0,
             joins: [Vec::new(), Vec::new()],

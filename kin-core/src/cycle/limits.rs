@@ -28,10 +28,7 @@ pub(super) struct SingularPlace {
 /// # Errors
 /// Says if the closure is not algebraic, if an unknown has a declared range, or may grow beyond all bounds, if
 /// there are too many paths, or if one of them was lost.
-pub(super) fn limits(
-    mechanism: &Sought<'_>,
-    line: &InputLine,
-) -> Result<Vec<SingularPlace>, Incomplete> {
+pub(super) fn limits(mechanism: &Sought<'_>, line: &InputLine) -> Result<Vec<SingularPlace>, Incomplete> {
     let description = mechanism.description();
     if let Some(unknown) = description.unknowns.iter().find(|unknown| unknown.has_range) {
         return Err(Incomplete::DeclaredRange { unknown: unknown.name });

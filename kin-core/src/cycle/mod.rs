@@ -213,6 +213,23 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
         typed.collect()
     }
 
+    /// The branches of an assembly, with the index of each; none if a block is coupled.
+    ///
+    /// ```
+    /// use kin_core::library::JansenLeg;
+    /// use kin_core::prelude::*;
+    ///
+    /// let cycle = JansenLeg::HOLY_NUMBERS.cycle()?;
+    /// let (_, walking) = cycle.branches_of(JansenLeg::WALKING).next().expect("the leg walks");
+    /// assert!(walking.is_full_turn());
+    /// # Ok::<(), SolveError>(())
+    /// ```
+    pub fn branches_of(&self, assembly: M::Assembly) -> impl Iterator<Item = (usize, &Branch)> {
+        let index = M::assemblies().position(|own| own == assembly);
+        let branches = self.branches().iter().enumerate();
+        branches.filter(move |(_, branch)| index.is_some() && branch.assembly == index)
+    }
+
     /// The assembly of a branch, if there is such a branch and every block has a closed form.
     #[must_use]
     pub fn assembly_of(&self, branch: usize) -> Option<M::Assembly> {
@@ -236,7 +253,6 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
         Row::from_fn(|index| inputs[index])
     }
 }
-
 
 /// A mechanism without its type.
 fn sought<M: Mechanism<Scalar = f64>>(mechanism: &M) -> Sought<'static> {

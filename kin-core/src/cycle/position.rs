@@ -37,8 +37,9 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
             let is_end = [0, 1].map(|end| own.ends[end].kind != EndKind::FullTurn && own.ends[end].input == *s);
             is_end == [false, false]
         });
-        let closest =
-            |one: &&(f64, Vec<f64>), other: &&(f64, Vec<f64>)| (one.0 - input).abs().total_cmp(&(other.0 - input).abs());
+        let closest = |one: &&(f64, Vec<f64>), other: &&(f64, Vec<f64>)| {
+            (one.0 - input).abs().total_cmp(&(other.0 - input).abs())
+        };
         let sample = inner.min_by(closest).or(own.samples.iter().min_by(closest));
         let (s, near) = sample.ok_or_else(none)?;
         let sought = self.sought();

@@ -66,7 +66,11 @@ pub(super) fn search(
             *unknowns = unit.inverse().row(mechanism.unknowns(), unknowns).to_vec();
         }
     }
-    let line = InputLine { from, direction, ..line };
+    let line = InputLine {
+        from,
+        direction,
+        ..line
+    };
     if let Some(error) = refusal(mechanism, &line, &branches) {
         return Err(error);
     }

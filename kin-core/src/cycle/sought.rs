@@ -19,7 +19,10 @@ pub(super) trait CycleFunctions: Tracked + ClosureOver<Bounds> {}
 impl<F: Tracked + ClosureOver<Bounds>> CycleFunctions for F {}
 
 /// What the search needs where every block has a closed form.
-pub(super) trait ClosedForms: CycleFunctions + AssemblyOver<Bounds> + AssemblyOver<Curved> + Transmissions {}
+pub(super) trait ClosedForms:
+    CycleFunctions + AssemblyOver<Bounds> + AssemblyOver<Curved> + Transmissions
+{
+}
 
 impl<F: CycleFunctions + AssemblyOver<Bounds> + AssemblyOver<Curved> + Transmissions> ClosedForms for F {}
 

@@ -91,10 +91,7 @@ fn every_type_of_four_bar() {
     assert_eq!((cycle.circuits().len(), cycle.branches().len()), (2, 4));
     for circuit in cycle.circuits() {
         assert_eq!(circuit.input_turns(), Some(0));
-        assert_eq!(
-            circuit.turns().map(|turns| (turns[0].abs(), turns[1])),
-            Some((1, 0))
-        );
+        assert_eq!(circuit.turns().map(|turns| (turns[0].abs(), turns[1])), Some((1, 0)));
     }
     // change point: a parallelogram
     let cycle = four_bar(90.0, 40.0, 90.0, 40.0);
@@ -261,7 +258,9 @@ fn coupler_and_rocker_turn_freely() {
         for end in cycle.branches().iter().flat_map(Branch::ends) {
             assert_eq!(end.kind, EndKind::ChangePoint);
             assert!((end.input).sin().abs() < 16.0 * f64::EPSILON / 0.01, "{end:?}");
-            let residuals = cycle.mechanism().residuals([end.input], [end.unknowns[0], end.unknowns[1]]);
+            let residuals = cycle
+                .mechanism()
+                .residuals([end.input], [end.unknowns[0], end.unknowns[1]]);
             assert!(
                 residuals.iter().all(|residual| residual.abs() < 1e-9),
                 "{end:?} {residuals:?}"
@@ -367,7 +366,14 @@ fn labels_agree_with_the_cycle() {
         let turns = |cycle: &Cycle<FourBar>| -> Vec<(Option<i32>, Option<Vec<i32>>)> {
             let turns = cycle.circuits().iter();
             turns
-                .map(|circuit| (circuit.input_turns(), circuit.turns().map(|turns| turns.iter().map(|turns| turns.abs()).collect())))
+                .map(|circuit| {
+                    (
+                        circuit.input_turns(),
+                        circuit
+                            .turns()
+                            .map(|turns| turns.iter().map(|turns| turns.abs()).collect()),
+                    )
+                })
                 .collect()
         };
         let has_change_point = cycle

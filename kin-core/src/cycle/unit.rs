@@ -137,7 +137,9 @@ fn ranges_have_no_end(mechanism: &Sought<'_>) -> bool {
             let [large, small] = [0, 1].map(|which| {
                 let given = units[which].row(inputs, &given);
                 let solved = mechanisms[which].position(&given, PositionChoice::Assembly(assembly));
-                solved.ok().map(|position| units[which].inverse().row(unknowns, &position))
+                solved
+                    .ok()
+                    .map(|position| units[which].inverse().row(unknowns, &position))
             });
             match (large, small) {
                 (Some(one), Some(other)) => {

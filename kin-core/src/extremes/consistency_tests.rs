@@ -357,7 +357,9 @@ fn hold_transmission(linkage: &Geared, cycle: &Cycle<Geared>, circuit: usize) {
     for branch in cycle.circuits()[circuit].branches() {
         let branch = &cycle.branches()[*branch];
         let [low, high] = branch.ends().each_ref().map(|end| end.input);
-        let sweep = linkage.sweep(Assembly::BOTH[branch.assembly().unwrap()]).over(low..=high, 37);
+        let sweep = linkage
+            .sweep(Assembly::BOTH[branch.assembly().unwrap()])
+            .over(low..=high, 37);
         let lowest = sweep
             .of_expression(|at| at.transmission_angle(0).unwrap().folded())
             .lowest();
@@ -413,7 +415,9 @@ fn strokes_are_those_of_sweeps() {
                 let ranges = circuit.branches().iter().filter_map(|branch| {
                     let branch = &cycle.branches()[*branch];
                     let [low, high] = branch.ends().each_ref().map(|end| end.input);
-                    let sweep = linkage.sweep(Assembly::BOTH[branch.assembly().unwrap()]).over(low..=high, 37);
+                    let sweep = linkage
+                        .sweep(Assembly::BOTH[branch.assembly().unwrap()])
+                        .over(low..=high, 37);
                     let extremes = match sweep.of(name).extremes() {
                         Err(ExtremesError::Gap { .. }) => return None,
                         extremes => extremes.unwrap(),

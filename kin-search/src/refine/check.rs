@@ -122,7 +122,7 @@ fn one_branch<M: Mechanism<Scalar = f64>>(
     for (target, &input) in inputs.iter().enumerate() {
         let mut at = cycle
             .at(input)
-            .filter(|(_, branch)| branch.assembly() == Some(assembly));
+            .filter(|(index, _)| cycle.assembly_of(*index) == Some(assembly));
         let Some((index, branch)) = at.next() else {
             return Err(Defect::Closure { input });
         };
@@ -157,7 +157,7 @@ fn one_branch<M: Mechanism<Scalar = f64>>(
 /// Whether the targets follow each other in one direction of the input, within one turn and without leaving the branch.
 fn in_order<M: Mechanism<Scalar = f64>>(
     objective: &Objective<M>,
-    branch: &Branch<M>,
+    branch: &Branch,
     period: Option<f64>,
     inputs: &[f64],
     turns: &[f64],

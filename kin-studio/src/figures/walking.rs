@@ -86,13 +86,8 @@ pub(super) fn walking() -> Result<Figure, Box<dyn Error>> {
     let turn = leg.sweep(JansenLeg::WALKING).over(PI..=3.0 * PI, 25).speed(rpm(60.0));
     let table = turn.adaptive_table(1e-3, 1, 1000)?;
     let cycle = leg.cycle()?;
-    let walking = |branch: &&kin_core::cycle::Branch<JansenLeg>| branch.assembly() == Some(JansenLeg::WALKING);
-    let circuit = cycle
-        .branches()
-        .iter()
-        .find(walking)
-        .ok_or("the leg does not walk")?
-        .circuit();
+    let walking = cycle.branches_of(JansenLeg::WALKING).next();
+    let circuit = walking.ok_or("the leg does not walk")?.1.circuit();
     let ground = cycle.stroke(circuit, "foot.y")?.low;
     let dwells = turn.of("foot.y").dwells(ground.value + 0.5 * CONTACT, 0.5 * CONTACT)?;
     let contact = dwells.first().ok_or("the foot does not stand")?;

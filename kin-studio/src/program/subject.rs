@@ -438,8 +438,8 @@ impl<M: Mechanism<Scalar = f64>> Subject for Sample<M> {
                 .branches()
                 .iter()
                 .map(|branch| {
+                    let assembly = cycle.assembly_of(*branch).map(M::assembly_name);
                     let branch = &cycle.branches()[*branch];
-                    let assembly = branch.assembly().map(M::assembly_name);
                     BranchOf {
                         assembly: assembly.filter(|_| M::ASSEMBLY_COUNT > 0).unwrap_or_default(),
                         range: branch.ends().map(|end| end.input),

@@ -20,14 +20,13 @@ pub(super) fn list<M: Mechanism<Scalar = f64>>(
     if M::ASSEMBLY_COUNT > 0 {
         let numbers = numbers(cycle, own);
         let entry = |number: &usize| {
-            let assembly = M::assembly(*number);
             let mut branches = cycle.branches().iter();
             Assembly {
                 name: name(&solver.assemblies, *number),
                 argument: argument(&solver.assemblies, *number),
                 at: None,
                 circuit: branches
-                    .find(|branch| branch.assembly() == assembly)
+                    .find(|branch| branch.assembly() == Some(*number))
                     .map(kin_core::cycle::Branch::circuit),
             }
         };
@@ -51,10 +50,12 @@ pub(super) fn list<M: Mechanism<Scalar = f64>>(
         let place = place::between_places(low, high);
         // a branch is at least known by its samples
         let found = cycle.position_on(index, place - periods);
-        let (place, unknowns) = found.map_or(branch.samples()[branch.samples().len() / 2], |unknowns| {
-            (place, unknowns)
-        });
-        all.push(near(place, unknowns.as_ref(), index + 1, Some(branch.circuit())));
+        let (sample, unknowns) = &branch.samples()[branch.samples().len() / 2];
+        let (place, unknowns) = match &found {
+            Ok(unknowns) => (place, unknowns.as_ref()),
+            Err(_) => (*sample, unknowns.as_slice()),
+        };
+        all.push(near(place, unknowns, index + 1, Some(branch.circuit())));
     }
     let first = own.branches.first();
     let index = first.and_then(|first| shown.iter().position(|index| index == first));
@@ -78,7 +79,7 @@ pub(super) fn of_branch<M: Mechanism<Scalar = f64>>(
     }
     let assembly = cycle.branches()[branch].assembly();
     let mut numbers = numbers(cycle, own).into_iter();
-    numbers.position(|number| M::assembly(number) == assembly)
+    numbers.position(|number| assembly == Some(number))
 }
 
 /// The branches of which a part lies in the range, and the report's own. An assembly of another one would show the numbers of a branch to
@@ -95,8 +96,8 @@ fn shown<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>, own: &Own<M>, range: [f64
 /// The numbers of the assemblies that close somewhere, and of the report's own.
 fn numbers<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>, own: &Own<M>) -> Vec<usize> {
     let closes = |number: &usize| {
-        let assembly = M::assembly(*number);
-        assembly == Some(own.assembly) || cycle.branches().iter().any(|branch| branch.assembly() == assembly)
+        let mut branches = cycle.branches().iter();
+        M::assembly(*number) == Some(own.assembly) || branches.any(|branch| branch.assembly() == Some(*number))
     };
     (0..M::ASSEMBLY_COUNT).filter(closes).collect()
 }

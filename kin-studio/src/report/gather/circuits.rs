@@ -1,7 +1,7 @@
 //! Circuits and branches as they are shown.
 
 use kin_core::cycle::{Cycle, End, EndKind};
-use kin_core::{Dimension, Mechanism};
+use kin_core::{Dimension, Mechanism, Quantity};
 
 use super::place::Own;
 use crate::report::model;
@@ -28,11 +28,11 @@ pub(super) fn of<M: Mechanism<Scalar = f64>>(
             assembly: super::assemblies::of_branch(cycle, own, range, index),
             range: ends.map(|end| end.input),
             full_turn: branch.is_full_turn(),
-            ends: ends.each_ref().map(|end| model::End {
+            ends: ends.map(|end| model::End {
                 kind: format!("{:?}", end.kind),
                 input: end.input,
                 block: end.block.to_owned(),
-                text: text::<M>(end, moving),
+                text: text(end, M::DESCRIPTION.inputs[moving]),
             }),
             samples: samples(branch.samples()),
         }
@@ -46,7 +46,7 @@ pub(super) fn of<M: Mechanism<Scalar = f64>>(
 }
 
 /// Some of the positions, with the first and the last one.
-fn samples<U: AsRef<[f64]>>(all: &[(f64, U)]) -> Vec<Vec<f64>> {
+fn samples(all: &[(f64, Vec<f64>)]) -> Vec<Vec<f64>> {
     let last = all.len().saturating_sub(1);
     let count = all.len().min(SAMPLES);
     let mut kept: Vec<usize> = (0..count)
@@ -55,15 +55,14 @@ fn samples<U: AsRef<[f64]>>(all: &[(f64, U)]) -> Vec<Vec<f64>> {
     kept.dedup();
     let sample = |index: usize| {
         let (input, unknowns) = &all[index];
-        let values = std::iter::once(input).chain(unknowns.as_ref());
+        let values = std::iter::once(input).chain(unknowns);
         values.copied().map(super::short).collect()
     };
     kept.into_iter().map(sample).collect()
 }
 
 /// An end in a few words.
-fn text<M: Mechanism<Scalar = f64>>(end: &End<M>, moving: usize) -> String {
-    let quantity = M::DESCRIPTION.inputs[moving];
+fn text(end: &End, quantity: Quantity) -> String {
     let place = match quantity.dimension {
         Dimension::Angle => format!("{:.4}°", end.input.to_degrees()),
         _ => format!("{:.6}", end.input),

@@ -49,8 +49,8 @@ impl<M: Mechanism<Scalar = f64>> Own<M> {
         }
         // It does not close at that place. A branch may be elsewhere.
         let all = cycle.branches().iter().enumerate();
-        let mut fitting = all.filter(|(_, branch)| match draft.assembly {
-            Some(assembly) => branch.assembly() == Some(assembly),
+        let mut fitting = all.filter(|(index, _)| match draft.assembly {
+            Some(assembly) => cycle.assembly_of(*index) == Some(assembly),
             None => true,
         });
         let elsewhere = fitting.find_map(|(index, branch)| {
@@ -119,7 +119,7 @@ impl<M: Mechanism<Scalar = f64>> Own<M> {
 /// The largest part of a branch within a range, and the whole periods by which it is shifted there.
 pub(super) fn part_in<M: Mechanism<Scalar = f64>>(
     cycle: &Cycle<M>,
-    branch: &Branch<M>,
+    branch: &Branch,
     range: [f64; 2],
 ) -> Option<([f64; 2], f64)> {
     let [low, high] = branch.ends().map(|end| end.input);
@@ -140,7 +140,7 @@ pub(super) fn part_in<M: Mechanism<Scalar = f64>>(
 }
 
 /// A place inside of a branch.
-pub(super) fn between<M: Mechanism<Scalar = f64>>(branch: &Branch<M>) -> f64 {
+pub(super) fn between(branch: &Branch) -> f64 {
     let [low, high] = branch.ends().map(|end| end.input);
     between_places(low, high)
 }
@@ -159,7 +159,7 @@ fn branches<M: Mechanism<Scalar = f64>>(
 ) -> Vec<usize> {
     let here = cycle.at(place).map(|(index, _)| index);
     let first = if M::ASSEMBLY_COUNT > 0 {
-        let mut fitting = here.filter(|index| cycle.branches()[*index].assembly() == Some(assembly));
+        let mut fitting = here.filter(|index| cycle.assembly_of(*index) == Some(assembly));
         fitting.next()
     } else {
         let distances = here.filter_map(|index| {
@@ -171,7 +171,7 @@ fn branches<M: Mechanism<Scalar = f64>>(
     };
     let all = 0..cycle.branches().len();
     let belongs = |index: &usize| match first {
-        _ if M::ASSEMBLY_COUNT > 0 => cycle.branches()[*index].assembly() == Some(assembly),
+        _ if M::ASSEMBLY_COUNT > 0 => cycle.assembly_of(*index) == Some(assembly),
         Some(first) => cycle.branches()[*index].circuit() == cycle.branches()[first].circuit(),
         None => false,
     };
