@@ -17,10 +17,11 @@ use super::factors::FactorsOfAnySize;
 use super::owned::ExactTable;
 use super::precision::Precision;
 use super::refine::{Frame, Source, Station, refined};
+use crate::any::{AnyMechanism, ClosureOver, Of};
 use crate::failure::Failure;
 use crate::law::Side;
 use crate::mechanism::{Mechanism, Sizes};
-use crate::number::{GAUSS, Number, Row};
+use crate::number::{GAUSS, Number};
 use crate::quantity::{Dimension, Quantity};
 use crate::sweep::{Course, Drive, Local, SmoothDrive, StraightLine, Variable, Walk, composed};
 
@@ -132,10 +133,18 @@ fn value(series: &Local, change: f64) -> f64 {
         .fold(0.0, |sum, coefficient| sum * change + coefficient)
 }
 
+/// What a circuit needs of a mechanism: it follows the closure alone.
+trait CircuitFunctions: AnyMechanism + ClosureOver<Local> {}
+
+impl<F: AnyMechanism + ClosureOver<Local>> CircuitFunctions for F {}
+
 /// The curve of all positions on which a pose lies.
-struct CircuitCurve<'c, M: Mechanism<Scalar = f64>> {
-    course: &'c Course<M, StraightLine<M>>,
-    mechanism: M::With<Local>,
+struct CircuitCurve<'c> {
+    mechanism: &'c dyn CircuitFunctions,
+    /// The dimensions, as numbers and as series.
+    dimensions: (Vec<f64>, Vec<Local>),
+    /// Writes the inputs where the moving one has a value.
+    inputs: &'c dyn Fn(f64) -> Vec<f64>,
     /// The inputs that move, with their ways for each unit of the leading one.
     moving: Vec<(usize, f64)>,
     sizes: Vec<f64>,
@@ -144,51 +153,21 @@ struct CircuitCurve<'c, M: Mechanism<Scalar = f64>> {
     count: usize,
 }
 
-impl<'c, M: Mechanism<Scalar = f64>> CircuitCurve<'c, M> {
-    fn new(course: &'c Course<M, StraightLine<M>>, count: usize, unknowns: &M::Unknowns<f64>) -> Self {
-        let description = M::DESCRIPTION;
-        // the variable of a line is always an input
-        let lead = match course.drive.variable() {
-            Variable::Input(lead) => lead,
-            _ => 0,
-        };
-        let slopes = course.drive.derivatives(course.from, Side::Right);
-        let own = Sizes::of(&course.mechanism);
-        let quantities = core::iter::once(description.inputs[lead]).chain(description.unknowns.iter().copied());
-        let values = core::iter::once(course.from).chain(unknowns.as_ref().iter().copied());
-        Self {
-            course,
-            mechanism: course.mechanism.convert(Local::constant),
-            moving: (0..description.inputs.len())
-                .filter(|input| *input == lead || course.drive.same(*input, 0).is_none())
-                .map(|input| (input, slopes[input][1]))
-                .collect(),
-            sizes: quantities
-                .clone()
-                .zip(values)
-                .map(|(quantity, value)| own.size(quantity.dimension, value))
-                .collect(),
-            angles: quantities
-                .map(|quantity| quantity.dimension == Dimension::Angle)
-                .collect(),
-            count,
-        }
-    }
-
+impl CircuitCurve<'_> {
     /// The residuals of the closure for coordinates that are series.
     fn residuals(&self, coordinates: &[Local]) -> Vec<Local> {
-        let scaled = |index: usize| Local::constant(self.sizes[index]) * coordinates[index];
-        let lead = scaled(0);
-        let values = self.course.drive.motions(lead.real());
+        let scaled = |(size, coordinate): (&f64, &Local)| Local::constant(*size) * *coordinate;
+        let scaled: Vec<Local> = self.sizes.iter().zip(coordinates).map(scaled).collect();
+        let lead = scaled[0];
         let change = lead - Local::constant(lead.real());
-        let input = |index: usize| {
-            let slope = self.moving.iter().find(|(moving, _)| *moving == index);
-            Local::constant(values[index][0]) + Local::constant(slope.map_or(0.0, |(_, slope)| *slope)) * change
-        };
-        let residuals = self
-            .mechanism
-            .residuals(Row::from_fn(input), Row::from_fn(|unknown| scaled(1 + unknown)));
-        residuals.as_ref().to_vec()
+        let mut inputs: Vec<Local> = (self.inputs)(lead.real()).into_iter().map(Local::constant).collect();
+        for (input, slope) in &self.moving {
+            inputs[*input] = inputs[*input] + Local::constant(*slope) * change;
+        }
+        let mut residuals = vec![Local::constant(0.0); scaled.len() - 1];
+        self.mechanism
+            .residuals(&self.dimensions.1, &inputs, &scaled[1..], &mut residuals);
+        residuals
     }
 
     /// The residuals at a place, and the Jacobian with a row that holds the leading coordinate.
@@ -332,9 +311,9 @@ impl<'c, M: Mechanism<Scalar = f64>> CircuitCurve<'c, M> {
         };
         let mut numbers = Vec::new();
         let lead = derivatives(0);
-        let values = self.course.drive.motions(lead[0]);
+        let values = (self.inputs)(lead[0]);
         for (input, slope) in &self.moving {
-            numbers.push(values[*input][0]);
+            numbers.push(values[*input]);
             numbers.extend(lead[1..self.count].iter().map(|derivative| slope * derivative));
         }
         for index in 1..point.place.len() {
@@ -403,14 +382,14 @@ impl<'c, M: Mechanism<Scalar = f64>> CircuitCurve<'c, M> {
     fn confirm(&self, station: &Station<Point>) -> Result<(), ExactTableError> {
         let point = &station.near;
         let at = point.place[0] * self.sizes[0];
-        let motions = self.course.drive.motions(at);
-        let unknowns: M::Unknowns<f64> = Row::from_fn(|index| point.place[1 + index] * self.sizes[1 + index]);
+        let coordinates = point.place.iter().zip(&self.sizes);
+        let unknowns: Vec<f64> = coordinates.skip(1).map(|(value, size)| value * size).collect();
+        let mut found = unknowns.clone();
         let solved = self
-            .course
             .mechanism
-            .solve_position_near(Row::from_fn(|input| motions[input][0]), unknowns);
+            .position_near(&self.dimensions.0, &(self.inputs)(at), &unknowns, &mut found);
         match solved {
-            Ok(found) => {
+            Ok(()) => {
                 let is_near = (0..self.sizes.len() - 1).all(|index| {
                     let mut change = (found[index] - unknowns[index]) / self.sizes[1 + index];
                     if self.angles[1 + index] {
@@ -489,13 +468,44 @@ impl<'c, M: Mechanism<Scalar = f64>> CircuitCurve<'c, M> {
         }
         Some(station)
     }
+
+    /// Pairs of neighbouring stations around the whole circuit, from a place in one direction of the moving input.
+    fn around(&self, place: Vec<f64>, is_downwards: bool) -> Result<Vec<[Station<Point>; 2]>, ExactTableError> {
+        let input = place[0] * self.sizes[0];
+        let mut ahead = vec![0.0; place.len()];
+        ahead[0] = if is_downwards { -1.0 } else { 1.0 };
+        let start = self.point(place, 0, &ahead);
+        let start = self.station(0.0, start.ok_or(ExactTableError::ChangePoint { input })?);
+        let mut stations = vec![start.clone()];
+        let mut here = start.clone();
+        let mut longest = LONGEST;
+        for _ in 0..MOST_STEPS {
+            let there = self.next(&here, longest)?;
+            let there = self.on_grid(&here, there);
+            if let Some(end) = self.back(&start, [&here, &there]) {
+                while stations.len() > 1 && stations.last().is_some_and(|last| end.at - last.at < THINNEST) {
+                    stations.pop();
+                }
+                stations.push(end);
+                let pairs = stations.windows(2);
+                return Ok(pairs.map(|pair| [pair[0].clone(), pair[1].clone()]).collect());
+            }
+            self.confirm(&there)?;
+            longest = LONGEST.min(2.0 * (there.at - here.at));
+            if stations.last().is_none_or(|last| there.at - last.at >= THINNEST) {
+                stations.push(there.clone());
+            }
+            here = there;
+        }
+        Err(self.lost(&here))
+    }
 }
 
-impl<M: Mechanism<Scalar = f64>> Source for CircuitCurve<'_, M> {
+impl Source for CircuitCurve<'_> {
     type Near = Point;
 
     fn columns(&self) -> Vec<Quantity> {
-        let description = M::DESCRIPTION;
+        let description = self.mechanism.description();
         let inputs = self.moving.iter().map(|(input, _)| description.inputs[*input]);
         inputs.chain(description.unknowns.iter().copied()).collect()
     }
@@ -560,48 +570,60 @@ impl<M: Mechanism<Scalar = f64>> Course<M, StraightLine<M>> {
             .step(self, self.from, self.drive.motions(self.from))
             .map_err(closed)?
             .footing;
-        let curve = CircuitCurve::new(self, order + 1, &reached.unknowns);
-        let mut place = vec![self.from / curve.sizes[0]];
-        place.extend((0..curve.sizes.len() - 1).map(|index| reached.unknowns[index] / curve.sizes[1 + index]));
-        let mut ahead = vec![0.0; place.len()];
-        ahead[0] = if self.to < self.from { -1.0 } else { 1.0 };
-        let change_point = ExactTableError::ChangePoint { input: self.from };
-        let start = curve.station(0.0, curve.point(place, 0, &ahead).ok_or(change_point)?);
-        let mut stations = vec![start.clone()];
-        let mut here = start.clone();
-        let mut longest = LONGEST;
-        let mut steps = 0;
-        loop {
-            let there = curve.next(&here, longest)?;
-            let there = curve.on_grid(&here, there);
-            if let Some(end) = curve.back(&start, [&here, &there]) {
-                while stations.len() > 1 && stations.last().is_some_and(|last| end.at - last.at < THINNEST) {
-                    stations.pop();
-                }
-                stations.push(end);
-                break;
-            }
-            curve.confirm(&there)?;
-            steps += 1;
-            if steps >= MOST_STEPS {
-                return Err(curve.lost(&there));
-            }
-            longest = LONGEST.min(2.0 * (there.at - here.at));
-            if stations.last().is_none_or(|last| there.at - last.at >= THINNEST) {
-                stations.push(there.clone());
-            }
-            here = there;
-        }
-        let first = stations
-            .windows(2)
-            .map(|pair| [pair[0].clone(), pair[1].clone()])
-            .collect();
+        let inputs = |at: f64| {
+            let motions = self.drive.motions(at);
+            motions.as_ref().iter().map(|motion| motion[0]).collect()
+        };
+        let curve = self.circuit_curve(order + 1, reached.unknowns.as_ref(), &inputs);
+        let values = core::iter::once(&self.from).chain(reached.unknowns.as_ref());
+        let start = values.zip(&curve.sizes).map(|(value, size)| value / size).collect();
+        let stations = curve.around(start, self.to < self.from)?;
         let frame = Frame {
             name: M::DESCRIPTION.name,
             parameter: ("arc".to_string(), Dimension::Scalar),
             order,
             may_close: true,
         };
-        refined(&curve, frame, first, precision)
+        refined(&curve, frame, stations, precision)
+    }
+
+    fn circuit_curve<'c>(
+        &'c self,
+        count: usize,
+        unknowns: &[f64],
+        inputs: &'c dyn Fn(f64) -> Vec<f64>,
+    ) -> CircuitCurve<'c> {
+        let description = M::DESCRIPTION;
+        // the variable of a line is always an input
+        let lead = match self.drive.variable() {
+            Variable::Input(lead) => lead,
+            _ => 0,
+        };
+        let slopes = self.drive.derivatives(self.from, Side::Right);
+        let own = Sizes::of(&self.mechanism);
+        let quantities = core::iter::once(description.inputs[lead]).chain(description.unknowns.iter().copied());
+        let values = core::iter::once(self.from).chain(unknowns.iter().copied());
+        let parameters = self.mechanism.parameters().as_ref().to_vec();
+        CircuitCurve {
+            mechanism: Of::<M>::FUNCTIONS,
+            dimensions: (
+                parameters.clone(),
+                parameters.into_iter().map(Local::constant).collect(),
+            ),
+            inputs,
+            moving: (0..description.inputs.len())
+                .filter(|input| *input == lead || self.drive.same(*input, 0).is_none())
+                .map(|input| (input, slopes[input][1]))
+                .collect(),
+            sizes: quantities
+                .clone()
+                .zip(values)
+                .map(|(quantity, value)| own.size(quantity.dimension, value))
+                .collect(),
+            angles: quantities
+                .map(|quantity| quantity.dimension == Dimension::Angle)
+                .collect(),
+            count,
+        }
     }
 }
