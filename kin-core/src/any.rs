@@ -98,6 +98,15 @@ pub trait MotionOver<T> {
     ) -> Result<(), SolveError>;
 }
 
+/// Positions near others with all time derivatives.
+pub trait MotionNearOver<T> {
+    /// Writes the motions of the unknowns, one after the other, each with all its orders. The inputs are given in the same way.
+    ///
+    /// # Errors
+    /// Those of [`Mechanism::solve_motion_near`].
+    fn motion_near(&self, parameters: &[T], inputs: &[T], near: &[T], unknowns: &mut [T]) -> Result<(), SolveError>;
+}
+
 /// The transmission angles of all dyads.
 pub trait Transmissions {
     /// Writes the transmission angle of every dyad, in the order in which the dyads are solved.
@@ -238,6 +247,14 @@ impl<M: Mechanism, T: Scalar> MotionOver<T> for Of<M> {
     }
 }
 
+impl<M: Mechanism, T: Scalar> MotionNearOver<T> for Of<M> {
+    fn motion_near(&self, parameters: &[T], inputs: &[T], near: &[T], unknowns: &mut [T]) -> Result<(), SolveError> {
+        let pose = with::<M, T>(parameters).solve_motion_near(motions(inputs), row(near))?;
+        write(pose.unknown_motions_near(row(near)).as_ref(), unknowns);
+        Ok(())
+    }
+}
+
 impl<M: Mechanism<Scalar = f64>> Transmissions for Of<M> {
     fn transmission_angles(
         &self,
@@ -263,7 +280,7 @@ impl<M: Mechanism<Scalar = f64>> EveryPosition for Of<M> {
     }
 }
 
-impl<M: Mechanism<Scalar = f64>> AnyMechanism for Of<M> {
+impl<M: Mechanism> AnyMechanism for Of<M> {
     fn description(&self) -> &'static Description {
         const { &M::DESCRIPTION }
     }
@@ -277,12 +294,12 @@ impl<M: Mechanism<Scalar = f64>> AnyMechanism for Of<M> {
     }
 
     fn assembly_near(&self, parameters: &[f64], inputs: &[f64], unknowns: &[f64]) -> Option<usize> {
-        let own = M::from_parameters(row(parameters)).assembly_near(row(inputs), row(unknowns));
+        let own = with::<M, f64>(parameters).assembly_near(row(inputs), row(unknowns));
         M::assemblies().position(|assembly| assembly == own)
     }
 
     fn block_forms(&self, parameters: &[f64], found: &mut dyn FnMut(BlockForm<f64>)) {
-        let forms = M::from_parameters(row(parameters)).block_forms();
+        let forms = with::<M, f64>(parameters).block_forms();
         forms.as_ref().iter().copied().for_each(found);
     }
 }

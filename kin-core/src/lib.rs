@@ -164,7 +164,6 @@ pub use picture::{Body, Outline, PlaneOrSpace, PointArray, Skeleton, Slide, Tran
 pub use quantity::in_small_letters;
 pub use quantity::{Dimension, Quantity, RATES};
 pub use solve::Scalar;
-#[cfg(feature = "alloc")]
 #[doc(hidden)]
 pub use track::Tracked;
 pub use track::{Halt, MOST_TRACK_STEPS, Obstacle, TrackError, TrackErrorOf, track};

@@ -4,6 +4,7 @@ pub use crate::__assert_verified as assert_verified;
 pub use crate::__choices as choices;
 pub use crate::__fields as fields;
 pub use crate::__in_parallel as in_parallel;
+pub use crate::__lent as lent;
 pub use crate::__locals as locals;
 pub use crate::__not_all_positions as not_all_positions;
 pub use crate::__poses as poses;
@@ -26,7 +27,7 @@ pub use crate::number::{Number, Operations, Row, series};
 pub use crate::picture::{Body, Outline, Skeleton, Slide, TransmissionAngle};
 pub use crate::quantity::{Dimension, Quantity};
 pub use crate::solve::Scalar;
-pub use crate::track::{TrackErrorOf, track_to};
+pub use crate::track::{Lent, Memory, Second, TrackErrorOf, track_to};
 pub use crate::{batch, solve};
 pub use core;
 pub use kin_macros::mechanism_in;
@@ -110,6 +111,27 @@ macro_rules! __stored {
                 let __choices = $crate::stored::read_choices(&[$(stringify!($choice)),+], __deserializer)?;
                 ::core::result::Result::Ok(Self { $($choice: __choices[$index]),+ })
             }
+        }
+    };
+}
+
+/// Gives a mechanism the memory of its tracks: the counts of parameters, inputs, unknowns, blocks and orders.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __lent {
+    ($parameters:literal $inputs:literal $unknowns:literal $blocks:literal $orders:expr) => {
+        fn lend<Result>(use_of_it: impl ::core::ops::FnOnce($crate::__private::Lent<'_>) -> Result) -> Result {
+            const MEMORY: $crate::__private::Memory = $crate::__private::Memory {
+                parameters: $parameters,
+                inputs: $inputs,
+                unknowns: $unknowns,
+                blocks: $blocks,
+                orders: $orders,
+            };
+            use_of_it($crate::__private::Lent {
+                numbers: &mut [0.0; MEMORY.numbers()],
+                series: &mut [$crate::__private::Second::ZERO; MEMORY.series()],
+            })
         }
     };
 }

@@ -99,7 +99,8 @@ impl Sought<'_> {
         unknowns: &[f64],
         to: &[f64],
     ) -> Result<Values, TrackError<Vec<f64>, Vec<f64>>> {
-        let found = self.functions.track_between(&self.parameters, from, unknowns, to)?;
+        let functions: &dyn Tracked = self.functions;
+        let found = functions.track_between(&self.parameters, from, unknowns, to)?;
         Ok(Values::from(&*found))
     }
 

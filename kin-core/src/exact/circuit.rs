@@ -13,7 +13,7 @@ use core::f64::consts::TAU;
 use num_traits::Float;
 
 use super::ExactTableError;
-use super::factors::FactorsOfAnySize;
+use super::factors::CurveFactors;
 use super::owned::ExactTable;
 use super::precision::Precision;
 use super::refine::{Frame, Source, Station, refined};
@@ -171,7 +171,7 @@ impl CircuitCurve<'_> {
     }
 
     /// The residuals at a place, and the Jacobian with a row that holds the leading coordinate.
-    fn linear(&self, place: &[f64], leading: usize) -> Option<(Vec<f64>, FactorsOfAnySize)> {
+    fn linear(&self, place: &[f64], leading: usize) -> Option<(Vec<f64>, CurveFactors)> {
         let count = place.len();
         let mut rows = vec![vec![0.0; count]; count];
         let mut values = vec![0.0; count];
@@ -185,11 +185,11 @@ impl CircuitCurve<'_> {
             coordinates[column] = Local::constant(place[column]);
         }
         rows[count - 1][leading] = 1.0;
-        Some((values, FactorsOfAnySize::new(rows)?))
+        Some((values, CurveFactors::new(count, |row, column| rows[row][column])?))
     }
 
     /// The place on the curve with the same leading coordinate.
-    fn corrected(&self, mut place: Vec<f64>, leading: usize) -> Option<(Vec<f64>, FactorsOfAnySize)> {
+    fn corrected(&self, mut place: Vec<f64>, leading: usize) -> Option<(Vec<f64>, CurveFactors)> {
         let mut previous = f64::INFINITY;
         for _ in 0..CORRECTIONS {
             let (mut values, factors) = self.linear(&place, leading)?;
@@ -253,7 +253,7 @@ impl CircuitCurve<'_> {
             leading,
             series: series.into_iter().map(Local::from_coefficients).collect(),
             direction,
-            orientation: factors.orientation * direction,
+            orientation: factors.sign() * direction,
         })
     }
 

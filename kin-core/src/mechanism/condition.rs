@@ -1,9 +1,9 @@
 //! The condition of a position: how strongly it depends on rounding of the numbers it was found from.
 
 use crate::mechanism::Mechanism;
-use crate::mechanism::factored_matrix::FactoredMatrix;
 use crate::number::{Number, Row, series::Series};
 use crate::quantity::{Dimension, Quantity};
+use crate::solve::{LentFactors, lent_factors_length};
 
 /// A value and its first-order change.
 type FirstOrder = Series<2>;
@@ -55,24 +55,28 @@ pub(crate) fn conditions<M: Mechanism>(
             *terms += entry.abs() * size;
         }
     }
-    let factored = FactoredMatrix::<M>::new(M::DESCRIPTION.unknowns.len(), |row, column| jacobian[row][column]);
-
     let mut conditions = M::Unknowns::from_fn(|index| values(unknowns.as_ref(), index).abs());
-    let mut add = |right: M::Unknowns<f64>| {
-        let change = factored.solve(&right);
-        for (condition, change) in conditions.as_mut().iter_mut().zip(change.as_ref()) {
-            *condition += change.abs();
+    M::lend(|lent| {
+        let count = M::DESCRIPTION.unknowns.len();
+        let memory = &mut lent.numbers[..lent_factors_length(count)];
+        let factored = LentFactors::new(memory, count, |row, column| jacobian[row][column]);
+        let mut add = |right: M::Unknowns<f64>| {
+            let mut change = right;
+            factored.solve(right.as_ref(), change.as_mut());
+            for (condition, change) in conditions.as_mut().iter_mut().zip(change.as_ref()) {
+                *condition += change.abs();
+            }
+        };
+        for (row, terms) in terms.as_ref().iter().enumerate() {
+            add(Row::from_fn(|other| if other == row { *terms } else { 0.0 }));
         }
-    };
-    for (row, terms) in terms.as_ref().iter().enumerate() {
-        add(Row::from_fn(|other| if other == row { *terms } else { 0.0 }));
-    }
-    for (index, value) in parameters.as_ref().iter().enumerate() {
-        add(response(Changed::Parameter(index), value.real()));
-    }
-    for (index, value) in inputs.as_ref().iter().enumerate() {
-        add(response(Changed::Input(index), value.real()));
-    }
+        for (index, value) in parameters.as_ref().iter().enumerate() {
+            add(response(Changed::Parameter(index), value.real()));
+        }
+        for (index, value) in inputs.as_ref().iter().enumerate() {
+            add(response(Changed::Input(index), value.real()));
+        }
+    });
     // A Jacobian that is singular to all digits determines nothing.
     M::Unknowns::from_fn(|index| {
         let condition: f64 = conditions[index];

@@ -3,7 +3,6 @@
 mod block_form;
 mod condition;
 mod description;
-pub(crate) mod factored_matrix;
 mod failed;
 mod formulas;
 #[doc(hidden)]
@@ -40,6 +39,7 @@ use crate::failure::SolveError;
 use crate::number::Row;
 use crate::picture::{Outline, PlaneOrSpace, PointArray, Skeleton, TransmissionAngle};
 use crate::solve::Scalar;
+use crate::track::Lent;
 
 /// A declared mechanism.
 ///
@@ -262,6 +262,10 @@ pub trait Mechanism: Copy + Debug + 'static {
     ) -> Result<PositionSearch, SolveError> {
         position_search::by_assembly(self, inputs, found)
     }
+
+    /// Calls a function with the memory of a track, which allocates none.
+    #[doc(hidden)]
+    fn lend<R>(use_of_it: impl FnOnce(Lent<'_>) -> R) -> R;
 
     /// All assemblies; none if their number depends on the dimensions.
     fn assemblies() -> impl Iterator<Item = Self::Assembly> {

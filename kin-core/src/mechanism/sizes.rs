@@ -2,7 +2,7 @@
 
 use num_traits::Float;
 
-use super::Mechanism;
+use super::{Description, Mechanism};
 use crate::quantity::Dimension;
 
 /// The sizes of the quantities of a mechanism: 1 for an angle, and for a length that of the longest link or its own value.
@@ -14,8 +14,11 @@ pub(crate) struct Sizes {
 
 impl Sizes {
     pub(crate) fn of<M: Mechanism<Scalar = f64>>(mechanism: &M) -> Self {
-        let parameters = mechanism.parameters();
-        let lengths = M::DESCRIPTION.parameters.iter().zip(parameters.as_ref());
+        Self::of_parameters(&M::DESCRIPTION, mechanism.parameters().as_ref())
+    }
+
+    pub(crate) fn of_parameters(description: &Description, parameters: &[f64]) -> Self {
+        let lengths = description.parameters.iter().zip(parameters);
         let longest = lengths
             .filter(|(quantity, _)| quantity.dimension == Dimension::Length)
             .fold(0.0, |longest: f64, (_, value)| longest.max(Float::abs(*value)));

@@ -39,6 +39,9 @@ pub struct Series<const N: usize> {
 }
 
 impl<const N: usize> Series<N> {
+    /// Zero.
+    pub const ZERO: Self = Self { coefficients: [0.0; N] };
+
     /// The series with the given coefficients, in ascending powers of time.
     #[must_use]
     pub const fn from_coefficients(coefficients: [f64; N]) -> Self {

@@ -103,7 +103,7 @@ pub(super) fn factor_here<T: Scalar, const N: usize>(
 ///
 /// This function and those below take `rows.len()` leading columns of each row: the matrix is square.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(crate) fn level<T: Scalar, R: Row<T>>(rows: &mut [R], row_exponents: &mut [i32], column_exponents: &mut [i32]) {
+fn level<T: Scalar, R: Row<T>>(rows: &mut [R], row_exponents: &mut [i32], column_exponents: &mut [i32]) {
     let count = rows.len();
     for (row, exponent) in rows.iter_mut().zip(row_exponents) {
         let entries = &mut row.as_mut()[..count];
@@ -122,17 +122,17 @@ pub(crate) fn level<T: Scalar, R: Row<T>>(rows: &mut [R], row_exponents: &mut [i
 }
 
 /// The properties of a matrix that its elimination shows.
-pub(crate) struct Elimination {
+struct Elimination {
     /// Whether an odd number of pairs of rows was exchanged.
-    pub(crate) odd: bool,
+    odd: bool,
     /// Whether a pivot is zero up to rounding.
-    pub(crate) singular: bool,
+    singular: bool,
 }
 
 /// Transforms a levelled matrix into its triangular factors, and records the row from which each row came. The
 /// elimination stops at a pivot that is exactly zero.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(crate) fn eliminate<T: Scalar, R: Row<T>>(rows: &mut [R], origins: &mut [usize], epsilon: f64) -> Elimination {
+fn eliminate<T: Scalar, R: Row<T>>(rows: &mut [R], origins: &mut [usize], epsilon: f64) -> Elimination {
     let count = rows.len();
     for (row, origin) in origins.iter_mut().enumerate() {
         *origin = row;
@@ -182,7 +182,7 @@ pub(crate) fn eliminate<T: Scalar, R: Row<T>>(rows: &mut [R], origins: &mut [usi
 
 /// The solution for a right-hand side given in the order of the original rows.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(crate) fn substitute<T: Scalar, R: Row<T>>(
+fn substitute<T: Scalar, R: Row<T>>(
     rows: &[R],
     origins: &[usize],
     row_exponents: &[i32],
@@ -369,7 +369,7 @@ pub(crate) fn exponent_of(value: f64) -> i32 {
 }
 
 /// The power of two with an exponent within the [range] of the type.
-fn power_of_two<T: Scalar>(exponent: i32) -> T {
+pub(super) fn power_of_two<T: Scalar>(exponent: i32) -> T {
     let field = u64::try_from(exponent + 1023).unwrap_or(0);
     T::constant(f64::from_bits(field << 52))
 }

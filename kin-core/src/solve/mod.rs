@@ -41,6 +41,7 @@ mod doubt;
 mod factor;
 mod forms;
 mod guard;
+mod lent;
 mod newton;
 mod scalar;
 mod size;
@@ -49,12 +50,12 @@ pub use crate::assembly::both;
 pub use check::{Check, Choose, Measure, Negative, Real, SolutionInRange, Validity};
 pub use direction::{direction, directions};
 pub use doubt::{decisive, decisive_vector};
-pub(crate) use factor::{Elimination, eliminate, level, substitute};
 pub use factor::{Factors, factor};
 #[cfg(feature = "tape")]
 pub(crate) use factor::{exponent_of, range};
 pub use forms::*;
 pub use guard::*;
+pub(crate) use lent::{LentFactors, Orientation, lent_factors_length};
 pub use newton::newton;
 pub(crate) use newton::{FIRST_STEP, LINEAR_STEP};
 #[cfg(feature = "tape")]

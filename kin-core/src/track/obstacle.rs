@@ -78,6 +78,45 @@ pub enum TrackError<I, U> {
     Failed(SolveError),
 }
 
+impl TrackError<(), ()> {
+    /// The error at a place.
+    pub(super) fn placed<I, U>(self, inputs: I, unknowns: U) -> TrackError<I, U> {
+        match self {
+            Self::Limit(limit) => TrackError::Limit(limit.placed(inputs, unknowns)),
+            Self::ChangePoint(point) => TrackError::ChangePoint(point.placed(inputs, unknowns)),
+            Self::Unbounded(pole) => TrackError::Unbounded(pole.placed(inputs, unknowns)),
+            Self::TooManySteps(halt) => TrackError::TooManySteps(halt.placed(inputs, unknowns)),
+            Self::Lost(halt) => TrackError::Lost(halt.placed(inputs, unknowns)),
+            Self::Failed(error) => TrackError::Failed(error),
+        }
+    }
+}
+
+impl Obstacle<(), ()> {
+    fn placed<I, U>(self, inputs: I, unknowns: U) -> Obstacle<I, U> {
+        Obstacle {
+            block: self.block,
+            fraction: self.fraction,
+            inputs,
+            unknowns,
+            names: self.names,
+        }
+    }
+}
+
+impl Halt<(), ()> {
+    fn placed<I, U>(self, inputs: I, unknowns: U) -> Halt<I, U> {
+        Halt {
+            steps: self.steps,
+            fraction: self.fraction,
+            inputs,
+            unknowns,
+            rounding: self.rounding,
+            names: self.names,
+        }
+    }
+}
+
 impl<I, U> From<SolveError> for TrackError<I, U> {
     fn from(error: SolveError) -> Self {
         Self::Failed(error)

@@ -4,15 +4,17 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::string::ToString;
 use std::{format, vec};
 
+use super::follow::{CORRECTION, Place, attempted, station};
 use super::rounding::{blur, is_crossed, is_indistinct};
+use super::scratch::Scratch;
 use super::sides::Sides;
 use super::turning::fastest;
-use super::way::{Way, WayPoint, largest};
-use super::{CORRECTION, TrackError, TrackErrorOf, attempted, predicted, rates, station, track};
+use super::way::{Way, WayPoint, largest, largest_difference};
+use super::{TrackError, TrackErrorOf, track};
+use crate::any::Of;
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::library::{FourBar, InvertedSliderCrank, OffsetSliderCrank};
-use crate::mechanism::factored_matrix::FactoredMatrix;
 use crate::mechanism::{Mechanism, PoseOf};
 use crate::number::samples;
 
@@ -323,42 +325,28 @@ fn the_fastest_is_the_first_of_those_with_the_largest_rate() {
     assert_eq!(fastest(&[0.0, 0.0]), 0);
 }
 
-/// Sign and logarithm agree with the determinant, and solving a system restores its right-hand side.
-#[test]
-fn orientations_are_those_of_determinants() {
-    for matrix in [
-        [[2.0, 0.0], [0.0, 8.0]],
-        [[0.0, 2.0], [8.0, 0.0]],
-        [[-3.0, 1.0], [1.0, 1.0]],
-        [[1.0, 5.0], [2.0, -1.0]],
-        [[-1e-9, 2e-9], [-3e6, -1e6]],
-    ] {
-        let system = FactoredMatrix::<FourBar>::new(2, |row, column| matrix[row][column]);
-        let determinant: f64 = matrix[0][0] * matrix[1][1] - matrix[0][1] * matrix[1][0];
-        let orientation = system.orientation();
-        assert_eq!(f64::from(orientation.sign), determinant.signum(), "{matrix:?}");
-        assert!(
-            (orientation.logarithm - determinant.abs().log2()).abs() < 1e-12,
-            "{matrix:?}"
-        );
-        let [x, y] = system.solve(&[1.0, -2.0]);
-        for (row, right) in matrix.into_iter().zip([1.0, -2.0]) {
-            let size = (row[0] * x).abs() + (row[1] * y).abs() + 1.0;
-            assert!(
-                (row[0] * x + row[1] * y - right).abs() <= 16.0 * f64::EPSILON * size,
-                "{matrix:?}"
-            );
-        }
-    }
-    let singular = FactoredMatrix::<FourBar>::new(2, |_, _| 1.0).orientation();
-    assert_eq!((singular.sign, singular.logarithm), (0, f64::NEG_INFINITY));
-}
-
-/// The position at a crank angle, on the track to another angle.
-fn on_the_way(linkage: &FourBar, assembly: Assembly, angle: f64) -> (Way<FourBar>, WayPoint<FourBar>) {
-    let unknowns = linkage.position(angle, assembly).unwrap().unknowns();
-    let way = Way::new(*linkage, [angle], &unknowns, [3.0]);
-    (way, WayPoint { unknowns, travel: 0.0 })
+/// Asks something of the line between two crank angles, at its beginning.
+pub(super) fn on_the_way<R>(
+    linkage: &FourBar,
+    unknowns: [f64; 2],
+    [from, to]: [f64; 2],
+    ask: impl FnOnce(&Way<'_>, WayPoint<'_>, &mut Scratch<'_>) -> R,
+) -> R {
+    let (mut inputs, mut end) = ([from], unknowns);
+    let place = Place {
+        inputs: &mut inputs,
+        unknowns: &mut end,
+    };
+    let (parameters, from, to) = (linkage.parameters(), [from], [to]);
+    FourBar::<f64>::lend(|lent| {
+        let functions = Of::<FourBar>::FUNCTIONS;
+        let (way, mut scratch) = Way::new(functions, &parameters, [&from, &to], &unknowns, lent, place);
+        let point = WayPoint {
+            unknowns: &unknowns,
+            travel: 0.0,
+        };
+        ask(&way, point, &mut scratch)
+    })
 }
 
 /// At a limit the determinant changes its sign, and rounding moves the unknowns by its square root.
@@ -367,8 +355,10 @@ fn rounding_moves_positions_more_where_they_are_sensitive() {
     let end = DOUBLE_ROCKER.crank_range().unwrap().high;
     let mut before = 0.0;
     for gap in [0.5, 1e-2, 1e-4, 1e-6] {
-        let (way, point) = on_the_way(&DOUBLE_ROCKER, Assembly::Open, end - gap);
-        let moved = blur(&way, &point);
+        let unknowns = DOUBLE_ROCKER.position(end - gap, Assembly::Open).unwrap().unknowns();
+        let (moved, is_unclear) = on_the_way(&DOUBLE_ROCKER, unknowns, [end - gap, 3.0], |way, point, scratch| {
+            (blur(way, point, scratch), is_indistinct(way, point, scratch))
+        });
         // The sensitivity is a few ε of the terms, divided by the determinant.
         let sensitivity = 1.0 / f64::sqrt(gap);
         assert!(
@@ -376,13 +366,15 @@ fn rounding_moves_positions_more_where_they_are_sensitive() {
             "{gap}: {moved}"
         );
         assert!(moved > before, "{gap}: {moved}");
-        assert!(!is_indistinct(&way, &point), "{gap}");
+        assert!(!is_unclear, "{gap}");
         before = moved;
     }
-    let (way, point) = on_the_way(&DOUBLE_ROCKER, Assembly::Open, end - 1e-15);
-    assert!(is_indistinct(&way, &point));
-    // With an unknown as the parameter, a limit is an ordinary point, but a change point is not.
-    assert!(!is_crossed(&way, &point, 0));
+    let unknowns = DOUBLE_ROCKER.position(end - 1e-15, Assembly::Open).unwrap().unknowns();
+    on_the_way(&DOUBLE_ROCKER, unknowns, [end - 1e-15, 3.0], |way, point, scratch| {
+        assert!(is_indistinct(way, point, scratch));
+        // With an unknown as the parameter, a limit is an ordinary point, but a change point is not.
+        assert!(!is_crossed(way, point, 0, scratch));
+    });
     let parallelogram = FourBar {
         r1: 1.0,
         r2: 0.4,
@@ -390,26 +382,32 @@ fn rounding_moves_positions_more_where_they_are_sensitive() {
         r4: 0.4,
     };
     for (angle, is_near) in [(1e-9, true), (1e-2, false)] {
-        let unknowns = [0.0, angle];
-        let way = Way::new(parallelogram, [angle], &unknowns, [3.0]);
-        let point = WayPoint { unknowns, travel: 0.0 };
-        assert_eq!(is_crossed(&way, &point, 1), is_near, "{angle}");
+        let crosses = on_the_way(&parallelogram, [0.0, angle], [angle, 3.0], |way, point, scratch| {
+            is_crossed(way, point, 1, scratch)
+        });
+        assert_eq!(crosses, is_near, "{angle}");
     }
 }
 
 /// The two assemblies lie on different sides of the limit, and each stays on its side.
 #[test]
 fn sides_are_those_of_the_assembly() {
-    let sides = |assembly: Assembly, angle: f64| {
-        let (way, point) = on_the_way(&DOUBLE_ROCKER, assembly, angle);
-        Sides::of(&way.linearise(&point).unwrap())
+    let with_sides = |assembly: Assembly, angle: f64, ask: &mut dyn FnMut(&Sides<'_>)| {
+        let unknowns = DOUBLE_ROCKER.position(angle, assembly).unwrap().unknowns();
+        on_the_way(&DOUBLE_ROCKER, unknowns, [angle, 3.0], |way, point, scratch| {
+            let linear = way.linearise(point, scratch).unwrap();
+            ask(&Sides::of(way, &linear, scratch));
+        });
     };
     let places = vec![-1.9, -1.0, 0.5, 1.9];
     for &one in &places {
         for &other in &places {
-            let (open, crossed) = (sides(Assembly::Open, one), sides(Assembly::Crossed, other));
-            assert!(!open.are_same(&crossed) && !open.are_near(&crossed));
-            assert!(open.are_same(&sides(Assembly::Open, other)));
+            with_sides(Assembly::Open, one, &mut |open| {
+                with_sides(Assembly::Crossed, other, &mut |crossed| {
+                    assert!(!open.are_same(crossed) && !open.are_near(crossed));
+                });
+                with_sides(Assembly::Open, other, &mut |same| assert!(open.are_same(same)));
+            });
         }
     }
 }
@@ -422,26 +420,28 @@ fn a_step_ends_where_it_was_predicted_to() {
         for assembly in Assembly::BOTH {
             for from in [-1.5, -0.4, 0.3, 1.1] {
                 let start = linkage.solve_position([from], assembly).unwrap();
-                let way = Way::new(linkage, [from], &start, [from + 10.0]);
-                let here = station(&way, 0.0, start).ok().unwrap();
-                for hundredths in 1..400 {
-                    let step = 0.01 * f64::from(hundredths);
-                    let Ok(there) = attempted(&way, &here, step) else {
-                        refused += 1;
-                        continue;
-                    };
-                    taken += 1;
-                    let (near, _) = predicted(&here, step);
-                    let pairs = there.point.unknowns.into_iter().zip(near);
-                    let distance = largest(pairs.map(|(one, other)| one - other));
-                    let fastest = largest(rates(&there, &here.sizes).into_iter()).max(1.0);
-                    let allowed = CORRECTION * (step * fastest).min(1.0);
-                    // Rounding moves these linkages by less than the last term.
-                    assert!(
-                        distance <= allowed + 1e-10,
-                        "{assembly:?} from {from} by {step}: {distance}"
-                    );
-                }
+                on_the_way(&linkage, start, [from, from + 10.0], |way, point, scratch| {
+                    let here = station(way, 0.0, point.unknowns, scratch).ok().unwrap();
+                    for hundredths in 1..400 {
+                        let mut scratch = scratch.scope();
+                        let step = 0.01 * f64::from(hundredths);
+                        let Ok(there) = attempted(way, &here, step, &mut scratch) else {
+                            refused += 1;
+                            continue;
+                        };
+                        taken += 1;
+                        let near = here.predicted(step, &mut scratch);
+                        let distance = largest_difference(there.point.unknowns, near, &[1.0; 2]);
+                        let rates = there.rates(&[1.0; 2], &mut scratch);
+                        let fastest = largest(rates.iter().copied()).max(1.0);
+                        let allowed = CORRECTION * (step * fastest).min(1.0);
+                        // Rounding moves these linkages by less than the last term.
+                        assert!(
+                            distance <= allowed + 1e-10,
+                            "{assembly:?} from {from} by {step}: {distance}"
+                        );
+                    }
+                });
             }
         }
     }

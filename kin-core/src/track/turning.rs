@@ -5,14 +5,13 @@
 //! W. C. Rheinboldt and J. V. Burkardt, A locally parameterized continuation process, ACM Transactions on Mathematical
 //! Software 9, 1983, 215-235.)
 
+use super::follow::{BLUR, CREEPING, FAR, MOST_CREEPING};
 use super::rounding::{is_crossed, rounding};
+use super::scratch::Scratch;
 use super::sides::{Sides, bordered};
 use super::steps::Steps;
-use super::way::{Linear, Way, WayPoint, largest};
-use super::{BLUR, CREEPING, FAR, MOST_CREEPING};
-use crate::mechanism::Mechanism;
-use crate::mechanism::factored_matrix::{FactoredMatrix, Orientation};
-use crate::number::Row;
+use super::way::{Way, WayPoint, largest, largest_difference};
+use crate::solve::{LentFactors, Orientation};
 
 /// The longest step, in sizes of the parameter.
 const LONGEST: f64 = 0.05;
@@ -28,82 +27,145 @@ const STANDSTILL: u32 = 32;
 const NOISE: f64 = 1e-7;
 
 /// The result of following the curve.
-pub(super) enum Passage<M: Mechanism> {
+pub(super) enum Passage<'s> {
     /// The unknowns have become slow again.
-    Onwards(WayPoint<M>),
+    Onwards(WayPoint<'s>),
     /// The inputs have reached their target, the unknowns nearly.
-    Target(M::Unknowns<f64>),
+    Target(&'s [f64]),
     /// The curve turns back before the target.
-    Limit(WayPoint<M>, Sides<M>),
+    Limit(WayPoint<'s>, Sides<'s>),
     /// Ever shorter steps lead to this place, where the curve has no single direction.
-    ChangePoint(WayPoint<M>, Sides<M>),
+    ChangePoint(WayPoint<'s>, Sides<'s>),
     /// The curve cannot be followed further, for another reason.
     Lost,
     /// No steps are left.
-    Spent(WayPoint<M>),
+    Spent(WayPoint<'s>),
 }
 
 /// The curve to second order near one of its points.
-struct LocalCurve<M: Mechanism> {
-    point: WayPoint<M>,
+#[derive(Clone, Copy)]
+struct LocalCurve<'s> {
+    point: WayPoint<'s>,
     /// The derivatives with respect to the parameter, in sizes.
-    rates: M::Unknowns<f64>,
+    rates: &'s [f64],
     travel_rate: f64,
     /// Half the second derivatives.
-    bends: M::Unknowns<f64>,
+    bends: &'s [f64],
     travel_bend: f64,
     /// The orientation of the closure with the travel as unknown instead of the parameter.
     orientation: Orientation,
-    sides: Sides<M>,
+    sides: Sides<'s>,
 }
 
-impl<M: Mechanism<Scalar = f64>> LocalCurve<M> {
+impl<'s> LocalCurve<'s> {
+    /// The numbers that are kept of a curve besides rows.
+    const SINGLE: usize = 5;
+
     /// The curve at a point, or `None` if the closure is not finite there or another parameter is needed.
-    fn new(way: &Way<M>, point: WayPoint<M>, parameter: usize) -> Option<Self> {
-        let linear = way.linearise(&point)?;
-        let system = bordered(&linear, parameter);
-        let column = M::Unknowns::from_fn(|row| -linear.jacobian[row][parameter]);
-        let mut rates = system.solve(&column);
+    fn new(way: &Way<'_>, point: WayPoint<'_>, parameter: usize, scratch: &mut Scratch<'s>) -> Option<Self> {
+        let memory = Self::memory(way, scratch);
+        let mut scope = scratch.scope();
+        let linear = way.linearise(point, &mut scope)?;
+        let system = bordered(&linear, parameter, &mut scope);
+        let count = way.count();
+        let column = scope.row(count, |row| -linear.entry(row, parameter));
+        let rates = scope.lend(count);
+        system.solve(column, rates);
         let travel_rate = core::mem::replace(&mut rates[parameter], 1.0);
-        let right = way.bend(&point, &rates, travel_rate);
-        let mut bends = system.solve(&M::Unknowns::from_fn(|row| -right[row]));
+        let right = way.bend(point, rates, travel_rate, &mut scope);
+        let bends = scope.lend(count);
+        system.solve(right, bends);
         let travel_bend = core::mem::replace(&mut bends[parameter], 0.0);
-        let all = rates.as_ref().iter().chain(bends.as_ref());
+        let all = rates.iter().chain(&*bends);
         let mut all = all.chain([&travel_rate, &travel_bend]);
-        all.all(|value| value.is_finite()).then_some(Self {
+        if !all.all(|value| value.is_finite()) {
+            return None;
+        }
+        let curve = LocalCurve {
             point,
             rates,
             travel_rate,
             bends,
             travel_bend,
             orientation: system.orientation(),
-            sides: Sides::of(&linear),
-        })
+            sides: Sides::of(way, &linear, &mut scope),
+        };
+        curve.write(memory);
+        Some(Self::read(way, memory))
+    }
+
+    /// Memory for a curve.
+    fn memory(way: &Way<'_>, scratch: &mut Scratch<'s>) -> &'s mut [f64] {
+        scratch.lend(Self::SINGLE + 3 * way.count() + 2 * way.description.blocks.len())
+    }
+
+    fn write(&self, memory: &mut [f64]) {
+        let Orientation { sign, logarithm } = self.orientation;
+        let single = [self.point.travel, self.travel_rate, self.travel_bend, sign, logarithm];
+        let (first, mut rest) = memory.split_at_mut(Self::SINGLE);
+        first.copy_from_slice(&single);
+        for row in [self.point.unknowns, self.rates, self.bends] {
+            let (first, behind) = rest.split_at_mut(row.len());
+            first.copy_from_slice(row);
+            rest = behind;
+        }
+        self.sides.write(rest);
+    }
+
+    fn read(way: &Way<'_>, memory: &'s [f64]) -> Self {
+        let (single, rest) = memory.split_at(Self::SINGLE);
+        let (unknowns, rest) = rest.split_at(way.count());
+        let (rates, rest) = rest.split_at(way.count());
+        let (bends, sides) = rest.split_at(way.count());
+        Self {
+            point: WayPoint {
+                unknowns,
+                travel: single[0],
+            },
+            rates,
+            travel_rate: single[1],
+            bends,
+            travel_bend: single[2],
+            orientation: Orientation {
+                sign: single[3],
+                logarithm: single[4],
+            },
+            sides: Sides::read(sides),
+        }
     }
 
     /// The point after a step of the parameter, to second order.
-    fn predicted(&self, way: &Way<M>, step: f64) -> WayPoint<M> {
+    fn predicted<'t>(&self, way: &Way<'_>, step: f64, scratch: &mut Scratch<'t>) -> WayPoint<'t> {
         let along = |index: usize| (self.rates[index] + self.bends[index] * step) * step;
         WayPoint {
-            unknowns: M::Unknowns::from_fn(|index| self.point.unknowns[index] + along(index) * way.sizes[index]),
+            unknowns: scratch.row(way.count(), |index| {
+                self.point.unknowns[index] + along(index) * way.sizes[index]
+            }),
             travel: self.point.travel + (self.travel_rate + self.travel_bend * step) * step,
         }
     }
 
     /// The curve after a step of the parameter.
-    fn moved(&self, way: &Way<M>, parameter: usize, step: f64) -> Option<Self> {
-        let point = corrected(way, self.predicted(way, step), parameter)?;
-        Self::new(way, point, parameter)
+    fn moved<'t>(
+        &self,
+        way: &Way<'_>,
+        parameter: usize,
+        step: f64,
+        scratch: &mut Scratch<'t>,
+    ) -> Option<LocalCurve<'t>> {
+        let predicted = self.predicted(way, step, scratch);
+        let point = corrected(way, predicted, parameter, scratch)?;
+        LocalCurve::new(way, point, parameter, scratch)
     }
 
     fn fastest(&self) -> usize {
-        fastest(&self.rates)
+        fastest(self.rates)
     }
 }
 
 /// The index of the largest rate, the first of several.
-pub(super) fn fastest<R: Row<f64>>(rates: &R) -> usize {
-    let rates = rates.as_ref().iter().enumerate();
+pub(super) fn fastest(rates: &[f64]) -> usize {
+    let rates = rates.iter().enumerate();
     let best = rates.fold(
         (0, 0.0),
         |best: (usize, f64), (index, rate)| {
@@ -114,27 +176,36 @@ pub(super) fn fastest<R: Row<f64>>(rates: &R) -> usize {
 }
 
 /// The point of the curve with the same value of the parameter, by Newton's method.
-fn corrected<M: Mechanism<Scalar = f64>>(way: &Way<M>, start: WayPoint<M>, parameter: usize) -> Option<WayPoint<M>> {
-    let mut point = start;
+fn corrected<'s>(
+    way: &Way<'_>,
+    start: WayPoint<'_>,
+    parameter: usize,
+    scratch: &mut Scratch<'s>,
+) -> Option<WayPoint<'s>> {
+    let unknowns = scratch.filled(way.count(), |index| start.unknowns[index]);
+    let mut travel = start.travel;
     let mut previous = f64::INFINITY;
     for _ in 0..ITERATIONS {
-        let linear: Linear<M> = way.linearise(&point)?;
-        let system = bordered(&linear, parameter);
-        let correction = system.solve(&linear.residuals);
-        let length = largest(correction.as_ref().iter().copied());
+        let mut scope = scratch.scope();
+        let point = WayPoint { unknowns, travel };
+        let linear = way.linearise(point, &mut scope)?;
+        let system = bordered(&linear, parameter, &mut scope);
+        let correction = scope.lend(way.count());
+        system.solve(linear.residuals, correction);
+        let length = largest(correction.iter().copied());
         let stalls = length >= 0.5 * previous;
-        if !length.is_finite() || (stalls && length > NOISE && length > blur(way, &point, &system)) {
+        if !length.is_finite() || (stalls && length > NOISE && length > blur(way, point, &system, &mut scope)) {
             return None;
         }
-        for (index, change) in correction.as_ref().iter().enumerate() {
+        for (index, change) in correction.iter().enumerate() {
             if index == parameter {
-                point.travel -= change;
+                travel -= change;
             } else {
-                point.unknowns[index] -= change * way.sizes[index];
+                unknowns[index] -= change * way.sizes[index];
             }
         }
         if length <= f64::EPSILON || stalls {
-            return Some(point);
+            return Some(WayPoint { unknowns, travel });
         }
         previous = length;
     }
@@ -143,84 +214,115 @@ fn corrected<M: Mechanism<Scalar = f64>>(way: &Way<M>, start: WayPoint<M>, param
 
 /// The distance from the curve that rounding errors may cause. It is zero if it exceeds a fifth of the longest step,
 /// because it would then excuse any deviation.
-fn blur<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &WayPoint<M>, system: &FactoredMatrix<M>) -> f64 {
-    let size = largest(rounding(way, point, system).as_ref().iter().copied());
+fn blur(way: &Way<'_>, point: WayPoint<'_>, system: &LentFactors<'_>, scratch: &mut Scratch<'_>) -> f64 {
+    let mut scope = scratch.scope();
+    let size = largest(rounding(way, point, system, &mut scope).iter().copied());
     if size <= 0.2 * LONGEST { size } else { 0.0 }
 }
 
 /// Follows the curve until the unknowns are slow again, the inputs reach their target, or there is a limit.
 ///
 /// `rates` are the rates of the unknowns with respect to the travel, in sizes.
-pub(super) fn pass<M: Mechanism<Scalar = f64>>(
-    way: &Way<M>,
-    start: WayPoint<M>,
-    rates: &M::Unknowns<f64>,
+pub(super) fn pass<'s>(
+    way: &Way<'_>,
+    start: WayPoint<'_>,
+    rates: &[f64],
     steps: &mut Steps,
-) -> Passage<M> {
+    scratch: &mut Scratch<'s>,
+) -> Passage<'s> {
+    let [here, mut there] = [(); 2].map(|()| LocalCurve::memory(way, scratch));
+    let outcome = scratch.lend(way.count() + 2 * way.description.blocks.len());
+    let mut here = here;
     let mut parameter = fastest(rates);
-    let Some(mut here) = LocalCurve::new(way, start, parameter) else {
-        return Passage::Lost;
-    };
-    let entry = here.orientation.logarithm;
+    match LocalCurve::new(way, start, parameter, &mut scratch.scope()) {
+        Some(first) => first.write(here),
+        None => return Passage::Lost,
+    }
+    let entry = LocalCurve::read(way, here).orientation.logarithm;
     let mut longest = LONGEST;
     let (mut still, mut creeping) = (0, 0);
-    loop {
-        let best = here.fastest();
-        if best != parameter {
-            let Some(again) = LocalCurve::new(way, here.point, best) else {
+    // what is found is kept where it outlives the steps
+    let (unknowns, sides) = outcome.split_at_mut(way.count());
+    let (travel, kind) = loop {
+        let mut scope = scratch.scope();
+        let own = LocalCurve::read(way, here);
+        let best = own.fastest();
+        let own = if best == parameter {
+            own
+        } else {
+            let Some(again) = LocalCurve::new(way, own.point, best, &mut scope) else {
                 return Passage::Lost;
             };
-            (parameter, here) = (best, again);
-        }
+            parameter = best;
+            again
+        };
+        let mut found = |point: WayPoint<'_>, own: &Sides<'_>, kind: Kind| {
+            unknowns.copy_from_slice(point.unknowns);
+            own.write(sides);
+            (point.travel, kind)
+        };
         // The rates may change by a third of the largest.
-        let bend = largest(here.bends.as_ref().iter().copied().chain([here.travel_bend]));
+        let bend = largest(own.bends.iter().copied().chain([own.travel_bend]));
         let mut size = longest.min(0.15 / bend);
-        let there = loop {
+        let next = loop {
             if size < SHORTEST || creeping > MOST_CREEPING {
-                let has_vanished = here.orientation.logarithm < entry - 10.0;
-                return if has_vanished {
-                    Passage::ChangePoint(here.point, here.sides)
-                } else {
-                    Passage::Lost
-                };
+                let has_vanished = own.orientation.logarithm < entry - 10.0;
+                if has_vanished {
+                    break None;
+                }
+                return Passage::Lost;
             }
             if !steps.take() {
-                return Passage::Spent(here.point);
+                break None;
             }
-            if let Some(there) = attempted(way, &here, parameter, size) {
-                break there;
+            let mut scope = scope.scope();
+            if let Some(next) = attempted(way, &own, parameter, size, &mut scope) {
+                next.write(there);
+                break Some(LocalCurve::read(way, there));
             }
             size *= 0.5;
         };
+        let Some(next) = next else {
+            let kind = if size < SHORTEST || creeping > MOST_CREEPING {
+                Kind::ChangePoint
+            } else {
+                Kind::Spent
+            };
+            break found(own.point, &own.sides, kind);
+        };
         creeping = if size < CREEPING { creeping + 1 } else { 0 };
-        let growth = way.sizes_at(&there.point)[parameter] / way.sizes[parameter];
+        let growth = way.size_at(next.point.unknowns, parameter) / way.sizes[parameter];
         if growth > FAR {
             return Passage::Lost;
         }
         longest = (LONGEST * growth).min(2.0 * size);
-        let step = size.copysign(here.travel_rate);
+        let step = size.copysign(own.travel_rate);
         // Rounding errors separate the branches that cross here, so there seems to be a way around the crossing.
-        if size < BLUR && is_crossed(way, &there.point, parameter) {
-            return Passage::ChangePoint(there.point, there.sides);
+        if size < BLUR && is_crossed(way, next.point, parameter, &mut scope) {
+            break found(next.point, &next.sides, Kind::ChangePoint);
         }
-        if there.travel_rate * here.travel_rate <= 0.0 {
-            let Some((turn, reach)) = turned(way, &here, parameter, step) else {
+        if next.travel_rate * own.travel_rate <= 0.0 {
+            let Some((turn, reach)) = turned(way, &own, parameter, step, &mut scope) else {
                 return Passage::Lost;
             };
             let rounding = 16.0 * f64::EPSILON * way.length.max(1.0);
-            return if turn.point.travel > way.length + rounding {
-                Passage::Target(arrived(way, &here, parameter, reach))
-            } else if is_crossed(way, &turn.point, parameter) {
+            break if turn.point.travel > way.length + rounding {
+                let unknowns = arrived(way, &own, parameter, reach, &mut scope);
+                let travel = way.length;
+                found(WayPoint { unknowns, travel }, &own.sides, Kind::Target)
+            } else if is_crossed(way, turn.point, parameter, &mut scope) {
                 // Rounding errors turn a change point into limits, as errors of the dimensions do.
-                Passage::ChangePoint(turn.point, turn.sides)
+                found(turn.point, &turn.sides, Kind::ChangePoint)
             } else {
-                Passage::Limit(turn.point, turn.sides)
+                found(turn.point, &turn.sides, Kind::Limit)
             };
         }
-        if there.point.travel >= way.length {
-            return Passage::Target(arrived(way, &here, parameter, step));
+        if next.point.travel >= way.length {
+            let unknowns = arrived(way, &own, parameter, step, &mut scope);
+            let travel = way.length;
+            break found(WayPoint { unknowns, travel }, &own.sides, Kind::Target);
         }
-        still = if way.are_same(here.point.travel, there.point.travel) {
+        still = if way.are_same(own.point.travel, next.point.travel) {
             still + 1
         } else {
             0
@@ -228,41 +330,63 @@ pub(super) fn pass<M: Mechanism<Scalar = f64>>(
         if still > STANDSTILL {
             return Passage::Lost;
         }
-        here = there;
-        let rate = largest(here.rates.as_ref().iter().copied());
-        if rate < SLOW * here.travel_rate.abs() {
-            return Passage::Onwards(here.point);
+        let rate = largest(next.rates.iter().copied());
+        if rate < SLOW * next.travel_rate.abs() {
+            break found(next.point, &next.sides, Kind::Onwards);
         }
+        core::mem::swap(&mut here, &mut there);
+    };
+    let (unknowns, sides) = (&*unknowns, Sides::read(sides));
+    let point = WayPoint { unknowns, travel };
+    match kind {
+        Kind::Onwards => Passage::Onwards(point),
+        Kind::Target => Passage::Target(unknowns),
+        Kind::Limit => Passage::Limit(point, sides),
+        Kind::ChangePoint => Passage::ChangePoint(point, sides),
+        Kind::Spent => Passage::Spent(point),
     }
+}
+
+/// The kinds of a [`Passage`] with a place.
+#[derive(Clone, Copy)]
+enum Kind {
+    Onwards,
+    Target,
+    Limit,
+    ChangePoint,
+    Spent,
 }
 
 /// The end of a step in the direction of growing travel, if it certainly lies on the same curve and at most one limit
 /// position lies within the step.
-fn attempted<M: Mechanism<Scalar = f64>>(
-    way: &Way<M>,
-    here: &LocalCurve<M>,
+fn attempted<'s>(
+    way: &Way<'_>,
+    here: &LocalCurve<'_>,
     parameter: usize,
     size: f64,
-) -> Option<LocalCurve<M>> {
+    scratch: &mut Scratch<'s>,
+) -> Option<LocalCurve<'s>> {
     let step = size.copysign(here.travel_rate);
-    let middle = LocalCurve::new(way, here.predicted(way, 0.5 * step), parameter)?;
-    let there = here.moved(way, parameter, step)?;
-    let predicted = here.predicted(way, step);
-    let pairs = there.point.unknowns.as_ref().iter().zip(predicted.unknowns.as_ref());
-    let differences = pairs
-        .zip(way.sizes.as_ref())
-        .map(|((one, other), size)| (one - other) / size);
-    let distance = largest(differences.chain([there.point.travel - predicted.travel]));
+    let halfway = here.predicted(way, 0.5 * step, scratch);
+    let middle = LocalCurve::new(way, halfway, parameter, scratch)?;
+    let there = here.moved(way, parameter, step, scratch)?;
+    let predicted = here.predicted(way, step, scratch);
+    let differences = [
+        largest_difference(there.point.unknowns, predicted.unknowns, way.sizes),
+        there.point.travel - predicted.travel,
+    ];
+    let distance = largest(differences.into_iter());
     if distance > 0.05 * size {
-        let system = bordered(&way.linearise(&there.point)?, parameter);
-        if distance > 0.05 * size + blur(way, &there.point, &system) {
+        let mut scope = scratch.scope();
+        let linear = way.linearise(there.point, &mut scope)?;
+        let system = bordered(&linear, parameter, &mut scope);
+        if distance > 0.05 * size + blur(way, there.point, &system, &mut scope) {
             return None;
         }
     }
     for (local, part) in [(&middle, 0.5), (&there, 1.0)] {
         let foreseen = |rate: f64, bend: f64| rate + 2.0 * bend * part * step;
-        let changes =
-            (0..Way::<M>::COUNT).map(|index| local.rates[index] - foreseen(here.rates[index], here.bends[index]));
+        let changes = (0..way.count()).map(|index| local.rates[index] - foreseen(here.rates[index], here.bends[index]));
         let turn = local.travel_rate - foreseen(here.travel_rate, here.travel_bend);
         if largest(changes.chain([turn])) > 0.15 || !local.orientation.is_near(here.orientation) {
             return None;
@@ -279,20 +403,24 @@ fn attempted<M: Mechanism<Scalar = f64>>(
 }
 
 /// The limit position within a step, and the step to it. It is the zero of the travel's rate.
-fn turned<M: Mechanism<Scalar = f64>>(
-    way: &Way<M>,
-    here: &LocalCurve<M>,
+fn turned<'s>(
+    way: &Way<'_>,
+    here: &LocalCurve<'_>,
     parameter: usize,
     step: f64,
-) -> Option<(LocalCurve<M>, f64)> {
+    scratch: &mut Scratch<'s>,
+) -> Option<(LocalCurve<'s>, f64)> {
     let (mut low, mut high) = (0.0, step);
     let mut reach = -here.travel_rate / (2.0 * here.travel_bend);
-    let mut best: Option<(LocalCurve<M>, f64)> = None;
+    let memory = LocalCurve::memory(way, scratch);
+    // the smallest rate of the travel, and the step to it
+    let mut best: Option<(f64, f64)> = None;
     for _ in 0..ITERATIONS {
         if !(reach - low).is_finite() || (reach - low) * (reach - high) > 0.0 {
             reach = 0.5 * (low + high);
         }
-        let Some(local) = here.moved(way, parameter, reach) else {
+        let mut scope = scratch.scope();
+        let Some(local) = here.moved(way, parameter, reach, &mut scope) else {
             break;
         };
         if local.travel_rate * here.travel_rate > 0.0 {
@@ -303,38 +431,40 @@ fn turned<M: Mechanism<Scalar = f64>>(
         let next = reach - local.travel_rate / (2.0 * local.travel_bend);
         let size = (here.point.unknowns[parameter] / way.sizes[parameter]).abs();
         let done = (next - reach).abs() <= 2.0 * f64::EPSILON * size.max(1.0) || low == high;
-        let is_better = best
-            .as_ref()
-            .is_none_or(|(best, _)| local.travel_rate.abs() < best.travel_rate.abs());
-        if is_better {
-            best = Some((local, reach));
+        let rate = local.travel_rate.abs();
+        if best.is_none_or(|(least, _)| rate < least) {
+            best = Some((rate, reach));
+            local.write(memory);
         }
         if done {
             break;
         }
         reach = next;
     }
-    best
+    let (_, reach) = best?;
+    Some((LocalCurve::read(way, memory), reach))
 }
 
 /// The unknowns where the inputs reach their target, within a step along which the inputs only advance.
-fn arrived<M: Mechanism<Scalar = f64>>(
-    way: &Way<M>,
-    here: &LocalCurve<M>,
+fn arrived<'s>(
+    way: &Way<'_>,
+    here: &LocalCurve<'_>,
     parameter: usize,
     step: f64,
-) -> M::Unknowns<f64> {
+    scratch: &mut Scratch<'s>,
+) -> &'s [f64] {
     let (mut low, mut high) = (0.0, step);
     let mut reach = (way.length - here.point.travel) / here.travel_rate;
-    let mut unknowns = here.point.unknowns;
+    let unknowns = scratch.filled(way.count(), |index| here.point.unknowns[index]);
     for _ in 0..ITERATIONS {
         if !(reach - low).is_finite() || (reach - low) * (reach - high) > 0.0 {
             reach = 0.5 * (low + high);
         }
-        let Some(local) = here.moved(way, parameter, reach) else {
+        let mut scope = scratch.scope();
+        let Some(local) = here.moved(way, parameter, reach, &mut scope) else {
             break;
         };
-        unknowns = local.point.unknowns;
+        unknowns.copy_from_slice(local.point.unknowns);
         let missing = way.length - local.point.travel;
         if missing > 0.0 {
             low = reach;
@@ -352,9 +482,11 @@ fn arrived<M: Mechanism<Scalar = f64>>(
 
 #[cfg(test)]
 mod tests {
+    use super::super::tests::on_the_way;
     use super::*;
     use crate::assembly::Assembly;
     use crate::library::FourBar;
+    use crate::mechanism::Mechanism;
 
     const LINKAGE: FourBar = FourBar {
         r1: 90.0,
@@ -363,15 +495,17 @@ mod tests {
         r4: 45.0,
     };
 
-    /// The track between two crank angles, both before a limit, and the curve at its start.
-    fn begin(assembly: Assembly, from: f64, to: f64) -> (Way<FourBar>, LocalCurve<FourBar>, usize) {
+    /// The unknowns between two crank angles, both before a limit: those that `arrived` finds after a step, which a function
+    /// gives from the step that is needed.
+    fn found(assembly: Assembly, [from, to]: [f64; 2], expected: [f64; 2], step: impl Fn(f64) -> f64) -> [f64; 2] {
         let unknowns = LINKAGE.solve_position([from], assembly).unwrap();
-        let way = Way::new(LINKAGE, [from], &unknowns, [to]);
-        let point = WayPoint { unknowns, travel: 0.0 };
-        let first = LocalCurve::new(&way, point, 0).unwrap();
-        let parameter = first.fastest();
-        let here = LocalCurve::new(&way, point, parameter).unwrap();
-        (way, here, parameter)
+        on_the_way(&LINKAGE, unknowns, [from, to], |way, point, scratch| {
+            let parameter = LocalCurve::new(way, point, 0, scratch).unwrap().fastest();
+            let here = LocalCurve::new(way, point, parameter, scratch).unwrap();
+            let reach = (expected[parameter] - here.point.unknowns[parameter]) / way.sizes[parameter];
+            let found = arrived(way, &here, parameter, step(reach), scratch);
+            [found[0], found[1]]
+        })
     }
 
     /// Towards a limit and away from it, the unknowns belong to the target inputs, whatever the length of the step.
@@ -381,14 +515,12 @@ mod tests {
         for assembly in Assembly::BOTH {
             for (far, near) in [(1e-4, 1e-6), (1e-3, 5e-4), (1e-6, 1e-10), (1e-3, 1e-10)] {
                 for (from, to) in [(end - far, end - near), (end - near, end - far)] {
-                    let (way, here, parameter) = begin(assembly, from, to);
                     let expected = LINKAGE.solve_position([to], assembly).unwrap();
-                    let reach = (expected[parameter] - here.point.unknowns[parameter]) / way.sizes[parameter];
                     for part in [1.0, 1.1, 1.5] {
                         // The target is not beyond the limit, where the inputs turn back.
                         let is_towards = to > from;
-                        let step = if is_towards { reach } else { reach * part };
-                        let found = arrived(&way, &here, parameter, step * (1.0 + 1e-9));
+                        let part = if is_towards { 1.0 } else { part };
+                        let found = found(assembly, [from, to], expected, |reach| reach * part * (1.0 + 1e-9));
                         for (one, other) in found.into_iter().zip(expected) {
                             // The angles become more sensitive close to the limit.
                             assert!(

@@ -1,18 +1,20 @@
 //! The line along which the inputs move, and the closure on it.
 
-use super::SHORTEST;
-use crate::mechanism::{Mechanism, Sizes};
-use crate::number::{Row, at_constant_rate, series::Series};
-use crate::quantity::Dimension;
+use core::cell::RefCell;
 
-/// A value with its first and second derivative, as coefficients of a series.
-type Second = Series<3>;
+use super::follow::{Place, SHORTEST};
+use super::memory::{Lent, Second};
+use super::scratch::Scratch;
+use super::tracked::Tracked;
+use crate::failure::SolveError;
+use crate::mechanism::{Description, Sizes};
+use crate::quantity::Dimension;
 
 /// A point on the curve of solutions over the line of inputs.
 #[derive(Clone, Copy)]
-pub(super) struct WayPoint<M: Mechanism> {
+pub(super) struct WayPoint<'s> {
     /// The unknowns in their own units.
-    pub(super) unknowns: M::Unknowns<f64>,
+    pub(super) unknowns: &'s [f64],
     /// The distance that the inputs have covered.
     pub(super) travel: f64,
 }
@@ -22,60 +24,120 @@ pub(super) struct WayPoint<M: Mechanism> {
 /// Unknowns are measured in their natural sizes: 1 for an angle, the longest link for a length. The travel of the
 /// inputs is the largest of their distances, in units of their sizes, so rates with respect to the travel are usually
 /// about 1.
-pub(super) struct Way<M: Mechanism<Scalar = f64>> {
-    pub(super) mechanism: M,
-    series: M::With<Second>,
-    from: M::Inputs<f64>,
-    to: M::Inputs<f64>,
+pub(super) struct Way<'w> {
+    pub(super) mechanism: &'w dyn Tracked,
+    pub(super) description: &'w Description,
+    parameters: &'w [f64],
+    from: &'w [f64],
+    to: &'w [f64],
     /// The whole travel.
     pub(super) length: f64,
     /// The sizes of the unknowns at the start.
-    pub(super) sizes: M::Unknowns<f64>,
+    pub(super) sizes: &'w [f64],
+    /// Parameters, inputs, unknowns and residuals as series.
+    series: RefCell<&'w mut [Second]>,
+    /// Where the end of the track is told.
+    place: RefCell<Place<'w>>,
 }
 
 /// The closure to first order at a point, one row for each equation, in sizes of the unknowns.
 #[derive(Clone, Copy)]
-pub(super) struct Linear<M: Mechanism> {
-    pub(super) jacobian: M::Unknowns<M::Unknowns<f64>>,
+pub(super) struct Linear<'s> {
+    /// The entries row by row.
+    jacobian: &'s [f64],
     /// The derivatives with respect to the travel of the inputs.
-    pub(super) travel: M::Unknowns<f64>,
-    pub(super) residuals: M::Unknowns<f64>,
+    pub(super) travel: &'s [f64],
+    pub(super) residuals: &'s [f64],
 }
 
-impl<M: Mechanism<Scalar = f64>> Way<M> {
-    pub(super) fn new(mechanism: M, from: M::Inputs<f64>, near: &M::Unknowns<f64>, to: M::Inputs<f64>) -> Self {
-        let description = M::DESCRIPTION;
-        let own = Sizes::of(&mechanism);
-        let sizes = M::Unknowns::from_fn(|index| own.size(description.unknowns[index].dimension, near[index]));
-        let ends = from.as_ref().iter().zip(to.as_ref());
+impl Linear<'_> {
+    pub(super) fn entry(&self, row: usize, column: usize) -> f64 {
+        self.jacobian[row * self.travel.len() + column]
+    }
+}
+
+impl<'w> Way<'w> {
+    /// The line between two places, for unknowns `near` the first one. What the line keeps is taken of the scratch.
+    pub(super) fn new(
+        mechanism: &'w dyn Tracked,
+        parameters: &'w [f64],
+        [from, to]: [&'w [f64]; 2],
+        near: &[f64],
+        lent: Lent<'w>,
+        place: Place<'w>,
+    ) -> (Self, Scratch<'w>) {
+        let Lent { numbers, series } = lent;
+        let mut scratch = Scratch::new(numbers);
+        let description = mechanism.description();
+        let own = Sizes::of_parameters(description, parameters);
+        let sizes = scratch.row(near.len(), |index| {
+            own.size(description.unknowns[index].dimension, near[index])
+        });
+        let ends = from.iter().zip(to);
         let length = ends
             .zip(description.inputs)
             .fold(0.0, |length: f64, ((from, to), quantity)| {
                 let travel = (to - from).abs() / own.size(quantity.dimension, from.abs().max(to.abs()));
                 if travel <= length { length } else { travel }
             });
-        Self {
+        for (series, parameter) in series.iter_mut().zip(parameters) {
+            *series = constant(*parameter);
+        }
+        let way = Self {
             mechanism,
-            series: mechanism.convert(|parameter| Second::from_coefficients([parameter, 0.0, 0.0])),
+            description,
+            parameters,
             from,
             to,
             length,
             sizes,
+            series: RefCell::new(series),
+            place: RefCell::new(place),
+        };
+        (way, scratch)
+    }
+
+    /// The names of the unknowns of a block.
+    pub(super) fn block(&self, block: usize) -> &'static str {
+        self.description.blocks.get(block).map_or("", |block| block.unknowns)
+    }
+
+    /// Tells the place where the track has ended.
+    pub(super) fn end_at(&self, point: WayPoint<'_>) {
+        for (index, input) in self.place.borrow_mut().inputs.iter_mut().enumerate() {
+            *input = self.input(point.travel, index);
         }
+        self.arrive(point.unknowns);
+    }
+
+    /// An input of the place that was told.
+    #[cfg(test)]
+    pub(super) fn ended_at(&self, input: usize) -> f64 {
+        self.place.borrow().inputs[input]
+    }
+
+    /// Tells the unknowns at the end of the track.
+    pub(super) fn arrive(&self, unknowns: &[f64]) {
+        self.place.borrow_mut().unknowns.copy_from_slice(unknowns);
     }
 
     /// The number of unknowns, which is also the number of equations.
-    pub(super) const COUNT: usize = <M::Unknowns<f64> as Row<f64>>::LENGTH;
+    pub(super) const fn count(&self) -> usize {
+        self.sizes.len()
+    }
 
-    /// The sizes of the unknowns at a point. A length or a number may have grown.
-    pub(super) fn sizes_at(&self, point: &WayPoint<M>) -> M::Unknowns<f64> {
-        M::Unknowns::from_fn(|index| {
-            let size = self.sizes[index];
-            match M::DESCRIPTION.unknowns[index].dimension {
-                Dimension::Angle => size,
-                Dimension::Length | Dimension::Scalar => size.max(point.unknowns[index].abs()),
-            }
-        })
+    /// The number of derivatives of a motion, the value included.
+    pub(super) const fn orders(&self) -> usize {
+        self.description.order + 1
+    }
+
+    /// The size of an unknown at a point. A length or a number may have grown.
+    pub(super) fn size_at(&self, unknowns: &[f64], index: usize) -> f64 {
+        let size = self.sizes[index];
+        match self.description.unknowns[index].dimension {
+            Dimension::Angle => size,
+            Dimension::Length | Dimension::Scalar => size.max(unknowns[index].abs()),
+        }
     }
 
     /// The shortest step of the inputs.
@@ -85,99 +147,161 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
 
     /// Whether two travels round to the same inputs.
     pub(super) fn are_same(&self, one: f64, other: f64) -> bool {
-        let [one, other] = [one, other].map(|travel| self.inputs(travel));
-        one.as_ref() == other.as_ref()
+        (0..self.from.len()).all(|index| self.input(one, index) == self.input(other, index))
+    }
+
+    /// An input after a given travel.
+    fn input(&self, travel: f64, index: usize) -> f64 {
+        if travel == self.length {
+            return self.to[index];
+        }
+        self.from[index] + self.slope(index) * travel
     }
 
     /// The inputs after a given travel.
-    pub(super) fn inputs(&self, travel: f64) -> M::Inputs<f64> {
-        if travel == self.length {
-            return self.to;
-        }
-        M::Inputs::from_fn(|index| self.from[index] + self.slope(index) * travel)
+    pub(super) fn inputs<'s>(&self, travel: f64, scratch: &mut Scratch<'s>) -> &'s [f64] {
+        scratch.row(self.from.len(), |index| self.input(travel, index))
     }
 
-    /// The inputs after a given travel, with their rates with respect to the travel.
-    pub(super) fn motions(&self, travel: f64) -> M::Inputs<M::Motion<f64>> {
-        let values = self.inputs(travel);
-        Row::from_fn(|index| at_constant_rate(values[index], self.slope(index)))
+    /// The position close to given unknowns after a given travel.
+    pub(super) fn position_near<'s>(
+        &self,
+        travel: f64,
+        near: &[f64],
+        scratch: &mut Scratch<'s>,
+    ) -> Result<&'s [f64], SolveError> {
+        let unknowns = scratch.lend(self.count());
+        let inputs = self.inputs(travel, &mut scratch.scope());
+        self.mechanism.position_near(self.parameters, inputs, near, unknowns)?;
+        Ok(unknowns)
+    }
+
+    /// The motions of the unknowns close to given ones after a given travel, with respect to the travel.
+    pub(super) fn motions_near<'s>(
+        &self,
+        travel: f64,
+        near: &[f64],
+        scratch: &mut Scratch<'s>,
+    ) -> Result<&'s [f64], SolveError> {
+        let motions = scratch.lend(self.count() * self.orders());
+        let orders = self.orders();
+        let mut scope = scratch.scope();
+        let inputs = scope.row(self.from.len() * orders, |place| match place % orders {
+            0 => self.input(travel, place / orders),
+            1 => self.slope(place / orders),
+            _ => 0.0,
+        });
+        self.mechanism.motion_near(self.parameters, inputs, near, motions)?;
+        Ok(motions)
+    }
+
+    /// Whether a position belongs to an assembly.
+    pub(super) fn assembly_at(&self, point: WayPoint<'_>, scratch: &mut Scratch<'_>) -> Option<usize> {
+        let mut scope = scratch.scope();
+        let inputs = self.inputs(point.travel, &mut scope);
+        self.mechanism.assembly_near(self.parameters, inputs, point.unknowns)
     }
 
     fn slope(&self, index: usize) -> f64 {
         (self.to[index] - self.from[index]) / self.length
     }
 
-    /// The residuals as series, where unknowns and travel are polynomials of first degree.
+    /// Passes on the residuals as series, where unknowns and travel are polynomials of first degree.
     fn residuals(
         &self,
-        point: &WayPoint<M>,
+        point: WayPoint<'_>,
         rate: impl Fn(usize) -> f64,
         travel_rate: f64,
-    ) -> <M::With<Second> as Mechanism>::Residuals<Second> {
-        let values = self.inputs(point.travel);
-        self.series.residuals(
-            Row::from_fn(|index| Second::from_coefficients([values[index], self.slope(index) * travel_rate, 0.0])),
-            Row::from_fn(|index| {
-                let rate = rate(index) * self.sizes[index];
-                Second::from_coefficients([point.unknowns[index], rate, 0.0])
-            }),
-        )
+        mut read: impl FnMut(usize, [f64; 3]),
+    ) {
+        let mut series = self.series.borrow_mut();
+        let (parameters, rest) = series.split_at_mut(self.parameters.len());
+        let (inputs, rest) = rest.split_at_mut(self.from.len());
+        let (unknowns, residuals) = rest.split_at_mut(self.count());
+        for (index, input) in inputs.iter_mut().enumerate() {
+            let value = self.input(point.travel, index);
+            *input = Second::from_coefficients([value, self.slope(index) * travel_rate, 0.0]);
+        }
+        for (index, unknown) in unknowns.iter_mut().enumerate() {
+            let rate = rate(index) * self.sizes[index];
+            *unknown = Second::from_coefficients([point.unknowns[index], rate, 0.0]);
+        }
+        self.mechanism.residuals(parameters, inputs, unknowns, residuals);
+        for (row, residual) in residuals.iter().enumerate() {
+            read(row, residual.coefficients());
+        }
     }
 
     /// The size of the terms of each equation: the largest shift of the equation that a relative error of one in every
     /// quantity causes.
     ///
     /// Terms that cancel count in full, for example those of a long crank in a loop of short links.
-    pub(super) fn terms(&self, point: &WayPoint<M>) -> M::Unknowns<f64> {
-        let parameters = self.mechanism.parameters();
-        let inputs = self.inputs(point.travel);
-        let all = [parameters.as_ref(), inputs.as_ref(), point.unknowns.as_ref()];
-        let mut terms = M::Unknowns::splat(0.0);
-        for group in 0..all.len() {
-            for moved in 0..all[group].len() {
-                let quantity = |of: usize, index: usize| {
-                    let value = all[of][index];
-                    let rate = if (of, index) == (group, moved) { value } else { 0.0 };
-                    Second::from_coefficients([value, rate, 0.0])
-                };
-                let shifts = M::With::from_parameters(Row::from_fn(|index| quantity(0, index))).residuals(
-                    Row::from_fn(|index| quantity(1, index)),
-                    Row::from_fn(|index| quantity(2, index)),
-                );
-                for (sum, shift) in terms.as_mut().iter_mut().zip(shifts.as_ref()) {
-                    *sum += shift.coefficients()[1].abs();
-                }
+    pub(super) fn terms<'s>(&self, point: WayPoint<'_>, scratch: &mut Scratch<'s>) -> &'s [f64] {
+        let terms = scratch.filled(self.count(), |_| 0.0);
+        let mut series = self.series.borrow_mut();
+        let (quantities, residuals) = series.split_at_mut(self.parameters.len() + self.from.len() + self.count());
+        let inputs = (0..self.from.len()).map(|index| self.input(point.travel, index));
+        let values = self.parameters.iter().copied().chain(inputs);
+        let values = values.chain(point.unknowns.iter().copied());
+        for (quantity, value) in quantities.iter_mut().zip(values) {
+            *quantity = constant(value);
+        }
+        for moved in 0..quantities.len() {
+            let still = quantities[moved];
+            let [value, ..] = still.coefficients();
+            quantities[moved] = Second::from_coefficients([value, value, 0.0]);
+            let (parameters, rest) = quantities.split_at(self.parameters.len());
+            let (inputs, unknowns) = rest.split_at(self.from.len());
+            self.mechanism.residuals(parameters, inputs, unknowns, residuals);
+            for (sum, shift) in terms.iter_mut().zip(&*residuals) {
+                *sum += shift.coefficients()[1].abs();
             }
+            quantities[moved] = still;
         }
         terms
     }
 
     /// The closure near a point; `None` if it is not finite there.
-    pub(super) fn linearise(&self, point: &WayPoint<M>) -> Option<Linear<M>> {
-        let along = self.residuals(point, |_| 0.0, 1.0);
-        let of = |row: usize, order: usize| along[row].coefficients()[order];
-        let mut linear: Linear<M> = Linear {
-            jacobian: M::Unknowns::splat(M::Unknowns::splat(0.0)),
-            travel: M::Unknowns::from_fn(|row| of(row, 1)),
-            residuals: M::Unknowns::from_fn(|row| of(row, 0)),
-        };
-        for column in 0..Self::COUNT {
-            let changed = self.residuals(point, |index| if index == column { 1.0 } else { 0.0 }, 0.0);
-            let rows: &mut [M::Unknowns<f64>] = linear.jacobian.as_mut();
-            for (row, residual) in rows.iter_mut().zip(changed.as_ref()) {
-                row[column] = residual.coefficients()[1];
-            }
+    pub(super) fn linearise<'s>(&self, point: WayPoint<'_>, scratch: &mut Scratch<'s>) -> Option<Linear<'s>> {
+        let count = self.count();
+        let (jacobian, travel, residuals) = (scratch.lend(count * count), scratch.lend(count), scratch.lend(count));
+        let along = |row: usize, [value, rate, _]: [f64; 3]| (residuals[row], travel[row]) = (value, rate);
+        self.residuals(point, |_| 0.0, 1.0, along);
+        for column in 0..count {
+            let rate = |index: usize| if index == column { 1.0 } else { 0.0 };
+            self.residuals(point, rate, 0.0, |row, [_, rate, _]| {
+                jacobian[row * count + column] = rate;
+            });
         }
-        let all = linear.jacobian.as_ref().iter().flat_map(AsRef::as_ref);
-        let mut all = all.chain(linear.travel.as_ref()).chain(linear.residuals.as_ref());
-        all.all(|entry| entry.is_finite()).then_some(linear)
+        let mut all = jacobian.iter().chain(&*travel).chain(&*residuals);
+        all.all(|entry| entry.is_finite()).then_some(Linear {
+            jacobian,
+            travel,
+            residuals,
+        })
     }
 
-    /// The second-order coefficients of the residuals along a straight line through the point.
-    pub(super) fn bend(&self, point: &WayPoint<M>, rates: &M::Unknowns<f64>, travel_rate: f64) -> M::Unknowns<f64> {
-        let series = self.residuals(point, |index| rates[index], travel_rate);
-        M::Unknowns::from_fn(|row| series[row].coefficients()[2])
+    /// The second-order coefficients of the residuals along a straight line through the point, with their signs changed.
+    pub(super) fn bend<'s>(
+        &self,
+        point: WayPoint<'_>,
+        rates: &[f64],
+        travel_rate: f64,
+        scratch: &mut Scratch<'s>,
+    ) -> &'s [f64] {
+        let bend = scratch.lend(self.count());
+        self.residuals(
+            point,
+            |index| rates[index],
+            travel_rate,
+            |row, [.., second]| bend[row] = -second,
+        );
+        bend
     }
+}
+
+const fn constant(value: f64) -> Second {
+    Second::from_coefficients([value, 0.0, 0.0])
 }
 
 /// The largest magnitude in a row, or NaN if an entry is NaN.
@@ -190,4 +314,10 @@ pub(super) fn largest(values: impl Iterator<Item = f64>) -> f64 {
             size
         }
     })
+}
+
+/// The largest difference of two rows, in units of sizes.
+pub(super) fn largest_difference(one: &[f64], other: &[f64], sizes: &[f64]) -> f64 {
+    let pairs = one.iter().zip(other).zip(sizes);
+    largest(pairs.map(|((one, other), size)| (one - other) / size))
 }

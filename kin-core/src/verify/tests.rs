@@ -108,6 +108,8 @@ impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Mechanism for Hyperbo
     type Dyads<V: Copy> = [V; 0];
     type Places = [Plane<T>; 0];
 
+    crate::__lent! { 1 1 1 1 LENGTH }
+
     const DESCRIPTION: Description = Description {
         name: "Hyperbola",
         parameters: &[quantity("a")],

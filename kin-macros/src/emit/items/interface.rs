@@ -64,7 +64,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
         })
         .collect();
     let (unknowns, wanted, near) = (local("unknowns"), mechanism.own("assembly"), local("near"));
-    let length = size(order + 1);
+    let (length, block_count) = (size(order + 1), size(mechanism.blocks.len()));
     let is_coupled = mechanism.is_coupled();
     let (assembly_type, value) = if is_coupled {
         (quote!(#runtime::Near<#unknown_count>), quote!(#wanted))
@@ -159,6 +159,8 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
             const DESCRIPTION: #runtime::Description = #description;
             const FORMULAS: #runtime::Formulas = #formulas;
             const ASSEMBLY_COUNT: ::core::primitive::usize = #assembly_count;
+
+            #runtime::lent! { #parameter_count #input_count #unknown_count #block_count #length }
 
             fn assembly(#index: ::core::primitive::usize) -> ::core::option::Option<Self::Assembly> {
                 #assembly_by_number
