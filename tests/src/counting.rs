@@ -49,6 +49,10 @@ impl<M: Mechanism> Mechanism for Counting<M> {
     type Dyads<V: Copy> = M::Dyads<V>;
     type Places = M::Places;
 
+    fn lend<R>(use_of_it: impl FnOnce(kin_core::__private::Lent<'_>) -> R) -> R {
+        M::lend(use_of_it)
+    }
+
     const DESCRIPTION: Description = M::DESCRIPTION;
     const FORMULAS: Formulas = M::FORMULAS;
     const ASSEMBLY_COUNT: usize = M::ASSEMBLY_COUNT;

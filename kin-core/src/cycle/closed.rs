@@ -490,15 +490,15 @@ impl Search<'_> {
             (node.kind, node.assemblies) = (EndKind::ChangePoint, [assembly, assembly]);
             return self.noted(node);
         }
-        if node.assemblies[1] != assembly {
-            if let Some(other) = self.solved(good, node.assemblies[1]) {
-                // What the two assemblies differ by is the root of the distance to the limit, with opposite signs.
-                let own = node.unknowns;
-                let other = self.mechanism.nearest(&other, &own);
-                node.unknowns = Values::from_fn(own.len(), |unknown| {
-                    own[unknown] + 0.5 * (other[unknown] - own[unknown])
-                });
-            }
+        if node.assemblies[1] != assembly
+            && let Some(other) = self.solved(good, node.assemblies[1])
+        {
+            // What the two assemblies differ by is the root of the distance to the limit, with opposite signs.
+            let own = node.unknowns;
+            let other = self.mechanism.nearest(&other, &own);
+            node.unknowns = Values::from_fn(own.len(), |unknown| {
+                own[unknown] + 0.5 * (other[unknown] - own[unknown])
+            });
         }
         self.found.nodes.push(node);
         self.found.nodes.len() - 1

@@ -538,15 +538,16 @@ impl<'a> Search<'a> {
         };
         let place = &self.found.nodes[node];
         let inside = place.s - direction * BESIDE * range;
-        if place.kind == EndKind::Limit && (inside - s) * direction > 0.0 {
-            if let Ok(near) = self.track(s, unknowns, inside) {
-                let limit = self.mechanism.nearest(&place.unknowns, &near);
-                let guess = Values::from_fn(near.len(), |index| 2.0 * limit[index] - near[index]);
-                if let Ok(other) = self.near(inside, &guess)
-                    && self.distance(&other, &near) > 0.1 * self.distance(&guess, &near)
-                {
-                    self.waiting.push((node, inside, other, -direction));
-                }
+        if place.kind == EndKind::Limit
+            && (inside - s) * direction > 0.0
+            && let Ok(near) = self.track(s, unknowns, inside)
+        {
+            let limit = self.mechanism.nearest(&place.unknowns, &near);
+            let guess = Values::from_fn(near.len(), |index| 2.0 * limit[index] - near[index]);
+            if let Ok(other) = self.near(inside, &guess)
+                && self.distance(&other, &near) > 0.1 * self.distance(&guess, &near)
+            {
+                self.waiting.push((node, inside, other, -direction));
             }
         }
         node

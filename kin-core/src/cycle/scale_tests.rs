@@ -34,13 +34,7 @@ fn outline<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>) -> String {
         .collect();
     let circuits = cycle.circuits().iter();
     let circuits: Vec<String> = circuits
-        .map(|circuit| {
-            format!(
-                "{:?} {:?}",
-                circuit.input_turns(),
-                circuit.turns().map(|turns| Vec::from(turns.as_ref()))
-            )
-        })
+        .map(|circuit| format!("{:?} {:?}", circuit.input_turns(), circuit.turns()))
         .collect();
     let turns = cycle.period().map(|period| period / core::f64::consts::TAU);
     format!("{:?} {turns:?} {branches:?} {circuits:?}", cycle.is_complete())

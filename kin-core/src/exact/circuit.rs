@@ -594,16 +594,16 @@ impl<M: Mechanism<Scalar = f64>> Course<M, StraightLine<M>> {
         inputs: &'c dyn Fn(f64) -> Vec<f64>,
     ) -> CircuitCurve<'c> {
         let description = M::DESCRIPTION;
+        let parameters = self.mechanism.parameters().as_ref().to_vec();
         // the variable of a line is always an input
         let lead = match self.drive.variable() {
             Variable::Input(lead) => lead,
             _ => 0,
         };
         let slopes = self.drive.derivatives(self.from, Side::Right);
-        let own = Sizes::of(&self.mechanism);
+        let own = Sizes::of(&description, &parameters);
         let quantities = core::iter::once(description.inputs[lead]).chain(description.unknowns.iter().copied());
         let values = core::iter::once(self.from).chain(unknowns.iter().copied());
-        let parameters = self.mechanism.parameters().as_ref().to_vec();
         CircuitCurve {
             mechanism: Of::<M>::FUNCTIONS,
             dimensions: (

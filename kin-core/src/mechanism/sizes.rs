@@ -2,7 +2,7 @@
 
 use num_traits::Float;
 
-use super::{Description, Mechanism};
+use super::Description;
 use crate::quantity::Dimension;
 
 /// The sizes of the quantities of a mechanism: 1 for an angle, and for a length that of the longest link or its own value.
@@ -13,11 +13,7 @@ pub(crate) struct Sizes {
 }
 
 impl Sizes {
-    pub(crate) fn of<M: Mechanism<Scalar = f64>>(mechanism: &M) -> Self {
-        Self::of_parameters(&M::DESCRIPTION, mechanism.parameters().as_ref())
-    }
-
-    pub(crate) fn of_parameters(description: &Description, parameters: &[f64]) -> Self {
+    pub(crate) fn of(description: &Description, parameters: &[f64]) -> Self {
         let lengths = description.parameters.iter().zip(parameters);
         let longest = lengths
             .filter(|(quantity, _)| quantity.dimension == Dimension::Length)

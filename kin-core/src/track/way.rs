@@ -69,7 +69,7 @@ impl<'w> Way<'w> {
         let Lent { numbers, series } = lent;
         let mut scratch = Scratch::new(numbers);
         let description = mechanism.description();
-        let own = Sizes::of_parameters(description, parameters);
+        let own = Sizes::of(description, parameters);
         let sizes = scratch.row(near.len(), |index| {
             own.size(description.unknowns[index].dimension, near[index])
         });
