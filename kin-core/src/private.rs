@@ -27,7 +27,7 @@ pub use crate::number::{Number, Operations, Row, series};
 pub use crate::picture::{Body, Outline, Skeleton, Slide, TransmissionAngle};
 pub use crate::quantity::{Dimension, Quantity};
 pub use crate::solve::Scalar;
-pub use crate::track::{Lent, Memory, Second, TrackErrorOf, track_to};
+pub use crate::track::{First, Lent, Memory, Second, TrackErrorOf, track_to};
 pub use crate::{batch, solve};
 pub use core;
 pub use kin_macros::mechanism_in;
@@ -130,7 +130,8 @@ macro_rules! __lent {
             };
             use_of_it($crate::__private::Lent {
                 numbers: &mut [0.0; MEMORY.numbers()],
-                series: &mut [$crate::__private::Second::ZERO; MEMORY.series()],
+                first: &mut [$crate::__private::First::ZERO; MEMORY.series()],
+                second: &mut [$crate::__private::Second::ZERO; MEMORY.series()],
             })
         }
     };

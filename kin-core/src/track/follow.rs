@@ -172,7 +172,7 @@ pub(super) fn follow(
     let solved = |inputs: &[f64], near: &[f64], unknowns: &mut [f64]| {
         mechanism.position_near(parameters, inputs, near, unknowns)
     };
-    let Lent { numbers, series } = lent;
+    let Lent { numbers, first, second } = lent;
     let (start, numbers) = numbers.split_at_mut(place.unknowns.len());
     solved(from, place.unknowns, start)?;
     let start = &*start;
@@ -182,7 +182,7 @@ pub(super) fn follow(
         parameters,
         [from, to],
         start,
-        Lent { numbers, series },
+        Lent { numbers, first, second },
         place,
     );
     if !way.length.is_finite() {

@@ -3,6 +3,9 @@
 use crate::number::series::Series;
 use crate::solve::lent_factors_length;
 
+/// A value with its first derivative, as coefficients of a series.
+pub type First = Series<2>;
+
 /// A value with its first and second derivative, as coefficients of a series.
 pub type Second = Series<3>;
 
@@ -11,8 +14,10 @@ pub type Second = Series<3>;
 pub struct Lent<'l> {
     /// The numbers.
     pub numbers: &'l mut [f64],
-    /// The series.
-    pub series: &'l mut [Second],
+    /// The series of first order.
+    pub first: &'l mut [First],
+    /// The series of second order, as many.
+    pub second: &'l mut [Second],
 }
 
 /// The counts of the quantities of a mechanism, and the memory that its track takes.
@@ -44,7 +49,7 @@ impl Memory {
         8 * station + 6 * curve + 4 * (linear + factors) + 32 * unknowns + (self.inputs + 2) * (orders + 4)
     }
 
-    /// The count of series.
+    /// The count of series of each order.
     #[must_use]
     pub const fn series(self) -> usize {
         self.parameters + self.inputs + 2 * self.unknowns

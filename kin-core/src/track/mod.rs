@@ -14,7 +14,7 @@ mod tracked;
 mod turning;
 mod way;
 
-pub use memory::{Lent, Memory, Second};
+pub use memory::{First, Lent, Memory, Second};
 pub use obstacle::{Halt, Obstacle, TrackError};
 pub use steps::MOST_TRACK_STEPS;
 pub use tracked::Tracked;

@@ -7,7 +7,7 @@ use alloc::vec::Vec;
 
 #[cfg(feature = "alloc")]
 use super::follow::{Place, follow};
-use super::memory::Second;
+use super::memory::{First, Second};
 #[cfg(feature = "alloc")]
 use super::memory::{Lent, Memory};
 #[cfg(feature = "alloc")]
@@ -15,9 +15,9 @@ use super::obstacle::TrackError;
 use crate::any::{AnyMechanism, ClosureOver, MotionNearOver};
 
 /// What a track needs of a mechanism without its type.
-pub trait Tracked: AnyMechanism + MotionNearOver<f64> + ClosureOver<Second> {}
+pub trait Tracked: AnyMechanism + MotionNearOver<f64> + ClosureOver<First> + ClosureOver<Second> {}
 
-impl<F: AnyMechanism + MotionNearOver<f64> + ClosureOver<Second>> Tracked for F {}
+impl<F: AnyMechanism + MotionNearOver<f64> + ClosureOver<First> + ClosureOver<Second>> Tracked for F {}
 
 #[cfg(feature = "alloc")]
 impl dyn Tracked + '_ {
@@ -38,7 +38,7 @@ impl dyn Tracked + '_ {
             orders: description.order + 1,
         };
         let mut numbers = vec![0.0; memory.numbers()];
-        let mut series = vec![Second::ZERO; memory.series()];
+        let (mut first, mut second) = (vec![First::ZERO; memory.series()], vec![Second::ZERO; memory.series()]);
         let (mut inputs, mut near) = (from.to_vec(), unknowns.to_vec());
         let followed = follow(
             self,
@@ -50,7 +50,8 @@ impl dyn Tracked + '_ {
             },
             Lent {
                 numbers: &mut numbers,
-                series: &mut series,
+                first: &mut first,
+                second: &mut second,
             },
         );
         match followed {

@@ -3,11 +3,13 @@
 use core::cell::RefCell;
 
 use super::follow::{Place, SHORTEST};
-use super::memory::{Lent, Second};
+use super::memory::{First, Lent, Second};
 use super::scratch::Scratch;
 use super::tracked::Tracked;
+use crate::any::ClosureOver;
 use crate::failure::SolveError;
 use crate::mechanism::{Description, Sizes};
+use crate::number::{at_constant_rate, series::Series};
 use crate::quantity::Dimension;
 
 /// A point on the curve of solutions over the line of inputs.
@@ -34,8 +36,9 @@ pub(super) struct Way<'w> {
     pub(super) length: f64,
     /// The sizes of the unknowns at the start.
     pub(super) sizes: &'w [f64],
-    /// Parameters, inputs, unknowns and residuals as series.
-    series: RefCell<&'w mut [Second]>,
+    /// Parameters, inputs, unknowns and residuals as series of first and of second order.
+    first: RefCell<&'w mut [First]>,
+    second: RefCell<&'w mut [Second]>,
     /// Where the end of the track is told.
     place: RefCell<Place<'w>>,
 }
@@ -66,7 +69,7 @@ impl<'w> Way<'w> {
         lent: Lent<'w>,
         place: Place<'w>,
     ) -> (Self, Scratch<'w>) {
-        let Lent { numbers, series } = lent;
+        let Lent { numbers, first, second } = lent;
         let mut scratch = Scratch::new(numbers);
         let description = mechanism.description();
         let own = Sizes::of(description, parameters);
@@ -80,8 +83,11 @@ impl<'w> Way<'w> {
                 let travel = (to - from).abs() / own.size(quantity.dimension, from.abs().max(to.abs()));
                 if travel <= length { length } else { travel }
             });
-        for (series, parameter) in series.iter_mut().zip(parameters) {
-            *series = constant(*parameter);
+        for (series, parameter) in first.iter_mut().zip(parameters) {
+            *series = along(*parameter, 0.0);
+        }
+        for (series, parameter) in second.iter_mut().zip(parameters) {
+            *series = along(*parameter, 0.0);
         }
         let way = Self {
             mechanism,
@@ -91,7 +97,8 @@ impl<'w> Way<'w> {
             to,
             length,
             sizes,
-            series: RefCell::new(series),
+            first: RefCell::new(first),
+            second: RefCell::new(second),
             place: RefCell::new(place),
         };
         (way, scratch)
@@ -207,26 +214,25 @@ impl<'w> Way<'w> {
     }
 
     /// Passes on the residuals as series, where unknowns and travel are polynomials of first degree.
-    fn residuals(
+    fn residuals<const N: usize>(
         &self,
+        mechanism: &dyn ClosureOver<Series<N>>,
+        series: &mut [Series<N>],
         point: WayPoint<'_>,
         rate: impl Fn(usize) -> f64,
         travel_rate: f64,
-        mut read: impl FnMut(usize, [f64; 3]),
+        mut read: impl FnMut(usize, [f64; N]),
     ) {
-        let mut series = self.series.borrow_mut();
         let (parameters, rest) = series.split_at_mut(self.parameters.len());
         let (inputs, rest) = rest.split_at_mut(self.from.len());
         let (unknowns, residuals) = rest.split_at_mut(self.count());
         for (index, input) in inputs.iter_mut().enumerate() {
-            let value = self.input(point.travel, index);
-            *input = Second::from_coefficients([value, self.slope(index) * travel_rate, 0.0]);
+            *input = along(self.input(point.travel, index), self.slope(index) * travel_rate);
         }
         for (index, unknown) in unknowns.iter_mut().enumerate() {
-            let rate = rate(index) * self.sizes[index];
-            *unknown = Second::from_coefficients([point.unknowns[index], rate, 0.0]);
+            *unknown = along(point.unknowns[index], rate(index) * self.sizes[index]);
         }
-        self.mechanism.residuals(parameters, inputs, unknowns, residuals);
+        mechanism.residuals(parameters, inputs, unknowns, residuals);
         for (row, residual) in residuals.iter().enumerate() {
             read(row, residual.coefficients());
         }
@@ -238,18 +244,18 @@ impl<'w> Way<'w> {
     /// Terms that cancel count in full, for example those of a long crank in a loop of short links.
     pub(super) fn terms<'s>(&self, point: WayPoint<'_>, scratch: &mut Scratch<'s>) -> &'s [f64] {
         let terms = scratch.filled(self.count(), |_| 0.0);
-        let mut series = self.series.borrow_mut();
+        let mut series = self.first.borrow_mut();
         let (quantities, residuals) = series.split_at_mut(self.parameters.len() + self.from.len() + self.count());
         let inputs = (0..self.from.len()).map(|index| self.input(point.travel, index));
         let values = self.parameters.iter().copied().chain(inputs);
         let values = values.chain(point.unknowns.iter().copied());
         for (quantity, value) in quantities.iter_mut().zip(values) {
-            *quantity = constant(value);
+            *quantity = along(value, 0.0);
         }
         for moved in 0..quantities.len() {
             let still = quantities[moved];
-            let [value, ..] = still.coefficients();
-            quantities[moved] = Second::from_coefficients([value, value, 0.0]);
+            let [value, _] = still.coefficients();
+            quantities[moved] = along(value, value);
             let (parameters, rest) = quantities.split_at(self.parameters.len());
             let (inputs, unknowns) = rest.split_at(self.from.len());
             self.mechanism.residuals(parameters, inputs, unknowns, residuals);
@@ -265,13 +271,13 @@ impl<'w> Way<'w> {
     pub(super) fn linearise<'s>(&self, point: WayPoint<'_>, scratch: &mut Scratch<'s>) -> Option<Linear<'s>> {
         let count = self.count();
         let (jacobian, travel, residuals) = (scratch.lend(count * count), scratch.lend(count), scratch.lend(count));
-        let along = |row: usize, [value, rate, _]: [f64; 3]| (residuals[row], travel[row]) = (value, rate);
-        self.residuals(point, |_| 0.0, 1.0, along);
+        let mut series = self.first.borrow_mut();
+        let read = |row: usize, [value, rate]: [f64; 2]| (residuals[row], travel[row]) = (value, rate);
+        self.residuals::<2>(self.mechanism, &mut series, point, |_| 0.0, 1.0, read);
         for column in 0..count {
             let rate = |index: usize| if index == column { 1.0 } else { 0.0 };
-            self.residuals(point, rate, 0.0, |row, [_, rate, _]| {
-                jacobian[row * count + column] = rate;
-            });
+            let read = |row: usize, [_, rate]: [f64; 2]| jacobian[row * count + column] = rate;
+            self.residuals::<2>(self.mechanism, &mut series, point, rate, 0.0, read);
         }
         let mut all = jacobian.iter().chain(&*travel).chain(&*residuals);
         all.all(|entry| entry.is_finite()).then_some(Linear {
@@ -290,18 +296,23 @@ impl<'w> Way<'w> {
         scratch: &mut Scratch<'s>,
     ) -> &'s [f64] {
         let bend = scratch.lend(self.count());
-        self.residuals(
+        let mut series = self.second.borrow_mut();
+        let read = |row: usize, [.., second]: [f64; 3]| bend[row] = -second;
+        self.residuals::<3>(
+            self.mechanism,
+            &mut series,
             point,
             |index| rates[index],
             travel_rate,
-            |row, [.., second]| bend[row] = -second,
+            read,
         );
         bend
     }
 }
 
-const fn constant(value: f64) -> Second {
-    Second::from_coefficients([value, 0.0, 0.0])
+/// A quantity that changes at a constant rate.
+fn along<const N: usize>(value: f64, rate: f64) -> Series<N> {
+    Series::from_coefficients(at_constant_rate(value, rate))
 }
 
 /// The largest magnitude in a row, or NaN if an entry is NaN.
