@@ -19,15 +19,15 @@ pub use crate::editor;
 pub use crate::failure::{Failure, InputValues, SolveError};
 pub use crate::geometry::{Plane, Rotation, Space};
 pub use crate::mechanism::{
-    Block, BlockForm, Description, Formula, Formulas, Mechanism, Partials, Pose, PoseOf, PositionSearch, Sensitive,
-    Shown, culprit, failed, fmt_pose, guessed, length,
+    Block, BlockForm, Description, First, Formula, Formulas, Lent, Mechanism, Memory, Partials, Pose, PoseOf,
+    PositionSearch, Second, Sensitive, Shown, culprit, failed, fmt_pose, guessed, length,
 };
 pub use crate::motion::{Direction, IntoMotion, Motion};
 pub use crate::number::{Number, Operations, Row, series};
 pub use crate::picture::{Body, Outline, Skeleton, Slide, TransmissionAngle};
 pub use crate::quantity::{Dimension, Quantity};
 pub use crate::solve::Scalar;
-pub use crate::track::{First, Lent, Memory, Second, TrackErrorOf, track_to};
+pub use crate::track::{TrackErrorOf, track_to};
 pub use crate::{batch, solve};
 pub use core;
 pub use kin_macros::mechanism_in;

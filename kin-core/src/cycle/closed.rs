@@ -13,11 +13,11 @@ use super::free::{self, Jump};
 use super::interpolation::{CROSSING, around, crosses, interpolated};
 use super::line::{InputLine, MEETING, count};
 use super::pieces::{BranchNode, BranchPiece, FoundPieces, Tip};
-use super::sought::{ClosedForms, Sought};
+use super::sought::{ClosedForms, SoughtMechanism};
 use super::{EndKind, Incomplete};
 use crate::any::PositionChoice;
 use crate::failure::{Failure, SolveError};
-use crate::number::Values;
+use crate::number::NumberRow;
 use crate::picture::TransmissionAngle;
 use crate::quantity::{Dimension, Quantity};
 use crate::track::TrackError;
@@ -73,21 +73,21 @@ struct Interval {
     low: f64,
     high: f64,
     known: Known,
-    middle: Option<Values>,
+    middle: Option<NumberRow>,
 }
 
 /// A place at which two assemblies cross, the unknowns there, and the index of the other assembly.
-type BranchCrossing = (f64, Values, usize);
+type BranchCrossing = (f64, NumberRow, usize);
 
 /// The end of a piece at a node. A part that turns freely there may have another direction than in the node.
 #[derive(Clone)]
 struct PieceEnd {
     node: usize,
-    unknowns: Values,
+    unknowns: NumberRow,
 }
 
-pub(super) struct Search<'a> {
-    pub(super) mechanism: &'a Sought<'a>,
+pub(super) struct ClosedSearch<'a> {
+    pub(super) mechanism: &'a SoughtMechanism<'a>,
     functions: &'a dyn ClosedForms,
     bounded: Vec<Bounds>,
     curved: Vec<Curved>,
@@ -120,9 +120,9 @@ impl Known {
 }
 
 /// All pieces of branches of a mechanism whose blocks all have closed forms.
-pub(super) fn search(mechanism: &Sought<'_>, functions: &dyn ClosedForms, line: &InputLine) -> FoundPieces {
+pub(super) fn search(mechanism: &SoughtMechanism<'_>, functions: &dyn ClosedForms, line: &InputLine) -> FoundPieces {
     let place = |part: u32| line.low + (line.high - line.low) * (f64::from(part) / f64::from(FIRST));
-    let mut search = Search {
+    let mut search = ClosedSearch {
         mechanism,
         functions,
         bounded: mechanism.rounded(),
@@ -146,8 +146,8 @@ pub(super) fn search(mechanism: &Sought<'_>, functions: &dyn ClosedForms, line: 
     search.found
 }
 
-impl Search<'_> {
-    pub(super) fn solved(&self, s: f64, assembly: usize) -> Option<Values> {
+impl ClosedSearch<'_> {
+    pub(super) fn solved(&self, s: f64, assembly: usize) -> Option<NumberRow> {
         let choice = PositionChoice::Assembly(assembly);
         self.mechanism.position(&self.line.inputs(s), choice).ok()
     }
@@ -188,7 +188,7 @@ impl Search<'_> {
     }
 
     /// What the bounds say about an interval, and the position in its middle.
-    fn known(&self, low: f64, high: f64, assembly: usize, is_curved: bool) -> (Option<Known>, Option<Values>) {
+    fn known(&self, low: f64, high: f64, assembly: usize, is_curved: bool) -> (Option<Known>, Option<NumberRow>) {
         let solved = if is_curved {
             self.bounds_by_curvature(low, high, assembly)
         } else {
@@ -217,7 +217,7 @@ impl Search<'_> {
         if self.mechanism.unknowns().iter().zip(&unknowns).any(swings) {
             return (None, None);
         }
-        let middle = Values::from_fn(unknowns.len(), |index| unknowns[index].middle());
+        let middle = NumberRow::from_fn(unknowns.len(), |index| unknowns[index].middle());
         if doubt == Doubt::NONE {
             (Some(Known::Closes), Some(middle))
         } else {
@@ -456,7 +456,7 @@ impl Search<'_> {
             s: good,
             unknowns: self
                 .solved(good, assembly)
-                .unwrap_or_else(|| Values::splat(self.mechanism.unknowns().len(), f64::NAN)),
+                .unwrap_or_else(|| NumberRow::splat(self.mechanism.unknowns().len(), f64::NAN)),
             block,
             assemblies: [assembly, assembly],
         };
@@ -477,8 +477,8 @@ impl Search<'_> {
             // Several blocks have their limits here, and all their assemblies meet.
             let own = node.unknowns;
             let others = together.iter().filter_map(|(other, _)| self.solved(good, *other));
-            let all: Vec<Values> = others.map(|other| self.mechanism.nearest(&other, &own)).collect();
-            node.unknowns = Values::from_fn(own.len(), |unknown| {
+            let all: Vec<NumberRow> = others.map(|other| self.mechanism.nearest(&other, &own)).collect();
+            node.unknowns = NumberRow::from_fn(own.len(), |unknown| {
                 let sum = all.iter().fold(own[unknown], |sum, other| sum + other[unknown]);
                 sum / count(all.len() + 1)
             });
@@ -496,7 +496,7 @@ impl Search<'_> {
             // What the two assemblies differ by is the root of the distance to the limit, with opposite signs.
             let own = node.unknowns;
             let other = self.mechanism.nearest(&other, &own);
-            node.unknowns = Values::from_fn(own.len(), |unknown| {
+            node.unknowns = NumberRow::from_fn(own.len(), |unknown| {
                 own[unknown] + 0.5 * (other[unknown] - own[unknown])
             });
         }
@@ -508,7 +508,7 @@ impl Search<'_> {
     ///
     /// The square of the difference of two assemblies that meet grows with the distance from the place where it is
     /// zero. Two differences show that place, which is the limit of the block that the assemblies solve differently.
-    fn together(&self, assembly: usize, limit: f64, is_above: bool) -> Vec<(usize, Values)> {
+    fn together(&self, assembly: usize, limit: f64, is_above: bool) -> Vec<(usize, NumberRow)> {
         let range = (self.line.high - self.line.low) * if is_above { 1.0 } else { -1.0 };
         let [near, far] = ROOTS.map(|part| limit + part * range);
         let (Some(first), Some(second)) = (self.solved(near, assembly), self.solved(far, assembly)) else {
@@ -521,7 +521,7 @@ impl Search<'_> {
             let (one, two) = (one * one, two * two);
             // From the limit outwards, in parts of the range.
             let remaining = (ROOTS[1] * one - ROOTS[0] * two) / (two - one);
-            let apart = Values::from_fn(first.len(), |unknown| unknowns[unknown] - first[unknown]);
+            let apart = NumberRow::from_fn(first.len(), |unknown| unknowns[unknown] - first[unknown]);
             (two > one && remaining.abs() <= TOGETHER).then_some((other, apart))
         });
         meets.collect()
@@ -583,7 +583,7 @@ impl Search<'_> {
         let solved = |s: f64| self.solved(s, assembly);
         let [before, behind] = [(low, -away), (high, away)].map(|(s, away)| Some([solved(s)?, solved(s + away)?]));
         let (before, behind) = (before?, behind?);
-        let grows = |[near, far]: &[Values; 2], unknown: usize| near[unknown].abs() > POLE * far[unknown].abs();
+        let grows = |[near, far]: &[NumberRow; 2], unknown: usize| near[unknown].abs() > POLE * far[unknown].abs();
         let is_pole = |unknown: &usize| {
             let is_angle = self.mechanism.unknowns()[*unknown].dimension == Dimension::Angle;
             !is_angle && grows(&before, *unknown) && grows(&behind, *unknown)
@@ -649,7 +649,7 @@ impl Search<'_> {
         if let Some(Jump { s, unknowns, block }) = free::jump(self, assembly, &places)
             && is_inside(s)
         {
-            let mut end = |unknowns: Values| {
+            let mut end = |unknowns: NumberRow| {
                 let node = self.noted(BranchNode {
                     kind: EndKind::ChangePoint,
                     s,
@@ -678,7 +678,7 @@ impl Search<'_> {
                 }
                 Err(TrackError::ChangePoint(obstacle) | TrackError::Limit(obstacle)) => (
                     self.line.place(&obstacle.inputs),
-                    Values::from(&*obstacle.unknowns),
+                    NumberRow::from(&*obstacle.unknowns),
                     obstacle.block,
                     assembly,
                 ),
@@ -764,7 +764,7 @@ impl Search<'_> {
             if let (Some(before), Some(found)) = (before, &found) {
                 let change = (found.0 - before.0).abs();
                 if change <= tolerance {
-                    // Values that are farther away have more digits.
+                    // NumberRow that are farther away have more digits.
                     return Some(before);
                 }
                 if best.as_ref().is_none_or(|(least, _)| change < *least) {
@@ -796,8 +796,8 @@ impl Search<'_> {
             let own = self.mechanism.nearest(&own?, &first);
             let other = self.mechanism.nearest(&self.solved(places[place], partner)?, &own);
             let side = if places[place] < s { 0.5 } else { -0.5 };
-            means[place] = Values::from_fn(count, |unknown| 0.5 * (own[unknown] + other[unknown]));
-            halves[place] = Values::from_fn(count, |unknown| side * (own[unknown] - other[unknown]));
+            means[place] = NumberRow::from_fn(count, |unknown| 0.5 * (own[unknown] + other[unknown]));
+            halves[place] = NumberRow::from_fn(count, |unknown| side * (own[unknown] - other[unknown]));
         }
         let lead = (0..count).max_by(|one, other| {
             let size = |unknown: usize| halves[0][unknown].abs();
@@ -805,7 +805,7 @@ impl Search<'_> {
         })?;
         let differences: [f64; CROSSING] = core::array::from_fn(|place| halves[place][lead]);
         let found = interpolated(&differences, &places, 0.0);
-        let unknowns = Values::from_fn(count, |unknown| {
+        let unknowns = NumberRow::from_fn(count, |unknown| {
             interpolated(&places, &core::array::from_fn(|place| means[place][unknown]), found)
         });
         let is_finite = unknowns.iter().all(|value| value.is_finite());
@@ -834,7 +834,7 @@ fn bridged(intervals: Vec<Interval>) -> Vec<Interval> {
 }
 
 /// Adds a sample at the end of a piece, with angles on the nearest turns.
-fn add(mechanism: &Sought<'_>, piece: &mut BranchPiece, s: f64, unknowns: Values) {
+fn add(mechanism: &SoughtMechanism<'_>, piece: &mut BranchPiece, s: f64, unknowns: NumberRow) {
     let unknowns = match piece.samples.last() {
         Some((_, last)) => mechanism.nearest(&unknowns, last),
         None => unknowns,

@@ -8,11 +8,11 @@ use alloc::vec::Vec;
 use super::limits::{SingularPlace, limits};
 use super::line::InputLine;
 use super::pieces::{BranchNode, BranchPiece, FoundPieces, Tip};
-use super::sought::Sought;
+use super::sought::SoughtMechanism;
 use super::{EndKind, Incomplete};
 use crate::any::{EveryPosition, PositionChoice};
 use crate::failure::SolveError;
-use crate::number::Values;
+use crate::number::NumberRow;
 use crate::track::TrackError;
 
 /// The number of intervals of the first division.
@@ -35,14 +35,14 @@ const MOST_PIECES: usize = 4096;
 const ASIDE: f64 = 1e-3;
 
 /// Whether a limit is a position of the whole mechanism.
-fn is_whole(mechanism: &Sought<'_>, limit: &SingularPlace) -> bool {
+fn is_whole(mechanism: &SoughtMechanism<'_>, limit: &SingularPlace) -> bool {
     limit.unknowns.len() == mechanism.unknowns().len()
 }
 
 /// An input and all positions that are known there.
 struct Seed {
     s: f64,
-    positions: Vec<Values>,
+    positions: Vec<NumberRow>,
     visited: Vec<bool>,
     /// Whether all positions were sought here; otherwise they are those of the branches that pass.
     is_sought: bool,
@@ -51,14 +51,14 @@ struct Seed {
 }
 
 struct Search<'a> {
-    mechanism: &'a Sought<'a>,
+    mechanism: &'a SoughtMechanism<'a>,
     functions: &'a dyn EveryPosition,
     line: &'a InputLine,
     size: f64,
     seeds: Vec<Seed>,
     found: FoundPieces,
     /// Starts on the other side of limits, and the direction in which to go.
-    waiting: Vec<(usize, f64, Values, f64)>,
+    waiting: Vec<(usize, f64, NumberRow, f64)>,
 }
 
 /// All pieces of branches, or those that pass one of the seeds if the limits cannot be found by themselves.
@@ -66,7 +66,7 @@ struct Search<'a> {
 /// # Errors
 /// Returns the error of the search for positions, if a parameter is not finite.
 pub(super) fn search(
-    mechanism: &Sought<'_>,
+    mechanism: &SoughtMechanism<'_>,
     functions: &dyn EveryPosition,
     line: &InputLine,
 ) -> Result<FoundPieces, SolveError> {
@@ -94,7 +94,7 @@ fn division(line: &InputLine) -> impl Iterator<Item = (f64, bool)> {
 /// A circuit that does not pass the ends of the range has a smallest input, which is a limit. So it is found from there, or all positions
 /// beside this limit are sought.
 fn from_limits(
-    mechanism: &Sought<'_>,
+    mechanism: &SoughtMechanism<'_>,
     functions: &dyn EveryPosition,
     line: &InputLine,
     limits: &[SingularPlace],
@@ -152,7 +152,7 @@ fn from_limits(
 
 /// All pieces that pass one of the seeds.
 fn from_seeds(
-    mechanism: &Sought<'_>,
+    mechanism: &SoughtMechanism<'_>,
     functions: &dyn EveryPosition,
     line: &InputLine,
 ) -> Result<FoundPieces, SolveError> {
@@ -182,9 +182,14 @@ fn from_seeds(
     }
 }
 
-fn seed(mechanism: &Sought<'_>, functions: &dyn EveryPosition, line: &InputLine, s: f64) -> Result<Seed, SolveError> {
+fn seed(
+    mechanism: &SoughtMechanism<'_>,
+    functions: &dyn EveryPosition,
+    line: &InputLine,
+    s: f64,
+) -> Result<Seed, SolveError> {
     let mut positions = Vec::new();
-    let mut found = |unknowns: &[f64]| positions.push(Values::from(unknowns));
+    let mut found = |unknowns: &[f64]| positions.push(NumberRow::from(unknowns));
     let search = functions.every_position(&mechanism.parameters, &line.inputs(s), &mut found)?;
     Ok(Seed {
         s,
@@ -208,12 +213,12 @@ impl Seed {
     }
 
     /// Notes that a branch passes a position.
-    fn visit(&mut self, mechanism: &Sought<'_>, size: f64, unknowns: &[f64]) {
+    fn visit(&mut self, mechanism: &SoughtMechanism<'_>, size: f64, unknowns: &[f64]) {
         let mut known = self.positions.iter();
         if let Some(known) = known.position(|known| mechanism.distance(size, known, unknowns) < SAME) {
             self.visited[known] = true;
         } else {
-            self.positions.push(Values::from(unknowns));
+            self.positions.push(NumberRow::from(unknowns));
             self.visited.push(true);
         }
     }
@@ -232,11 +237,16 @@ impl Seed {
 /// The end of a way in one direction.
 struct WayEnd {
     tip: Tip,
-    samples: Vec<(f64, Values)>,
+    samples: Vec<(f64, NumberRow)>,
 }
 
 impl<'a> Search<'a> {
-    fn new(mechanism: &'a Sought<'a>, functions: &'a dyn EveryPosition, line: &'a InputLine, seeds: Vec<Seed>) -> Self {
+    fn new(
+        mechanism: &'a SoughtMechanism<'a>,
+        functions: &'a dyn EveryPosition,
+        line: &'a InputLine,
+        seeds: Vec<Seed>,
+    ) -> Self {
         Self {
             mechanism,
             functions,
@@ -258,12 +268,12 @@ impl<'a> Search<'a> {
         self.mechanism.distance(self.size, one, other)
     }
 
-    fn near(&self, s: f64, near: &[f64]) -> Result<Values, SolveError> {
+    fn near(&self, s: f64, near: &[f64]) -> Result<NumberRow, SolveError> {
         self.mechanism
             .position(&self.line.inputs(s), PositionChoice::Near(near))
     }
 
-    fn track(&self, from: f64, unknowns: &[f64], to: f64) -> Result<Values, TrackError<Vec<f64>, Vec<f64>>> {
+    fn track(&self, from: f64, unknowns: &[f64], to: f64) -> Result<NumberRow, TrackError<Vec<f64>, Vec<f64>>> {
         let [from, to] = [from, to].map(|s| self.line.inputs(s));
         self.mechanism.track(&from, unknowns, &to)
     }
@@ -281,7 +291,7 @@ impl<'a> Search<'a> {
         if !is_whole(self.mechanism, limit) {
             return;
         }
-        let mut position = Values::splat(self.mechanism.unknowns().len(), 0.0);
+        let mut position = NumberRow::splat(self.mechanism.unknowns().len(), 0.0);
         let mut rates = position.clone();
         for unknown in &limit.unknowns {
             (position[unknown.index], rates[unknown.index]) = (unknown.value, unknown.rate);
@@ -293,7 +303,7 @@ impl<'a> Search<'a> {
             }
             let mut own = Seed::unknown(s);
             for step in [ASIDE, -ASIDE] {
-                let guess = Values::from_fn(position.len(), |index| position[index] + step * rates[index]);
+                let guess = NumberRow::from_fn(position.len(), |index| position[index] + step * rates[index]);
                 let solved = self.near(s, &guess);
                 if let Ok(unknowns) = solved
                     && self.distance(&unknowns, &position) < 100.0 * ASIDE
@@ -474,7 +484,7 @@ impl<'a> Search<'a> {
     }
 
     /// Goes on from seed to seed until the branch ends.
-    fn follow(&mut self, s: f64, unknowns: Values, direction: f64) -> WayEnd {
+    fn follow(&mut self, s: f64, unknowns: NumberRow, direction: f64) -> WayEnd {
         let (mut s, mut unknowns) = (s, unknowns);
         let mut samples = Vec::new();
         loop {
@@ -543,7 +553,7 @@ impl<'a> Search<'a> {
             && let Ok(near) = self.track(s, unknowns, inside)
         {
             let limit = self.mechanism.nearest(&place.unknowns, &near);
-            let guess = Values::from_fn(near.len(), |index| 2.0 * limit[index] - near[index]);
+            let guess = NumberRow::from_fn(near.len(), |index| 2.0 * limit[index] - near[index]);
             if let Ok(other) = self.near(inside, &guess)
                 && self.distance(&other, &near) > 0.1 * self.distance(&guess, &near)
             {
@@ -565,7 +575,7 @@ impl<'a> Search<'a> {
             self.found.nodes.push(BranchNode {
                 kind,
                 s,
-                unknowns: Values::from(unknowns),
+                unknowns: NumberRow::from(unknowns),
                 block,
                 assemblies: [0, 0],
             });

@@ -5,10 +5,10 @@
 
 use alloc::vec::Vec;
 
-use super::closed::Search;
+use super::closed::ClosedSearch;
 use super::interpolation::{CROSSING, around, crosses, interpolated};
 use super::line::MEETING;
-use crate::number::Values;
+use crate::number::NumberRow;
 use crate::quantity::Dimension;
 
 /// The largest error of the closure on a way of positions, as a part of the size. The straight line between two other positions that are
@@ -24,7 +24,7 @@ const MOST_HALVES: usize = 6;
 pub(super) struct Jump {
     pub(super) s: f64,
     /// The unknowns before the place and behind it.
-    pub(super) unknowns: [Values; 2],
+    pub(super) unknowns: [NumberRow; 2],
     /// The unknowns of the block with the free part, separated by commas.
     pub(super) block: &'static str,
 }
@@ -35,7 +35,7 @@ pub(super) struct Jump {
 /// two smooth curves. Their difference has a simple zero in the unknown that frees the part, the length of the slide,
 /// and inverse interpolation finds it. If two links turn freely, one on the other, it is the angle between them that
 /// has a simple zero along a curve.
-pub(super) fn jump(search: &Search<'_>, assembly: usize, places: &[f64; CROSSING]) -> Option<Jump> {
+pub(super) fn jump(search: &ClosedSearch<'_>, assembly: usize, places: &[f64; CROSSING]) -> Option<Jump> {
     const BEFORE: usize = CROSSING / 2 - 1;
     const BEHIND: usize = CROSSING / 2;
     let start = search.solved(places[BEFORE], assembly)?;
@@ -50,7 +50,8 @@ pub(super) fn jump(search: &Search<'_>, assembly: usize, places: &[f64; CROSSING
     if way > 0.5 * search.distance(&start, &end) {
         return None;
     }
-    let [mut onward, mut back] = [&start, &end].map(|own| core::array::from_fn::<Values, CROSSING, _>(|_| own.clone()));
+    let [mut onward, mut back] =
+        [&start, &end].map(|own| core::array::from_fn::<NumberRow, CROSSING, _>(|_| own.clone()));
     for (place, s) in places.iter().enumerate() {
         let (own, other) = (search.solved(*s, assembly)?, search.solved(*s, partner)?);
         let [one, two] = if place < BEHIND { [own, other] } else { [other, own] };
@@ -77,8 +78,8 @@ pub(super) fn jump(search: &Search<'_>, assembly: usize, places: &[f64; CROSSING
         (folded(dyad), dyads[0][dyad].block)
     };
     let s = interpolated(&zero, places, 0.0);
-    let at = |curve: &[Values; CROSSING]| {
-        Values::from_fn(start.len(), |unknown| {
+    let at = |curve: &[NumberRow; CROSSING]| {
+        NumberRow::from_fn(start.len(), |unknown| {
             interpolated(places, &core::array::from_fn(|place| curve[place][unknown]), s)
         })
     };
@@ -90,7 +91,7 @@ pub(super) fn jump(search: &Search<'_>, assembly: usize, places: &[f64; CROSSING
 
 /// The unknowns of an assembly before and behind a place, if they are different positions there: a part turns freely, and no other assembly goes on
 /// where this one ends, since the declared range of an unknown leaves it out.
-pub(super) fn sides(search: &Search<'_>, assembly: usize, s: f64, reach: f64) -> Option<[Values; 2]> {
+pub(super) fn sides(search: &ClosedSearch<'_>, assembly: usize, s: f64, reach: f64) -> Option<[NumberRow; 2]> {
     // from places that keep away from it, where the direction of the free part has lost its digits
     let side = |direction: f64| {
         let places = around(s + 0.55 * direction * reach, 0.45 * reach);
@@ -99,7 +100,7 @@ pub(super) fn sides(search: &Search<'_>, assembly: usize, s: f64, reach: f64) ->
         for (value, place) in values.iter_mut().zip(places) {
             *value = search.mechanism.nearest(&search.solved(place, assembly)?, &first);
         }
-        let unknowns = Values::from_fn(first.len(), |unknown| {
+        let unknowns = NumberRow::from_fn(first.len(), |unknown| {
             interpolated(&places, &core::array::from_fn(|place| values[place][unknown]), s)
         });
         is_position(search, s, &unknowns).then_some(unknowns)
@@ -109,14 +110,14 @@ pub(super) fn sides(search: &Search<'_>, assembly: usize, s: f64, reach: f64) ->
 }
 
 /// Whether the closure holds, up to the error of an interpolation.
-fn is_position(search: &Search<'_>, s: f64, unknowns: &[f64]) -> bool {
+fn is_position(search: &ClosedSearch<'_>, s: f64, unknowns: &[f64]) -> bool {
     let residuals = search.mechanism.residuals(&search.line.inputs(s), unknowns);
     residuals.iter().all(|residual| residual.abs() <= FREE * search.size)
 }
 
 /// Whether a straight line between two positions at the same input consists of positions. An angle that is half a turn
 /// apart may turn either way.
-pub(super) fn is_connected(search: &Search<'_>, s: f64, [from, to]: [&[f64]; 2]) -> bool {
+pub(super) fn is_connected(search: &ClosedSearch<'_>, s: f64, [from, to]: [&[f64]; 2]) -> bool {
     let unknowns = search.mechanism.unknowns();
     let to = search.mechanism.nearest(to, from);
     let halves = |unknown: usize| {
@@ -125,7 +126,7 @@ pub(super) fn is_connected(search: &Search<'_>, s: f64, [from, to]: [&[f64]; 2])
     };
     let free: Vec<usize> = (0..to.len()).filter(|unknown| halves(*unknown)).collect();
     (0..1_usize << free.len().min(MOST_HALVES)).any(|ways| {
-        let mut way = Values::from_fn(to.len(), |unknown| to[unknown] - from[unknown]);
+        let mut way = NumberRow::from_fn(to.len(), |unknown| to[unknown] - from[unknown]);
         for (bit, unknown) in free.iter().take(MOST_HALVES).enumerate() {
             if ways & (1 << bit) != 0 {
                 way[*unknown] -= core::f64::consts::TAU.copysign(way[*unknown]);
@@ -133,7 +134,7 @@ pub(super) fn is_connected(search: &Search<'_>, s: f64, [from, to]: [&[f64]; 2])
         }
         (0..=PARTS).all(|step| {
             let part = f64::from(step) / f64::from(PARTS);
-            let unknowns = Values::from_fn(to.len(), |unknown| from[unknown] + part * way[unknown]);
+            let unknowns = NumberRow::from_fn(to.len(), |unknown| from[unknown] + part * way[unknown]);
             is_position(search, s, &unknowns)
         })
     })

@@ -9,15 +9,19 @@ use num_traits::Float;
 use super::data::{Branch, Circuit, End, EndKind};
 use super::line::InputLine;
 use super::pieces::{BranchPiece, FoundPieces, Tip};
-use super::sought::Sought;
-use crate::number::Values;
+use super::sought::SoughtMechanism;
+use crate::number::NumberRow;
 use crate::quantity::Dimension;
 
 /// The largest distance from half a period that may be rounding, as a part of it.
 const HALFWAY: f64 = 1e-6;
 
 /// The branches, made of pieces that go on at the seam of a closed range.
-pub(super) fn joined_at_the_seam(mechanism: &Sought<'_>, line: &InputLine, found: &FoundPieces) -> Vec<Branch> {
+pub(super) fn joined_at_the_seam(
+    mechanism: &SoughtMechanism<'_>,
+    line: &InputLine,
+    found: &FoundPieces,
+) -> Vec<Branch> {
     let size = mechanism.reach();
     let period = line.period();
     let pieces = &found.pieces;
@@ -76,7 +80,7 @@ pub(super) fn joined_at_the_seam(mechanism: &Sought<'_>, line: &InputLine, found
         let (Some(first_sample), Some(last_sample)) = (samples.first().cloned(), samples.last().cloned()) else {
             continue;
         };
-        let end = |tip: Tip, (s, unknowns): (f64, Values)| {
+        let end = |tip: Tip, (s, unknowns): (f64, NumberRow)| {
             let (kind, block, node) = match tip {
                 _ if is_turning => (EndKind::FullTurn, "", None),
                 Tip::Node(node) => (found.nodes[node].kind, found.nodes[node].block, Some(node)),
@@ -131,7 +135,7 @@ pub(super) fn joined_at_the_seam(mechanism: &Sought<'_>, line: &InputLine, found
 type EnteredBranch = (usize, usize);
 
 /// The circuits of branches that meet at nodes. Each branch learns its circuit and its neighbours.
-pub(super) fn circuits(mechanism: &Sought<'_>, line: &InputLine, branches: &mut [Branch]) -> Vec<Circuit> {
+pub(super) fn circuits(mechanism: &SoughtMechanism<'_>, line: &InputLine, branches: &mut [Branch]) -> Vec<Circuit> {
     let at_node = |branches: &[Branch], node: usize| -> Vec<EnteredBranch> {
         let all = branches.iter().enumerate();
         all.flat_map(|(index, branch)| [0, 1].map(|side| (index, side, branch.ends[side].node)))
@@ -185,7 +189,7 @@ pub(super) fn circuits(mechanism: &Sought<'_>, line: &InputLine, branches: &mut 
 
 /// The circuit that leads from a branch through its limits back to it, if there is one way only.
 fn around(
-    mechanism: &Sought<'_>,
+    mechanism: &SoughtMechanism<'_>,
     line: &InputLine,
     branches: &[Branch],
     start: usize,

@@ -10,7 +10,7 @@ use super::Incomplete;
 use super::line::InputLine;
 use super::polynomial::{ClosureQuantity, Quantities};
 use super::singular::{Singular, singular_positions};
-use super::sought::Sought;
+use super::sought::SoughtMechanism;
 use crate::quantity::Dimension;
 
 /// A place at which the Jacobian of a block is singular.
@@ -28,7 +28,7 @@ pub(super) struct SingularPlace {
 /// # Errors
 /// Says if the closure is not algebraic, if an unknown has a declared range, or may grow beyond all bounds, if
 /// there are too many paths, or if one of them was lost.
-pub(super) fn limits(mechanism: &Sought<'_>, line: &InputLine) -> Result<Vec<SingularPlace>, Incomplete> {
+pub(super) fn limits(mechanism: &SoughtMechanism<'_>, line: &InputLine) -> Result<Vec<SingularPlace>, Incomplete> {
     let description = mechanism.description();
     if let Some(unknown) = description.unknowns.iter().find(|unknown| unknown.has_range) {
         return Err(Incomplete::DeclaredRange { unknown: unknown.name });

@@ -6,11 +6,11 @@ use core::f64::consts::{PI, TAU};
 use num_traits::Float;
 
 use super::bounds::Bounds;
-use super::sought::{Sought, sum_of_lengths};
+use super::sought::{SoughtMechanism, sum_of_lengths};
 use crate::law::Side;
 use crate::mechanism::Mechanism;
 use crate::motion::Motion;
-use crate::number::{Row, Values, at_constant_rate};
+use crate::number::{NumberRow, Row, at_constant_rate};
 use crate::quantity::Dimension;
 use crate::solve::Scalar;
 use crate::sweep::{Drive, InputMotions, READ, SmoothDrive, Variable};
@@ -22,14 +22,14 @@ const NEAR: f64 = 1e-9;
 /// The part of a turn by which the places of the search are shifted, so that symmetric linkages have no limit exactly there.
 const SHIFT: f64 = 0.061_803;
 
-/// The largest [`distance`](Sought::distance) of two positions next to the place where they meet.
+/// The largest [`distance`](SoughtMechanism::distance) of two positions next to the place where they meet.
 pub(super) const MEETING: f64 = 1e-3;
 
 /// The inputs `from + s direction`, for s in a range.
 #[derive(Clone, Debug)]
 pub(super) struct InputLine {
-    pub(super) from: Values,
-    pub(super) direction: Values,
+    pub(super) from: NumberRow,
+    pub(super) direction: NumberRow,
     /// The range of the search. A closed range is shifted against the one that is told.
     pub(super) low: f64,
     pub(super) high: f64,
@@ -40,7 +40,7 @@ pub(super) struct InputLine {
 
 impl InputLine {
     /// The line through a place in a direction, over all places where the mechanism may close.
-    fn whole(mechanism: &Sought<'_>, from: Values, direction: Values) -> Self {
+    fn whole(mechanism: &SoughtMechanism<'_>, from: NumberRow, direction: NumberRow) -> Self {
         let mut line = Self::over(mechanism, from, direction, [-PI, PI]);
         let direction = &line.direction;
         let moving = || {
@@ -65,14 +65,19 @@ impl InputLine {
     }
 
     /// The line over a given range of s, or over all places where the mechanism may close.
-    pub(super) fn new(mechanism: &Sought<'_>, from: Values, direction: Values, range: Option<[f64; 2]>) -> Self {
+    pub(super) fn new(
+        mechanism: &SoughtMechanism<'_>,
+        from: NumberRow,
+        direction: NumberRow,
+        range: Option<[f64; 2]>,
+    ) -> Self {
         match range {
             Some([start, end]) => Self::over(mechanism, from, direction, [start.min(end), end.max(start)]),
             None => Self::whole(mechanism, from, direction),
         }
     }
 
-    fn over(mechanism: &Sought<'_>, from: Values, direction: Values, [low, high]: [f64; 2]) -> Self {
+    fn over(mechanism: &SoughtMechanism<'_>, from: NumberRow, direction: NumberRow, [low, high]: [f64; 2]) -> Self {
         let moving = mechanism.inputs().iter().zip(direction.iter());
         let is_angle = moving
             .filter(|(_, rate)| **rate != 0.0)
@@ -87,8 +92,8 @@ impl InputLine {
         }
     }
 
-    pub(super) fn inputs(&self, s: f64) -> Values {
-        Values::from_fn(self.from.len(), |index| self.from[index] + self.direction[index] * s)
+    pub(super) fn inputs(&self, s: f64) -> NumberRow {
+        NumberRow::from_fn(self.from.len(), |index| self.from[index] + self.direction[index] * s)
     }
 
     /// The inputs of the line as another number, for a place of that number.
@@ -136,12 +141,12 @@ impl InputLine {
 
     /// Whether the closure is the same after a given way, up to rounding, at some places that have nothing in common.
     /// An angle that is a multiple of an input, like that of a gear, may have made turns.
-    fn repeats(&self, mechanism: &Sought<'_>, way: f64) -> bool {
+    fn repeats(&self, mechanism: &SoughtMechanism<'_>, way: f64) -> bool {
         let size = mechanism.reach().max(f64::MIN_POSITIVE);
         let quantities = mechanism.unknowns();
         let agrees = |turned: Option<(usize, f64)>| {
             (0..4).map(f64::from).all(|seed| {
-                let unknowns = Values::from_fn(quantities.len(), |index| {
+                let unknowns = NumberRow::from_fn(quantities.len(), |index| {
                     let mixed = Float::sin((seed + 0.5) * (count(index) + 1.7) * 12.9898);
                     match quantities[index].dimension {
                         Dimension::Length => mixed * size,

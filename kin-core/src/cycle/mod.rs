@@ -79,10 +79,10 @@ use core::ops::Deref;
 use crate::any::Of;
 use crate::failure::SolveError;
 use crate::mechanism::{Mechanism, OneInput};
-use crate::number::{ClosedRange, Row, Values};
+use crate::number::{ClosedRange, NumberRow, Row};
 use line::InputLine;
-use search::Search;
-use sought::Sought;
+use search::SearchMethod;
+use sought::SoughtMechanism;
 
 /// The full cycle of every mechanism.
 pub trait FullCycle: Mechanism<Scalar = f64> {
@@ -177,11 +177,11 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
         let functions = Of::<M>::FUNCTIONS;
         // in a constant, so that only one of both is compiled
         let search = if const { M::ASSEMBLY_COUNT > 0 } {
-            Search::Closed(functions)
+            SearchMethod::Closed(functions)
         } else {
-            Search::Coupled(functions)
+            SearchMethod::Coupled(functions)
         };
-        let line = [from.as_ref(), direction.as_ref()].map(Values::from);
+        let line = [from.as_ref(), direction.as_ref()].map(NumberRow::from);
         let (line, data) = search::search(&sought(mechanism), &search, line, range)?;
         Ok(Self {
             mechanism: *mechanism,
@@ -236,7 +236,7 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
         M::assembly(self.branches().get(branch)?.assembly()?)
     }
 
-    fn sought(&self) -> Sought<'static> {
+    fn sought(&self) -> SoughtMechanism<'static> {
         sought(&self.mechanism)
     }
 
@@ -255,9 +255,9 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
 }
 
 /// A mechanism without its type.
-fn sought<M: Mechanism<Scalar = f64>>(mechanism: &M) -> Sought<'static> {
-    Sought {
+fn sought<M: Mechanism<Scalar = f64>>(mechanism: &M) -> SoughtMechanism<'static> {
+    SoughtMechanism {
         functions: Of::<M>::FUNCTIONS,
-        parameters: Values::from(mechanism.parameters().as_ref()),
+        parameters: NumberRow::from(mechanism.parameters().as_ref()),
     }
 }

@@ -3,24 +3,24 @@
 use super::data::{Branch, CycleData, EndKind};
 use super::joined::{circuits, joined_at_the_seam};
 use super::line::InputLine;
-use super::sought::{ClosedForms, Sought};
+use super::sought::{ClosedForms, SoughtMechanism};
 use super::unit::LengthUnit;
 use super::{Incomplete, closed, coupled};
 use crate::any::{EveryPosition, PositionChoice};
 use crate::failure::{Failure, InputValues, SolveError};
-use crate::number::Values;
+use crate::number::NumberRow;
 
 /// The functions of a search: there are other ones for closed forms and for coupled blocks.
-pub(super) enum Search<'f> {
+pub(super) enum SearchMethod<'f> {
     Closed(&'f dyn ClosedForms),
     Coupled(&'f dyn EveryPosition),
 }
 
 /// All circuits and branches along a line of inputs, which is given by a place and a direction.
 pub(super) fn search(
-    mechanism: &Sought<'_>,
-    functions: &Search<'_>,
-    [from, direction]: [Values; 2],
+    mechanism: &SoughtMechanism<'_>,
+    functions: &SearchMethod<'_>,
+    [from, direction]: [NumberRow; 2],
     range: Option<[f64; 2]>,
 ) -> Result<(InputLine, CycleData), SolveError> {
     let failed = |quantity: &'static str| {
@@ -47,8 +47,8 @@ pub(super) fn search(
         return Err(failed("reciprocal of the length of the range, which is zero"));
     }
     let mut found = match functions {
-        Search::Closed(functions) => closed::search(&sought, *functions, &line),
-        Search::Coupled(functions) => coupled::search(&sought, *functions, &line)?,
+        SearchMethod::Closed(functions) => closed::search(&sought, *functions, &line),
+        SearchMethod::Coupled(functions) => coupled::search(&sought, *functions, &line)?,
     };
     let mut branches = joined_at_the_seam(&sought, &line, &found);
     let lost = branches.iter().flat_map(|branch| &branch.ends);
@@ -87,7 +87,7 @@ pub(super) fn search(
 
 /// The error of the solver if lengths are so large or so small that it refuses the positions of the cycle, which
 /// has its own unit.
-fn refusal(mechanism: &Sought<'_>, line: &InputLine, branches: &[Branch]) -> Option<SolveError> {
+fn refusal(mechanism: &SoughtMechanism<'_>, line: &InputLine, branches: &[Branch]) -> Option<SolveError> {
     let refused = |error: SolveError| matches!(error.failure, Failure::NotFinite { .. }).then_some(error);
     let mut middles = branches.iter().filter_map(|branch| {
         let (s, unknowns) = branch.samples.get(branch.samples.len() / 2)?;

@@ -9,7 +9,7 @@ use super::line::turned;
 use crate::any::{AssemblyOver, ClosureOver, PositionChoice, Transmissions};
 use crate::failure::SolveError;
 use crate::mechanism::{Block, Description};
-use crate::number::Values;
+use crate::number::NumberRow;
 use crate::quantity::{Dimension, Quantity};
 use crate::track::{TrackError, Tracked};
 
@@ -28,12 +28,12 @@ impl<F: CycleFunctions + AssemblyOver<Bounds> + AssemblyOver<Curved> + Transmiss
 
 /// A mechanism with its dimensions.
 #[derive(Clone)]
-pub(super) struct Sought<'f> {
+pub(super) struct SoughtMechanism<'f> {
     pub(super) functions: &'f dyn CycleFunctions,
-    pub(super) parameters: Values,
+    pub(super) parameters: NumberRow,
 }
 
-impl Sought<'_> {
+impl SoughtMechanism<'_> {
     pub(super) fn description(&self) -> &'static Description {
         self.functions.description()
     }
@@ -66,15 +66,15 @@ impl Sought<'_> {
         self.functions.assembly_near(&self.parameters, inputs, unknowns)
     }
 
-    pub(super) fn position(&self, inputs: &[f64], choice: PositionChoice<'_, f64>) -> Result<Values, SolveError> {
-        let mut unknowns = Values::splat(self.unknowns().len(), 0.0);
+    pub(super) fn position(&self, inputs: &[f64], choice: PositionChoice<'_, f64>) -> Result<NumberRow, SolveError> {
+        let mut unknowns = NumberRow::splat(self.unknowns().len(), 0.0);
         self.functions
             .position(&self.parameters, inputs, choice, &mut unknowns)?;
         Ok(unknowns)
     }
 
-    pub(super) fn residuals(&self, inputs: &[f64], unknowns: &[f64]) -> Values {
-        let mut residuals = Values::splat(unknowns.len(), 0.0);
+    pub(super) fn residuals(&self, inputs: &[f64], unknowns: &[f64]) -> NumberRow {
+        let mut residuals = NumberRow::splat(unknowns.len(), 0.0);
         let functions: &dyn ClosureOver<f64> = self.functions;
         functions.residuals(&self.parameters, inputs, unknowns, &mut residuals);
         residuals
@@ -98,10 +98,10 @@ impl Sought<'_> {
         from: &[f64],
         unknowns: &[f64],
         to: &[f64],
-    ) -> Result<Values, TrackError<Vec<f64>, Vec<f64>>> {
+    ) -> Result<NumberRow, TrackError<Vec<f64>, Vec<f64>>> {
         let functions: &dyn Tracked = self.functions;
         let found = functions.track_between(&self.parameters, from, unknowns, to)?;
-        Ok(Values::from(&*found))
+        Ok(NumberRow::from(&*found))
     }
 
     /// The sum of all lengths.
@@ -123,9 +123,9 @@ impl Sought<'_> {
     }
 
     /// The values of the unknowns, with angles on the turns closest to others.
-    pub(super) fn nearest(&self, values: &[f64], near: &[f64]) -> Values {
+    pub(super) fn nearest(&self, values: &[f64], near: &[f64]) -> NumberRow {
         let unknowns = self.unknowns();
-        Values::from_fn(values.len(), |index| match unknowns[index].dimension {
+        NumberRow::from_fn(values.len(), |index| match unknowns[index].dimension {
             Dimension::Angle => near[index] + turned(values[index] - near[index]),
             _ => values[index],
         })

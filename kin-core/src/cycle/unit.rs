@@ -10,9 +10,9 @@ use core::iter;
 use num_traits::Float;
 
 use super::line::count;
-use super::sought::Sought;
+use super::sought::SoughtMechanism;
 use crate::any::PositionChoice;
-use crate::number::Values;
+use crate::number::NumberRow;
 use crate::quantity::{Dimension, Quantity};
 
 /// The factor by which a mechanism is enlarged to see whether its closure has a unit of length: a power of two, so that
@@ -35,7 +35,7 @@ pub(super) struct LengthUnit(f64);
 impl LengthUnit {
     /// The unit of a mechanism: that of its declaration if numbers stand for lengths there, so that it cannot be
     /// enlarged.
-    pub(super) fn of(mechanism: &Sought<'_>, from: &[f64]) -> Self {
+    pub(super) fn of(mechanism: &SoughtMechanism<'_>, from: &[f64]) -> Self {
         let description = mechanism.description();
         let lengths = |quantities: &'static [Quantity], values: &[f64]| {
             let named = quantities.iter().zip(values);
@@ -61,16 +61,16 @@ impl LengthUnit {
     }
 
     /// Lengths of the search, other quantities as they are.
-    pub(super) fn row(self, quantities: &[Quantity], values: &[f64]) -> Values {
-        Values::from_fn(values.len(), |index| match quantities[index].dimension {
+    pub(super) fn row(self, quantities: &[Quantity], values: &[f64]) -> NumberRow {
+        NumberRow::from_fn(values.len(), |index| match quantities[index].dimension {
             Dimension::Length => values[index] * self.0,
             _ => values[index],
         })
     }
 
     /// The mechanism of the search.
-    pub(super) fn mechanism<'f>(self, mechanism: &Sought<'f>) -> Sought<'f> {
-        Sought {
+    pub(super) fn mechanism<'f>(self, mechanism: &SoughtMechanism<'f>) -> SoughtMechanism<'f> {
+        SoughtMechanism {
             parameters: self.row(mechanism.description().parameters, &mechanism.parameters),
             ..*mechanism
         }
@@ -94,15 +94,15 @@ fn reciprocal_power(value: f64) -> f64 {
 
 /// Whether each row of the closure is multiplied by a power of a factor by which all lengths are multiplied, and no
 /// declared range of a length has an end besides zero.
-fn is_homogeneous(mechanism: &Sought<'_>) -> bool {
+fn is_homogeneous(mechanism: &SoughtMechanism<'_>) -> bool {
     let factor = LengthUnit(ENLARGED);
     let enlarged = factor.mechanism(mechanism);
     let (inputs, unknowns) = (mechanism.inputs(), mechanism.unknowns());
     let mut fits = vec![u16::MAX; unknowns.len()];
     for seed in 0..3 {
         let mixed = |index: usize| Float::sin((f64::from(seed) + 0.5) * (count(index) + 1.7) * 12.9898);
-        let given = Values::from_fn(inputs.len(), |index| mixed(index + 11));
-        let position = Values::from_fn(unknowns.len(), mixed);
+        let given = NumberRow::from_fn(inputs.len(), |index| mixed(index + 11));
+        let position = NumberRow::from_fn(unknowns.len(), mixed);
         let own = mechanism.residuals(&given, &position);
         let other = enlarged.residuals(&factor.row(inputs, &given), &factor.row(unknowns, &position));
         for (fits, (own, other)) in fits.iter_mut().zip(own.iter().zip(other.iter())) {
@@ -120,7 +120,7 @@ fn is_homogeneous(mechanism: &Sought<'_>) -> bool {
 
 /// Whether the same positions lie in the declared ranges of lengths for a mechanism that is much larger, and much
 /// smaller.
-fn ranges_have_no_end(mechanism: &Sought<'_>) -> bool {
+fn ranges_have_no_end(mechanism: &SoughtMechanism<'_>) -> bool {
     let (inputs, unknowns) = (mechanism.inputs(), mechanism.unknowns());
     let mut lengths = unknowns.iter().filter(|unknown| unknown.dimension == Dimension::Length);
     if !lengths.any(|unknown| unknown.has_range) {
@@ -133,7 +133,7 @@ fn ranges_have_no_end(mechanism: &Sought<'_>) -> bool {
     let agrees = places
         .flat_map(|place| mechanism.assemblies().zip(iter::repeat(place)))
         .all(|(assembly, place)| {
-            let given = Values::splat(inputs.len(), place);
+            let given = NumberRow::splat(inputs.len(), place);
             let [large, small] = [0, 1].map(|which| {
                 let given = units[which].row(inputs, &given);
                 let solved = mechanisms[which].position(&given, PositionChoice::Assembly(assembly));

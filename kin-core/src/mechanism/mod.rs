@@ -7,6 +7,7 @@ mod failed;
 mod formulas;
 #[doc(hidden)]
 pub mod guessed;
+mod memory;
 mod one_input;
 mod pose_of;
 mod position_search;
@@ -22,6 +23,8 @@ pub use description::{Block, Description};
 #[doc(hidden)]
 pub use failed::{culprit, failed};
 pub use formulas::{Formula, Formulas};
+#[doc(hidden)]
+pub use memory::{First, Lent, Memory, Second};
 pub use one_input::OneInput;
 pub use pose_of::PoseOf;
 pub use position_search::PositionSearch;
@@ -39,7 +42,6 @@ use crate::failure::SolveError;
 use crate::number::Row;
 use crate::picture::{Outline, PlaneOrSpace, PointArray, Skeleton, TransmissionAngle};
 use crate::solve::Scalar;
-use crate::track::Lent;
 
 /// A declared mechanism.
 ///

@@ -7,6 +7,8 @@ pub(crate) mod elementary;
 #[cfg(feature = "alloc")]
 mod gauss;
 mod hyperbolic;
+#[cfg(feature = "alloc")]
+mod number_row;
 mod operations;
 pub(crate) mod plain;
 mod primitive;
@@ -17,19 +19,17 @@ pub(crate) mod samples;
 pub(crate) mod scatter;
 pub mod series;
 mod single;
-#[cfg(feature = "alloc")]
-mod values;
 
 pub use changing::Changing;
 #[cfg(feature = "alloc")]
 pub(crate) use gauss::GAUSS;
+#[cfg(feature = "alloc")]
+pub(crate) use number_row::NumberRow;
 pub use operations::Operations;
 pub use range::ClosedRange;
 pub use row::Row;
 pub(crate) use row::at_constant_rate;
 pub(crate) use single::single;
-#[cfg(feature = "alloc")]
-pub(crate) use values::Values;
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};

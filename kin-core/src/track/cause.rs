@@ -1,9 +1,9 @@
 //! The causes that stop a track.
 
 use super::follow::{ANCHOR, BLUR, Ended, FAR, SECANTS, TrackPoint};
+use super::lent_rows::LentRows;
 use super::obstacle::{FIRM, Halt, Obstacle, TrackError};
 use super::rounding::{blur, is_indistinct};
-use super::scratch::Scratch;
 use super::sides::Sides;
 use super::steps::Steps;
 use super::way::{Way, WayPoint, largest};
@@ -22,7 +22,7 @@ fn crossed_or_ended(
     point: WayPoint<'_>,
     sides: &Sides<'_>,
     beginning: &Sides<'_>,
-    scratch: &mut Scratch<'_>,
+    scratch: &mut LentRows<'_>,
 ) -> Ended {
     let obstacle = obstacle(way, point, sides, beginning);
     if is_out_of_reach(way, point, scratch) {
@@ -39,7 +39,7 @@ pub(super) fn crossed_near(
     sides: Sides<'_>,
     anchor: &TrackPoint<'_>,
     beginning: &Sides<'_>,
-    scratch: &mut Scratch<'_>,
+    scratch: &mut LentRows<'_>,
 ) -> Ended {
     let mut scope = scratch.scope();
     match crossing(way, near, anchor, &mut scope) {
@@ -49,7 +49,7 @@ pub(super) fn crossed_near(
 }
 
 /// Whether the links are out of reach beyond a point.
-fn is_out_of_reach(way: &Way<'_>, point: WayPoint<'_>, scratch: &mut Scratch<'_>) -> bool {
+fn is_out_of_reach(way: &Way<'_>, point: WayPoint<'_>, scratch: &mut LentRows<'_>) -> bool {
     [ANCHOR, 0.1 * ANCHOR].into_iter().all(|beyond| {
         let mut scope = scratch.scope();
         let found = way.position_near(point.travel + beyond, point.unknowns, &mut scope);
@@ -65,7 +65,7 @@ pub(super) fn blocked(
     beginning: &Sides<'_>,
     error: Option<SolveError>,
     steps: &Steps,
-    scratch: &mut Scratch<'_>,
+    scratch: &mut LentRows<'_>,
 ) -> Ended {
     if let Some(obstacle) = pole(way, here, scratch) {
         return TrackError::Unbounded(obstacle);
@@ -95,7 +95,7 @@ pub(super) fn blocked(
 }
 
 /// The place at which an unknown goes to infinity, if it is close.
-fn pole(way: &Way<'_>, here: &TrackPoint<'_>, scratch: &mut Scratch<'_>) -> Option<Obstacle<(), ()>> {
+fn pole(way: &Way<'_>, here: &TrackPoint<'_>, scratch: &mut LentRows<'_>) -> Option<Obstacle<(), ()>> {
     let values = here.point.unknowns;
     let grown = |index: &usize| values[*index].abs() / way.sizes[*index];
     let index = (0..way.count()).max_by(|one, other| grown(one).total_cmp(&grown(other)))?;
@@ -133,7 +133,7 @@ fn pole(way: &Way<'_>, here: &TrackPoint<'_>, scratch: &mut Scratch<'_>) -> Opti
 }
 
 /// The error of the first place close ahead that lies outside the domain of a function.
-fn end_of_domain(way: &Way<'_>, here: &TrackPoint<'_>, scratch: &mut Scratch<'_>) -> Option<SolveError> {
+fn end_of_domain(way: &Way<'_>, here: &TrackPoint<'_>, scratch: &mut LentRows<'_>) -> Option<SolveError> {
     let is_outside = |error: &SolveError| matches!(error.failure, Failure::OutsideDomain { .. });
     let blocks = &way.description.blocks;
     let is_of_a_block = |error: &SolveError| blocks.iter().any(|block| block.unknowns == error.block);
@@ -154,7 +154,7 @@ fn end_of_domain(way: &Way<'_>, here: &TrackPoint<'_>, scratch: &mut Scratch<'_>
 fn first_failure(
     way: &Way<'_>,
     here: &TrackPoint<'_>,
-    scratch: &mut Scratch<'_>,
+    scratch: &mut LentRows<'_>,
     is_wanted: impl Fn(&SolveError) -> bool,
 ) -> Option<(f64, SolveError)> {
     let mut error_at = |travel: f64| {
@@ -193,7 +193,7 @@ fn ahead(way: &Way<'_>, here: &TrackPoint<'_>) -> impl Iterator<Item = f64> + us
 
 /// The error of a block solved by Newton's method at the end of the domain of a function of its unknowns: ahead of it
 /// the closure is not finite, and the solvers find nothing.
-fn end_of_closure(way: &Way<'_>, here: &TrackPoint<'_>, scratch: &mut Scratch<'_>) -> Option<SolveError> {
+fn end_of_closure(way: &Way<'_>, here: &TrackPoint<'_>, scratch: &mut LentRows<'_>) -> Option<SolveError> {
     ahead(way, here).find_map(|travel| {
         let mut scope = scratch.scope();
         // Near such an end the higher terms of a series are useless.
@@ -219,7 +219,7 @@ fn crossing<'s>(
     way: &Way<'_>,
     near: WayPoint<'_>,
     anchor: &TrackPoint<'_>,
-    scratch: &mut Scratch<'s>,
+    scratch: &mut LentRows<'s>,
 ) -> Option<(WayPoint<'s>, Sides<'s>)> {
     let mut step = near.travel - anchor.point.travel;
     if step == 0.0 {
@@ -251,7 +251,7 @@ fn determinants<'s>(
     way: &Way<'_>,
     from: &TrackPoint<'_>,
     step: f64,
-    scratch: &mut Scratch<'s>,
+    scratch: &mut LentRows<'s>,
 ) -> Option<(WayPoint<'s>, Sides<'s>)> {
     let unknowns = from.predicted(step, scratch);
     let travel = from.point.travel + step;
@@ -287,7 +287,7 @@ pub(super) fn obstacle(
 }
 
 /// The place where the track stopped.
-pub(super) fn halt(way: &Way<'_>, point: WayPoint<'_>, steps: &Steps, scratch: &mut Scratch<'_>) -> Halt<(), ()> {
+pub(super) fn halt(way: &Way<'_>, point: WayPoint<'_>, steps: &Steps, scratch: &mut LentRows<'_>) -> Halt<(), ()> {
     way.end_at(point);
     Halt {
         steps: steps.taken(),

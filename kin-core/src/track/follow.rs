@@ -3,16 +3,16 @@
 use num_traits::Float;
 
 use super::cause::{blocked, crossed_near, halt, obstacle};
-use super::memory::Lent;
+use super::lent_rows::LentRows;
 use super::obstacle::TrackError;
 use super::rounding::{blur, is_crossed};
-use super::scratch::Scratch;
 use super::sides::Sides;
 use super::steps::Steps;
 use super::tracked::Tracked;
 use super::turning::{self, Passage};
 use super::way::{Way, WayPoint, largest, largest_difference};
 use crate::failure::{Failure, InputValues, SolveError};
+use crate::mechanism::Lent;
 
 /// The longest step of the inputs, in units of their sizes.
 pub(super) const LONGEST: f64 = 0.5;
@@ -43,7 +43,7 @@ pub(super) const FAST: f64 = 32.0;
 pub(super) type Ended = TrackError<(), ()>;
 
 /// The place at which a track begins, and then the one at which it has ended.
-pub(super) struct Place<'p> {
+pub(super) struct TrackPlace<'p> {
     pub(super) inputs: &'p mut [f64],
     pub(super) unknowns: &'p mut [f64],
 }
@@ -61,7 +61,7 @@ pub(super) struct TrackPoint<'s> {
 
 impl<'s> TrackPoint<'s> {
     /// Memory for a station.
-    fn memory(way: &Way<'_>, scratch: &mut Scratch<'s>) -> &'s mut [f64] {
+    fn memory(way: &Way<'_>, scratch: &mut LentRows<'s>) -> &'s mut [f64] {
         scratch.lend(1 + way.count() * (way.orders() + 2) + 2 * way.description.blocks.len())
     }
 
@@ -104,7 +104,7 @@ impl<'s> TrackPoint<'s> {
     }
 
     /// The first derivatives with respect to the travel, in units of the given sizes.
-    pub(super) fn rates<'t>(&self, sizes: &[f64], scratch: &mut Scratch<'t>) -> &'t [f64] {
+    pub(super) fn rates<'t>(&self, sizes: &[f64], scratch: &mut LentRows<'t>) -> &'t [f64] {
         scratch.row(sizes.len(), |index| self.rate(index) / sizes[index])
     }
 
@@ -121,12 +121,12 @@ impl<'s> TrackPoint<'s> {
     }
 
     /// The unknowns after a step by Taylor's series.
-    pub(super) fn predicted<'t>(&self, step: f64, scratch: &mut Scratch<'t>) -> &'t [f64] {
+    pub(super) fn predicted<'t>(&self, step: f64, scratch: &mut LentRows<'t>) -> &'t [f64] {
         scratch.row(self.sizes.len(), |index| self.series(index, 0, step))
     }
 
     /// Their rates in the sizes before the step.
-    fn predicted_rates<'t>(&self, step: f64, scratch: &mut Scratch<'t>) -> &'t [f64] {
+    fn predicted_rates<'t>(&self, step: f64, scratch: &mut LentRows<'t>) -> &'t [f64] {
         scratch.row(self.sizes.len(), |index| {
             self.series(index, 1, step) / self.sizes[index]
         })
@@ -166,7 +166,7 @@ pub(super) fn follow(
     mechanism: &dyn Tracked,
     parameters: &[f64],
     [from, to]: [&[f64]; 2],
-    place: Place<'_>,
+    place: TrackPlace<'_>,
     lent: Lent<'_>,
 ) -> Result<(), Ended> {
     let solved = |inputs: &[f64], near: &[f64], unknowns: &mut [f64]| {
@@ -307,7 +307,7 @@ pub(super) fn station<'s>(
     way: &Way<'_>,
     travel: f64,
     near: &[f64],
-    scratch: &mut Scratch<'s>,
+    scratch: &mut LentRows<'s>,
 ) -> Result<TrackPoint<'s>, Missing> {
     let motions = way.motions_near(travel, near, scratch).map_err(Missing::Unsolved)?;
     let orders = way.orders();
@@ -328,7 +328,7 @@ pub(super) fn attempted<'s>(
     way: &Way<'_>,
     here: &TrackPoint<'_>,
     travel: f64,
-    scratch: &mut Scratch<'s>,
+    scratch: &mut LentRows<'s>,
 ) -> Result<TrackPoint<'s>, Missing> {
     let step = travel - here.point.travel;
     for part in [0.25, 0.5, 0.75, 1.0] {
@@ -366,7 +366,7 @@ pub(super) fn attempted<'s>(
 
 /// Whether a station belongs to the given assembly. Assemblies that depend on the dimensions have no names to compare;
 /// the determinants distinguish them.
-fn has(way: &Way<'_>, there: &TrackPoint<'_>, assembly: Option<usize>, scratch: &mut Scratch<'_>) -> bool {
+fn has(way: &Way<'_>, there: &TrackPoint<'_>, assembly: Option<usize>, scratch: &mut LentRows<'_>) -> bool {
     way.mechanism.assembly_count() == 0 || way.assembly_at(there.point, scratch) == assembly
 }
 
@@ -386,7 +386,7 @@ fn round_the_turn<'s>(
     anchor: &TrackPoint<'_>,
     beginning: &Sides<'_>,
     steps: &mut Steps,
-    scratch: &mut Scratch<'s>,
+    scratch: &mut LentRows<'s>,
 ) -> Result<Arrival<'s>, Ended> {
     let rates = here.rates(way.sizes, scratch);
     match turning::pass(way, here.point, rates, steps, scratch) {

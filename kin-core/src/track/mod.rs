@@ -2,10 +2,9 @@
 
 mod cause;
 mod follow;
-mod memory;
+mod lent_rows;
 mod obstacle;
 mod rounding;
-mod scratch;
 mod sides;
 mod steps;
 #[cfg(test)]
@@ -14,12 +13,11 @@ mod tracked;
 mod turning;
 mod way;
 
-pub use memory::{First, Lent, Memory, Second};
 pub use obstacle::{Halt, Obstacle, TrackError};
 pub use steps::MOST_TRACK_STEPS;
 pub use tracked::Tracked;
 
-use follow::Place;
+use follow::TrackPlace;
 
 use crate::any::Of;
 use crate::failure::SolveError;
@@ -137,7 +135,7 @@ fn end<M: Mechanism>(
             Of::<M>::FUNCTIONS,
             parameters.as_ref(),
             [from.as_ref(), to.as_ref()],
-            Place {
+            TrackPlace {
                 inputs: inputs.as_mut(),
                 unknowns: unknowns.as_mut(),
             },

@@ -1,6 +1,6 @@
 //! The effect of rounding errors on a position.
 
-use super::scratch::Scratch;
+use super::lent_rows::LentRows;
 use super::sides::{Sides, bordered, whole};
 use super::way::{Linear, Way, WayPoint, largest};
 use crate::solve::LentFactors;
@@ -14,7 +14,7 @@ pub(super) fn rounding<'s>(
     way: &Way<'_>,
     point: WayPoint<'_>,
     system: &LentFactors<'_>,
-    scratch: &mut Scratch<'s>,
+    scratch: &mut LentRows<'s>,
 ) -> &'s [f64] {
     let worst = scratch.filled(way.count(), |_| 0.0);
     let mut scope = scratch.scope();
@@ -34,7 +34,7 @@ pub(super) fn rounding<'s>(
 
 /// The largest effect of rounding errors on the unknowns at a point, in units of their sizes. It is not finite if the
 /// equations are singular.
-pub(super) fn blur(way: &Way<'_>, point: WayPoint<'_>, scratch: &mut Scratch<'_>) -> f64 {
+pub(super) fn blur(way: &Way<'_>, point: WayPoint<'_>, scratch: &mut LentRows<'_>) -> f64 {
     let mut scope = scratch.scope();
     way.linearise(point, &mut scope).map_or(f64::INFINITY, |linear| {
         let system = whole(&linear, &mut scope);
@@ -44,7 +44,7 @@ pub(super) fn blur(way: &Way<'_>, point: WayPoint<'_>, scratch: &mut Scratch<'_>
 
 /// Whether rounding errors may change the determinant of a block by half or more. A position where it is zero is then
 /// too close to be ruled out.
-pub(super) fn is_indistinct(way: &Way<'_>, point: WayPoint<'_>, scratch: &mut Scratch<'_>) -> bool {
+pub(super) fn is_indistinct(way: &Way<'_>, point: WayPoint<'_>, scratch: &mut LentRows<'_>) -> bool {
     let mut scope = scratch.scope();
     let Some(linear) = way.linearise(point, &mut scope) else {
         return false;
@@ -62,7 +62,7 @@ pub(super) fn is_indistinct(way: &Way<'_>, point: WayPoint<'_>, scratch: &mut Sc
 
 /// [`is_indistinct`] with an unknown as the parameter. If it holds, a crossing of branches is too close to be ruled
 /// out.
-pub(super) fn is_crossed(way: &Way<'_>, point: WayPoint<'_>, parameter: usize, scratch: &mut Scratch<'_>) -> bool {
+pub(super) fn is_crossed(way: &Way<'_>, point: WayPoint<'_>, parameter: usize, scratch: &mut LentRows<'_>) -> bool {
     let mut scope = scratch.scope();
     let Some(linear) = way.linearise(point, &mut scope) else {
         return false;
@@ -85,8 +85,8 @@ fn any_beside(
     point: WayPoint<'_>,
     shift: &[f64],
     parameter: Option<usize>,
-    scratch: &mut Scratch<'_>,
-    holds: impl Fn(&Linear<'_>, &mut Scratch<'_>) -> bool,
+    scratch: &mut LentRows<'_>,
+    holds: impl Fn(&Linear<'_>, &mut LentRows<'_>) -> bool,
 ) -> bool {
     let mut any = false;
     for sign in [1.0, -1.0] {

@@ -2,12 +2,12 @@
 
 use num_traits::Float;
 
-use super::scratch::Scratch;
+use super::lent_rows::LentRows;
 use super::way::{Linear, Way};
 use crate::solve::{LentFactors, Orientation, lent_factors_length};
 
 /// The matrix of all equations for all unknowns.
-pub(super) fn whole<'s>(linear: &Linear<'_>, scratch: &mut Scratch<'s>) -> LentFactors<'s> {
+pub(super) fn whole<'s>(linear: &Linear<'_>, scratch: &mut LentRows<'s>) -> LentFactors<'s> {
     let count = linear.travel.len();
     let memory = scratch.lend(lent_factors_length(count));
     LentFactors::new(memory, count, |row, column| linear.entry(row, column))
@@ -22,7 +22,7 @@ pub(super) struct Sides<'s> {
 }
 
 impl<'s> Sides<'s> {
-    pub(super) fn of(way: &Way<'_>, linear: &Linear<'_>, scratch: &mut Scratch<'s>) -> Self {
+    pub(super) fn of(way: &Way<'_>, linear: &Linear<'_>, scratch: &mut LentRows<'s>) -> Self {
         let memory = scratch.lend(2 * way.description.blocks.len());
         let (signs, logarithms) = memory.split_at_mut(way.description.blocks.len());
         for (index, block) in way.description.blocks.iter().enumerate() {
@@ -100,7 +100,7 @@ impl<'s> Sides<'s> {
 }
 
 /// The closure with one unknown as the parameter and the travel as an unknown instead.
-pub(super) fn bordered<'s>(linear: &Linear<'_>, parameter: usize, scratch: &mut Scratch<'s>) -> LentFactors<'s> {
+pub(super) fn bordered<'s>(linear: &Linear<'_>, parameter: usize, scratch: &mut LentRows<'s>) -> LentFactors<'s> {
     let count = linear.travel.len();
     let memory = scratch.lend(lent_factors_length(count));
     LentFactors::new(memory, count, |row, column| {

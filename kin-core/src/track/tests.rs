@@ -4,9 +4,9 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::string::ToString;
 use std::{format, vec};
 
-use super::follow::{CORRECTION, Place, attempted, station};
+use super::follow::{CORRECTION, TrackPlace, attempted, station};
+use super::lent_rows::LentRows;
 use super::rounding::{blur, is_crossed, is_indistinct};
-use super::scratch::Scratch;
 use super::sides::Sides;
 use super::turning::fastest;
 use super::way::{Way, WayPoint, largest, largest_difference};
@@ -330,10 +330,10 @@ pub(super) fn on_the_way<R>(
     linkage: &FourBar,
     unknowns: [f64; 2],
     [from, to]: [f64; 2],
-    ask: impl FnOnce(&Way<'_>, WayPoint<'_>, &mut Scratch<'_>) -> R,
+    ask: impl FnOnce(&Way<'_>, WayPoint<'_>, &mut LentRows<'_>) -> R,
 ) -> R {
     let (mut inputs, mut end) = ([from], unknowns);
-    let place = Place {
+    let place = TrackPlace {
         inputs: &mut inputs,
         unknowns: &mut end,
     };

@@ -6,13 +6,13 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 #[cfg(feature = "alloc")]
-use super::follow::{Place, follow};
-use super::memory::{First, Second};
-#[cfg(feature = "alloc")]
-use super::memory::{Lent, Memory};
+use super::follow::{TrackPlace, follow};
 #[cfg(feature = "alloc")]
 use super::obstacle::TrackError;
 use crate::any::{AnyMechanism, ClosureOver, MotionNearOver};
+use crate::mechanism::{First, Second};
+#[cfg(feature = "alloc")]
+use crate::mechanism::{Lent, Memory};
 
 /// What a track needs of a mechanism without its type.
 pub trait Tracked: AnyMechanism + MotionNearOver<f64> + ClosureOver<First> + ClosureOver<Second> {}
@@ -44,7 +44,7 @@ impl dyn Tracked + '_ {
             self,
             parameters,
             [from, to],
-            Place {
+            TrackPlace {
                 inputs: &mut inputs,
                 unknowns: &mut near,
             },

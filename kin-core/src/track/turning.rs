@@ -6,8 +6,8 @@
 //! Software 9, 1983, 215-235.)
 
 use super::follow::{BLUR, CREEPING, FAR, MOST_CREEPING};
+use super::lent_rows::LentRows;
 use super::rounding::{is_crossed, rounding};
-use super::scratch::Scratch;
 use super::sides::{Sides, bordered};
 use super::steps::Steps;
 use super::way::{Way, WayPoint, largest, largest_difference};
@@ -62,7 +62,7 @@ impl<'s> LocalCurve<'s> {
     const SINGLE: usize = 5;
 
     /// The curve at a point, or `None` if the closure is not finite there or another parameter is needed.
-    fn new(way: &Way<'_>, point: WayPoint<'_>, parameter: usize, scratch: &mut Scratch<'s>) -> Option<Self> {
+    fn new(way: &Way<'_>, point: WayPoint<'_>, parameter: usize, scratch: &mut LentRows<'s>) -> Option<Self> {
         let memory = Self::memory(way, scratch);
         let mut scope = scratch.scope();
         let linear = way.linearise(point, &mut scope)?;
@@ -95,7 +95,7 @@ impl<'s> LocalCurve<'s> {
     }
 
     /// Memory for a curve.
-    fn memory(way: &Way<'_>, scratch: &mut Scratch<'s>) -> &'s mut [f64] {
+    fn memory(way: &Way<'_>, scratch: &mut LentRows<'s>) -> &'s mut [f64] {
         scratch.lend(Self::SINGLE + 3 * way.count() + 2 * way.description.blocks.len())
     }
 
@@ -135,7 +135,7 @@ impl<'s> LocalCurve<'s> {
     }
 
     /// The point after a step of the parameter, to second order.
-    fn predicted<'t>(&self, way: &Way<'_>, step: f64, scratch: &mut Scratch<'t>) -> WayPoint<'t> {
+    fn predicted<'t>(&self, way: &Way<'_>, step: f64, scratch: &mut LentRows<'t>) -> WayPoint<'t> {
         let along = |index: usize| (self.rates[index] + self.bends[index] * step) * step;
         WayPoint {
             unknowns: scratch.row(way.count(), |index| {
@@ -151,7 +151,7 @@ impl<'s> LocalCurve<'s> {
         way: &Way<'_>,
         parameter: usize,
         step: f64,
-        scratch: &mut Scratch<'t>,
+        scratch: &mut LentRows<'t>,
     ) -> Option<LocalCurve<'t>> {
         let predicted = self.predicted(way, step, scratch);
         let point = corrected(way, predicted, parameter, scratch)?;
@@ -180,7 +180,7 @@ fn corrected<'s>(
     way: &Way<'_>,
     start: WayPoint<'_>,
     parameter: usize,
-    scratch: &mut Scratch<'s>,
+    scratch: &mut LentRows<'s>,
 ) -> Option<WayPoint<'s>> {
     let unknowns = scratch.filled(way.count(), |index| start.unknowns[index]);
     let mut travel = start.travel;
@@ -214,7 +214,7 @@ fn corrected<'s>(
 
 /// The distance from the curve that rounding errors may cause. It is zero if it exceeds a fifth of the longest step,
 /// because it would then excuse any deviation.
-fn blur(way: &Way<'_>, point: WayPoint<'_>, system: &LentFactors<'_>, scratch: &mut Scratch<'_>) -> f64 {
+fn blur(way: &Way<'_>, point: WayPoint<'_>, system: &LentFactors<'_>, scratch: &mut LentRows<'_>) -> f64 {
     let mut scope = scratch.scope();
     let size = largest(rounding(way, point, system, &mut scope).iter().copied());
     if size <= 0.2 * LONGEST { size } else { 0.0 }
@@ -228,7 +228,7 @@ pub(super) fn pass<'s>(
     start: WayPoint<'_>,
     rates: &[f64],
     steps: &mut Steps,
-    scratch: &mut Scratch<'s>,
+    scratch: &mut LentRows<'s>,
 ) -> Passage<'s> {
     let [here, mut there] = [(); 2].map(|()| LocalCurve::memory(way, scratch));
     let outcome = scratch.lend(way.count() + 2 * way.description.blocks.len());
@@ -364,7 +364,7 @@ fn attempted<'s>(
     here: &LocalCurve<'_>,
     parameter: usize,
     size: f64,
-    scratch: &mut Scratch<'s>,
+    scratch: &mut LentRows<'s>,
 ) -> Option<LocalCurve<'s>> {
     let step = size.copysign(here.travel_rate);
     let halfway = here.predicted(way, 0.5 * step, scratch);
@@ -408,7 +408,7 @@ fn turned<'s>(
     here: &LocalCurve<'_>,
     parameter: usize,
     step: f64,
-    scratch: &mut Scratch<'s>,
+    scratch: &mut LentRows<'s>,
 ) -> Option<(LocalCurve<'s>, f64)> {
     let (mut low, mut high) = (0.0, step);
     let mut reach = -here.travel_rate / (2.0 * here.travel_bend);
@@ -451,7 +451,7 @@ fn arrived<'s>(
     here: &LocalCurve<'_>,
     parameter: usize,
     step: f64,
-    scratch: &mut Scratch<'s>,
+    scratch: &mut LentRows<'s>,
 ) -> &'s [f64] {
     let (mut low, mut high) = (0.0, step);
     let mut reach = (way.length - here.point.travel) / here.travel_rate;

@@ -2,13 +2,12 @@
 
 use core::cell::RefCell;
 
-use super::follow::{Place, SHORTEST};
-use super::memory::{First, Lent, Second};
-use super::scratch::Scratch;
+use super::follow::{SHORTEST, TrackPlace};
+use super::lent_rows::LentRows;
 use super::tracked::Tracked;
 use crate::any::ClosureOver;
 use crate::failure::SolveError;
-use crate::mechanism::{Description, Sizes};
+use crate::mechanism::{Description, First, Lent, Second, Sizes};
 use crate::number::{at_constant_rate, series::Series};
 use crate::quantity::Dimension;
 
@@ -40,7 +39,7 @@ pub(super) struct Way<'w> {
     first: RefCell<&'w mut [First]>,
     second: RefCell<&'w mut [Second]>,
     /// Where the end of the track is told.
-    place: RefCell<Place<'w>>,
+    place: RefCell<TrackPlace<'w>>,
 }
 
 /// The closure to first order at a point, one row for each equation, in sizes of the unknowns.
@@ -67,10 +66,10 @@ impl<'w> Way<'w> {
         [from, to]: [&'w [f64]; 2],
         near: &[f64],
         lent: Lent<'w>,
-        place: Place<'w>,
-    ) -> (Self, Scratch<'w>) {
+        place: TrackPlace<'w>,
+    ) -> (Self, LentRows<'w>) {
         let Lent { numbers, first, second } = lent;
-        let mut scratch = Scratch::new(numbers);
+        let mut scratch = LentRows::new(numbers);
         let description = mechanism.description();
         let own = Sizes::of(description, parameters);
         let sizes = scratch.row(near.len(), |index| {
@@ -166,7 +165,7 @@ impl<'w> Way<'w> {
     }
 
     /// The inputs after a given travel.
-    pub(super) fn inputs<'s>(&self, travel: f64, scratch: &mut Scratch<'s>) -> &'s [f64] {
+    pub(super) fn inputs<'s>(&self, travel: f64, scratch: &mut LentRows<'s>) -> &'s [f64] {
         scratch.row(self.from.len(), |index| self.input(travel, index))
     }
 
@@ -175,7 +174,7 @@ impl<'w> Way<'w> {
         &self,
         travel: f64,
         near: &[f64],
-        scratch: &mut Scratch<'s>,
+        scratch: &mut LentRows<'s>,
     ) -> Result<&'s [f64], SolveError> {
         let unknowns = scratch.lend(self.count());
         let inputs = self.inputs(travel, &mut scratch.scope());
@@ -188,7 +187,7 @@ impl<'w> Way<'w> {
         &self,
         travel: f64,
         near: &[f64],
-        scratch: &mut Scratch<'s>,
+        scratch: &mut LentRows<'s>,
     ) -> Result<&'s [f64], SolveError> {
         let motions = scratch.lend(self.count() * self.orders());
         let orders = self.orders();
@@ -203,7 +202,7 @@ impl<'w> Way<'w> {
     }
 
     /// Whether a position belongs to an assembly.
-    pub(super) fn assembly_at(&self, point: WayPoint<'_>, scratch: &mut Scratch<'_>) -> Option<usize> {
+    pub(super) fn assembly_at(&self, point: WayPoint<'_>, scratch: &mut LentRows<'_>) -> Option<usize> {
         let mut scope = scratch.scope();
         let inputs = self.inputs(point.travel, &mut scope);
         self.mechanism.assembly_near(self.parameters, inputs, point.unknowns)
@@ -242,7 +241,7 @@ impl<'w> Way<'w> {
     /// quantity causes.
     ///
     /// Terms that cancel count in full, for example those of a long crank in a loop of short links.
-    pub(super) fn terms<'s>(&self, point: WayPoint<'_>, scratch: &mut Scratch<'s>) -> &'s [f64] {
+    pub(super) fn terms<'s>(&self, point: WayPoint<'_>, scratch: &mut LentRows<'s>) -> &'s [f64] {
         let terms = scratch.filled(self.count(), |_| 0.0);
         let mut series = self.first.borrow_mut();
         let (quantities, residuals) = series.split_at_mut(self.parameters.len() + self.from.len() + self.count());
@@ -268,7 +267,7 @@ impl<'w> Way<'w> {
     }
 
     /// The closure near a point; `None` if it is not finite there.
-    pub(super) fn linearise<'s>(&self, point: WayPoint<'_>, scratch: &mut Scratch<'s>) -> Option<Linear<'s>> {
+    pub(super) fn linearise<'s>(&self, point: WayPoint<'_>, scratch: &mut LentRows<'s>) -> Option<Linear<'s>> {
         let count = self.count();
         let (jacobian, travel, residuals) = (scratch.lend(count * count), scratch.lend(count), scratch.lend(count));
         let mut series = self.first.borrow_mut();
@@ -293,7 +292,7 @@ impl<'w> Way<'w> {
         point: WayPoint<'_>,
         rates: &[f64],
         travel_rate: f64,
-        scratch: &mut Scratch<'s>,
+        scratch: &mut LentRows<'s>,
     ) -> &'s [f64] {
         let bend = scratch.lend(self.count());
         let mut series = self.second.borrow_mut();

@@ -55,6 +55,7 @@ pub(crate) const CORE: House = House {
         room("law", &["law/"], "motion laws"),
         room("picture", &["picture/"], "skeletons, angles"),
         room("mechanism", &["mechanism/"], "traits of mechanisms"),
+        room("any", &["any.rs"], "without their types"),
         room("assemblies", &["assemblies/"], "all positions"),
         room("track", &["track/"], "from pose to pose"),
         room("load", &["load/"], "efforts, energies"),

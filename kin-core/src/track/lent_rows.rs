@@ -1,9 +1,9 @@
 //! Memory that the caller lends to a track, which allocates none itself.
 
 /// Memory for rows of numbers. What is taken in a [scope](Self::scope) is free again behind it.
-pub(crate) struct Scratch<'s>(&'s mut [f64]);
+pub(crate) struct LentRows<'s>(&'s mut [f64]);
 
-impl<'s> Scratch<'s> {
+impl<'s> LentRows<'s> {
     pub(crate) const fn new(memory: &'s mut [f64]) -> Self {
         Self(memory)
     }
@@ -30,7 +30,7 @@ impl<'s> Scratch<'s> {
     }
 
     /// The same memory, for a while.
-    pub(crate) const fn scope(&mut self) -> Scratch<'_> {
-        Scratch(self.0)
+    pub(crate) const fn scope(&mut self) -> LentRows<'_> {
+        LentRows(self.0)
     }
 }

@@ -8,7 +8,7 @@ const INLINE: usize = 8;
 
 /// A number for each of some quantities of a mechanism without its type. Most mechanisms have few, for which nothing is allocated.
 #[derive(Clone, Debug)]
-pub(crate) enum Values {
+pub(crate) enum NumberRow {
     /// The first `count` of these numbers.
     Inline {
         count: usize,
@@ -17,7 +17,7 @@ pub(crate) enum Values {
     Allocated(Vec<f64>),
 }
 
-impl Values {
+impl NumberRow {
     /// As many values of `function(index)`.
     pub(crate) fn from_fn(count: usize, mut function: impl FnMut(usize) -> f64) -> Self {
         if count > INLINE {
@@ -36,13 +36,13 @@ impl Values {
     }
 }
 
-impl From<&[f64]> for Values {
+impl From<&[f64]> for NumberRow {
     fn from(values: &[f64]) -> Self {
         Self::from_fn(values.len(), |index| values[index])
     }
 }
 
-impl Deref for Values {
+impl Deref for NumberRow {
     type Target = [f64];
 
     fn deref(&self) -> &[f64] {
@@ -53,7 +53,7 @@ impl Deref for Values {
     }
 }
 
-impl DerefMut for Values {
+impl DerefMut for NumberRow {
     fn deref_mut(&mut self) -> &mut [f64] {
         match self {
             Self::Inline { count, values } => &mut values[..*count],
