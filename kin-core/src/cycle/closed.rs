@@ -764,7 +764,7 @@ impl ClosedSearch<'_> {
             if let (Some(before), Some(found)) = (before, &found) {
                 let change = (found.0 - before.0).abs();
                 if change <= tolerance {
-                    // NumberRow that are farther away have more digits.
+                    // Values that are farther away have more digits.
                     return Some(before);
                 }
                 if best.as_ref().is_none_or(|(least, _)| change < *least) {

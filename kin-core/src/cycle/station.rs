@@ -138,7 +138,7 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     }
 }
 
-/// NumberRow whose angles are moved by the whole turns between two others.
+/// Values whose angles are moved by the whole turns between two others.
 fn moved_by_turns<R: Row<f64>>(quantities: &[Quantity], to: &R, from: &R, values: R) -> R {
     R::from_fn(|index| match quantities[index].dimension {
         Dimension::Angle => values[index] + whole_turns(to[index] - from[index]),

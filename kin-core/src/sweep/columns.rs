@@ -18,7 +18,9 @@ pub struct Label {
 }
 
 impl Label {
-    pub(crate) fn new(quantity: Quantity, order: usize) -> Self {
+    /// The column of a derivative.
+    #[must_use]
+    pub const fn new(quantity: Quantity, order: usize) -> Self {
         Self {
             quantity,
             order,

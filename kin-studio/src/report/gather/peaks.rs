@@ -1,8 +1,8 @@
 //! Extremes, means and sensitivities over the range.
 
-use kin_core::extremes::{self, At, ExtremeKind, ExtremesError, Over};
-use kin_core::sweep::Local;
-use kin_core::{Mechanism, Number as _};
+use kin_core::Mechanism;
+use kin_core::extremes::{self, ExtremeKind, ExtremesError, Over};
+use kin_core::sweep::Label;
 
 use super::way::Way;
 use crate::names::symbol;
@@ -38,26 +38,8 @@ pub(super) struct Found {
 pub(super) fn find<M: Mechanism<Scalar = f64>>(way: &Way<M>) -> Found {
     let description = M::DESCRIPTION;
     let mut found = Found::default();
-    let unknowns = description
-        .unknowns
-        .iter()
-        .enumerate()
-        .map(|(index, own)| (index, own, false));
-    let outputs = description
-        .outputs
-        .iter()
-        .enumerate()
-        .map(|(index, own)| (index, own, true));
-    for (index, quantity, is_output) in unknowns.chain(outputs) {
+    for quantity in description.unknowns.iter().chain(description.outputs) {
         for order in 0..=description.order {
-            let value = move |at: &At<M>| {
-                let value = if is_output {
-                    at.output(index, order)
-                } else {
-                    at.unknown(index, order)
-                };
-                value.unwrap_or(Local::constant(f64::NAN))
-            };
             let text = format!(
                 "{}{}",
                 symbol(quantity.name),
@@ -65,10 +47,11 @@ pub(super) fn find<M: Mechanism<Scalar = f64>>(way: &Way<M>) -> Found {
             );
             let question = Question {
                 name: quantity.name,
+                column: Label::new(*quantity, order).to_string(),
                 text,
                 order,
             };
-            question.answer(way, &value, &mut found);
+            question.answer(way, &mut found);
         }
     }
     found
@@ -77,13 +60,15 @@ pub(super) fn find<M: Mechanism<Scalar = f64>>(way: &Way<M>) -> Found {
 /// A derivative of a quantity.
 struct Question {
     name: &'static str,
+    /// The name of its column.
+    column: String,
     text: String,
     order: usize,
 }
 
 impl Question {
-    fn answer<M: Mechanism<Scalar = f64>>(&self, way: &Way<M>, value: &impl Fn(&At<M>) -> Local, found: &mut Found) {
-        match extremes(way, value) {
+    fn answer<M: Mechanism<Scalar = f64>>(&self, way: &Way<M>, found: &mut Found) {
+        match extremes(way, &self.column) {
             Ok(all) => {
                 let highest = all
                     .iter()
@@ -107,7 +92,7 @@ impl Question {
             }
             Err(error) => found.unanswered.push(self.unanswered(&error)),
         }
-        match rms(way, value) {
+        match rms(way, &self.column) {
             Ok(value) => found.rms.push(RootMeanSquare {
                 quantity: self.name.to_owned(),
                 order: self.order,
@@ -116,7 +101,7 @@ impl Question {
             Err(error) => found.unanswered.push(self.unanswered(&error)),
         }
         // where there is no peak, or where it moves with a limit, there is no sensitivity
-        if let Some(own) = sensitivity(way, value) {
+        if let Some(own) = sensitivity(way, &self.column) {
             let values = own.by.as_ref().iter().map(|by| by.value).collect();
             found.sensitivities.push(Sensitivity {
                 quantity: self.name.to_owned(),
@@ -158,13 +143,10 @@ fn place(kind: ExtremeKind) -> Place {
 }
 
 /// All extremes over the range.
-fn extremes<M: Mechanism<Scalar = f64>>(
-    way: &Way<M>,
-    value: &impl Fn(&At<M>) -> Local,
-) -> Result<Vec<extremes::Extreme>, ExtremesError> {
+fn extremes<M: Mechanism<Scalar = f64>>(way: &Way<M>, column: &str) -> Result<Vec<extremes::Extreme>, ExtremesError> {
     let mut all = Vec::new();
     for course in &way.courses {
-        all.extend(course.of_expression(value).extremes()?);
+        all.extend(course.of(column).extremes()?);
     }
     let Some(start) = way.start() else { return Ok(all) };
     // Two sweeps begin at one place, which is no end of the range. It is an extreme only if it is one for both.
@@ -187,13 +169,10 @@ fn extremes<M: Mechanism<Scalar = f64>>(
 }
 
 /// The root mean square over time, or nothing if it grows beyond all bounds.
-fn rms<M: Mechanism<Scalar = f64>>(
-    way: &Way<M>,
-    value: &impl Fn(&At<M>) -> Local,
-) -> Result<Option<f64>, ExtremesError> {
+fn rms<M: Mechanism<Scalar = f64>>(way: &Way<M>, column: &str) -> Result<Option<f64>, ExtremesError> {
     let mut own = Vec::new();
     for course in &way.courses {
-        match course.of_expression(value).rms(Over::Time) {
+        match course.of(column).rms(Over::Time) {
             Ok(mean) => own.push(mean.value),
             Err(ExtremesError::Diverges { .. } | ExtremesError::Unbounded { .. }) => return Ok(None),
             Err(error) => return Err(error),
@@ -209,13 +188,10 @@ fn rms<M: Mechanism<Scalar = f64>>(
 }
 
 /// The peak that is largest in size, with its dependence on the dimensions.
-fn sensitivity<M: Mechanism<Scalar = f64>>(
-    way: &Way<M>,
-    value: &impl Fn(&At<M>) -> Local,
-) -> Option<extremes::PeakSensitivities<M>> {
+fn sensitivity<M: Mechanism<Scalar = f64>>(way: &Way<M>, column: &str) -> Option<extremes::PeakSensitivities<M>> {
     let mut best: Option<extremes::PeakSensitivities<M>> = None;
     for course in &way.courses {
-        let own = course.of_expression(value).peak_sensitivities().ok()?;
+        let own = course.of(column).peak_sensitivities().ok()?;
         if best
             .as_ref()
             .is_none_or(|best| own.peak.value.abs() > best.peak.value.abs())
