@@ -1,22 +1,26 @@
 //! A sweep as an iterator of poses.
 
+use super::course::{AnyCourse, KnownPose};
 use super::walk::Walk;
 use super::{Course, Drive};
+use crate::any::{row, write};
 use crate::failure::SolveError;
-use crate::mechanism::Mechanism;
+use crate::mechanism::{Mechanism, Pose};
 
 /// The poses of a sweep, one after the other, as [`Course::rows`] returns them.
 #[derive(Clone)]
 pub struct Rows<'s, M: Mechanism<Scalar = f64>, D> {
-    course: &'s Course<M, D>,
-    walk: Walk<M>,
+    typed: &'s Course<M, D>,
+    course: AnyCourse<'s>,
+    walk: Walk,
     next: usize,
 }
 
 impl<'s, M: Mechanism<Scalar = f64>, D: Drive<M>> Rows<'s, M, D> {
-    pub(super) fn new(course: &'s Course<M, D>) -> Self {
+    pub(super) fn new(typed: &'s Course<M, D>) -> Self {
         Self {
-            course,
+            typed,
+            course: typed.any(),
             walk: Walk::BEGINNING,
             next: 0,
         }
@@ -27,18 +31,48 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Iterator for Rows<'_, M, D> {
     type Item = Result<M::Pose, SolveError>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        let course = self.course;
-        if self.next >= course.count {
+        let (typed, course) = (self.typed, &mut self.course);
+        if self.next >= typed.count {
             return None;
         }
-        let at = course.at(self.next);
+        let at = typed.at(self.next);
         self.next += 1;
-        let reached = self.walk.step(course, at, course.drive.motions(at));
-        Some(reached.map(|reached| reached.pose))
+        let motions = typed.drive.motions(at);
+        let given = course.motions(at);
+        // The walk tells which position it is. As a rule it is that of the assembly, whose pose the walk then needs not solve again.
+        let mut known = None;
+        if course.has_assemblies() || self.walk.last.is_none() {
+            let pose = typed.mechanism.solve_motion(motions, typed.assembly);
+            let numbers = pose.map(|pose| {
+                let (unknowns, outputs) = (pose.unknown_motions(), pose.output_motions());
+                let results = (unknowns.as_ref().len() + outputs.as_ref().len()) * course.orders();
+                let mut numbers = given.to_vec();
+                numbers.resize(given.len() + results, 0.0);
+                let (unknown_numbers, output_numbers) =
+                    numbers[given.len()..].split_at_mut(unknowns.as_ref().len() * course.orders());
+                write(unknowns.as_ref(), unknown_numbers);
+                write(outputs.as_ref(), output_numbers);
+                numbers
+            });
+            known = pose.ok();
+            course.known = Some(KnownPose {
+                motions: given.clone(),
+                numbers,
+            });
+        }
+        let near = match self.walk.step(course, at, &given) {
+            Ok(footing) => footing.near.as_deref(),
+            Err(error) => return Some(Err(error)),
+        };
+        Some(match (near, known) {
+            (None, Some(pose)) => Ok(pose),
+            (None, None) => typed.mechanism.solve_motion(motions, typed.assembly),
+            (Some(near), _) => typed.mechanism.solve_motion_near(motions, row(near)),
+        })
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
-        let rest = self.course.count - self.next;
+        let rest = self.typed.count - self.next;
         (rest, Some(rest))
     }
 }
