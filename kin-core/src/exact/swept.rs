@@ -48,19 +48,19 @@ impl Swept<'_> {
         let motions = Values::from_fn(inputs * orders, |index| {
             derivatives[index / orders * READ + index % orders]
         });
-        let mut walk = from.map_or(Walk::BEGINNING, |station| station.near.clone());
-        let reached = walk
-            .step(course, at, &motions)
-            .map_err(|error| ExactTableError::NotClosed {
-                at,
-                error: Box::new(error),
-            })?;
+        let beginning = Walk::BEGINNING;
+        let walk = from.map_or(&beginning, |station| &station.near);
+        let (walk, result) = walk.stepped(course, at, &motions);
+        result.map_err(|error| ExactTableError::NotClosed {
+            at,
+            error: Box::new(error),
+        })?;
         let mut numbers = Vec::new();
-        for input in self.inputs() {
-            numbers.extend_from_slice(&reached.motion(input)[..self.count]);
-        }
-        for motion in reached.results() {
-            numbers.extend_from_slice(&motion[..self.count]);
+        if let Some(reached) = &walk.last {
+            let inputs = self.inputs().map(|input| reached.motion(input));
+            for motion in inputs.chain(reached.results()) {
+                numbers.extend_from_slice(&motion[..self.count]);
+            }
         }
         Ok(Station {
             at,

@@ -45,11 +45,24 @@ pub struct SweepStation {
     pub(super) variable: Local,
 }
 
-/// A position in series of the variable.
+/// A position in series of the variable: parameters, inputs, what the unknowns are near, and the unknowns, one after the other.
 struct SeriesPosition<const N: usize> {
-    parameters: Vec<Series<N>>,
-    inputs: Vec<Series<N>>,
-    unknowns: Vec<Series<N>>,
+    numbers: Vec<Series<N>>,
+    counts: [usize; 3],
+}
+
+impl<const N: usize> SeriesPosition<N> {
+    fn parts(&mut self) -> [&mut [Series<N>]; 4] {
+        let [parameters, inputs, unknowns] = self.counts;
+        let (parameters, rest) = self.numbers.split_at_mut(parameters);
+        let (inputs, rest) = rest.split_at_mut(inputs);
+        let (near, unknowns) = rest.split_at_mut(unknowns);
+        [parameters, inputs, near, unknowns]
+    }
+
+    fn unknowns(&self) -> &[Series<N>] {
+        &self.numbers[self.numbers.len() - self.counts[2]..]
+    }
 }
 
 impl SweepStation {
@@ -77,10 +90,10 @@ impl SweepStation {
         order: usize,
     ) -> Result<Local, SolveError> {
         if order <= SNAP {
-            let value = self.position::<UP_TO_SNAP>(functions)?.unknowns[index];
+            let value = self.position::<UP_TO_SNAP>(functions)?.unknowns()[index];
             Ok(self.by_time(&value.derivatives(), order))
         } else {
-            let value = self.position::<READ>(functions)?.unknowns[index];
+            let value = self.position::<READ>(functions)?.unknowns()[index];
             Ok(self.by_time(&value.derivatives(), order))
         }
     }
@@ -103,7 +116,7 @@ impl SweepStation {
 
     /// The margins and the transmission angles of all dyads.
     pub(super) fn margins<'f>(&self, functions: &'f dyn NamedFunctions) -> Result<Margins<'f>, SolveError> {
-        let unknowns = self.position::<UP_TO_SNAP>(functions)?.unknowns;
+        let position = self.position::<UP_TO_SNAP>(functions)?;
         Ok(Margins {
             functions,
             description: self.description,
@@ -111,31 +124,41 @@ impl SweepStation {
             inputs: (0..self.description.inputs.len())
                 .map(|input| self.input(input, 0))
                 .collect(),
-            unknowns: unknowns
+            unknowns: position
+                .unknowns()
                 .iter()
                 .map(|unknown| self.by_time(&unknown.derivatives(), 0))
                 .collect(),
         })
     }
 
-    fn position<const N: usize>(&self, functions: &dyn SeriesFunctions<N>) -> Result<SeriesPosition<N>, SolveError> {
-        let parameters: Vec<_> = self.parameters.iter().copied().map(Series::constant).collect();
-        let inputs: Vec<_> = self
+    fn position<'s, const N: usize>(
+        &'s self,
+        functions: &dyn SeriesFunctions<N>,
+    ) -> Result<SeriesPosition<N>, SolveError> {
+        let inputs = self
             .inputs
             .chunks_exact(READ)
-            .map(|motion| Series::from_derivatives(core::array::from_fn(|order| motion[order])))
-            .collect();
-        let near: Vec<_> = self.unknowns.iter().copied().map(Series::constant).collect();
-        let mut unknowns = near.clone();
-        functions.position_near(&parameters, &inputs, &near, &mut unknowns)?;
+            .map(|motion| Series::from_derivatives(core::array::from_fn(|order| motion[order])));
+        let constants = |values: &'s [f64]| values.iter().copied().map(Series::constant);
+        let numbers = constants(&self.parameters)
+            .chain(inputs)
+            .chain(constants(&self.unknowns))
+            .chain(constants(&self.unknowns));
+        let mut position = SeriesPosition {
+            numbers: numbers.collect(),
+            counts: [
+                self.parameters.len(),
+                self.description.inputs.len(),
+                self.unknowns.len(),
+            ],
+        };
+        let [parameters, inputs, near, unknowns] = position.parts();
+        functions.position_near(parameters, inputs, near, unknowns)?;
         for (index, unknown) in unknowns.iter_mut().enumerate() {
             *unknown = unwrapped(self.description.unknowns[index], *unknown, self.unknowns[index]);
         }
-        Ok(SeriesPosition {
-            parameters,
-            inputs,
-            unknowns,
-        })
+        Ok(position)
     }
 
     fn output_series<const N: usize>(
@@ -143,14 +166,12 @@ impl SweepStation {
         functions: &dyn SeriesFunctions<N>,
         index: usize,
     ) -> Result<Series<N>, SolveError> {
-        let position = self.position(functions)?;
+        let mut position = self.position(functions)?;
+        let [parameters, inputs, _, unknowns] = position.parts();
         let mut outputs = vec![Series::constant(0.0); self.outputs.len()];
-        functions.outputs(&position.parameters, &position.inputs, &position.unknowns, &mut outputs);
-        Ok(unwrapped(
-            self.description.outputs[index],
-            outputs[index],
-            self.outputs[index],
-        ))
+        functions.outputs(parameters, inputs, unknowns, &mut outputs);
+        let quantity = self.description.outputs[index];
+        Ok(unwrapped(quantity, outputs[index], self.outputs[index]))
     }
 
     /// A derivative with respect to time as a series in the parameter, from those with respect to the variable.

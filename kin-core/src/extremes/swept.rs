@@ -199,8 +199,7 @@ impl QuantityOfSweep<'_> {
 
     /// The walk on to another place, and whether the mechanism closes there.
     pub(super) fn step(&self, near: &Mark, at: f64) -> (Mark, Result<(), SolveError>) {
-        let mut walk = Walk::clone(&near.walk);
-        let result = walk.step(&self.course, at, &self.course.motions(at)).map(|_| ());
+        let (walk, result) = near.walk.stepped(&self.course, at, &self.course.motions(at));
         (Mark::new(walk), result)
     }
 

@@ -8,7 +8,7 @@ use super::columns::Label;
 use super::course::AnyCourse;
 use super::drive::Drive;
 use super::error::SweepError;
-use super::fill::part;
+use super::fill::{outcome, part};
 use super::gaps::Bend;
 use super::table::Table;
 use super::walk::Walk;
@@ -126,10 +126,12 @@ impl AnyCourse<'_> {
             rows: self.count,
             most: most_rows,
         };
-        let mut walk = Walk::BEGINNING;
-        let given: Vec<Sample> = (0..self.count)
-            .map(|row| samples.solve(&mut walk, self.at(row)))
-            .collect();
+        let mut given: Vec<Sample> = Vec::with_capacity(self.count);
+        for row in 0..self.count {
+            let beginning = Rc::new(Walk::BEGINNING);
+            let walk = given.last().map_or(beginning, |before| Rc::clone(&before.walk));
+            given.push(samples.solve(&walk, self.at(row)));
+        }
         let first = empty.first_unknown(self.description);
         let ranges = samples.ranges(&given);
         // The rounding errors of a column that stays the same are no curve. They count against the largest number of its kind, as a column
@@ -172,15 +174,21 @@ impl AnyCourse<'_> {
 }
 
 impl Samples<'_> {
-    fn solve(&mut self, walk: &mut Walk, at: f64) -> Sample {
-        let (outcome, numbers) = self.course.row(walk, at);
-        let place = self.data.len() / self.width;
-        self.data.extend(numbers);
+    /// The next sample behind a walk.
+    fn solve(&mut self, walk: &Walk, at: f64) -> Sample {
+        let motions = self.course.motions(at);
+        let (walk, result) = walk.stepped(self.course, at, &motions);
+        let start = self.data.len();
+        self.data.resize(start + self.width, 0.0);
+        let row = &mut self.data[start..];
+        let reached = walk.last.as_ref().filter(|_| result.is_ok());
+        self.course
+            .write(at, &motions, reached, |column, value| row[column] = value);
         Sample {
             at,
-            walk: Rc::new(walk.clone()),
-            outcome,
-            place,
+            walk: Rc::new(walk),
+            outcome: outcome(&result),
+            place: start / self.width,
         }
     }
 
@@ -212,7 +220,7 @@ impl Samples<'_> {
 
     /// A sample between two others, found from the left one.
     fn middle(&mut self, left: &Sample, part: f64, right: &Sample) -> Sample {
-        self.solve(&mut Walk::clone(&left.walk), left.at + part * (right.at - left.at))
+        self.solve(&left.walk, left.at + part * (right.at - left.at))
     }
 
     /// Adds the rows that are needed between two samples.

@@ -2,7 +2,6 @@
 //!
 //! The walk from pose to pose, and all that stands on it, is compiled once, in this crate.
 
-use alloc::vec;
 use alloc::vec::Vec;
 
 use super::columns::labels;
@@ -32,6 +31,9 @@ pub(crate) trait AnyDrive {
     /// Writes the motions of the inputs, one after the other, each with all its orders.
     fn motions(&self, at: f64, motions: &mut [f64]);
 
+    /// Writes the values of the inputs.
+    fn inputs(&self, at: f64, inputs: &mut [f64]);
+
     fn same(&self, input: usize, order: usize) -> Option<f64>;
 
     fn rate(&self) -> f64;
@@ -58,6 +60,13 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> AnyDrive for Course<M, D> {
 
     fn motions(&self, at: f64, motions: &mut [f64]) {
         write(self.drive.motions(at).as_ref(), motions);
+    }
+
+    fn inputs(&self, at: f64, inputs: &mut [f64]) {
+        let motions = self.drive.motions(at);
+        for (input, motion) in inputs.iter_mut().zip(motions.as_ref()) {
+            *input = motion[0];
+        }
     }
 
     fn same(&self, input: usize, order: usize) -> Option<f64> {
@@ -111,13 +120,6 @@ enum InAssembly {
     Near(Values),
 }
 
-/// The motions of the inputs at a place, with the pose that is known to belong to them.
-#[derive(Clone)]
-pub(super) struct KnownPose {
-    pub(super) motions: Values,
-    pub(super) numbers: Result<Vec<f64>, SolveError>,
-}
-
 /// A sweep without types.
 #[derive(Clone)]
 pub(crate) struct AnyCourse<'c> {
@@ -129,8 +131,6 @@ pub(crate) struct AnyCourse<'c> {
     pub(crate) from: f64,
     pub(crate) to: f64,
     pub(crate) count: usize,
-    /// A pose that need not be solved again.
-    pub(super) known: Option<KnownPose>,
 }
 
 impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
@@ -146,7 +146,6 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
             from: self.from,
             to: self.to,
             count: self.count,
-            known: None,
         }
     }
 }
@@ -171,7 +170,9 @@ impl AnyCourse<'_> {
 
     /// The values of the inputs.
     pub(crate) fn inputs(&self, at: f64) -> Values {
-        self.values(&self.motions(at))
+        let mut inputs = Values::splat(self.description.inputs.len(), 0.0);
+        self.drive.inputs(at, &mut inputs);
+        inputs
     }
 
     /// The values in the motions of the inputs.
@@ -200,23 +201,26 @@ impl AnyCourse<'_> {
         }
     }
 
-    /// The motions of inputs, unknowns and outputs at given motions of the inputs, in the assembly of the sweep.
-    pub(super) fn solved(&self, motions: &[f64]) -> Result<Vec<f64>, SolveError> {
-        match &self.known {
-            Some(known) if *known.motions == *motions => known.numbers.clone(),
-            _ => self.solve(motions, self.choice()),
-        }
+    /// The motions of inputs, unknowns and outputs at given motions of the inputs, in the assembly of the sweep. `numbers` is memory to use
+    /// again.
+    pub(super) fn solved(&self, motions: &[f64], numbers: Vec<f64>) -> Result<Vec<f64>, SolveError> {
+        self.solve(motions, self.choice(), numbers)
     }
 
     /// [`solved`](Self::solved), in the position that is closest to values of the unknowns.
-    pub(super) fn solved_near(&self, motions: &[f64], near: &[f64]) -> Result<Vec<f64>, SolveError> {
-        self.solve(motions, PositionChoice::Near(near))
+    pub(super) fn solved_near(&self, motions: &[f64], near: &[f64], numbers: Vec<f64>) -> Result<Vec<f64>, SolveError> {
+        self.solve(motions, PositionChoice::Near(near), numbers)
     }
 
-    fn solve(&self, motions: &[f64], choice: PositionChoice<'_, f64>) -> Result<Vec<f64>, SolveError> {
+    fn solve(
+        &self,
+        motions: &[f64],
+        choice: PositionChoice<'_, f64>,
+        mut numbers: Vec<f64>,
+    ) -> Result<Vec<f64>, SolveError> {
         let Description { unknowns, outputs, .. } = self.description;
         let results = (unknowns.len() + outputs.len()) * self.orders();
-        let mut numbers = vec![0.0; motions.len() + results];
+        numbers.resize(motions.len() + results, 0.0);
         let (inputs, results) = numbers.split_at_mut(motions.len());
         inputs.copy_from_slice(motions);
         let (unknowns, outputs) = results.split_at_mut(unknowns.len() * self.orders());

@@ -8,6 +8,7 @@ use core::ops::Range;
 use super::course::{AnyCourse, SweptMechanism};
 use super::drive::{Drive, Variable};
 use super::error::SweepError;
+use super::footing::Footing;
 use super::gaps::Bend;
 use super::table::Table;
 use super::unwrap::unwrap;
@@ -15,6 +16,7 @@ use super::walk::Walk;
 use super::{Course, limits};
 use crate::any::{AssemblyOver, Of, motions};
 use crate::batch::{self, Column, Columns, LengthMismatch, Outcome, Place, Vectors, Visitor};
+use crate::failure::SolveError;
 use crate::mechanism::Mechanism;
 use crate::number::{Number, Row};
 
@@ -270,11 +272,13 @@ impl AnyCourse<'_> {
         let mut walk = Walk::BEGINNING;
         for row in 0..count {
             let at = self.at(row);
-            let (outcome, numbers) = self.row(&mut walk, at);
-            table.outcomes[row] = outcome;
-            for (column, value) in numbers.into_iter().enumerate() {
-                table.data[column * count + row] = value;
-            }
+            let motions = self.motions(at);
+            let reached = walk.step(self, at, &motions);
+            table.outcomes[row] = outcome(&reached);
+            let data = &mut table.data;
+            self.write(at, &motions, reached.ok(), |column, value| {
+                data[column * count + row] = value;
+            });
             if (row + 1) % STEPS == 0 || row + 1 == count {
                 progress(part(row + 1, count));
             }
@@ -282,28 +286,29 @@ impl AnyCourse<'_> {
         table.outcomes.iter().all(Outcome::is_solved)
     }
 
-    /// The numbers of a row of a table. Without a pose, those of unknowns and outputs are NaN.
-    pub(super) fn row(&self, walk: &mut Walk, at: f64) -> (Outcome, Vec<f64>) {
+    /// Passes on the numbers of a row of a table, each with its column. Without a pose, those of unknowns and outputs are NaN.
+    pub(super) fn write(&self, at: f64, motions: &[f64], reached: Option<&Footing>, mut put: impl FnMut(usize, f64)) {
         let own = match self.drive.variable() {
-            Variable::Input(_) => None,
-            Variable::Time | Variable::Row => Some(at),
+            Variable::Input(_) => 0,
+            Variable::Time | Variable::Row => 1,
         };
-        let motions = self.motions(at);
-        let mut numbers: Vec<f64> = own.into_iter().collect();
-        let outcome = match walk.step(self, at, &motions) {
-            Ok(footing) => {
-                numbers.extend(&footing.numbers);
-                Outcome::Solved
-            }
-            Err(error) => {
-                let results = self.description.unknowns.len() + self.description.outputs.len();
-                numbers.extend_from_slice(&motions);
-                numbers.resize(numbers.len() + results * self.orders(), f64::NAN);
-                Outcome::from(&error)
-            }
-        };
-        (outcome, numbers)
+        if own > 0 {
+            put(0, at);
+        }
+        let given = reached.map_or(motions, |reached| &reached.numbers);
+        for (column, value) in given.iter().enumerate() {
+            put(own + column, *value);
+        }
+        let results = self.description.unknowns.len() + self.description.outputs.len();
+        for column in given.len()..motions.len() + results * self.orders() {
+            put(own + column, f64::NAN);
+        }
     }
+}
+
+/// The outcome of a row.
+pub(super) fn outcome<T>(result: &Result<T, SolveError>) -> Outcome {
+    result.as_ref().map_or_else(Outcome::from, |_| Outcome::Solved)
 }
 
 /// The columns of a table as the target of a batch.

@@ -33,7 +33,7 @@ pub(crate) struct Footing {
     pub(super) time: f64,
     pub(super) description: &'static Description,
     /// The values of the unknowns near which the pose has been found, unless it is that of the assembly itself.
-    pub(super) near: Option<Values>,
+    pub(super) near: Option<Vec<f64>>,
     /// Whether an angle has changed in a way that its rates do not tell, although the steps were as short as can be.
     pub(super) has_jumped: bool,
 }
@@ -142,39 +142,44 @@ impl Footing {
         }
     }
 
-    /// Moves the angles of the unknowns to the turns that follow from another footing; returns whether one has moved.
-    pub(super) fn unwrap_unknowns(&mut self, from: &Self) -> bool {
+    /// Moves the angles of the unknowns to the turns that follow from another footing.
+    pub(super) fn unwrap_unknowns(&mut self, from: &Self) -> Unwrapping {
         self.unwrap_all(from, self.unknown_angles())
     }
 
-    pub(super) fn unwrap_outputs(&mut self, from: &Self) {
-        self.unwrap_all(from, self.output_angles());
+    pub(super) fn unwrap_outputs(&mut self, from: &Self) -> Unwrapping {
+        self.unwrap_all(from, self.output_angles())
     }
 
-    /// Moves all angles to the turns that follow from another footing.
-    pub(super) fn unwrap(&mut self, from: &Self) {
-        self.unwrap_unknowns(from);
-        self.unwrap_outputs(from);
+    /// Moves all angles to the turns that follow from another footing. It returns whether the step from there is short enough for that.
+    pub(super) fn unwrap(&mut self, from: &Self) -> bool {
+        let [unknowns, outputs] = [self.unwrap_unknowns(from), self.unwrap_outputs(from)];
+        unknowns.follows && outputs.follows && self.inputs_follow(from)
     }
 
-    fn unwrap_all(&mut self, from: &Self, angles: impl Iterator<Item = usize>) -> bool {
+    fn unwrap_all(&mut self, from: &Self, angles: impl Iterator<Item = usize>) -> Unwrapping {
         let step = self.at - from.at;
-        let mut has_moved = false;
+        let mut unwrapping = Unwrapping {
+            has_moved: false,
+            follows: true,
+        };
         for index in angles {
-            let angle = self.angle(index);
-            let unwrapped = angle.unwrapped(from.angle(index), step);
-            has_moved |= unwrapped != angle.value;
+            let (before, mut angle) = (from.angle(index), self.angle(index));
+            let unwrapped = angle.unwrapped(before, step);
+            unwrapping.has_moved |= unwrapped != angle.value;
+            angle.value = unwrapped;
+            unwrapping.follows &= angle.follows(before, step);
             self.numbers[index * self.orders] = unwrapped;
         }
-        has_moved
+        unwrapping
     }
 
     /// The unknowns, with predicted angles for those that do not follow from another footing by whole turns: a gear of half the speed is
     /// half a turn away.
-    pub(super) fn near(&self, from: &Self) -> Values {
+    pub(super) fn near(&self, from: &Self) -> Vec<f64> {
         let step = self.at - from.at;
         let [first, _] = self.firsts();
-        let mut near = self.unknowns();
+        let mut near = self.unknowns().to_vec();
         for index in self.unknown_angles() {
             let (before, angle) = (from.angle(index), self.angle(index));
             if let (Some(predicted), false) = (angle.predicted(before, step), angle.follows(before, step)) {
@@ -190,22 +195,26 @@ impl Footing {
         self
     }
 
-    /// Whether the step from another footing is short enough to unwrap every angle.
-    pub(super) fn follows(&self, from: &Self) -> bool {
-        let step = self.at - from.at;
-        let is_near = |input: usize| (self.motion(input)[0] - from.motion(input)[0]).abs() <= LONGEST;
-        angles(self.description.inputs).all(is_near)
-            && self.unknowns_follow(from)
-            && self
-                .output_angles()
-                .all(|index| self.angle(index).follows(from.angle(index), step))
-    }
-
+    /// Whether the turns of the unknowns are certain.
     pub(super) fn unknowns_follow(&self, from: &Self) -> bool {
         let step = self.at - from.at;
         self.unknown_angles()
             .all(|index| self.angle(index).follows(from.angle(index), step))
     }
+
+    /// Whether the step from another footing is short enough for the angles among the inputs.
+    pub(super) fn inputs_follow(&self, from: &Self) -> bool {
+        angles(self.description.inputs).all(|input| (self.motion(input)[0] - from.motion(input)[0]).abs() <= LONGEST)
+    }
+}
+
+/// What has become of the angles that follow from those of another footing.
+#[derive(Clone, Copy)]
+pub(super) struct Unwrapping {
+    /// Whether one has moved to another turn.
+    pub(super) has_moved: bool,
+    /// Whether each is so close to its prediction that its turn is certain.
+    pub(super) follows: bool,
 }
 
 /// An angle with its rate, which is not finite if it is not known.

@@ -1,9 +1,11 @@
 //! A sweep as an iterator of poses.
 
-use super::course::{AnyCourse, KnownPose};
-use super::walk::Walk;
+use core::mem::take;
+
+use super::course::AnyCourse;
+use super::walk::{KnownPose, Walk};
 use super::{Course, Drive};
-use crate::any::{row, write};
+use crate::any::row;
 use crate::failure::SolveError;
 use crate::mechanism::{Mechanism, Pose};
 
@@ -31,7 +33,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Iterator for Rows<'_, M, D> {
     type Item = Result<M::Pose, SolveError>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        let (typed, course) = (self.typed, &mut self.course);
+        let (typed, course, walk) = (self.typed, &self.course, &mut self.walk);
         if self.next >= typed.count {
             return None;
         }
@@ -41,26 +43,24 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Iterator for Rows<'_, M, D> {
         let given = course.motions(at);
         // The walk tells which position it is. As a rule it is that of the assembly, whose pose the walk then needs not solve again.
         let mut known = None;
-        if course.has_assemblies() || self.walk.last.is_none() {
+        if course.has_assemblies() || walk.last.is_none() {
             let pose = typed.mechanism.solve_motion(motions, typed.assembly);
+            let mut numbers = take(&mut walk.spare);
             let numbers = pose.map(|pose| {
-                let (unknowns, outputs) = (pose.unknown_motions(), pose.output_motions());
-                let results = (unknowns.as_ref().len() + outputs.as_ref().len()) * course.orders();
-                let mut numbers = given.to_vec();
-                numbers.resize(given.len() + results, 0.0);
-                let (unknown_numbers, output_numbers) =
-                    numbers[given.len()..].split_at_mut(unknowns.as_ref().len() * course.orders());
-                write(unknowns.as_ref(), unknown_numbers);
-                write(outputs.as_ref(), output_numbers);
+                known = Some(pose);
+                numbers.clear();
+                numbers.extend_from_slice(&given);
+                for motion in pose.unknown_motions().as_ref() {
+                    numbers.extend_from_slice(motion.as_ref());
+                }
+                for motion in pose.output_motions().as_ref() {
+                    numbers.extend_from_slice(motion.as_ref());
+                }
                 numbers
             });
-            known = pose.ok();
-            course.known = Some(KnownPose {
-                motions: given.clone(),
-                numbers,
-            });
+            walk.known = Some(KnownPose { at, numbers });
         }
-        let near = match self.walk.step(course, at, &given) {
+        let near = match walk.step(course, at, &given) {
             Ok(footing) => footing.near.as_deref(),
             Err(error) => return Some(Err(error)),
         };

@@ -43,12 +43,13 @@ pub(super) fn unwrap(course: &AnyCourse<'_>, table: &mut Table) -> Vec<usize> {
         }
         let solved = columns.footing(table, row);
         let mut footing = solved.clone();
-        if let Some(from) = &last {
-            footing.unwrap(from);
-        }
-        let follows = open.is_none() && last.as_ref().is_none_or(|from| footing.follows(from));
+        let follows = last.as_ref().is_none_or(|from| footing.unwrap(from)) && open.is_none();
         if !follows || turned.depends(&solved, &footing) != Some(false) {
-            let mut walk = Walk { last, open, gap: None };
+            let mut walk = Walk {
+                last,
+                open,
+                ..Walk::BEGINNING
+            };
             if let Ok(reached) = walk.step(course, solved.at, &course.motions(solved.at)) {
                 if reached.has_jumped && table.outcomes[row - 1].is_solved() {
                     jumps.push(row - 1);

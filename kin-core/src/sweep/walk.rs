@@ -5,6 +5,7 @@
 //! prediction is too coarse to tell turns apart; then the walk halves it. So no angle depends on the number of rows.
 
 use alloc::vec::Vec;
+use core::mem::take;
 
 use num_traits::Float;
 
@@ -26,6 +27,14 @@ pub(crate) struct Gap {
     lost: Option<Failure>,
 }
 
+/// A pose that need not be solved again.
+#[derive(Clone)]
+pub(super) struct KnownPose {
+    /// The place of the sweep.
+    pub(super) at: f64,
+    pub(super) numbers: Result<Vec<f64>, SolveError>,
+}
+
 /// A place on the way: the last pose, and the end of the circuit if it has been passed.
 #[derive(Clone)]
 pub(crate) struct Walk {
@@ -33,6 +42,10 @@ pub(crate) struct Walk {
     /// A place behind the last pose at which the mechanism does not close.
     pub(super) open: Option<f64>,
     pub(super) gap: Option<Gap>,
+    /// The next pose, if it is known in the assembly.
+    pub(super) known: Option<KnownPose>,
+    /// Memory for the numbers of the next pose.
+    pub(super) spare: Vec<f64>,
 }
 
 impl Walk {
@@ -40,6 +53,8 @@ impl Walk {
         last: None,
         open: None,
         gap: None,
+        known: None,
+        spare: Vec::new(),
     };
 
     /// A walk that goes on from a pose.
@@ -54,34 +69,56 @@ impl Walk {
     ///
     /// Where an input turns far, the walk looks for gaps on the way.
     pub(crate) fn step(&mut self, course: &AnyCourse<'_>, at: f64, motions: &[f64]) -> Result<&Footing, SolveError> {
-        // where it has come, whether or not the mechanism closes there
-        if let Some(from) = self.open.or(self.last.as_ref().map(|last| last.at)) {
-            let steps = Float::ceil(longest_way(course, &course.motions(from), motions) / LONGEST);
-            let mut step = 1.0;
-            while step < steps {
-                let way = from + (at - from) * (step / steps);
-                let _ = self.hop(course, way, &course.motions(way));
-                step += 1.0;
-            }
+        let (from, steps) = self.steps(course, motions);
+        let mut step = 1.0;
+        while step < steps {
+            let way = from + (at - from) * (step / steps);
+            let _ = self.hop(course, way, &course.motions(way));
+            step += 1.0;
         }
         self.hop(course, at, motions)
     }
 
-    fn hop(&mut self, course: &AnyCourse<'_>, at: f64, motions: &[f64]) -> Result<&Footing, SolveError> {
-        let last = self.last.take();
-        let reached = match &last {
-            None => self.begin(course, at, motions),
-            Some(last) => {
-                let mut budget = MOST;
-                match self.open {
-                    Some(open) if course.has_assemblies() => self.across(course, last, open, at, motions, &mut budget),
-                    _ => self.advance(course, last, at, motions, &mut budget),
-                }
+    /// The walk that is one [`step`](Self::step) further, and whether the mechanism closes there.
+    pub(crate) fn stepped(&self, course: &AnyCourse<'_>, at: f64, motions: &[f64]) -> (Self, Result<(), SolveError>) {
+        if self.steps(course, motions).1 > 1.0 {
+            let mut walk = self.clone();
+            let result = walk.step(course, at, motions).map(|_| ());
+            return (walk, result);
+        }
+        let mut walk = Self {
+            open: self.open,
+            gap: self.gap.clone(),
+            ..Self::BEGINNING
+        };
+        let result = match walk.reach(course, self.last.as_ref(), at, motions) {
+            Ok(reached) => {
+                (walk.last, walk.open) = (Some(reached), None);
+                Ok(())
+            }
+            Err(error) => {
+                (walk.last, walk.open) = (self.last.clone(), Some(at));
+                Err(error)
             }
         };
-        match reached {
+        (walk, result)
+    }
+
+    /// Where the walk has come, whether or not the mechanism closes there, and the number of steps in which no input turns far.
+    fn steps(&self, course: &AnyCourse<'_>, motions: &[f64]) -> (f64, f64) {
+        let last = self.last.as_ref().map(|last| last.at);
+        self.open.or(last).map_or((0.0, 0.0), |from| {
+            let way = longest_way(course, &course.inputs(from), motions);
+            (from, Float::ceil(way / LONGEST))
+        })
+    }
+
+    fn hop(&mut self, course: &AnyCourse<'_>, at: f64, motions: &[f64]) -> Result<&Footing, SolveError> {
+        let last = self.last.take();
+        match self.reach(course, last.as_ref(), at, motions) {
             Ok(reached) => {
                 self.open = None;
+                self.spare = last.map(|last| last.numbers).unwrap_or_default();
                 Ok(self.last.insert(reached))
             }
             Err(error) => {
@@ -91,14 +128,40 @@ impl Walk {
         }
     }
 
+    fn reach(
+        &mut self,
+        course: &AnyCourse<'_>,
+        last: Option<&Footing>,
+        at: f64,
+        motions: &[f64],
+    ) -> Result<Footing, SolveError> {
+        let Some(last) = last else {
+            return self.begin(course, at, motions);
+        };
+        let mut budget = MOST;
+        match self.open {
+            Some(open) if course.has_assemblies() => self.across(course, last, open, at, motions, &mut budget),
+            _ => self.advance(course, last, at, motions, &mut budget),
+        }
+    }
+
+    /// The pose in the assembly of the sweep, with the angles that it returns.
+    fn solved(&mut self, course: &AnyCourse<'_>, at: f64, motions: &[f64]) -> Result<Footing, SolveError> {
+        let numbers = match self.known.take_if(|known| known.at == at) {
+            Some(known) => known.numbers?,
+            None => course.solved(motions, take(&mut self.spare))?,
+        };
+        Ok(Footing::new(course, at, numbers))
+    }
+
     /// The first pose. If the mechanism did not close before, its angles follow from those where it begins to close.
     fn begin(&mut self, course: &AnyCourse<'_>, at: f64, motions: &[f64]) -> Result<Footing, SolveError> {
-        let reached = Footing::new(course, at, course.solved(motions)?);
+        let reached = self.solved(course, at, motions)?;
         let Some(open) = self.open.filter(|_| course.has_assemblies()) else {
             return Ok(reached);
         };
         let first = course.edge(at, open);
-        let beginning = Footing::new(course, first, course.solved(&course.motions(first))?);
+        let beginning = self.solved(course, first, &course.motions(first))?;
         let mut budget = MOST;
         self.advance(course, &beginning, at, motions, &mut budget)
     }
@@ -114,18 +177,14 @@ impl Walk {
         budget: &mut usize,
     ) -> Result<Footing, SolveError> {
         // the most likely failure first
-        course.solved(motions)?;
+        self.solved(course, at, motions)?;
         let near = course.edge(from.at, open);
         let near = self.advance(course, from, near, &course.motions(near), budget);
         let near = near.unwrap_or_else(|_| from.clone()).without_rates();
         let far = course.edge(at, open);
         let beyond = course.motions(far);
-        let far = unwrapped(
-            course,
-            Footing::new(course, far, course.solved(&beyond)?),
-            &beyond,
-            &near,
-        );
+        let far = self.solved(course, far, &beyond)?;
+        let (far, _) = unwrapped(course, far, &beyond, &near);
         self.advance(course, &far, at, motions, budget)
     }
 
@@ -138,9 +197,9 @@ impl Walk {
         motions: &[f64],
         budget: &mut usize,
     ) -> Result<Footing, SolveError> {
-        let mut reached = self.leap(course, from, at, motions)?;
+        let (mut reached, follows) = self.leap(course, from, at, motions)?;
         let middle = f64::midpoint(from.at, at);
-        if reached.follows(from) {
+        if follows && reached.inputs_follow(from) {
             return Ok(reached);
         }
         if *budget == 0 || middle == from.at || middle == at {
@@ -159,16 +218,16 @@ impl Walk {
         }
     }
 
-    /// The pose that follows from another one by a single step.
+    /// The pose that follows from another one by a single step, and whether the angles of its results do.
     fn leap(
         &mut self,
         course: &AnyCourse<'_>,
         from: &Footing,
         at: f64,
         motions: &[f64],
-    ) -> Result<Footing, SolveError> {
+    ) -> Result<(Footing, bool), SolveError> {
         if course.has_assemblies() {
-            let reached = Footing::new(course, at, course.solved(motions)?);
+            let reached = self.solved(course, at, motions)?;
             return Ok(unwrapped(course, reached, motions, from));
         }
         let inputs = course.values(motions);
@@ -184,41 +243,43 @@ impl Walk {
             self.gap = Some(gap);
             failure
         })?;
-        let mut reached = Footing::new(course, at, course.solved_near(motions, &unknowns)?);
+        let numbers = course.solved_near(motions, &unknowns, take(&mut self.spare))?;
+        let mut reached = Footing::new(course, at, numbers);
         reached.set_unknowns(&unknowns);
-        reached.unwrap_outputs(from);
-        reached.near = Some(unknowns.as_slice().into());
-        Ok(reached)
+        let follows = reached.unknowns_follow(from) & reached.unwrap_outputs(from).follows;
+        reached.near = Some(unknowns);
+        Ok((reached, follows))
     }
 }
 
-/// The same pose with the angles that follow from those of another one.
-fn unwrapped(course: &AnyCourse<'_>, mut reached: Footing, motions: &[f64], from: &Footing) -> Footing {
-    if reached.unwrap_unknowns(from) {
+/// The same pose with the angles that follow from those of another one, and whether the turns of all of them are certain.
+fn unwrapped(course: &AnyCourse<'_>, mut reached: Footing, motions: &[f64], from: &Footing) -> (Footing, bool) {
+    let mut unknowns = reached.unwrap_unknowns(from);
+    if unknowns.has_moved {
         // What depends on an angle itself, as the position of a rack does, depends on its turn.
         let near = reached.near(from);
-        if let Ok(numbers) = course.solved_near(motions, &near) {
+        if let Ok(numbers) = course.solved_near(motions, &near, Vec::new()) {
             let mut turned = Footing::new(course, reached.at, numbers);
-            turned.unwrap_unknowns(from);
+            let follows = turned.unwrap_unknowns(from).follows;
             // Where two assemblies meet, the solver may return the other one. Within a loop, a gear of half the speed exchanges their names.
             let inputs = course.values(motions);
             let own = course
                 .mechanism
                 .assembly_near(&course.parameters, &inputs, &turned.unknowns());
-            if own == course.assembly() || (turned.unknowns_follow(from) && !reached.unknowns_follow(from)) {
+            if own == course.assembly() || (follows && !unknowns.follows) {
                 turned.near = Some(near);
-                reached = turned;
+                (reached, unknowns.follows) = (turned, follows);
             }
         }
     }
-    reached.unwrap_outputs(from);
-    reached
+    let outputs = reached.unwrap_outputs(from);
+    (reached, unknowns.follows && outputs.follows)
 }
 
 /// The largest change of an angle that is an input.
-fn longest_way(course: &AnyCourse<'_>, from: &[f64], to: &[f64]) -> f64 {
+fn longest_way(course: &AnyCourse<'_>, from: &[f64], motions: &[f64]) -> f64 {
     let orders = course.orders();
-    let ways = angles(course.description.inputs).map(|input| (to[input * orders] - from[input * orders]).abs());
+    let ways = angles(course.description.inputs).map(|input| (motions[input * orders] - from[input]).abs());
     ways.fold(0.0, f64::max)
 }
 
