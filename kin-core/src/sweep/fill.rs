@@ -187,11 +187,12 @@ impl AnyCourse<'_> {
             }
         }
         if varies {
+            let mut motions = vec![0.0; columns];
+            let moving: Vec<usize> = (0..columns).filter(|column| same[*column].is_none()).collect();
             for row in 0..count {
-                let motions = self.motions(self.at(row));
-                let moving = (0..columns).filter(|column| same[*column].is_none());
-                for column in moving {
-                    inputs[column * count + row] = motions[column];
+                self.drive.motions(self.at(row), &mut motions);
+                for column in &moving {
+                    inputs[column * count + row] = motions[*column];
                 }
             }
         }

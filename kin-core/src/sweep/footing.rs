@@ -1,7 +1,7 @@
 //! A pose of a walk, with unwrapped angles.
 
 use alloc::vec::Vec;
-use core::f64::consts::{FRAC_PI_2, TAU};
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use num_traits::Float;
 
@@ -204,7 +204,13 @@ impl Footing {
 
     /// Whether the step from another footing is short enough for the angles among the inputs.
     pub(super) fn inputs_follow(&self, from: &Self) -> bool {
-        angles(self.description.inputs).all(|input| (self.motion(input)[0] - from.motion(input)[0]).abs() <= LONGEST)
+        from.is_near(&self.numbers, self.orders)
+    }
+
+    /// Whether motions of the inputs, in a number of orders, are so close that no angle among them turns far.
+    pub(super) fn is_near(&self, motions: &[f64], orders: usize) -> bool {
+        angles(self.description.inputs)
+            .all(|input| (motions[input * orders] - self.numbers[input * self.orders]).abs() <= LONGEST)
     }
 }
 
@@ -250,6 +256,9 @@ impl MovingAngle {
 
 /// The angle on the turn closest to another angle. Half a turn apart, where rounding would decide, it stays on the smaller turn.
 fn nearest_turn(angle: f64, near: f64) -> f64 {
+    if (near - angle).abs() <= PI {
+        return angle;
+    }
     let turns = (near - angle) / TAU;
     let turns = Float::ceil(turns.abs() - 0.5 - AMBIGUOUS).max(0.0).copysign(turns);
     if turns == 0.0 { angle } else { angle + turns * TAU }

@@ -1,9 +1,10 @@
 //! A sweep as an iterator of poses.
 
+use alloc::vec::Vec;
 use core::mem::take;
 
 use super::course::AnyCourse;
-use super::walk::{KnownPose, Walk};
+use super::walk::Walk;
 use super::{Course, Drive};
 use crate::any::row;
 use crate::failure::SolveError;
@@ -15,6 +16,8 @@ pub struct Rows<'s, M: Mechanism<Scalar = f64>, D> {
     typed: &'s Course<M, D>,
     course: AnyCourse<'s>,
     walk: Walk,
+    /// The motions of the inputs in the row, whose memory is used again.
+    given: Vec<f64>,
     next: usize,
 }
 
@@ -24,6 +27,7 @@ impl<'s, M: Mechanism<Scalar = f64>, D: Drive<M>> Rows<'s, M, D> {
             typed,
             course: typed.any(),
             walk: Walk::BEGINNING,
+            given: Vec::new(),
             next: 0,
         }
     }
@@ -40,27 +44,28 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Iterator for Rows<'_, M, D> {
         let at = typed.at(self.next);
         self.next += 1;
         let motions = typed.drive.motions(at);
-        let given = course.motions(at);
+        self.given.clear();
+        for motion in motions.as_ref() {
+            self.given.extend_from_slice(motion.as_ref());
+        }
         // The walk tells which position it is. As a rule it is that of the assembly, whose pose the walk then needs not solve again.
         let mut known = None;
         if course.has_assemblies() || walk.last.is_none() {
-            let pose = typed.mechanism.solve_motion(motions, typed.assembly);
-            let mut numbers = take(&mut walk.spare);
-            let numbers = pose.map(|pose| {
-                known = Some(pose);
-                numbers.clear();
-                numbers.extend_from_slice(&given);
-                for motion in pose.unknown_motions().as_ref() {
-                    numbers.extend_from_slice(motion.as_ref());
-                }
-                for motion in pose.output_motions().as_ref() {
-                    numbers.extend_from_slice(motion.as_ref());
-                }
-                numbers
-            });
-            walk.known = Some(KnownPose { at, numbers });
+            known = typed.mechanism.solve_motion(motions, typed.assembly).ok();
         }
-        let near = match walk.step(course, at, &given) {
+        walk.known = known.map(|pose| {
+            let mut numbers = take(&mut walk.spare);
+            numbers.clear();
+            numbers.extend_from_slice(&self.given);
+            for motion in pose.unknown_motions().as_ref() {
+                numbers.extend_from_slice(motion.as_ref());
+            }
+            for motion in pose.output_motions().as_ref() {
+                numbers.extend_from_slice(motion.as_ref());
+            }
+            (at, numbers)
+        });
+        let near = match walk.step(course, at, &self.given) {
             Ok(footing) => footing.near.as_deref(),
             Err(error) => return Some(Err(error)),
         };

@@ -4,6 +4,7 @@
 //! predicts each angle from the rates at both ends of a step, and takes the turn nearest to the prediction. A step is too long if the
 //! prediction is too coarse to tell turns apart; then the walk halves it. So no angle depends on the number of rows.
 
+use alloc::rc::Rc;
 use alloc::vec::Vec;
 use core::mem::take;
 
@@ -19,20 +20,11 @@ use crate::track::TrackError;
 const MOST: usize = 256;
 
 /// The end of a circuit of a coupled block, or the place where it was lost.
-#[derive(Clone)]
 pub(crate) struct Gap {
     block: &'static str,
     inputs: Values,
     /// The failure of the rows beyond, if the block may close there: the tracker gave up, and its place is no limit.
     lost: Option<Failure>,
-}
-
-/// A pose that need not be solved again.
-#[derive(Clone)]
-pub(super) struct KnownPose {
-    /// The place of the sweep.
-    pub(super) at: f64,
-    pub(super) numbers: Result<Vec<f64>, SolveError>,
 }
 
 /// A place on the way: the last pose, and the end of the circuit if it has been passed.
@@ -41,9 +33,9 @@ pub(crate) struct Walk {
     pub(crate) last: Option<Footing>,
     /// A place behind the last pose at which the mechanism does not close.
     pub(super) open: Option<f64>,
-    pub(super) gap: Option<Gap>,
-    /// The next pose, if it is known in the assembly.
-    pub(super) known: Option<KnownPose>,
+    pub(super) gap: Option<Rc<Gap>>,
+    /// A place with the numbers of its pose, if they are known in the assembly and need not be solved again.
+    pub(super) known: Option<(f64, Vec<f64>)>,
     /// Memory for the numbers of the next pose.
     pub(super) spare: Vec<f64>,
 }
@@ -106,11 +98,14 @@ impl Walk {
 
     /// Where the walk has come, whether or not the mechanism closes there, and the number of steps in which no input turns far.
     fn steps(&self, course: &AnyCourse<'_>, motions: &[f64]) -> (f64, f64) {
-        let last = self.last.as_ref().map(|last| last.at);
-        self.open.or(last).map_or((0.0, 0.0), |from| {
-            let way = longest_way(course, &course.inputs(from), motions);
-            (from, Float::ceil(way / LONGEST))
-        })
+        let from = match (self.open, &self.last) {
+            (None, None) => return (0.0, 1.0),
+            (None, Some(last)) if last.is_near(motions, course.orders()) => return (last.at, 1.0),
+            (None, Some(last)) => last.at,
+            (Some(open), _) => open,
+        };
+        let way = longest_way(course, &course.inputs(from), motions);
+        (from, Float::ceil(way / LONGEST))
     }
 
     fn hop(&mut self, course: &AnyCourse<'_>, at: f64, motions: &[f64]) -> Result<&Footing, SolveError> {
@@ -147,8 +142,8 @@ impl Walk {
 
     /// The pose in the assembly of the sweep, with the angles that it returns.
     fn solved(&mut self, course: &AnyCourse<'_>, at: f64, motions: &[f64]) -> Result<Footing, SolveError> {
-        let numbers = match self.known.take_if(|known| known.at == at) {
-            Some(known) => known.numbers?,
+        let numbers = match self.known.take_if(|(known, _)| *known == at) {
+            Some((_, numbers)) => numbers,
             None => course.solved(motions, take(&mut self.spare))?,
         };
         Ok(Footing::new(course, at, numbers))
@@ -240,7 +235,7 @@ impl Walk {
             .track_between(&course.parameters, &start, &from.unknowns(), &inputs);
         let unknowns = found.map_err(|error| {
             let (gap, failure) = stopped(course, &error, start, &inputs);
-            self.gap = Some(gap);
+            self.gap = Some(Rc::new(gap));
             failure
         })?;
         let numbers = course.solved_near(motions, &unknowns, take(&mut self.spare))?;
