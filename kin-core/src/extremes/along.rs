@@ -246,7 +246,7 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>, Q: AskedQuantity<M>> Qua
     /// # Errors
     /// Those of the type.
     pub fn extremes(&self) -> Result<Vec<Extreme>, ExtremesError> {
-        self.ask(|asked| asked.extremes())
+        self.ask(|asked| Ok(asked.extremes()?.extremes))
     }
 
     /// The places where the quantity crosses a level, in the order of the sweep: zero for its changes of sign. A jump across the level,

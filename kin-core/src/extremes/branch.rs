@@ -52,13 +52,18 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     }
 
     fn between(&self, known: KnownStretch, quantity: &PoseQuantity<'_>) -> Result<Vec<Extreme>, ExtremesError> {
-        QuantityOfSweep {
+        let asked = QuantityOfSweep {
             course: self.any(),
             drive: self,
             quantity,
             known: Some(known),
             progress: None,
-        }
-        .all_extremes()
+        };
+        let found = asked.extremes()?;
+        Ok(match found.first {
+            // a quantity that stays where it is over a full turn
+            Some(first) if found.extremes.is_empty() => alloc::vec![first],
+            _ => found.extremes,
+        })
     }
 }

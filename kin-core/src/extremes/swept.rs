@@ -10,8 +10,9 @@ use core::f64::consts::TAU;
 
 use super::branch::KnownStretch;
 use super::curve::{Curve, StretchEnd};
+use super::search::FoundExtremes;
 use super::station::SweepStation;
-use super::{Crossing, DwellRange, Extreme, ExtremesError, Mean, Over, Peak};
+use super::{Crossing, DwellRange, ExtremesError, Mean, Over, Peak};
 use crate::failure::SolveError;
 use crate::law::Side;
 use crate::number::{Number, Values};
@@ -77,17 +78,8 @@ impl QuantityOfSweep<'_> {
         self.ask(|curve| curve.best(measure))
     }
 
-    pub(super) fn extremes(&self) -> Result<Vec<Extreme>, ExtremesError> {
-        self.ask(|curve| Ok(curve.extremes()?.extremes))
-    }
-
-    /// The extremes, or any place if the quantity stays where it is over a full turn.
-    pub(super) fn all_extremes(&self) -> Result<Vec<Extreme>, ExtremesError> {
-        let found = self.ask(|curve| curve.extremes())?;
-        Ok(match found.first {
-            Some(first) if found.extremes.is_empty() => vec![first],
-            _ => found.extremes,
-        })
+    pub(super) fn extremes(&self) -> Result<FoundExtremes, ExtremesError> {
+        Curve::new(self).across_gaps(Curve::extremes)
     }
 
     pub(super) fn crossings(&self, level: f64) -> Result<Vec<Crossing>, ExtremesError> {
