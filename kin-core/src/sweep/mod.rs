@@ -136,6 +136,7 @@ pub struct Assembled<M: Mechanism<Scalar = f64>> {
 /// A sweep: a mechanism in an assembly, whose inputs move.
 #[derive(Clone, Copy, Debug)]
 #[must_use = "read its `rows` or its `table`"]
+#[cfg_attr(not(feature = "alloc"), expect(dead_code, reason = "poses need memory"))]
 pub struct Course<M: Mechanism<Scalar = f64>, D> {
     pub(crate) mechanism: M,
     pub(crate) assembly: M::Assembly,
