@@ -161,16 +161,16 @@ impl<M: 'static> Of<M> {
 }
 
 /// The row of the numbers in a slice.
-fn row<T: Copy, R: Row<T>>(values: &[T]) -> R {
+pub(crate) fn row<T: Copy, R: Row<T>>(values: &[T]) -> R {
     R::from_fn(|index| values[index])
 }
 
 /// The motions in a slice of numbers.
-fn motions<T: Copy, N: Row<T>, R: Row<N>>(values: &[T]) -> R {
+pub(crate) fn motions<T: Copy, N: Row<T>, R: Row<N>>(values: &[T]) -> R {
     R::from_fn(|index| N::from_fn(|order| values[index * N::LENGTH + order]))
 }
 
-fn write<T: Copy, N: Row<T>>(motions: &[N], values: &mut [T]) {
+pub(crate) fn write<T: Copy, N: Row<T>>(motions: &[N], values: &mut [T]) {
     for (motion, values) in motions.iter().zip(values.chunks_exact_mut(N::LENGTH)) {
         values.copy_from_slice(motion.as_ref());
     }
@@ -183,6 +183,11 @@ fn with<M: Mechanism, T: Scalar>(parameters: &[T]) -> M::With<T> {
 /// The assembly of an index. An answer takes an index from the mechanism itself.
 fn assembly<M: Mechanism>(index: usize) -> M::Assembly {
     M::assembly(index).unwrap_or_else(|| panic!("{} has {} assemblies", M::DESCRIPTION.name, M::ASSEMBLY_COUNT))
+}
+
+/// The index of an assembly, unless it depends on the dimensions.
+pub(crate) fn index_of<M: Mechanism>(wanted: M::Assembly) -> Option<usize> {
+    M::assemblies().position(|assembly| assembly == wanted)
 }
 
 impl<M: Mechanism, T: Scalar> AssemblyOver<T> for Of<M> {
@@ -294,8 +299,7 @@ impl<M: Mechanism> AnyMechanism for Of<M> {
     }
 
     fn assembly_near(&self, parameters: &[f64], inputs: &[f64], unknowns: &[f64]) -> Option<usize> {
-        let own = with::<M, f64>(parameters).assembly_near(row(inputs), row(unknowns));
-        M::assemblies().position(|assembly| assembly == own)
+        index_of::<M>(with::<M, f64>(parameters).assembly_near(row(inputs), row(unknowns)))
     }
 
     fn block_forms(&self, parameters: &[f64], found: &mut dyn FnMut(BlockForm<f64>)) {

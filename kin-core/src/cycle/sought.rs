@@ -11,7 +11,7 @@ use crate::failure::SolveError;
 use crate::mechanism::{Block, Description};
 use crate::number::NumberRow;
 use crate::quantity::{Dimension, Quantity};
-use crate::track::{TrackError, Tracked};
+use crate::track::{TrackError, Tracked, track_between};
 
 /// What every search needs of a mechanism.
 pub(super) trait CycleFunctions: Tracked + ClosureOver<Bounds> {}
@@ -99,8 +99,7 @@ impl SoughtMechanism<'_> {
         unknowns: &[f64],
         to: &[f64],
     ) -> Result<NumberRow, TrackError<Vec<f64>, Vec<f64>>> {
-        let functions: &dyn Tracked = self.functions;
-        let found = functions.track_between(&self.parameters, from, unknowns, to)?;
+        let found = track_between(self.functions, &self.parameters, from, unknowns, to)?;
         Ok(NumberRow::from(&*found))
     }
 

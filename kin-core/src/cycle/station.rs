@@ -5,19 +5,20 @@ use alloc::vec::Vec;
 use super::line::{InputLine, whole_turns};
 use super::measure::MeasureError;
 use super::{Cycle, EndKind};
+use crate::any::row;
 use crate::extremes::KnownStretch;
 use crate::mechanism::Mechanism;
-use crate::number::Row;
+use crate::number::NumberRow;
 use crate::quantity::{Dimension, Quantity};
-use crate::sweep::{Course, Drive, Footing, LimitKind, Walk};
+use crate::sweep::{Course, Footing, LimitKind, Walk};
 
 /// The distance from the end of a branch at which the turns of angles are compared, as a part of the branch.
 const NEAR_END: f64 = 1e-6;
 
 /// A pose inside of a branch, with angles that have come from the branches before it.
-pub(super) struct BranchStation<M: Mechanism> {
+pub(super) struct BranchStation {
     pub(super) branch: usize,
-    footing: Footing<M>,
+    footing: Footing,
 }
 
 impl<M: Mechanism<Scalar = f64>> Cycle<M> {
@@ -27,13 +28,13 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     }
 
     /// A pose inside of each branch of a circuit.
-    pub(super) fn branch_stations(&self, circuit: usize) -> Result<Vec<BranchStation<M>>, MeasureError> {
-        let mut stations: Vec<BranchStation<M>> = Vec::new();
+    pub(super) fn branch_stations(&self, circuit: usize) -> Result<Vec<BranchStation>, MeasureError> {
+        let mut stations: Vec<BranchStation> = Vec::new();
         for branch in self.circuit(circuit)? {
             let Some((at, unknowns)) = self.inside(*branch) else {
                 continue;
             };
-            let mut station = self.station(*branch, at, unknowns);
+            let mut station = self.station(*branch, at, &unknowns);
             let joined = stations
                 .iter()
                 .find_map(|before| Some((before, self.common_end(before.branch, *branch)?)));
@@ -41,12 +42,14 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
                 && let Some(there) = self.near_end(before, there)
             {
                 if let Some(here) = self.near_end(&station, here) {
-                    let unknowns = moved_by_turns(M::DESCRIPTION.unknowns, &there.unknowns, &here.unknowns, unknowns);
-                    station = self.station(*branch, at, unknowns);
+                    let unknowns =
+                        moved_by_turns(M::DESCRIPTION.unknowns, &there.unknowns(), &here.unknowns(), &unknowns);
+                    station = self.station(*branch, at, &unknowns);
                 }
                 if let Some(here) = self.near_end(&station, here) {
-                    let outputs = &mut station.footing.outputs;
-                    *outputs = moved_by_turns(M::DESCRIPTION.outputs, &there.outputs, &here.outputs, *outputs);
+                    let outputs = station.footing.outputs();
+                    let moved = moved_by_turns(M::DESCRIPTION.outputs, &there.outputs(), &here.outputs(), &outputs);
+                    station.footing.set_outputs(&moved);
                 }
             }
             stations.push(station);
@@ -55,9 +58,9 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     }
 
     /// The sweep over a branch.
-    pub(super) fn course(&self, station: &BranchStation<M>) -> Course<M, InputLine> {
+    pub(super) fn course(&self, station: &BranchStation) -> Course<M, InputLine> {
         let [low, high] = self.branches[station.branch].ends.each_ref().map(|end| end.input);
-        let (inputs, near) = (station.footing.inputs, station.footing.unknowns);
+        let (inputs, near) = (row(&station.footing.inputs()), row(&station.footing.unknowns()));
         let assembly = self.assembly_of(station.branch);
         Course {
             mechanism: self.mechanism,
@@ -70,7 +73,7 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     }
 
     /// What is known of the sweep over a branch.
-    pub(super) fn known(&self, station: &BranchStation<M>) -> KnownStretch<M> {
+    pub(super) fn known(&self, station: &BranchStation) -> KnownStretch {
         let branch = &self.branches[station.branch];
         KnownStretch {
             limits: branch.ends.each_ref().map(|end| match end.kind {
@@ -81,34 +84,27 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
                 EndKind::Range | EndKind::Lost | EndKind::FullTurn => None,
             }),
             is_full_turn: branch.is_full_turn(),
-            inside: Walk {
-                last: Some(station.footing),
-                ..Walk::BEGINNING
-            },
+            inside: Walk::from(station.footing.clone()),
         }
     }
 
     /// A sample of a branch that lies far from its ends.
-    fn inside(&self, branch: usize) -> Option<(f64, M::Unknowns<f64>)> {
+    fn inside(&self, branch: usize) -> Option<(f64, Vec<f64>)> {
         let branch = &self.branches[branch];
         let middle = 0.5 * (branch.ends[0].input + branch.ends[1].input);
         let distance = |sample: &&(f64, Vec<f64>)| (sample.0 - middle).abs();
         let samples = branch.samples.iter();
-        let (at, unknowns) = samples.min_by(|one, other| distance(one).total_cmp(&distance(other)))?;
-        Some((*at, Row::from_fn(|unknown| unknowns[unknown])))
+        samples
+            .min_by(|one, other| distance(one).total_cmp(&distance(other)))
+            .cloned()
     }
 
     /// A pose of a branch. A quantity that depends on the turn of an angle follows it.
-    fn station(&self, branch: usize, at: f64, unknowns: M::Unknowns<f64>) -> BranchStation<M> {
+    fn station(&self, branch: usize, at: f64, unknowns: &[f64]) -> BranchStation {
         let inputs = self.inputs(at);
-        let footing = Footing {
-            at,
-            inputs,
-            unknowns,
-            unknown_rates: Row::splat(f64::NAN),
-            outputs: self.mechanism.outputs_at(inputs, unknowns),
-            output_rates: Row::splat(f64::NAN),
-        };
+        let outputs = self.mechanism.outputs_at(inputs, row(unknowns));
+        let numbers = [inputs.as_ref(), unknowns, outputs.as_ref()];
+        let footing = Footing::of_position(const { &M::DESCRIPTION }, at, numbers);
         let station = BranchStation { branch, footing };
         match self.walked(&station, at) {
             Some(footing) => BranchStation { branch, footing },
@@ -116,13 +112,14 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
         }
     }
 
-    fn walked(&self, station: &BranchStation<M>, at: f64) -> Option<Footing<M>> {
+    fn walked(&self, station: &BranchStation, at: f64) -> Option<Footing> {
         let mut walk = self.known(station).inside;
-        let reached = walk.step(&self.course(station), at, Drive::<M>::motions(&self.line, at));
-        reached.ok().map(|reached| reached.footing)
+        let course = self.course(station);
+        let course = course.any();
+        walk.step(&course, at, &course.motions(at)).ok().cloned()
     }
 
-    fn near_end(&self, station: &BranchStation<M>, end: usize) -> Option<Footing<M>> {
+    fn near_end(&self, station: &BranchStation, end: usize) -> Option<Footing> {
         let ends = self.branches[station.branch].ends.each_ref().map(|end| end.input);
         let (end, other) = (ends[end], ends[1 - end]);
         self.walked(station, end + NEAR_END * (other - end))
@@ -139,8 +136,8 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
 }
 
 /// Values whose angles are moved by the whole turns between two others.
-fn moved_by_turns<R: Row<f64>>(quantities: &[Quantity], to: &R, from: &R, values: R) -> R {
-    R::from_fn(|index| match quantities[index].dimension {
+fn moved_by_turns(quantities: &[Quantity], to: &[f64], from: &[f64], values: &[f64]) -> NumberRow {
+    NumberRow::from_fn(values.len(), |index| match quantities[index].dimension {
         Dimension::Angle => values[index] + whole_turns(to[index] - from[index]),
         _ => values[index],
     })

@@ -559,23 +559,21 @@ impl<M: Mechanism<Scalar = f64>> Course<M, StraightLine<M>> {
     /// errors of [`exact_table`](Self::exact_table).
     pub fn exact_circuit(&self, precision: impl Into<Precision>) -> Result<ExactTable, ExactTableError> {
         let precision = precision.into();
-        self.check()?;
-        let order = precision.order_of::<M>()?;
+        let course = self.any();
+        course.check()?;
+        let order = precision.order_of(course.description)?;
         let closed = |error| ExactTableError::NotClosed {
             at: self.from,
             error: Box::new(error),
         };
         let mut walk = Walk::BEGINNING;
         let reached = walk
-            .step(self, self.from, self.drive.motions(self.from))
-            .map_err(closed)?
-            .footing;
-        let inputs = |at: f64| {
-            let motions = self.drive.motions(at);
-            motions.as_ref().iter().map(|motion| motion[0]).collect()
-        };
-        let curve = self.circuit_curve(order + 1, reached.unknowns.as_ref(), &inputs);
-        let values = core::iter::once(&self.from).chain(reached.unknowns.as_ref());
+            .step(&course, self.from, &course.motions(self.from))
+            .map_err(closed)?;
+        let inputs = |at: f64| course.inputs(at).to_vec();
+        let unknowns = reached.unknowns();
+        let curve = self.circuit_curve(order + 1, &unknowns, &inputs);
+        let values = core::iter::once(&self.from).chain(unknowns.iter());
         let start = values.zip(&curve.sizes).map(|(value, size)| value / size).collect();
         let stations = curve.around(start, self.to < self.from)?;
         let frame = Frame {

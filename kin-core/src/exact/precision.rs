@@ -2,7 +2,7 @@
 
 use super::ExactTableError;
 use super::piece::MOST;
-use crate::mechanism::Mechanism;
+use crate::mechanism::Description;
 
 /// The largest number of rows unless another one is told.
 const MOST_ROWS: usize = 100_000;
@@ -46,8 +46,8 @@ impl Precision {
     }
 
     /// The order of the tables of a mechanism.
-    pub(super) fn order_of<M: Mechanism>(&self) -> Result<usize, ExactTableError> {
-        match M::DESCRIPTION.order.min(self.order) {
+    pub(super) fn order_of(&self, description: &Description) -> Result<usize, ExactTableError> {
+        match description.order.min(self.order) {
             0 => Err(ExactTableError::Order { asked: self.order }),
             order => Ok(order),
         }

@@ -2,6 +2,7 @@
 
 use alloc::boxed::Box;
 use alloc::string::ToString as _;
+use alloc::vec;
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
 
@@ -12,10 +13,10 @@ use super::owned::ExactTable;
 use super::precision::Precision;
 use super::refine::{Frame, Source, Station, refined};
 use crate::law::Side;
-use crate::mechanism::{Mechanism, Pose};
-use crate::number::Row;
+use crate::mechanism::Mechanism;
+use crate::number::NumberRow;
 use crate::quantity::{Dimension, Quantity};
-use crate::sweep::{Course, Reached, SmoothDrive, Variable, Walk};
+use crate::sweep::{AnyCourse, AnySmoothDrive, Course, READ, SmoothDrive, Variable, Walk, joints};
 
 /// The largest number of turns of an input after which a motion is looked upon as closed.
 const MOST_TURNS: u32 = 12;
@@ -24,42 +25,42 @@ const MOST_TURNS: u32 = 12;
 const CLOSE: f64 = 16.0 * f64::EPSILON;
 
 /// A sweep as a motion over its variable.
-struct Swept<'c, M: Mechanism<Scalar = f64>, D> {
-    course: &'c Course<M, D>,
+struct Swept<'c> {
+    course: AnyCourse<'c>,
+    drive: &'c dyn AnySmoothDrive,
     count: usize,
 }
 
-impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Swept<'_, M, D> {
+impl Swept<'_> {
     /// The inputs that move and are not the parameter themselves.
     fn inputs(&self) -> impl Iterator<Item = usize> {
         let variable = self.course.drive.variable();
         let is_own = move |input: usize| variable == Variable::Input(input);
-        (0..M::DESCRIPTION.inputs.len())
+        (0..self.course.description.inputs.len())
             .filter(move |input| !is_own(*input) && self.course.drive.same(*input, 0).is_none())
     }
 
-    fn found(&self, at: f64, side: Side, from: Option<&Station<Walk<M>>>) -> Result<Station<Walk<M>>, ExactTableError> {
-        let inputs = self.course.drive.derivatives(at, side);
-        let motions = Row::from_fn(|input| Row::from_fn(|order| inputs[input][order]));
-        let mut walk = from.map_or(Walk::BEGINNING, |station| station.near);
-        let reached = walk
-            .step(self.course, at, motions)
-            .map_err(|error| ExactTableError::NotClosed {
-                at,
-                error: Box::new(error),
-            })?;
+    fn found(&self, at: f64, side: Side, from: Option<&Station<Walk>>) -> Result<Station<Walk>, ExactTableError> {
+        let (course, orders) = (&self.course, self.course.orders());
+        let inputs = course.description.inputs.len();
+        let mut derivatives = vec![0.0; inputs * READ];
+        self.drive.derivatives(at, side, &mut derivatives);
+        let motions = NumberRow::from_fn(inputs * orders, |index| {
+            derivatives[index / orders * READ + index % orders]
+        });
+        let beginning = Walk::BEGINNING;
+        let walk = from.map_or(&beginning, |station| &station.near);
+        let (walk, result) = walk.stepped(course, at, &motions);
+        result.map_err(|error| ExactTableError::NotClosed {
+            at,
+            error: Box::new(error),
+        })?;
         let mut numbers = Vec::new();
-        for input in self.inputs() {
-            numbers.extend((0..self.count).map(|order| inputs[input][order]));
-        }
-        let Reached { pose, footing, .. } = reached;
-        for (unknown, motion) in pose.unknown_motions().as_ref().iter().enumerate() {
-            numbers.push(footing.unknowns[unknown]);
-            numbers.extend(&motion.as_ref()[1..self.count]);
-        }
-        for (output, motion) in pose.output_motions().as_ref().iter().enumerate() {
-            numbers.push(footing.outputs[output]);
-            numbers.extend(&motion.as_ref()[1..self.count]);
+        if let Some(reached) = &walk.last {
+            let inputs = self.inputs().map(|input| reached.motion(input));
+            for motion in inputs.chain(reached.results()) {
+                numbers.extend_from_slice(&motion[..self.count]);
+            }
         }
         Ok(Station {
             at,
@@ -69,11 +70,11 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Swept<'_, M, D> {
     }
 }
 
-impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Source for Swept<'_, M, D> {
-    type Near = Walk<M>;
+impl Source for Swept<'_> {
+    type Near = Walk;
 
     fn columns(&self) -> Vec<Quantity> {
-        let description = M::DESCRIPTION;
+        let description = self.course.description;
         let inputs = self.inputs().map(|input| description.inputs[input]);
         inputs
             .chain(description.unknowns.iter().copied())
@@ -81,7 +82,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Source for Swept<'_, M, D> {
             .collect()
     }
 
-    fn station(&self, at: f64, side: Side, from: &Station<Walk<M>>) -> Result<Station<Walk<M>>, ExactTableError> {
+    fn station(&self, at: f64, side: Side, from: &Station<Walk>) -> Result<Station<Walk>, ExactTableError> {
         self.found(at, side, Some(from))
     }
 }
@@ -119,30 +120,39 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// [`ExactTableError::NotClosed`] if the mechanism does not close at a place of the range, [`ExactTableError::Unreached`] if a
     /// tolerance cannot be reached, and the errors of the sweep and of the tolerances themselves.
     pub fn exact_table(&self, precision: impl Into<Precision>) -> Result<ExactTable, ExactTableError> {
-        let precision = precision.into();
-        self.check()?;
-        if self.from == self.to {
-            return Err(ExactTableError::NoRange { at: self.from });
-        }
-        let order = precision.order_of::<M>()?;
-        let source = Swept {
-            course: self,
-            count: order + 1,
+        let swept = Swept {
+            course: self.any(),
+            drive: self,
+            count: 0,
         };
-        let runs_up = self.from < self.to;
+        swept.table(precision.into())
+    }
+}
+
+impl Swept<'_> {
+    fn table(mut self, precision: Precision) -> Result<ExactTable, ExactTableError> {
+        self.course.check()?;
+        let [from, to] = [self.course.from, self.course.to];
+        if from == to {
+            return Err(ExactTableError::NoRange { at: from });
+        }
+        let order = precision.order_of(self.course.description)?;
+        self.count = order + 1;
+        let runs_up = from < to;
         let [start, end] = if runs_up {
             [Side::Right, Side::Left]
         } else {
             [Side::Left, Side::Right]
         };
-        let (low, high) = (self.from.min(self.to), self.from.max(self.to));
+        let (low, high) = (from.min(to), from.max(to));
         let close = CLOSE * low.abs().max(high.abs());
         let is_end = |place: f64| (place - low).abs() <= close || (high - place).abs() <= close;
-        let (beside_ends, joints): (Vec<f64>, Vec<f64>) =
-            self.joints([low, high]).into_iter().partition(|joint| is_end(*joint));
+        let (beside_ends, joints): (Vec<f64>, Vec<f64>) = joints(self.drive, [low, high])
+            .into_iter()
+            .partition(|joint| is_end(*joint));
         // A row that rounding puts beside a joint stands for it. The ends of the range stay, with the piece of the law that the joint ends.
         let near = |place: f64, joints: &[f64]| joints.iter().copied().find(|joint| (joint - place).abs() <= close);
-        let rows = (0..self.count.max(2)).map(|row| self.at(row));
+        let rows = (0..self.course.count.max(2)).map(|row| self.course.at(row));
         let mut places: Vec<f64> = rows.filter(|row| near(*row, &joints).is_none()).collect();
         places.extend(&joints);
         places.sort_by(f64::total_cmp);
@@ -150,8 +160,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
         if !runs_up {
             places.reverse();
         }
-        let seen_at = |place: f64, side: Side, from: Option<&Station<Walk<M>>>| {
-            let found = source.found(near(place, &beside_ends).unwrap_or(place), side, from);
+        let seen_at = |place: f64, side: Side, from: Option<&Station<Walk>>| {
+            let found = self.found(near(place, &beside_ends).unwrap_or(place), side, from);
             found.map(|station| Station { at: place, ..station })
         };
         let mut first = Vec::with_capacity(places.len());
@@ -159,22 +169,21 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
         for place in places.into_iter().skip(1) {
             let right = seen_at(place, end, Some(&left))?;
             let next = if joints.contains(&place) {
-                source.found(place, start, Some(&right))?
+                self.found(place, start, Some(&right))?
             } else {
                 right.clone()
             };
             first.push([left, right]);
             left = next;
         }
-        let variable = self.drive.variable();
-        let quantity = variable.quantity::<M>();
+        let quantity = self.course.variable();
         let frame = Frame {
-            name: M::DESCRIPTION.name,
+            name: self.course.description.name,
             parameter: (quantity.name.to_string(), quantity.dimension),
             order,
             may_close: quantity.dimension == Dimension::Angle && is_turn(high - low),
         };
-        refined(&source, frame, first, precision)
+        refined(&self, frame, first, precision)
     }
 }
 

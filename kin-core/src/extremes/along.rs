@@ -6,15 +6,16 @@ use core::fmt;
 
 use super::answer::Answer;
 use super::at::{At, HIGHEST};
-use super::curve::Curve;
 use super::mean::rooted;
 use super::progress::Progress;
 use super::quantity::Named;
 use super::station::SweepStation;
 use super::swept::QuantityOfSweep;
 use super::{Crossing, DwellRange, Extreme, ExtremesError, Mean, Over, Peak, PeakSensitivities};
+use crate::any::{Of, row};
 use crate::load::LoadError;
 use crate::mechanism::Mechanism;
+use crate::number::Number;
 use crate::sweep::{Course, Local, SmoothDrive};
 
 /// A quantity along a sweep. [`Course::of`] and [`Course::of_expression`] make it, and each of its methods answers a question.
@@ -63,7 +64,7 @@ pub trait AskedQuantity<M: Mechanism<Scalar = f64>> {
 
     /// Its value at a place of a sweep.
     #[doc(hidden)]
-    fn at(&self, station: &SweepStation<M>) -> Result<Local, ExtremesError>;
+    fn at(&self, station: &SweepStation) -> Result<Local, ExtremesError>;
 
     /// Its value in a typed pose, whose mechanism may change with the variable.
     #[doc(hidden)]
@@ -79,9 +80,9 @@ impl<M: Mechanism<Scalar = f64>> AskedQuantity<M> for ByName<'_> {
         }
     }
 
-    fn at(&self, station: &SweepStation<M>) -> Result<Local, ExtremesError> {
+    fn at(&self, station: &SweepStation) -> Result<Local, ExtremesError> {
         match &self.found {
-            Ok(named) => named.at(station),
+            Ok(named) => named.at(Of::<M>::FUNCTIONS, station),
             Err(error) => Err(error.clone()),
         }
     }
@@ -99,8 +100,8 @@ impl<M: Mechanism<Scalar = f64>, A: Answer, F: Fn(&At<M>) -> A> AskedQuantity<M>
         Ok(())
     }
 
-    fn at(&self, station: &SweepStation<M>) -> Result<Local, ExtremesError> {
-        station.answer(None, &self.0)
+    fn at(&self, station: &SweepStation) -> Result<Local, ExtremesError> {
+        pose_quantity(station, None, &self.0)
     }
 
     fn of_pose(&self, at: &At<M>) -> Result<Local, LoadError> {
@@ -193,7 +194,7 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>, Q: AskedQuantity<M>> Qua
     /// # Errors
     /// [`ExtremesError::Unbounded`] if the quantity has none.
     pub fn peak(&self) -> Result<Peak, ExtremesError> {
-        self.ask(|curve, _| curve.best(f64::abs))
+        self.ask(|asked| asked.best(f64::abs))
     }
 
     /// The highest value, and where.
@@ -213,7 +214,7 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>, Q: AskedQuantity<M>> Qua
     /// # Ok::<(), kin_core::extremes::ExtremesError>(())
     /// ```
     pub fn highest(&self) -> Result<Peak, ExtremesError> {
-        self.ask(|curve, _| curve.best(|value| value))
+        self.ask(|asked| asked.best(|value| value))
     }
 
     /// The lowest value, and where.
@@ -221,7 +222,7 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>, Q: AskedQuantity<M>> Qua
     /// # Errors
     /// As for [`highest`](Self::highest).
     pub fn lowest(&self) -> Result<Peak, ExtremesError> {
-        self.ask(|curve, _| curve.best(|value| -value))
+        self.ask(|asked| asked.best(|value| -value))
     }
 
     /// All extremes, in the order of the sweep: those inside, those at limits and kinks, and those at its ends. A full turn has no ends.
@@ -245,7 +246,7 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>, Q: AskedQuantity<M>> Qua
     /// # Errors
     /// Those of the type.
     pub fn extremes(&self) -> Result<Vec<Extreme>, ExtremesError> {
-        self.ask(|curve, _| Ok(curve.extremes()?.extremes))
+        self.ask(|asked| Ok(asked.extremes()?.extremes))
     }
 
     /// The places where the quantity crosses a level, in the order of the sweep: zero for its changes of sign. A jump across the level,
@@ -254,7 +255,7 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>, Q: AskedQuantity<M>> Qua
     /// # Errors
     /// [`ExtremesError::Argument`] if the level is not finite.
     pub fn crossings(&self, level: f64) -> Result<Vec<Crossing>, ExtremesError> {
-        self.ask(|curve, _| curve.crossings(level))
+        self.ask(|asked| asked.crossings(level))
     }
 
     /// The parts of the sweep on which the quantity stays within a tolerance of a level.
@@ -262,7 +263,7 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>, Q: AskedQuantity<M>> Qua
     /// # Errors
     /// [`ExtremesError::Argument`] if the level or the tolerance is not finite.
     pub fn dwells(&self, level: f64, tolerance: f64) -> Result<Vec<DwellRange>, ExtremesError> {
-        self.ask(|curve, _| curve.dwells(level, tolerance))
+        self.ask(|asked| asked.dwells(level, tolerance))
     }
 
     /// The mean, over the time or over the way of the input. Both are the same at constant speed.
@@ -271,7 +272,7 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>, Q: AskedQuantity<M>> Qua
     /// [`ExtremesError::Diverges`] if the integral has no value because of a turning point,
     /// [`ExtremesError::Imprecise`] if the estimate of the error stays above 10⁻¹² of the mean size.
     pub fn mean(&self, over: Over) -> Result<Mean, ExtremesError> {
-        self.ask(|curve, _| curve.mean(over, 1))
+        self.ask(|asked| asked.mean(over, 1))
     }
 
     /// The root of the mean square.
@@ -279,7 +280,7 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>, Q: AskedQuantity<M>> Qua
     /// # Errors
     /// As for [`mean`](Self::mean).
     pub fn rms(&self, over: Over) -> Result<Mean, ExtremesError> {
-        rooted(self.ask(|curve, _| curve.mean(over, 2)))
+        rooted(self.ask(|asked| asked.mean(over, 2)))
     }
 
     /// The [`peak`](Self::peak), and how its value and its place depend on every dimension of the mechanism.
@@ -307,31 +308,48 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>, Q: AskedQuantity<M>> Qua
     /// [`ExtremesError::NoSensitivity`] if the peak is at a limit or a kink.
     pub fn peak_sensitivities(&self) -> Result<PeakSensitivities<M>, ExtremesError> {
         self.quantity.check(M::DESCRIPTION.order)?;
-        self.ask(|curve, asked| asked.sensitivities(curve, curve.best(f64::abs)?, |at| self.quantity.of_pose(at)))
+        let quantity = |station: &SweepStation, changed: Option<&[Local]>| {
+            pose_quantity(station, changed, |at: &At<M>| self.quantity.of_pose(at))
+        };
+        let (peak, by) = self.ask(|asked| asked.sensitivities(&quantity))?;
+        Ok(PeakSensitivities { peak, by: row(&by) })
     }
 
     fn ask<T>(
         &self,
-        question: impl Fn(&Curve<'_>, &QuantityOfSweep<'_, M, D>) -> Result<T, ExtremesError>,
+        question: impl FnOnce(&QuantityOfSweep<'_>) -> Result<T, ExtremesError>,
     ) -> Result<T, ExtremesError> {
         self.quantity.check(HIGHEST)?;
-        let answer = |station: &SweepStation<M>| self.quantity.at(station);
-        let asked = QuantityOfSweep {
-            course: self.course,
-            quantity: &answer,
-            known: None,
-        };
+        let answer = |station: &SweepStation| self.quantity.at(station);
         let tell = |part: f64| {
             if let Some(progress) = &self.progress {
                 progress.reach(part);
             }
         };
-        let found = Curve::new(&asked)
-            .telling(&tell)
-            .across_gaps(|curve| question(curve, &asked))?;
+        let found = question(&QuantityOfSweep {
+            course: self.course.any(),
+            drive: self.course,
+            quantity: &answer,
+            known: None,
+            progress: Some(&tell),
+        })?;
         if let Some(progress) = &self.progress {
             progress.end();
         }
         Ok(found)
     }
+}
+
+/// The value of an expression of the typed pose.
+fn pose_quantity<M: Mechanism<Scalar = f64>, A: Answer>(
+    station: &SweepStation,
+    changed: Option<&[Local]>,
+    quantity: impl Fn(&At<M>) -> A,
+) -> Result<Local, ExtremesError> {
+    let at = station.variable.real();
+    let pose = At::of(station, changed).map_err(|_| ExtremesError::Gap { at })?;
+    quantity(&pose).answer().map_err(|error| ExtremesError::Load {
+        at,
+        error: Box::new(error),
+    })
 }

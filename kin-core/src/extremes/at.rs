@@ -1,16 +1,20 @@
 //! A pose of a sweep with derivatives in the variable of the sweep.
 
+use alloc::vec;
 use core::ops::Deref;
 
 use super::margin::Margins;
 use super::station::SweepStation;
+use crate::any::{Of, motions, row, write};
+use crate::failure::SolveError;
 use crate::load::{Balance, LoadError, Loaded, LoadsOf};
 use crate::mechanism::{Mechanism, Pose};
-use crate::number::{Number, Row};
+use crate::motion::Motion;
+use crate::number::{Number, NumberRow, Row};
 use crate::picture::TransmissionAngle;
 use crate::quantity::{Dimension, RATES};
 use crate::solve::nearest_turn;
-use crate::sweep::{Local, OutputsOf};
+use crate::sweep::{Local, READ};
 
 /// The pose at one place of a sweep, in numbers that carry their derivatives with respect to the variable of the sweep. Any expression of
 /// them carries its own.
@@ -31,15 +35,23 @@ use crate::sweep::{Local, OutputsOf};
 /// ```
 #[derive(Clone, Copy)]
 pub struct At<M: Mechanism> {
-    pub(super) mechanism: M::With<Local>,
-    pub(super) pose: <M::With<Local> as Mechanism>::Pose,
-    pub(super) inputs: <M::With<Local> as Mechanism>::Inputs<<M::With<Local> as Mechanism>::Motion<Local>>,
+    mechanism: M::With<Local>,
+    pose: <M::With<Local> as Mechanism>::Pose,
+    inputs: <M::With<Local> as Mechanism>::Inputs<<M::With<Local> as Mechanism>::Motion<Local>>,
     /// The unknowns, with angles on the turns they have reached.
-    pub(super) near: <M::With<Local> as Mechanism>::Unknowns<Local>,
+    near: <M::With<Local> as Mechanism>::Unknowns<Local>,
     /// The outputs, with unwrapped angles.
-    pub(super) outputs: OutputsOf<M, f64>,
+    outputs: <M::Pose as Pose>::Outputs<f64>,
     /// What derivatives above the order of the mechanism are found from.
-    pub(super) source: Option<SweepStation<M>>,
+    source: Option<SourceOf<M>>,
+}
+
+/// The inputs with all derivatives that are read, and the variable: the rest of a [`SweepStation`].
+#[derive(Clone, Copy)]
+struct SourceOf<M: Mechanism> {
+    inputs: M::Inputs<Motion<f64, READ>>,
+    rate: f64,
+    variable: Local,
 }
 
 /// The highest order of a derivative.
@@ -54,6 +66,47 @@ impl<M: Mechanism> Deref for At<M> {
 }
 
 impl<M: Mechanism<Scalar = f64>> At<M> {
+    /// The typed pose at a place of a sweep, as the solvers of a mechanism find it: with the dimensions of the sweep, or with others that
+    /// change with the variable.
+    pub(super) fn of(station: &SweepStation, changed: Option<&[Local]>) -> Result<Self, SolveError> {
+        let mechanism = M::With::<Local>::from_parameters(match changed {
+            Some(changed) => row(changed),
+            None => Row::from_fn(|parameter| Local::constant(station.parameters[parameter])),
+        });
+        let near = Row::from_fn(|unknown| Local::constant(station.unknowns[unknown]));
+        let inputs = Row::from_fn(|input| Row::from_fn(|order| station.input(input, order)));
+        let source = SourceOf {
+            inputs: motions(&station.inputs),
+            rate: station.rate,
+            variable: station.variable,
+        };
+        Ok(At {
+            mechanism,
+            pose: mechanism.solve_motion_near(inputs, near)?,
+            inputs,
+            near,
+            outputs: row(&station.outputs),
+            source: changed.is_none().then_some(source),
+        })
+    }
+
+    /// The station of which this is the pose, if its dimensions are those of the sweep.
+    fn station(&self) -> Option<SweepStation> {
+        let source = self.source?;
+        let mut inputs = vec![0.0; M::DESCRIPTION.inputs.len() * READ];
+        write(source.inputs.as_ref(), &mut inputs);
+        let real = |values: &[Local]| NumberRow::from_fn(values.len(), |index| values[index].real());
+        Some(SweepStation {
+            description: const { &M::DESCRIPTION },
+            parameters: real(self.mechanism.parameters().as_ref()),
+            inputs,
+            unknowns: real(self.near.as_ref()),
+            outputs: self.outputs.as_ref().into(),
+            rate: source.rate,
+            variable: source.variable,
+        })
+    }
+
     /// The derivative of an input, by its index and its order, up to the twelfth.
     #[must_use]
     pub fn input(&self, index: usize, order: usize) -> Option<Local> {
@@ -61,7 +114,7 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
         if let Some(value) = motion.as_ref().get(order) {
             return Some(*value);
         }
-        let source = self.source.as_ref()?;
+        let source = self.station()?;
         (order <= HIGHEST).then(|| source.input(index, order))
     }
 
@@ -70,7 +123,8 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
     #[must_use]
     pub fn unknown(&self, index: usize, order: usize) -> Option<Local> {
         if order > M::DESCRIPTION.order && order <= HIGHEST {
-            return (index < M::DESCRIPTION.unknowns.len()).then(|| self.source?.unknown(index, order).ok())?;
+            return (index < M::DESCRIPTION.unknowns.len())
+                .then(|| self.station()?.unknown(Of::<M>::FUNCTIONS, index, order).ok())?;
         }
         let motions = self
             .pose
@@ -88,7 +142,8 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
     #[must_use]
     pub fn output(&self, index: usize, order: usize) -> Option<Local> {
         if order > M::DESCRIPTION.order && order <= HIGHEST {
-            return (index < M::DESCRIPTION.outputs.len()).then(|| self.source?.output(index, order).ok())?;
+            return (index < M::DESCRIPTION.outputs.len())
+                .then(|| self.station()?.output(Of::<M>::FUNCTIONS, index, order).ok())?;
         }
         let motions = self.pose.output_motions();
         let value = *motions.as_ref().get(index)?.as_ref().get(order)?;
@@ -189,11 +244,13 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
         self.margins().smallest()
     }
 
-    fn margins(&self) -> Margins<M::With<Local>> {
+    fn margins(&self) -> Margins<'static> {
         Margins {
-            mechanism: self.mechanism,
-            inputs: Row::from_fn(|input| self.inputs[input][0]),
-            unknowns: self.near_series(),
+            functions: Of::<M>::FUNCTIONS,
+            description: const { &M::DESCRIPTION },
+            parameters: self.mechanism.parameters().as_ref().to_vec(),
+            inputs: self.inputs.as_ref().iter().map(|input| input[0]).collect(),
+            unknowns: self.near_series().as_ref().to_vec(),
         }
     }
 

@@ -5,10 +5,10 @@ use core::cell::{Cell, RefCell};
 use core::f64::consts::TAU;
 
 use super::ExtremesError;
-use super::swept::{Mark, SweepExtent, SweptQuantity};
+use super::swept::{Mark, QuantityOfSweep, SweepExtent};
 use crate::law::Side;
 use crate::number::Number;
-use crate::sweep::{Limit, LimitKind, Local};
+use crate::sweep::{Limit, LimitKind, Local, Walk};
 
 /// The smallest parameter next to a turning point. Closer to it, a Taylor series goes on: the places of the variable there are too few for
 /// the poses to be exact.
@@ -136,7 +136,7 @@ type ClosedPart = ([f64; 2], [StretchEnd; 2], Mark);
 
 /// A quantity over a sweep.
 pub(super) struct Curve<'c> {
-    quantity: &'c dyn SweptQuantity,
+    quantity: &'c QuantityOfSweep<'c>,
     pub(super) extent: SweepExtent,
     /// Places where the mechanism does not close, although it does in the rows on both sides.
     gaps: Vec<f64>,
@@ -146,12 +146,10 @@ pub(super) struct Curve<'c> {
     met: Cell<Option<(f64, LimitKind)>>,
     /// The walk to the node before, from which the next one is often closest.
     cursor: RefCell<Option<Mark>>,
-    /// Told the part of the sweep that has been searched.
-    progress: Option<&'c dyn Fn(f64)>,
 }
 
 impl<'c> Curve<'c> {
-    pub(super) fn new(quantity: &'c dyn SweptQuantity) -> Self {
+    pub(super) fn new(quantity: &'c QuantityOfSweep<'c>) -> Self {
         Self {
             quantity,
             extent: quantity.extent(),
@@ -159,21 +157,12 @@ impl<'c> Curve<'c> {
             edges: Vec::new(),
             met: Cell::new(None),
             cursor: RefCell::new(None),
-            progress: None,
-        }
-    }
-
-    /// The same curve, which tells how far it has been searched.
-    pub(super) fn telling(self, progress: &'c dyn Fn(f64)) -> Self {
-        Self {
-            progress: Some(progress),
-            ..self
         }
     }
 
     /// Tells that the sweep has been searched up to a place.
     pub(super) fn tell(&self, at: f64) {
-        if let Some(progress) = self.progress {
+        if let Some(progress) = self.quantity.progress {
             progress((at - self.extent.from) / (self.extent.to - self.extent.from));
         }
     }
@@ -317,7 +306,7 @@ impl<'c> Curve<'c> {
     /// The parts of the sweep on which the mechanism closes, each with a pose.
     fn circuits(&self) -> Result<Vec<ClosedPart>, ExtremesError> {
         let mut circuits: Vec<ClosedPart> = Vec::new();
-        let mut mark = self.quantity.beginning();
+        let mut mark = Mark::new(Walk::BEGINNING);
         let mut first_error = None;
         // the row before: its place, its mark, and whether it closed
         let mut before: Option<(f64, Mark, bool)> = None;

@@ -1,34 +1,64 @@
 //! The length that is left until a dyad ceases to close.
 
+use alloc::vec;
+use alloc::vec::Vec;
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use crate::mechanism::{Block, BlockForm, Mechanism};
-use crate::number::{Number, Row};
+use crate::any::{ClosureOver, Of, row};
+use crate::mechanism::{Block, BlockForm, Description, Mechanism};
+use crate::number::Number;
 use crate::picture::TransmissionAngle;
 use crate::quantity::Dimension;
 use crate::sweep::Local;
 
-/// A position in series, from which margins and transmission angles are found.
-pub(super) struct Margins<M: Mechanism<Scalar = Local>> {
-    pub(super) mechanism: M,
-    pub(super) inputs: M::Inputs<Local>,
-    pub(super) unknowns: M::Unknowns<Local>,
+/// What margins and transmission angles need of a mechanism.
+pub(super) trait DyadFunctions: ClosureOver<Local> {
+    /// The transmission angles of all dyads.
+    fn angles(&self, parameters: &[Local], inputs: &[Local], unknowns: &[Local]) -> Vec<TransmissionAngle<Local>>;
+
+    /// The form of each block.
+    fn forms(&self, parameters: &[Local]) -> Vec<BlockForm<Local>>;
 }
 
-impl<M: Mechanism<Scalar = Local>> Margins<M> {
+impl<M: Mechanism> DyadFunctions for Of<M> {
+    fn angles(&self, parameters: &[Local], inputs: &[Local], unknowns: &[Local]) -> Vec<TransmissionAngle<Local>> {
+        let mechanism = M::With::<Local>::from_parameters(row(parameters));
+        let angles = mechanism.transmission_angles_at(row(inputs), row(unknowns));
+        angles.as_ref().to_vec()
+    }
+
+    fn forms(&self, parameters: &[Local]) -> Vec<BlockForm<Local>> {
+        let mechanism = M::With::<Local>::from_parameters(row(parameters));
+        mechanism.block_forms().as_ref().to_vec()
+    }
+}
+
+/// A position in series, from which margins and transmission angles are found.
+pub(super) struct Margins<'f> {
+    pub(super) functions: &'f dyn DyadFunctions,
+    pub(super) description: &'static Description,
+    pub(super) parameters: Vec<Local>,
+    pub(super) inputs: Vec<Local>,
+    pub(super) unknowns: Vec<Local>,
+}
+
+impl Margins<'_> {
+    fn angles(&self) -> Vec<TransmissionAngle<Local>> {
+        self.functions.angles(&self.parameters, &self.inputs, &self.unknowns)
+    }
+
     /// The transmission angle of a dyad.
     pub(super) fn transmission_angle(&self, dyad: usize) -> Option<TransmissionAngle<Local>> {
-        let angles = self.mechanism.transmission_angles_at(self.inputs, self.unknowns);
-        angles.as_ref().get(dyad).copied()
+        self.angles().get(dyad).copied()
     }
 
     /// The margin of a dyad.
     pub(super) fn of(&self, dyad: usize) -> Option<Local> {
         let transmission = self.transmission_angle(dyad)?;
         let (_, cosine) = transmission.angle.sin_cos();
-        let forms = self.mechanism.block_forms();
+        let forms = self.functions.forms(&self.parameters);
         // a slider along an axis is a block of its own behind that of its link
-        let mut own = M::DESCRIPTION.blocks.iter().zip(forms.as_ref()).filter(|(block, _)| {
+        let mut own = self.description.blocks.iter().zip(&forms).filter(|(block, _)| {
             let mut unknowns = transmission.block.split(", ");
             transmission.block == block.unknowns || unknowns.any(|unknown| unknown == block.unknowns)
         });
@@ -46,11 +76,13 @@ impl<M: Mechanism<Scalar = Local>> Margins<M> {
 
     /// What the equations of a block have left if some of its angles are turned.
     fn turned(&self, block: &Block, angles: &[(usize, f64)]) -> [Local; 2] {
-        let mut unknowns = self.unknowns;
+        let mut unknowns = self.unknowns.clone();
         for (unknown, angle) in angles {
             unknowns[*unknown] = unknowns[*unknown] + Local::constant(*angle);
         }
-        let residuals = self.mechanism.residuals(self.inputs, unknowns);
+        let mut residuals = vec![Local::constant(0.0); unknowns.len()];
+        self.functions
+            .residuals(&self.parameters, &self.inputs, &unknowns, &mut residuals);
         let mut equations = block.equations.iter();
         [(); 2].map(|()| {
             equations
@@ -83,7 +115,7 @@ impl<M: Mechanism<Scalar = Local>> Margins<M> {
     /// One equation of the slider on an axis tells the component of the link along the other axis. The other component is that of the link
     /// turned by a right angle.
     fn link(&self, block: &Block) -> Option<Local> {
-        let is_angle = |unknown: &usize| M::DESCRIPTION.unknowns[*unknown].dimension == Dimension::Angle;
+        let is_angle = |unknown: &usize| self.description.unknowns[*unknown].dimension == Dimension::Angle;
         let angle = block.members.iter().copied().find(is_angle)?;
         let [here, opposite, left, right] =
             [0.0, PI, FRAC_PI_2, -FRAC_PI_2].map(|turn| self.turned(block, &[(angle, turn)]));
@@ -94,7 +126,7 @@ impl<M: Mechanism<Scalar = Local>> Margins<M> {
     }
     /// The smallest margin of all dyads.
     pub(super) fn smallest(&self) -> Option<Local> {
-        let count = <M::Dyads<Local> as Row<Local>>::LENGTH;
+        let count = self.angles().len();
         let mut least = self.of(0)?;
         for dyad in 1..count {
             let margin = self.of(dyad)?;

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 use super::ExtremesError;
 use super::at::{At, HIGHEST};
-use super::station::SweepStation;
+use super::station::{NamedFunctions, SweepStation};
 use crate::mechanism::{Description, Mechanism};
 use crate::number::{Number, Row};
 use crate::quantity::Quantity;
@@ -90,13 +90,13 @@ impl Named {
         value.unwrap_or(Local::constant(f64::NAN))
     }
     /// Its value at a place of a sweep, from the position alone.
-    pub(super) fn at<M: Mechanism<Scalar = f64>>(self, station: &SweepStation<M>) -> Result<Local, ExtremesError> {
+    pub(super) fn at(self, functions: &dyn NamedFunctions, station: &SweepStation) -> Result<Local, ExtremesError> {
         let value = match self.kind {
             Kind::Input => Ok(station.input(self.index, self.order)),
-            Kind::Unknown => station.unknown(self.index, self.order),
-            Kind::Output => station.output(self.index, self.order),
+            Kind::Unknown => station.unknown(functions, self.index, self.order),
+            Kind::Output => station.output(functions, self.index, self.order),
             Kind::Margin => station
-                .margins()
+                .margins(functions)
                 .map(|margins| margins.smallest().unwrap_or(Local::constant(f64::NAN))),
         };
         value.map_err(|_| ExtremesError::Gap {

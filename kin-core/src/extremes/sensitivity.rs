@@ -7,16 +7,17 @@
 //! The mixed derivative comes from two series in which variable and dimension change together: with the second-order terms c₊ and c₋ in
 //! the directions (1, 1) and (1, -1), it is (c₊ - c₋) / 2.
 
+use alloc::vec::Vec;
+
 use super::ExtremesError;
-use super::answer::Answer;
-use super::at::At;
 use super::curve::{Curve, Stretch};
+use super::station::SweepStation;
 use super::swept::QuantityOfSweep;
 use super::{ExtremeKind, Peak};
 use crate::law::Side;
 use crate::mechanism::Mechanism;
-use crate::number::{Number, Row};
-use crate::sweep::{Local, SmoothDrive};
+use crate::number::Number;
+use crate::sweep::Local;
 
 /// How a peak depends on one dimension.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -36,14 +37,27 @@ pub struct PeakSensitivities<M: Mechanism> {
     pub by: M::Parameters<PeakSensitivity>,
 }
 
-impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> QuantityOfSweep<'_, M, D> {
-    /// How a peak depends on every dimension. It has been found on this curve.
-    pub(super) fn sensitivities<A: Answer>(
+/// The value of a quantity in a pose, of the dimensions of the sweep or of others that change with the variable.
+pub(super) type ChangedQuantity<'q> = dyn Fn(&SweepStation, Option<&[Local]>) -> Result<Local, ExtremesError> + 'q;
+
+impl QuantityOfSweep<'_> {
+    /// The value that is largest in size, and how it depends on every dimension.
+    pub(super) fn sensitivities(
+        &self,
+        quantity: &ChangedQuantity<'_>,
+    ) -> Result<(Peak, Vec<PeakSensitivity>), ExtremesError> {
+        self.ask(|curve| {
+            let peak = curve.best(f64::abs)?;
+            Ok((peak, self.sensitivities_at(curve, peak, quantity)?))
+        })
+    }
+
+    fn sensitivities_at(
         &self,
         curve: &Curve<'_>,
         peak: Peak,
-        quantity: impl Fn(&At<M>) -> A,
-    ) -> Result<PeakSensitivities<M>, ExtremesError> {
+        quantity: &ChangedQuantity<'_>,
+    ) -> Result<Vec<PeakSensitivity>, ExtremesError> {
         let is_inner = match peak.kind {
             ExtremeKind::Inner => true,
             ExtremeKind::End => false,
@@ -63,32 +77,34 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> QuantityOfSweep<'_, M, D> {
         } else {
             Side::Right
         };
-        let value = |mechanism: Option<&M::With<Local>>, step: f64| {
+        let value = |changed: Option<&[Local]>, step: f64| {
             let variable = Local::from_coefficients([peak.at, step, 0.0, 0.0, 0.0]);
-            let (station, _) = self.station(stretch.mark.walk(), variable, side)?;
-            let value = station.finite(station.answer(mechanism, &quantity)?)?;
+            let (station, _) = self.station(&stretch.mark, variable, side)?;
+            let value = station.finite(quantity(&station, changed)?)?;
             Ok::<_, ExtremesError>(value.coefficients())
         };
         let bend = 2.0 * value(None, 1.0)?[2];
-        let mut by: M::Parameters<PeakSensitivity> = Row::splat(PeakSensitivity::default());
-        for (place, sensitivity) in by.as_mut().iter_mut().enumerate() {
-            let parameters = self.course.mechanism.parameters();
-            let own: f64 = parameters[place];
+        let parameters = &self.course.parameters;
+        let sensitivity = |place: usize| {
+            let own = parameters[place];
             // a change of the size of the dimension keeps both second-order terms alike
             let unit = if own == 0.0 { 1.0 } else { own.abs() };
-            let changed = |step: f64| {
-                M::With::<Local>::from_parameters(Row::from_fn(|index| {
-                    let change = if index == place { step } else { 0.0 };
-                    Local::from_coefficients([parameters[index], change, 0.0, 0.0, 0.0])
-                }))
+            let changed = |step: f64| -> Vec<Local> {
+                let mut changed: Vec<Local> = parameters.iter().copied().map(Local::constant).collect();
+                changed[place] = Local::from_coefficients([own, step, 0.0, 0.0, 0.0]);
+                changed
             };
-            sensitivity.value = value(Some(&changed(1.0)), 0.0)?[1];
+            let mut sensitivity = PeakSensitivity {
+                value: value(Some(&changed(1.0)), 0.0)?[1],
+                at: 0.0,
+            };
             if is_inner {
                 let [plus, minus] = [unit, -unit].map(|step| value(Some(&changed(step)), 1.0));
                 let mixed = 0.5 * (plus?[2] - minus?[2]) / unit;
                 sensitivity.at = -mixed / bend;
             }
-        }
-        Ok(PeakSensitivities { peak, by })
+            Ok(sensitivity)
+        };
+        (0..parameters.len()).map(sensitivity).collect()
     }
 }

@@ -123,6 +123,14 @@ pub trait Mechanism: Copy + Debug + 'static {
     /// The assembly to which the given values of the unknowns belong.
     fn assembly_near(&self, inputs: Self::Inputs<Self::Scalar>, near: Self::Unknowns<Self::Scalar>) -> Self::Assembly;
 
+    /// The values of the unknowns that stand for an assembly of coupled blocks. Other assemblies have an index.
+    #[doc(hidden)]
+    #[must_use]
+    fn values_near(assembly: Self::Assembly) -> Option<Self::Unknowns<f64>> {
+        let _ = assembly;
+        None
+    }
+
     /// The mechanism with the given parameters.
     fn from_parameters(parameters: Self::Parameters<Self::Scalar>) -> Self;
 

@@ -1,15 +1,19 @@
 //! Rows where they are needed.
 
+use alloc::rc::Rc;
 use alloc::vec;
 use alloc::vec::Vec;
 
 use super::columns::Label;
+use super::course::AnyCourse;
 use super::drive::Drive;
 use super::error::SweepError;
-use super::fill::part;
+use super::fill::{outcome, part};
+use super::gaps::Bend;
 use super::table::Table;
 use super::walk::Walk;
 use super::{Course, limits};
+use crate::any::{AssemblyOver, Of};
 use crate::batch::Outcome;
 use crate::mechanism::Mechanism;
 
@@ -20,10 +24,10 @@ const SHORTEST: f64 = 1e-6;
 const PROBES: usize = 16;
 
 /// A row that has been solved.
-#[derive(Clone, Copy)]
-struct Sample<M: Mechanism> {
+#[derive(Clone)]
+struct Sample {
     at: f64,
-    walk: Walk<M>,
+    walk: Rc<Walk>,
     outcome: Outcome,
     /// Its place among the samples.
     place: usize,
@@ -36,8 +40,8 @@ struct Deviation {
     column: usize,
 }
 
-struct Samples<'c, M: Mechanism<Scalar = f64>, D> {
-    course: &'c Course<M, D>,
+struct Samples<'c> {
+    course: &'c AnyCourse<'c>,
     width: usize,
     /// Row after row, in the order in which they were solved.
     data: Vec<f64>,
@@ -89,6 +93,20 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
         most_rows: usize,
         mut progress: impl FnMut(f64),
     ) -> Result<Table, SweepError> {
+        self.any()
+            .adaptive_table(Of::<M>::FUNCTIONS, tolerance, order, most_rows, &mut progress)
+    }
+}
+
+impl AnyCourse<'_> {
+    fn adaptive_table(
+        &self,
+        bends: &dyn AssemblyOver<Bend>,
+        tolerance: f64,
+        order: usize,
+        most_rows: usize,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Table, SweepError> {
         self.check()?;
         if self.count > most_rows {
             return Err(SweepError::MoreRows {
@@ -108,11 +126,13 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
             rows: self.count,
             most: most_rows,
         };
-        let mut walk = Walk::BEGINNING;
-        let given: Vec<Sample<M>> = (0..self.count)
-            .map(|row| samples.solve(&mut walk, self.at(row)))
-            .collect();
-        let first = usize::from(empty.labels[0].is_variable) + M::DESCRIPTION.inputs.len() * (M::DESCRIPTION.order + 1);
+        let mut given: Vec<Sample> = Vec::with_capacity(self.count);
+        for row in 0..self.count {
+            let beginning = Rc::new(Walk::BEGINNING);
+            let walk = given.last().map_or(beginning, |before| Rc::clone(&before.walk));
+            given.push(samples.solve(&walk, self.at(row)));
+        }
+        let first = empty.first_unknown(self.description);
         let ranges = samples.ranges(&given);
         // The rounding errors of a column that stays the same are no curve. They count against the largest number of its kind, as a column
         // that stays at zero has nothing else.
@@ -134,10 +154,10 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
             }
         };
         samples.scales = columns.map(scale).collect();
-        let mut kept = vec![given[0]];
+        let mut kept = vec![given[0].clone()];
         for (step, pair) in given.windows(2).enumerate() {
-            samples.refine(pair[0], pair[1], tolerance, &mut kept, &empty)?;
-            kept.push(pair[1]);
+            samples.refine(&pair[0], &pair[1], tolerance, &mut kept, &empty)?;
+            kept.push(pair[1].clone());
             progress(part(step + 1, self.count - 1));
         }
         let mut table = self.empty(kept.len());
@@ -148,35 +168,33 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
             }
         }
         let is_closed = table.outcomes.iter().all(Outcome::is_solved);
-        limits::find(self, &mut table, is_closed, &[]);
+        limits::find(self, bends, &mut table, is_closed, &[]);
         Ok(table)
     }
 }
 
-impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Samples<'_, M, D> {
-    fn solve(&mut self, walk: &mut Walk<M>, at: f64) -> Sample<M> {
-        let motions = self.course.drive.motions(at);
-        let reached = walk.step(self.course, at, motions);
-        let outcome = match &reached {
-            Ok(_) => Outcome::Solved,
-            Err(error) => Outcome::from(error),
-        };
+impl Samples<'_> {
+    /// The next sample behind a walk.
+    fn solve(&mut self, walk: &Walk, at: f64) -> Sample {
+        let motions = self.course.motions(at);
+        let (walk, result) = walk.stepped(self.course, at, &motions);
         let start = self.data.len();
         self.data.resize(start + self.width, 0.0);
         let row = &mut self.data[start..];
+        let reached = walk.last.as_ref().filter(|_| result.is_ok());
         self.course
-            .write(at, &motions, reached.ok(), |column, value| row[column] = value);
+            .write(at, &motions, reached, |column, value| row[column] = value);
         Sample {
             at,
-            walk: *walk,
-            outcome,
+            walk: Rc::new(walk),
+            outcome: outcome(&result),
             place: start / self.width,
         }
     }
 
     /// The lowest and the highest value of each column, at the rows of the sweep and at places between them: a few rows may all lie where a
     /// column has the same value.
-    fn ranges(&mut self, given: &[Sample<M>]) -> Vec<[f64; 2]> {
+    fn ranges(&mut self, given: &[Sample]) -> Vec<[f64; 2]> {
         let mut ranges = vec![[f64::INFINITY, f64::NEG_INFINITY]; self.width];
         // numbers of rows that do not close are NaN, which both leave out
         let see = |ranges: &mut [[f64; 2]], row: &[f64]| {
@@ -192,7 +210,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Samples<'_, M, D> {
         let start = self.data.len();
         for pair in given.windows(2).filter(|pair| pair[0].outcome.is_solved()) {
             for probe in 1..=probes {
-                self.middle(pair[0], part(probe, probes + 1), pair[1]);
+                self.middle(&pair[0], part(probe, probes + 1), &pair[1]);
                 see(&mut ranges, &self.data[start..]);
                 self.data.truncate(start);
             }
@@ -201,17 +219,17 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Samples<'_, M, D> {
     }
 
     /// A sample between two others, found from the left one.
-    fn middle(&mut self, left: Sample<M>, part: f64, right: Sample<M>) -> Sample<M> {
-        self.solve(&mut left.walk.clone(), left.at + part * (right.at - left.at))
+    fn middle(&mut self, left: &Sample, part: f64, right: &Sample) -> Sample {
+        self.solve(&left.walk, left.at + part * (right.at - left.at))
     }
 
     /// Adds the rows that are needed between two samples.
     fn refine(
         &mut self,
-        left: Sample<M>,
-        right: Sample<M>,
+        left: &Sample,
+        right: &Sample,
         tolerance: f64,
-        kept: &mut Vec<Sample<M>>,
+        kept: &mut Vec<Sample>,
         table: &Table,
     ) -> Result<(), SweepError> {
         let start = self.data.len();
@@ -226,11 +244,11 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Samples<'_, M, D> {
         let worst = if is_edge || !middle.outcome.is_solved() {
             None
         } else {
-            let mut worst = self.deviation(left, 0.5, middle, right);
+            let mut worst = self.deviation(left, 0.5, &middle, right);
             for part in [0.25, 0.75] {
                 if worst.part <= tolerance {
                     let other = self.middle(left, part, right);
-                    let next = self.deviation(left, part, other, right);
+                    let next = self.deviation(left, part, &other, right);
                     if next.part > worst.part {
                         worst = next;
                     }
@@ -247,9 +265,9 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Samples<'_, M, D> {
         }
         self.rows += 1;
         self.data.truncate((middle.place + 1) * self.width);
-        self.refine(left, middle, tolerance, kept, table)?;
-        kept.push(middle);
-        self.refine(middle, right, tolerance, kept, table)
+        self.refine(left, &middle, tolerance, kept, table)?;
+        kept.push(middle.clone());
+        self.refine(&middle, right, tolerance, kept, table)
     }
 
     fn too_many_rows(&self, at: f64, worst: Option<Deviation>, table: &Table) -> SweepError {
@@ -267,8 +285,8 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Samples<'_, M, D> {
         }
     }
 
-    fn deviation(&self, left: Sample<M>, part: f64, between: Sample<M>, right: Sample<M>) -> Deviation {
-        let row = |sample: Sample<M>| &self.data[sample.place * self.width..(sample.place + 1) * self.width];
+    fn deviation(&self, left: &Sample, part: f64, between: &Sample, right: &Sample) -> Deviation {
+        let row = |sample: &Sample| &self.data[sample.place * self.width..(sample.place + 1) * self.width];
         let (left, between, right) = (row(left), row(between), row(right));
         let mut worst = Deviation { part: 0.0, column: 0 };
         for (column, scale) in self.scales.iter().enumerate() {

@@ -3,7 +3,7 @@
 use core::fmt;
 
 use super::Variable;
-use crate::mechanism::Mechanism;
+use crate::mechanism::Description;
 use crate::quantity::{Dimension, Quantity, RATES};
 
 /// What a column holds: a quantity, and the order of its derivative with respect to time.
@@ -123,16 +123,15 @@ impl fmt::Display for ColumnOf<'_> {
 }
 
 /// The labels of all columns of a mechanism: the variable unless it is an input, then inputs, unknowns and outputs, each in all orders.
-pub(super) fn labels<M: Mechanism>(variable: Variable) -> impl Iterator<Item = Label> {
+pub(super) fn labels(description: &'static Description, variable: Variable) -> impl Iterator<Item = Label> {
     let own = match variable {
         Variable::Input(_) => None,
         _ => Some(Label {
-            quantity: variable.quantity::<M>(),
+            quantity: variable.of(description),
             order: 0,
             is_variable: true,
         }),
     };
-    let description = M::DESCRIPTION;
     let quantities = [description.inputs, description.unknowns, description.outputs];
     let all = quantities
         .into_iter()

@@ -5,7 +5,7 @@ use crate::batch::Column;
 use crate::batch::LengthMismatch;
 pub(crate) use crate::hermite::TERMS;
 use crate::law::{Law, Piecewise, Side, approached};
-use crate::mechanism::Mechanism;
+use crate::mechanism::{Description, Mechanism};
 use crate::motion::Motion;
 use crate::number::{Row, at_constant_rate, series::Series};
 #[cfg(feature = "alloc")]
@@ -45,8 +45,12 @@ impl Variable {
     /// The name and the dimension of the variable.
     #[must_use]
     pub fn quantity<M: Mechanism>(self) -> Quantity {
+        self.of(&M::DESCRIPTION)
+    }
+
+    pub(crate) fn of(self, description: &Description) -> Quantity {
         match self {
-            Self::Input(index) => M::DESCRIPTION.inputs[index],
+            Self::Input(index) => description.inputs[index],
             Self::Time => Quantity::scalar("time", "The time."),
             Self::Row => Quantity::scalar("row", "The number of the row."),
         }

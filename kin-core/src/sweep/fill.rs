@@ -3,16 +3,21 @@
 use alloc::vec;
 use alloc::vec::Vec;
 use core::mem::take;
+use core::ops::Range;
 
-use super::columns::labels;
-use super::drive::{Drive, InputMotions, Variable};
+use super::course::{AnyCourse, SweptMechanism};
+use super::drive::{Drive, Variable};
 use super::error::SweepError;
+use super::footing::Footing;
+use super::gaps::Bend;
 use super::table::Table;
 use super::unwrap::unwrap;
-use super::walk::{Reached, Walk};
+use super::walk::Walk;
 use super::{Course, limits};
-use crate::batch::{self, Column, Columns, Outcome, Place, Vectors, Visitor};
-use crate::mechanism::{Mechanism, Pose};
+use crate::any::{AssemblyOver, Of, motions};
+use crate::batch::{self, Column, Columns, LengthMismatch, Outcome, Place, Vectors, Visitor};
+use crate::failure::SolveError;
+use crate::mechanism::Mechanism;
 use crate::number::{Number, Row};
 
 /// The rows that a batch solves between two calls of the progress, and those of coupled blocks.
@@ -55,9 +60,10 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
     /// # Errors
     /// As for [`table`](Self::table).
     pub fn table_with_progress(&self, mut progress: impl FnMut(f64)) -> Result<Table, SweepError> {
-        self.check()?;
-        let mut table = self.empty(self.count);
-        self.fill(&mut table, &mut progress)?;
+        let course = self.any();
+        course.check()?;
+        let mut table = course.empty(self.count);
+        course.fill(Of::<M>::FUNCTIONS, &mut table, &mut progress)?;
         Ok(table)
     }
 
@@ -82,6 +88,44 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
     /// # Errors
     /// As for [`table`](Self::table). The other table is then empty, or stays as it was.
     pub fn fill_table(&self, table: &mut Table) -> Result<(), SweepError> {
+        self.any().refill(Of::<M>::FUNCTIONS, table)
+    }
+}
+
+/// What a table needs of its mechanism.
+pub(super) trait TabledMechanism: SweptMechanism + AssemblyOver<Bend> {
+    /// Solves the rows of an assembly, with a column for each order of each input, one after the other. It returns whether every row closes.
+    fn solve_rows(
+        &self,
+        parameters: &[f64],
+        assembly: usize,
+        columns: &[Column<'_>],
+        places: &mut Places<'_>,
+        outcomes: &mut [Outcome],
+    ) -> Result<bool, LengthMismatch>;
+}
+
+impl<M: Mechanism<Scalar = f64>> TabledMechanism for Of<M> {
+    fn solve_rows(
+        &self,
+        parameters: &[f64],
+        assembly: usize,
+        columns: &[Column<'_>],
+        places: &mut Places<'_>,
+        outcomes: &mut [Outcome],
+    ) -> Result<bool, LengthMismatch> {
+        let Some(assembly) = M::assembly(assembly) else {
+            return Ok(false);
+        };
+        let parameters = M::Parameters::from_fn(|parameter| Column::Same(parameters[parameter]));
+        let vectors = Vectors::widest();
+        let summary = batch::solve::<M, _, _>(parameters, motions(columns), assembly, places, outcomes, vectors)?;
+        Ok(summary.failed == 0)
+    }
+}
+
+impl AnyCourse<'_> {
+    fn refill(&self, functions: &dyn TabledMechanism, table: &mut Table) -> Result<(), SweepError> {
         self.check()?;
         let mut recycled = self.empty(0);
         (recycled.data, recycled.outcomes) = (take(&mut table.data), take(&mut table.outcomes));
@@ -90,119 +134,109 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
         recycled.outcomes.resize(self.count, Outcome::Unsolved);
         recycled.count = self.count;
         *table = self.empty(0);
-        self.fill(&mut recycled, &mut |_| {})?;
+        self.fill(functions, &mut recycled, &mut |_| {})?;
         *table = recycled;
         Ok(())
     }
 
     /// Writes all numbers of a table that has their places.
-    fn fill(&self, table: &mut Table, progress: &mut dyn FnMut(f64)) -> Result<(), SweepError> {
-        let (is_closed, jumps) = if M::ASSEMBLY_COUNT > 0 {
-            let is_closed = self.fill_by_batch(table, progress)?;
-            (is_closed, unwrap(self, table))
-        } else {
-            (self.fill_by_steps(table, progress), vec![])
+    fn fill(
+        &self,
+        functions: &dyn TabledMechanism,
+        table: &mut Table,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<(), SweepError> {
+        let (is_closed, jumps) = match self.assembly() {
+            Some(assembly) => {
+                let is_closed = self.fill_by_batch(functions, assembly, table, progress)?;
+                (is_closed, unwrap(self, table))
+            }
+            None => (self.fill_by_steps(table, progress), vec![]),
         };
-        limits::find(self, table, is_closed, &jumps);
+        limits::find(self, functions, table, is_closed, &jumps);
         Ok(())
     }
 
-    pub(crate) fn check(&self) -> Result<(), SweepError> {
-        if self.count == 0 {
-            return Err(SweepError::NoRows);
-        }
-        for (quantity, value) in [("start", self.from), ("end", self.to)] {
-            if !value.is_finite() {
-                return Err(SweepError::NotFinite { quantity, value });
-            }
-        }
-        self.drive
-            .check([self.from.min(self.to), self.from.max(self.to)], self.count)
-    }
-
-    /// A table of zeros.
-    pub(super) fn empty(&self, count: usize) -> Table {
-        let variable = self.drive.variable();
-        let column = match variable {
-            Variable::Input(input) => input * (M::DESCRIPTION.order + 1),
-            _ => 0,
-        };
-        Table::new(labels::<M>(variable).collect(), count, column)
-    }
-
     /// Writes the inputs of all rows, and lets a batch write the rest. It returns whether every row closes.
-    fn fill_by_batch(&self, table: &mut Table, progress: &mut dyn FnMut(f64)) -> Result<bool, SweepError> {
-        let description = M::DESCRIPTION;
-        let (count, orders) = (table.count, description.order + 1);
-        let same = InputMotions::<M, Option<f64>>::from_fn(|input| Row::from_fn(|order| self.drive.same(input, order)));
-        let own = match self.drive.variable() {
-            Variable::Input(_) => 0,
-            Variable::Time | Variable::Row => 1,
-        };
-        let (given, results) = table
-            .data
-            .split_at_mut((own + description.inputs.len() * orders) * count);
+    fn fill_by_batch(
+        &self,
+        functions: &dyn TabledMechanism,
+        assembly: usize,
+        table: &mut Table,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<bool, SweepError> {
+        let (description, count, orders) = (self.description, table.count, self.orders());
+        let columns = description.inputs.len() * orders;
+        let same: Vec<Option<f64>> = (0..columns)
+            .map(|column| self.drive.same(column / orders, column % orders))
+            .collect();
+        let own = table.first_input();
+        let (given, results) = table.data.split_at_mut((own + columns) * count);
         if own > 0 {
             self.write_places(&mut given[..count]);
         }
         let inputs = &mut given[own * count..];
-        let column =
-            |input: usize, order: usize| (input * orders + order) * count..(input * orders + order + 1) * count;
         let mut varies = false;
-        for input in 0..description.inputs.len() {
-            for order in 0..orders {
-                let values = &mut inputs[column(input, order)];
-                match same[input][order] {
-                    Some(value) => values.fill(value),
-                    None if order == 0 && self.drive.variable() == Variable::Input(input) => self.write_places(values),
-                    None => varies = true,
+        for (column, values) in inputs.chunks_exact_mut(count).enumerate() {
+            match same[column] {
+                Some(value) => values.fill(value),
+                None if self.drive.variable() == Variable::Input(column / orders) && column % orders == 0 => {
+                    self.write_places(values);
                 }
+                None => varies = true,
             }
         }
         if varies {
+            let mut motions = vec![0.0; columns];
+            let moving: Vec<usize> = (0..columns).filter(|column| same[*column].is_none()).collect();
             for row in 0..count {
-                let motions = self.drive.motions(self.at(row));
-                for input in 0..description.inputs.len() {
-                    for order in 0..orders {
-                        if same[input][order].is_none() {
-                            inputs[(input * orders + order) * count + row] = motions[input][order];
-                        }
-                    }
+                self.drive.motions(self.at(row), &mut motions);
+                for column in &moving {
+                    inputs[column * count + row] = motions[*column];
                 }
             }
         }
         let inputs = &*inputs;
-        let directions = self.directions();
-        let mut sines = vec![vec![]; description.unknowns.len()];
-        for (sine, is_direction) in sines.iter_mut().zip(directions.as_ref()) {
-            if *is_direction {
-                *sine = vec![f64::NAN; count];
+        let solve = |rows: Range<usize>, places: &mut Places<'_>, outcomes: &mut [Outcome]| {
+            let columns = same.iter().zip(inputs.chunks_exact(count));
+            let columns: Vec<Column<'_>> = columns
+                .map(|(same, values)| same.map_or(Column::Each(&values[rows.clone()]), Column::Same))
+                .collect();
+            functions.solve_rows(&self.parameters, assembly, &columns, places, outcomes)
+        };
+        let unknowns = description.unknowns.len();
+        // A batch stores a direction as cosine and sine. Which unknowns are directions is seen at the first row that closes.
+        let mut is_direction = vec![false; unknowns];
+        for row in 0..count {
+            let (mut sines, mut outcome) = (vec![f64::NAN; unknowns], [Outcome::Unsolved]);
+            let mut places = Places {
+                orders,
+                unknowns,
+                results: vec![],
+                sines: sines.chunks_exact_mut(1).map(Some).collect(),
+            };
+            if solve(row..row + 1, &mut places, &mut outcome)? {
+                is_direction = sines.iter().map(|sine| !sine.is_nan()).collect();
+                break;
             }
         }
-        let parameters = self.mechanism.parameters();
-        let parameters = M::Parameters::from_fn(|parameter| Column::Same(parameters[parameter]));
-        let vectors = Vectors::widest();
+        let mut sines: Vec<Vec<f64>> = is_direction
+            .iter()
+            .map(|is_direction| vec![f64::NAN; if *is_direction { count } else { 0 }])
+            .collect();
         let mut is_closed = true;
         for start in (0..count).step_by(BLOCK) {
             let rows = start..count.min(start + BLOCK);
-            let columns = InputMotions::<M, Column<'_>>::from_fn(|input| {
-                Row::from_fn(|order| match same[input][order] {
-                    Some(value) => Column::Same(value),
-                    None => Column::Each(&inputs[column(input, order)][rows.clone()]),
-                })
-            });
             let mut places = Places {
                 orders,
-                unknowns: description.unknowns.len(),
+                unknowns,
                 results: results
                     .chunks_exact_mut(count)
                     .map(|column| Some(&mut column[rows.clone()]))
                     .collect(),
                 sines: sines.iter_mut().map(|sine| sine.get_mut(rows.clone())).collect(),
             };
-            let outcomes = &mut table.outcomes[rows.clone()];
-            let summary = batch::solve::<M, _, _>(parameters, columns, self.assembly, &mut places, outcomes, vectors)?;
-            is_closed &= summary.failed == 0;
+            is_closed &= solve(rows.clone(), &mut places, &mut table.outcomes[rows.clone()])?;
             progress(part(rows.end, count));
         }
         for (unknown, sines) in sines.iter().enumerate() {
@@ -233,33 +267,15 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
         }
     }
 
-    /// Which unknowns are directions, which a batch stores as cosine and sine.
-    fn directions(&self) -> M::Unknowns<bool> {
-        let poses = (0..self.count).map(|row| {
-            let motions = self.drive.motions(self.at(row));
-            self.mechanism.solve_motion(motions, self.assembly)
-        });
-        match poses.flatten().next() {
-            Some(pose) => {
-                let sines = pose.unknown_sines();
-                Row::from_fn(|unknown| sines[unknown].is_some())
-            }
-            None => Row::splat(false),
-        }
-    }
-
     /// Solves row after row. It returns whether every row closes.
     fn fill_by_steps(&self, table: &mut Table, progress: &mut dyn FnMut(f64)) -> bool {
         let count = table.count;
         let mut walk = Walk::BEGINNING;
         for row in 0..count {
             let at = self.at(row);
-            let motions = self.drive.motions(at);
-            let reached = walk.step(self, at, motions);
-            table.outcomes[row] = match &reached {
-                Ok(_) => Outcome::Solved,
-                Err(error) => Outcome::from(error),
-            };
+            let motions = self.motions(at);
+            let reached = walk.step(self, at, &motions);
+            table.outcomes[row] = outcome(&reached);
             let data = &mut table.data;
             self.write(at, &motions, reached.ok(), |column, value| {
                 data[column * count + row] = value;
@@ -271,46 +287,33 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
         table.outcomes.iter().all(Outcome::is_solved)
     }
 
-    /// Passes on the numbers of a row, each with its column. Without a pose, they are NaN.
-    pub(super) fn write(
-        &self,
-        at: f64,
-        motions: &InputMotions<M, f64>,
-        reached: Option<Reached<M>>,
-        mut put: impl FnMut(usize, f64),
-    ) {
-        let mut column = 0;
-        let mut put = |value: f64| {
-            put(column, value);
-            column += 1;
+    /// Passes on the numbers of a row of a table, each with its column. Without a pose, those of unknowns and outputs are NaN.
+    pub(super) fn write(&self, at: f64, motions: &[f64], reached: Option<&Footing>, mut put: impl FnMut(usize, f64)) {
+        let own = match self.drive.variable() {
+            Variable::Input(_) => 0,
+            Variable::Time | Variable::Row => 1,
         };
-        if !matches!(self.drive.variable(), Variable::Input(_)) {
-            put(at);
+        if own > 0 {
+            put(0, at);
         }
-        for motion in motions.as_ref() {
-            motion.as_ref().iter().copied().for_each(&mut put);
+        let given = reached.map_or(motions, |reached| &reached.numbers);
+        for (column, value) in given.iter().enumerate() {
+            put(own + column, *value);
         }
-        let orders = M::DESCRIPTION.order + 1;
-        let Some(reached) = reached else {
-            let results = M::DESCRIPTION.unknowns.len() + M::DESCRIPTION.outputs.len();
-            (0..results * orders).for_each(|_| put(f64::NAN));
-            return;
-        };
-        let Reached { pose, footing, .. } = reached;
-        let motions = pose.unknown_motions_near(Row::from_fn(|unknown| footing.unknowns[unknown]));
-        for (unknown, motion) in motions.as_ref().iter().enumerate() {
-            put(footing.unknowns[unknown]);
-            motion.as_ref().iter().skip(1).copied().for_each(&mut put);
-        }
-        for (output, motion) in pose.output_motions().as_ref().iter().enumerate() {
-            put(footing.outputs[output]);
-            motion.as_ref().iter().skip(1).copied().for_each(&mut put);
+        let results = self.description.unknowns.len() + self.description.outputs.len();
+        for column in given.len()..motions.len() + results * self.orders() {
+            put(own + column, f64::NAN);
         }
     }
 }
 
+/// The outcome of a row.
+pub(super) fn outcome<T>(result: &Result<T, SolveError>) -> Outcome {
+    result.as_ref().map_or_else(Outcome::from, |_| Outcome::Solved)
+}
+
 /// The columns of a table as the target of a batch.
-struct Places<'t> {
+pub(super) struct Places<'t> {
     orders: usize,
     unknowns: usize,
     /// For each unknown and then each output, its orders.

@@ -5,20 +5,22 @@
 //! predicts, by more than y' itself. On a smooth curve, the difference falls with the third power of the step. Steps that disagree are halved until
 //! they agree, or until a place that does not close is met.
 
+use alloc::vec;
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 use core::f64::consts::PI;
 
-use super::Course;
-use super::drive::{Drive, Variable};
+use super::course::AnyCourse;
+use super::drive::Variable;
 use super::table::Table;
+use crate::any::AssemblyOver;
 use crate::batch::{Kernel, Vectors};
-use crate::mechanism::{Block, Mechanism};
-use crate::number::{Number, Row, series::Series};
+use crate::mechanism::{Block, Description};
+use crate::number::{Number, NumberRow, series::Series};
 use crate::quantity::Dimension;
 
 /// A value with two derivatives.
-type Bend = Series<3>;
+pub(super) type Bend = Series<3>;
 
 /// The disagreement of a step, as a part of the slopes at its ends, from which on it is halved.
 const SUSPECT: f64 = 0.5;
@@ -30,33 +32,27 @@ const SHORTEST: f64 = 1e-9;
 const MOST: usize = 500;
 
 /// The pairs of rows that may have a gap between them, by the rows in front of it.
-pub(super) fn suspects<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M, D>, table: &Table) -> Vec<usize> {
+pub(super) fn suspects(course: &AnyCourse<'_>, table: &Table) -> Vec<usize> {
     let rows = 0..table.count.saturating_sub(1);
-    if rows.is_empty() || M::ASSEMBLY_COUNT == 0 {
+    if rows.is_empty() || !course.has_assemblies() {
         // coupled blocks are tracked from row to row
         return Vec::new();
     }
     if course.drive.variable() == Variable::Row {
         return rows
-            .filter(|row| closes(table, *row) && may_part::<M>(table, *row))
+            .filter(|row| closes(table, *row) && may_part(course.description, table, *row))
             .collect();
     }
-    let description = M::DESCRIPTION;
-    let orders = description.order + 1;
+    let (description, orders) = (course.description, course.orders());
     let time = match course.drive.variable() {
-        Variable::Input(lead) => {
-            1.0 / course.drive.motions(course.from).as_ref()[lead]
-                .as_ref()
-                .get(1)
-                .unwrap_or(&0.0)
-        }
+        Variable::Input(lead) if orders > 1 => 1.0 / course.motions(course.from)[lead * orders + 1],
         _ => 1.0,
     };
     if orders < 3 || !time.is_finite() {
         return rows.filter(|row| closes(table, *row)).collect();
     }
     let places = table.values(table.variable);
-    let first = table.first_unknown::<M>();
+    let first = table.first_unknown(description);
     let columns = |unknown: usize| {
         let column = first + unknown * orders;
         (table.values(column + 1), table.values(column + 2))
@@ -98,8 +94,7 @@ pub(super) fn suspects<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<
 ///
 /// The rates of the only input turn those of the unknowns into derivatives with respect to the input, unless the input stands still. All other
 /// pairs are solved again. An angle that moves by more than half a turn does not say in which direction.
-fn may_part<M: Mechanism<Scalar = f64>>(table: &Table, row: usize) -> bool {
-    let description = M::DESCRIPTION;
+fn may_part(description: &Description, table: &Table, row: usize) -> bool {
     let orders = description.order + 1;
     let pair = |quantity: usize, order: usize| {
         let column = table.values(1 + quantity * orders + order);
@@ -173,19 +168,18 @@ fn closes(table: &Table, row: usize) -> bool {
 }
 
 /// A place between two rows that does not close, if there is one.
-pub(super) fn open_place<M: Mechanism<Scalar = f64>, D: Drive<M>>(
-    course: &Course<M, D>,
+pub(super) fn open_place(
+    course: &AnyCourse<'_>,
+    bends: &dyn AssemblyOver<Bend>,
     [start, end]: [f64; 2],
 ) -> Option<f64> {
-    let inputs = |at: f64| {
-        let motions = course.drive.motions(at);
-        M::Inputs::<f64>::from_fn(|input| motions[input][0])
-    };
-    let (from, to) = (inputs(start), inputs(end));
+    let (from, to) = (course.inputs(start), course.inputs(end));
     let mut search = Search {
         course,
-        mechanism: course.mechanism.convert(Bend::constant),
-        slopes: Row::from_fn(|input| (to[input] - from[input]) / (end - start)),
+        bends,
+        assembly: course.assembly()?,
+        parameters: course.parameters.iter().copied().map(Bend::constant).collect(),
+        slopes: NumberRow::from_fn(from.len(), |input| (to[input] - from[input]) / (end - start)),
         shortest: SHORTEST * (end - start).abs(),
         budget: MOST,
     };
@@ -193,29 +187,36 @@ pub(super) fn open_place<M: Mechanism<Scalar = f64>, D: Drive<M>>(
     search.open(start, &left, end, &right)
 }
 
-struct Search<'c, M: Mechanism<Scalar = f64>, D> {
-    course: &'c Course<M, D>,
-    mechanism: M::With<Bend>,
+struct Search<'c> {
+    course: &'c AnyCourse<'c>,
+    bends: &'c dyn AssemblyOver<Bend>,
+    assembly: usize,
+    parameters: Vec<Bend>,
     /// The inputs' change for each unit of the variable.
-    slopes: M::Inputs<f64>,
+    slopes: NumberRow,
     shortest: f64,
     budget: usize,
 }
 
-type Bends<M> = <<M as Mechanism>::With<Bend> as Mechanism>::Unknowns<Bend>;
-
-impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Search<'_, M, D> {
+impl Search<'_> {
     /// The unknowns with their derivatives with respect to the variable, or nothing where the mechanism does not close.
-    fn bends(&mut self, at: f64) -> Option<Bends<M>> {
+    fn bends(&mut self, at: f64) -> Option<Vec<Bend>> {
         self.budget = self.budget.saturating_sub(1);
-        let motions = self.course.drive.motions(at);
-        let inputs = Row::from_fn(|input| Bend::from_coefficients([motions[input][0], self.slopes[input], 0.0]));
-        self.mechanism.solve_position(inputs, self.course.assembly).ok()
+        let values = self.course.inputs(at);
+        let moving = values.iter().zip(self.slopes.iter());
+        let inputs: Vec<Bend> = moving
+            .map(|(value, slope)| Bend::from_coefficients([*value, *slope, 0.0]))
+            .collect();
+        let mut unknowns = vec![Bend::constant(0.0); self.course.description.unknowns.len()];
+        let found = self
+            .bends
+            .position_of_assembly(&self.parameters, &inputs, self.assembly, &mut unknowns);
+        found.is_ok().then_some(unknowns)
     }
 
-    fn open(&mut self, start: f64, left: &Bends<M>, end: f64, right: &Bends<M>) -> Option<f64> {
+    fn open(&mut self, start: f64, left: &[Bend], end: f64, right: &[Bend]) -> Option<f64> {
         let step = end - start;
-        let is_suspect = left.as_ref().iter().zip(right.as_ref()).any(|(left, right)| {
+        let is_suspect = left.iter().zip(right).any(|(left, right)| {
             let [value, one, first] = left.derivatives();
             let [_, other, last] = right.derivatives();
             let disagreement = (other - one - 0.5 * step * (first + last)).abs();

@@ -1,14 +1,17 @@
 //! The places where a mechanism begins or ceases to close.
 
+use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
 
-use super::drive::{Drive, Variable};
-use super::{Course, Table, gaps};
-use crate::mechanism::Mechanism;
-use crate::number::Row;
+use super::course::AnyCourse;
+use super::drive::Variable;
+use super::gaps::{self, Bend};
+use super::table::Table;
+use crate::any::AssemblyOver;
+use crate::number::NumberRow;
 use crate::quantity::Digits;
-use crate::track::{TrackError, track};
+use crate::track::{TrackError, track_between};
 
 /// The kind of a limit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,103 +69,80 @@ impl fmt::Display for Limit {
 }
 
 /// The limit between a place that closes, with its unknowns, and one that does not.
-pub(crate) fn between<M: Mechanism<Scalar = f64>, D: Drive<M>>(
-    course: &Course<M, D>,
-    closed: f64,
-    unknowns: M::Unknowns<f64>,
-    open: f64,
-) -> Option<Limit> {
-    let inputs = |at: f64| {
-        let motions = course.drive.motions(at);
-        M::Inputs::from_fn(|input| motions[input][0])
+pub(crate) fn between(course: &AnyCourse<'_>, closed: f64, unknowns: &[f64], open: f64) -> Option<Limit> {
+    let (from, to) = (course.inputs(closed), course.inputs(open));
+    let error = track_between(course.mechanism, &course.parameters, &from, unknowns, &to).err()?;
+    let limit = |kind, block, place: &[f64], fraction, unknowns| Limit {
+        at: place_of(course, (closed, &from), (open, &to), place, fraction),
+        kind,
+        row: 0,
+        closes_before: closed < open,
+        block,
+        inputs: place.to_vec(),
+        unknowns,
+        variable: course.variable().name,
     };
-    let (from, to) = (inputs(closed), inputs(open));
-    let error = track(&course.mechanism, from, unknowns, to).err()?;
     let (kind, obstacle) = match error {
         TrackError::Limit(obstacle) => (LimitKind::TurningPoint, obstacle),
         TrackError::ChangePoint(obstacle) => (LimitKind::ChangePoint, obstacle),
         TrackError::Unbounded(obstacle) => (LimitKind::Pole, obstacle),
         TrackError::Failed(failure) => {
             // the first place beyond: found by the inputs that the error keeps
-            let mut place = to;
+            let mut place = to.clone();
             for (input, (_, value)) in failure.inputs.iter().enumerate() {
                 place[input] = value;
             }
-            return Some(Limit {
-                at: place_of(course, (closed, from), (open, to), place, None),
-                kind: LimitKind::End,
-                row: 0,
-                closes_before: closed < open,
-                block: failure.block,
-                inputs: place.as_ref().to_vec(),
-                unknowns: inside(course, from, unknowns, place).as_ref().to_vec(),
-                variable: course.drive.variable().quantity::<M>().name,
-            });
+            let unknowns = inside(course, &from, unknowns, &place);
+            return Some(limit(LimitKind::End, failure.block, &place, None, unknowns));
         }
         _ => return None,
     };
-    Some(Limit {
-        at: place_of(
-            course,
-            (closed, from),
-            (open, to),
-            obstacle.inputs,
-            Some(obstacle.fraction),
-        ),
+    let place = &obstacle.inputs;
+    Some(limit(
         kind,
-        row: 0,
-        closes_before: closed < open,
-        block: obstacle.block,
-        inputs: obstacle.inputs.as_ref().to_vec(),
-        unknowns: obstacle.unknowns.as_ref().to_vec(),
-        variable: course.drive.variable().quantity::<M>().name,
-    })
+        obstacle.block,
+        place,
+        Some(obstacle.fraction),
+        obstacle.unknowns,
+    ))
 }
 
 /// The distances from an end of a range at which the unknowns are sought, as parts of the way to it.
 const INSIDE: [f64; 3] = [1e-12, 1e-9, 1e-6];
 
 /// The unknowns as close to an end of a range as the mechanism closes, from a place that closes.
-fn inside<M: Mechanism<Scalar = f64>, D>(
-    course: &Course<M, D>,
-    from: M::Inputs<f64>,
-    unknowns: M::Unknowns<f64>,
-    end: M::Inputs<f64>,
-) -> M::Unknowns<f64> {
-    let at = |part: f64| M::Inputs::from_fn(|input| end[input] - part * (end[input] - from[input]));
-    let mut found = INSIDE
-        .iter()
-        .map(|part| track(&course.mechanism, from, unknowns, at(*part)));
-    found
-        .find_map(Result::ok)
-        .unwrap_or_else(|| M::Unknowns::splat(f64::NAN))
+fn inside(course: &AnyCourse<'_>, from: &[f64], unknowns: &[f64], end: &[f64]) -> Vec<f64> {
+    let at = |part: f64| NumberRow::from_fn(end.len(), |input| end[input] - part * (end[input] - from[input]));
+    let track = |part: &f64| {
+        let found = track_between(course.mechanism, &course.parameters, from, unknowns, &at(*part));
+        found.ok()
+    };
+    let found = INSIDE.iter().find_map(track);
+    found.unwrap_or_else(|| vec![f64::NAN; unknowns.len()])
 }
 
 /// The number of halvings after which neighbouring numbers are left.
 const HALVINGS: usize = 128;
 
 /// The value of the variable at which the inputs are at a place between two others.
-fn place_of<M: Mechanism<Scalar = f64>, D: Drive<M>>(
-    course: &Course<M, D>,
-    (closed, from): (f64, M::Inputs<f64>),
-    (open, to): (f64, M::Inputs<f64>),
-    place: M::Inputs<f64>,
+fn place_of(
+    course: &AnyCourse<'_>,
+    (closed, from): (f64, &[f64]),
+    (open, to): (f64, &[f64]),
+    place: &[f64],
     fraction: Option<f64>,
 ) -> f64 {
     match course.drive.variable() {
         Variable::Input(lead) => place[lead],
         Variable::Row => closed + fraction.unwrap_or(1.0) * (open - closed),
         Variable::Time => {
-            let moving = |input: &usize| from[*input] != to[*input];
-            let mut movers = (0..M::DESCRIPTION.inputs.len()).filter(moving);
+            let mut movers = (0..from.len()).filter(|input| from[*input] != to[*input]);
             let (only, more) = (movers.next(), movers.next());
             let is_before = |at: f64| {
-                let motions = course.drive.motions(at);
                 if let (Some(input), None) = (only, more) {
-                    return (motions[input][0] - from[input]).abs() < (place[input] - from[input]).abs();
+                    return (course.inputs(at)[input] - from[input]).abs() < (place[input] - from[input]).abs();
                 }
-                let inputs = M::Inputs::from_fn(|input| motions[input][0]);
-                course.mechanism.solve_position(inputs, course.assembly).is_ok()
+                course.closes(at)
             };
             let (mut low, mut high) = (closed, open);
             for _ in 0..HALVINGS {
@@ -182,8 +162,9 @@ fn place_of<M: Mechanism<Scalar = f64>, D: Drive<M>>(
 }
 
 /// Finds the limits between the rows of a table. `jumps` are the rows behind which an angle jumps.
-pub(super) fn find<M: Mechanism<Scalar = f64>, D: Drive<M>>(
-    course: &Course<M, D>,
+pub(super) fn find(
+    course: &AnyCourse<'_>,
+    bends: &dyn AssemblyOver<Bend>,
     table: &mut Table,
     is_closed: bool,
     jumps: &[usize],
@@ -196,10 +177,10 @@ pub(super) fn find<M: Mechanism<Scalar = f64>, D: Drive<M>>(
         return;
     }
     let mut suspects = suspects.into_iter().peekable();
-    let first = table.first_unknown::<M>();
-    let orders = M::DESCRIPTION.order + 1;
+    let (first, orders) = (table.first_unknown(course.description), course.orders());
+    let count = course.description.unknowns.len();
     let unknowns =
-        |table: &Table, row: usize| M::Unknowns::from_fn(|unknown| table.values(first + unknown * orders)[row]);
+        |table: &Table, row: usize| NumberRow::from_fn(count, |unknown| table.values(first + unknown * orders)[row]);
     for row in 0..table.count.saturating_sub(1) {
         let is_suspect = suspects.next_if_eq(&row).is_some();
         let places = table.values(table.variable);
@@ -207,7 +188,7 @@ pub(super) fn find<M: Mechanism<Scalar = f64>, D: Drive<M>>(
         let sides = match [row, row + 1].map(|row| table.outcomes[row].is_solved()) {
             [true, false] => [Some((row, end)), None],
             [false, true] => [None, Some((row + 1, start))],
-            [true, true] if is_suspect => match gaps::open_place(course, [start, end]) {
+            [true, true] if is_suspect => match gaps::open_place(course, bends, [start, end]) {
                 Some(open) => [Some((row, open)), Some((row + 1, open))],
                 // where branches cross or a length goes to infinity, both rows may close and nothing lies between them
                 None => [Some((row, end)), None],
@@ -216,7 +197,7 @@ pub(super) fn find<M: Mechanism<Scalar = f64>, D: Drive<M>>(
         };
         for (closed, open) in sides.into_iter().flatten() {
             let place = table.values(table.variable)[closed];
-            if let Some(mut limit) = between(course, place, unknowns(table, closed), open) {
+            if let Some(mut limit) = between(course, place, &unknowns(table, closed), open) {
                 limit.row = row;
                 limit.closes_before = closed == row;
                 table.limits.push(limit);

@@ -43,12 +43,16 @@ mod adaptive;
 #[cfg(feature = "alloc")]
 mod columns;
 #[cfg(feature = "alloc")]
+mod course;
+#[cfg(feature = "alloc")]
 mod display;
 mod drive;
 #[cfg(feature = "alloc")]
 mod error;
 #[cfg(feature = "alloc")]
 mod fill;
+#[cfg(feature = "alloc")]
+mod footing;
 #[cfg(feature = "alloc")]
 mod gaps;
 #[doc(hidden)]
@@ -57,6 +61,7 @@ pub mod guessed;
 mod limits;
 #[cfg(feature = "alloc")]
 mod names;
+#[cfg(feature = "alloc")]
 mod rows;
 #[cfg(test)]
 pub(crate) mod samples;
@@ -68,10 +73,13 @@ mod table;
 mod tests;
 #[cfg(feature = "alloc")]
 mod unwrap;
+#[cfg(feature = "alloc")]
 mod walk;
 
 #[cfg(feature = "alloc")]
 pub use columns::{ColumnOf, Label, Unit};
+#[cfg(feature = "alloc")]
+pub(crate) use course::{AnyCourse, AnySmoothDrive, joints};
 pub use drive::{
     Along, ByFormula, Drive, InputMotions, Instant, Laws, Local, OverTime, SmoothDrive, StraightLine, Variable,
 };
@@ -80,18 +88,21 @@ pub(crate) use drive::{READ, TERMS, by_time};
 #[cfg(feature = "alloc")]
 pub use error::SweepError;
 #[cfg(feature = "alloc")]
+pub(crate) use footing::Footing;
+#[cfg(feature = "alloc")]
 pub(crate) use limits::between as limit_between;
 #[cfg(feature = "alloc")]
 pub use limits::{Limit, LimitKind};
 #[cfg(feature = "alloc")]
 pub use names::NoSuchColumn;
+#[cfg(feature = "alloc")]
 pub use rows::Rows;
 #[cfg(feature = "alloc")]
 pub(crate) use smooth::composed;
 #[cfg(feature = "alloc")]
 pub use table::{RowOf, Table};
 #[cfg(feature = "alloc")]
-pub(crate) use walk::{Footing, OutputsOf, Reached, Walk};
+pub(crate) use walk::Walk;
 
 use crate::batch::Column;
 use crate::law::Piecewise;
@@ -125,6 +136,7 @@ pub struct Assembled<M: Mechanism<Scalar = f64>> {
 /// A sweep: a mechanism in an assembly, whose inputs move.
 #[derive(Clone, Copy, Debug)]
 #[must_use = "read its `rows` or its `table`"]
+#[cfg_attr(not(feature = "alloc"), expect(dead_code, reason = "poses need memory"))]
 pub struct Course<M: Mechanism<Scalar = f64>, D> {
     pub(crate) mechanism: M,
     pub(crate) assembly: M::Assembly,
@@ -290,25 +302,32 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
     }
 
     /// The value of the variable in a row.
-    #[expect(clippy::cast_precision_loss, reason = "a table has far fewer rows than 2⁵³")]
     #[must_use]
     pub fn at(&self, row: usize) -> f64 {
-        if row == 0 {
-            self.from
-        } else if row + 1 >= self.count {
-            self.to
-        } else {
-            self.from + (self.to - self.from) * (row as f64 / (self.count - 1) as f64)
-        }
+        row_at([self.from, self.to], self.count, row)
     }
 
-    /// The poses, one after the other. Nothing is allocated.
+    /// The poses, one after the other.
     ///
     /// A row that does not close is an error with its margin. Where a coupled block does not close, the margin is the distance of the
     /// inputs to the end of their circuit. Where the way to a row was too long to be tracked, the error is
     /// [`NotConverged`](crate::Failure::NotConverged), which has no margin, and whose condition is NaN.
+    #[cfg(feature = "alloc")]
+    #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
     #[must_use]
     pub fn rows(&self) -> Rows<'_, M, D> {
         Rows::new(self)
+    }
+}
+
+/// The value of the variable in a row of a sweep.
+#[expect(clippy::cast_precision_loss, reason = "a table has far fewer rows than 2⁵³")]
+fn row_at([from, to]: [f64; 2], count: usize, row: usize) -> f64 {
+    if row == 0 {
+        from
+    } else if row + 1 >= count {
+        to
+    } else {
+        from + (to - from) * (row as f64 / (count - 1) as f64)
     }
 }

@@ -1,23 +1,33 @@
 //! A sweep as an iterator of poses.
 
+use alloc::vec::Vec;
+use core::mem::take;
+
+use super::course::AnyCourse;
 use super::walk::Walk;
 use super::{Course, Drive};
+use crate::any::row;
 use crate::failure::SolveError;
-use crate::mechanism::Mechanism;
+use crate::mechanism::{Mechanism, Pose};
 
 /// The poses of a sweep, one after the other, as [`Course::rows`] returns them.
 #[derive(Clone)]
 pub struct Rows<'s, M: Mechanism<Scalar = f64>, D> {
-    course: &'s Course<M, D>,
-    walk: Walk<M>,
+    typed: &'s Course<M, D>,
+    course: AnyCourse<'s>,
+    walk: Walk,
+    /// The motions of the inputs in the row, whose memory is used again.
+    given: Vec<f64>,
     next: usize,
 }
 
 impl<'s, M: Mechanism<Scalar = f64>, D: Drive<M>> Rows<'s, M, D> {
-    pub(super) fn new(course: &'s Course<M, D>) -> Self {
+    pub(super) fn new(typed: &'s Course<M, D>) -> Self {
         Self {
-            course,
+            typed,
+            course: typed.any(),
             walk: Walk::BEGINNING,
+            given: Vec::new(),
             next: 0,
         }
     }
@@ -27,18 +37,47 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Iterator for Rows<'_, M, D> {
     type Item = Result<M::Pose, SolveError>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        let course = self.course;
-        if self.next >= course.count {
+        let (typed, course, walk) = (self.typed, &self.course, &mut self.walk);
+        if self.next >= typed.count {
             return None;
         }
-        let at = course.at(self.next);
+        let at = typed.at(self.next);
         self.next += 1;
-        let reached = self.walk.step(course, at, course.drive.motions(at));
-        Some(reached.map(|reached| reached.pose))
+        let motions = typed.drive.motions(at);
+        self.given.clear();
+        for motion in motions.as_ref() {
+            self.given.extend_from_slice(motion.as_ref());
+        }
+        // The walk tells which position it is. As a rule it is that of the assembly, whose pose the walk then needs not solve again.
+        let mut known = None;
+        if course.has_assemblies() || walk.last.is_none() {
+            known = typed.mechanism.solve_motion(motions, typed.assembly).ok();
+        }
+        walk.known = known.map(|pose| {
+            let mut numbers = take(&mut walk.spare);
+            numbers.clear();
+            numbers.extend_from_slice(&self.given);
+            for motion in pose.unknown_motions().as_ref() {
+                numbers.extend_from_slice(motion.as_ref());
+            }
+            for motion in pose.output_motions().as_ref() {
+                numbers.extend_from_slice(motion.as_ref());
+            }
+            (at, numbers)
+        });
+        let near = match walk.step(course, at, &self.given) {
+            Ok(footing) => footing.near.as_deref(),
+            Err(error) => return Some(Err(error)),
+        };
+        Some(match (near, known) {
+            (None, Some(pose)) => Ok(pose),
+            (None, None) => typed.mechanism.solve_motion(motions, typed.assembly),
+            (Some(near), _) => typed.mechanism.solve_motion_near(motions, row(near)),
+        })
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
-        let rest = self.course.count - self.next;
+        let rest = self.typed.count - self.next;
         (rest, Some(rest))
     }
 }

@@ -7,7 +7,7 @@ use super::columns::{ColumnOf, Label, Unit};
 use super::limits::Limit;
 use super::names::NoSuchColumn;
 use crate::batch::Outcome;
-use crate::mechanism::Mechanism;
+use crate::mechanism::Description;
 use crate::quantity::Dimension;
 
 /// The poses of a sweep as named columns of numbers.
@@ -186,9 +186,13 @@ impl Table {
     }
 
     /// The column of the first unknown: columns follow in the order of inputs and unknowns, each in all orders.
-    pub(super) fn first_unknown<M: Mechanism>(&self) -> usize {
-        let variables = self.labels.iter().take_while(|label| label.is_variable).count();
-        variables + M::DESCRIPTION.inputs.len() * (M::DESCRIPTION.order + 1)
+    pub(super) fn first_unknown(&self, description: &Description) -> usize {
+        self.first_input() + description.inputs.len() * (description.order + 1)
+    }
+
+    /// The column of the first input, behind that of the variable if it is none.
+    pub(super) fn first_input(&self) -> usize {
+        self.labels.iter().take_while(|label| label.is_variable).count()
     }
 
     pub(super) fn find(&self, name: &str) -> Result<usize, NoSuchColumn> {

@@ -8,54 +8,59 @@ use core::f64::consts::TAU;
 
 use num_traits::Float;
 
-use super::Course;
-use super::drive::Drive;
+use super::course::{AnyCourse, angles};
+use super::footing::{Footing, LONGEST, LONGEST_PREDICTION, PREDICTION, WITHOUT_RATES};
 use super::table::Table;
-use super::walk::{Footing, LONGEST, LONGEST_PREDICTION, PREDICTION, WITHOUT_RATES, Walk, angles};
+use super::walk::Walk;
 use crate::batch::{Kernel, Vectors};
-use crate::mechanism::Mechanism;
-use crate::number::Row;
+use crate::mechanism::Description;
+use crate::number::NumberRow;
 use crate::quantity::Quantity;
 
 /// The difference of a number between two turns of an angle from which on it depends on the turn, as a part of its size.
 const DEPENDENCE: f64 = 1e-9;
 
 /// Unwraps all angles of a table, and writes again what depends on them. It returns the rows behind which an angle jumps.
-pub(super) fn unwrap<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M, D>, table: &mut Table) -> Vec<usize> {
-    let columns = AngleColumns::of::<M>(table);
-    let time = 1.0 / course.drive.rate();
-    if columns.are_continuous::<M>(table, time) {
+pub(super) fn unwrap(course: &AnyCourse<'_>, table: &mut Table) -> Vec<usize> {
+    let columns = AngleColumns {
+        description: course.description,
+        first_input: table.first_input(),
+        first_unknown: table.first_unknown(course.description),
+        orders: course.orders(),
+        time: 1.0 / course.drive.rate(),
+    };
+    if columns.are_continuous(table) {
         return Vec::new();
     }
     let mut jumps = Vec::new();
-    let mut last: Option<Footing<M>> = None;
+    let mut last: Option<Footing> = None;
     let mut open = None;
-    let mut turned = Turned::<M>(Vec::new());
+    let mut turned = Turned(Vec::new());
     for row in 0..table.count {
         if !table.outcomes[row].is_solved() {
             open = Some(table.values(table.variable)[row]);
             continue;
         }
-        let solved = columns.footing::<M>(table, row, time);
-        let mut footing = solved;
-        if let Some(from) = &last {
-            footing.unwrap(from);
-        }
-        let follows = open.is_none() && last.is_none_or(|from| footing.follows(&from));
+        let solved = columns.footing(table, row);
+        let mut footing = solved.clone();
+        let follows = last.as_ref().is_none_or(|from| footing.unwrap(from)) && open.is_none();
         if !follows || turned.depends(&solved, &footing) != Some(false) {
-            let mut walk = Walk { last, open, gap: None };
-            let motions = course.drive.motions(solved.at);
-            if let Ok(reached) = walk.step(course, solved.at, motions) {
-                footing = reached.footing;
+            let mut walk = Walk {
+                last,
+                open,
+                ..Walk::BEGINNING
+            };
+            if let Ok(reached) = walk.step(course, solved.at, &course.motions(solved.at)) {
                 if reached.has_jumped && table.outcomes[row - 1].is_solved() {
                     jumps.push(row - 1);
                 }
-                if turned.sees(&solved, &footing) {
-                    let (count, data) = (table.count, &mut table.data);
-                    course.write(solved.at, &motions, Some(reached), |column, value| {
-                        data[column * count + row] = value;
-                    });
+                if turned.sees(&solved, reached) {
+                    let numbers = table.data.chunks_exact_mut(table.count).skip(columns.first_input);
+                    for (column, value) in numbers.zip(&reached.numbers) {
+                        column[row] = *value;
+                    }
                 }
+                footing = reached.clone();
             }
         }
         columns.write(table, row, &footing);
@@ -66,25 +71,25 @@ pub(super) fn unwrap<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M,
 
 /// The turns of the unknowns by which rows have been moved, and whether other numbers of a pose depend on them: the position of a rack
 /// does, that of a coupler point does not.
-struct Turned<M: Mechanism>(Vec<(M::Unknowns<f64>, bool)>);
+struct Turned(Vec<(NumberRow, bool)>);
 
-impl<M: Mechanism> Turned<M> {
-    fn turns(solved: &Footing<M>, unwrapped: &Footing<M>) -> M::Unknowns<f64> {
-        Row::from_fn(|unknown| Float::round((unwrapped.unknowns[unknown] - solved.unknowns[unknown]) / TAU))
+impl Turned {
+    fn turns(solved: &Footing, unwrapped: &Footing) -> NumberRow {
+        let (from, to) = (solved.unknowns(), unwrapped.unknowns());
+        NumberRow::from_fn(to.len(), |unknown| Float::round((to[unknown] - from[unknown]) / TAU))
     }
 
     /// Whether other numbers depend on the turns of a row, if it is known.
-    fn depends(&self, solved: &Footing<M>, unwrapped: &Footing<M>) -> Option<bool> {
+    fn depends(&self, solved: &Footing, unwrapped: &Footing) -> Option<bool> {
         let turns = Self::turns(solved, unwrapped);
-        if angles(M::DESCRIPTION.unknowns).all(|unknown| turns[unknown] == 0.0) {
+        if angles(solved.description.unknowns).all(|unknown| turns[unknown] == 0.0) {
             return Some(false);
         }
-        let is_same = |known: &&(M::Unknowns<f64>, bool)| known.0.as_ref() == turns.as_ref();
-        self.0.iter().find(is_same).map(|known| known.1)
+        self.0.iter().find(|known| *known.0 == *turns).map(|known| known.1)
     }
 
     /// Compares a row with the pose on the turns that its angles have reached.
-    fn sees(&mut self, solved: &Footing<M>, reached: &Footing<M>) -> bool {
+    fn sees(&mut self, solved: &Footing, reached: &Footing) -> bool {
         let is_whole = |quantities: &[Quantity], one: &[f64], other: &[f64]| {
             let is_angle = |index: usize| angles(quantities).any(|angle| angle == index);
             one.iter().zip(other).enumerate().all(|(index, (one, other))| {
@@ -97,12 +102,9 @@ impl<M: Mechanism> Turned<M> {
                 difference <= DEPENDENCE * size
             })
         };
-        let description = M::DESCRIPTION;
-        let depends = !is_whole(
-            description.unknowns,
-            solved.unknowns.as_ref(),
-            reached.unknowns.as_ref(),
-        ) || !is_whole(description.outputs, solved.outputs.as_ref(), reached.outputs.as_ref());
+        let description = solved.description;
+        let depends = !is_whole(description.unknowns, &solved.unknowns(), &reached.unknowns())
+            || !is_whole(description.outputs, &solved.outputs(), &reached.outputs());
         if self.depends(solved, reached).is_none() {
             self.0.push((Self::turns(solved, reached), depends));
         }
@@ -112,83 +114,68 @@ impl<M: Mechanism> Turned<M> {
 
 /// The columns of a table that hold inputs, unknowns and outputs.
 struct AngleColumns {
+    description: &'static Description,
     first_input: usize,
     first_unknown: usize,
-    first_output: usize,
     orders: usize,
+    /// The time for each unit of the variable.
+    time: f64,
 }
 
 impl AngleColumns {
-    fn of<M: Mechanism>(table: &Table) -> Self {
-        let orders = M::DESCRIPTION.order + 1;
-        let first_unknown = table.first_unknown::<M>();
-        Self {
-            first_input: first_unknown - M::DESCRIPTION.inputs.len() * orders,
-            first_unknown,
-            first_output: first_unknown + M::DESCRIPTION.unknowns.len() * orders,
-            orders,
-        }
+    /// The columns of the values of all unknowns and outputs that are angles.
+    fn results(&self) -> impl Iterator<Item = usize> + use<> {
+        let Description { unknowns, outputs, .. } = self.description;
+        let (first, orders) = (self.first_unknown, self.orders);
+        let outputs = angles(outputs).map(|output| unknowns.len() + output);
+        angles(unknowns).chain(outputs).map(move |index| first + index * orders)
     }
 
     /// Whether the rates predict every angle in every row, so that no turn is missing.
-    fn are_continuous<M: Mechanism>(&self, table: &Table, time: f64) -> bool {
-        let description = M::DESCRIPTION;
+    fn are_continuous(&self, table: &Table) -> bool {
         let places = table.values(table.variable);
-        let inputs_are_close = angles(description.inputs).all(|input| {
+        let inputs_are_close = angles(self.description.inputs).all(|input| {
             let values = table.values(self.first_input + input * self.orders);
             Vectors::widest().run(MovesBy { values, most: LONGEST })
         });
-        let unknowns = angles(description.unknowns).map(|index| self.first_unknown + index * self.orders);
-        let outputs = angles(description.outputs).map(|index| self.first_output + index * self.orders);
         let is_predicted = |column: usize| {
             let values = table.values(column);
-            if self.orders > 1 && time.is_finite() {
+            if self.orders > 1 && self.time.is_finite() {
                 let rates = table.values(column + 1);
                 return Vectors::widest().run(IsPredicted {
                     places,
                     values,
                     rates,
-                    time,
+                    time: self.time,
                 });
             }
             let most = WITHOUT_RATES;
             Vectors::widest().run(MovesBy { values, most })
         };
-        inputs_are_close && unknowns.chain(outputs).all(is_predicted)
+        inputs_are_close && self.results().all(is_predicted)
     }
 
-    /// The numbers of a row.
-    fn footing<M: Mechanism<Scalar = f64>>(&self, table: &Table, row: usize, time: f64) -> Footing<M> {
-        let number = |column: usize| table.data[column * table.count + row];
-        let rate = |column: usize| {
-            if self.orders > 1 {
-                number(column + 1) * time
-            } else {
-                f64::NAN
-            }
-        };
-        let (unknown, output) = (
-            |index: usize| self.first_unknown + index * self.orders,
-            |index: usize| self.first_output + index * self.orders,
-        );
+    /// The values and rates of a row.
+    fn footing(&self, table: &Table, row: usize) -> Footing {
+        let columns = table.data.chunks_exact(table.count).skip(self.first_input);
+        let values_and_rates = columns.enumerate().filter(|(index, _)| index % self.orders < 2);
         Footing {
-            at: number(table.variable),
-            inputs: Row::from_fn(|index| number(self.first_input + index * self.orders)),
-            unknowns: Row::from_fn(|index| number(unknown(index))),
-            unknown_rates: Row::from_fn(|index| rate(unknown(index))),
-            outputs: Row::from_fn(|index| number(output(index))),
-            output_rates: Row::from_fn(|index| rate(output(index))),
+            at: table.values(table.variable)[row],
+            numbers: values_and_rates.map(|(_, column)| column[row]).collect(),
+            orders: self.orders.min(2),
+            time: self.time,
+            description: self.description,
+            near: None,
+            has_jumped: false,
         }
     }
 
     /// Writes the angles of a row.
-    fn write<M: Mechanism<Scalar = f64>>(&self, table: &mut Table, row: usize, footing: &Footing<M>) {
+    fn write(&self, table: &mut Table, row: usize, footing: &Footing) {
         let count = table.count;
-        for index in angles(M::DESCRIPTION.unknowns) {
-            table.data[(self.first_unknown + index * self.orders) * count + row] = footing.unknowns[index];
-        }
-        for index in angles(M::DESCRIPTION.outputs) {
-            table.data[(self.first_output + index * self.orders) * count + row] = footing.outputs[index];
+        for column in self.results() {
+            let index = (column - self.first_input) / self.orders;
+            table.data[column * count + row] = footing.motion(index)[0];
         }
     }
 }

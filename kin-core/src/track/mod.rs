@@ -16,6 +16,8 @@ mod way;
 pub use obstacle::{Halt, Obstacle, TrackError};
 pub use steps::MOST_TRACK_STEPS;
 pub use tracked::Tracked;
+#[cfg(feature = "alloc")]
+pub(crate) use tracked::track_between;
 
 use follow::TrackPlace;
 

@@ -54,7 +54,7 @@ pub(super) fn header(text: &Text<'_>) -> String {
             "dimensions" => "The dimensions.",
             "inputs" => "The inputs and their time derivatives.",
             "near" => {
-                "Values near the unknowns, from which Newton's method starts: those of the pose before, or of a drawing. They choose \
+                "NumberRow near the unknowns, from which Newton's method starts: those of the pose before, or of a drawing. They choose \
                  the assembly and the turns of angles."
             }
             _ => "The assembly of each block that can be assembled in two ways: 1 for open, -1 for crossed.",

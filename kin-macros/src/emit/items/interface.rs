@@ -86,6 +86,13 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
     } else {
         quote!(self.assembly_at(#(#places,)* #near))
     };
+    let values_near = is_coupled.then(|| {
+        quote! {
+            fn values_near(#wanted: Self::Assembly) -> ::core::option::Option<[::core::primitive::f64; #unknown_count]> {
+                ::core::option::Option::Some(#wanted.0)
+            }
+        }
+    });
     let description = description(mechanism);
     let formulas = super::formulas::constant(mechanism);
     let unknown_motions = model.unknowns.iter().enumerate().map(|(index, unknown)| {
@@ -169,6 +176,8 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
             fn assembly_near(&self, #inputs: [T; #input_count], #near: [T; #unknown_count]) -> Self::Assembly {
                 #assembly_near
             }
+
+            #values_near
 
             fn from_parameters(#parameters: [T; #parameter_count]) -> Self {
                 Self { #(#from_array),* }

@@ -1,0 +1,288 @@
+//! A sweep without the type of its mechanism and without that of its drive.
+//!
+//! The walk from pose to pose, and all that stands on it, is compiled once, in this crate.
+
+use alloc::vec::Vec;
+
+use super::columns::labels;
+use super::drive::{Drive, SmoothDrive, Variable};
+use super::table::Table;
+use super::{Course, SweepError, row_at};
+use crate::any::{MotionOver, Of, PositionChoice, index_of, write};
+use crate::failure::SolveError;
+use crate::law::Side;
+use crate::mechanism::{Description, Mechanism};
+use crate::number::NumberRow;
+use crate::quantity::{Dimension, Quantity};
+use crate::track::Tracked;
+
+/// The halvings that find the edge of a gap. Angles there differ from those at the limit by some 10⁻⁵.
+const EDGE: usize = 32;
+
+/// What a sweep needs of its mechanism.
+pub(crate) trait SweptMechanism: Tracked + MotionOver<f64> {}
+
+impl<M: Mechanism<Scalar = f64>> SweptMechanism for Of<M> {}
+
+/// The motion of the inputs over the variable of a sweep, on slices: see [`Drive`].
+pub(crate) trait AnyDrive {
+    fn variable(&self) -> Variable;
+
+    /// Writes the motions of the inputs, one after the other, each with all its orders.
+    fn motions(&self, at: f64, motions: &mut [f64]);
+
+    /// Writes the values of the inputs.
+    fn inputs(&self, at: f64, inputs: &mut [f64]);
+
+    fn same(&self, input: usize, order: usize) -> Option<f64>;
+
+    fn rate(&self) -> f64;
+
+    fn check(&self, range: [f64; 2], rows: usize) -> Result<(), SweepError>;
+}
+
+/// A drive that is known with its derivatives to any order, on slices: see [`SmoothDrive`].
+pub(crate) trait AnySmoothDrive: AnyDrive {
+    /// Writes the inputs with their derivatives, one after the other, each with as many orders as are read.
+    fn derivatives(&self, at: f64, side: Side, derivatives: &mut [f64]);
+
+    fn next_joint(&self, after: f64) -> Option<f64>;
+
+    fn time_per_variable(&self) -> f64;
+
+    fn way_per_variable(&self, at: f64) -> f64;
+}
+
+impl<M: Mechanism<Scalar = f64>, D: Drive<M>> AnyDrive for Course<M, D> {
+    fn variable(&self) -> Variable {
+        self.drive.variable()
+    }
+
+    fn motions(&self, at: f64, motions: &mut [f64]) {
+        write(self.drive.motions(at).as_ref(), motions);
+    }
+
+    fn inputs(&self, at: f64, inputs: &mut [f64]) {
+        let motions = self.drive.motions(at);
+        for (input, motion) in inputs.iter_mut().zip(motions.as_ref()) {
+            *input = motion[0];
+        }
+    }
+
+    fn same(&self, input: usize, order: usize) -> Option<f64> {
+        self.drive.same(input, order)
+    }
+
+    fn rate(&self) -> f64 {
+        self.drive.rate()
+    }
+
+    fn check(&self, range: [f64; 2], rows: usize) -> Result<(), SweepError> {
+        self.drive.check(range, rows)
+    }
+}
+
+impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> AnySmoothDrive for Course<M, D> {
+    fn derivatives(&self, at: f64, side: Side, derivatives: &mut [f64]) {
+        write(self.drive.derivatives(at, side).as_ref(), derivatives);
+    }
+
+    fn next_joint(&self, after: f64) -> Option<f64> {
+        self.drive.next_joint(after)
+    }
+
+    fn time_per_variable(&self) -> f64 {
+        self.drive.time_per_variable()
+    }
+
+    fn way_per_variable(&self, at: f64) -> f64 {
+        self.drive.way_per_variable(at)
+    }
+}
+
+/// The joints of laws between two places, in the order from the first to the second.
+pub(crate) fn joints(drive: &dyn AnySmoothDrive, ends: [f64; 2]) -> Vec<f64> {
+    let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+    let next = |after: f64| drive.next_joint(after).filter(|joint| *joint < high);
+    let mut joints: Vec<f64> = core::iter::successors(next(low), |joint| next(*joint)).collect();
+    if ends[0] > ends[1] {
+        joints.reverse();
+    }
+    joints
+}
+
+/// The assembly of a sweep.
+#[derive(Clone)]
+enum InAssembly {
+    /// By its index.
+    Index(usize),
+    /// The one at which coupled blocks arrive from these values of the unknowns.
+    Near(NumberRow),
+}
+
+/// A sweep without types.
+#[derive(Clone)]
+pub(crate) struct AnyCourse<'c> {
+    pub(crate) mechanism: &'static dyn SweptMechanism,
+    pub(crate) description: &'static Description,
+    pub(crate) parameters: NumberRow,
+    assembly: InAssembly,
+    pub(crate) drive: &'c dyn AnyDrive,
+    pub(crate) from: f64,
+    pub(crate) to: f64,
+    pub(crate) count: usize,
+}
+
+impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
+    /// This sweep without types.
+    pub(crate) fn any(&self) -> AnyCourse<'_> {
+        let near = || M::values_near(self.assembly).map_or(NumberRow::splat(0, 0.0), |near| near.as_ref().into());
+        AnyCourse {
+            mechanism: Of::<M>::FUNCTIONS,
+            description: const { &M::DESCRIPTION },
+            parameters: self.mechanism.parameters().as_ref().into(),
+            assembly: index_of::<M>(self.assembly).map_or_else(|| InAssembly::Near(near()), InAssembly::Index),
+            drive: self,
+            from: self.from,
+            to: self.to,
+            count: self.count,
+        }
+    }
+}
+
+impl AnyCourse<'_> {
+    /// The number of orders of a motion, that of the value included.
+    pub(crate) fn orders(&self) -> usize {
+        self.description.order + 1
+    }
+
+    /// The value of the variable in a row.
+    pub(crate) fn at(&self, row: usize) -> f64 {
+        row_at([self.from, self.to], self.count, row)
+    }
+
+    /// The motions of the inputs, one after the other.
+    pub(crate) fn motions(&self, at: f64) -> NumberRow {
+        let mut motions = NumberRow::splat(self.description.inputs.len() * self.orders(), 0.0);
+        self.drive.motions(at, &mut motions);
+        motions
+    }
+
+    /// The values of the inputs.
+    pub(crate) fn inputs(&self, at: f64) -> NumberRow {
+        let mut inputs = NumberRow::splat(self.description.inputs.len(), 0.0);
+        self.drive.inputs(at, &mut inputs);
+        inputs
+    }
+
+    /// The values in the motions of the inputs.
+    pub(super) fn values(&self, motions: &[f64]) -> NumberRow {
+        let orders = self.orders();
+        NumberRow::from_fn(self.description.inputs.len(), |input| motions[input * orders])
+    }
+
+    /// The index of the assembly, unless it depends on the dimensions.
+    pub(crate) fn assembly(&self) -> Option<usize> {
+        match self.assembly {
+            InAssembly::Index(index) => Some(index),
+            InAssembly::Near(_) => None,
+        }
+    }
+
+    /// Whether every block has a closed form, so that each row finds the assembly by itself.
+    pub(crate) fn has_assemblies(&self) -> bool {
+        self.assembly().is_some()
+    }
+
+    fn choice(&self) -> PositionChoice<'_, f64> {
+        match &self.assembly {
+            InAssembly::Index(index) => PositionChoice::Assembly(*index),
+            InAssembly::Near(near) => PositionChoice::Near(near),
+        }
+    }
+
+    /// The motions of inputs, unknowns and outputs at given motions of the inputs, in the assembly of the sweep. `numbers` is memory to use
+    /// again.
+    pub(super) fn solved(&self, motions: &[f64], numbers: Vec<f64>) -> Result<Vec<f64>, SolveError> {
+        self.solve(motions, self.choice(), numbers)
+    }
+
+    /// [`solved`](Self::solved), in the position that is closest to values of the unknowns.
+    pub(super) fn solved_near(&self, motions: &[f64], near: &[f64], numbers: Vec<f64>) -> Result<Vec<f64>, SolveError> {
+        self.solve(motions, PositionChoice::Near(near), numbers)
+    }
+
+    fn solve(
+        &self,
+        motions: &[f64],
+        choice: PositionChoice<'_, f64>,
+        mut numbers: Vec<f64>,
+    ) -> Result<Vec<f64>, SolveError> {
+        let Description { unknowns, outputs, .. } = self.description;
+        let results = (unknowns.len() + outputs.len()) * self.orders();
+        numbers.resize(motions.len() + results, 0.0);
+        let (inputs, results) = numbers.split_at_mut(motions.len());
+        inputs.copy_from_slice(motions);
+        let (unknowns, outputs) = results.split_at_mut(unknowns.len() * self.orders());
+        self.mechanism
+            .motion(&self.parameters, motions, choice, unknowns, outputs)?;
+        Ok(numbers)
+    }
+
+    /// Whether the mechanism closes at a place.
+    pub(super) fn closes(&self, at: f64) -> bool {
+        let mut unknowns = NumberRow::splat(self.description.unknowns.len(), 0.0);
+        let found = self
+            .mechanism
+            .position(&self.parameters, &self.inputs(at), self.choice(), &mut unknowns);
+        found.is_ok()
+    }
+
+    /// The last place at which the mechanism closes, from one that closes to one that does not.
+    pub(crate) fn edge(&self, mut closed: f64, mut open: f64) -> f64 {
+        for _ in 0..EDGE {
+            let middle = f64::midpoint(closed, open);
+            if self.closes(middle) {
+                closed = middle;
+            } else {
+                open = middle;
+            }
+        }
+        closed
+    }
+
+    /// Whether the inputs can move so.
+    pub(crate) fn check(&self) -> Result<(), SweepError> {
+        if self.count == 0 {
+            return Err(SweepError::NoRows);
+        }
+        for (quantity, value) in [("start", self.from), ("end", self.to)] {
+            if !value.is_finite() {
+                return Err(SweepError::NotFinite { quantity, value });
+            }
+        }
+        self.drive
+            .check([self.from.min(self.to), self.from.max(self.to)], self.count)
+    }
+
+    /// A table of zeros.
+    pub(super) fn empty(&self, count: usize) -> Table {
+        let variable = self.drive.variable();
+        let column = match variable {
+            Variable::Input(input) => input * self.orders(),
+            _ => 0,
+        };
+        Table::new(labels(self.description, variable).collect(), count, column)
+    }
+
+    /// The name and the dimension of the variable.
+    pub(crate) fn variable(&self) -> Quantity {
+        self.drive.variable().of(self.description)
+    }
+}
+
+/// The indices of the quantities that are angles.
+pub(super) fn angles(quantities: &[Quantity]) -> impl Iterator<Item = usize> + '_ {
+    let is_angle = |(index, quantity): (usize, &Quantity)| (quantity.dimension == Dimension::Angle).then_some(index);
+    quantities.iter().enumerate().filter_map(is_angle)
+}
