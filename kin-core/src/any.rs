@@ -6,6 +6,23 @@
 //!
 //! All slices have the lengths that the [`Description`] tells. Parameters are an argument, so that an answer can change dimensions, or
 //! give them derivatives.
+//!
+//! ```
+//! use kin_core::any::{AnyMechanism, Of, PositionChoice};
+//! use kin_core::library::{FourBar, SliderCrank};
+//!
+//! /// The unknowns of the first assembly.
+//! fn first(mechanism: &dyn AnyMechanism, parameters: &[f64], inputs: &[f64]) -> Result<Vec<f64>, kin_core::SolveError> {
+//!     let mut unknowns = vec![0.0; mechanism.description().unknowns.len()];
+//!     mechanism.position(parameters, inputs, PositionChoice::Assembly(0), &mut unknowns)?;
+//!     Ok(unknowns)
+//! }
+//!
+//! let angles = first(Of::<FourBar>::FUNCTIONS, &[90.0, 30.0, 60.0, 45.0], &[1.0])?;
+//! let slide = first(Of::<SliderCrank>::FUNCTIONS, &[0.1, 0.3], &[0.0])?;
+//! assert_eq!((angles.len(), slide[1]), (2, 0.4));
+//! # Ok::<(), kin_core::SolveError>(())
+//! ```
 
 use core::marker::PhantomData;
 

@@ -113,7 +113,7 @@ pub(crate) fn joints(drive: &dyn AnySmoothDrive, ends: [f64; 2]) -> Vec<f64> {
 
 /// The assembly of a sweep.
 #[derive(Clone)]
-enum InAssembly {
+enum CourseAssembly {
     /// By its index.
     Index(usize),
     /// The one at which coupled blocks arrive from these values of the unknowns.
@@ -126,7 +126,7 @@ pub(crate) struct AnyCourse<'c> {
     pub(crate) mechanism: &'static dyn SweptMechanism,
     pub(crate) description: &'static Description,
     pub(crate) parameters: NumberRow,
-    assembly: InAssembly,
+    assembly: CourseAssembly,
     pub(crate) drive: &'c dyn AnyDrive,
     pub(crate) from: f64,
     pub(crate) to: f64,
@@ -141,7 +141,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
             mechanism: Of::<M>::FUNCTIONS,
             description: const { &M::DESCRIPTION },
             parameters: self.mechanism.parameters().as_ref().into(),
-            assembly: index_of::<M>(self.assembly).map_or_else(|| InAssembly::Near(near()), InAssembly::Index),
+            assembly: index_of::<M>(self.assembly).map_or_else(|| CourseAssembly::Near(near()), CourseAssembly::Index),
             drive: self,
             from: self.from,
             to: self.to,
@@ -184,8 +184,8 @@ impl AnyCourse<'_> {
     /// The index of the assembly, unless it depends on the dimensions.
     pub(crate) fn assembly(&self) -> Option<usize> {
         match self.assembly {
-            InAssembly::Index(index) => Some(index),
-            InAssembly::Near(_) => None,
+            CourseAssembly::Index(index) => Some(index),
+            CourseAssembly::Near(_) => None,
         }
     }
 
@@ -196,8 +196,8 @@ impl AnyCourse<'_> {
 
     fn choice(&self) -> PositionChoice<'_, f64> {
         match &self.assembly {
-            InAssembly::Index(index) => PositionChoice::Assembly(*index),
-            InAssembly::Near(near) => PositionChoice::Near(near),
+            CourseAssembly::Index(index) => PositionChoice::Assembly(*index),
+            CourseAssembly::Near(near) => PositionChoice::Near(near),
         }
     }
 
