@@ -113,8 +113,8 @@ impl QuantityOfSweep<'_> {
             let (input, order) = (index / orders, index % orders);
             by_time(&inputs[input * READ..(input + 1) * READ], order, rate).real()
         });
-        let mut walk = Walk::clone(&near.walk);
-        let reached = walk.step(course, at, &motions).map_err(|_| ExtremesError::Gap { at })?;
+        let (walk, stepped) = near.walk.stepped(course, at, &motions);
+        let reached = stepped.ok().and(walk.last.as_ref()).ok_or(ExtremesError::Gap { at })?;
         let station = SweepStation {
             description: course.description,
             parameters: course.parameters.clone(),
