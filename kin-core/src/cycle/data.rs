@@ -162,7 +162,7 @@ impl CycleData {
         &self.branches
     }
 
-    /// Whether it is proved that there is no other branch. The [module](self#what-is-proved) says what that means.
+    /// Whether it is proved that there is no other branch. The [module](super#what-is-proved) says what that means.
     #[must_use]
     pub fn is_complete(&self) -> bool {
         self.incomplete.is_empty()

@@ -26,7 +26,7 @@
 //! assembly closes everywhere in the interval, or nowhere, or that the condition on which it depends is monotonic
 //! there, so that its values at the ends tell whether there is one limit or none. Other intervals are halved until
 //! rounding decides, where every length counts as known to one unit in its last place. An assembly that closes on both
-//! sides of such a place has a change point there. [`Cycle::is_complete`] is then true. One thing is tested and not
+//! sides of such a place has a change point there. [`is_complete`](CycleData::is_complete) is then true. One thing is tested and not
 //! proved: the choice by a declared range of an unknown is made at the ends and in the middle of each interval.
 //!
 //! The search has a unit of length of its own, so that a multiple of all lengths has the same cycle.
@@ -34,13 +34,13 @@
 //! If a block is coupled, all its limits come first: the real solutions of the closure and det J = 0, with the input unknown, by
 //! [`continuation`](crate::continuation). The closure is fitted by polynomials in cosines, sines and lengths, which are compared with its values.
 //! A circuit that does not pass an end of the range has a smallest input, which is a limit. So [`track`](crate::track()) follows all positions
-//! at the [ends](Cycle::seeds), and both branches of every limit that was not reached. [`Cycle::is_complete`] is true if no path of the
+//! at the [ends](CycleData::seeds), and both branches of every limit that was not reached. [`is_complete`](CycleData::is_complete) is true if no path of the
 //! continuation was lost, and if tracks and continuation have found the same limits. It holds with the reservation of `continuation`, which
 //! computes in double precision.
 //!
 //! This needs polynomials of at most 1024 paths, which have no product of three quantities, lengths that cannot become infinite, and unknowns
 //! without declared ranges. For any other mechanism all positions are sought at stated inputs, and `is_complete` is false.
-//! [`Cycle::incomplete`] says why.
+//! [`incomplete`](CycleData::incomplete) says why.
 
 mod bounds;
 mod class;

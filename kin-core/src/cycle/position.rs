@@ -18,7 +18,7 @@ const BESIDE: f64 = 64.0 * f64::EPSILON;
 
 impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     /// The unknowns of a branch at an input of its range, with angles on the turns they have along the branch. An input may be whole
-    /// [periods](Self::period) beside the range.
+    /// [periods](super::CycleData::period) beside the range.
     ///
     /// # Errors
     /// [`Failure::OutOfRange`] if the input lies outside the branch, with the range of the branch, and the errors of the solver: the input
