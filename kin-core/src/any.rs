@@ -99,17 +99,17 @@ pub trait OutputsOver<T> {
     fn outputs(&self, parameters: &[T], inputs: &[T], unknowns: &[T], outputs: &mut [T]);
 }
 
-/// Positions with all time derivatives.
-pub trait MotionOver<T> {
+/// Positions of an assembly with all time derivatives.
+pub trait AssemblyMotionOver<T> {
     /// Writes the motions of unknowns and outputs, one after the other, each with all its orders. The inputs are given in the same way.
     ///
     /// # Errors
-    /// Those of [`Mechanism::solve_motion`] and [`Mechanism::solve_motion_near`].
-    fn motion(
+    /// Those of [`Mechanism::solve_motion`].
+    fn motion_of_assembly(
         &self,
         parameters: &[T],
         inputs: &[T],
-        choice: PositionChoice<'_, T>,
+        assembly: usize,
         unknowns: &mut [T],
         outputs: &mut [T],
     ) -> Result<(), SolveError>;
@@ -117,23 +117,30 @@ pub trait MotionOver<T> {
 
 /// Positions near others with all time derivatives.
 pub trait MotionNearOver<T> {
-    /// Writes the motions of the unknowns, one after the other, each with all its orders. The inputs are given in the same way.
+    /// Writes the motions of unknowns and outputs as [`AssemblyMotionOver`] does. Outputs without a place are left out.
     ///
     /// # Errors
     /// Those of [`Mechanism::solve_motion_near`].
-    fn motion_near(&self, parameters: &[T], inputs: &[T], near: &[T], unknowns: &mut [T]) -> Result<(), SolveError>;
+    fn motion_near(
+        &self,
+        parameters: &[T],
+        inputs: &[T],
+        near: &[T],
+        unknowns: &mut [T],
+        outputs: &mut [T],
+    ) -> Result<(), SolveError>;
 }
 
-/// The transmission angles of all dyads.
-pub trait Transmissions {
+/// The transmission angles of all dyads in numbers of one type.
+pub trait TransmissionOver<T> {
     /// Writes the transmission angle of every dyad, in the order in which the dyads are solved.
-    fn transmission_angles(
-        &self,
-        parameters: &[f64],
-        inputs: &[f64],
-        unknowns: &[f64],
-        angles: &mut [TransmissionAngle<f64>],
-    );
+    fn transmission_angles(&self, parameters: &[T], inputs: &[T], unknowns: &[T], angles: &mut [TransmissionAngle<T>]);
+}
+
+/// The forms of the blocks in numbers of one type.
+pub trait FormsOver<T> {
+    /// Passes on the form of each block, in the order in which they are solved.
+    fn block_forms(&self, parameters: &[T], found: &mut dyn FnMut(BlockForm<T>));
 }
 
 /// A search for all positions at given inputs.
@@ -163,9 +170,6 @@ pub trait AnyMechanism: PositionOver<f64> + ClosureOver<f64> {
 
     /// The index of the assembly to which a position belongs, if there are assemblies.
     fn assembly_near(&self, parameters: &[f64], inputs: &[f64], unknowns: &[f64]) -> Option<usize>;
-
-    /// Passes on the form of each block, in the order in which they are solved.
-    fn block_forms(&self, parameters: &[f64], found: &mut dyn FnMut(BlockForm<f64>));
 }
 
 /// The functions of a declared mechanism on slices.
@@ -243,50 +247,49 @@ impl<M: Mechanism, T: Scalar> OutputsOver<T> for Of<M> {
     }
 }
 
-impl<M: Mechanism, T: Scalar> MotionOver<T> for Of<M> {
-    fn motion(
+impl<M: Mechanism, T: Scalar> AssemblyMotionOver<T> for Of<M> {
+    fn motion_of_assembly(
         &self,
         parameters: &[T],
         inputs: &[T],
-        choice: PositionChoice<'_, T>,
+        index: usize,
         unknowns: &mut [T],
         outputs: &mut [T],
     ) -> Result<(), SolveError> {
-        let mechanism = with::<M, T>(parameters);
-        let (pose, found) = match choice {
-            PositionChoice::Assembly(index) => {
-                let pose = mechanism.solve_motion(motions(inputs), assembly::<M>(index))?;
-                (pose, pose.unknown_motions())
-            }
-            PositionChoice::Near(near) => {
-                let pose = mechanism.solve_motion_near(motions(inputs), row(near))?;
-                (pose, pose.unknown_motions_near(row(near)))
-            }
-        };
-        write(found.as_ref(), unknowns);
+        let pose = with::<M, T>(parameters).solve_motion(motions(inputs), assembly::<M>(index))?;
+        write(pose.unknown_motions().as_ref(), unknowns);
         write(pose.output_motions().as_ref(), outputs);
         Ok(())
     }
 }
 
 impl<M: Mechanism, T: Scalar> MotionNearOver<T> for Of<M> {
-    fn motion_near(&self, parameters: &[T], inputs: &[T], near: &[T], unknowns: &mut [T]) -> Result<(), SolveError> {
+    fn motion_near(
+        &self,
+        parameters: &[T],
+        inputs: &[T],
+        near: &[T],
+        unknowns: &mut [T],
+        outputs: &mut [T],
+    ) -> Result<(), SolveError> {
         let pose = with::<M, T>(parameters).solve_motion_near(motions(inputs), row(near))?;
         write(pose.unknown_motions_near(row(near)).as_ref(), unknowns);
+        write(pose.output_motions().as_ref(), outputs);
         Ok(())
     }
 }
 
-impl<M: Mechanism<Scalar = f64>> Transmissions for Of<M> {
-    fn transmission_angles(
-        &self,
-        parameters: &[f64],
-        inputs: &[f64],
-        unknowns: &[f64],
-        angles: &mut [TransmissionAngle<f64>],
-    ) {
-        let mechanism = M::from_parameters(row(parameters));
-        angles.copy_from_slice(mechanism.transmission_angles_at(row(inputs), row(unknowns)).as_ref());
+impl<M: Mechanism, T: Scalar> TransmissionOver<T> for Of<M> {
+    fn transmission_angles(&self, parameters: &[T], inputs: &[T], unknowns: &[T], angles: &mut [TransmissionAngle<T>]) {
+        let found = with::<M, T>(parameters).transmission_angles_at(row(inputs), row(unknowns));
+        angles.copy_from_slice(found.as_ref());
+    }
+}
+
+impl<M: Mechanism, T: Scalar> FormsOver<T> for Of<M> {
+    fn block_forms(&self, parameters: &[T], found: &mut dyn FnMut(BlockForm<T>)) {
+        let forms = with::<M, T>(parameters).block_forms();
+        forms.as_ref().iter().copied().for_each(found);
     }
 }
 
@@ -317,10 +320,5 @@ impl<M: Mechanism> AnyMechanism for Of<M> {
 
     fn assembly_near(&self, parameters: &[f64], inputs: &[f64], unknowns: &[f64]) -> Option<usize> {
         index_of::<M>(with::<M, f64>(parameters).assembly_near(row(inputs), row(unknowns)))
-    }
-
-    fn block_forms(&self, parameters: &[f64], found: &mut dyn FnMut(BlockForm<f64>)) {
-        let forms = with::<M, f64>(parameters).block_forms();
-        forms.as_ref().iter().copied().for_each(found);
     }
 }

@@ -143,7 +143,7 @@ impl InputLine {
     /// An angle that is a multiple of an input, like that of a gear, may have made turns.
     fn repeats(&self, mechanism: &SoughtMechanism<'_>, way: f64) -> bool {
         let size = mechanism.reach().max(f64::MIN_POSITIVE);
-        let quantities = mechanism.unknowns();
+        let (quantities, rounded) = (mechanism.unknowns(), mechanism.rounded());
         let agrees = |turned: Option<(usize, f64)>| {
             (0..4).map(f64::from).all(|seed| {
                 let unknowns = NumberRow::from_fn(quantities.len(), |index| {
@@ -169,7 +169,7 @@ impl InputLine {
                 let errors = |s: f64, unknowns: &[f64]| {
                     let inputs = self.inputs_at(Bounds::rounded(s));
                     let unknowns: Vec<Bounds> = unknowns.iter().copied().map(Bounds::rounded).collect();
-                    mechanism.bounded_residuals(&inputs, &unknowns)
+                    mechanism.bounded_residuals(&rounded, &inputs, &unknowns)
                 };
                 let (one, other) = (errors(s, &unknowns), errors(s + way, &moved));
                 let errors = one.iter().zip(&other);

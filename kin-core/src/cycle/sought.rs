@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use super::bounds::Bounds;
 use super::curved::Curved;
 use super::line::turned;
-use crate::any::{AssemblyOver, ClosureOver, PositionChoice, Transmissions};
+use crate::any::{AssemblyOver, ClosureOver, PositionChoice, TransmissionOver};
 use crate::failure::SolveError;
 use crate::mechanism::{Block, Description};
 use crate::number::NumberRow;
@@ -20,11 +20,11 @@ impl<F: Tracked + ClosureOver<Bounds>> CycleFunctions for F {}
 
 /// What the search needs where every block has a closed form.
 pub(super) trait ClosedForms:
-    CycleFunctions + AssemblyOver<Bounds> + AssemblyOver<Curved> + Transmissions
+    CycleFunctions + AssemblyOver<Bounds> + AssemblyOver<Curved> + TransmissionOver<f64>
 {
 }
 
-impl<F: CycleFunctions + AssemblyOver<Bounds> + AssemblyOver<Curved> + Transmissions> ClosedForms for F {}
+impl<F: CycleFunctions + AssemblyOver<Bounds> + AssemblyOver<Curved> + TransmissionOver<f64>> ClosedForms for F {}
 
 /// A mechanism with its dimensions.
 #[derive(Clone)]
@@ -80,11 +80,16 @@ impl SoughtMechanism<'_> {
         residuals
     }
 
-    /// The residuals of bounds.
-    pub(super) fn bounded_residuals(&self, inputs: &[Bounds], unknowns: &[Bounds]) -> Vec<Bounds> {
+    /// The residuals of bounds, of which the parameters are the [rounded](Self::rounded) ones.
+    pub(super) fn bounded_residuals(
+        &self,
+        parameters: &[Bounds],
+        inputs: &[Bounds],
+        unknowns: &[Bounds],
+    ) -> Vec<Bounds> {
         let mut residuals = vec![Bounds::rounded(0.0); unknowns.len()];
         let functions: &dyn ClosureOver<Bounds> = self.functions;
-        functions.residuals(&self.rounded(), inputs, unknowns, &mut residuals);
+        functions.residuals(parameters, inputs, unknowns, &mut residuals);
         residuals
     }
 

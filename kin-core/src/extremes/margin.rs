@@ -4,34 +4,20 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use crate::any::{ClosureOver, Of, row};
-use crate::mechanism::{Block, BlockForm, Description, Mechanism};
+use crate::any::{AnyMechanism, ClosureOver, FormsOver, TransmissionOver};
+use crate::mechanism::{Block, BlockForm, Description};
 use crate::number::Number;
 use crate::picture::TransmissionAngle;
 use crate::quantity::Dimension;
 use crate::sweep::Local;
 
 /// What margins and transmission angles need of a mechanism.
-pub(super) trait DyadFunctions: ClosureOver<Local> {
-    /// The transmission angles of all dyads.
-    fn angles(&self, parameters: &[Local], inputs: &[Local], unknowns: &[Local]) -> Vec<TransmissionAngle<Local>>;
-
-    /// The form of each block.
-    fn forms(&self, parameters: &[Local]) -> Vec<BlockForm<Local>>;
+pub(super) trait DyadFunctions:
+    AnyMechanism + ClosureOver<Local> + TransmissionOver<Local> + FormsOver<Local>
+{
 }
 
-impl<M: Mechanism> DyadFunctions for Of<M> {
-    fn angles(&self, parameters: &[Local], inputs: &[Local], unknowns: &[Local]) -> Vec<TransmissionAngle<Local>> {
-        let mechanism = M::With::<Local>::from_parameters(row(parameters));
-        let angles = mechanism.transmission_angles_at(row(inputs), row(unknowns));
-        angles.as_ref().to_vec()
-    }
-
-    fn forms(&self, parameters: &[Local]) -> Vec<BlockForm<Local>> {
-        let mechanism = M::With::<Local>::from_parameters(row(parameters));
-        mechanism.block_forms().as_ref().to_vec()
-    }
-}
+impl<F: AnyMechanism + ClosureOver<Local> + TransmissionOver<Local> + FormsOver<Local>> DyadFunctions for F {}
 
 /// A position in series, from which margins and transmission angles are found.
 pub(super) struct Margins<'f> {
@@ -44,7 +30,11 @@ pub(super) struct Margins<'f> {
 
 impl Margins<'_> {
     fn angles(&self) -> Vec<TransmissionAngle<Local>> {
-        self.functions.angles(&self.parameters, &self.inputs, &self.unknowns)
+        let none = TransmissionAngle::of("", Local::constant(0.0), Local::constant(1.0));
+        let mut angles = vec![none; self.functions.dyad_count()];
+        self.functions
+            .transmission_angles(&self.parameters, &self.inputs, &self.unknowns, &mut angles);
+        angles
     }
 
     /// The transmission angle of a dyad.
@@ -56,7 +46,9 @@ impl Margins<'_> {
     pub(super) fn of(&self, dyad: usize) -> Option<Local> {
         let transmission = self.transmission_angle(dyad)?;
         let (_, cosine) = transmission.angle.sin_cos();
-        let forms = self.functions.forms(&self.parameters);
+        let mut forms = Vec::new();
+        self.functions
+            .block_forms(&self.parameters, &mut |form| forms.push(form));
         // a slider along an axis is a block of its own behind that of its link
         let mut own = self.description.blocks.iter().zip(&forms).filter(|(block, _)| {
             let mut unknowns = transmission.block.split(", ");

@@ -8,7 +8,7 @@ use super::columns::labels;
 use super::drive::{Drive, SmoothDrive, Variable};
 use super::table::Table;
 use super::{Course, SweepError, row_at};
-use crate::any::{MotionOver, Of, PositionChoice, index_of, write};
+use crate::any::{AssemblyMotionOver, Of, PositionChoice, index_of, write};
 use crate::failure::SolveError;
 use crate::law::Side;
 use crate::mechanism::{Description, Mechanism};
@@ -20,7 +20,7 @@ use crate::track::Tracked;
 const EDGE: usize = 32;
 
 /// What a sweep needs of its mechanism.
-pub(crate) trait SweptMechanism: Tracked + MotionOver<f64> {}
+pub(crate) trait SweptMechanism: Tracked + AssemblyMotionOver<f64> {}
 
 impl<M: Mechanism<Scalar = f64>> SweptMechanism for Of<M> {}
 
@@ -224,8 +224,13 @@ impl AnyCourse<'_> {
         let (inputs, results) = numbers.split_at_mut(motions.len());
         inputs.copy_from_slice(motions);
         let (unknowns, outputs) = results.split_at_mut(unknowns.len() * self.orders());
-        self.mechanism
-            .motion(&self.parameters, motions, choice, unknowns, outputs)?;
+        let (mechanism, parameters) = (self.mechanism, &self.parameters);
+        match choice {
+            PositionChoice::Assembly(index) => {
+                mechanism.motion_of_assembly(parameters, motions, index, unknowns, outputs)
+            }
+            PositionChoice::Near(near) => mechanism.motion_near(parameters, motions, near, unknowns, outputs),
+        }?;
         Ok(numbers)
     }
 

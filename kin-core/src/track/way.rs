@@ -197,7 +197,8 @@ impl<'w> Way<'w> {
             1 => self.slope(place / orders),
             _ => 0.0,
         });
-        self.mechanism.motion_near(self.parameters, inputs, near, motions)?;
+        self.mechanism
+            .motion_near(self.parameters, inputs, near, motions, &mut [])?;
         Ok(motions)
     }
 
