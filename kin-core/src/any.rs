@@ -134,7 +134,7 @@ pub trait MotionNearOver<T> {
 /// The transmission angles of all dyads in numbers of one type.
 pub trait TransmissionOver<T> {
     /// Writes the transmission angle of every dyad, in the order in which the dyads are solved.
-    fn transmission_angles(&self, parameters: &[T], inputs: &[T], unknowns: &[T], angles: &mut [TransmissionAngle<T>]);
+    fn angles_of_dyads(&self, parameters: &[T], inputs: &[T], unknowns: &[T], angles: &mut [TransmissionAngle<T>]);
 }
 
 /// The forms of the blocks in numbers of one type.
@@ -280,7 +280,7 @@ impl<M: Mechanism, T: Scalar> MotionNearOver<T> for Of<M> {
 }
 
 impl<M: Mechanism, T: Scalar> TransmissionOver<T> for Of<M> {
-    fn transmission_angles(&self, parameters: &[T], inputs: &[T], unknowns: &[T], angles: &mut [TransmissionAngle<T>]) {
+    fn angles_of_dyads(&self, parameters: &[T], inputs: &[T], unknowns: &[T], angles: &mut [TransmissionAngle<T>]) {
         let found = with::<M, T>(parameters).transmission_angles_at(row(inputs), row(unknowns));
         angles.copy_from_slice(found.as_ref());
     }

@@ -165,7 +165,7 @@ impl ClosedSearch<'_> {
         let mut angles = vec![TransmissionAngle::of("", 0.0, 1.0); self.functions.dyad_count()];
         let (parameters, inputs) = (&self.mechanism.parameters, self.line.inputs(s));
         self.functions
-            .transmission_angles(parameters, &inputs, unknowns, &mut angles);
+            .angles_of_dyads(parameters, &inputs, unknowns, &mut angles);
         angles
     }
 

@@ -9,11 +9,11 @@ use super::at::{At, HIGHEST};
 use super::mean::rooted;
 use super::progress::Progress;
 use super::quantity::Named;
+use super::sensitivity::ByDimension;
 use super::station::SweepStation;
 use super::swept::QuantityOfSweep;
 use super::{Crossing, DwellRange, Extreme, ExtremesError, Mean, Over, Peak, PeakSensitivities};
 use crate::any::{Of, row};
-use crate::load::LoadError;
 use crate::mechanism::Mechanism;
 use crate::number::Number;
 use crate::sweep::{Course, Local, SmoothDrive};
@@ -66,9 +66,9 @@ pub trait AskedQuantity<M: Mechanism<Scalar = f64>> {
     #[doc(hidden)]
     fn at(&self, station: &SweepStation) -> Result<Local, ExtremesError>;
 
-    /// Its value in a typed pose, whose mechanism may change with the variable.
+    /// How its value and its slope at a place of a sweep change with a dimension.
     #[doc(hidden)]
-    fn of_pose(&self, at: &At<M>) -> Result<Local, LoadError>;
+    fn by_dimension(&self, station: &SweepStation, dimension: usize) -> Result<ByDimension, ExtremesError>;
 }
 
 impl<M: Mechanism<Scalar = f64>> AskedQuantity<M> for ByName<'_> {
@@ -87,10 +87,10 @@ impl<M: Mechanism<Scalar = f64>> AskedQuantity<M> for ByName<'_> {
         }
     }
 
-    fn of_pose(&self, at: &At<M>) -> Result<Local, LoadError> {
+    fn by_dimension(&self, station: &SweepStation, dimension: usize) -> Result<ByDimension, ExtremesError> {
         match &self.found {
-            Ok(named) => Ok(named.of(at)),
-            Err(_) => Err(LoadError::NotFinite),
+            Ok(named) => named.by_dimension(Of::<M>::FUNCTIONS, station, dimension),
+            Err(error) => Err(error.clone()),
         }
     }
 }
@@ -104,8 +104,10 @@ impl<M: Mechanism<Scalar = f64>, A: Answer, F: Fn(&At<M>) -> A> AskedQuantity<M>
         pose_quantity(station, None, &self.0)
     }
 
-    fn of_pose(&self, at: &At<M>) -> Result<Local, LoadError> {
-        (self.0)(at).answer()
+    fn by_dimension(&self, station: &SweepStation, dimension: usize) -> Result<ByDimension, ExtremesError> {
+        ByDimension::of_expression(station, dimension, |station, changed| {
+            pose_quantity(station, Some(changed), &self.0)
+        })
     }
 }
 
@@ -308,10 +310,8 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>, Q: AskedQuantity<M>> Qua
     /// [`ExtremesError::NoSensitivity`] if the peak is at a limit or a kink.
     pub fn peak_sensitivities(&self) -> Result<PeakSensitivities<M>, ExtremesError> {
         self.quantity.check(M::DESCRIPTION.order)?;
-        let quantity = |station: &SweepStation, changed: Option<&[Local]>| {
-            pose_quantity(station, changed, |at: &At<M>| self.quantity.of_pose(at))
-        };
-        let (peak, by) = self.ask(|asked| asked.sensitivities(&quantity))?;
+        let by_dimension = |station: &SweepStation, dimension: usize| self.quantity.by_dimension(station, dimension);
+        let (peak, by) = self.ask(|asked| asked.sensitivities(&by_dimension))?;
         Ok(PeakSensitivities { peak, by: row(&by) })
     }
 

@@ -4,7 +4,7 @@ use alloc::vec;
 use core::ops::Deref;
 
 use super::margin::Margins;
-use super::station::SweepStation;
+use super::station::{ResultIndex, SweepStation};
 use crate::any::{Of, motions, row, write};
 use crate::failure::SolveError;
 use crate::load::{Balance, LoadError, Loaded, LoadsOf};
@@ -124,7 +124,7 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
     pub fn unknown(&self, index: usize, order: usize) -> Option<Local> {
         if order > M::DESCRIPTION.order && order <= HIGHEST {
             return (index < M::DESCRIPTION.unknowns.len())
-                .then(|| self.station()?.unknown(Of::<M>::FUNCTIONS, index, order).ok())?;
+                .then(|| self.station()?.result(Of::<M>::FUNCTIONS, ResultIndex::Unknown(index), order).ok())?;
         }
         let motions = self
             .pose
@@ -143,7 +143,7 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
     pub fn output(&self, index: usize, order: usize) -> Option<Local> {
         if order > M::DESCRIPTION.order && order <= HIGHEST {
             return (index < M::DESCRIPTION.outputs.len())
-                .then(|| self.station()?.output(Of::<M>::FUNCTIONS, index, order).ok())?;
+                .then(|| self.station()?.result(Of::<M>::FUNCTIONS, ResultIndex::Output(index), order).ok())?;
         }
         let motions = self.pose.output_motions();
         let value = *motions.as_ref().get(index)?.as_ref().get(order)?;

@@ -33,7 +33,7 @@ impl Margins<'_> {
         let none = TransmissionAngle::of("", Local::constant(0.0), Local::constant(1.0));
         let mut angles = vec![none; self.functions.dyad_count()];
         self.functions
-            .transmission_angles(&self.parameters, &self.inputs, &self.unknowns, &mut angles);
+            .angles_of_dyads(&self.parameters, &self.inputs, &self.unknowns, &mut angles);
         angles
     }
 

@@ -4,8 +4,10 @@ use alloc::string::ToString;
 use alloc::vec::Vec;
 
 use super::ExtremesError;
-use super::at::{At, HIGHEST};
-use super::station::{NamedFunctions, SweepStation};
+use super::at::HIGHEST;
+use super::margin::Margins;
+use super::sensitivity::ByDimension;
+use super::station::{ChangedFunctions, NamedFunctions, ResultIndex, SweepStation};
 use crate::mechanism::{Description, Mechanism};
 use crate::number::{Number, Row};
 use crate::quantity::Quantity;
@@ -79,28 +81,54 @@ impl Named {
         )))
     }
 
-    /// Its value in a typed pose, whose mechanism may change with the variable.
-    pub(super) fn of<M: Mechanism<Scalar = f64>>(self, at: &At<M>) -> Local {
-        let value = match self.kind {
-            Kind::Input => at.input(self.index, self.order),
-            Kind::Unknown => at.unknown(self.index, self.order),
-            Kind::Output => at.output(self.index, self.order),
-            Kind::Margin => at.smallest_margin(),
-        };
-        value.unwrap_or(Local::constant(f64::NAN))
-    }
     /// Its value at a place of a sweep, from the position alone.
     pub(super) fn at(self, functions: &dyn NamedFunctions, station: &SweepStation) -> Result<Local, ExtremesError> {
-        let value = match self.kind {
-            Kind::Input => Ok(station.input(self.index, self.order)),
-            Kind::Unknown => station.unknown(functions, self.index, self.order),
-            Kind::Output => station.output(functions, self.index, self.order),
-            Kind::Margin => station
-                .margins(functions)
-                .map(|margins| margins.smallest().unwrap_or(Local::constant(f64::NAN))),
+        let value = match (self.result(), self.kind) {
+            (Some(result), _) => station.result(functions, result, self.order),
+            (None, Kind::Margin) => station.margins(functions).map(|margins| smallest(&margins)),
+            (None, _) => Ok(station.input(self.index, self.order)),
         };
-        value.map_err(|_| ExtremesError::Gap {
-            at: station.variable.real(),
-        })
+        value.map_err(|_| gap(station))
     }
+
+    /// How its value and its slope at a place of a sweep change with a dimension.
+    pub(super) fn by_dimension(
+        self,
+        functions: &dyn ChangedFunctions,
+        station: &SweepStation,
+        dimension: usize,
+    ) -> Result<ByDimension, ExtremesError> {
+        match (self.result(), self.kind) {
+            (Some(result), _) => {
+                let change = station.change(functions, result, self.order, dimension);
+                let change = station.finite(change.map_err(|_| gap(station))?)?;
+                let [value, slope, ..] = change.derivatives();
+                Ok(ByDimension { value, slope })
+            }
+            (None, Kind::Margin) => ByDimension::of_expression(station, dimension, |station, changed| {
+                let margins = station.changed_margins(functions, changed);
+                margins.map(|margins| smallest(&margins)).map_err(|_| gap(station))
+            }),
+            // the inputs move as they are told
+            (None, _) => Ok(ByDimension { value: 0.0, slope: 0.0 }),
+        }
+    }
+
+    fn result(self) -> Option<ResultIndex> {
+        match self.kind {
+            Kind::Unknown => Some(ResultIndex::Unknown(self.index)),
+            Kind::Output => Some(ResultIndex::Output(self.index)),
+            Kind::Input | Kind::Margin => None,
+        }
+    }
+}
+
+fn gap(station: &SweepStation) -> ExtremesError {
+    ExtremesError::Gap {
+        at: station.variable.real(),
+    }
+}
+
+fn smallest(margins: &Margins<'_>) -> Local {
+    margins.smallest().unwrap_or(Local::constant(f64::NAN))
 }

@@ -4,8 +4,9 @@
 //! place itself moves by minus the mixed second derivative over the bend. (A. E. Bryson & Y.-C. Ho, *Applied Optimal Control*, Hemisphere
 //! 1975, section 1.2, or any text on the envelope theorem.)
 //!
-//! The mixed derivative comes from two series in which variable and dimension change together: with the second-order terms c₊ and c₋ in
-//! the directions (1, 1) and (1, -1), it is (c₊ - c₋) / 2.
+//! The mixed derivative of a quantity called by its name comes with the value, from a position in series of the variable that change with
+//! the dimension. That of an expression comes from two series in which variable and dimension change together: with the second-order terms
+//! c₊ and c₋ in the directions (1, 1) and (1, -1), it is (c₊ - c₋) / 2.
 
 use alloc::vec::Vec;
 
@@ -37,18 +38,54 @@ pub struct PeakSensitivities<M: Mechanism> {
     pub by: M::Parameters<PeakSensitivity>,
 }
 
-/// The value of a quantity in a pose, of the dimensions of the sweep or of others that change with the variable.
-pub(super) type ChangedQuantity<'q> = dyn Fn(&SweepStation, Option<&[Local]>) -> Result<Local, ExtremesError> + 'q;
+/// A quantity at the place of a peak, whose variable has the slope 1.
+pub(super) type PeakQuantity<'q> = dyn Fn(&SweepStation, usize) -> Result<ByDimension, ExtremesError> + 'q;
+
+/// The derivatives of a quantity with respect to a dimension.
+#[derive(Clone, Copy, Debug)]
+pub struct ByDimension {
+    /// That of the value.
+    pub(super) value: f64,
+    /// That of the slope.
+    pub(super) slope: f64,
+}
+
+impl ByDimension {
+    /// The derivatives of an expression, from its series for a series of all dimensions.
+    pub(super) fn of_expression(
+        station: &SweepStation,
+        dimension: usize,
+        expression: impl Fn(&SweepStation, &[Local]) -> Result<Local, ExtremesError>,
+    ) -> Result<Self, ExtremesError> {
+        let own = station.parameters[dimension];
+        // a change of the size of the dimension keeps both second-order terms alike
+        let unit = if own == 0.0 { 1.0 } else { own.abs() };
+        let along = |slope: f64, step: f64| {
+            let mut changed: Vec<Local> = station.parameters.iter().copied().map(Local::constant).collect();
+            changed[dimension] = Local::from_coefficients([own, step, 0.0, 0.0, 0.0]);
+            let variable = Local::from_coefficients([station.variable.real(), slope, 0.0, 0.0, 0.0]);
+            let moved = SweepStation {
+                variable,
+                ..station.clone()
+            };
+            Ok::<_, ExtremesError>(station.finite(expression(&moved, &changed)?)?.coefficients())
+        };
+        Ok(Self {
+            value: along(0.0, 1.0)?[1],
+            slope: 0.5 * (along(1.0, unit)?[2] - along(1.0, -unit)?[2]) / unit,
+        })
+    }
+}
 
 impl QuantityOfSweep<'_> {
     /// The value that is largest in size, and how it depends on every dimension.
     pub(super) fn sensitivities(
         &self,
-        quantity: &ChangedQuantity<'_>,
+        by_dimension: &PeakQuantity<'_>,
     ) -> Result<(Peak, Vec<PeakSensitivity>), ExtremesError> {
         self.ask(|curve| {
             let peak = curve.best(f64::abs)?;
-            Ok((peak, self.sensitivities_at(curve, peak, quantity)?))
+            Ok((peak, self.sensitivities_at(curve, peak, by_dimension)?))
         })
     }
 
@@ -56,7 +93,7 @@ impl QuantityOfSweep<'_> {
         &self,
         curve: &Curve<'_>,
         peak: Peak,
-        quantity: &ChangedQuantity<'_>,
+        by_dimension: &PeakQuantity<'_>,
     ) -> Result<Vec<PeakSensitivity>, ExtremesError> {
         let is_inner = match peak.kind {
             ExtremeKind::Inner => true,
@@ -77,34 +114,16 @@ impl QuantityOfSweep<'_> {
         } else {
             Side::Right
         };
-        let value = |changed: Option<&[Local]>, step: f64| {
-            let variable = Local::from_coefficients([peak.at, step, 0.0, 0.0, 0.0]);
-            let (station, _) = self.station(&stretch.mark, variable, side)?;
-            let value = station.finite(quantity(&station, changed)?)?;
-            Ok::<_, ExtremesError>(value.coefficients())
+        let variable = Local::from_coefficients([peak.at, 1.0, 0.0, 0.0, 0.0]);
+        let (station, _) = self.station(&stretch.mark, variable, side)?;
+        let bend = 2.0 * station.finite((self.quantity)(&station)?)?.coefficients()[2];
+        let sensitivity = |dimension: usize| {
+            let by = by_dimension(&station, dimension)?;
+            Ok(PeakSensitivity {
+                value: by.value,
+                at: if is_inner { -by.slope / bend } else { 0.0 },
+            })
         };
-        let bend = 2.0 * value(None, 1.0)?[2];
-        let parameters = &self.course.parameters;
-        let sensitivity = |place: usize| {
-            let own = parameters[place];
-            // a change of the size of the dimension keeps both second-order terms alike
-            let unit = if own == 0.0 { 1.0 } else { own.abs() };
-            let changed = |step: f64| -> Vec<Local> {
-                let mut changed: Vec<Local> = parameters.iter().copied().map(Local::constant).collect();
-                changed[place] = Local::from_coefficients([own, step, 0.0, 0.0, 0.0]);
-                changed
-            };
-            let mut sensitivity = PeakSensitivity {
-                value: value(Some(&changed(1.0)), 0.0)?[1],
-                at: 0.0,
-            };
-            if is_inner {
-                let [plus, minus] = [unit, -unit].map(|step| value(Some(&changed(step)), 1.0));
-                let mixed = 0.5 * (plus?[2] - minus?[2]) / unit;
-                sensitivity.at = -mixed / bend;
-            }
-            Ok(sensitivity)
-        };
-        (0..parameters.len()).map(sensitivity).collect()
+        (0..station.parameters.len()).map(sensitivity).collect()
     }
 }

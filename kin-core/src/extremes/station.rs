@@ -5,13 +5,13 @@ use alloc::vec::Vec;
 
 use super::ExtremesError;
 use super::margin::{DyadFunctions, Margins};
-use crate::any::{NearOver, OutputsOver};
+use crate::any::{NearOver, Of, OutputsOver};
 use crate::failure::SolveError;
-use crate::mechanism::Description;
+use crate::mechanism::{Description, Mechanism};
 use crate::number::series::Series;
-use crate::number::{Number, NumberRow};
+use crate::number::{Changing, Number, NumberRow};
 use crate::quantity::{Dimension, Quantity};
-use crate::solve::nearest_turn;
+use crate::solve::{Scalar, nearest_turn};
 use crate::sweep::{Local, READ, TERMS, by_time, composed};
 
 /// The terms from which the derivatives up to snap are read, each with its own series.
@@ -20,16 +20,62 @@ const SNAP: usize = 4;
 
 /// A quantity called by its name needs positions only: over a series in the variable of the sweep, they have all its derivatives. So the
 /// solvers of rates are compiled in long numbers only where a closure asks for a typed pose.
-pub(super) trait NamedFunctions: SeriesFunctions<UP_TO_SNAP> + SeriesFunctions<READ> + DyadFunctions {}
+pub(super) trait NamedFunctions:
+    PositionFunctions<Series<UP_TO_SNAP>> + PositionFunctions<Series<READ>> + DyadFunctions
+{
+}
 
-impl<F: SeriesFunctions<UP_TO_SNAP> + SeriesFunctions<READ> + DyadFunctions> NamedFunctions for F {}
+impl<F: PositionFunctions<Series<UP_TO_SNAP>> + PositionFunctions<Series<READ>> + DyadFunctions> NamedFunctions for F {}
 
-/// Positions over series.
-pub(super) trait SeriesFunctions<const N: usize>: NearOver<Series<N>> + OutputsOver<Series<N>> {}
+/// What the dependence of a quantity on the dimensions needs beside: positions in series that change with a dimension.
+pub(super) trait ChangedFunctions: NamedFunctions + PositionFunctions<Changing<Series<UP_TO_SNAP>>> {
+    /// The same in longer series, if the mechanism has derivatives above snap.
+    fn above_snap(&self) -> Option<&dyn PositionFunctions<Changing<Series<READ>>>>;
+}
 
-impl<const N: usize, F: NearOver<Series<N>> + OutputsOver<Series<N>>> SeriesFunctions<N> for F {}
+impl<M: Mechanism<Scalar = f64>> ChangedFunctions for Of<M> {
+    fn above_snap(&self) -> Option<&dyn PositionFunctions<Changing<Series<READ>>>> {
+        // in a constant, so that it is not compiled for most mechanisms
+        if const { M::DESCRIPTION.order > SNAP } { Some(self) } else { None }
+    }
+}
+
+/// Positions and outputs in numbers of one type.
+pub(super) trait PositionFunctions<T>: NearOver<T> + OutputsOver<T> {}
+
+impl<T, F: NearOver<T> + OutputsOver<T>> PositionFunctions<T> for F {}
+
+/// A number in which a position has its derivatives with respect to the variable of a sweep.
+pub(super) trait SeriesNumber: Scalar {
+    /// The number with the first of these derivatives.
+    fn from_motion(motion: &[f64]) -> Self;
+
+    /// A dimension, whose change is 1 if it is the one with which all others change.
+    fn changing(value: f64, changes: bool) -> Self;
+}
+
+impl<const N: usize> SeriesNumber for Series<N> {
+    fn from_motion(motion: &[f64]) -> Self {
+        Self::from_derivatives(core::array::from_fn(|order| motion[order]))
+    }
+
+    fn changing(value: f64, _: bool) -> Self {
+        Self::constant(value)
+    }
+}
+
+impl<const N: usize> SeriesNumber for Changing<Series<N>> {
+    fn from_motion(motion: &[f64]) -> Self {
+        Self::new(Series::from_motion(motion), Series::constant(0.0))
+    }
+
+    fn changing(value: f64, changes: bool) -> Self {
+        Self::new(Series::constant(value), Series::constant(f64::from(u8::from(changes))))
+    }
+}
 
 /// A pose of a sweep with unwrapped angles, and the motion of the inputs there.
+#[derive(Clone)]
 pub struct SweepStation {
     pub(super) description: &'static Description,
     pub(super) parameters: NumberRow,
@@ -46,13 +92,13 @@ pub struct SweepStation {
 }
 
 /// A position in series of the variable: parameters, inputs, what the unknowns are near, and the unknowns, one after the other.
-struct SeriesPosition<const N: usize> {
-    numbers: Vec<Series<N>>,
+struct SeriesPosition<T> {
+    numbers: Vec<T>,
     counts: [usize; 3],
 }
 
-impl<const N: usize> SeriesPosition<N> {
-    fn parts(&mut self) -> [&mut [Series<N>]; 4] {
+impl<T> SeriesPosition<T> {
+    fn parts(&mut self) -> [&mut [T]; 4] {
         let [parameters, inputs, unknowns] = self.counts;
         let (parameters, rest) = self.numbers.split_at_mut(parameters);
         let (inputs, rest) = rest.split_at_mut(inputs);
@@ -60,9 +106,16 @@ impl<const N: usize> SeriesPosition<N> {
         [parameters, inputs, near, unknowns]
     }
 
-    fn unknowns(&self) -> &[Series<N>] {
+    fn unknowns(&self) -> &[T] {
         &self.numbers[self.numbers.len() - self.counts[2]..]
     }
+}
+
+/// Which result of a mechanism is meant, by its index.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum ResultIndex {
+    Unknown(usize),
+    Output(usize),
 }
 
 impl SweepStation {
@@ -82,71 +135,111 @@ impl SweepStation {
         self.by_time(&self.inputs[index * READ..(index + 1) * READ], order)
     }
 
-    /// A derivative of an unknown.
-    pub(super) fn unknown(
+    /// A derivative of an unknown or of an output.
+    pub(super) fn result(
         &self,
         functions: &dyn NamedFunctions,
-        index: usize,
+        index: ResultIndex,
         order: usize,
     ) -> Result<Local, SolveError> {
         if order <= SNAP {
-            let value = self.position::<UP_TO_SNAP>(functions)?.unknowns()[index];
+            let value = self.series::<Series<UP_TO_SNAP>>(functions, index, None)?;
             Ok(self.by_time(&value.derivatives(), order))
         } else {
-            let value = self.position::<READ>(functions)?.unknowns()[index];
+            let value = self.series::<Series<READ>>(functions, index, None)?;
             Ok(self.by_time(&value.derivatives(), order))
         }
     }
 
-    /// A derivative of an output.
-    pub(super) fn output(
+    /// The change of a derivative of an unknown or of an output with a dimension.
+    pub(super) fn change(
         &self,
-        functions: &dyn NamedFunctions,
-        index: usize,
+        functions: &dyn ChangedFunctions,
+        index: ResultIndex,
         order: usize,
+        dimension: usize,
     ) -> Result<Local, SolveError> {
-        if order <= SNAP {
-            let value = self.output_series::<UP_TO_SNAP>(functions, index)?;
-            Ok(self.by_time(&value.derivatives(), order))
-        } else {
-            let value = self.output_series::<READ>(functions, index)?;
-            Ok(self.by_time(&value.derivatives(), order))
+        match functions.above_snap() {
+            Some(longer) if order > SNAP => {
+                let value = self.series::<Changing<Series<READ>>>(longer, index, Some(dimension))?;
+                Ok(self.by_time(&value.change.derivatives(), order))
+            }
+            _ => {
+                let value = self.series::<Changing<Series<UP_TO_SNAP>>>(functions, index, Some(dimension))?;
+                Ok(self.by_time(&value.change.derivatives(), order))
+            }
         }
     }
 
     /// The margins and the transmission angles of all dyads.
     pub(super) fn margins<'f>(&self, functions: &'f dyn NamedFunctions) -> Result<Margins<'f>, SolveError> {
-        let position = self.position::<UP_TO_SNAP>(functions)?;
+        let position = self.position::<Series<UP_TO_SNAP>>(functions, |_, value| Series::constant(value))?;
+        let inputs = 0..self.description.inputs.len();
+        let unknowns = position.unknowns().iter();
         Ok(Margins {
             functions,
             description: self.description,
             parameters: self.parameters.iter().copied().map(Local::constant).collect(),
-            inputs: (0..self.description.inputs.len())
-                .map(|input| self.input(input, 0))
-                .collect(),
-            unknowns: position
-                .unknowns()
-                .iter()
+            inputs: inputs.map(|input| self.input(input, 0)).collect(),
+            unknowns: unknowns
                 .map(|unknown| self.by_time(&unknown.derivatives(), 0))
                 .collect(),
         })
     }
 
-    fn position<'s, const N: usize>(
-        &'s self,
-        functions: &dyn SeriesFunctions<N>,
-    ) -> Result<SeriesPosition<N>, SolveError> {
-        let inputs = self
-            .inputs
-            .chunks_exact(READ)
-            .map(|motion| Series::from_derivatives(core::array::from_fn(|order| motion[order])));
-        let constants = |values: &'s [f64]| values.iter().copied().map(Series::constant);
-        let numbers = constants(&self.parameters)
-            .chain(inputs)
-            .chain(constants(&self.unknowns))
-            .chain(constants(&self.unknowns));
+    /// [`margins`](Self::margins) of dimensions that change with the parameter in which the variable is a series.
+    pub(super) fn changed_margins<'f>(
+        &self,
+        functions: &'f dyn NamedFunctions,
+        changed: &[Local],
+    ) -> Result<Margins<'f>, SolveError> {
+        let longer = |series: Local| {
+            let coefficients = series.coefficients();
+            Series::<UP_TO_SNAP>::from_coefficients(core::array::from_fn(|power| {
+                coefficients.get(power).copied().unwrap_or(0.0)
+            }))
+        };
+        let shorter = |series: Series<UP_TO_SNAP>| {
+            let coefficients = series.coefficients();
+            Local::from_coefficients(core::array::from_fn(|power| coefficients[power]))
+        };
+        let inputs: Vec<Local> = (0..self.description.inputs.len())
+            .map(|input| self.input(input, 0))
+            .collect();
+        let position = self.position_at::<Series<UP_TO_SNAP>>(
+            functions,
+            changed.iter().copied().map(longer),
+            inputs.iter().copied().map(longer),
+        )?;
+        Ok(Margins {
+            functions,
+            description: self.description,
+            parameters: changed.to_vec(),
+            inputs,
+            unknowns: position.unknowns().iter().copied().map(shorter).collect(),
+        })
+    }
+
+    /// The position of dimensions that are `parameter(index, value)`.
+    fn position<T: SeriesNumber>(
+        &self,
+        functions: &dyn PositionFunctions<T>,
+        parameter: impl Fn(usize, f64) -> T,
+    ) -> Result<SeriesPosition<T>, SolveError> {
+        let parameters = self.parameters.iter().enumerate();
+        let parameters = parameters.map(|(index, value)| parameter(index, *value));
+        self.position_at(functions, parameters, self.inputs.chunks_exact(READ).map(T::from_motion))
+    }
+
+    fn position_at<T: SeriesNumber>(
+        &self,
+        functions: &dyn PositionFunctions<T>,
+        parameters: impl Iterator<Item = T>,
+        inputs: impl Iterator<Item = T>,
+    ) -> Result<SeriesPosition<T>, SolveError> {
+        let near = || self.unknowns.iter().copied().map(T::constant);
         let mut position = SeriesPosition {
-            numbers: numbers.collect(),
+            numbers: parameters.chain(inputs).chain(near()).chain(near()).collect(),
             counts: [
                 self.parameters.len(),
                 self.description.inputs.len(),
@@ -161,17 +254,25 @@ impl SweepStation {
         Ok(position)
     }
 
-    fn output_series<const N: usize>(
+    /// An unknown or an output, whose change may be that with a dimension.
+    fn series<T: SeriesNumber>(
         &self,
-        functions: &dyn SeriesFunctions<N>,
-        index: usize,
-    ) -> Result<Series<N>, SolveError> {
-        let mut position = self.position(functions)?;
+        functions: &dyn PositionFunctions<T>,
+        index: ResultIndex,
+        changed: Option<usize>,
+    ) -> Result<T, SolveError> {
+        let mut position = self.position(functions, |dimension, value| {
+            T::changing(value, changed == Some(dimension))
+        })?;
+        let output = match index {
+            ResultIndex::Unknown(unknown) => return Ok(position.unknowns()[unknown]),
+            ResultIndex::Output(output) => output,
+        };
         let [parameters, inputs, _, unknowns] = position.parts();
-        let mut outputs = vec![Series::constant(0.0); self.outputs.len()];
+        let mut outputs = vec![T::constant(0.0); self.outputs.len()];
         functions.outputs(parameters, inputs, unknowns, &mut outputs);
-        let quantity = self.description.outputs[index];
-        Ok(unwrapped(quantity, outputs[index], self.outputs[index]))
+        let quantity = self.description.outputs[output];
+        Ok(unwrapped(quantity, outputs[output], self.outputs[output]))
     }
 
     /// A derivative with respect to time as a series in the parameter, from those with respect to the variable.
@@ -181,9 +282,9 @@ impl SweepStation {
 }
 
 /// A value on the turn nearest to another one, if it is an angle.
-fn unwrapped<const N: usize>(quantity: Quantity, value: Series<N>, near: f64) -> Series<N> {
+fn unwrapped<T: Scalar>(quantity: Quantity, value: T, near: f64) -> T {
     match quantity.dimension {
-        Dimension::Angle => nearest_turn(value, Series::constant(near)),
+        Dimension::Angle => nearest_turn(value, T::constant(near)),
         _ => value,
     }
 }
