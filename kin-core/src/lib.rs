@@ -134,6 +134,7 @@ mod quantity;
 pub mod solve;
 #[cfg(feature = "serde")]
 pub mod stored;
+#[cfg(feature = "alloc")]
 pub mod sweep;
 #[cfg(feature = "tape")]
 pub mod tape;
@@ -455,6 +456,22 @@ macro_rules! __fields {
     };
 }
 
+/// The items that a mechanism has only with the feature `alloc`.
+#[cfg(feature = "alloc")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __with_memory {
+    ($($tokens:tt)*) => { $($tokens)* };
+}
+
+/// The items that a mechanism has only with the feature `alloc`: without it, none.
+#[cfg(not(feature = "alloc"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __with_memory {
+    ($($tokens:tt)*) => {};
+}
+
 /// The items that a mechanism has only with the feature `rayon`.
 #[cfg(feature = "rayon")]
 #[doc(hidden)]
@@ -602,9 +619,11 @@ macro_rules! __single_position {
         #[allow(unreachable_pub)]
 
         impl $mechanism<::core::primitive::f64> {
-            /// `Sweep::sweep` of the only position.
-            pub fn sweep(&self) -> $crate::sweep::Assembled<Self> {
-                $crate::sweep::Sweep::sweep(self, ())
+            $crate::__with_memory! {
+                /// `Sweep::sweep` of the only position.
+                pub fn sweep(&self) -> $crate::sweep::Assembled<Self> {
+                    $crate::sweep::Sweep::sweep(self, ())
+                }
             }
 
             /// `Loaded::equivalent_inertia` in the only position.

@@ -17,4 +17,5 @@ pub use crate::mechanism::{Mechanism, Partials, Pose, PoseOf, Sensitive};
 pub use crate::motion::{Direction, Motion, rpm};
 pub use crate::number::{Number, Row};
 pub use crate::solve::Scalar;
+#[cfg(feature = "alloc")]
 pub use crate::sweep::Sweep;

@@ -8,12 +8,10 @@ use num_traits::Float;
 use super::bounds::Bounds;
 use super::sought::{SoughtMechanism, sum_of_lengths};
 use crate::law::Side;
-use crate::mechanism::Mechanism;
-use crate::motion::Motion;
-use crate::number::{NumberRow, Row, at_constant_rate};
+use crate::number::NumberRow;
 use crate::quantity::Dimension;
 use crate::solve::Scalar;
-use crate::sweep::{Drive, InputMotions, READ, SmoothDrive, Variable};
+use crate::sweep::{Drive, READ, SmoothDrive, Variable, write_steady};
 
 /// The largest number of turns of the inputs after which the closure may repeat itself.
 const MOST_TURNS: u32 = 12;
@@ -189,26 +187,27 @@ impl InputLine {
     }
 }
 
-impl<M: Mechanism<Scalar = f64>> Drive<M> for InputLine {
+impl Drive for InputLine {
     /// The only input that moves, if it is the place of the line itself.
     fn variable(&self) -> Variable {
-        let mut moving = (0..M::DESCRIPTION.inputs.len()).filter(|input| self.direction[*input] != 0.0);
+        let mut moving = (0..self.direction.len()).filter(|input| self.direction[*input] != 0.0);
         match (moving.next(), moving.next()) {
             (Some(input), None) if self.direction[input] == 1.0 && self.from[input] == 0.0 => Variable::Input(input),
             _ => Variable::Time,
         }
     }
 
-    fn motions(&self, at: f64) -> InputMotions<M, f64> {
+    fn motions(&self, at: f64, orders: usize, motions: &mut [f64]) {
         let values = self.inputs(at);
-        Row::from_fn(|input| at_constant_rate(values[input], self.direction[input]))
+        for (input, motion) in motions.chunks_exact_mut(orders).enumerate() {
+            write_steady(motion, values[input], self.direction[input]);
+        }
     }
 }
 
-impl<M: Mechanism<Scalar = f64>> SmoothDrive<M> for InputLine {
-    fn derivatives(&self, at: f64, _: Side) -> M::Inputs<Motion<f64, READ>> {
-        let values = self.inputs(at);
-        Row::from_fn(|input| Motion::at_constant_speed(values[input], self.direction[input]))
+impl SmoothDrive for InputLine {
+    fn derivatives(&self, at: f64, _: Side, derivatives: &mut [f64]) {
+        self.motions(at, READ, derivatives);
     }
 }
 

@@ -6,10 +6,10 @@ use core::f64::consts::PI;
 use num_traits::Float;
 
 use super::{Branch, Cycle, EndKind};
-use crate::any::PositionChoice;
+use crate::any::{PositionChoice, motions};
 use crate::failure::{Failure, InputValues, SolveError};
 use crate::mechanism::Mechanism;
-use crate::number::Row;
+use crate::number::{NumberRow, Row};
 use crate::sweep::Drive;
 use crate::track::TrackError;
 
@@ -95,7 +95,10 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     pub fn pose_on(&self, branch: usize, input: f64) -> Result<M::Pose, SolveError> {
         let near = self.position_on(branch, input)?;
         let values = self.inputs(input);
-        let motions = Drive::<M>::motions(&self.line, input);
+        let orders = M::DESCRIPTION.order + 1;
+        let mut given = NumberRow::splat(M::DESCRIPTION.inputs.len() * orders, 0.0);
+        self.line.motions(input, orders, &mut given);
+        let motions = motions(&given);
         match self.assembly_of(branch) {
             Some(assembly) if self.mechanism.assembly_near(values, near) != assembly => {
                 self.mechanism.solve_motion(motions, assembly)

@@ -23,7 +23,7 @@ use crate::law::Side;
 use crate::mechanism::{Mechanism, Sizes};
 use crate::number::{GAUSS, Number};
 use crate::quantity::{Dimension, Quantity};
-use crate::sweep::{Course, Drive, Local, SmoothDrive, StraightLine, Variable, Walk, composed};
+use crate::sweep::{Course, Drive, Local, READ, SmoothDrive, StraightLine, Variable, Walk, composed};
 
 /// The number of terms of the series along the curve.
 const TERMS: usize = 5;
@@ -525,7 +525,7 @@ impl Source for CircuitCurve<'_> {
     }
 }
 
-impl<M: Mechanism<Scalar = f64>> Course<M, StraightLine<M>> {
+impl<M: Mechanism<Scalar = f64>> Course<M, StraightLine> {
     /// The whole circuit as an [`ExactTable`]: from the beginning of the range in its direction, on through the limits where the input
     /// turns back, until the motion has come back to its start. So one closed table holds both assemblies between two limits.
     ///
@@ -598,7 +598,8 @@ impl<M: Mechanism<Scalar = f64>> Course<M, StraightLine<M>> {
             Variable::Input(lead) => lead,
             _ => 0,
         };
-        let slopes = self.drive.derivatives(self.from, Side::Right);
+        let mut slopes = vec![0.0; description.inputs.len() * READ];
+        self.drive.derivatives(self.from, Side::Right, &mut slopes);
         let own = Sizes::of(&description, &parameters);
         let quantities = core::iter::once(description.inputs[lead]).chain(description.unknowns.iter().copied());
         let values = core::iter::once(self.from).chain(unknowns.iter().copied());
@@ -611,7 +612,7 @@ impl<M: Mechanism<Scalar = f64>> Course<M, StraightLine<M>> {
             inputs,
             moving: (0..description.inputs.len())
                 .filter(|input| *input == lead || self.drive.same(*input, 0).is_none())
-                .map(|input| (input, slopes[input][1]))
+                .map(|input| (input, slopes[input * READ + 1]))
                 .collect(),
             sizes: quantities
                 .clone()

@@ -16,7 +16,7 @@ use crate::law::Side;
 use crate::mechanism::Mechanism;
 use crate::number::NumberRow;
 use crate::quantity::{Dimension, Quantity};
-use crate::sweep::{AnyCourse, AnySmoothDrive, Course, READ, SmoothDrive, Variable, Walk, joints};
+use crate::sweep::{AnyCourse, Course, READ, SmoothDrive, Variable, Walk, joints};
 
 /// The largest number of turns of an input after which a motion is looked upon as closed.
 const MOST_TURNS: u32 = 12;
@@ -27,7 +27,7 @@ const CLOSE: f64 = 16.0 * f64::EPSILON;
 /// A sweep as a motion over its variable.
 struct Swept<'c> {
     course: AnyCourse<'c>,
-    drive: &'c dyn AnySmoothDrive,
+    drive: &'c dyn SmoothDrive,
     count: usize,
 }
 
@@ -87,7 +87,7 @@ impl Source for Swept<'_> {
     }
 }
 
-impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
+impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> Course<M, D> {
     /// The motion as an [`ExactTable`]: a table from which every place of the range can be read, in all orders, to a tolerance.
     ///
     /// The parameter of the table is the variable of the sweep, whatever its speed. The columns are the inputs that move with it, the
@@ -122,7 +122,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     pub fn exact_table(&self, precision: impl Into<Precision>) -> Result<ExactTable, ExactTableError> {
         let swept = Swept {
             course: self.any(),
-            drive: self,
+            drive: &self.drive,
             count: 0,
         };
         swept.table(precision.into())

@@ -17,7 +17,7 @@ use crate::motion::Motion;
 use crate::number::{Number, Row, samples};
 use crate::quantity::Dimension;
 use crate::sweep::samples::{CRANK_ROCKER, LIMITED, triad};
-use crate::sweep::{Course, Instant, SmoothDrive, Sweep};
+use crate::sweep::{Course, Instant, READ, SmoothDrive, Sweep};
 use crate::verify::Random;
 
 /// The number of random places of each table.
@@ -38,7 +38,7 @@ fn difference(dimension: Dimension, one: f64, other: f64) -> f64 {
 }
 
 /// Compares a table with the solver at random places, and returns it. No error may be larger than the one that the table states.
-fn compared<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>>(
+fn compared<M: Mechanism<Scalar = f64>, D: SmoothDrive>(
     name: &str,
     course: &Course<M, D>,
     precision: impl Into<Precision>,
@@ -53,8 +53,9 @@ fn compared<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>>(
     let mut numbers = vec![0.0; columns.len() * 5];
     for _ in 0..samples::of(PLACES) {
         let at = random.between(low, high);
-        let inputs = course.drive.derivatives(at, Side::Right);
-        let motions = Row::from_fn(|input| Row::from_fn(|order| inputs[input][order]));
+        let mut inputs = vec![0.0; M::DESCRIPTION.inputs.len() * READ];
+        course.drive.derivatives(at, Side::Right, &mut inputs);
+        let motions = Row::from_fn(|input| Row::from_fn(|order| inputs[input * READ + order]));
         table.fill(at, &mut numbers).unwrap();
         let unknowns = M::DESCRIPTION.unknowns;
         let value = |name: &str| numbers[5 * columns.iter().position(|column| column.name() == name).unwrap()];
@@ -66,7 +67,7 @@ fn compared<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>>(
         };
         let pose = pose.unwrap_or_else(|error| panic!("{name}: {error}"));
         let mut expected: Vec<(&str, Vec<f64>)> = Vec::new();
-        for (input, motion) in M::DESCRIPTION.inputs.iter().zip(inputs.as_ref()) {
+        for (input, motion) in M::DESCRIPTION.inputs.iter().zip(inputs.chunks_exact(READ)) {
             expected.push((input.name, (0..5).map(|order| motion[order]).collect()));
         }
         for (unknown, motion) in unknowns.iter().zip(pose.unknown_motions().as_ref()) {

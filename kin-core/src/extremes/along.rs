@@ -111,7 +111,7 @@ impl<M: Mechanism<Scalar = f64>, A: Answer, F: Fn(&At<M>) -> A> AskedQuantity<M>
     }
 }
 
-impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
+impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> Course<M, D> {
     /// A quantity by the name of its column, as in `"theta4_jerk"`, to ask for its peak, its extremes or its mean.
     ///
     /// Names go on above the order of the mechanism, up to the twelfth derivative, and `"margin"` is the length that is left until the first
@@ -166,7 +166,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     }
 }
 
-impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>, Q: AskedQuantity<M>> QuantityAlong<'c, M, D, Q> {
+impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive, Q: AskedQuantity<M>> QuantityAlong<'c, M, D, Q> {
     /// The same quantity, whose questions tell how far they have come: `progress` is called with the part of the sweep that has been
     /// searched, which grows. It is 1 in the last call, unless the answer is an error.
     ///
@@ -328,7 +328,7 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>, Q: AskedQuantity<M>> Qua
         };
         let found = question(&QuantityOfSweep {
             course: self.course.any(),
-            drive: self.course,
+            drive: &self.course.drive,
             quantity: &answer,
             known: None,
             progress: Some(&tell),

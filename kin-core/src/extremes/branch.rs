@@ -28,7 +28,7 @@ impl KnownStretch {
     }
 }
 
-impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
+impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> Course<M, D> {
     /// The extremes of a quantity that is called by its name.
     pub(crate) fn extremes_between(&self, known: KnownStretch, name: &str) -> Result<Vec<Extreme>, ExtremesError> {
         let named = Named::find::<M>(name)?;
@@ -54,7 +54,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     fn between(&self, known: KnownStretch, quantity: &PoseQuantity<'_>) -> Result<Vec<Extreme>, ExtremesError> {
         let asked = QuantityOfSweep {
             course: self.any(),
-            drive: self,
+            drive: &self.drive,
             quantity,
             known: Some(known),
             progress: None,

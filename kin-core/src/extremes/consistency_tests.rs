@@ -117,7 +117,7 @@ impl Fine {
 }
 
 /// Compares the answers to every question about a quantity with a fine table.
-fn hold<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>>(
+fn hold<M: Mechanism<Scalar = f64>, D: SmoothDrive>(
     name: &str,
     fine_table: &Table,
     rows: usize,
@@ -204,7 +204,7 @@ fn hold<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>>(
 }
 
 /// Whether the mechanism closes along the sweep, so that there is something to compare.
-fn hold_all<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>>(
+fn hold_all<M: Mechanism<Scalar = f64>, D: SmoothDrive>(
     rows: &[usize],
     course: impl Fn(usize) -> Course<M, D>,
 ) -> bool {

@@ -289,7 +289,7 @@ fn a_range_gives_the_direction() {
     };
     let [up, down] = [0.3..=2.9, 2.9..=0.3].map(|range| linkage.sweep(Assembly::Open).over(range, 27).speed(3.0));
     let against = linkage.sweep(Assembly::Open).over(0.3..=2.9, 27).speed(-3.0);
-    let tables = [up, down, against].map(|sweep| sweep.table().unwrap());
+    let tables = [&up, &down, &against].map(|sweep| sweep.table().unwrap());
     for (order, name) in [
         "theta4",
         "theta4_velocity",
@@ -306,7 +306,7 @@ fn a_range_gives_the_direction() {
             let close = |other: f64| (value - sign * other).abs() <= 1e-11 * value.abs().max(1.0);
             assert!(close(two[26 - row]) && close(three[row]), "{name} in row {row}");
         }
-        let [one, two] = [up, down].map(|sweep| sweep.of(name).mean(Over::Time).unwrap().value);
+        let [one, two] = [&up, &down].map(|sweep| sweep.of(name).mean(Over::Time).unwrap().value);
         assert!((one - sign * two).abs() <= 1e-11 * one.abs().max(1.0), "{name}");
         let highest = up.of(name).highest().unwrap().value;
         let same = if order % 2 == 0 {

@@ -8,7 +8,7 @@ use crate::sweep::{Assembled, StraightLine};
 /// A method that nobody can call.
 impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     #[doc(hidden)]
-    pub fn of<'q>(&self, _: &'q str) -> QuantityAlong<'_, M, StraightLine<M>, ByName<'q>>
+    pub fn of<'q>(&self, _: &'q str) -> QuantityAlong<'_, M, StraightLine, ByName<'q>>
     where
         Self: Moves,
     {

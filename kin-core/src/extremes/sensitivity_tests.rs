@@ -198,7 +198,7 @@ fn check_effort<M, D, L>(
     at_place: impl Fn(&M::With<Changing<f64>>, f64) -> Changing<f64>,
 ) where
     M: Mechanism<Scalar = f64>,
-    D: SmoothDrive<M>,
+    D: SmoothDrive,
     L: Load<M::With<Local>>,
 {
     let effort = |at: &At<M>| at.effort(loads, 0);

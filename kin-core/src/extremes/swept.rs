@@ -18,7 +18,7 @@ use crate::law::Side;
 use crate::number::{Number, NumberRow};
 use crate::quantity::Dimension;
 use crate::sweep::{
-    AnyCourse, AnySmoothDrive, Limit, Local, READ, SweepError, Variable, Walk, by_time, joints, limit_between,
+    AnyCourse, Limit, Local, READ, SmoothDrive, SweepError, Variable, Walk, by_time, joints, limit_between,
 };
 
 /// A quantity of a pose.
@@ -60,7 +60,7 @@ impl Mark {
 /// A quantity along a sweep.
 pub(super) struct QuantityOfSweep<'c> {
     pub(super) course: AnyCourse<'c>,
-    pub(super) drive: &'c dyn AnySmoothDrive,
+    pub(super) drive: &'c dyn SmoothDrive,
     pub(super) quantity: &'c PoseQuantity<'c>,
     pub(super) known: Option<KnownStretch>,
     /// Told the part of the sweep that has been searched.
@@ -151,7 +151,7 @@ impl QuantityOfSweep<'_> {
             is_angle: course.variable().dimension == Dimension::Angle,
             is_full_turn: self.is_full_turn(),
             has_assemblies: course.has_assemblies(),
-            time: self.drive.time_per_variable(),
+            time: 1.0 / self.drive.rate().abs(),
         }
     }
 
@@ -176,7 +176,12 @@ impl QuantityOfSweep<'_> {
 
     /// The way of the first input for each unit of the variable.
     pub(super) fn way(&self, at: f64) -> f64 {
-        self.drive.way_per_variable(at)
+        if let Variable::Input(_) = self.drive.variable() {
+            return 1.0;
+        }
+        let mut inputs = vec![0.0; self.course.description.inputs.len() * READ];
+        self.drive.derivatives(at, Side::Right, &mut inputs);
+        inputs.get(1).map_or(1.0, |rate| rate.abs())
     }
 
     /// The joints of laws between two places, in the order from the first to the second.

@@ -16,7 +16,7 @@ use crate::sweep::{Course, Instant, Local, StraightLine, Sweep};
 
 const ORDERS: [&str; 5] = ["", "_velocity", "_acceleration", "_jerk", "_snap"];
 
-fn turn(linkage: FourBar, assembly: Assembly) -> Course<FourBar, StraightLine<FourBar>> {
+fn turn(linkage: FourBar, assembly: Assembly) -> Course<FourBar, StraightLine> {
     linkage.sweep(assembly).over(0.0..=TAU, 100).speed(10.0)
 }
 
@@ -495,7 +495,7 @@ crate::mechanism! {
 }
 
 /// The margin as a series at a place of a sweep, by differences of the extremes' own numbers.
-fn margins<M>(sweep: Course<M, StraightLine<M>>, expected: impl Fn(f64) -> f64)
+fn margins<M>(sweep: Course<M, StraightLine>, expected: impl Fn(f64) -> f64)
 where
     M: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]>,
 {

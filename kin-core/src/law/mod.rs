@@ -58,6 +58,7 @@ pub use constant::{ConstantSpeed, Dwell};
 pub use continuity::{LawJoint, LawJoints};
 pub use error::LawError;
 pub use fourier::Fourier;
+#[cfg(feature = "alloc")]
 pub(crate) use piecewise::approached;
 pub use piecewise::{Law, Piecewise, Repeated, Side};
 pub use polynomial::Polynomial;

@@ -52,7 +52,7 @@ struct Samples<'c> {
     most: usize,
 }
 
-impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
+impl<M: Mechanism<Scalar = f64>, D: Drive> Course<M, D> {
     /// The poses as a table with rows where they are needed: the straight lines between them deviate from the curves of all unknowns and
     /// outputs by no more than `tolerance`, as a part of the range of each column. The range is that of the rows of the sweep and of places
     /// between them.

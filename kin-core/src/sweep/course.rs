@@ -1,4 +1,4 @@
-//! A sweep without the type of its mechanism and without that of its drive.
+//! A sweep without the type of its mechanism.
 //!
 //! The walk from pose to pose, and all that stands on it, is compiled once, in this crate.
 
@@ -8,9 +8,8 @@ use super::columns::labels;
 use super::drive::{Drive, SmoothDrive, Variable};
 use super::table::Table;
 use super::{Course, SweepError, row_at};
-use crate::any::{AssemblyMotionOver, Of, PositionChoice, index_of, write};
+use crate::any::{AssemblyMotionOver, Of, PositionChoice, index_of};
 use crate::failure::SolveError;
-use crate::law::Side;
 use crate::mechanism::{Description, Mechanism};
 use crate::number::NumberRow;
 use crate::quantity::{Dimension, Quantity};
@@ -24,84 +23,8 @@ pub(crate) trait SweptMechanism: Tracked + AssemblyMotionOver<f64> {}
 
 impl<M: Mechanism<Scalar = f64>> SweptMechanism for Of<M> {}
 
-/// The motion of the inputs over the variable of a sweep, on slices: see [`Drive`].
-pub(crate) trait AnyDrive {
-    fn variable(&self) -> Variable;
-
-    /// Writes the motions of the inputs, one after the other, each with all its orders.
-    fn motions(&self, at: f64, motions: &mut [f64]);
-
-    /// Writes the values of the inputs.
-    fn inputs(&self, at: f64, inputs: &mut [f64]);
-
-    fn same(&self, input: usize, order: usize) -> Option<f64>;
-
-    fn rate(&self) -> f64;
-
-    fn check(&self, range: [f64; 2], rows: usize) -> Result<(), SweepError>;
-}
-
-/// A drive that is known with its derivatives to any order, on slices: see [`SmoothDrive`].
-pub(crate) trait AnySmoothDrive: AnyDrive {
-    /// Writes the inputs with their derivatives, one after the other, each with as many orders as are read.
-    fn derivatives(&self, at: f64, side: Side, derivatives: &mut [f64]);
-
-    fn next_joint(&self, after: f64) -> Option<f64>;
-
-    fn time_per_variable(&self) -> f64;
-
-    fn way_per_variable(&self, at: f64) -> f64;
-}
-
-impl<M: Mechanism<Scalar = f64>, D: Drive<M>> AnyDrive for Course<M, D> {
-    fn variable(&self) -> Variable {
-        self.drive.variable()
-    }
-
-    fn motions(&self, at: f64, motions: &mut [f64]) {
-        write(self.drive.motions(at).as_ref(), motions);
-    }
-
-    fn inputs(&self, at: f64, inputs: &mut [f64]) {
-        let motions = self.drive.motions(at);
-        for (input, motion) in inputs.iter_mut().zip(motions.as_ref()) {
-            *input = motion[0];
-        }
-    }
-
-    fn same(&self, input: usize, order: usize) -> Option<f64> {
-        self.drive.same(input, order)
-    }
-
-    fn rate(&self) -> f64 {
-        self.drive.rate()
-    }
-
-    fn check(&self, range: [f64; 2], rows: usize) -> Result<(), SweepError> {
-        self.drive.check(range, rows)
-    }
-}
-
-impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> AnySmoothDrive for Course<M, D> {
-    fn derivatives(&self, at: f64, side: Side, derivatives: &mut [f64]) {
-        write(self.drive.derivatives(at, side).as_ref(), derivatives);
-    }
-
-    fn next_joint(&self, after: f64) -> Option<f64> {
-        self.drive.next_joint(after)
-    }
-
-    fn time_per_variable(&self) -> f64 {
-        self.drive.time_per_variable()
-    }
-
-    fn way_per_variable(&self, at: f64) -> f64 {
-        self.drive.way_per_variable(at)
-    }
-}
-
 /// The joints of laws between two places, in the order from the first to the second.
-pub(crate) fn joints(drive: &dyn AnySmoothDrive, ends: [f64; 2]) -> Vec<f64> {
+pub(crate) fn joints(drive: &dyn SmoothDrive, ends: [f64; 2]) -> Vec<f64> {
     let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
     let next = |after: f64| drive.next_joint(after).filter(|joint| *joint < high);
     let mut joints: Vec<f64> = core::iter::successors(next(low), |joint| next(*joint)).collect();
@@ -127,13 +50,13 @@ pub(crate) struct AnyCourse<'c> {
     pub(crate) description: &'static Description,
     pub(crate) parameters: NumberRow,
     assembly: CourseAssembly,
-    pub(crate) drive: &'c dyn AnyDrive,
+    pub(crate) drive: &'c dyn Drive,
     pub(crate) from: f64,
     pub(crate) to: f64,
     pub(crate) count: usize,
 }
 
-impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
+impl<M: Mechanism<Scalar = f64>, D: Drive> Course<M, D> {
     /// This sweep without types.
     pub(crate) fn any(&self) -> AnyCourse<'_> {
         let near = || M::values_near(self.assembly).map_or(NumberRow::splat(0, 0.0), |near| near.as_ref().into());
@@ -142,7 +65,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
             description: const { &M::DESCRIPTION },
             parameters: self.mechanism.parameters().as_ref().into(),
             assembly: index_of::<M>(self.assembly).map_or_else(|| CourseAssembly::Near(near()), CourseAssembly::Index),
-            drive: self,
+            drive: &self.drive,
             from: self.from,
             to: self.to,
             count: self.count,
@@ -164,14 +87,14 @@ impl AnyCourse<'_> {
     /// The motions of the inputs, one after the other.
     pub(crate) fn motions(&self, at: f64) -> NumberRow {
         let mut motions = NumberRow::splat(self.description.inputs.len() * self.orders(), 0.0);
-        self.drive.motions(at, &mut motions);
+        self.drive.motions(at, self.orders(), &mut motions);
         motions
     }
 
     /// The values of the inputs.
     pub(crate) fn inputs(&self, at: f64) -> NumberRow {
         let mut inputs = NumberRow::splat(self.description.inputs.len(), 0.0);
-        self.drive.inputs(at, &mut inputs);
+        self.drive.motions(at, 1, &mut inputs);
         inputs
     }
 

@@ -1,17 +1,19 @@
 //! How the inputs move during a sweep.
 
-use crate::batch::Column;
-#[cfg(feature = "alloc")]
-use crate::batch::LengthMismatch;
+use alloc::boxed::Box;
+use alloc::vec::Vec;
+use core::fmt;
+
+use num_traits::Float;
+
+use crate::any::write;
+use crate::batch::{Column, LengthMismatch};
 pub(crate) use crate::hermite::TERMS;
 use crate::law::{Law, Piecewise, Side, approached};
 use crate::mechanism::{Description, Mechanism};
 use crate::motion::Motion;
-use crate::number::{Row, at_constant_rate, series::Series};
-#[cfg(feature = "alloc")]
-use crate::quantity::Dimension;
-use crate::quantity::{Quantity, RATES};
-#[cfg(feature = "alloc")]
+use crate::number::{NumberRow, series::Series};
+use crate::quantity::{Dimension, Quantity, RATES};
 use crate::sweep::SweepError;
 
 /// A value that carries its first four derivatives with respect to the variable of a sweep.
@@ -24,7 +26,6 @@ pub type Instant = Series<READ>;
 pub(crate) const READ: usize = RATES.len() + TERMS;
 
 /// The largest rounding of a number of turns that is whole.
-#[cfg(feature = "alloc")]
 const WHOLE: f64 = 1e-9;
 
 /// The inputs of the mechanism `M`, each in all orders, as numbers of the type `V`.
@@ -57,28 +58,30 @@ impl Variable {
     }
 }
 
-/// The motion of the inputs over the variable of a sweep.
-pub trait Drive<M: Mechanism<Scalar = f64>> {
+/// How the inputs move over the variable of a sweep. Do not implement it: a new version may add items.
+pub trait Drive {
     /// The variable.
     fn variable(&self) -> Variable;
 
-    /// The motions of the inputs at a value of the variable.
-    fn motions(&self, at: f64) -> InputMotions<M, f64>;
+    /// Writes the motions of the inputs at a value of the variable, one after the other, each with a number of orders that a pose may have.
+    #[doc(hidden)]
+    fn motions(&self, at: f64, orders: usize, motions: &mut [f64]);
 
     /// The derivative of an input with respect to time, if it is the same everywhere.
+    #[doc(hidden)]
     fn same(&self, input: usize, order: usize) -> Option<f64> {
         let _ = (input, order);
         None
     }
 
     /// The change of the variable for each unit of time, not a number if the rates of the inputs do not tell it.
+    #[doc(hidden)]
     fn rate(&self) -> f64 {
         1.0
     }
 
     /// Whether the inputs can move so over a range of the variable, from the smaller end to the larger one, in a number of rows.
     #[doc(hidden)]
-    #[cfg(feature = "alloc")]
     fn check(&self, range: [f64; 2], rows: usize) -> Result<(), SweepError> {
         let _ = (range, rows);
         Ok(())
@@ -86,56 +89,73 @@ pub trait Drive<M: Mechanism<Scalar = f64>> {
 }
 
 /// A drive that is known with its derivatives to any order, so that the poses between the rows are known as well.
-pub trait SmoothDrive<M: Mechanism<Scalar = f64>>: Drive<M> {
-    /// The inputs with their derivatives with respect to the variable. Where two pieces of a law meet, `side` selects one.
-    fn derivatives(&self, at: f64, side: Side) -> M::Inputs<Motion<f64, READ>>;
+pub trait SmoothDrive: Drive {
+    /// Writes the inputs with their derivatives with respect to the variable, one after the other, each with as many as are read. Where two
+    /// pieces of a law meet, `side` selects one.
+    #[doc(hidden)]
+    fn derivatives(&self, at: f64, side: Side, derivatives: &mut [f64]);
 
     /// The first place beyond `after` where two pieces of a law meet, if there is one.
+    #[doc(hidden)]
     fn next_joint(&self, after: f64) -> Option<f64> {
         let _ = after;
         None
     }
-
-    /// The time for each unit of the variable.
-    fn time_per_variable(&self) -> f64 {
-        1.0 / self.rate().abs()
-    }
-
-    /// The way of the first input for each unit of the variable, without its sign.
-    fn way_per_variable(&self, at: f64) -> f64 {
-        let inputs = self.derivatives(at, Side::Right);
-        inputs.as_ref().first().map_or(1.0, |motion| motion[1].abs())
-    }
 }
 
 /// A derivative with respect to time, as a series in the variable, from the derivatives with respect to the variable.
-#[cfg(feature = "alloc")]
 pub(crate) fn by_time(derivatives: &[f64], order: usize, rate: f64) -> Local {
     let factor = (0..order).fold(1.0, |factor, _| factor * rate);
     Local::from_derivatives(core::array::from_fn(|above| factor * derivatives[order + above]))
 }
 
+/// Writes the first derivatives of some inputs, of which more may be known.
+fn write_orders<'m>(known: impl Iterator<Item = &'m [f64]>, orders: usize, motions: &mut [f64]) {
+    for (known, motion) in known.zip(motions.chunks_exact_mut(orders)) {
+        motion.copy_from_slice(&known[..orders]);
+    }
+}
+
+/// Writes the motion of an input whose value changes at a constant rate.
+pub(crate) fn write_steady(motion: &mut [f64], value: f64, rate: f64) {
+    motion.fill(0.0);
+    motion[0] = value;
+    if let Some(velocity) = motion.get_mut(1) {
+        *velocity = rate;
+    }
+}
+
 /// A straight line in the space of the inputs, at constant speed.
-#[derive(Clone, Copy, Debug)]
-pub struct StraightLine<M: Mechanism<Scalar = f64>> {
-    pub(super) from: M::Inputs<f64>,
-    pub(super) to: M::Inputs<f64>,
+#[derive(Clone, Debug)]
+pub struct StraightLine {
+    pub(crate) from: NumberRow,
+    pub(crate) to: NumberRow,
     /// The first input that moves.
     pub(super) lead: usize,
     /// The speed of that input in the direction of the line.
     pub(super) speed: f64,
 }
 
-impl<M: Mechanism<Scalar = f64>> StraightLine<M> {
-    pub(super) fn new(from: M::Inputs<f64>, to: M::Inputs<f64>) -> Self {
-        let ends = from.as_ref().iter().zip(to.as_ref());
+impl StraightLine {
+    pub(crate) fn new(from: &[f64], to: &[f64]) -> Self {
+        let ends = from.iter().zip(to);
         let lead = ends.clone().position(|(from, to)| from != to).unwrap_or(0);
         Self {
-            from,
-            to,
+            from: from.into(),
+            to: to.into(),
             lead,
             speed: 1.0,
         }
+    }
+
+    /// The same line at another speed.
+    pub(crate) fn at_speed(self, speed: f64) -> Self {
+        Self { speed, ..self }
+    }
+
+    /// The range of the input that moves first.
+    pub(crate) fn range(&self) -> [f64; 2] {
+        [self.from[self.lead], self.to[self.lead]]
     }
 
     /// The way of an input for each unit of the first one that moves.
@@ -171,7 +191,7 @@ impl<M: Mechanism<Scalar = f64>> StraightLine<M> {
     }
 }
 
-impl<M: Mechanism<Scalar = f64>> Drive<M> for StraightLine<M> {
+impl Drive for StraightLine {
     fn variable(&self) -> Variable {
         Variable::Input(self.lead)
     }
@@ -180,8 +200,11 @@ impl<M: Mechanism<Scalar = f64>> Drive<M> for StraightLine<M> {
         self.velocity()
     }
 
-    fn motions(&self, at: f64) -> InputMotions<M, f64> {
-        Row::from_fn(|input| at_constant_rate(self.value(input, at), self.slope(input) * self.velocity()))
+    fn motions(&self, at: f64, orders: usize, motions: &mut [f64]) {
+        let velocity = self.velocity();
+        for (input, motion) in motions.chunks_exact_mut(orders).enumerate() {
+            write_steady(motion, self.value(input, at), self.slope(input) * velocity);
+        }
     }
 
     fn same(&self, input: usize, order: usize) -> Option<f64> {
@@ -193,14 +216,13 @@ impl<M: Mechanism<Scalar = f64>> Drive<M> for StraightLine<M> {
         }
     }
 
-    #[cfg(feature = "alloc")]
     fn check(&self, _: [f64; 2], _: usize) -> Result<(), SweepError> {
         let of = |quantity, values: &[f64]| {
             let culprit = values.iter().copied().find(|value| !value.is_finite());
             culprit.map_or(Ok(()), |value| Err(SweepError::NotFinite { quantity, value }))
         };
-        of("start", self.from.as_ref())?;
-        of("end", self.to.as_ref())?;
+        of("start", &self.from)?;
+        of("end", &self.to)?;
         of("speed", &[self.speed])?;
         if self.speed == 0.0 {
             return Err(SweepError::NoSpeed);
@@ -209,92 +231,128 @@ impl<M: Mechanism<Scalar = f64>> Drive<M> for StraightLine<M> {
     }
 }
 
-impl<M: Mechanism<Scalar = f64>> SmoothDrive<M> for StraightLine<M> {
-    fn derivatives(&self, at: f64, _: Side) -> M::Inputs<Motion<f64, READ>> {
-        Row::from_fn(|input| Motion::at_constant_speed(self.value(input, at), self.slope(input)))
-    }
-
-    fn way_per_variable(&self, _: f64) -> f64 {
-        1.0
+impl SmoothDrive for StraightLine {
+    fn derivatives(&self, at: f64, _: Side, derivatives: &mut [f64]) {
+        for (input, motion) in derivatives.chunks_exact_mut(READ).enumerate() {
+            write_steady(motion, self.value(input, at), self.slope(input));
+        }
     }
 }
 
-/// Any motion over time, given by a function.
-#[derive(Clone, Copy, Debug)]
-pub struct OverTime<F>(pub(super) F);
+/// A function that writes the inputs at a time.
+type WriteInputs<'f> = Box<dyn Fn(f64, &mut [f64]) + 'f>;
 
-impl<M, F> Drive<M> for OverTime<F>
-where
-    M: Mechanism<Scalar = f64>,
-    F: Fn(f64) -> InputMotions<M, f64>,
-{
+/// Any motion over time, given by a function.
+pub struct OverTime<'f> {
+    write: WriteInputs<'f>,
+    /// The orders of each motion.
+    orders: usize,
+    inputs: usize,
+}
+
+impl<'f> OverTime<'f> {
+    pub(super) fn new<M: Mechanism>(function: impl Fn(f64) -> InputMotions<M, f64> + 'f) -> Self {
+        Self {
+            write: Box::new(move |time, motions| write(function(time).as_ref(), motions)),
+            orders: M::DESCRIPTION.order + 1,
+            inputs: M::DESCRIPTION.inputs.len(),
+        }
+    }
+}
+
+impl Drive for OverTime<'_> {
     fn variable(&self) -> Variable {
         Variable::Time
     }
 
-    fn motions(&self, at: f64) -> InputMotions<M, f64> {
-        (self.0)(at)
+    fn motions(&self, at: f64, orders: usize, motions: &mut [f64]) {
+        if orders == self.orders {
+            return (self.write)(at, motions);
+        }
+        let mut known = NumberRow::splat(self.inputs * self.orders, 0.0);
+        (self.write)(at, &mut known);
+        write_orders(known.chunks_exact(self.orders), orders, motions);
     }
 }
 
 /// Motions over time, given by formulas.
-#[derive(Clone, Copy, Debug)]
-pub struct ByFormula<F>(pub(super) F);
+pub struct ByFormula<'f> {
+    /// Writes all derivatives that are read.
+    write: WriteInputs<'f>,
+    inputs: usize,
+}
 
-impl<M, F> Drive<M> for ByFormula<F>
-where
-    M: Mechanism<Scalar = f64>,
-    F: Fn(Instant) -> M::Inputs<Instant>,
-{
+impl<'f> ByFormula<'f> {
+    pub(super) fn new<M: Mechanism<Scalar = f64>>(formula: impl Fn(Instant) -> M::Inputs<Instant> + 'f) -> Self {
+        let write = move |time: f64, derivatives: &mut [f64]| {
+            let time = Motion::<f64, READ>::at_constant_speed(time, 1.0);
+            let inputs = formula(Instant::from_derivatives(time.derivatives()));
+            for (input, derivatives) in inputs.as_ref().iter().zip(derivatives.chunks_exact_mut(READ)) {
+                derivatives.copy_from_slice(&input.derivatives());
+            }
+        };
+        Self {
+            write: Box::new(write),
+            inputs: M::DESCRIPTION.inputs.len(),
+        }
+    }
+}
+
+impl Drive for ByFormula<'_> {
     fn variable(&self) -> Variable {
         Variable::Time
     }
 
-    fn motions(&self, at: f64) -> InputMotions<M, f64> {
-        let inputs: M::Inputs<Motion<f64, READ>> = SmoothDrive::<M>::derivatives(self, at, Side::Right);
-        Row::from_fn(|input| Row::from_fn(|order| inputs[input][order]))
+    fn motions(&self, at: f64, orders: usize, motions: &mut [f64]) {
+        let mut known = alloc::vec![0.0; self.inputs * READ];
+        (self.write)(at, &mut known);
+        write_orders(known.chunks_exact(READ), orders, motions);
     }
 }
 
-impl<M, F> SmoothDrive<M> for ByFormula<F>
-where
-    M: Mechanism<Scalar = f64>,
-    F: Fn(Instant) -> M::Inputs<Instant>,
-{
-    fn derivatives(&self, at: f64, _: Side) -> M::Inputs<Motion<f64, READ>> {
-        let time = Motion::<f64, READ>::at_constant_speed(at, 1.0);
-        let inputs = (self.0)(Instant::from_derivatives(time.derivatives()));
-        Row::from_fn(|input| Motion::new(inputs[input].derivatives()))
+impl SmoothDrive for ByFormula<'_> {
+    fn derivatives(&self, at: f64, _: Side, derivatives: &mut [f64]) {
+        (self.write)(at, derivatives);
     }
 }
 
 /// Motion laws over time, one for each input.
-#[derive(Clone, Copy)]
-pub struct Laws<'l, M: Mechanism<Scalar = f64>>(pub(super) M::Inputs<&'l dyn Piecewise<f64>>);
+#[derive(Clone)]
+pub struct Laws<'l> {
+    laws: Vec<&'l dyn Piecewise<f64>>,
+    inputs: &'static [Quantity],
+}
 
-impl<M: Mechanism<Scalar = f64>> Drive<M> for Laws<'_, M> {
+impl<'l> Laws<'l> {
+    pub(crate) fn new(laws: &[&'l dyn Piecewise<f64>], description: &Description) -> Self {
+        Self {
+            laws: laws.to_vec(),
+            inputs: description.inputs,
+        }
+    }
+}
+
+impl Drive for Laws<'_> {
     fn variable(&self) -> Variable {
         Variable::Time
     }
 
-    fn motions(&self, at: f64) -> InputMotions<M, f64> {
-        Row::from_fn(|input| {
-            let motion: Motion<f64, 13> = self.0[input].at(at);
-            Row::from_fn(|order| motion[order])
-        })
+    fn motions(&self, at: f64, orders: usize, motions: &mut [f64]) {
+        for (law, motion) in self.laws.iter().zip(motions.chunks_exact_mut(orders)) {
+            let known: Motion<f64, { RATES.len() + 1 }> = law.at(at);
+            motion.copy_from_slice(&known.as_ref()[..orders]);
+        }
     }
 
     /// A mechanism does not jump. A jump of an angle by whole turns is none: a crank starts a new turn at zero.
-    #[cfg(feature = "alloc")]
     fn check(&self, range: [f64; 2], _: usize) -> Result<(), SweepError> {
-        for (law, quantity) in self.0.as_ref().iter().zip(M::DESCRIPTION.inputs) {
+        for (law, quantity) in self.laws.iter().zip(self.inputs) {
             let period = law.repeats().then(|| law.duration());
             let jump = law.joints::<1>().find_map(|joint| {
                 let by = joint.jump().value();
                 let turns = by / core::f64::consts::TAU;
                 let is_none = joint.first_jump().is_none()
-                    || quantity.dimension == Dimension::Angle
-                        && (turns - num_traits::Float::round(turns)).abs() < WHOLE;
+                    || quantity.dimension == Dimension::Angle && (turns - Float::round(turns)).abs() < WHOLE;
                 (!is_none)
                     .then(|| within(joint.time, period, range))?
                     .map(|at| (at, by))
@@ -314,25 +372,27 @@ impl<M: Mechanism<Scalar = f64>> Drive<M> for Laws<'_, M> {
 }
 
 /// The first of the times, one or one in each period, that lies inside of a range.
-#[cfg(feature = "alloc")]
 fn within(time: f64, period: Option<f64>, [start, end]: [f64; 2]) -> Option<f64> {
     let first = match period {
         None => time,
-        Some(period) => time + period * (num_traits::Float::floor((start - time) / period) + 1.0),
+        Some(period) => time + period * (Float::floor((start - time) / period) + 1.0),
     };
     (start < first && first < end).then_some(first)
 }
 
-impl<M: Mechanism<Scalar = f64>> SmoothDrive<M> for Laws<'_, M> {
-    fn derivatives(&self, at: f64, side: Side) -> M::Inputs<Motion<f64, READ>> {
-        Row::from_fn(|input| approached(self.0[input], at, side))
+impl SmoothDrive for Laws<'_> {
+    fn derivatives(&self, at: f64, side: Side, derivatives: &mut [f64]) {
+        for (law, motion) in self.laws.iter().zip(derivatives.chunks_exact_mut(READ)) {
+            let known: Motion<f64, READ> = approached(*law, at, side);
+            motion.copy_from_slice(known.as_ref());
+        }
     }
 
     fn next_joint(&self, after: f64) -> Option<f64> {
         let next = |law: &dyn Piecewise<f64>| {
             let duration = law.duration();
             let cycle = if law.repeats() {
-                num_traits::Float::floor(after / duration)
+                Float::floor(after / duration)
             } else {
                 0.0
             };
@@ -348,15 +408,45 @@ impl<M: Mechanism<Scalar = f64>> SmoothDrive<M> for Laws<'_, M> {
                 .filter(|joint| *joint > after)
                 .reduce(f64::min)
         };
-        self.0.as_ref().iter().filter_map(|law| next(*law)).reduce(f64::min)
+        self.laws.iter().filter_map(|law| next(*law)).reduce(f64::min)
     }
 }
 
 /// Columns of one's own, one for each order of each input.
-#[derive(Clone, Copy)]
-pub struct Along<'c, M: Mechanism<Scalar = f64>>(pub(super) InputMotions<M, Column<'c>>);
+#[derive(Clone)]
+pub struct Along<'c> {
+    columns: Vec<Column<'c>>,
+    orders: usize,
+    inputs: &'static [Quantity],
+}
 
-impl<M: Mechanism<Scalar = f64>> Drive<M> for Along<'_, M> {
+impl<'c> Along<'c> {
+    pub(super) fn new<M: Mechanism>(columns: &InputMotions<M, Column<'c>>) -> Self {
+        let all = columns.as_ref().iter().flat_map(AsRef::as_ref);
+        Self {
+            columns: all.copied().collect(),
+            orders: M::DESCRIPTION.order + 1,
+            inputs: M::DESCRIPTION.inputs,
+        }
+    }
+
+    /// The length of the first column that has one.
+    pub(super) fn count(&self) -> usize {
+        let mut lengths = self.lengths();
+        lengths.next().map_or(1, |(_, length)| length)
+    }
+
+    /// The lengths of columns that have one, each with the name of the input.
+    fn lengths(&self) -> impl Iterator<Item = (&'static str, usize)> + '_ {
+        let columns = self.columns.iter().enumerate();
+        columns.filter_map(|(index, column)| match column {
+            Column::Same(_) => None,
+            Column::Each(values) => Some((self.inputs[index / self.orders].name, values.len())),
+        })
+    }
+}
+
+impl Drive for Along<'_> {
     fn variable(&self) -> Variable {
         Variable::Row
     }
@@ -371,62 +461,72 @@ impl<M: Mechanism<Scalar = f64>> Drive<M> for Along<'_, M> {
         clippy::cast_sign_loss,
         reason = "it is the number of a row"
     )]
-    fn motions(&self, at: f64) -> InputMotions<M, f64> {
+    fn motions(&self, at: f64, orders: usize, motions: &mut [f64]) {
         let row = at as usize;
-        let part = at - num_traits::Float::floor(at);
-        Row::from_fn(|input| {
-            Row::from_fn(|order| {
-                let column = self.0[input][order];
+        let part = at - Float::floor(at);
+        let inputs = self.columns.chunks_exact(self.orders);
+        for (columns, motion) in inputs.zip(motions.chunks_exact_mut(orders)) {
+            for (column, motion) in columns.iter().zip(motion) {
                 let value = column.at(row);
-                if part > 0.0 {
+                *motion = if part > 0.0 {
                     value + part * (column.at(row + 1) - value)
                 } else {
                     value
-                }
-            })
-        })
+                };
+            }
+        }
     }
 
     fn same(&self, input: usize, order: usize) -> Option<f64> {
-        match self.0[input][order] {
+        match self.columns[input * self.orders + order] {
             Column::Same(value) => Some(value),
             Column::Each(_) => None,
         }
     }
 
-    #[cfg(feature = "alloc")]
     fn check(&self, _: [f64; 2], rows: usize) -> Result<(), SweepError> {
-        let inputs = self.0.as_ref().iter().zip(M::DESCRIPTION.inputs);
-        let mut lengths = inputs.flat_map(|(orders, quantity)| {
-            orders.as_ref().iter().filter_map(|column| match column {
-                Column::Same(_) => None,
-                Column::Each(values) => Some((quantity.name, values.len())),
-            })
-        });
-        lengths
-            .find(|(_, length)| *length != rows)
-            .map_or(Ok(()), |(quantity, length)| {
-                Err(SweepError::Columns(LengthMismatch {
-                    quantity,
-                    poses: rows,
-                    length,
-                }))
-            })
+        let mut lengths = self.lengths();
+        let other = lengths.find(|(_, length)| *length != rows);
+        other.map_or(Ok(()), |(quantity, length)| {
+            Err(SweepError::Columns(LengthMismatch {
+                quantity,
+                poses: rows,
+                length,
+            }))
+        })
     }
 }
+
+macro_rules! shown_by_name {
+    ($($drive:ident)*) => {
+        $(
+            impl fmt::Debug for $drive<'_> {
+                fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+                    formatter.write_str(stringify!($drive))
+                }
+            }
+        )*
+    };
+}
+
+shown_by_name!(OverTime ByFormula Laws Along);
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::law::{Rise, Sequence, Shape};
-    use crate::library::{FiveBar, FourBar};
+    use crate::library::FourBar;
 
     /// The other input moves in proportion, and both arrive exactly.
     #[test]
     fn a_line_leads_all_inputs_to_their_ends() {
-        let mut line = StraightLine::<FiveBar>::new([1.0, 2.0], [4.0, 0.1]);
+        let mut line = StraightLine::new(&[1.0, 2.0], &[4.0, 0.1]);
         line.speed = 6.0;
-        let motions = |at| Drive::<FiveBar>::motions(&line, at).map(|motion| motion.derivatives());
+        let motions = |at| {
+            let mut motions = [0.0; 10];
+            line.motions(at, 5, &mut motions);
+            [0, 5].map(|first| motions[first..first + 5].to_vec())
+        };
         assert_eq!(motions(1.0)[1][0], 2.0);
         assert_eq!(motions(4.0)[1][0], 0.1);
         assert_eq!(motions(2.5)[0], [2.5, 6.0, 0.0, 0.0, 0.0]);
@@ -438,9 +538,10 @@ mod tests {
     #[test]
     fn the_series_of_laws_fit_together() {
         let rise = Rise::new(Shape::Cycloidal, 0.0, 2.0, 0.5).unwrap();
-        let drive = Laws::<FourBar>([&rise]);
-        let [motion] = SmoothDrive::<FourBar>::derivatives(&drive, 0.2, Side::Right);
-        let series: [Local; 5] = core::array::from_fn(|order| by_time(motion.as_ref(), order, 1.0));
+        let drive = Laws::new(&[&rise], &FourBar::<f64>::DESCRIPTION);
+        let mut motion = [0.0; READ];
+        drive.derivatives(0.2, Side::Right, &mut motion);
+        let series: [Local; 5] = core::array::from_fn(|order| by_time(&motion, order, 1.0));
         for order in 0..4 {
             let (low, high) = (series[order].derivatives(), series[order + 1].derivatives());
             assert_eq!(low[1..], high[..4]);
@@ -452,7 +553,7 @@ mod tests {
         let rise = Rise::new(Shape::Cycloidal, 0.0, 2.0, 0.5).unwrap();
         let fall = Rise::new(Shape::Cycloidal, 2.0, 0.0, 0.25).unwrap();
         let laws = Sequence::new([&rise, &fall]).unwrap();
-        let joints = |drive: &Laws<'_, FourBar>| {
+        let joints = |drive: &Laws<'_>| {
             let mut places = std::vec![];
             let mut after = -0.1;
             while let Some(next) = drive.next_joint(after).filter(|joint| *joint < 1.6) {
@@ -461,8 +562,8 @@ mod tests {
             }
             places
         };
-        assert_eq!(joints(&Laws::<FourBar>([&laws])), [0.0, 0.5, 0.75]);
+        assert_eq!(joints(&Laws::new(&[&laws], &FourBar::<f64>::DESCRIPTION)), [0.0, 0.5, 0.75]);
         let cam = laws.repeated();
-        assert_eq!(joints(&Laws::<FourBar>([&cam])), [0.0, 0.5, 0.75, 1.25, 1.5]);
+        assert_eq!(joints(&Laws::new(&[&cam], &FourBar::<f64>::DESCRIPTION)), [0.0, 0.5, 0.75, 1.25, 1.5]);
     }
 }

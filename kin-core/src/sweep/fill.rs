@@ -30,7 +30,7 @@ pub(super) fn part(done: usize, count: usize) -> f64 {
     done as f64 / count as f64
 }
 
-impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
+impl<M: Mechanism<Scalar = f64>, D: Drive> Course<M, D> {
     /// The poses as a table. See [`Table`] for its columns, and for rows that do not close.
     ///
     /// Where every block has a closed form, `solve_batch` solves several rows at once.
@@ -190,7 +190,7 @@ impl AnyCourse<'_> {
             let mut motions = vec![0.0; columns];
             let moving: Vec<usize> = (0..columns).filter(|column| same[*column].is_none()).collect();
             for row in 0..count {
-                self.drive.motions(self.at(row), &mut motions);
+                self.drive.motions(self.at(row), orders, &mut motions);
                 for column in &moving {
                     inputs[column * count + row] = motions[*column];
                 }

@@ -38,70 +38,43 @@
 //! row to row, and steps that are too long for it are halved. Angles of outputs continue in the same way, and what is calculated from an
 //! angle, as the position of a rack, follows it.
 
-#[cfg(feature = "alloc")]
 mod adaptive;
-#[cfg(feature = "alloc")]
 mod columns;
-#[cfg(feature = "alloc")]
 mod course;
-#[cfg(feature = "alloc")]
 mod display;
 mod drive;
-#[cfg(feature = "alloc")]
 mod error;
-#[cfg(feature = "alloc")]
 mod fill;
-#[cfg(feature = "alloc")]
 mod footing;
-#[cfg(feature = "alloc")]
 mod gaps;
 #[doc(hidden)]
 pub mod guessed;
-#[cfg(feature = "alloc")]
 mod limits;
-#[cfg(feature = "alloc")]
 mod names;
-#[cfg(feature = "alloc")]
 mod rows;
 #[cfg(test)]
 pub(crate) mod samples;
-#[cfg(feature = "alloc")]
 mod smooth;
-#[cfg(feature = "alloc")]
 mod table;
 #[cfg(test)]
 mod tests;
-#[cfg(feature = "alloc")]
 mod unwrap;
-#[cfg(feature = "alloc")]
 mod walk;
 
-#[cfg(feature = "alloc")]
 pub use columns::{ColumnOf, Label, Unit};
-#[cfg(feature = "alloc")]
-pub(crate) use course::{AnyCourse, AnySmoothDrive, joints};
+pub(crate) use course::{AnyCourse, joints};
 pub use drive::{
     Along, ByFormula, Drive, InputMotions, Instant, Laws, Local, OverTime, SmoothDrive, StraightLine, Variable,
 };
-#[cfg(feature = "alloc")]
-pub(crate) use drive::{READ, TERMS, by_time};
-#[cfg(feature = "alloc")]
+pub(crate) use drive::{READ, TERMS, by_time, write_steady};
 pub use error::SweepError;
-#[cfg(feature = "alloc")]
 pub(crate) use footing::Footing;
-#[cfg(feature = "alloc")]
 pub(crate) use limits::between as limit_between;
-#[cfg(feature = "alloc")]
 pub use limits::{Limit, LimitKind};
-#[cfg(feature = "alloc")]
 pub use names::NoSuchColumn;
-#[cfg(feature = "alloc")]
 pub use rows::Rows;
-#[cfg(feature = "alloc")]
 pub(crate) use smooth::composed;
-#[cfg(feature = "alloc")]
 pub use table::{RowOf, Table};
-#[cfg(feature = "alloc")]
 pub(crate) use walk::Walk;
 
 use crate::batch::Column;
@@ -134,9 +107,8 @@ pub struct Assembled<M: Mechanism<Scalar = f64>> {
 }
 
 /// A sweep: a mechanism in an assembly, whose inputs move.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 #[must_use = "read its `rows` or its `table`"]
-#[cfg_attr(not(feature = "alloc"), expect(dead_code, reason = "poses need memory"))]
 pub struct Course<M: Mechanism<Scalar = f64>, D> {
     pub(crate) mechanism: M,
     pub(crate) assembly: M::Assembly,
@@ -164,7 +136,7 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     ///
     /// The speed is 1 unless [`speed`](Course::speed) tells another one, so that rates are per unit of the way. A mechanism of several
     /// inputs takes [`between`](Self::between).
-    pub fn over(self, range: impl ClosedRange, rows: usize) -> Course<M, StraightLine<M>>
+    pub fn over(self, range: impl ClosedRange, rows: usize) -> Course<M, StraightLine>
     where
         M::Inputs<f64>: OneInput,
     {
@@ -186,10 +158,10 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     /// assert_eq!(table.column("beta_velocity")?[0], -3.0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn between(self, from: M::Inputs<f64>, to: M::Inputs<f64>, rows: usize) -> Course<M, StraightLine<M>> {
-        let line = StraightLine::<M>::new(from, to);
-        let range = from[line.lead]..=to[line.lead];
-        self.course(line, range, rows)
+    pub fn between(self, from: M::Inputs<f64>, to: M::Inputs<f64>, rows: usize) -> Course<M, StraightLine> {
+        let line = StraightLine::new(from.as_ref(), to.as_ref());
+        let range = line.range();
+        self.course(line, range[0]..=range[1], rows)
     }
 
     /// Over a range of the time, with a function that gives the motion of every input: an array of what `solve` takes.
@@ -207,11 +179,13 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     /// assert_eq!(start.table()?.column("theta_velocity")?[100], 2.0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn over_time<F>(self, range: impl ClosedRange, rows: usize, motions: F) -> Course<M, OverTime<F>>
-    where
-        F: Fn(f64) -> InputMotions<M, f64>,
-    {
-        self.course(OverTime(motions), range, rows)
+    pub fn over_time<'f>(
+        self,
+        range: impl ClosedRange,
+        rows: usize,
+        motions: impl Fn(f64) -> InputMotions<M, f64> + 'f,
+    ) -> Course<M, OverTime<'f>> {
+        self.course(OverTime::new::<M>(motions), range, rows)
     }
 
     /// Over a range of the time, with a formula that gives the value of every input. It is calculated in numbers that carry their
@@ -228,11 +202,13 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     /// println!("{} m/s³", swing.of("s_jerk").peak()?);
     /// # Ok::<(), kin_core::extremes::ExtremesError>(())
     /// ```
-    pub fn by_formula<F>(self, range: impl ClosedRange, rows: usize, formula: F) -> Course<M, ByFormula<F>>
-    where
-        F: Fn(Instant) -> M::Inputs<Instant>,
-    {
-        self.course(ByFormula(formula), range, rows)
+    pub fn by_formula<'f>(
+        self,
+        range: impl ClosedRange,
+        rows: usize,
+        formula: impl Fn(Instant) -> M::Inputs<Instant> + 'f,
+    ) -> Course<M, ByFormula<'f>> {
+        self.course(ByFormula::new::<M>(formula), range, rows)
     }
 
     /// Over a range of the time, with a [motion law](crate::law) for each input, in brackets. A law whose value jumps inside of the range
@@ -250,13 +226,13 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     /// println!("{} m/s³ at {} s", peak.value, peak.at);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn under_laws(
+    pub fn under_laws<'l>(
         self,
-        laws: M::Inputs<&dyn Piecewise<f64>>,
+        laws: M::Inputs<&'l dyn Piecewise<f64>>,
         range: impl ClosedRange,
         rows: usize,
-    ) -> Course<M, Laws<'_, M>> {
-        self.course(Laws(laws), range, rows)
+    ) -> Course<M, Laws<'l>> {
+        self.course(Laws::new(laws.as_ref(), &M::DESCRIPTION), range, rows)
     }
 
     /// Along columns: one for each order of each input, as `solve_batch` takes them. The number of rows is the length of the first column
@@ -264,18 +240,14 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     ///
     /// Limits between two rows are those on the straight line between their inputs, and their places are parts of the way from one row to the next.
     #[expect(clippy::cast_precision_loss, reason = "a table has far fewer rows than 2⁵³")]
-    pub fn along(self, columns: InputMotions<M, Column<'_>>) -> Course<M, Along<'_, M>> {
-        let orders = columns.as_ref().iter().flat_map(AsRef::as_ref);
-        let length = orders.filter_map(|column| match column {
-            Column::Same(_) => None,
-            Column::Each(values) => Some(values.len()),
-        });
-        let count = length.clone().next().unwrap_or(1);
-        self.course(Along(columns), 0.0..=count.saturating_sub(1) as f64, count)
+    pub fn along<'c>(self, columns: InputMotions<M, Column<'c>>) -> Course<M, Along<'c>> {
+        let along = Along::new::<M>(&columns);
+        let count = along.count();
+        self.course(along, 0.0..=count.saturating_sub(1) as f64, count)
     }
 }
 
-impl<M: Mechanism<Scalar = f64>> Course<M, StraightLine<M>> {
+impl<M: Mechanism<Scalar = f64>> Course<M, StraightLine> {
     /// The speed of the input, or of the first input that moves, in the direction of the range: over a range that runs downwards, its velocity
     /// is negative. A negative speed moves against the range, so that the last row is the first one in time.
     ///
@@ -289,12 +261,12 @@ impl<M: Mechanism<Scalar = f64>> Course<M, StraightLine<M>> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn speed(mut self, speed: f64) -> Self {
-        self.drive.speed = speed;
+        self.drive = self.drive.at_speed(speed);
         self
     }
 }
 
-impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
+impl<M: Mechanism<Scalar = f64>, D: Drive> Course<M, D> {
     /// The number of rows.
     #[must_use]
     pub fn count(&self) -> usize {
@@ -312,9 +284,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
     /// A row that does not close is an error with its margin. Where a coupled block does not close, the margin is the distance of the
     /// inputs to the end of their circuit. Where the way to a row was too long to be tracked, the error is
     /// [`NotConverged`](crate::Failure::NotConverged), which has no margin, and whose condition is NaN.
-    #[cfg(feature = "alloc")]
-    #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
-    #[must_use]
+        #[must_use]
     pub fn rows(&self) -> Rows<'_, M, D> {
         Rows::new(self)
     }

@@ -5,8 +5,8 @@ use core::mem::take;
 
 use super::course::AnyCourse;
 use super::walk::Walk;
-use super::{Course, Drive};
-use crate::any::row;
+use super::{Course, Drive, InputMotions};
+use crate::any::{motions, row};
 use crate::failure::SolveError;
 use crate::mechanism::{Mechanism, Pose};
 
@@ -21,7 +21,7 @@ pub struct Rows<'s, M: Mechanism<Scalar = f64>, D> {
     next: usize,
 }
 
-impl<'s, M: Mechanism<Scalar = f64>, D: Drive<M>> Rows<'s, M, D> {
+impl<'s, M: Mechanism<Scalar = f64>, D: Drive> Rows<'s, M, D> {
     pub(super) fn new(typed: &'s Course<M, D>) -> Self {
         Self {
             typed,
@@ -33,7 +33,7 @@ impl<'s, M: Mechanism<Scalar = f64>, D: Drive<M>> Rows<'s, M, D> {
     }
 }
 
-impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Iterator for Rows<'_, M, D> {
+impl<M: Mechanism<Scalar = f64>, D: Drive> Iterator for Rows<'_, M, D> {
     type Item = Result<M::Pose, SolveError>;
 
     fn next(&mut self) -> Option<Self::Item> {
@@ -43,11 +43,10 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Iterator for Rows<'_, M, D> {
         }
         let at = typed.at(self.next);
         self.next += 1;
-        let motions = typed.drive.motions(at);
-        self.given.clear();
-        for motion in motions.as_ref() {
-            self.given.extend_from_slice(motion.as_ref());
-        }
+        let orders = course.orders();
+        self.given.resize(course.description.inputs.len() * orders, 0.0);
+        course.drive.motions(at, orders, &mut self.given);
+        let motions: InputMotions<M, f64> = motions(&self.given);
         // The walk tells which position it is. As a rule it is that of the assembly, whose pose the walk then needs not solve again.
         let mut known = None;
         if course.has_assemblies() || walk.last.is_none() {
@@ -82,4 +81,4 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Iterator for Rows<'_, M, D> {
     }
 }
 
-impl<M: Mechanism<Scalar = f64>, D: Drive<M>> ExactSizeIterator for Rows<'_, M, D> {}
+impl<M: Mechanism<Scalar = f64>, D: Drive> ExactSizeIterator for Rows<'_, M, D> {}

@@ -626,25 +626,25 @@ fn mistakes_are_told() {
 /// Inputs that do not move, or that nobody knows, are no sweep. Rates of zero would be answers.
 #[test]
 fn speeds_and_lines_that_are_none_are_refused() {
-    let turn = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 5);
-    assert_eq!(turn.speed(0.0).table(), Err(SweepError::NoSpeed));
-    assert_eq!(turn.speed(-0.0).of("theta4").peak(), Err(SweepError::NoSpeed.into()));
+    let turn = |speed: f64| CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 5).speed(speed);
+    assert_eq!(turn(0.0).table(), Err(SweepError::NoSpeed));
+    assert_eq!(turn(-0.0).of("theta4").peak(), Err(SweepError::NoSpeed.into()));
     assert!(SweepError::NoSpeed.to_string().contains("is zero"));
     for speed in [f64::NAN, f64::INFINITY] {
-        let error = turn.speed(speed).table().unwrap_err();
+        let error = turn(speed).table().unwrap_err();
         assert!(
             matches!(error, SweepError::NotFinite { quantity: "speed", .. }),
             "{error}"
         );
         assert!(
-            turn.speed(speed)
+            turn(speed)
                 .of("theta4")
                 .mean(crate::extremes::Over::Time)
                 .is_err()
         );
-        assert!(turn.speed(speed).adaptive_table(1e-2, 1, 100).is_err());
+        assert!(turn(speed).adaptive_table(1e-2, 1, 100).is_err());
     }
-    assert!(turn.speed(-3.0).table().is_ok());
+    assert!(turn(-3.0).table().is_ok());
     // also the inputs beside the first one that moves
     let robot = FiveBar {
         ground: 2.0,

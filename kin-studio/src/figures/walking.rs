@@ -19,7 +19,7 @@ const CORNERS: [Plane; 2] = [Plane { x: 420.0, y: 34.0 }, Plane { x: 420.0, y: 2
 /// The foot stands on the ground within 1 mm of its lowest place.
 const CONTACT: f64 = 1.0;
 
-type Turn = Course<JansenLeg, StraightLine<JansenLeg>>;
+type Turn = Course<JansenLeg, StraightLine>;
 
 /// A plot over a turn of the crank.
 struct Plot<'a> {

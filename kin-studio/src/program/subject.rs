@@ -227,7 +227,7 @@ impl<M: Mechanism<Scalar = f64>> Sample<M> {
         Ok(all)
     }
 
-    fn line(case: &Case, rows: usize) -> Result<Course<M, StraightLine<M>>, Fault> {
+    fn line(case: &Case, rows: usize) -> Result<Course<M, StraightLine>, Fault> {
         let mechanism = Self::mechanism(&case.parameters);
         let assembly = Self::assembly(case, &mechanism)?;
         let [from, to] =
@@ -240,7 +240,7 @@ impl<M: Mechanism<Scalar = f64>> Sample<M> {
         case: &Case,
         duration: f64,
         rows: usize,
-        then: impl FnOnce(Course<M, Laws<'_, M>>) -> R,
+        then: impl FnOnce(Course<M, Laws<'_>>) -> R,
     ) -> Result<R, Fault> {
         let laws: Result<Vec<_>, _> = case.motions.iter().map(|motion| motion.law(duration)).collect();
         let laws = laws.map_err(Fault::wrong)?;
@@ -302,7 +302,7 @@ fn of_exact_table(error: ExactTableError) -> Fault {
 fn extent_of<M, D>(course: &Course<M, D>, name: &str) -> Result<Extent, Fault>
 where
     M: Mechanism<Scalar = f64>,
-    D: kin_core::sweep::SmoothDrive<M>,
+    D: kin_core::sweep::SmoothDrive,
 {
     let quantity = course.of(name);
     let all = quantity.extremes().map_err(of_extremes)?;

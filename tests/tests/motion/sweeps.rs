@@ -28,7 +28,7 @@ fn inputs<M: Mechanism>(at: f64, speed: f64) -> Vec<Vec<f64>> {
 /// Holds all extremes of every unknown against the scan and the reference. It returns their number.
 fn hold<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
-    sweep: impl Fn(usize) -> Course<M, StraightLine<M>>,
+    sweep: impl Fn(usize) -> Course<M, StraightLine>,
     speed: f64,
     is_turn: bool,
 ) -> usize {

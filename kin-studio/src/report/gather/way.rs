@@ -20,7 +20,7 @@ pub(super) struct Way<M: Mechanism<Scalar = f64>> {
     inputs: M::Inputs<f64>,
     moving: usize,
     /// The sweep downwards comes first, if there are two.
-    pub(super) courses: Vec<Course<M, StraightLine<M>>>,
+    pub(super) courses: Vec<Course<M, StraightLine>>,
     /// The places on the range where the assembly closes, as the branches tell.
     closes: Vec<[f64; 2]>,
 }
