@@ -24,6 +24,8 @@
 //! # Ok::<(), kin_core::SolveError>(())
 //! ```
 
+#[cfg(feature = "alloc")]
+use alloc::vec::Vec;
 use core::marker::PhantomData;
 
 use crate::failure::SolveError;
@@ -39,6 +41,45 @@ pub enum PositionChoice<'n, T> {
     Assembly(usize),
     /// The one that is closest to values of the unknowns.
     Near(&'n [T]),
+}
+
+/// A choice of one of several positions that is kept.
+#[cfg(feature = "alloc")]
+#[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
+#[derive(Clone, Debug, PartialEq)]
+pub enum AssemblyChoice {
+    /// The one of an assembly, by its index.
+    Index(usize),
+    /// The one that is closest to values of the unknowns.
+    Near(Vec<f64>),
+}
+
+#[cfg(feature = "alloc")]
+impl AssemblyChoice {
+    /// The choice as the solvers take it.
+    #[must_use]
+    pub fn position(&self) -> PositionChoice<'_, f64> {
+        match self {
+            Self::Index(index) => PositionChoice::Assembly(*index),
+            Self::Near(near) => PositionChoice::Near(near),
+        }
+    }
+
+    /// The index of the assembly, unless it depends on the dimensions.
+    #[must_use]
+    pub fn index(&self) -> Option<usize> {
+        match self {
+            Self::Index(index) => Some(*index),
+            Self::Near(_) => None,
+        }
+    }
+
+    /// The choice of a typed assembly.
+    #[must_use]
+    pub fn of<M: Mechanism>(assembly: M::Assembly) -> Self {
+        let near = || M::values_near(assembly).map_or_else(Vec::new, |near| near.as_ref().to_vec());
+        index_of::<M>(assembly).map_or_else(|| Self::Near(near()), Self::Index)
+    }
 }
 
 /// Positions of an assembly in numbers of one type.

@@ -124,6 +124,9 @@ mod interop;
 pub mod law;
 #[cfg(feature = "library")]
 pub mod library;
+#[cfg(feature = "alloc")]
+#[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
+pub mod linkage;
 pub mod load;
 mod mechanism;
 mod motion;

@@ -1,15 +1,19 @@
 //! What a designer reads off a circuit: strokes, ratios of times and the worst transmission angle.
 
+use alloc::vec;
 use core::error::Error;
 use core::f64::consts::PI;
 use core::fmt;
 
 use super::Cycle;
 use super::line::turned;
-use crate::extremes::{ExtremeKind, ExtremesError};
+use super::station::MeasuredCycle;
+use crate::any::{Of, OutputsOver, TransmissionOver};
+use crate::extremes::{ExtremeKind, ExtremesError, NamedFunctions};
 use crate::mechanism::Mechanism;
-use crate::number::Row;
+use crate::picture::TransmissionAngle;
 use crate::quantity::Digits;
+use crate::sweep::SweptMechanism;
 
 /// The smallest stroke of a quantity that moves, as a part of its largest value, and the shortest way between its ends, as a part of a turn.
 const STILL: f64 = 1e-12;
@@ -106,6 +110,11 @@ impl From<ExtremesError> for MeasureError {
     }
 }
 
+/// What quantities along branches need of a mechanism.
+pub trait MeasuredFunctions: SweptMechanism + NamedFunctions + OutputsOver<f64> + TransmissionOver<f64> {}
+
+impl<F: SweptMechanism + NamedFunctions + OutputsOver<f64> + TransmissionOver<f64>> MeasuredFunctions for F {}
+
 impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     /// The smallest and the largest value of a quantity along a circuit, called by the name of its column: `"theta4"`, `"foot.x"`,
     /// `"theta4_velocity"`. Rates are those with respect to the input.
@@ -126,32 +135,7 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn stroke(&self, circuit: usize, name: &str) -> Result<Stroke, MeasureError> {
-        self.range(circuit, name).map(|(stroke, _)| stroke)
-    }
-
-    /// The stroke of a quantity, and whether both of its ends lie inside of branches or at their limits, so that the quantity turns there.
-    fn range(&self, circuit: usize, name: &str) -> Result<(Stroke, bool), MeasureError> {
-        let mut range: Option<(Stroke, [ExtremeKind; 2])> = None;
-        for station in self.branch_stations(circuit)? {
-            let course = self.course(&station);
-            for extreme in course.extremes_between(self.known(&station), name)? {
-                let value = extreme.value.ok_or(ExtremesError::Unbounded { at: extreme.at })?;
-                let own = StrokeEnd {
-                    value,
-                    input: extreme.at,
-                    branch: station.branch,
-                };
-                let (stroke, kinds) = range.get_or_insert((Stroke { low: own, high: own }, [extreme.kind; 2]));
-                if value < stroke.low.value {
-                    (stroke.low, kinds[0]) = (own, extreme.kind);
-                }
-                if value > stroke.high.value {
-                    (stroke.high, kinds[1]) = (own, extreme.kind);
-                }
-            }
-        }
-        let (stroke, kinds) = range.ok_or(MeasureError::NoSuchCircuit)?;
-        Ok((stroke, !kinds.contains(&ExtremeKind::End)))
+        self.measured().stroke(circuit, name)
     }
 
     /// The time ratio of a quick return, at a constant speed of the input: the longer of the ways of the input between the smallest and the
@@ -175,23 +159,7 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn time_ratio(&self, circuit: usize, name: &str) -> Result<f64, MeasureError> {
-        let [branch] = self.circuit(circuit)? else {
-            return Err(MeasureError::NoFullTurn);
-        };
-        let branch = &self.branches[*branch];
-        if !branch.is_full_turn() {
-            return Err(MeasureError::NoFullTurn);
-        }
-        let turn = branch.ends[1].input - branch.ends[0].input;
-        let (stroke, returns) = self.range(circuit, name)?;
-        let way = (stroke.high.input - stroke.low.input).abs();
-        let [short, long] = [way.min(turn - way), way.max(turn - way)];
-        let (low, high) = (stroke.low.value, stroke.high.value);
-        let is_still = stroke.length() <= STILL * low.abs().max(high.abs()) || short <= STILL * turn;
-        if !returns || is_still {
-            return Err(MeasureError::NoReturn { low, high });
-        }
-        Ok(long / short)
+        self.measured().time_ratio(circuit, name)
     }
 
     /// The smallest transmission angle of all dyads along a circuit, folded to at most a right angle. It is zero if the circuit has a limit in
@@ -213,8 +181,70 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn worst_transmission(&self, circuit: usize) -> Result<WorstTransmission, MeasureError> {
+        self.measured().worst_transmission(circuit)
+    }
+
+    fn measured(&self) -> MeasuredCycle<'_> {
+        MeasuredCycle {
+            cycle: &self.searched,
+            functions: Of::<M>::FUNCTIONS,
+        }
+    }
+}
+
+impl MeasuredCycle<'_> {
+    pub(crate) fn stroke(&self, circuit: usize, name: &str) -> Result<Stroke, MeasureError> {
+        self.range(circuit, name).map(|(stroke, _)| stroke)
+    }
+
+    /// The stroke of a quantity, and whether both of its ends lie inside of branches or at their limits, so that the quantity turns there.
+    fn range(&self, circuit: usize, name: &str) -> Result<(Stroke, bool), MeasureError> {
+        let mut range: Option<(Stroke, [ExtremeKind; 2])> = None;
+        for station in self.branch_stations(circuit)? {
+            for extreme in self.sweep(&station).extremes(self.functions, name)? {
+                let value = extreme.value.ok_or(ExtremesError::Unbounded { at: extreme.at })?;
+                let own = StrokeEnd {
+                    value,
+                    input: extreme.at,
+                    branch: station.branch,
+                };
+                let (stroke, kinds) = range.get_or_insert((Stroke { low: own, high: own }, [extreme.kind; 2]));
+                if value < stroke.low.value {
+                    (stroke.low, kinds[0]) = (own, extreme.kind);
+                }
+                if value > stroke.high.value {
+                    (stroke.high, kinds[1]) = (own, extreme.kind);
+                }
+            }
+        }
+        let (stroke, kinds) = range.ok_or(MeasureError::NoSuchCircuit)?;
+        Ok((stroke, !kinds.contains(&ExtremeKind::End)))
+    }
+
+    pub(crate) fn time_ratio(&self, circuit: usize, name: &str) -> Result<f64, MeasureError> {
+        let [branch] = self.circuit(circuit)? else {
+            return Err(MeasureError::NoFullTurn);
+        };
+        let branch = self.branch(*branch);
+        if !branch.is_full_turn() {
+            return Err(MeasureError::NoFullTurn);
+        }
+        let turn = branch.ends[1].input - branch.ends[0].input;
+        let (stroke, returns) = self.range(circuit, name)?;
+        let way = (stroke.high.input - stroke.low.input).abs();
+        let [short, long] = [way.min(turn - way), way.max(turn - way)];
+        let (low, high) = (stroke.low.value, stroke.high.value);
+        let is_still = stroke.length() <= STILL * low.abs().max(high.abs()) || short <= STILL * turn;
+        if !returns || is_still {
+            return Err(MeasureError::NoReturn { low, high });
+        }
+        Ok(long / short)
+    }
+
+    pub(crate) fn worst_transmission(&self, circuit: usize) -> Result<WorstTransmission, MeasureError> {
         let mut worst: Option<WorstTransmission> = None;
-        let dyads = <M::Dyads<f64> as Row<f64>>::LENGTH;
+        let mechanism = &self.cycle.mechanism;
+        let mut all = vec![TransmissionAngle::of("", 0.0, 1.0); mechanism.functions.dyad_count()];
         for station in self.branch_stations(circuit)? {
             let mut candidate = |block: &'static str, angle: f64, input: f64| {
                 if worst.is_none_or(|worst| angle < worst.angle) {
@@ -226,21 +256,19 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
                     });
                 }
             };
-            let mut blocks: M::Dyads<&'static str> = Row::splat("");
-            for end in &self.branches[station.branch].ends {
-                let unknowns = Row::from_fn(|unknown| end.unknowns[unknown]);
-                let all = self.mechanism.transmission_angles_at(self.inputs(end.input), unknowns);
-                for (block, dyad) in blocks.as_mut().iter_mut().zip(all.as_ref()) {
-                    *block = dyad.block;
+            for end in &self.branch(station.branch).ends {
+                let inputs = self.cycle.line.inputs(end.input);
+                let functions: &dyn TransmissionOver<f64> = self.functions;
+                functions.angles_of_dyads(&mechanism.parameters, &inputs, &end.unknowns, &mut all);
+                for dyad in &all {
                     candidate(dyad.block, dyad.folded(), end.input);
                 }
             }
-            let course = self.course(&station);
-            for dyad in 0..dyads {
-                for extreme in course.transmission_extremes_between(self.known(&station), dyad)? {
+            for (dyad, transmission) in all.iter().enumerate() {
+                for extreme in self.sweep(&station).transmission_extremes(self.functions, dyad)? {
                     if let Some(angle) = extreme.value {
                         let size = turned(angle).abs();
-                        candidate(blocks[dyad], size.min(PI - size), extreme.at);
+                        candidate(transmission.block, size.min(PI - size), extreme.at);
                     }
                 }
             }

@@ -61,6 +61,7 @@ mod position;
 #[cfg(test)]
 mod scale_tests;
 mod search;
+mod searched;
 mod singular;
 mod sought;
 mod station;
@@ -79,10 +80,11 @@ use core::ops::Deref;
 use crate::any::Of;
 use crate::failure::SolveError;
 use crate::mechanism::{Mechanism, OneInput};
-use crate::number::{ClosedRange, NumberRow, Row};
-use line::InputLine;
-use search::SearchMethod;
-use sought::SoughtMechanism;
+use crate::number::{ClosedRange, Row};
+pub use measure::MeasuredFunctions;
+pub(crate) use searched::SearchedCycle;
+pub use sought::SearchedFunctions;
+pub(crate) use station::MeasuredCycle;
 
 /// The full cycle of every mechanism.
 pub trait FullCycle: Mechanism<Scalar = f64> {
@@ -155,15 +157,14 @@ impl<M: Mechanism<Scalar = f64>> FullCycle for M {}
 #[derive(Clone, Debug)]
 pub struct Cycle<M: Mechanism<Scalar = f64>> {
     mechanism: M,
-    line: InputLine,
-    data: CycleData,
+    searched: SearchedCycle,
 }
 
 impl<M: Mechanism<Scalar = f64>> Deref for Cycle<M> {
     type Target = CycleData;
 
     fn deref(&self) -> &CycleData {
-        &self.data
+        &self.searched.data
     }
 }
 
@@ -174,19 +175,11 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
         direction: M::Inputs<f64>,
         range: Option<[f64; 2]>,
     ) -> Result<Self, SolveError> {
-        let functions = Of::<M>::FUNCTIONS;
-        // in a constant, so that only one of both is compiled
-        let search = if const { M::ASSEMBLY_COUNT > 0 } {
-            SearchMethod::Closed(functions)
-        } else {
-            SearchMethod::Coupled(functions)
-        };
-        let line = [from.as_ref(), direction.as_ref()].map(NumberRow::from);
-        let (line, data) = search::search(&sought(mechanism), &search, line, range)?;
+        let parameters = mechanism.parameters();
+        let line = [from.as_ref(), direction.as_ref()];
         Ok(Self {
             mechanism: *mechanism,
-            line,
-            data,
+            searched: SearchedCycle::new(Of::<M>::FUNCTIONS, parameters.as_ref(), line, range)?,
         })
     }
 
@@ -208,7 +201,7 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     /// ```
     #[must_use]
     pub fn undecided(&self) -> Vec<(M::Assembly, [f64; 2])> {
-        let undecided = self.data.undecided.iter();
+        let undecided = self.undecided.iter();
         let typed = undecided.filter_map(|(index, range)| Some((M::assembly(*index)?, *range)));
         typed.collect()
     }
@@ -236,10 +229,6 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
         M::assembly(self.branches().get(branch)?.assembly()?)
     }
 
-    fn sought(&self) -> SoughtMechanism<'static> {
-        sought(&self.mechanism)
-    }
-
     /// The mechanism.
     #[must_use]
     pub fn mechanism(&self) -> &M {
@@ -249,15 +238,7 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     /// The inputs at a place of the line: the only input itself, or `from + s direction`.
     #[must_use]
     pub fn inputs(&self, input: f64) -> M::Inputs<f64> {
-        let inputs = self.line.inputs(input);
+        let inputs = self.searched.line.inputs(input);
         Row::from_fn(|index| inputs[index])
-    }
-}
-
-/// A mechanism without its type.
-fn sought<M: Mechanism<Scalar = f64>>(mechanism: &M) -> SoughtMechanism<'static> {
-    SoughtMechanism {
-        functions: Of::<M>::FUNCTIONS,
-        parameters: NumberRow::from(mechanism.parameters().as_ref()),
     }
 }

@@ -5,11 +5,11 @@ use core::f64::consts::PI;
 
 use num_traits::Float;
 
-use super::{Branch, Cycle, EndKind};
-use crate::any::{PositionChoice, motions};
+use super::{Branch, Cycle, EndKind, SearchedCycle};
+use crate::any::{PositionChoice, motions, row};
 use crate::failure::{Failure, InputValues, SolveError};
 use crate::mechanism::Mechanism;
-use crate::number::{NumberRow, Row};
+use crate::number::NumberRow;
 use crate::sweep::Drive;
 use crate::track::TrackError;
 
@@ -24,13 +24,38 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     /// [`Failure::OutOfRange`] if the input lies outside the branch, with the range of the branch, and the errors of the solver: the input
     /// lies at an end of the branch.
     pub fn position_on(&self, branch: usize, input: f64) -> Result<M::Unknowns<f64>, SolveError> {
+        self.searched.position_on(branch, input).map(|found| row(&found))
+    }
+
+    /// The pose of a branch at an input, with all derivatives with respect to the input.
+    ///
+    /// # Errors
+    /// The errors of [`position_on`](Self::position_on).
+    pub fn pose_on(&self, branch: usize, input: f64) -> Result<M::Pose, SolveError> {
+        let near = self.position_on(branch, input)?;
+        let values = self.inputs(input);
+        let orders = M::DESCRIPTION.order + 1;
+        let mut given = NumberRow::splat(M::DESCRIPTION.inputs.len() * orders, 0.0);
+        self.searched.line.motions(input, orders, &mut given);
+        let motions = motions(&given);
+        match self.assembly_of(branch) {
+            Some(assembly) if self.mechanism.assembly_near(values, near) != assembly => {
+                self.mechanism.solve_motion(motions, assembly)
+            }
+            _ => self.mechanism.solve_motion_near(motions, near),
+        }
+    }
+}
+
+impl SearchedCycle {
+    pub(crate) fn position_on(&self, branch: usize, input: f64) -> Result<NumberRow, SolveError> {
         let failed = |failure: Failure| {
-            let names = InputValues::new(M::DESCRIPTION.inputs, &self.line.inputs(input));
-            let block = M::DESCRIPTION.blocks.first().map_or("", |block| block.unknowns);
+            let names = InputValues::new(self.mechanism.inputs(), &self.line.inputs(input));
+            let block = self.mechanism.blocks().first().map_or("", |block| block.unknowns);
             failure.at(block, names)
         };
         let none = || failed(Failure::NotFinite { quantity: "branch" });
-        let own = self.branches.get(branch).ok_or_else(none)?;
+        let own = self.data.branches.get(branch).ok_or_else(none)?;
         let input = self.place_on(own, input).map_err(failed)?;
         let inputs = self.line.inputs(input);
         let inner = own.samples.iter().filter(|(s, _)| {
@@ -42,7 +67,7 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
         };
         let sample = inner.min_by(closest).or(own.samples.iter().min_by(closest));
         let (s, near) = sample.ok_or_else(none)?;
-        let sought = self.sought();
+        let sought = &self.mechanism;
         let found = match own.assembly {
             Some(assembly) => {
                 let solved = sought.position(&inputs, PositionChoice::Assembly(assembly))?;
@@ -64,7 +89,7 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
                     _ => none(),
                 })?,
         };
-        Ok(Row::from_fn(|unknown| found[unknown]))
+        Ok(found)
     }
 
     /// The place of an input in the range of a branch, which may be whole periods away from it.
@@ -86,24 +111,5 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
             high,
             is_angle: self.line.is_angle,
         })
-    }
-
-    /// The pose of a branch at an input, with all derivatives with respect to the input.
-    ///
-    /// # Errors
-    /// The errors of [`position_on`](Self::position_on).
-    pub fn pose_on(&self, branch: usize, input: f64) -> Result<M::Pose, SolveError> {
-        let near = self.position_on(branch, input)?;
-        let values = self.inputs(input);
-        let orders = M::DESCRIPTION.order + 1;
-        let mut given = NumberRow::splat(M::DESCRIPTION.inputs.len() * orders, 0.0);
-        self.line.motions(input, orders, &mut given);
-        let motions = motions(&given);
-        match self.assembly_of(branch) {
-            Some(assembly) if self.mechanism.assembly_near(values, near) != assembly => {
-                self.mechanism.solve_motion(motions, assembly)
-            }
-            _ => self.mechanism.solve_motion_near(motions, near),
-        }
     }
 }

@@ -11,7 +11,7 @@ use crate::failure::{Failure, InputValues, SolveError};
 use crate::number::NumberRow;
 
 /// The functions of a search: there are other ones for closed forms and for coupled blocks.
-pub(super) enum SearchMethod<'f> {
+pub enum SearchMethod<'f> {
     Closed(&'f dyn ClosedForms),
     Coupled(&'f dyn EveryPosition),
 }

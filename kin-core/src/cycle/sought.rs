@@ -6,25 +6,43 @@ use alloc::vec::Vec;
 use super::bounds::Bounds;
 use super::curved::Curved;
 use super::line::turned;
-use crate::any::{AssemblyOver, ClosureOver, PositionChoice, TransmissionOver};
+use super::search::SearchMethod;
+use crate::any::{AssemblyOver, ClosureOver, Of, PositionChoice, TransmissionOver};
 use crate::failure::SolveError;
-use crate::mechanism::{Block, Description};
+use crate::mechanism::{Block, Description, Mechanism};
 use crate::number::NumberRow;
 use crate::quantity::{Dimension, Quantity};
 use crate::track::{TrackError, Tracked, track_between};
 
 /// What every search needs of a mechanism.
-pub(super) trait CycleFunctions: Tracked + ClosureOver<Bounds> {}
+pub trait CycleFunctions: Tracked + ClosureOver<Bounds> {}
 
 impl<F: Tracked + ClosureOver<Bounds>> CycleFunctions for F {}
 
 /// What the search needs where every block has a closed form.
-pub(super) trait ClosedForms:
+pub trait ClosedForms:
     CycleFunctions + AssemblyOver<Bounds> + AssemblyOver<Curved> + TransmissionOver<f64>
 {
 }
 
 impl<F: CycleFunctions + AssemblyOver<Bounds> + AssemblyOver<Curved> + TransmissionOver<f64>> ClosedForms for F {}
+
+/// A mechanism whose cycle can be searched.
+pub trait SearchedFunctions: CycleFunctions {
+    /// The functions of the search: there are other ones for closed forms and for coupled blocks.
+    fn method(&self) -> SearchMethod<'_>;
+}
+
+impl<M: Mechanism<Scalar = f64>> SearchedFunctions for Of<M> {
+    fn method(&self) -> SearchMethod<'_> {
+        // in a constant, so that only one of both is compiled
+        if const { M::ASSEMBLY_COUNT > 0 } {
+            SearchMethod::Closed(self)
+        } else {
+            SearchMethod::Coupled(self)
+        }
+    }
+}
 
 /// A mechanism with its dimensions.
 #[derive(Clone)]

@@ -2,15 +2,15 @@
 
 use alloc::vec::Vec;
 
-use super::line::{InputLine, whole_turns};
-use super::measure::MeasureError;
-use super::{Cycle, EndKind};
-use crate::any::row;
-use crate::extremes::KnownStretch;
-use crate::mechanism::Mechanism;
+use super::data::Branch;
+use super::line::whole_turns;
+use super::measure::{MeasureError, MeasuredFunctions};
+use super::{EndKind, SearchedCycle};
+use crate::any::AssemblyChoice;
+use crate::extremes::{KnownStretch, KnownSweep};
 use crate::number::NumberRow;
 use crate::quantity::{Dimension, Quantity};
-use crate::sweep::{Course, Footing, LimitKind, Walk};
+use crate::sweep::{AnyCourse, Footing, LimitKind, Walk};
 
 /// The distance from the end of a branch at which the turns of angles are compared, as a part of the branch.
 const NEAR_END: f64 = 1e-6;
@@ -21,9 +21,20 @@ pub(super) struct BranchStation {
     footing: Footing,
 }
 
-impl<M: Mechanism<Scalar = f64>> Cycle<M> {
-    pub(super) fn circuit(&self, circuit: usize) -> Result<&[usize], MeasureError> {
-        let circuit = self.circuits.get(circuit).ok_or(MeasureError::NoSuchCircuit)?;
+/// The branches of a cycle, with the functions that quantities along them need.
+#[derive(Clone, Copy)]
+pub(crate) struct MeasuredCycle<'c> {
+    pub(crate) cycle: &'c SearchedCycle,
+    pub(crate) functions: &'c dyn MeasuredFunctions,
+}
+
+impl<'c> MeasuredCycle<'c> {
+    pub(super) fn branch(&self, branch: usize) -> &'c Branch {
+        &self.cycle.data.branches[branch]
+    }
+
+    pub(super) fn circuit(&self, circuit: usize) -> Result<&'c [usize], MeasureError> {
+        let circuit = self.cycle.data.circuits.get(circuit).ok_or(MeasureError::NoSuchCircuit)?;
         Ok(circuit.branches())
     }
 
@@ -42,13 +53,15 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
                 && let Some(there) = self.near_end(before, there)
             {
                 if let Some(here) = self.near_end(&station, here) {
+                    let quantities = self.cycle.mechanism.unknowns();
                     let unknowns =
-                        moved_by_turns(M::DESCRIPTION.unknowns, &there.unknowns(), &here.unknowns(), &unknowns);
+                        moved_by_turns(quantities, &there.unknowns(), &here.unknowns(), &unknowns);
                     station = self.station(*branch, at, &unknowns);
                 }
                 if let Some(here) = self.near_end(&station, here) {
                     let outputs = station.footing.outputs();
-                    let moved = moved_by_turns(M::DESCRIPTION.outputs, &there.outputs(), &here.outputs(), &outputs);
+                    let quantities = self.cycle.mechanism.description().outputs;
+                    let moved = moved_by_turns(quantities, &there.outputs(), &here.outputs(), &outputs);
                     station.footing.set_outputs(&moved);
                 }
             }
@@ -58,23 +71,34 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     }
 
     /// The sweep over a branch.
-    pub(super) fn course(&self, station: &BranchStation) -> Course<M, InputLine> {
-        let [low, high] = self.branches[station.branch].ends.each_ref().map(|end| end.input);
-        let (inputs, near) = (row(&station.footing.inputs()), row(&station.footing.unknowns()));
-        let assembly = self.assembly_of(station.branch);
-        Course {
-            mechanism: self.mechanism,
-            assembly: assembly.unwrap_or_else(|| self.mechanism.assembly_near(inputs, near)),
-            drive: self.line.clone(),
+    fn course(&self, station: &BranchStation) -> AnyCourse<'c> {
+        let branch = self.branch(station.branch);
+        let [low, high] = branch.ends.each_ref().map(|end| end.input);
+        let near = || AssemblyChoice::Near(station.footing.unknowns().to_vec());
+        AnyCourse {
+            mechanism: self.functions,
+            description: self.cycle.mechanism.description(),
+            parameters: self.cycle.mechanism.parameters.clone(),
+            assembly: branch.assembly.map_or_else(near, AssemblyChoice::Index),
+            drive: &self.cycle.line,
             from: low,
             to: high,
             count: 2,
         }
     }
 
+    /// The sweep over a branch, with its ends.
+    pub(super) fn sweep(&self, station: &BranchStation) -> KnownSweep<'c> {
+        KnownSweep {
+            course: self.course(station),
+            drive: &self.cycle.line,
+            stretch: self.known(station),
+        }
+    }
+
     /// What is known of the sweep over a branch.
-    pub(super) fn known(&self, station: &BranchStation) -> KnownStretch {
-        let branch = &self.branches[station.branch];
+    fn known(&self, station: &BranchStation) -> KnownStretch {
+        let branch = self.branch(station.branch);
         KnownStretch {
             limits: branch.ends.each_ref().map(|end| match end.kind {
                 EndKind::Limit => Some(LimitKind::TurningPoint),
@@ -90,7 +114,7 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
 
     /// A sample of a branch that lies far from its ends.
     fn inside(&self, branch: usize) -> Option<(f64, Vec<f64>)> {
-        let branch = &self.branches[branch];
+        let branch = self.branch(branch);
         let middle = 0.5 * (branch.ends[0].input + branch.ends[1].input);
         let distance = |sample: &&(f64, Vec<f64>)| (sample.0 - middle).abs();
         let samples = branch.samples.iter();
@@ -101,10 +125,12 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
 
     /// A pose of a branch. A quantity that depends on the turn of an angle follows it.
     fn station(&self, branch: usize, at: f64, unknowns: &[f64]) -> BranchStation {
-        let inputs = self.inputs(at);
-        let outputs = self.mechanism.outputs_at(inputs, row(unknowns));
-        let numbers = [inputs.as_ref(), unknowns, outputs.as_ref()];
-        let footing = Footing::of_position(const { &M::DESCRIPTION }, at, numbers);
+        let (mechanism, inputs) = (&self.cycle.mechanism, self.cycle.line.inputs(at));
+        let description = mechanism.description();
+        let mut outputs = NumberRow::splat(description.outputs.len(), 0.0);
+        self.functions
+            .outputs(&mechanism.parameters, &inputs, unknowns, &mut outputs);
+        let footing = Footing::of_position(description, at, [&inputs, unknowns, &outputs]);
         let station = BranchStation { branch, footing };
         match self.walked(&station, at) {
             Some(footing) => BranchStation { branch, footing },
@@ -115,19 +141,18 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     fn walked(&self, station: &BranchStation, at: f64) -> Option<Footing> {
         let mut walk = self.known(station).inside;
         let course = self.course(station);
-        let course = course.any();
         walk.step(&course, at, &course.motions(at)).ok().cloned()
     }
 
     fn near_end(&self, station: &BranchStation, end: usize) -> Option<Footing> {
-        let ends = self.branches[station.branch].ends.each_ref().map(|end| end.input);
+        let ends = self.branch(station.branch).ends.each_ref().map(|end| end.input);
         let (end, other) = (ends[end], ends[1 - end]);
         self.walked(station, end + NEAR_END * (other - end))
     }
 
     /// The ends at which two branches meet.
     fn common_end(&self, one: usize, other: usize) -> Option<[usize; 2]> {
-        let node = |branch: usize, end: usize| self.branches[branch].ends[end].node;
+        let node = |branch: usize, end: usize| self.branch(branch).ends[end].node;
         let pairs = [[0, 0], [0, 1], [1, 0], [1, 1]];
         pairs
             .into_iter()

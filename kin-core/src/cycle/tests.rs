@@ -29,7 +29,7 @@ fn four_bar(r1: f64, r2: f64, r3: f64, r4: f64) -> Cycle<FourBar> {
 fn disagreements<M: Mechanism<Scalar = f64>>(name: &str, cycle: &Cycle<M>, places: u32) -> Vec<String> {
     let (low, high) = match cycle.period() {
         Some(period) => (-0.5 * period, 0.5 * period),
-        None => (cycle.line.low, cycle.line.high),
+        None => (cycle.searched.line.low, cycle.searched.line.high),
     };
     let mut wrong = Vec::new();
     let places = samples::of(places);

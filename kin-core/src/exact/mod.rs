@@ -61,3 +61,5 @@ pub use owned::{ExactColumnParts, ExactParts, ExactTable};
 #[cfg(feature = "alloc")]
 pub use precision::Precision;
 pub use read::{ExactColumn, ExactTableRef};
+#[cfg(feature = "alloc")]
+pub(crate) use swept::exact_table;

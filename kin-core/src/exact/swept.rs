@@ -120,13 +120,22 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> Course<M, D> {
     /// [`ExactTableError::NotClosed`] if the mechanism does not close at a place of the range, [`ExactTableError::Unreached`] if a
     /// tolerance cannot be reached, and the errors of the sweep and of the tolerances themselves.
     pub fn exact_table(&self, precision: impl Into<Precision>) -> Result<ExactTable, ExactTableError> {
-        let swept = Swept {
-            course: self.any(),
-            drive: &self.drive,
-            count: 0,
-        };
-        swept.table(precision.into())
+        exact_table(self.any(), &self.drive, precision.into())
     }
+}
+
+/// A sweep as an exact table.
+pub(crate) fn exact_table(
+    course: AnyCourse<'_>,
+    drive: &dyn SmoothDrive,
+    precision: Precision,
+) -> Result<ExactTable, ExactTableError> {
+    let swept = Swept {
+        course,
+        drive,
+        count: 0,
+    };
+    swept.table(precision)
 }
 
 impl Swept<'_> {

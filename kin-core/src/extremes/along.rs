@@ -6,17 +6,55 @@ use core::fmt;
 
 use super::answer::Answer;
 use super::at::{At, HIGHEST};
+use super::margin::transmission_angle;
 use super::mean::rooted;
 use super::progress::Progress;
 use super::quantity::Named;
 use super::sensitivity::ByDimension;
-use super::station::SweepStation;
+use super::station::{ChangedFunctions, NamedFunctions, SweepStation};
 use super::swept::QuantityOfSweep;
 use super::{Crossing, DwellRange, Extreme, ExtremesError, Mean, Over, Peak, PeakSensitivities};
-use crate::any::{Of, row};
+use crate::any::Of;
 use crate::mechanism::Mechanism;
 use crate::number::Number;
-use crate::sweep::{Course, Local, SmoothDrive};
+use crate::sweep::{AnyCourse, Course, Local, SmoothDrive};
+
+/// A sweep whose quantities can be asked for. A new version may add items.
+pub trait QuantitySource {
+    /// The sweep without types.
+    #[doc(hidden)]
+    fn course(&self) -> AnyCourse<'_>;
+
+    /// Its drive.
+    #[doc(hidden)]
+    fn drive(&self) -> &dyn SmoothDrive;
+
+    /// The functions of its mechanism for quantities called by their names.
+    #[doc(hidden)]
+    fn named(&self) -> &dyn NamedFunctions;
+
+    /// Those for the dependence on the dimensions.
+    #[doc(hidden)]
+    fn changed(&self) -> &dyn ChangedFunctions;
+}
+
+impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> QuantitySource for Course<M, D> {
+    fn course(&self) -> AnyCourse<'_> {
+        self.any()
+    }
+
+    fn drive(&self) -> &dyn SmoothDrive {
+        &self.drive
+    }
+
+    fn named(&self) -> &dyn NamedFunctions {
+        Of::<M>::FUNCTIONS
+    }
+
+    fn changed(&self) -> &dyn ChangedFunctions {
+        Of::<M>::FUNCTIONS
+    }
+}
 
 /// A quantity along a sweep. [`Course::of`] and [`Course::of_expression`] make it, and each of its methods answers a question.
 ///
@@ -24,13 +62,13 @@ use crate::sweep::{Course, Local, SmoothDrive};
 /// [`ExtremesError`] for all questions: if no column has the name, if the mechanism closes nowhere, if the sweep has no length, or if the
 /// curve of the quantity is too rough to be searched.
 #[must_use = "ask for its `peak`, its `extremes` or its `mean`"]
-pub struct QuantityAlong<'c, M: Mechanism<Scalar = f64>, D, Q> {
-    course: &'c Course<M, D>,
+pub struct QuantityAlong<'c, S, Q> {
+    sweep: &'c S,
     quantity: Q,
     progress: Option<Progress<'c>>,
 }
 
-impl<M: Mechanism<Scalar = f64>, D, Q: fmt::Debug> fmt::Debug for QuantityAlong<'_, M, D, Q> {
+impl<S, Q: fmt::Debug> fmt::Debug for QuantityAlong<'_, S, Q> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter
             .debug_struct("QuantityAlong")
@@ -57,54 +95,85 @@ impl<F> fmt::Debug for ByExpression<F> {
 }
 
 /// A quantity of which questions can be asked. A new version may add items.
-pub trait AskedQuantity<M: Mechanism<Scalar = f64>> {
+pub trait AskedQuantity<S> {
     /// Whether there is such a quantity, up to an order.
     #[doc(hidden)]
-    fn check(&self, highest: usize) -> Result<(), ExtremesError>;
+    fn check(&self, sweep: &S, highest: usize) -> Result<(), ExtremesError>;
 
     /// Its value at a place of a sweep.
     #[doc(hidden)]
-    fn at(&self, station: &SweepStation) -> Result<Local, ExtremesError>;
+    fn at(&self, sweep: &S, station: &SweepStation) -> Result<Local, ExtremesError>;
 
     /// How its value and its slope at a place of a sweep change with a dimension.
     #[doc(hidden)]
-    fn by_dimension(&self, station: &SweepStation, dimension: usize) -> Result<ByDimension, ExtremesError>;
+    fn by_dimension(&self, sweep: &S, station: &SweepStation, dimension: usize) -> Result<ByDimension, ExtremesError>;
 }
 
-impl<M: Mechanism<Scalar = f64>> AskedQuantity<M> for ByName<'_> {
-    fn check(&self, highest: usize) -> Result<(), ExtremesError> {
+impl<S: QuantitySource> AskedQuantity<S> for ByName<'_> {
+    fn check(&self, sweep: &S, highest: usize) -> Result<(), ExtremesError> {
         match &self.found {
             Ok(named) if named.order <= highest => Ok(()),
-            Ok(_) => Named::find_up_to::<M>(self.name, highest).map(|_| ()),
+            Ok(_) => Named::find(sweep.named(), self.name, highest).map(|_| ()),
             Err(error) => Err(error.clone()),
         }
     }
 
-    fn at(&self, station: &SweepStation) -> Result<Local, ExtremesError> {
+    fn at(&self, sweep: &S, station: &SweepStation) -> Result<Local, ExtremesError> {
         match &self.found {
-            Ok(named) => named.at(Of::<M>::FUNCTIONS, station),
+            Ok(named) => named.at(sweep.named(), station),
             Err(error) => Err(error.clone()),
         }
     }
 
-    fn by_dimension(&self, station: &SweepStation, dimension: usize) -> Result<ByDimension, ExtremesError> {
+    fn by_dimension(&self, sweep: &S, station: &SweepStation, dimension: usize) -> Result<ByDimension, ExtremesError> {
         match &self.found {
-            Ok(named) => named.by_dimension(Of::<M>::FUNCTIONS, station, dimension),
+            Ok(named) => named.by_dimension(sweep.changed(), station, dimension),
             Err(error) => Err(error.clone()),
         }
     }
 }
 
-impl<M: Mechanism<Scalar = f64>, A: Answer, F: Fn(&At<M>) -> A> AskedQuantity<M> for ByExpression<F> {
-    fn check(&self, _: usize) -> Result<(), ExtremesError> {
+/// The transmission angle of a dyad, or its supplement if this is smaller.
+#[derive(Clone, Copy, Debug)]
+pub struct ByDyad(pub(crate) usize);
+
+impl<S: QuantitySource> AskedQuantity<S> for ByDyad {
+    fn check(&self, _: &S, _: usize) -> Result<(), ExtremesError> {
         Ok(())
     }
 
-    fn at(&self, station: &SweepStation) -> Result<Local, ExtremesError> {
+    fn at(&self, sweep: &S, station: &SweepStation) -> Result<Local, ExtremesError> {
+        transmission_angle(station.margins(sweep.named()), station, self.0).map(|angle| angle.folded())
+    }
+
+    fn by_dimension(&self, sweep: &S, station: &SweepStation, dimension: usize) -> Result<ByDimension, ExtremesError> {
+        ByDimension::of_expression(station, dimension, |station, changed| {
+            let margins = station.changed_margins(sweep.named(), changed);
+            transmission_angle(margins, station, self.0).map(|angle| angle.folded())
+        })
+    }
+}
+
+impl<M, D, A, F> AskedQuantity<Course<M, D>> for ByExpression<F>
+where
+    M: Mechanism<Scalar = f64>,
+    A: Answer,
+    F: Fn(&At<M>) -> A,
+{
+    fn check(&self, _: &Course<M, D>, _: usize) -> Result<(), ExtremesError> {
+        Ok(())
+    }
+
+    fn at(&self, _: &Course<M, D>, station: &SweepStation) -> Result<Local, ExtremesError> {
         pose_quantity(station, None, &self.0)
     }
 
-    fn by_dimension(&self, station: &SweepStation, dimension: usize) -> Result<ByDimension, ExtremesError> {
+    fn by_dimension(
+        &self,
+        _: &Course<M, D>,
+        station: &SweepStation,
+        dimension: usize,
+    ) -> Result<ByDimension, ExtremesError> {
         ByDimension::of_expression(station, dimension, |station, changed| {
             pose_quantity(station, Some(changed), &self.0)
         })
@@ -129,11 +198,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> Course<M, D> {
     /// println!("from {} to {}", jerk.lowest()?, jerk.highest()?);
     /// # Ok::<(), kin_core::extremes::ExtremesError>(())
     /// ```
-    pub fn of<'q>(&self, name: &'q str) -> QuantityAlong<'_, M, D, ByName<'q>> {
-        self.quantity(ByName {
-            name,
-            found: Named::find::<M>(name),
-        })
+    pub fn of<'q>(&self, name: &'q str) -> QuantityAlong<'_, Self, ByName<'q>> {
+        QuantityAlong::by_name(self, name)
     }
 
     /// A quantity by a closure: any expression of a pose, as in `|at| at.theta4.jerk()`, or the effort of a drive,
@@ -153,20 +219,27 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> Course<M, D> {
     pub fn of_expression<A: Answer, F: Fn(&At<M>) -> A>(
         &self,
         expression: F,
-    ) -> QuantityAlong<'_, M, D, ByExpression<F>> {
-        self.quantity(ByExpression(expression))
+    ) -> QuantityAlong<'_, Self, ByExpression<F>> {
+        QuantityAlong::new(self, ByExpression(expression))
     }
+}
 
-    fn quantity<Q>(&self, quantity: Q) -> QuantityAlong<'_, M, D, Q> {
-        QuantityAlong {
-            course: self,
+impl<'c, 'q, S: QuantitySource> QuantityAlong<'c, S, ByName<'q>> {
+    pub(crate) fn by_name(sweep: &'c S, name: &'q str) -> Self {
+        let found = Named::find(sweep.named(), name, HIGHEST);
+        Self::new(sweep, ByName { name, found })
+    }
+}
+
+impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
+    pub(crate) fn new(sweep: &'c S, quantity: Q) -> Self {
+        Self {
+            sweep,
             quantity,
             progress: None,
         }
     }
-}
 
-impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive, Q: AskedQuantity<M>> QuantityAlong<'c, M, D, Q> {
     /// The same quantity, whose questions tell how far they have come: `progress` is called with the part of the sweep that has been
     /// searched, which grows. It is 1 in the last call, unless the answer is an error.
     ///
@@ -308,27 +381,28 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive, Q: AskedQuantity<M>> Quanti
     ///
     /// # Errors
     /// [`ExtremesError::NoSensitivity`] if the peak is at a limit or a kink.
-    pub fn peak_sensitivities(&self) -> Result<PeakSensitivities<M>, ExtremesError> {
-        self.quantity.check(M::DESCRIPTION.order)?;
-        let by_dimension = |station: &SweepStation, dimension: usize| self.quantity.by_dimension(station, dimension);
-        let (peak, by) = self.ask(|asked| asked.sensitivities(&by_dimension))?;
-        Ok(PeakSensitivities { peak, by: row(&by) })
+    pub fn peak_sensitivities(&self) -> Result<PeakSensitivities, ExtremesError> {
+        let order = self.sweep.course().description.order;
+        self.quantity.check(self.sweep, order)?;
+        let by_dimension =
+            |station: &SweepStation, dimension: usize| self.quantity.by_dimension(self.sweep, station, dimension);
+        self.ask(|asked| asked.sensitivities(&by_dimension))
     }
 
     fn ask<T>(
         &self,
         question: impl FnOnce(&QuantityOfSweep<'_>) -> Result<T, ExtremesError>,
     ) -> Result<T, ExtremesError> {
-        self.quantity.check(HIGHEST)?;
-        let answer = |station: &SweepStation| self.quantity.at(station);
+        self.quantity.check(self.sweep, HIGHEST)?;
+        let answer = |station: &SweepStation| self.quantity.at(self.sweep, station);
         let tell = |part: f64| {
             if let Some(progress) = &self.progress {
                 progress.reach(part);
             }
         };
         let found = question(&QuantityOfSweep {
-            course: self.course.any(),
-            drive: &self.course.drive,
+            course: self.sweep.course(),
+            drive: self.sweep.drive(),
             quantity: &answer,
             known: None,
             progress: Some(&tell),

@@ -3,14 +3,13 @@
 use alloc::vec::Vec;
 
 use super::curve::StretchEnd;
+use super::at::HIGHEST;
+use super::margin::transmission_angle;
 use super::quantity::Named;
-use super::station::SweepStation;
+use super::station::{NamedFunctions, SweepStation};
 use super::swept::{Mark, PoseQuantity, QuantityOfSweep};
 use super::{Extreme, ExtremesError};
-use crate::any::Of;
-use crate::mechanism::Mechanism;
-use crate::number::Number;
-use crate::sweep::{Course, LimitKind, SmoothDrive, Walk};
+use crate::sweep::{AnyCourse, LimitKind, SmoothDrive, Walk};
 
 /// The ends of a sweep on which the mechanism closes throughout, and a pose inside of it.
 pub(crate) struct KnownStretch {
@@ -28,35 +27,37 @@ impl KnownStretch {
     }
 }
 
-impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> Course<M, D> {
+/// A sweep on which the mechanism closes throughout.
+pub(crate) struct KnownSweep<'c> {
+    pub(crate) course: AnyCourse<'c>,
+    pub(crate) drive: &'c dyn SmoothDrive,
+    pub(crate) stretch: KnownStretch,
+}
+
+impl KnownSweep<'_> {
     /// The extremes of a quantity that is called by its name.
-    pub(crate) fn extremes_between(&self, known: KnownStretch, name: &str) -> Result<Vec<Extreme>, ExtremesError> {
-        let named = Named::find::<M>(name)?;
-        self.between(known, &|station| named.at(Of::<M>::FUNCTIONS, station))
+    pub(crate) fn extremes(self, functions: &dyn NamedFunctions, name: &str) -> Result<Vec<Extreme>, ExtremesError> {
+        let named = Named::find(functions, name, HIGHEST)?;
+        self.extremes_of(&|station| named.at(functions, station))
     }
 
     /// The extremes of the angle between the links of a dyad.
-    pub(crate) fn transmission_extremes_between(
-        &self,
-        known: KnownStretch,
+    pub(crate) fn transmission_extremes(
+        self,
+        functions: &dyn NamedFunctions,
         dyad: usize,
     ) -> Result<Vec<Extreme>, ExtremesError> {
-        self.between(known, &|station: &SweepStation| {
-            let margins = station.margins(Of::<M>::FUNCTIONS).ok();
-            let transmission = margins.and_then(|margins| margins.transmission_angle(dyad));
-            let gap = ExtremesError::Gap {
-                at: station.variable.real(),
-            };
-            transmission.map(|transmission| transmission.angle).ok_or(gap)
+        self.extremes_of(&|station: &SweepStation| {
+            transmission_angle(station.margins(functions), station, dyad).map(|transmission| transmission.angle)
         })
     }
 
-    fn between(&self, known: KnownStretch, quantity: &PoseQuantity<'_>) -> Result<Vec<Extreme>, ExtremesError> {
+    fn extremes_of(self, quantity: &PoseQuantity<'_>) -> Result<Vec<Extreme>, ExtremesError> {
         let asked = QuantityOfSweep {
-            course: self.any(),
-            drive: &self.drive,
+            course: self.course,
+            drive: self.drive,
             quantity,
-            known: Some(known),
+            known: Some(self.stretch),
             progress: None,
         };
         let found = asked.extremes()?;

@@ -4,7 +4,10 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::f64::consts::{FRAC_PI_2, PI};
 
+use super::ExtremesError;
+use super::station::SweepStation;
 use crate::any::{AnyMechanism, ClosureOver, FormsOver, TransmissionOver};
+use crate::failure::SolveError;
 use crate::mechanism::{Block, BlockForm, Description};
 use crate::number::Number;
 use crate::picture::TransmissionAngle;
@@ -12,7 +15,7 @@ use crate::quantity::Dimension;
 use crate::sweep::Local;
 
 /// What margins and transmission angles need of a mechanism.
-pub(super) trait DyadFunctions:
+pub trait DyadFunctions:
     AnyMechanism + ClosureOver<Local> + TransmissionOver<Local> + FormsOver<Local>
 {
 }
@@ -128,6 +131,18 @@ impl Margins<'_> {
         }
         Some(least)
     }
+}
+
+/// The transmission angle of a dyad at a place of a sweep.
+pub(super) fn transmission_angle(
+    margins: Result<Margins<'_>, SolveError>,
+    station: &SweepStation,
+    dyad: usize,
+) -> Result<TransmissionAngle<Local>, ExtremesError> {
+    let angle = margins.ok().and_then(|margins| margins.transmission_angle(dyad));
+    angle.ok_or(ExtremesError::Gap {
+        at: station.variable.real(),
+    })
 }
 
 fn half(value: Local) -> Local {

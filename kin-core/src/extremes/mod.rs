@@ -61,12 +61,13 @@ mod swept;
 #[cfg(test)]
 mod tests;
 
-pub use along::{AskedQuantity, ByExpression, ByName, QuantityAlong};
+pub use along::{AskedQuantity, ByDyad, ByExpression, ByName, QuantityAlong, QuantitySource};
 pub use answer::Answer;
 pub use at::At;
-pub(crate) use branch::KnownStretch;
+pub(crate) use branch::{KnownStretch, KnownSweep};
 pub use error::ExtremesError;
 pub use mean::{Mean, Over};
+pub use station::{ChangedFunctions, NamedFunctions};
 pub use sensitivity::{PeakSensitivities, PeakSensitivity};
 
 use core::fmt;

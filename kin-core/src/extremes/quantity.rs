@@ -4,12 +4,11 @@ use alloc::string::ToString;
 use alloc::vec::Vec;
 
 use super::ExtremesError;
-use super::at::HIGHEST;
 use super::margin::Margins;
 use super::sensitivity::ByDimension;
 use super::station::{ChangedFunctions, NamedFunctions, ResultIndex, SweepStation};
-use crate::mechanism::{Description, Mechanism};
-use crate::number::{Number, Row};
+use crate::any::AnyMechanism;
+use crate::number::Number;
 use crate::quantity::Quantity;
 use crate::sweep::{Label, Local, NoSuchColumn};
 
@@ -33,17 +32,9 @@ enum Kind {
 }
 
 impl Named {
-    pub(super) fn find<M: Mechanism>(name: &str) -> Result<Self, ExtremesError> {
-        Self::find_up_to::<M>(name, HIGHEST)
-    }
-
     /// The derivative of this name, up to an order.
-    pub(super) fn find_up_to<M: Mechanism>(name: &str, highest: usize) -> Result<Self, ExtremesError> {
-        let has_dyads = <M::Dyads<f64> as Row<f64>>::LENGTH > 0;
-        Self::among(&M::DESCRIPTION, has_dyads, name, highest)
-    }
-
-    fn among(description: &Description, has_dyads: bool, name: &str, highest: usize) -> Result<Self, ExtremesError> {
+    pub(super) fn find(functions: &dyn AnyMechanism, name: &str, highest: usize) -> Result<Self, ExtremesError> {
+        let (description, has_dyads) = (functions.description(), functions.dyad_count() > 0);
         let all = [
             (Kind::Input, description.inputs),
             (Kind::Unknown, description.unknowns),

@@ -16,7 +16,6 @@ use super::station::SweepStation;
 use super::swept::QuantityOfSweep;
 use super::{ExtremeKind, Peak};
 use crate::law::Side;
-use crate::mechanism::Mechanism;
 use crate::number::Number;
 use crate::sweep::Local;
 
@@ -30,12 +29,12 @@ pub struct PeakSensitivity {
 }
 
 /// A peak, and how it depends on every dimension.
-#[derive(Clone, Copy, Debug)]
-pub struct PeakSensitivities<M: Mechanism> {
+#[derive(Clone, Debug, PartialEq)]
+pub struct PeakSensitivities {
     /// The peak.
     pub peak: Peak,
     /// A value for each scalar parameter of the mechanism, in the order of its declaration.
-    pub by: M::Parameters<PeakSensitivity>,
+    pub by: Vec<PeakSensitivity>,
 }
 
 /// A quantity at the place of a peak, whose variable has the slope 1.
@@ -82,10 +81,11 @@ impl QuantityOfSweep<'_> {
     pub(super) fn sensitivities(
         &self,
         by_dimension: &PeakQuantity<'_>,
-    ) -> Result<(Peak, Vec<PeakSensitivity>), ExtremesError> {
+    ) -> Result<PeakSensitivities, ExtremesError> {
         self.ask(|curve| {
             let peak = curve.best(f64::abs)?;
-            Ok((peak, self.sensitivities_at(curve, peak, by_dimension)?))
+            let by = self.sensitivities_at(curve, peak, by_dimension)?;
+            Ok(PeakSensitivities { peak, by })
         })
     }
 

@@ -115,11 +115,11 @@ fn changed<M: Mechanism<Scalar = f64>>(mechanism: &M, place: usize, change: f64)
 /// error of the fourth power of the step, and lose three digits to rounding.
 fn check_by_differences<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
-    found: &PeakSensitivities<M>,
+    found: &PeakSensitivities,
     peak: impl Fn(&M) -> Peak,
 ) {
     let parameters = mechanism.parameters();
-    let count = found.by.as_ref().len();
+    let count = found.by.len();
     // each takes four searches: of many dimensions, some are enough beside the dual numbers
     let step = match (count > 6, samples::are_all()) {
         (false, true) => 1,
@@ -207,7 +207,7 @@ fn check_effort<M, D, L>(
     check_by_differences(mechanism, &found, |mechanism| {
         course(mechanism).of_expression(effort).peak().unwrap()
     });
-    for (place, sensitivity) in found.by.as_ref().iter().enumerate() {
+    for (place, sensitivity) in found.by.iter().enumerate() {
         let mut next = 0;
         let changing = mechanism.convert(|value| {
             next += 1;

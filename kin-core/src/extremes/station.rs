@@ -20,7 +20,7 @@ const SNAP: usize = 4;
 
 /// A quantity called by its name needs positions only: over a series in the variable of the sweep, they have all its derivatives. So the
 /// solvers of rates are compiled in long numbers only where a closure asks for a typed pose.
-pub(super) trait NamedFunctions:
+pub trait NamedFunctions:
     PositionFunctions<Series<UP_TO_SNAP>> + PositionFunctions<Series<READ>> + DyadFunctions
 {
 }
@@ -28,7 +28,7 @@ pub(super) trait NamedFunctions:
 impl<F: PositionFunctions<Series<UP_TO_SNAP>> + PositionFunctions<Series<READ>> + DyadFunctions> NamedFunctions for F {}
 
 /// What the dependence of a quantity on the dimensions needs beside: positions in series that change with a dimension.
-pub(super) trait ChangedFunctions: NamedFunctions + PositionFunctions<Changing<Series<UP_TO_SNAP>>> {
+pub trait ChangedFunctions: NamedFunctions + PositionFunctions<Changing<Series<UP_TO_SNAP>>> {
     /// The same in longer series, if the mechanism has derivatives above snap.
     fn above_snap(&self) -> Option<&dyn PositionFunctions<Changing<Series<READ>>>>;
 }
@@ -41,7 +41,7 @@ impl<M: Mechanism<Scalar = f64>> ChangedFunctions for Of<M> {
 }
 
 /// Positions and outputs in numbers of one type.
-pub(super) trait PositionFunctions<T>: NearOver<T> + OutputsOver<T> {}
+pub trait PositionFunctions<T>: NearOver<T> + OutputsOver<T> {}
 
 impl<T, F: NearOver<T> + OutputsOver<T>> PositionFunctions<T> for F {}
 

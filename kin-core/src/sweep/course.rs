@@ -8,7 +8,7 @@ use super::columns::labels;
 use super::drive::{Drive, SmoothDrive, Variable};
 use super::table::Table;
 use super::{Course, SweepError, row_at};
-use crate::any::{AssemblyMotionOver, Of, PositionChoice, index_of};
+use crate::any::{AssemblyChoice, AssemblyMotionOver, Of, PositionChoice};
 use crate::failure::SolveError;
 use crate::mechanism::{Description, Mechanism};
 use crate::number::NumberRow;
@@ -19,7 +19,7 @@ use crate::track::Tracked;
 const EDGE: usize = 32;
 
 /// What a sweep needs of its mechanism.
-pub(crate) trait SweptMechanism: Tracked + AssemblyMotionOver<f64> {}
+pub trait SweptMechanism: Tracked + AssemblyMotionOver<f64> {}
 
 impl<M: Mechanism<Scalar = f64>> SweptMechanism for Of<M> {}
 
@@ -34,22 +34,13 @@ pub(crate) fn joints(drive: &dyn SmoothDrive, ends: [f64; 2]) -> Vec<f64> {
     joints
 }
 
-/// The assembly of a sweep.
-#[derive(Clone)]
-enum CourseAssembly {
-    /// By its index.
-    Index(usize),
-    /// The one at which coupled blocks arrive from these values of the unknowns.
-    Near(NumberRow),
-}
-
 /// A sweep without types.
 #[derive(Clone)]
-pub(crate) struct AnyCourse<'c> {
-    pub(crate) mechanism: &'static dyn SweptMechanism,
+pub struct AnyCourse<'c> {
+    pub(crate) mechanism: &'c dyn SweptMechanism,
     pub(crate) description: &'static Description,
     pub(crate) parameters: NumberRow,
-    assembly: CourseAssembly,
+    pub(crate) assembly: AssemblyChoice,
     pub(crate) drive: &'c dyn Drive,
     pub(crate) from: f64,
     pub(crate) to: f64,
@@ -59,12 +50,11 @@ pub(crate) struct AnyCourse<'c> {
 impl<M: Mechanism<Scalar = f64>, D: Drive> Course<M, D> {
     /// This sweep without types.
     pub(crate) fn any(&self) -> AnyCourse<'_> {
-        let near = || M::values_near(self.assembly).map_or(NumberRow::splat(0, 0.0), |near| near.as_ref().into());
         AnyCourse {
             mechanism: Of::<M>::FUNCTIONS,
             description: const { &M::DESCRIPTION },
             parameters: self.mechanism.parameters().as_ref().into(),
-            assembly: index_of::<M>(self.assembly).map_or_else(|| CourseAssembly::Near(near()), CourseAssembly::Index),
+            assembly: AssemblyChoice::of::<M>(self.assembly),
             drive: &self.drive,
             from: self.from,
             to: self.to,
@@ -104,30 +94,15 @@ impl AnyCourse<'_> {
         NumberRow::from_fn(self.description.inputs.len(), |input| motions[input * orders])
     }
 
-    /// The index of the assembly, unless it depends on the dimensions.
-    pub(crate) fn assembly(&self) -> Option<usize> {
-        match self.assembly {
-            CourseAssembly::Index(index) => Some(index),
-            CourseAssembly::Near(_) => None,
-        }
-    }
-
     /// Whether every block has a closed form, so that each row finds the assembly by itself.
     pub(crate) fn has_assemblies(&self) -> bool {
-        self.assembly().is_some()
-    }
-
-    fn choice(&self) -> PositionChoice<'_, f64> {
-        match &self.assembly {
-            CourseAssembly::Index(index) => PositionChoice::Assembly(*index),
-            CourseAssembly::Near(near) => PositionChoice::Near(near),
-        }
+        self.assembly.index().is_some()
     }
 
     /// The motions of inputs, unknowns and outputs at given motions of the inputs, in the assembly of the sweep. `numbers` is memory to use
     /// again.
     pub(super) fn solved(&self, motions: &[f64], numbers: Vec<f64>) -> Result<Vec<f64>, SolveError> {
-        self.solve(motions, self.choice(), numbers)
+        self.solve(motions, self.assembly.position(), numbers)
     }
 
     /// [`solved`](Self::solved), in the position that is closest to values of the unknowns.
@@ -162,7 +137,7 @@ impl AnyCourse<'_> {
         let mut unknowns = NumberRow::splat(self.description.unknowns.len(), 0.0);
         let found = self
             .mechanism
-            .position(&self.parameters, &self.inputs(at), self.choice(), &mut unknowns);
+            .position(&self.parameters, &self.inputs(at), self.assembly.position(), &mut unknowns);
         found.is_ok()
     }
 

@@ -60,11 +60,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive> Course<M, D> {
     /// # Errors
     /// As for [`table`](Self::table).
     pub fn table_with_progress(&self, mut progress: impl FnMut(f64)) -> Result<Table, SweepError> {
-        let course = self.any();
-        course.check()?;
-        let mut table = course.empty(self.count);
-        course.fill(Of::<M>::FUNCTIONS, &mut table, &mut progress)?;
-        Ok(table)
+        self.any().table(Of::<M>::FUNCTIONS, &mut progress)
     }
 
     /// [`table`](Self::table) in the place of another table, whose memory is used again: for programs that make many tables of the same
@@ -93,7 +89,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive> Course<M, D> {
 }
 
 /// What a table needs of its mechanism.
-pub(super) trait TabledMechanism: SweptMechanism + AssemblyOver<Bend> {
+pub trait TabledMechanism: SweptMechanism + AssemblyOver<Bend> {
     /// Solves the rows of an assembly, with a column for each order of each input, one after the other. It returns whether every row closes.
     fn solve_rows(
         &self,
@@ -125,6 +121,17 @@ impl<M: Mechanism<Scalar = f64>> TabledMechanism for Of<M> {
 }
 
 impl AnyCourse<'_> {
+    pub(crate) fn table(
+        &self,
+        functions: &dyn TabledMechanism,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Table, SweepError> {
+        self.check()?;
+        let mut table = self.empty(self.count);
+        self.fill(functions, &mut table, progress)?;
+        Ok(table)
+    }
+
     fn refill(&self, functions: &dyn TabledMechanism, table: &mut Table) -> Result<(), SweepError> {
         self.check()?;
         let mut recycled = self.empty(0);
@@ -146,7 +153,7 @@ impl AnyCourse<'_> {
         table: &mut Table,
         progress: &mut dyn FnMut(f64),
     ) -> Result<(), SweepError> {
-        let (is_closed, jumps) = match self.assembly() {
+        let (is_closed, jumps) = match self.assembly.index() {
             Some(assembly) => {
                 let is_closed = self.fill_by_batch(functions, assembly, table, progress)?;
                 (is_closed, unwrap(self, table))
@@ -313,7 +320,7 @@ pub(super) fn outcome<T>(result: &Result<T, SolveError>) -> Outcome {
 }
 
 /// The columns of a table as the target of a batch.
-pub(super) struct Places<'t> {
+pub struct Places<'t> {
     orders: usize,
     unknowns: usize,
     /// For each unknown and then each output, its orders.

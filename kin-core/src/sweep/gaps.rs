@@ -177,7 +177,7 @@ pub(super) fn open_place(
     let mut search = Search {
         course,
         bends,
-        assembly: course.assembly()?,
+        assembly: course.assembly.index()?,
         parameters: course.parameters.iter().copied().map(Bend::constant).collect(),
         slopes: NumberRow::from_fn(from.len(), |input| (to[input] - from[input]) / (end - start)),
         shortest: SHORTEST * (end - start).abs(),

@@ -62,10 +62,11 @@ mod unwrap;
 mod walk;
 
 pub use columns::{ColumnOf, Label, Unit};
-pub(crate) use course::{AnyCourse, joints};
+pub(crate) use course::{AnyCourse, SweptMechanism, joints};
 pub use drive::{
     Along, ByFormula, Drive, InputMotions, Instant, Laws, Local, OverTime, SmoothDrive, StraightLine, Variable,
 };
+pub use fill::TabledMechanism;
 pub(crate) use drive::{READ, TERMS, by_time, write_steady};
 pub use error::SweepError;
 pub(crate) use footing::Footing;

@@ -260,7 +260,7 @@ fn unwrapped(course: &AnyCourse<'_>, mut reached: Footing, motions: &[f64], from
             let own = course
                 .mechanism
                 .assembly_near(&course.parameters, &inputs, &turned.unknowns());
-            if own == course.assembly() || (follows && !unknowns.follows) {
+            if own == course.assembly.index() || (follows && !unknowns.follows) {
                 turned.near = Some(near);
                 (reached, unknowns.follows) = (turned, follows);
             }

@@ -15,6 +15,7 @@
 
 mod draft;
 mod error;
+mod functions;
 mod gather;
 mod html;
 mod model;
@@ -22,7 +23,11 @@ mod page;
 mod read;
 
 pub use draft::Draft;
+#[cfg(feature = "program")]
+pub(crate) use draft::Wishes;
 pub use error::ReportError;
+#[cfg(feature = "program")]
+pub(crate) use functions::ReportFunctions;
 pub use model::*;
 
 use kin_core::{Mechanism, in_small_letters};

@@ -1,9 +1,8 @@
 //! The list of assemblies, and what the solver is given for each.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use kin_core::Mechanism;
-use kin_core::cycle::Cycle;
+use kin_core::linkage::AnyCycle;
 
 use super::place::{self, Own};
 use super::solver::Solver;
@@ -11,14 +10,9 @@ use crate::names::symbol;
 use crate::report::model::{Argument, Assembly};
 
 /// All assemblies that close somewhere, and the index of the report's own.
-pub(super) fn list<M: Mechanism<Scalar = f64>>(
-    solver: &Solver,
-    cycle: &Cycle<M>,
-    own: &Own<M>,
-    range: [f64; 2],
-) -> (Vec<Assembly>, usize) {
-    if M::ASSEMBLY_COUNT > 0 {
-        let numbers = numbers(cycle, own);
+pub(super) fn list(solver: &Solver, cycle: &AnyCycle, own: &Own, range: [f64; 2]) -> (Vec<Assembly>, usize) {
+    if let Some(shown) = own.assembly.index() {
+        let numbers = numbers(cycle, shown);
         let entry = |number: &usize| {
             let mut branches = cycle.branches().iter();
             Assembly {
@@ -30,9 +24,7 @@ pub(super) fn list<M: Mechanism<Scalar = f64>>(
                     .map(kin_core::cycle::Branch::circuit),
             }
         };
-        let index = numbers
-            .iter()
-            .position(|number| M::assembly(*number) == Some(own.assembly));
+        let index = numbers.iter().position(|number| *number == shown);
         return (numbers.iter().map(entry).collect(), index.unwrap_or(0));
     }
     let near = |place: f64, unknowns: &[f64], number: usize, circuit: Option<usize>| Assembly {
@@ -52,7 +44,7 @@ pub(super) fn list<M: Mechanism<Scalar = f64>>(
         let found = cycle.position_on(index, place - periods);
         let (sample, unknowns) = &branch.samples()[branch.samples().len() / 2];
         let (place, unknowns) = match &found {
-            Ok(unknowns) => (place, unknowns.as_ref()),
+            Ok(unknowns) => (place, unknowns.as_slice()),
             Err(_) => (*sample, unknowns.as_slice()),
         };
         all.push(near(place, unknowns, index + 1, Some(branch.circuit())));
@@ -61,30 +53,25 @@ pub(super) fn list<M: Mechanism<Scalar = f64>>(
     let index = first.and_then(|first| shown.iter().position(|index| index == first));
     let index = index.unwrap_or_else(|| {
         let (place, unknowns) = &own.start;
-        all.push(near(*place, unknowns.as_ref(), all.len() + 1, None));
+        all.push(near(*place, unknowns, all.len() + 1, None));
         all.len() - 1
     });
     (all, index)
 }
 
 /// The index of the assembly to which a branch belongs, if it is listed.
-pub(super) fn of_branch<M: Mechanism<Scalar = f64>>(
-    cycle: &Cycle<M>,
-    own: &Own<M>,
-    range: [f64; 2],
-    branch: usize,
-) -> Option<usize> {
-    if M::ASSEMBLY_COUNT == 0 {
+pub(super) fn of_branch(cycle: &AnyCycle, own: &Own, range: [f64; 2], branch: usize) -> Option<usize> {
+    let Some(index) = own.assembly.index() else {
         return shown(cycle, own, range).iter().position(|index| *index == branch);
-    }
+    };
     let assembly = cycle.branches()[branch].assembly();
-    let mut numbers = numbers(cycle, own).into_iter();
+    let mut numbers = numbers(cycle, index).into_iter();
     numbers.position(|number| assembly == Some(number))
 }
 
 /// The branches of which a part lies in the range, and the report's own. An assembly of another one would show the numbers of a branch to
 /// which Newton's method goes from values nearby.
-fn shown<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>, own: &Own<M>, range: [f64; 2]) -> Vec<usize> {
+fn shown(cycle: &AnyCycle, own: &Own, range: [f64; 2]) -> Vec<usize> {
     let is_own = |index: usize| own.branches.first() == Some(&index);
     let branches = cycle.branches().iter().enumerate();
     branches
@@ -94,12 +81,10 @@ fn shown<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>, own: &Own<M>, range: [f64
 }
 
 /// The numbers of the assemblies that close somewhere, and of the report's own.
-fn numbers<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>, own: &Own<M>) -> Vec<usize> {
-    let closes = |number: &usize| {
-        let mut branches = cycle.branches().iter();
-        M::assembly(*number) == Some(own.assembly) || branches.any(|branch| branch.assembly() == Some(*number))
-    };
-    (0..M::ASSEMBLY_COUNT).filter(closes).collect()
+fn numbers(cycle: &AnyCycle, own: usize) -> Vec<usize> {
+    let closing = cycle.branches().iter().filter_map(kin_core::cycle::Branch::assembly);
+    let numbers: BTreeSet<usize> = closing.chain([own]).collect();
+    numbers.into_iter().collect()
 }
 
 /// Whether each choice of the assembly with this number is crossed: the bits of the number, the first choice first.

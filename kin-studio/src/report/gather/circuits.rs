@@ -1,7 +1,8 @@
 //! Circuits and branches as they are shown.
 
-use kin_core::cycle::{Cycle, End, EndKind};
-use kin_core::{Dimension, Mechanism, Quantity};
+use kin_core::cycle::{End, EndKind};
+use kin_core::linkage::AnyCycle;
+use kin_core::{Dimension, Quantity};
 
 use super::place::Own;
 use crate::report::model;
@@ -10,12 +11,7 @@ use crate::report::model;
 const SAMPLES: usize = 91;
 
 /// The cycle as data.
-pub(super) fn of<M: Mechanism<Scalar = f64>>(
-    cycle: &Cycle<M>,
-    own: &Own<M>,
-    moving: usize,
-    range: [f64; 2],
-) -> model::Cycle {
+pub(super) fn of(cycle: &AnyCycle, own: &Own, moving: Quantity, range: [f64; 2]) -> model::Cycle {
     let circuits = cycle.circuits().iter().map(|circuit| model::Circuit {
         branches: circuit.branches().to_vec(),
         closed: circuit.is_closed(),
@@ -32,7 +28,7 @@ pub(super) fn of<M: Mechanism<Scalar = f64>>(
                 kind: format!("{:?}", end.kind),
                 input: end.input,
                 block: end.block.to_owned(),
-                text: text(end, M::DESCRIPTION.inputs[moving]),
+                text: text(end, moving),
             }),
             samples: samples(branch.samples()),
         }

@@ -1,6 +1,6 @@
 //! What the declaration tells: names, equations, blocks, costs and the outline.
 
-use kin_core::{Dimension, Mechanism, Operations};
+use kin_core::{Description, Dimension, Operations};
 
 use crate::names::symbol;
 use crate::report::model::{self, Block, Body, Cost, Outline, Point, Slide};
@@ -30,8 +30,7 @@ pub(super) fn quantities(
 }
 
 /// The equations and their solution.
-pub(super) fn formulas<M: Mechanism>() -> model::Formulas {
-    let own = M::FORMULAS;
+pub(super) fn formulas(own: &kin_core::Formulas) -> model::Formulas {
     let formula = |formula: &kin_core::Formula| model::Formula {
         text: formula.text.to_owned(),
         mathml: formula.mathml.to_owned(),
@@ -46,8 +45,8 @@ pub(super) fn formulas<M: Mechanism>() -> model::Formulas {
 }
 
 /// How the blocks are solved.
-pub(super) fn blocks<M: Mechanism>() -> Vec<Block> {
-    let blocks = M::DESCRIPTION.blocks.iter();
+pub(super) fn blocks(description: &Description) -> Vec<Block> {
+    let blocks = description.blocks.iter();
     let block = |block: &kin_core::Block| Block {
         unknowns: block.unknowns.to_owned(),
         solution: block.solution.to_owned(),
@@ -56,8 +55,8 @@ pub(super) fn blocks<M: Mechanism>() -> Vec<Block> {
 }
 
 /// The cost of each order.
-pub(super) fn operations<M: Mechanism>() -> Vec<Cost> {
-    let orders = M::DESCRIPTION.operations.iter().enumerate();
+pub(super) fn operations(description: &Description) -> Vec<Cost> {
+    let orders = description.operations.iter().enumerate();
     orders
         .map(|(order, cost)| Cost {
             order,
@@ -87,8 +86,7 @@ fn in_words(cost: &Operations) -> String {
 }
 
 /// Which joints belong together.
-pub(super) fn outline<M: Mechanism>() -> Outline {
-    let own = M::OUTLINE;
+pub(super) fn outline(own: &kin_core::Outline) -> Outline {
     Outline {
         ground: own.ground.to_vec(),
         bodies: own

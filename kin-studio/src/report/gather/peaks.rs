@@ -1,6 +1,6 @@
 //! Extremes, means and sensitivities over the range.
 
-use kin_core::Mechanism;
+use kin_core::Description;
 use kin_core::extremes::{self, ExtremeKind, ExtremesError, Over};
 use kin_core::sweep::Label;
 
@@ -35,8 +35,7 @@ pub(super) struct Found {
 }
 
 /// The answers for every derivative of every unknown and output.
-pub(super) fn find<M: Mechanism<Scalar = f64>>(way: &Way<M>) -> Found {
-    let description = M::DESCRIPTION;
+pub(super) fn find(way: &Way, description: &'static Description) -> Found {
     let mut found = Found::default();
     for quantity in description.unknowns.iter().chain(description.outputs) {
         for order in 0..=description.order {
@@ -67,7 +66,7 @@ struct Question {
 }
 
 impl Question {
-    fn answer<M: Mechanism<Scalar = f64>>(&self, way: &Way<M>, found: &mut Found) {
+    fn answer(&self, way: &Way, found: &mut Found) {
         match extremes(way, &self.column) {
             Ok(all) => {
                 let highest = all
@@ -102,7 +101,7 @@ impl Question {
         }
         // where there is no peak, or where it moves with a limit, there is no sensitivity
         if let Some(own) = sensitivity(way, &self.column) {
-            let values = own.by.as_ref().iter().map(|by| by.value).collect();
+            let values = own.by.iter().map(|by| by.value).collect();
             found.sensitivities.push(Sensitivity {
                 quantity: self.name.to_owned(),
                 text: format!("peak of {}", self.text),
@@ -143,7 +142,7 @@ fn place(kind: ExtremeKind) -> Place {
 }
 
 /// All extremes over the range.
-fn extremes<M: Mechanism<Scalar = f64>>(way: &Way<M>, column: &str) -> Result<Vec<extremes::Extreme>, ExtremesError> {
+fn extremes(way: &Way, column: &str) -> Result<Vec<extremes::Extreme>, ExtremesError> {
     let mut all = Vec::new();
     for course in &way.courses {
         all.extend(course.of(column).extremes()?);
@@ -169,7 +168,7 @@ fn extremes<M: Mechanism<Scalar = f64>>(way: &Way<M>, column: &str) -> Result<Ve
 }
 
 /// The root mean square over time, or nothing if it grows beyond all bounds.
-fn rms<M: Mechanism<Scalar = f64>>(way: &Way<M>, column: &str) -> Result<Option<f64>, ExtremesError> {
+fn rms(way: &Way, column: &str) -> Result<Option<f64>, ExtremesError> {
     let mut own = Vec::new();
     for course in &way.courses {
         match course.of(column).rms(Over::Time) {
@@ -188,8 +187,8 @@ fn rms<M: Mechanism<Scalar = f64>>(way: &Way<M>, column: &str) -> Result<Option<
 }
 
 /// The peak that is largest in size, with its dependence on the dimensions.
-fn sensitivity<M: Mechanism<Scalar = f64>>(way: &Way<M>, column: &str) -> Option<extremes::PeakSensitivities<M>> {
-    let mut best: Option<extremes::PeakSensitivities<M>> = None;
+fn sensitivity(way: &Way, column: &str) -> Option<extremes::PeakSensitivities> {
+    let mut best: Option<extremes::PeakSensitivities> = None;
     for course in &way.courses {
         let own = course.of(column).peak_sensitivities().ok()?;
         if best

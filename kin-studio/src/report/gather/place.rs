@@ -1,9 +1,12 @@
 //! The assembly of a report, and the branches on which it lies.
 
-use kin_core::cycle::{Branch, Cycle, EndKind};
-use kin_core::{Dimension, InputValues, Mechanism, Row as _};
+use kin_core::any::AssemblyChoice;
+use kin_core::cycle::{Branch, EndKind};
+use kin_core::linkage::AnyCycle;
+use kin_core::{Description, Dimension, InputValues};
 
-use crate::report::{Draft, ReportError};
+use crate::report::ReportError;
+use crate::report::draft::Wishes;
 
 /// The part of the range by which the scrubber goes on beyond a limit.
 const BEYOND: f64 = 0.1;
@@ -11,46 +14,39 @@ const BEYOND: f64 = 0.1;
 const BETWEEN: f64 = 0.487_213;
 
 /// The assembly that a report shows.
-pub(super) struct Own<M: Mechanism<Scalar = f64>> {
-    pub(super) assembly: M::Assembly,
+pub(super) struct Own {
+    pub(super) assembly: AssemblyChoice,
     /// The indices of its branches, the branch of the wanted place first.
     pub(super) branches: Vec<usize>,
     /// A value of the moving input, and the unknowns there.
-    pub(super) start: (f64, M::Unknowns<f64>),
+    pub(super) start: (f64, Vec<f64>),
 }
 
-impl<M: Mechanism<Scalar = f64>> Own<M> {
-    pub(super) fn find(draft: &Draft<M>, moving: usize, cycle: &Cycle<M>) -> Result<Self, ReportError> {
-        let mechanism = &draft.mechanism;
-        let place = draft.inputs[moving];
-        let wanted = draft
-            .assembly
-            .map(|assembly| mechanism.solve_position(draft.inputs, assembly));
-        let mut found = None;
-        let search = match (&wanted, draft.assembly) {
-            (None, _) | (_, None) => mechanism.positions_at(draft.inputs, |assembly, unknowns| {
-                if found.is_none() {
-                    found = Some((assembly, unknowns));
-                }
-            }),
-            (Some(Ok(unknowns)), Some(assembly)) => {
-                found = Some((assembly, *unknowns));
-                Ok(kin_core::PositionSearch::default())
+impl Own {
+    pub(super) fn find(wishes: &Wishes, moving: usize, cycle: &AnyCycle) -> Result<Self, ReportError> {
+        let (linkage, place) = (&wishes.linkage, wishes.inputs[moving]);
+        let of_assembly = |choice: &AssemblyChoice| linkage.position(&wishes.inputs, choice.position());
+        let wanted = wishes.assembly.as_ref().map(|choice| (choice, of_assembly(choice)));
+        let found = match &wanted {
+            Some((choice, solved)) => solved.as_ref().ok().map(|unknowns| ((*choice).clone(), unknowns.clone())),
+            None => {
+                let all = linkage.positions_at(&wishes.inputs);
+                let (all, _) = all.map_err(|error| ReportError::ClosesNowhere { error })?;
+                let first = all.into_iter().next();
+                first.map(|unknowns| (linkage.assembly_near(&wishes.inputs, &unknowns), unknowns))
             }
-            (Some(Err(_)), Some(_)) => Ok(kin_core::PositionSearch::default()),
         };
-        search.map_err(|error| ReportError::ClosesNowhere { error })?;
         if let Some((assembly, unknowns)) = found {
             return Ok(Self {
+                branches: branches(cycle, place, &assembly, &unknowns, linkage.description()),
                 assembly,
-                branches: branches(cycle, place, assembly, &unknowns),
                 start: (place, unknowns),
             });
         }
         // It does not close at that place. A branch may be elsewhere.
         let all = cycle.branches().iter().enumerate();
-        let mut fitting = all.filter(|(index, _)| match draft.assembly {
-            Some(assembly) => cycle.assembly_of(*index) == Some(assembly),
+        let mut fitting = all.filter(|(_, branch)| match &wishes.assembly {
+            Some(choice) => choice.index().is_some() && branch.assembly() == choice.index(),
             None => true,
         });
         let elsewhere = fitting.find_map(|(index, branch)| {
@@ -58,28 +54,28 @@ impl<M: Mechanism<Scalar = f64>> Own<M> {
             Some((place, cycle.position_on(index, place).ok()?))
         });
         let Some((place, unknowns)) = elsewhere else {
-            let refused = |assembly| mechanism.solve_position(draft.inputs, assembly).err();
+            let mut all = 0..linkage.assembly_count();
+            let refused = |index: usize| of_assembly(&AssemblyChoice::Index(index)).err();
             let error = wanted
-                .and_then(Result::err)
-                .or_else(|| M::assemblies().find_map(refused));
+                .and_then(|(_, solved)| solved.err())
+                .or_else(|| all.find_map(refused));
             return Err(match error {
                 Some(error) => ReportError::ClosesNowhere { error },
                 None => ReportError::NoPosition {
-                    inputs: InputValues::new(M::DESCRIPTION.inputs, draft.inputs.as_ref()),
+                    inputs: InputValues::new(linkage.description().inputs, &wishes.inputs),
                 },
             });
         };
-        let inputs = M::Inputs::from_fn(|input| if input == moving { place } else { draft.inputs[input] });
-        let assembly = mechanism.assembly_near(inputs, unknowns);
+        let assembly = linkage.assembly_near(&wishes.inputs_at(moving, place), &unknowns);
         Ok(Self {
+            branches: branches(cycle, place, &assembly, &unknowns, linkage.description()),
             assembly,
-            branches: branches(cycle, place, assembly, &unknowns),
             start: (place, unknowns),
         })
     }
 
     /// The range of the moving input: as far as the assembly goes, and a bit beyond its limits.
-    pub(super) fn range(&self, cycle: &Cycle<M>, place: f64) -> Result<[f64; 2], ReportError> {
+    pub(super) fn range(&self, cycle: &AnyCycle, place: f64) -> Result<[f64; 2], ReportError> {
         let of = |branch: &usize| &cycle.branches()[*branch];
         let own = self.branches.iter().map(of);
         if let (true, Some(period)) = (own.clone().any(Branch::is_full_turn), cycle.period()) {
@@ -117,11 +113,7 @@ impl<M: Mechanism<Scalar = f64>> Own<M> {
 }
 
 /// The largest part of a branch within a range, and the whole periods by which it is shifted there.
-pub(super) fn part_in<M: Mechanism<Scalar = f64>>(
-    cycle: &Cycle<M>,
-    branch: &Branch,
-    range: [f64; 2],
-) -> Option<([f64; 2], f64)> {
+pub(super) fn part_in(cycle: &AnyCycle, branch: &Branch, range: [f64; 2]) -> Option<([f64; 2], f64)> {
     let [low, high] = branch.ends().map(|end| end.input);
     let part = |shift: f64| ([range[0].max(low + shift), range[1].min(high + shift)], shift);
     let length = |([from, to], _): &([f64; 2], f64)| to - from;
@@ -151,36 +143,37 @@ pub(super) fn between_places(low: f64, high: f64) -> f64 {
 }
 
 /// The branches of an assembly: of closed forms all those of the assembly, otherwise those of the circuit.
-fn branches<M: Mechanism<Scalar = f64>>(
-    cycle: &Cycle<M>,
+fn branches(
+    cycle: &AnyCycle,
     place: f64,
-    assembly: M::Assembly,
-    unknowns: &M::Unknowns<f64>,
+    assembly: &AssemblyChoice,
+    unknowns: &[f64],
+    description: &Description,
 ) -> Vec<usize> {
     let here = cycle.at(place).map(|(index, _)| index);
-    let first = if M::ASSEMBLY_COUNT > 0 {
-        let mut fitting = here.filter(|index| cycle.assembly_of(*index) == Some(assembly));
-        fitting.next()
+    let all = || cycle.branches().iter().enumerate();
+    let (first, belonging): (Option<usize>, Vec<usize>) = if let Some(assembly) = assembly.index() {
+        let is_own = |branch: &Branch| branch.assembly() == Some(assembly);
+        let mut fitting = here.filter(|index| is_own(&cycle.branches()[*index]));
+        let own = all().filter(|(_, branch)| is_own(branch));
+        (fitting.next(), own.map(|(index, _)| index).collect())
     } else {
         let distances = here.filter_map(|index| {
             let own = cycle.position_on(index, shifted(cycle, index, place)).ok()?;
-            Some((index, distance::<M>(&own, unknowns)))
+            Some((index, distance(description, &own, unknowns)))
         });
         let nearest = distances.min_by(|one, other| one.1.total_cmp(&other.1));
-        nearest.filter(|(_, distance)| *distance < 1e-6).map(|(index, _)| index)
+        let first = nearest.filter(|(_, distance)| *distance < 1e-6).map(|(index, _)| index);
+        let circuit = first.map(|first| cycle.branches()[first].circuit());
+        let own = all().filter(|(_, branch)| Some(branch.circuit()) == circuit);
+        (first, own.map(|(index, _)| index).collect())
     };
-    let all = 0..cycle.branches().len();
-    let belongs = |index: &usize| match first {
-        _ if M::ASSEMBLY_COUNT > 0 => cycle.assembly_of(*index) == Some(assembly),
-        Some(first) => cycle.branches()[*index].circuit() == cycle.branches()[first].circuit(),
-        None => false,
-    };
-    let rest = all.filter(|index| belongs(index) && Some(*index) != first);
+    let rest = belonging.into_iter().filter(|index| Some(*index) != first);
     first.into_iter().chain(rest).collect()
 }
 
 /// The place on a branch that is a whole number of periods from the given one.
-fn shifted<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>, branch: usize, place: f64) -> f64 {
+fn shifted(cycle: &AnyCycle, branch: usize, place: f64) -> f64 {
     let [low, high] = cycle.branches()[branch].ends().map(|end| end.input);
     match cycle.period() {
         Some(period) if place < low => place + period * ((low - place) / period).ceil(),
@@ -190,9 +183,9 @@ fn shifted<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>, branch: usize, place: f
 }
 
 /// The largest difference of two positions: of angles without whole turns, of lengths relative to their size.
-fn distance<M: Mechanism>(one: &M::Unknowns<f64>, other: &M::Unknowns<f64>) -> f64 {
-    let values = one.as_ref().iter().zip(other.as_ref());
-    let named = M::DESCRIPTION.unknowns.iter().zip(values);
+fn distance(description: &Description, one: &[f64], other: &[f64]) -> f64 {
+    let values = one.iter().zip(other);
+    let named = description.unknowns.iter().zip(values);
     named.fold(0.0, |largest: f64, (quantity, (one, other))| {
         let difference = one - other;
         largest.max(match quantity.dimension {

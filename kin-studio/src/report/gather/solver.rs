@@ -1,9 +1,10 @@
 //! The solver in JavaScript, or the poses themselves if it cannot be recorded.
 
-use kin_core::tape::{self, Options};
-use kin_core::{Mechanism, PlaneOrSpace as _, PointArray as _, Pose as _};
+use kin_core::tape::Options;
 
-use super::way::{At, Way};
+use super::way::At;
+use crate::report::draft::Wishes;
+use crate::report::functions::ReportFunctions;
 use crate::report::model::Frame;
 
 /// The recorded solver and the names in it.
@@ -20,11 +21,11 @@ pub(super) struct Solver {
 }
 
 impl Solver {
-    pub(super) fn record<M: Mechanism<Scalar = f64>>() -> Self {
-        match tape::record::<M>(&Options::new().with_skeleton()) {
+    pub(super) fn record(functions: &dyn ReportFunctions) -> Self {
+        match functions.record(&Options::new().with_skeleton()) {
             Ok(tape) => {
                 let names = tape.java_script_names();
-                let (unknowns, outputs) = names.results.split_at(M::DESCRIPTION.unknowns.len());
+                let (unknowns, outputs) = names.results.split_at(functions.description().unknowns.len());
                 Self {
                     text: Some(tape.java_script()),
                     unrecorded: None,
@@ -51,8 +52,11 @@ impl Solver {
 }
 
 /// The poses as the solver would find them.
-pub(super) fn frames<M: Mechanism<Scalar = f64>>(way: &Way<M>, poses: &[At<M>]) -> Vec<Frame> {
-    let frame = |(input, pose): &At<M>| {
+pub(super) fn frames(wishes: &Wishes, poses: &[At]) -> Vec<Frame> {
+    let (functions, parameters) = (wishes.functions, wishes.linkage.parameters());
+    let slides = functions.outline().slides.len();
+    let shortened = |values: &[f64]| values.iter().copied().map(super::short).collect::<Vec<f64>>();
+    let frame = |(input, pose): &At| {
         let Ok(pose) = pose else {
             return Frame {
                 input: *input,
@@ -61,25 +65,12 @@ pub(super) fn frames<M: Mechanism<Scalar = f64>>(way: &Way<M>, poses: &[At<M>]) 
                 slides: Vec::new(),
             };
         };
-        let (inputs, unknowns) = way.values(*input, pose);
-        let places = way.mechanism.places(inputs, unknowns);
-        let points: Vec<Vec<f64>> = places
-            .as_slice()
-            .iter()
-            .map(|place| {
-                let point = (*place).in_space();
-                [point.x, point.y, point.z].map(super::short).to_vec()
-            })
-            .collect();
-        let count = points.len().saturating_sub(M::OUTLINE.slides.len());
-        let (joints, slides) = points.split_at(count);
-        let (unknowns, outputs) = (pose.unknown_motions(), pose.output_motions());
-        let motions = unknowns.as_ref().iter().chain(outputs.as_ref());
+        let places = functions.places(parameters, &pose.inputs(), &pose.unknowns());
+        let points: Vec<Vec<f64>> = places.iter().map(|point| shortened(point)).collect();
+        let (joints, slides) = points.split_at(points.len().saturating_sub(slides));
         Frame {
             input: *input,
-            values: motions
-                .map(|motion| motion.as_ref().iter().copied().map(super::short).collect())
-                .collect(),
+            values: pose.results().map(shortened).collect(),
             joints: joints.to_vec(),
             slides: slides.to_vec(),
         }

@@ -1,0 +1,43 @@
+//! A cycle that has been searched, with what its questions need, without the type of the mechanism.
+
+use core::fmt;
+
+use super::data::CycleData;
+use super::line::InputLine;
+use super::search::search;
+use super::sought::{SearchedFunctions, SoughtMechanism};
+use crate::failure::SolveError;
+
+/// All circuits and branches, with the mechanism and the line of inputs.
+#[derive(Clone)]
+pub(crate) struct SearchedCycle {
+    pub(super) mechanism: SoughtMechanism<'static>,
+    pub(super) line: InputLine,
+    pub(crate) data: CycleData,
+}
+
+impl SearchedCycle {
+    /// Searches along a line of inputs, which is given by a place and a direction.
+    pub(crate) fn new(
+        functions: &'static dyn SearchedFunctions,
+        parameters: &[f64],
+        line: [&[f64]; 2],
+        range: Option<[f64; 2]>,
+    ) -> Result<Self, SolveError> {
+        let mechanism = SoughtMechanism {
+            functions,
+            parameters: parameters.into(),
+        };
+        let (line, data) = search(&mechanism, &functions.method(), line.map(Into::into), range)?;
+        Ok(Self { mechanism, line, data })
+    }
+}
+
+impl fmt::Debug for SearchedCycle {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter
+            .debug_struct("SearchedCycle")
+            .field("data", &self.data)
+            .finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,87 @@
+//! The cycle of a linkage without its type.
+
+use alloc::vec::Vec;
+use core::fmt;
+use core::ops::Deref;
+
+use super::{AnyLinkage, LinkageFunctions};
+use crate::cycle::{CycleData, MeasureError, MeasuredCycle, SearchedCycle, Stroke, WorstTransmission};
+use crate::failure::SolveError;
+
+/// All circuits and branches of a linkage. [`AnyLinkage::cycle_along`] makes it.
+///
+/// It has all methods of [`CycleData`].
+#[derive(Clone)]
+pub struct AnyCycle {
+    functions: &'static dyn LinkageFunctions,
+    searched: SearchedCycle,
+}
+
+impl Deref for AnyCycle {
+    type Target = CycleData;
+
+    fn deref(&self) -> &CycleData {
+        &self.searched.data
+    }
+}
+
+impl fmt::Debug for AnyCycle {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.searched.fmt(formatter)
+    }
+}
+
+impl AnyLinkage {
+    /// All circuits and branches along a line in the space of the inputs: see
+    /// [`FullCycle::cycle_along`](crate::cycle::FullCycle::cycle_along).
+    ///
+    /// # Errors
+    /// As there.
+    pub fn cycle_along(&self, from: &[f64], direction: &[f64]) -> Result<AnyCycle, SolveError> {
+        Ok(AnyCycle {
+            functions: self.functions,
+            searched: SearchedCycle::new(self.functions, &self.parameters, [from, direction], None)?,
+        })
+    }
+}
+
+impl AnyCycle {
+    /// The unknowns of a branch at an input of its range: see [`Cycle::position_on`](crate::cycle::Cycle::position_on).
+    ///
+    /// # Errors
+    /// As there.
+    pub fn position_on(&self, branch: usize, input: f64) -> Result<Vec<f64>, SolveError> {
+        self.searched.position_on(branch, input).map(|found| found.to_vec())
+    }
+
+    /// The smallest and the largest value of a quantity along a circuit: see [`Cycle::stroke`](crate::cycle::Cycle::stroke).
+    ///
+    /// # Errors
+    /// As there.
+    pub fn stroke(&self, circuit: usize, name: &str) -> Result<Stroke, MeasureError> {
+        self.measured().stroke(circuit, name)
+    }
+
+    /// The time ratio of a quick return: see [`Cycle::time_ratio`](crate::cycle::Cycle::time_ratio).
+    ///
+    /// # Errors
+    /// As there.
+    pub fn time_ratio(&self, circuit: usize, name: &str) -> Result<f64, MeasureError> {
+        self.measured().time_ratio(circuit, name)
+    }
+
+    /// The smallest transmission angle along a circuit: see [`Cycle::worst_transmission`](crate::cycle::Cycle::worst_transmission).
+    ///
+    /// # Errors
+    /// As there.
+    pub fn worst_transmission(&self, circuit: usize) -> Result<WorstTransmission, MeasureError> {
+        self.measured().worst_transmission(circuit)
+    }
+
+    fn measured(&self) -> MeasuredCycle<'_> {
+        MeasuredCycle {
+            cycle: &self.searched,
+            functions: self.functions,
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! Sweeps of a linkage without its type.
+
+use alloc::vec::Vec;
+use core::fmt;
+
+use super::AnyLinkage;
+use crate::any::AssemblyChoice;
+use crate::exact::{ExactTable, ExactTableError, Precision, exact_table};
+use crate::extremes::{ByDyad, ByName, ChangedFunctions, NamedFunctions, QuantityAlong, QuantitySource};
+use crate::failure::SolveError;
+use crate::law::Piecewise;
+use crate::number::ClosedRange;
+use crate::sweep::{AnyCourse, Footing, Laws, SmoothDrive, StraightLine, SweepError, Table, TabledMechanism, Walk};
+
+/// A linkage in an assembly, of which a sweep is wanted.
+#[derive(Clone, Debug)]
+#[must_use = "say how the inputs move, as in `between`"]
+pub struct AnyAssembled {
+    linkage: AnyLinkage,
+    assembly: AssemblyChoice,
+}
+
+/// A sweep of a linkage, whose inputs move.
+#[derive(Clone, Debug)]
+#[must_use = "read its `rows` or ask for a quantity of it"]
+pub struct AnySweep<D> {
+    linkage: AnyLinkage,
+    assembly: AssemblyChoice,
+    drive: D,
+    range: [f64; 2],
+    count: usize,
+}
+
+impl AnyLinkage {
+    /// A sweep in an assembly. The next word says how its inputs move.
+    pub fn sweep(&self, assembly: AssemblyChoice) -> AnyAssembled {
+        AnyAssembled {
+            linkage: self.clone(),
+            assembly,
+        }
+    }
+}
+
+impl AnyAssembled {
+    fn sweep<D>(self, drive: D, range: [f64; 2], count: usize) -> AnySweep<D> {
+        AnySweep {
+            linkage: self.linkage,
+            assembly: self.assembly,
+            drive,
+            range,
+            count,
+        }
+    }
+
+    /// Over the straight line between two places in the space of the inputs: see [`between`](crate::sweep::Assembled::between).
+    pub fn between(self, from: &[f64], to: &[f64], rows: usize) -> AnySweep<StraightLine> {
+        let line = StraightLine::new(from, to);
+        let range = line.range();
+        self.sweep(line, range, rows)
+    }
+
+    /// Over a range of the time, with a law for each input: see [`under_laws`](crate::sweep::Assembled::under_laws).
+    pub fn under_laws<'l>(
+        self,
+        laws: &[&'l dyn Piecewise<f64>],
+        range: impl ClosedRange,
+        rows: usize,
+    ) -> AnySweep<Laws<'l>> {
+        let laws = Laws::new(laws, self.linkage.description());
+        self.sweep(laws, range.ends(), rows)
+    }
+}
+
+impl AnySweep<StraightLine> {
+    /// The speed of the first input that moves, in the direction of the range: see [`speed`](crate::sweep::Course::speed).
+    pub fn speed(mut self, speed: f64) -> Self {
+        self.drive = self.drive.at_speed(speed);
+        self
+    }
+}
+
+impl<D: SmoothDrive> AnySweep<D> {
+    /// The linkage.
+    #[must_use]
+    pub fn linkage(&self) -> &AnyLinkage {
+        &self.linkage
+    }
+
+    /// The number of rows.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// The value of the variable in a row.
+    #[must_use]
+    pub fn at(&self, row: usize) -> f64 {
+        self.course().at(row)
+    }
+
+    /// The poses of all rows, each with the value of the variable: see [`rows`](crate::sweep::Course::rows).
+    #[must_use]
+    pub fn rows(&self) -> Vec<(f64, Result<AnyPose, SolveError>)> {
+        let course = self.course();
+        let mut walk = Walk::BEGINNING;
+        let row = |row: usize| {
+            let at = course.at(row);
+            let reached = walk.step(&course, at, &course.motions(at)).cloned();
+            (at, reached.map(AnyPose))
+        };
+        (0..self.count).map(row).collect()
+    }
+
+    /// The poses as a table: see [`table`](crate::sweep::Course::table). The functions are those of the mechanism.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn table(&self, functions: &dyn TabledMechanism) -> Result<Table, SweepError> {
+        self.course().table(functions, &mut |_| {})
+    }
+
+    /// The motion as an exact table: see [`exact_table`](crate::sweep::Course::exact_table).
+    ///
+    /// # Errors
+    /// As there.
+    pub fn exact_table(&self, precision: impl Into<Precision>) -> Result<ExactTable, ExactTableError> {
+        exact_table(self.course(), &self.drive, precision.into())
+    }
+
+    /// A quantity by the name of its column, to ask for its peak, its extremes or its mean: see [`of`](crate::sweep::Course::of).
+    pub fn of<'q>(&self, name: &'q str) -> QuantityAlong<'_, Self, ByName<'q>> {
+        QuantityAlong::by_name(self, name)
+    }
+
+    /// The transmission angle of a dyad, by its index in the order in which the dyads are solved, or its supplement if this is smaller.
+    pub fn of_transmission_angle(&self, dyad: usize) -> QuantityAlong<'_, Self, ByDyad> {
+        QuantityAlong::new(self, ByDyad(dyad))
+    }
+}
+
+impl<D: SmoothDrive> QuantitySource for AnySweep<D> {
+    fn course(&self) -> AnyCourse<'_> {
+        let [from, to] = self.range;
+        AnyCourse {
+            mechanism: self.linkage.functions,
+            description: self.linkage.description(),
+            parameters: self.linkage.parameters.clone(),
+            assembly: self.assembly.clone(),
+            drive: &self.drive,
+            from,
+            to,
+            count: self.count,
+        }
+    }
+
+    fn drive(&self) -> &dyn SmoothDrive {
+        &self.drive
+    }
+
+    fn named(&self) -> &dyn NamedFunctions {
+        self.linkage.functions
+    }
+
+    fn changed(&self) -> &dyn ChangedFunctions {
+        self.linkage.functions
+    }
+}
+
+/// A pose of a sweep, with unwrapped angles.
+#[derive(Clone)]
+pub struct AnyPose(Footing);
+
+impl fmt::Debug for AnyPose {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.debug_list().entries(self.0.results()).finish()
+    }
+}
+
+impl AnyPose {
+    /// The values of the inputs.
+    #[must_use]
+    pub fn inputs(&self) -> Vec<f64> {
+        self.0.inputs().to_vec()
+    }
+
+    /// The values of the unknowns.
+    #[must_use]
+    pub fn unknowns(&self) -> Vec<f64> {
+        self.0.unknowns().to_vec()
+    }
+
+    /// The motions of unknowns and outputs, one after the other, each with all its orders.
+    pub fn results(&self) -> impl Iterator<Item = &[f64]> {
+        self.0.results()
+    }
+}
