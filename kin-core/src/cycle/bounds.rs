@@ -423,7 +423,7 @@ fn trend<const N: usize, const K: usize>(
 impl Add for Bounds {
     type Output = Self;
 
-    #[inline]
+    #[inline(never)]
     fn add(self, other: Self) -> Self {
         Self::new(
             self.middle + other.middle,
@@ -438,7 +438,7 @@ impl Add for Bounds {
 impl Neg for Bounds {
     type Output = Self;
 
-    #[inline]
+    #[inline(never)]
     fn neg(self) -> Self {
         Self {
             middle: -self.middle,
@@ -454,7 +454,7 @@ impl Neg for Bounds {
 impl Sub for Bounds {
     type Output = Self;
 
-    #[inline]
+    #[inline(never)]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -463,7 +463,7 @@ impl Sub for Bounds {
 impl Mul for Bounds {
     type Output = Self;
 
-    #[inline]
+    #[inline(never)]
     fn mul(self, other: Self) -> Self {
         if other.is_constant() {
             return self.scaled(other);
@@ -489,7 +489,7 @@ impl Mul for Bounds {
 impl Div for Bounds {
     type Output = Self;
 
-    #[inline]
+    #[inline(never)]
     fn div(self, other: Self) -> Self {
         let inverse = reciprocal(other.values());
         if inverse == [-HUGE, HUGE] {
@@ -503,7 +503,7 @@ impl Div for Bounds {
 impl Number for Bounds {
     const EPSILON: f64 = f64::EPSILON;
 
-    #[inline]
+    #[inline(never)]
     fn constant(value: f64) -> Self {
         Self {
             middle: value,
@@ -526,7 +526,7 @@ impl Number for Bounds {
         !(self.low.is_nan() || self.high.is_nan())
     }
 
-    #[inline]
+    #[inline(never)]
     fn sqrt(self) -> Self {
         let roots = self.values().map(|value| Float::sqrt(value.max(0.0)));
         let slopes = if roots[0] > 0.0 {
@@ -540,7 +540,7 @@ impl Number for Bounds {
         self.through(Float::sqrt(self.middle), roots, slopes)
     }
 
-    #[inline]
+    #[inline(never)]
     fn sin_cos(self) -> (Self, Self) {
         let (sine, cosine) = Number::sin_cos(self.middle);
         let reach = (self.high - self.middle).max(self.middle - self.low) * (1.0 + f64::EPSILON) + self.error;
@@ -563,7 +563,7 @@ impl Number for Bounds {
         )
     }
 
-    #[inline]
+    #[inline(never)]
     fn asin(self) -> Self {
         let square = self * self;
         let rest = 1.0 - square.high;
@@ -575,12 +575,12 @@ impl Number for Bounds {
         self.rising([-1.0, 1.0], Number::asin, slopes)
     }
 
-    #[inline]
+    #[inline(never)]
     fn acos(self) -> Self {
         Self::constant(core::f64::consts::FRAC_PI_2) - self.asin()
     }
 
-    #[inline]
+    #[inline(never)]
     fn atan(self) -> Self {
         let square = self * self;
         let slopes = reciprocal([1.0 + square.low.max(0.0), 1.0 + square.high]);
@@ -588,7 +588,7 @@ impl Number for Bounds {
     }
 
     /// The angle goes on beyond half a turn, so that it is continuous over the interval.
-    #[inline]
+    #[inline(never)]
     fn atan2(self, x: Self) -> Self {
         let doubt = self.doubt.and(x.doubt);
         let middle = Number::atan2(self.middle, x.middle);
@@ -610,34 +610,34 @@ impl Number for Bounds {
         Self::new(middle, error, values, slopes, doubt)
     }
 
-    #[inline]
+    #[inline(never)]
     fn sinh(self) -> Self {
         let slopes = self.cosh().values();
         self.rising([-HUGE, HUGE], Number::sinh, slopes)
     }
 
-    #[inline]
+    #[inline(never)]
     fn cosh(self) -> Self {
         let power = self.exp();
         let half = Self::constant(0.5);
         power * half + half / power
     }
 
-    #[inline]
+    #[inline(never)]
     fn tanh(self) -> Self {
         let largest = self.low.abs().max(self.high.abs());
         let tangent = Number::tanh(largest);
         self.rising([-HUGE, HUGE], Number::tanh, widened([1.0 - tangent * tangent, 1.0]))
     }
 
-    #[inline]
+    #[inline(never)]
     fn asinh(self) -> Self {
         let largest = self.low.abs().max(self.high.abs());
         let slopes = widened([1.0 / Float::sqrt(1.0 + largest * largest), 1.0]);
         self.rising([-HUGE, HUGE], Number::asinh, slopes)
     }
 
-    #[inline]
+    #[inline(never)]
     fn acosh(self) -> Self {
         let rest = self.low * self.low - 1.0;
         let slopes = if self.low > 1.0 && rest > 0.0 {
@@ -648,7 +648,7 @@ impl Number for Bounds {
         self.rising([1.0, HUGE], Number::acosh, slopes)
     }
 
-    #[inline]
+    #[inline(never)]
     fn atanh(self) -> Self {
         let square = (self * self).high;
         let slopes = if square < 1.0 {
@@ -660,13 +660,13 @@ impl Number for Bounds {
         self.rising([-end, end], Number::atanh, slopes)
     }
 
-    #[inline]
+    #[inline(never)]
     fn exp(self) -> Self {
         let slopes = widened(self.values().map(|value| Number::exp(value.min(340.0))));
         self.rising([-HUGE, 340.0], Number::exp, slopes)
     }
 
-    #[inline]
+    #[inline(never)]
     fn ln(self) -> Self {
         let slopes = reciprocal(self.values());
         self.rising([f64::MIN_POSITIVE, HUGE], Number::ln, slopes)

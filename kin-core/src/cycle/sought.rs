@@ -20,10 +20,7 @@ pub trait CycleFunctions: Tracked + ClosureOver<Bounds> {}
 impl<F: Tracked + ClosureOver<Bounds>> CycleFunctions for F {}
 
 /// What the search needs where every block has a closed form.
-pub trait ClosedForms:
-    CycleFunctions + AssemblyOver<Bounds> + AssemblyOver<Curved> + TransmissionOver<f64>
-{
-}
+pub trait ClosedForms: CycleFunctions + AssemblyOver<Bounds> + AssemblyOver<Curved> + TransmissionOver<f64> {}
 
 impl<F: CycleFunctions + AssemblyOver<Bounds> + AssemblyOver<Curved> + TransmissionOver<f64>> ClosedForms for F {}
 

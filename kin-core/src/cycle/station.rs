@@ -34,7 +34,12 @@ impl<'c> MeasuredCycle<'c> {
     }
 
     pub(super) fn circuit(&self, circuit: usize) -> Result<&'c [usize], MeasureError> {
-        let circuit = self.cycle.data.circuits.get(circuit).ok_or(MeasureError::NoSuchCircuit)?;
+        let circuit = self
+            .cycle
+            .data
+            .circuits
+            .get(circuit)
+            .ok_or(MeasureError::NoSuchCircuit)?;
         Ok(circuit.branches())
     }
 
@@ -54,8 +59,7 @@ impl<'c> MeasuredCycle<'c> {
             {
                 if let Some(here) = self.near_end(&station, here) {
                     let quantities = self.cycle.mechanism.unknowns();
-                    let unknowns =
-                        moved_by_turns(quantities, &there.unknowns(), &here.unknowns(), &unknowns);
+                    let unknowns = moved_by_turns(quantities, &there.unknowns(), &here.unknowns(), &unknowns);
                     station = self.station(*branch, at, &unknowns);
                 }
                 if let Some(here) = self.near_end(&station, here) {

@@ -123,8 +123,11 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
     #[must_use]
     pub fn unknown(&self, index: usize, order: usize) -> Option<Local> {
         if order > M::DESCRIPTION.order && order <= HIGHEST {
-            return (index < M::DESCRIPTION.unknowns.len())
-                .then(|| self.station()?.result(Of::<M>::FUNCTIONS, ResultIndex::Unknown(index), order).ok())?;
+            return (index < M::DESCRIPTION.unknowns.len()).then(|| {
+                self.station()?
+                    .result(Of::<M>::FUNCTIONS, ResultIndex::Unknown(index), order)
+                    .ok()
+            })?;
         }
         let motions = self
             .pose
@@ -142,8 +145,11 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
     #[must_use]
     pub fn output(&self, index: usize, order: usize) -> Option<Local> {
         if order > M::DESCRIPTION.order && order <= HIGHEST {
-            return (index < M::DESCRIPTION.outputs.len())
-                .then(|| self.station()?.result(Of::<M>::FUNCTIONS, ResultIndex::Output(index), order).ok())?;
+            return (index < M::DESCRIPTION.outputs.len()).then(|| {
+                self.station()?
+                    .result(Of::<M>::FUNCTIONS, ResultIndex::Output(index), order)
+                    .ok()
+            })?;
         }
         let motions = self.pose.output_motions();
         let value = *motions.as_ref().get(index)?.as_ref().get(order)?;

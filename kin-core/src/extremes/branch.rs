@@ -2,8 +2,8 @@
 
 use alloc::vec::Vec;
 
-use super::curve::StretchEnd;
 use super::at::HIGHEST;
+use super::curve::StretchEnd;
 use super::margin::transmission_angle;
 use super::quantity::Named;
 use super::station::{NamedFunctions, SweepStation};

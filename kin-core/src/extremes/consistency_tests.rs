@@ -117,12 +117,7 @@ impl Fine {
 }
 
 /// Compares the answers to every question about a quantity with a fine table.
-fn hold<M: Mechanism<Scalar = f64>, D: SmoothDrive>(
-    name: &str,
-    fine_table: &Table,
-    rows: usize,
-    sweep: &Course<M, D>,
-) {
+fn hold<M: Mechanism<Scalar = f64>, D: SmoothDrive>(name: &str, fine_table: &Table, rows: usize, sweep: &Course<M, D>) {
     let fine = Fine::of(fine_table, name);
     let context = || format!("{:?}, {name}, {rows} rows", sweep.mechanism);
     // towards a limit a quantity is a root, whose steps grow from row to row

@@ -15,10 +15,7 @@ use crate::quantity::Dimension;
 use crate::sweep::Local;
 
 /// What margins and transmission angles need of a mechanism.
-pub trait DyadFunctions:
-    AnyMechanism + ClosureOver<Local> + TransmissionOver<Local> + FormsOver<Local>
-{
-}
+pub trait DyadFunctions: AnyMechanism + ClosureOver<Local> + TransmissionOver<Local> + FormsOver<Local> {}
 
 impl<F: AnyMechanism + ClosureOver<Local> + TransmissionOver<Local> + FormsOver<Local>> DyadFunctions for F {}
 

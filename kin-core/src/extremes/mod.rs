@@ -67,8 +67,8 @@ pub use at::At;
 pub(crate) use branch::{KnownStretch, KnownSweep};
 pub use error::ExtremesError;
 pub use mean::{Mean, Over};
-pub use station::{ChangedFunctions, NamedFunctions};
 pub use sensitivity::{PeakSensitivities, PeakSensitivity};
+pub use station::{ChangedFunctions, NamedFunctions};
 
 use core::fmt;
 

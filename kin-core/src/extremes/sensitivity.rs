@@ -78,10 +78,7 @@ impl ByDimension {
 
 impl QuantityOfSweep<'_> {
     /// The value that is largest in size, and how it depends on every dimension.
-    pub(super) fn sensitivities(
-        &self,
-        by_dimension: &PeakQuantity<'_>,
-    ) -> Result<PeakSensitivities, ExtremesError> {
+    pub(super) fn sensitivities(&self, by_dimension: &PeakQuantity<'_>) -> Result<PeakSensitivities, ExtremesError> {
         self.ask(|curve| {
             let peak = curve.best(f64::abs)?;
             let by = self.sensitivities_at(curve, peak, by_dimension)?;

@@ -36,7 +36,11 @@ pub trait ChangedFunctions: NamedFunctions + PositionFunctions<Changing<Series<U
 impl<M: Mechanism<Scalar = f64>> ChangedFunctions for Of<M> {
     fn above_snap(&self) -> Option<&dyn PositionFunctions<Changing<Series<READ>>>> {
         // in a constant, so that it is not compiled for most mechanisms
-        if const { M::DESCRIPTION.order > SNAP } { Some(self) } else { None }
+        if const { M::DESCRIPTION.order > SNAP } {
+            Some(self)
+        } else {
+            None
+        }
     }
 }
 
@@ -228,7 +232,11 @@ impl SweepStation {
     ) -> Result<SeriesPosition<T>, SolveError> {
         let parameters = self.parameters.iter().enumerate();
         let parameters = parameters.map(|(index, value)| parameter(index, *value));
-        self.position_at(functions, parameters, self.inputs.chunks_exact(READ).map(T::from_motion))
+        self.position_at(
+            functions,
+            parameters,
+            self.inputs.chunks_exact(READ).map(T::from_motion),
+        )
     }
 
     fn position_at<T: SeriesNumber>(

@@ -19,7 +19,14 @@ use crate::track::{TrackError, track_between};
 /// The functions of a mechanism from which its answers are found: [`Of::<M>::FUNCTIONS`](Of::FUNCTIONS) has them for every declared
 /// mechanism.
 pub trait LinkageFunctions:
-    fmt::Debug + AnyMechanism + SweptMechanism + ChangedFunctions + SearchedFunctions + MeasuredFunctions + EveryPosition + FormsOver<f64>
+    fmt::Debug
+    + AnyMechanism
+    + SweptMechanism
+    + ChangedFunctions
+    + SearchedFunctions
+    + MeasuredFunctions
+    + EveryPosition
+    + FormsOver<f64>
 {
 }
 

@@ -46,7 +46,10 @@ fn agrees<M: Mechanism<Scalar = f64>>(mechanism: &M, from: M::Inputs<f64>, assem
         }
     }
     for dyad in 0..linkage.dyad_count() {
-        let one = typed.of_expression(|at| at.transmission_angle(dyad).map_or(Local::constant(f64::NAN), |angle| angle.folded()));
+        let one = typed.of_expression(|at| {
+            at.transmission_angle(dyad)
+                .map_or(Local::constant(f64::NAN), |angle| angle.folded())
+        });
         // zero at a limit, up to the rounding of typed rates
         let [one, other] = [one.lowest().unwrap(), any.of_transmission_angle(dyad).lowest().unwrap()];
         assert!((one.value - other.value).abs() < 1e-11, "{name}: {one} {other}");
@@ -94,7 +97,10 @@ fn cycles_agree<M: Mechanism<Scalar = f64>>(mechanism: &M, from: M::Inputs<f64>)
 
 /// Both comparisons at the first position that is found.
 fn compare<M: Mechanism<Scalar = f64>>(mechanism: &M, start: M::Inputs<f64>) -> bool {
-    cycles_agree(mechanism, M::Inputs::from_fn(|input| if input == 0 { 0.0 } else { start[input] }));
+    cycles_agree(
+        mechanism,
+        M::Inputs::from_fn(|input| if input == 0 { 0.0 } else { start[input] }),
+    );
     let mut first = None;
     let search = mechanism.positions_at(start, |assembly, _| first = first.or(Some(assembly)));
     if let (Ok(_), Some(assembly)) = (search, first) {

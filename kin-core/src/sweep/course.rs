@@ -135,9 +135,12 @@ impl AnyCourse<'_> {
     /// Whether the mechanism closes at a place.
     pub(super) fn closes(&self, at: f64) -> bool {
         let mut unknowns = NumberRow::splat(self.description.unknowns.len(), 0.0);
-        let found = self
-            .mechanism
-            .position(&self.parameters, &self.inputs(at), self.assembly.position(), &mut unknowns);
+        let found = self.mechanism.position(
+            &self.parameters,
+            &self.inputs(at),
+            self.assembly.position(),
+            &mut unknowns,
+        );
         found.is_ok()
     }
 

@@ -562,8 +562,14 @@ mod tests {
             }
             places
         };
-        assert_eq!(joints(&Laws::new(&[&laws], &FourBar::<f64>::DESCRIPTION)), [0.0, 0.5, 0.75]);
+        assert_eq!(
+            joints(&Laws::new(&[&laws], &FourBar::<f64>::DESCRIPTION)),
+            [0.0, 0.5, 0.75]
+        );
         let cam = laws.repeated();
-        assert_eq!(joints(&Laws::new(&[&cam], &FourBar::<f64>::DESCRIPTION)), [0.0, 0.5, 0.75, 1.25, 1.5]);
+        assert_eq!(
+            joints(&Laws::new(&[&cam], &FourBar::<f64>::DESCRIPTION)),
+            [0.0, 0.5, 0.75, 1.25, 1.5]
+        );
     }
 }

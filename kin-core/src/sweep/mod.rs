@@ -66,9 +66,9 @@ pub(crate) use course::{AnyCourse, SweptMechanism, joints};
 pub use drive::{
     Along, ByFormula, Drive, InputMotions, Instant, Laws, Local, OverTime, SmoothDrive, StraightLine, Variable,
 };
-pub use fill::TabledMechanism;
 pub(crate) use drive::{READ, TERMS, by_time, write_steady};
 pub use error::SweepError;
+pub use fill::TabledMechanism;
 pub(crate) use footing::Footing;
 pub(crate) use limits::between as limit_between;
 pub use limits::{Limit, LimitKind};
@@ -285,7 +285,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive> Course<M, D> {
     /// A row that does not close is an error with its margin. Where a coupled block does not close, the margin is the distance of the
     /// inputs to the end of their circuit. Where the way to a row was too long to be tracked, the error is
     /// [`NotConverged`](crate::Failure::NotConverged), which has no margin, and whose condition is NaN.
-        #[must_use]
+    #[must_use]
     pub fn rows(&self) -> Rows<'_, M, D> {
         Rows::new(self)
     }

@@ -636,12 +636,7 @@ fn speeds_and_lines_that_are_none_are_refused() {
             matches!(error, SweepError::NotFinite { quantity: "speed", .. }),
             "{error}"
         );
-        assert!(
-            turn(speed)
-                .of("theta4")
-                .mean(crate::extremes::Over::Time)
-                .is_err()
-        );
+        assert!(turn(speed).of("theta4").mean(crate::extremes::Over::Time).is_err());
         assert!(turn(speed).adaptive_table(1e-2, 1, 100).is_err());
     }
     assert!(turn(-3.0).table().is_ok());

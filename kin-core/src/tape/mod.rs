@@ -26,6 +26,7 @@ mod python;
 mod record;
 mod recorded;
 mod recorder;
+mod recording;
 mod run;
 mod runtime;
 mod signature;

@@ -6,36 +6,48 @@ use std::format;
 use std::string::{String, ToString as _};
 use std::vec::Vec;
 
+use crate::any::{PositionChoice, motions, row};
 use crate::assembly::Assembly;
-use crate::failure::SolveError;
-use crate::mechanism::{Mechanism, Partials, Pose, Sensitive};
+use crate::failure::{Failure, InputValues, SolveError};
+use crate::mechanism::{Description, Mechanism, Partials, Pose, Sensitive};
 use crate::number::{Number, Row};
 use crate::picture::{Outline, PlaneOrSpace, PointArray};
 use crate::quantity::{Dimension, Quantity};
 use crate::solve::Scalar;
 use crate::tape::arrange::arrange;
+use sealed::Sealed as _;
+
 use crate::tape::recorder::{self, AssemblySource, Recorder, with};
 use crate::tape::{Argument, NumberType, Recorded, ResultOf, Role, Tape, TapeNode, TapeResult, Value};
 
 /// A number type for which tapes are recorded: `f64` or `f32`.
-pub trait Plain: Scalar + sealed::Sealed {
-    /// The number type as a value.
-    const PRECISION: NumberType;
-}
+pub trait Plain: sealed::Sealed {}
 
 mod sealed {
-    pub trait Sealed {}
-    impl Sealed for f64 {}
-    impl Sealed for f32 {}
+    use super::{Options, RecordError, RecordedSolver, Tape};
+    use crate::solve::Scalar;
+
+    pub trait Sealed: Scalar {
+        /// The tape of a solver. It is compiled once, here.
+        fn tape(solver: &dyn RecordedSolver<Self>, options: &Options, at: &[f64]) -> Result<Tape, RecordError>;
+    }
 }
 
-impl Plain for f64 {
-    const PRECISION: NumberType = NumberType::Double;
+macro_rules! plain {
+    ($($number:ty: $precision:ident,)*) => {
+        $(
+            impl Plain for $number {}
+
+            impl sealed::Sealed for $number {
+                fn tape(solver: &dyn RecordedSolver<Self>, options: &Options, at: &[f64]) -> Result<Tape, RecordError> {
+                    recorded(solver, NumberType::$precision, options, at)
+                }
+            }
+        )*
+    };
 }
 
-impl Plain for f32 {
-    const PRECISION: NumberType = NumberType::Single;
-}
+plain! { f64: Double, f32: Single, }
 
 /// What a tape contains.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -137,14 +149,14 @@ impl Error for RecordError {}
 /// # Ok::<(), tape::RecordError>(())
 /// ```
 pub fn record<M: Mechanism<Scalar: Plain>>(options: &Options) -> Result<Tape, RecordError> {
-    recorded::<M>(options, &[], |_, _| Vec::new())
+    M::Scalar::tape(&Solver::<M>(|_, _| Vec::new()), options, &[])
 }
 
 /// [`record`] at a place: wherever the solver asks for the value of an argument, it is the one given here. The tape is the same at
 /// all places. Its checks do not know their blocks.
 #[doc(hidden)]
 pub fn record_at<M: Mechanism<Scalar: Plain>>(options: &Options, at: &[f64]) -> Result<Tape, RecordError> {
-    recorded::<M>(options, at, |_, _| Vec::new())
+    M::Scalar::tape(&Solver::<M>(|_, _| Vec::new()), options, at)
 }
 
 /// [`record`], with the partial derivatives of every unknown and output with respect to each parameter.
@@ -156,7 +168,7 @@ where
     M: Mechanism<Scalar: Plain>,
     M::With<Recorded<M::Scalar>>: Sensitive,
 {
-    recorded::<M>(options, &[], partials::<M, M::With<Recorded<M::Scalar>>>)
+    M::Scalar::tape(&Solver::<M>(partials::<M, M::With<Recorded<M::Scalar>>>), options, &[])
 }
 
 /// The partial derivatives as results.
@@ -216,13 +228,150 @@ struct Run {
     results: Result<Vec<TapeResult>, SolveError>,
 }
 
+/// A solver in numbers that record, without the type of its mechanism.
+pub trait RecordedSolver<F> {
+    /// The names, dimensions and equations.
+    fn description(&self) -> &'static Description;
+
+    /// Which joints belong together.
+    fn outline(&self) -> Outline;
+
+    /// The names of the choices, or `None` if the assembly depends on the dimensions.
+    fn choices(&self) -> Option<Vec<String>>;
+
+    /// Solves the position alone.
+    fn solve_position(&self, arguments: &SolverArguments<'_, F>) -> Result<(), SolveError>;
+
+    /// Solves all orders.
+    fn solve_motion(&self, arguments: &SolverArguments<'_, F>) -> Result<RecordedMotion<F>, SolveError>;
+
+    /// The coordinates of all joints and then the directions of all slides.
+    fn joints(&self, arguments: &SolverArguments<'_, F>, unknowns: &[Recorded<F>]) -> Vec<Vec<Recorded<F>>>;
+}
+
+/// What a solver is given.
+pub struct SolverArguments<'s, F> {
+    parameters: &'s [Recorded<F>],
+    /// The motions of the inputs, one after the other, each with all its orders.
+    inputs: &'s [Recorded<F>],
+    choice: PositionChoice<'s, Recorded<F>>,
+}
+
+/// What a solver finds.
+pub struct RecordedMotion<F> {
+    /// The motions of unknowns and outputs, one after the other, each with all its orders.
+    unknowns: Vec<Recorded<F>>,
+    outputs: Vec<Recorded<F>>,
+    /// Further results.
+    more: Vec<TapeResult>,
+}
+
+/// Finds further results from a mechanism and its pose.
+type More<M> = fn(&In<M>, &<In<M> as Mechanism>::Pose) -> Vec<TapeResult>;
+
+/// A mechanism in numbers that record.
+type In<M> = <M as Mechanism>::With<Recorded<<M as Mechanism>::Scalar>>;
+
+/// The solver of a mechanism.
+struct Solver<M: Mechanism<Scalar: Plain>>(More<M>);
+
+impl<M: Mechanism<Scalar: Plain>> Solver<M> {
+    fn places(arguments: &SolverArguments<'_, M::Scalar>) -> <In<M> as Mechanism>::Inputs<Recorded<M::Scalar>> {
+        let orders = M::DESCRIPTION.order + 1;
+        Row::from_fn(|input| arguments.inputs[input * orders])
+    }
+
+    fn assembly(index: usize) -> Result<<In<M> as Mechanism>::Assembly, SolveError> {
+        In::<M>::assembly(index).ok_or_else(|| {
+            let none = InputValues::new(&[], &[0.0; InputValues::CAPACITY]);
+            Failure::NotFinite { quantity: "assembly" }.at("", none)
+        })
+    }
+}
+
+impl<M: Mechanism<Scalar: Plain>> RecordedSolver<M::Scalar> for Solver<M> {
+    fn description(&self) -> &'static Description {
+        const { &M::DESCRIPTION }
+    }
+
+    fn outline(&self) -> Outline {
+        M::OUTLINE
+    }
+
+    fn choices(&self) -> Option<Vec<String>> {
+        let count = M::ASSEMBLY_COUNT.checked_ilog2()?;
+        let shown = M::assembly(0)
+            .filter(|_| count > 1)
+            .map(|assembly| format!("{assembly:?}"));
+        Some(shown.map_or_else(
+            || std::vec!["assembly".to_string(); count as usize],
+            |shown| fields(&shown),
+        ))
+    }
+
+    fn solve_position(&self, arguments: &SolverArguments<'_, M::Scalar>) -> Result<(), SolveError> {
+        let mechanism = In::<M>::from_parameters(row(arguments.parameters));
+        match arguments.choice {
+            PositionChoice::Assembly(index) => {
+                mechanism.solve_position(Self::places(arguments), Self::assembly(index)?)?;
+            }
+            PositionChoice::Near(near) => {
+                mechanism.solve_position_near(Self::places(arguments), row(near))?;
+            }
+        }
+        Ok(())
+    }
+
+    fn solve_motion(
+        &self,
+        arguments: &SolverArguments<'_, M::Scalar>,
+    ) -> Result<RecordedMotion<M::Scalar>, SolveError> {
+        let mechanism = In::<M>::from_parameters(row(arguments.parameters));
+        let inputs = motions(arguments.inputs);
+        let pose = match arguments.choice {
+            PositionChoice::Assembly(index) => mechanism.solve_motion(inputs, Self::assembly(index)?),
+            PositionChoice::Near(near) => mechanism.solve_motion_near(inputs, row(near)),
+        }?;
+        let mut unknowns = Vec::new();
+        for motion in pose.unknown_motions().as_ref() {
+            unknowns.extend_from_slice(motion.as_ref());
+        }
+        let mut outputs = Vec::new();
+        for motion in pose.output_motions().as_ref() {
+            outputs.extend_from_slice(motion.as_ref());
+        }
+        Ok(RecordedMotion {
+            unknowns,
+            outputs,
+            more: (self.0)(&mechanism, &pose),
+        })
+    }
+
+    fn joints(
+        &self,
+        arguments: &SolverArguments<'_, M::Scalar>,
+        unknowns: &[Recorded<M::Scalar>],
+    ) -> Vec<Vec<Recorded<M::Scalar>>> {
+        let mechanism = In::<M>::from_parameters(row(arguments.parameters));
+        let places = mechanism.places(Self::places(arguments), row(unknowns));
+        let is_plane = <<<In<M> as Mechanism>::Places as PointArray>::Point as PlaneOrSpace>::IS_PLANE;
+        let coordinates = places.as_slice().iter().map(|place| {
+            let point = place.in_space();
+            let all = [point.x, point.y, point.z];
+            all[..if is_plane { 2 } else { 3 }].to_vec()
+        });
+        coordinates.collect()
+    }
+}
+
 /// The tape, with the values `at` of the arguments wherever the solver asks for values.
-pub(super) fn recorded<M: Mechanism<Scalar: Plain>>(
+fn recorded<F: Scalar>(
+    solver: &dyn RecordedSolver<F>,
+    precision: NumberType,
     options: &Options,
     at: &[f64],
-    more: impl Fn(&M::With<Recorded<M::Scalar>>, &<M::With<Recorded<M::Scalar>> as Mechanism>::Pose) -> Vec<TapeResult>,
 ) -> Result<Tape, RecordError> {
-    let description = M::DESCRIPTION;
+    let description = solver.description();
     if let Some(folded) = &options.folded
         && folded.len() != description.parameters.len()
     {
@@ -231,12 +380,11 @@ pub(super) fn recorded<M: Mechanism<Scalar: Plain>>(
             wanted: description.parameters.len(),
         });
     }
-    let choices = if M::ASSEMBLY_COUNT > 0 {
-        M::ASSEMBLY_COUNT.trailing_zeros() as usize
-    } else {
-        0
+    let choices = solver.choices();
+    let run = |sources: &[AssemblySource], probe: RunOptions| {
+        let recorder = Recorder::new(precision, sources.to_vec(), at);
+        run(solver, options, choices.as_deref(), recorder, probe)
     };
-    let run = |sources: &[AssemblySource], probe: RunOptions| run::<M>(options, at, choices, sources, probe, &more);
 
     // Which choice of the caller, or which side, each of the assemblies follows that the solver asks for.
     let plain = run(&[], RunOptions::default());
@@ -255,7 +403,7 @@ pub(super) fn recorded<M: Mechanism<Scalar: Plain>>(
             }
         }
     };
-    for index in 0..choices {
+    for index in 0..choices.as_ref().map_or(0, Vec::len) {
         let probe = RunOptions {
             crossed_choice: Some(index),
             ..RunOptions::default()
@@ -282,13 +430,13 @@ pub(super) fn recorded<M: Mechanism<Scalar: Plain>>(
     let order = description.order.min(options.order.unwrap_or(usize::MAX));
     let is_wanted = |result: &TapeResult| result.order <= order;
     let mut tape = Tape {
-        description,
+        description: *description,
         outline: if options.has_skeleton {
-            M::OUTLINE
+            solver.outline()
         } else {
             Outline::NONE
         },
-        precision: M::Scalar::PRECISION,
+        precision,
         order,
         folded: options.folded.clone().unwrap_or_default(),
         arguments,
@@ -314,25 +462,19 @@ pub(super) fn recorded<M: Mechanism<Scalar: Plain>>(
 }
 
 /// Runs the solver once.
-fn run<M: Mechanism<Scalar: Plain>>(
+fn run<F: Scalar>(
+    solver: &dyn RecordedSolver<F>,
     options: &Options,
-    at: &[f64],
-    choices: usize,
-    sources: &[AssemblySource],
+    choices: Option<&[String]>,
+    mut recorder: Recorder,
     probe: RunOptions,
-    more: &impl Fn(&M::With<Recorded<M::Scalar>>, &<M::With<Recorded<M::Scalar>> as Mechanism>::Pose) -> Vec<TapeResult>,
 ) -> Run {
-    type R<M> = <M as Mechanism>::With<Recorded<<M as Mechanism>::Scalar>>;
-    type Found<M> = Recorded<<M as Mechanism>::Scalar>;
-
-    let description = M::DESCRIPTION;
-    let mut started = Recorder::new(M::Scalar::PRECISION, sources.to_vec(), at);
-    started.fails = probe.fails;
-    started.crossed_side = probe.crossed_side;
-    let before = recorder::begin(started);
+    let description = solver.description();
+    (recorder.fails, recorder.crossed_side) = (probe.fails, probe.crossed_side);
+    let before = recorder::begin(recorder);
 
     let mut arguments = Vec::new();
-    let mut argument = |role: Role, name: &str, dimension: Dimension, text: &'static str| -> Found<M> {
+    let mut argument = |role: Role, name: &str, dimension: Dimension, text: &'static str| -> Recorded<F> {
         let index = arguments.len();
         arguments.push(Argument {
             role,
@@ -342,49 +484,51 @@ fn run<M: Mechanism<Scalar: Plain>>(
         });
         Recorded::at(with(|recorder| recorder.put(TapeNode::Argument(index))))
     };
-    let parameters = <<R<M> as Mechanism>::Parameters<Found<M>> as Row<_>>::from_fn(|index| {
-        if let Some(folded) = &options.folded {
-            return <Found<M> as Number>::constant(folded[index]);
+    let mut parameters = Vec::new();
+    for (index, own) in description.parameters.iter().enumerate() {
+        parameters.push(match &options.folded {
+            Some(folded) => Number::constant(folded[index]),
+            None => argument(Role::Parameter(index), own.name, own.dimension, own.description),
+        });
+    }
+    let mut inputs = Vec::new();
+    for (input, own) in description.inputs.iter().enumerate() {
+        for order in 0..=description.order {
+            inputs.push(argument(
+                Role::Input { input, order },
+                own.name,
+                own.dimension,
+                own.description,
+            ));
         }
-        let own = &description.parameters[index];
-        argument(Role::Parameter(index), own.name, own.dimension, own.description)
-    });
-    let inputs = <<R<M> as Mechanism>::Inputs<<R<M> as Mechanism>::Motion<Found<M>>> as Row<_>>::from_fn(|input| {
-        let own = &description.inputs[input];
-        <<R<M> as Mechanism>::Motion<Found<M>> as Row<_>>::from_fn(|order| {
-            argument(Role::Input { input, order }, own.name, own.dimension, own.description)
-        })
-    });
-    let is_coupled = M::ASSEMBLY_COUNT == 0;
-    let near = is_coupled.then(|| {
-        <<R<M> as Mechanism>::Unknowns<Found<M>> as Row<_>>::from_fn(|index| {
-            let own = &description.unknowns[index];
-            argument(Role::Near(index), own.name, own.dimension, own.description)
-        })
-    });
-    let signs: Vec<Value> = choice_names::<M>(choices)
-        .iter()
-        .enumerate()
-        .map(|(index, name)| {
-            let text = "1 for the open assembly, -1 for the crossed one.";
-            argument(Role::Assembly(index), name, Dimension::Scalar, text).value()
-        })
-        .collect();
+    }
+    let mut near = Vec::new();
+    if choices.is_none() {
+        for (index, own) in description.unknowns.iter().enumerate() {
+            near.push(argument(Role::Near(index), own.name, own.dimension, own.description));
+        }
+    }
+    let choices = choices.unwrap_or_default();
+    let sign = |(index, name): (usize, &String)| {
+        let text = "1 for the open assembly, -1 for the crossed one.";
+        argument(Role::Assembly(index), name, Dimension::Scalar, text).value()
+    };
+    let signs: Vec<Value> = choices.iter().enumerate().map(sign).collect();
     with(|recorder| recorder.choices = signs);
 
-    let mechanism = R::<M>::from_parameters(parameters);
-    let places = Row::from_fn(|input| inputs[input][0]);
-    let number = probe.crossed_choice.map_or(0, |choice| 1 << (choices - 1 - choice));
-    let results = solved(&mechanism, places, inputs, near, number).map(|pose| {
-        let mut results = results_of::<R<M>, _>(&pose);
-        results.extend(more(&mechanism, &pose));
-        if options.has_skeleton {
-            let unknowns = pose.unknown_motions();
-            let unknowns = Row::from_fn(|unknown| unknowns[unknown][0]);
-            results.extend(joints(&mechanism, places, unknowns));
-        }
-        results
-    });
+    let number = probe
+        .crossed_choice
+        .map_or(0, |choice| 1 << (choices.len() - 1 - choice));
+    let arguments_of_solver = SolverArguments {
+        parameters: &parameters,
+        inputs: &inputs,
+        choice: if near.is_empty() {
+            PositionChoice::Assembly(number)
+        } else {
+            PositionChoice::Near(&near)
+        },
+    };
+    let results = solved(solver, options, &arguments_of_solver);
     let recorder = recorder::begin(before);
     Run {
         recorder,
@@ -394,110 +538,56 @@ fn run<M: Mechanism<Scalar: Plain>>(
 }
 
 /// The position first, so that its checks are told from those of its rates, then all orders.
-fn solved<F, R>(
-    mechanism: &R,
-    places: R::Inputs<R::Scalar>,
-    inputs: R::Inputs<R::Motion<R::Scalar>>,
-    near: Option<R::Unknowns<R::Scalar>>,
-    assembly: usize,
-) -> Result<R::Pose, SolveError>
-where
-    R: Mechanism<Scalar = Recorded<F>>,
-    Recorded<F>: Scalar,
-{
+fn solved<F: Scalar>(
+    solver: &dyn RecordedSolver<F>,
+    options: &Options,
+    arguments: &SolverArguments<'_, F>,
+) -> Result<Vec<TapeResult>, SolveError> {
     let phase = |is_of_position: bool| with(|recorder| recorder.is_of_position = is_of_position);
     phase(true);
-    match (near, R::assembly(assembly)) {
-        (Some(near), _) => {
-            mechanism.solve_position_near(places, near)?;
-            phase(false);
-            mechanism.solve_motion_near(inputs, near)
-        }
-        (None, Some(assembly)) => {
-            mechanism.solve_position(places, assembly)?;
-            phase(false);
-            mechanism.solve_motion(inputs, assembly)
-        }
-        (None, None) => Err(crate::failure::Failure::NotFinite { quantity: "assembly" }.at(
-            "",
-            crate::failure::InputValues::new(&[], &[0.0; crate::failure::InputValues::CAPACITY]),
-        )),
-    }
-}
-
-/// The motions of the unknowns and of the outputs.
-fn results_of<R, F>(pose: &R::Pose) -> Vec<TapeResult>
-where
-    R: Mechanism<Scalar = Recorded<F>>,
-    Recorded<F>: Scalar,
-{
-    let description = R::DESCRIPTION;
-    let (unknowns, outputs) = (pose.unknown_motions(), pose.output_motions());
+    solver.solve_position(arguments)?;
+    phase(false);
+    let found = solver.solve_motion(arguments)?;
+    let (description, count) = (solver.description(), solver.description().order + 1);
     let mut results = Vec::new();
-    for (index, (quantity, motion)) in description.unknowns.iter().zip(unknowns.as_ref()).enumerate() {
-        results.extend(orders(
-            ResultOf::Unknown(index),
-            quantity.name,
-            quantity,
-            motion.as_ref(),
-        ));
+    let unknowns = description.unknowns.iter().zip(found.unknowns.chunks_exact(count));
+    for (index, (quantity, motion)) in unknowns.enumerate() {
+        results.extend(orders(ResultOf::Unknown(index), quantity.name, quantity, motion));
     }
-    for (index, (quantity, motion)) in description.outputs.iter().zip(outputs.as_ref()).enumerate() {
-        results.extend(orders(
-            ResultOf::Output(index),
-            quantity.name,
-            quantity,
-            motion.as_ref(),
-        ));
+    let outputs = description.outputs.iter().zip(found.outputs.chunks_exact(count));
+    for (index, (quantity, motion)) in outputs.enumerate() {
+        results.extend(orders(ResultOf::Output(index), quantity.name, quantity, motion));
     }
-    results
-}
-
-fn joints<R, F>(mechanism: &R, inputs: R::Inputs<Recorded<F>>, unknowns: R::Unknowns<Recorded<F>>) -> Vec<TapeResult>
-where
-    R: Mechanism<Scalar = Recorded<F>>,
-    Recorded<F>: Scalar,
-{
-    let places = mechanism.places(inputs, unknowns);
-    let places = places.as_slice();
-    let count = places.len().saturating_sub(R::OUTLINE.slides.len());
-    let mut results = Vec::new();
-    for (index, place) in places.iter().enumerate() {
-        let point = place.in_space();
-        let axes = [("x", point.x), ("y", point.y), ("z", point.z)];
-        let is_plane = <<R::Places as PointArray>::Point as PlaneOrSpace>::IS_PLANE;
-        for (axis, (letter, number)) in axes.into_iter().enumerate().take(if is_plane { 2 } else { 3 }) {
-            let (quantity, name) = if index < count {
-                (
-                    ResultOf::Joint { joint: index, axis },
-                    format!("joints.{index}.{letter}"),
-                )
-            } else {
-                let slide = index - count;
-                (ResultOf::Slide { slide, axis }, format!("slides.{slide}.{letter}"))
-            };
-            results.push(TapeResult {
-                quantity,
-                order: 0,
-                name,
-                dimension: Dimension::Length,
-                description: "",
-                value: number.value(),
-            });
+    results.extend(found.more);
+    if options.has_skeleton {
+        let unknowns: Vec<Recorded<F>> = found.unknowns.iter().copied().step_by(count).collect();
+        let places = solver.joints(arguments, &unknowns);
+        let joints = places.len().saturating_sub(solver.outline().slides.len());
+        for (index, place) in places.iter().enumerate() {
+            for (axis, (letter, number)) in ["x", "y", "z"].into_iter().zip(place).enumerate() {
+                let (quantity, name) = match index.checked_sub(joints) {
+                    None => (
+                        ResultOf::Joint { joint: index, axis },
+                        format!("joints.{index}.{letter}"),
+                    ),
+                    Some(slide) => (ResultOf::Slide { slide, axis }, format!("slides.{slide}.{letter}")),
+                };
+                results.push(TapeResult {
+                    quantity,
+                    order: 0,
+                    name,
+                    dimension: Dimension::Length,
+                    description: "",
+                    value: number.value(),
+                });
+            }
         }
     }
-    results
+    Ok(results)
 }
 
-/// The names of the choices: the fields of the assembly structure.
-fn choice_names<M: Mechanism>(choices: usize) -> Vec<String> {
-    if choices < 2 {
-        return std::vec!["assembly".to_string(); choices];
-    }
-    // The structure is read as it shows itself: `Name { first: Open, second: Open }`.
-    let shown = M::assembly(0)
-        .map(|assembly| format!("{assembly:?}"))
-        .unwrap_or_default();
+/// The names of the fields of an assembly structure, which is read as it shows itself: `Name { first: Open, second: Open }`.
+fn fields(shown: &str) -> Vec<String> {
     let fields = shown.split_once('{').map_or("", |(_, fields)| fields);
     let names = fields.split(',').filter_map(|field| field.split_once(':'));
     names.map(|(name, _)| name.trim().to_string()).collect()

@@ -8,8 +8,9 @@ use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::number::Number;
 use crate::solve::{Check, Choose, Factors, Measure, Real, Scalar};
-use crate::tape::recorder::{Event, Sought, with};
-use crate::tape::{Comparison, Condition, Function, Operator, TapeNode, Value};
+use crate::tape::recorder::Sought;
+use crate::tape::recording::{self, node};
+use crate::tape::{Comparison, Function, Operator, TapeNode, Value};
 
 /// A number that writes down what is done with it, for a tape in the number type `F`.
 ///
@@ -41,20 +42,16 @@ impl<F> Recorded<F> {
     }
 
     fn call(self, function: Function) -> Self {
-        put(TapeNode::Call(function, self.value))
+        Self::at(recording::call(function, self.value))
     }
 
     fn with(self, operator: Operator, other: Self) -> Self {
-        put(TapeNode::Binary(operator, self.value, other.value))
+        Self::at(recording::binary(operator, self.value, other.value))
     }
 }
 
 fn put<F>(node: TapeNode) -> Recorded<F> {
-    Recorded::at(with(|recorder| recorder.put(node)))
-}
-
-fn truth(node: TapeNode) -> Value {
-    with(|recorder| recorder.put(node))
+    Recorded::at(recording::node(node))
 }
 
 macro_rules! operators {
@@ -96,11 +93,11 @@ impl<F: Number> Number for Recorded<F> {
     const SMALLEST: f64 = F::SMALLEST;
 
     fn constant(value: f64) -> Self {
-        Self::at(with(|recorder| recorder.constant(value)))
+        Self::at(recording::constant(value))
     }
 
     fn real(self) -> f64 {
-        with(|recorder| recorder.read(self.value))
+        recording::read(self.value)
     }
 
     fn is_finite(self) -> bool {
@@ -108,32 +105,7 @@ impl<F: Number> Number for Recorded<F> {
     }
 
     fn are_finite<const N: usize>(numbers: [Self; N]) -> bool {
-        with(|recorder| {
-            if recorder.fails.is_some() && !recorder.failed.is_empty() {
-                // The solver looks for the number that made the check fail.
-                return !numbers.iter().any(|number| recorder.failed.contains(&number.value));
-            }
-            let mut all = recorder.put(TapeNode::Certain(true));
-            for number in numbers {
-                let finite = recorder.put(TapeNode::IsFinite(number.value));
-                all = recorder.put(TapeNode::Both(all, finite));
-            }
-            let before = recorder.nodes.len();
-            // The margin of a number that is not finite is not finite: the sum of all, times zero, and infinity.
-            let zero = recorder.constant(0.0);
-            let mut sum = zero;
-            for number in numbers {
-                let nothing = recorder.put(TapeNode::Binary(Operator::Multiply, number.value, zero));
-                sum = recorder.put(TapeNode::Binary(Operator::Add, sum, nothing));
-            }
-            let infinite = recorder.constant(f64::INFINITY);
-            let margin = recorder.put(TapeNode::Binary(Operator::Add, infinite, sum));
-            let holds = recorder.check("finite numbers", Condition::Holds(all), Some(margin), before);
-            if !holds {
-                recorder.failed = numbers.iter().map(|number| number.value).collect();
-            }
-            holds
-        })
+        recording::are_finite(&numbers.map(|number| number.value))
     }
 
     functions! {
@@ -179,37 +151,37 @@ impl<F: Number> Real for Recorded<F> {
     }
 
     fn is_at_least(self, other: Self) -> Value {
-        truth(TapeNode::Compare(Comparison::AtLeast, self.value, other.value))
+        node(TapeNode::Compare(Comparison::AtLeast, self.value, other.value))
     }
 
     fn exceeds(self, other: Self) -> Value {
-        truth(TapeNode::Compare(Comparison::Exceeds, self.value, other.value))
+        node(TapeNode::Compare(Comparison::Exceeds, self.value, other.value))
     }
 
     fn equals(self, other: Self) -> Value {
-        truth(TapeNode::Compare(Comparison::Equals, self.value, other.value))
+        node(TapeNode::Compare(Comparison::Equals, self.value, other.value))
     }
 
     fn is_finite(self) -> Value {
-        truth(TapeNode::IsFinite(self.value))
+        node(TapeNode::IsFinite(self.value))
     }
 
     fn certainly(answer: bool) -> Value {
-        truth(TapeNode::Certain(answer))
+        node(TapeNode::Certain(answer))
     }
 
     fn both(one: Value, other: impl FnOnce() -> Value) -> Value {
         let other = other();
-        truth(TapeNode::Both(one, other))
+        node(TapeNode::Both(one, other))
     }
 
     fn either(one: Value, other: impl FnOnce() -> Value) -> Value {
         let other = other();
-        truth(TapeNode::Either(one, other))
+        node(TapeNode::Either(one, other))
     }
 
     fn not(own: Value) -> Value {
-        truth(TapeNode::Not(own))
+        node(TapeNode::Not(own))
     }
 
     fn choose(truth: Value, one: impl FnOnce() -> Self, other: impl FnOnce() -> Self) -> Self {
@@ -222,18 +194,16 @@ impl<F: Number> Real for Recorded<F> {
 fn all<const K: usize>(conditions: [Value; K]) -> Value {
     conditions
         .into_iter()
-        .reduce(|one, other| truth(TapeNode::Both(one, other)))
-        .unwrap_or_else(|| truth(TapeNode::Certain(true)))
+        .reduce(|one, other| node(TapeNode::Both(one, other)))
+        .unwrap_or_else(|| node(TapeNode::Certain(true)))
 }
 
 impl<F: Number> Scalar for Recorded<F> {
     fn provided<const N: usize, const K: usize>(self, check: impl Check<Self, N, K>) -> Option<Self> {
         let condition = all(check.holds(check.operands()));
-        let before = with(|recorder| recorder.nodes.len());
+        let before = recording::count();
         let margin = check.margin();
-        let holds =
-            with(|recorder| recorder.check(check.name(), Condition::Holds(condition), Some(margin.value), before));
-        holds.then_some(self)
+        recording::holds(check.name(), condition, margin.value, before).then_some(self)
     }
 
     fn either<const N: usize>(
@@ -246,7 +216,7 @@ impl<F: Number> Scalar for Recorded<F> {
     }
 
     fn assembled(assembly: Assembly, open: impl FnOnce() -> Self, crossed: impl FnOnce() -> Self) -> Self {
-        match with(|recorder| recorder.is_open(assembly)) {
+        match recording::is_open(assembly) {
             Ok((truth, is_mirrored)) => {
                 let (open, crossed) = (open(), crossed());
                 let [one, other] = if is_mirrored { [crossed, open] } else { [open, crossed] };
@@ -268,7 +238,7 @@ impl<F: Number> Scalar for Recorded<F> {
 
     fn side(self) -> Assembly {
         let is_open = self.is_at_least(Self::constant(0.0));
-        with(|recorder| recorder.side(is_open))
+        recording::side(is_open)
     }
 
     fn agreeing<const N: usize, const K: usize>(near: [Self; N], _: [Self; K]) -> [Self; N] {
@@ -307,10 +277,7 @@ impl<F: Number> Scalar for Recorded<F> {
             let count = if number + 1 == K { 3 } else { 2 };
             for (name, condition, margin) in checks.into_iter().take(count) {
                 let condition = <Self as Real>::either(Self::not(is_asked), || condition);
-                let holds = with(|recorder| {
-                    let before = recorder.nodes.len();
-                    recorder.check(name, Condition::Holds(condition), Some(margin.value), before)
-                });
+                let holds = recording::holds(name, condition, margin.value, recording::count());
                 if !holds {
                     return Err(Failure::NotFinite {
                         quantity: choice.name(),
@@ -321,7 +288,7 @@ impl<F: Number> Scalar for Recorded<F> {
             is_first = <Self as Real>::either(own_first, || Self::both(Self::not(is_asked), || is_first));
             is_asked = Self::both(is_asked, || own.has_two);
         }
-        Ok(with(|recorder| recorder.side(is_first)))
+        Ok(recording::side(is_first))
     }
 
     fn root<const N: usize>(
@@ -339,46 +306,15 @@ impl<F: Number> Scalar for Recorded<F> {
                 jacobian: jacobian.iter().map(|row| values(row)).collect(),
             }
         };
-        // The same search may have been recorded before: then its equations are the same nodes of its unknowns.
-        let count = with(|recorder| recorder.searches.len());
-        let is_known = |search: &usize| {
-            let own = sought_with(*search);
-            with(|recorder| recorder.searches[*search] == own)
-        };
-        let known = (0..count).find(is_known);
-        let search = known.unwrap_or_else(|| {
-            let sought = sought_with(count);
-            with(|recorder| {
-                recorder.searches.push(sought);
-                recorder.events.push((recorder.nodes.len(), Event::Search(count)));
-            });
-            count
-        });
-        let holds = with(|recorder| {
-            let before = recorder.nodes.len();
-            recorder.check("root of coupled equations", Condition::Found(search), None, before)
-        });
-        if !holds {
+        let search = recording::searched(&mut sought_with);
+        if !recording::is_found(search) {
             return Err(Failure::NotFinite { quantity: "root" });
         }
         Ok(core::array::from_fn(|index| put(TapeNode::Root { search, index })))
     }
 
     fn factored<const N: usize>(matrix: [[Self; N]; N]) -> Result<Factors<Self, N>, Failure> {
-        let (system, holds) = with(|recorder| {
-            let rows: Vec<Vec<Value>> = matrix.iter().map(|row| values(row)).collect();
-            let before = recorder.nodes.len();
-            let known = recorder.systems.iter().position(|own| *own == rows);
-            let system = known.unwrap_or_else(|| {
-                recorder.systems.push(rows);
-                recorder
-                    .events
-                    .push((before, Event::Factor(recorder.systems.len() - 1)));
-                recorder.systems.len() - 1
-            });
-            let holds = recorder.check("regular matrix", Condition::Regular(system), None, before);
-            (system, holds)
-        });
+        let (system, holds) = recording::factored(matrix.iter().map(|row| values(row)).collect());
         if holds {
             // The entries stand for the whole system.
             let system = u32::try_from(system).unwrap_or(u32::MAX);
@@ -390,16 +326,7 @@ impl<F: Number> Scalar for Recorded<F> {
 
     fn substituted<const N: usize>(factors: &Factors<Self, N>, right: [Self; N]) -> [Self; N] {
         let system = factors.stands_for().value.index();
-        let solution = with(|recorder| {
-            let own = (system, values(&right));
-            let known = recorder.solutions.iter().position(|solution| *solution == own);
-            known.unwrap_or_else(|| {
-                let solution = recorder.solutions.len();
-                recorder.solutions.push(own);
-                recorder.events.push((recorder.nodes.len(), Event::Solve(solution)));
-                solution
-            })
-        });
+        let solution = recording::solved(system, values(&right));
         core::array::from_fn(|index| put(TapeNode::Solution { solution, index }))
     }
 }

@@ -16,9 +16,9 @@ use kin_core::in_small_letters;
 use self::place::Own;
 use self::solver::Solver;
 use self::way::Way;
-use super::model::{FORMAT, NotClosed, Report, Units};
 use super::ReportError;
 use super::draft::Wishes;
+use super::model::{FORMAT, NotClosed, Report, Units};
 
 /// The report that is wished for.
 pub(super) fn report(wishes: &Wishes) -> Result<Report, ReportError> {
@@ -61,7 +61,11 @@ pub(super) fn report(wishes: &Wishes) -> Result<Report, ReportError> {
         },
         degrees: wishes.degrees,
         order: description.order,
-        parameters: describe::quantities(description.parameters, &solver.parameters, Some(wishes.linkage.parameters())),
+        parameters: describe::quantities(
+            description.parameters,
+            &solver.parameters,
+            Some(wishes.linkage.parameters()),
+        ),
         inputs: describe::quantities(description.inputs, &solver.inputs, Some(&wishes.inputs)),
         unknowns: describe::quantities(description.unknowns, &solver.unknowns, None),
         outputs: describe::quantities(description.outputs, &solver.outputs, None),

@@ -28,7 +28,10 @@ impl Own {
         let of_assembly = |choice: &AssemblyChoice| linkage.position(&wishes.inputs, choice.position());
         let wanted = wishes.assembly.as_ref().map(|choice| (choice, of_assembly(choice)));
         let found = match &wanted {
-            Some((choice, solved)) => solved.as_ref().ok().map(|unknowns| ((*choice).clone(), unknowns.clone())),
+            Some((choice, solved)) => solved
+                .as_ref()
+                .ok()
+                .map(|unknowns| ((*choice).clone(), unknowns.clone())),
             None => {
                 let all = linkage.positions_at(&wishes.inputs);
                 let (all, _) = all.map_err(|error| ReportError::ClosesNowhere { error })?;
