@@ -63,7 +63,7 @@ impl Typed {
     }
 
     /// Compares what was typed with a mechanism.
-    pub(crate) fn case(&self, subject: &dyn Subject) -> Result<Case, Fault> {
+    pub(crate) fn case(&self, subject: &Subject) -> Result<Case, Fault> {
         let case = self.compared(subject, None)?;
         // the option is for the leading input, and says nothing of the others
         if self.speed.is_none() {
@@ -73,12 +73,12 @@ impl Typed {
     }
 
     /// The same where no input must move. A leading input without a range and without a value stands at `otherwise`.
-    pub(crate) fn case_without_range(&self, subject: &dyn Subject, otherwise: f64) -> Result<Case, Fault> {
+    pub(crate) fn case_without_range(&self, subject: &Subject, otherwise: f64) -> Result<Case, Fault> {
         self.compared(subject, Some(otherwise))
     }
 
     /// The values alone.
-    pub(crate) fn known(&self, subject: &dyn Subject) -> Result<Known, Fault> {
+    pub(crate) fn known(&self, subject: &Subject) -> Result<Known, Fault> {
         let mut lengths = self.lengths()?;
         let (parameters, standing) = self.values(subject, &mut lengths)?;
         self.assembly(subject, &mut lengths)?;
@@ -93,7 +93,7 @@ impl Typed {
         })
     }
 
-    fn compared(&self, subject: &dyn Subject, otherwise: Option<f64>) -> Result<Case, Fault> {
+    fn compared(&self, subject: &Subject, otherwise: Option<f64>) -> Result<Case, Fault> {
         let mut lengths = self.lengths()?;
         let (parameters, standing) = self.values(subject, &mut lengths)?;
         let assembly = self.assembly(subject, &mut lengths)?;
@@ -117,7 +117,7 @@ impl Typed {
     }
 
     /// Remarks on lengths that no link has. An offset may be negative, so they are not refused.
-    pub(crate) fn remarks(&self, subject: &dyn Subject) -> Vec<String> {
+    pub(crate) fn remarks(&self, subject: &Subject) -> Vec<String> {
         let example = subject.example();
         let Ok((values, _)) = self.values(subject, &mut Lengths::default()) else {
             return Vec::new();
@@ -141,12 +141,12 @@ impl Typed {
     }
 
     /// A value for each dimension.
-    pub(crate) fn dimensions(&self, subject: &dyn Subject) -> Result<Vec<f64>, Fault> {
+    pub(crate) fn dimensions(&self, subject: &Subject) -> Result<Vec<f64>, Fault> {
         Ok(self.values(subject, &mut Lengths::default())?.0)
     }
 
     /// The dimensions, and the inputs that stand.
-    fn values(&self, subject: &dyn Subject, lengths: &mut Lengths) -> Result<(Vec<f64>, Vec<Option<f64>>), Fault> {
+    fn values(&self, subject: &Subject, lengths: &mut Lengths) -> Result<(Vec<f64>, Vec<Option<f64>>), Fault> {
         let description = subject.description();
         let example = subject.example();
         let mut parameters: Vec<Option<f64>> = match &example {
@@ -192,11 +192,11 @@ impl Typed {
         Ok((parameters.into_iter().flatten().collect(), standing))
     }
 
-    fn assembly(&self, subject: &dyn Subject, lengths: &mut Lengths) -> Result<Wanted, Fault> {
+    fn assembly(&self, subject: &Subject, lengths: &mut Lengths) -> Result<Wanted, Fault> {
         let names = subject.assemblies();
         let Some(text) = &self.assembly else {
             return match (subject.example(), names.as_slice()) {
-                (Some(example), _) => Ok(example.assembly),
+                (Some(example), _) => Ok(example.assembly.clone()),
                 (None, []) => Ok(Wanted::Unknown),
                 (None, _) => Ok(Wanted::Named(0)),
             };
@@ -234,7 +234,7 @@ impl Typed {
     /// The motions that were typed.
     fn said(
         &self,
-        subject: &dyn Subject,
+        subject: &Subject,
         standing: &[Option<f64>],
         lengths: &mut Lengths,
     ) -> Result<Vec<Option<InputMotion>>, Fault> {
@@ -280,7 +280,7 @@ impl Typed {
     /// A motion for each input. The leading one moves if none was said to.
     fn motions(
         &self,
-        subject: &dyn Subject,
+        subject: &Subject,
         mut motions: Vec<Option<InputMotion>>,
         otherwise: Option<f64>,
         lengths: &mut Lengths,
@@ -406,6 +406,11 @@ impl Case {
             _ => 1.0,
         }
     }
+
+    /// The inputs at the beginning and at the end.
+    pub(crate) fn ends(&self) -> [Vec<f64>; 2] {
+        [InputMotion::start, InputMotion::end].map(|end| self.motions.iter().map(end).collect())
+    }
 }
 
 /// The first input that was said to move; otherwise the first of which nothing was said.
@@ -417,7 +422,7 @@ fn leading(said: &[Option<InputMotion>]) -> usize {
 }
 
 /// The range of an input of which nothing is said: a turn.
-fn default_range(subject: &dyn Subject, index: usize, said: Option<InputMotion>) -> Result<InputMotion, Fault> {
+fn default_range(subject: &Subject, index: usize, said: Option<InputMotion>) -> Result<InputMotion, Fault> {
     let input = &subject.description().inputs[index];
     if input.dimension != Dimension::Angle {
         return Err(Fault::wrong(format!(
@@ -508,7 +513,7 @@ fn no_dimension(description: &Description, name: &str) -> Fault {
 }
 
 /// Values of all unknowns near a position.
-fn near(subject: &dyn Subject, text: &str, lengths: &mut Lengths) -> Result<Wanted, Fault> {
+fn near(subject: &Subject, text: &str, lengths: &mut Lengths) -> Result<Wanted, Fault> {
     let unknowns = subject.description().unknowns;
     let mut values = vec![None; unknowns.len()];
     for part in text.split(',').map(str::trim).filter(|part| !part.is_empty()) {
@@ -545,7 +550,7 @@ fn near(subject: &dyn Subject, text: &str, lengths: &mut Lengths) -> Result<Want
 
 #[cfg(test)]
 mod tests {
-    use super::super::subject::bare;
+    use super::super::subject::Subject;
     use super::*;
     use kin_core::library::{FiveBar, Pantograph};
 
@@ -563,7 +568,7 @@ mod tests {
     /// A length has no range of its own, so that a motion must be given where one is needed.
     #[test]
     fn a_range_is_asked_for_where_it_is_needed() {
-        let subject = bare::<Pantograph>();
+        let subject = Subject::of::<Pantograph>();
         let set = typed(&["upper=3", "lower=3", "factor=2", "y=-1.5"], &[]);
         assert!(set.case(&subject).is_err());
         let case = set.case_without_range(&subject, 2.5).unwrap();
@@ -574,7 +579,7 @@ mod tests {
     /// The speed of a second input is either that of the first one or refused.
     #[test]
     fn speeds_that_are_not_read_are_refused() {
-        let subject = bare::<FiveBar>();
+        let subject = Subject::of::<FiveBar>();
         let lead = "alpha=0..90deg at 60rpm";
         for (second, is_read) in [
             ("beta=0..45deg at 30rpm", true),
@@ -591,7 +596,7 @@ mod tests {
 
     #[test]
     fn lengths_that_no_link_has_are_told() {
-        let subject = bare::<FiveBar>();
+        let subject = Subject::of::<FiveBar>();
         let mut set = FIVE;
         assert!(typed(&set, &[]).remarks(&subject).is_empty());
         set[1] = "left=-2";
@@ -602,14 +607,14 @@ mod tests {
             "{remarks:?}"
         );
         // coordinates and plain numbers are what they are
-        let subject = bare::<Pantograph>();
+        let subject = Subject::of::<Pantograph>();
         let set = typed(&["upper=3", "lower=3", "factor=-2"], &[]);
         assert!(set.remarks(&subject).is_empty());
     }
 
     #[test]
     fn options_beside_a_law_are_refused() {
-        let subject = bare::<FiveBar>();
+        let subject = Subject::of::<FiveBar>();
         let own = || typed(&FIVE, &["alpha=0..90deg by cycloidal in 1s", "beta=50deg"]);
         assert!(own().case(&subject).is_ok());
         let text = || Some("1s".to_owned());

@@ -52,7 +52,7 @@ use file::{Run, Told, cache};
 /// Then `cargo run -- sweep --set crank=30mm --set rod=80mm --over 60..100mm` prints a table, and `cargo run -- --help` tells the rest.
 #[must_use]
 pub fn main<M: Mechanism<Scalar = f64>>() -> ExitCode {
-    let subject = subject::bare::<M>();
+    let subject = Subject::of::<M>();
     let arguments: Vec<OsString> = std::env::args_os().collect();
     let name = program_name(&arguments);
     ended(run_own(&subject, &name, &arguments, &Told::default()))
@@ -62,7 +62,7 @@ pub fn main<M: Mechanism<Scalar = f64>>() -> ExitCode {
 #[doc(hidden)]
 #[must_use]
 pub fn of_file<M: Mechanism<Scalar = f64>>() -> ExitCode {
-    let subject = subject::bare::<M>();
+    let subject = Subject::of::<M>();
     let mut arguments: Vec<OsString> = std::env::args_os().collect();
     let told = arguments
         .get(1)
@@ -153,7 +153,7 @@ fn program_name(arguments: &[OsString]) -> String {
     stem.unwrap_or("kin").to_owned()
 }
 
-fn run_own(subject: &dyn Subject, name: &str, arguments: &[OsString], told: &Told) -> Result<ExitCode, Fault> {
+fn run_own(subject: &Subject, name: &str, arguments: &[OsString], told: &Told) -> Result<ExitCode, Fault> {
     let about = format!("The mechanism {}", subject.description().name);
     let command = completed(Task::augment_subcommands(base(name)).about(about), name);
     let mut command = command::with_examples(command, name, "").bin_name(name);
@@ -280,13 +280,13 @@ fn snake(name: &str) -> String {
     in_small_letters(name, '_')
 }
 
-fn find<'s>(all: &'s [Entry], wanted: &str) -> Result<&'s dyn Subject, Fault> {
+fn find<'s>(all: &'s [Entry], wanted: &str) -> Result<&'s Subject, Fault> {
     let plain = |name: &str| name.replace(['_', '-', ' '], "").to_lowercase();
     let found = all
         .iter()
         .find(|entry| plain(entry.0.description().name) == plain(wanted));
     if let Some(found) = found {
-        return Ok(&*found.0);
+        return Ok(&found.0);
     }
     let names: Vec<String> = all.iter().map(|entry| snake(entry.0.description().name)).collect();
     let close = similar(wanted, names.iter().map(String::as_str));

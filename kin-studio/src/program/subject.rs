@@ -1,22 +1,21 @@
-//! A mechanism of any type, as the program sees it. What is generic over the mechanism is here and as thin as possible, because it is
-//! compiled for each mechanism.
+//! A mechanism of the program.
 
+use kin_core::any::{AssemblyChoice, Of, OutputsOver, PositionChoice, PositionOver};
 use kin_core::batch::LengthMismatch;
-use kin_core::cycle::{BlockClass, EndKind, FullCycle};
+use kin_core::cycle::BlockClass;
 use kin_core::exact::{ExactTable, ExactTableError, Precision};
 use kin_core::extremes::{Extreme, ExtremeKind, ExtremesError, Mean, Over};
 use kin_core::law::Piecewise;
+use kin_core::linkage::{AnyCycle, AnyLinkage, AnySweep, TabledMechanism};
 use kin_core::prelude::*;
-use kin_core::sweep::{Course, Laws, Local, StraightLine, Sweep, SweepError, Table};
+use kin_core::sweep::{Laws, SmoothDrive, StraightLine, SweepError, Table};
 use kin_core::tape::{self, RecordError, Tape};
-use kin_core::verify;
-use kin_core::{Description, Number, Row, TrackError, track};
+use kin_core::{Changing, Description, Number, Row, TrackError, verify};
 
 use super::case::Case;
 use super::fault::Fault;
-use super::motion::InputMotion;
 use super::text;
-use crate::report::ReportError;
+use crate::report::{ReportError, ReportFunctions, Wishes};
 
 /// The assembly that is wanted.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,39 +68,6 @@ pub(crate) struct Reached {
     pub(crate) is_limit: bool,
 }
 
-/// All circuits and branches.
-#[derive(Clone, Debug)]
-pub(crate) struct CycleOf {
-    /// The reasons why there may be other branches, each a clause.
-    pub(crate) incomplete: Vec<String>,
-    /// The circuits.
-    pub(crate) circuits: Vec<CircuitOf>,
-    /// What Grashof, Barker and others call the blocks.
-    pub(crate) classes: Vec<(&'static str, BlockClass)>,
-}
-
-/// A circuit.
-#[derive(Clone, Debug)]
-pub(crate) struct CircuitOf {
-    /// Its branches.
-    pub(crate) branches: Vec<BranchOf>,
-    /// The ranges of unknowns and outputs along it: name index, lowest and highest with the inputs there.
-    pub(crate) strokes: Vec<Option<[(f64, f64); 2]>>,
-    /// The worst transmission angle, with its dyad and the input there.
-    pub(crate) transmission: Option<(&'static str, f64, f64)>,
-}
-
-/// A branch.
-#[derive(Clone, Debug)]
-pub(crate) struct BranchOf {
-    /// The name of its assembly, if it has one.
-    pub(crate) assembly: String,
-    /// The inputs at its ends.
-    pub(crate) range: [f64; 2],
-    /// The reasons for its ends.
-    pub(crate) ends: [EndKind; 2],
-}
-
 /// One pose: the value of each unknown, then of each scalar output, with the derivatives by the dimensions and by the inputs.
 #[derive(Clone, Debug)]
 pub(crate) struct Partial {
@@ -126,128 +92,61 @@ pub(crate) struct PageWishes {
     pub(crate) has_range: bool,
 }
 
-/// What the program asks of a mechanism.
-pub(crate) trait Subject {
-    /// Its quantities.
-    fn description(&self) -> Description;
-    /// Dimensions for which it closes, if they are known.
-    fn example(&self) -> Option<Example>;
-    /// The names of its assemblies; none if they depend on the dimensions, an empty name if there is only one.
-    fn assemblies(&self) -> Vec<String>;
-    /// Whether it closes all along the motion, between the rows of tables too.
-    fn closes(&self, case: &Case) -> Result<(), Fault>;
-    /// The table of a sweep.
-    fn table(&self, case: &Case, rows: usize) -> Result<Table, Fault>;
-    /// The extremes of one derivative over a sweep.
-    fn extent(&self, case: &Case, name: &str) -> Result<Extent, Fault>;
-    /// The full cycle over the leading input.
-    fn cycle(&self, case: &Case) -> Result<CycleOf, Fault>;
-    /// Both oracles.
-    fn verify(&self, case: &Case) -> Result<verify::Report, Fault>;
-    /// The solver as data.
-    fn tape(&self, options: &tape::Options) -> Result<Tape, RecordError>;
-    /// The page.
-    fn page(&self, case: &Case, wishes: &PageWishes) -> Result<String, Fault>;
-    /// The table that is exact between its rows.
-    fn exact_table(&self, case: &Case, precision: Precision) -> Result<ExactTable, Fault>;
-    /// One pose and its derivatives.
-    fn partial(&self, parameters: &[f64], inputs: &[f64], assembly: &Wanted) -> Result<Partial, Fault>;
+/// A dimension or an input that changes.
+type Change = Changing<f64>;
+
+/// The functions of a mechanism for the program. They are compiled for each mechanism; all else is compiled once, in this crate.
+pub(crate) trait ProgramFunctions:
+    ReportFunctions + TabledMechanism + PositionOver<Change> + OutputsOver<Change>
+{
+    /// The name of an assembly, empty if there is only one.
+    fn assembly_name(&self, index: usize) -> String;
+
+    /// Both oracles, with a range for each input.
+    fn verify(&self, parameters: &[f64], ranges: &[(f64, f64)]) -> verify::Report;
 }
 
-/// A mechanism of the type `M`, with an example if there is one.
-pub(crate) struct Sample<M: Mechanism<Scalar = f64>> {
-    example: Option<(M, M::Inputs<f64>, M::Assembly)>,
+impl<M: Mechanism<Scalar = f64>> ProgramFunctions for Of<M> {
+    fn assembly_name(&self, index: usize) -> String {
+        M::assembly(index).map_or_else(String::new, M::assembly_name)
+    }
+
+    fn verify(&self, parameters: &[f64], ranges: &[(f64, f64)]) -> verify::Report {
+        let mechanism = M::from_parameters(Row::from_fn(|index| parameters[index]));
+        verify::of(&mechanism, Row::from_fn(|index| ranges[index]))
+    }
+}
+
+/// A mechanism of the program, with an example if there is one.
+#[derive(Clone, Debug)]
+pub(crate) struct Subject {
+    functions: &'static dyn ProgramFunctions,
+    example: Option<Example>,
 }
 
 /// A mechanism of a program that has many.
-pub struct Entry(pub(super) Box<dyn Subject>);
+pub struct Entry(pub(super) Subject);
 
 impl Entry {
     /// A mechanism with dimensions, inputs and an assembly for which it closes.
     #[must_use]
-    pub fn new<M: Mechanism<Scalar = f64> + 'static>(
-        mechanism: &M,
-        inputs: M::Inputs<f64>,
-        assembly: M::Assembly,
-    ) -> Self {
-        Self(Box::new(Sample {
-            example: Some((*mechanism, inputs, assembly)),
-        }))
-    }
-}
-
-/// A mechanism of which nothing is known but its declaration.
-pub(crate) fn bare<M: Mechanism<Scalar = f64>>() -> impl Subject {
-    Sample::<M> { example: None }
-}
-
-type RowOfLaws<'l, M> = <M as Mechanism>::Inputs<&'l dyn Piecewise<f64>>;
-
-impl<M: Mechanism<Scalar = f64>> Sample<M> {
-    fn mechanism(parameters: &[f64]) -> M {
-        M::from_parameters(Row::from_fn(|index| parameters[index]))
-    }
-
-    fn row(values: &[f64]) -> M::Inputs<f64> {
-        Row::from_fn(|index| values[index])
-    }
-
-    /// The assembly at the first inputs of a case.
-    fn assembly(case: &Case, mechanism: &M) -> Result<M::Assembly, Fault> {
-        let start: Vec<f64> = case.motions.iter().map(InputMotion::start).collect();
-        Self::assembly_at(&case.assembly, mechanism, &start)
-    }
-
-    fn assembly_at(wanted: &Wanted, mechanism: &M, start: &[f64]) -> Result<M::Assembly, Fault> {
-        let start = Self::row(start);
-        match wanted {
-            Wanted::Named(index) => {
-                M::assembly(*index).ok_or_else(|| Fault::wrong("there is no assembly of this number"))
-            }
-            Wanted::Near(values) => Ok(mechanism.assembly_near(start, Row::from_fn(|index| values[index]))),
-            Wanted::At { inputs, near } => {
-                let (inputs, near) = (Self::row(inputs), Row::from_fn(|index| near[index]));
-                let unknowns = mechanism.solve_position_near(inputs, near).map_err(Fault::open)?;
-                let there = track(mechanism, inputs, unknowns, start).map_err(Fault::open)?;
-                Ok(mechanism.assembly_near(start, there))
-            }
-            Wanted::Unknown => Err(unnamed(
-                &M::DESCRIPTION,
-                &Self::positions_of(mechanism, start)?,
-                start.as_ref(),
-            )),
-        }
-    }
-
-    fn positions_of(mechanism: &M, inputs: M::Inputs<f64>) -> Result<Vec<Vec<f64>>, Fault> {
-        let mut all = Vec::new();
-        mechanism
-            .positions_at(inputs, |_, unknowns| all.push(unknowns.as_ref().to_vec()))
-            .map_err(Fault::open)?;
-        Ok(all)
-    }
-
-    fn line(case: &Case, rows: usize) -> Result<Course<M, StraightLine>, Fault> {
-        let mechanism = Self::mechanism(&case.parameters);
-        let assembly = Self::assembly(case, &mechanism)?;
-        let [from, to] =
-            [InputMotion::start, InputMotion::end].map(|end| Row::from_fn(|index| end(&case.motions[index])));
-        Ok(mechanism.sweep(assembly).between(from, to, rows).speed(case.speed()))
-    }
-
-    /// Calls `then` with the sweep under laws.
-    fn under_laws<R>(
-        case: &Case,
-        duration: f64,
-        rows: usize,
-        then: impl FnOnce(Course<M, Laws<'_>>) -> R,
-    ) -> Result<R, Fault> {
-        let laws: Result<Vec<_>, _> = case.motions.iter().map(|motion| motion.law(duration)).collect();
-        let laws = laws.map_err(Fault::wrong)?;
-        let mechanism = Self::mechanism(&case.parameters);
-        let assembly = Self::assembly(case, &mechanism)?;
-        let row: RowOfLaws<'_, M> = Row::from_fn(|index| &*laws[index]);
-        Ok(then(mechanism.sweep(assembly).under_laws(row, 0.0..=duration, rows)))
+    pub fn new<M: Mechanism<Scalar = f64>>(mechanism: &M, inputs: M::Inputs<f64>, assembly: M::Assembly) -> Self {
+        let inputs = inputs.as_ref().to_vec();
+        let example = Example {
+            parameters: mechanism.parameters().as_ref().to_vec(),
+            assembly: match AssemblyChoice::of::<M>(assembly) {
+                AssemblyChoice::Index(index) => Wanted::Named(index),
+                AssemblyChoice::Near(near) => Wanted::At {
+                    inputs: inputs.clone(),
+                    near,
+                },
+            },
+            inputs,
+        };
+        Self(Subject {
+            example: Some(example),
+            ..Subject::of::<M>()
+        })
     }
 }
 
@@ -299,11 +198,7 @@ fn of_exact_table(error: ExactTableError) -> Fault {
 }
 
 /// The lowest and the highest value, and the root of the mean square.
-fn extent_of<M, D>(course: &Course<M, D>, name: &str) -> Result<Extent, Fault>
-where
-    M: Mechanism<Scalar = f64>,
-    D: kin_core::sweep::SmoothDrive,
-{
+fn extent_of<D: SmoothDrive>(course: &AnySweep<D>, name: &str) -> Result<Extent, Fault> {
     let quantity = course.of(name);
     let all = quantity.extremes().map_err(of_extremes)?;
     let reached = || {
@@ -348,33 +243,65 @@ fn unbounded(all: &[Extreme], is_maximum: bool) -> Option<Reached> {
     })
 }
 
-impl<M: Mechanism<Scalar = f64>> Subject for Sample<M> {
-    fn description(&self) -> Description {
-        M::DESCRIPTION
+impl Subject {
+    /// A mechanism of which nothing is known but its declaration.
+    pub(crate) fn of<M: Mechanism<Scalar = f64>>() -> Self {
+        Self {
+            functions: Of::<M>::FUNCTIONS,
+            example: None,
+        }
     }
 
-    fn example(&self) -> Option<Example> {
-        let (mechanism, inputs, assembly) = &self.example?;
-        let index = M::assemblies().position(|own| own == *assembly);
-        let assembly = match index {
-            Some(index) => Wanted::Named(index),
-            None => Wanted::At {
-                inputs: inputs.as_ref().to_vec(),
-                near: mechanism.solve_position(*inputs, *assembly).ok()?.as_ref().to_vec(),
-            },
-        };
-        Some(Example {
-            parameters: mechanism.parameters().as_ref().to_vec(),
-            inputs: inputs.as_ref().to_vec(),
-            assembly,
-        })
+    /// Its quantities.
+    pub(crate) fn description(&self) -> &'static Description {
+        self.functions.description()
     }
 
-    fn assemblies(&self) -> Vec<String> {
-        M::assemblies().map(M::assembly_name).collect()
+    /// Dimensions for which it closes, if they are known.
+    pub(crate) fn example(&self) -> Option<&Example> {
+        self.example.as_ref()
     }
 
-    fn closes(&self, case: &Case) -> Result<(), Fault> {
+    /// The names of its assemblies; none if they depend on the dimensions, an empty name if there is only one.
+    pub(crate) fn assemblies(&self) -> Vec<String> {
+        (0..self.functions.assembly_count())
+            .map(|index| self.functions.assembly_name(index))
+            .collect()
+    }
+
+    fn linkage(&self, parameters: &[f64]) -> AnyLinkage {
+        AnyLinkage::new(self.functions, parameters)
+    }
+
+    /// The assembly at the first inputs of a case.
+    fn assembly(&self, case: &Case) -> Result<AssemblyChoice, Fault> {
+        let linkage = self.linkage(&case.parameters);
+        assembly_at(&case.assembly, &linkage, &case.ends()[0])
+    }
+
+    fn line(&self, case: &Case, rows: usize) -> Result<AnySweep<StraightLine>, Fault> {
+        let [from, to] = case.ends();
+        let sweep = self.linkage(&case.parameters).sweep(self.assembly(case)?);
+        Ok(sweep.between(&from, &to, rows).speed(case.speed()))
+    }
+
+    /// Calls `then` with the sweep under laws.
+    fn under_laws<R>(
+        &self,
+        case: &Case,
+        duration: f64,
+        rows: usize,
+        then: impl FnOnce(AnySweep<Laws<'_>>) -> R,
+    ) -> Result<R, Fault> {
+        let laws: Result<Vec<_>, _> = case.motions.iter().map(|motion| motion.law(duration)).collect();
+        let laws = laws.map_err(Fault::wrong)?;
+        let laws: Vec<&dyn Piecewise<f64>> = laws.iter().map(|law| &**law).collect();
+        let sweep = self.linkage(&case.parameters).sweep(self.assembly(case)?);
+        Ok(then(sweep.under_laws(&laws, 0.0..=duration, rows)))
+    }
+
+    /// Whether it closes all along the motion, between the rows of tables too.
+    pub(crate) fn closes(&self, case: &Case) -> Result<(), Fault> {
         // several laws lead along a curve, and one along a line
         const ROWS: usize = 721;
         let moving = case.motions.iter().filter(|motion| motion.moves()).count();
@@ -389,13 +316,10 @@ impl<M: Mechanism<Scalar = f64>> Subject for Sample<M> {
                 )))
             });
         }
-        let mechanism = Self::mechanism(&case.parameters);
-        let [from, to] =
-            [InputMotion::start, InputMotion::end].map(|end| Row::from_fn(|index| end(&case.motions[index])));
-        let start = mechanism
-            .solve_position(from, Self::assembly(case, &mechanism)?)
-            .map_err(Fault::open)?;
-        match track(&mechanism, from, start, to) {
+        let (linkage, [from, to]) = (self.linkage(&case.parameters), case.ends());
+        let assembly = self.assembly(case)?;
+        let start = linkage.position(&from, assembly.position()).map_err(Fault::open)?;
+        match linkage.track(&from, &start, &to) {
             Err(error @ (TrackError::Limit(_) | TrackError::Unbounded(_) | TrackError::Failed(_))) => Err(Fault::open(
                 format!("the mechanism does not close all along the motion: {error}"),
             )),
@@ -404,153 +328,146 @@ impl<M: Mechanism<Scalar = f64>> Subject for Sample<M> {
         }
     }
 
-    fn table(&self, case: &Case, rows: usize) -> Result<Table, Fault> {
+    /// The table of a sweep.
+    pub(crate) fn table(&self, case: &Case, rows: usize) -> Result<Table, Fault> {
+        let functions = self.functions;
         match case.time_of_laws() {
-            None => Self::line(case, rows)?.table(),
-            Some(duration) => Self::under_laws(case, duration, rows, |course| course.table())?,
+            None => self.line(case, rows)?.table(functions),
+            Some(duration) => self.under_laws(case, duration, rows, |sweep| sweep.table(functions))?,
         }
         .map_err(|error| of_sweep(&error))
     }
 
-    fn extent(&self, case: &Case, name: &str) -> Result<Extent, Fault> {
+    /// The extremes of one derivative over a sweep.
+    pub(crate) fn extent(&self, case: &Case, name: &str) -> Result<Extent, Fault> {
         const ROWS: usize = 181;
         match case.time_of_laws() {
-            None => extent_of(&Self::line(case, ROWS)?, name),
-            Some(duration) => Self::under_laws(case, duration, ROWS, |course| extent_of(&course, name))?,
+            None => extent_of(&self.line(case, ROWS)?, name),
+            Some(duration) => self.under_laws(case, duration, ROWS, |sweep| extent_of(&sweep, name))?,
         }
     }
 
-    fn cycle(&self, case: &Case) -> Result<CycleOf, Fault> {
-        let mechanism = Self::mechanism(&case.parameters);
-        let lead = case.lead;
-        let from = Row::from_fn(|index| {
-            if index == lead {
-                0.0
-            } else {
-                case.motions[index].start()
-            }
-        });
-        let direction = Row::from_fn(|index| f64::from(u8::from(index == lead)));
-        let cycle = mechanism.cycle_along(from, direction).map_err(Fault::open)?;
-        let names = M::DESCRIPTION.unknowns.iter().chain(M::DESCRIPTION.outputs);
-        let circuits = cycle.circuits().iter().enumerate().map(|(index, circuit)| CircuitOf {
-            branches: circuit
-                .branches()
-                .iter()
-                .map(|branch| {
-                    let assembly = cycle.assembly_of(*branch).map(M::assembly_name);
-                    let branch = &cycle.branches()[*branch];
-                    BranchOf {
-                        assembly: assembly.filter(|_| M::ASSEMBLY_COUNT > 0).unwrap_or_default(),
-                        range: branch.ends().map(|end| end.input),
-                        ends: branch.ends().map(|end| end.kind),
-                    }
-                })
-                .collect(),
-            strokes: names
-                .clone()
-                .map(|quantity| {
-                    let stroke = cycle.stroke(index, quantity.name).ok()?;
-                    Some([stroke.low, stroke.high].map(|end| (end.value, end.input)))
-                })
-                .collect(),
-            transmission: cycle
-                .worst_transmission(index)
-                .ok()
-                .map(|worst| (worst.block, worst.angle, worst.input)),
-        });
-        let forms = mechanism.block_forms();
-        let classes = M::DESCRIPTION.blocks.iter().zip(forms.as_ref());
-        Ok(CycleOf {
-            incomplete: cycle.incomplete().iter().map(ToString::to_string).collect(),
-            circuits: circuits.collect(),
-            classes: classes
-                .filter_map(|(block, form)| Some((block.unknowns, BlockClass::of(form)?)))
-                .collect(),
-        })
+    /// The full cycle over the leading input.
+    pub(crate) fn cycle(&self, case: &Case) -> Result<AnyCycle, Fault> {
+        let [mut from, _] = case.ends();
+        let mut direction = vec![0.0; from.len()];
+        (from[case.lead], direction[case.lead]) = (0.0, 1.0);
+        let linkage = self.linkage(&case.parameters);
+        linkage.cycle_along(&from, &direction).map_err(Fault::open)
     }
 
-    fn verify(&self, case: &Case) -> Result<verify::Report, Fault> {
-        let ranges = Row::from_fn(|index| {
-            let motion = &case.motions[index];
-            let (from, to) = (motion.start(), motion.end());
-            (from.min(to), from.max(to))
-        });
-        Ok(verify::of(&Self::mechanism(&case.parameters), ranges))
+    /// What Grashof, Barker and others call the blocks.
+    pub(crate) fn classes(&self, case: &Case) -> Vec<(&'static str, BlockClass)> {
+        let forms = self.linkage(&case.parameters).block_forms();
+        let blocks = self.description().blocks.iter().zip(&forms);
+        let classes = blocks.filter_map(|(block, form)| Some((block.unknowns, BlockClass::of(form)?)));
+        classes.collect()
     }
 
-    fn tape(&self, options: &tape::Options) -> Result<Tape, RecordError> {
-        tape::record::<M>(options)
+    /// Both oracles.
+    pub(crate) fn verify(&self, case: &Case) -> verify::Report {
+        let [from, to] = case.ends();
+        let ends = from.iter().zip(&to);
+        let ranges: Vec<(f64, f64)> = ends.map(|(from, to)| (from.min(*to), from.max(*to))).collect();
+        self.functions.verify(&case.parameters, &ranges)
     }
 
-    fn page(&self, case: &Case, wishes: &PageWishes) -> Result<String, Fault> {
-        let mechanism = Self::mechanism(&case.parameters);
-        let lead = case.lead;
-        let motion = &case.motions[lead];
+    /// The solver as data.
+    pub(crate) fn tape(&self, options: &tape::Options) -> Result<Tape, RecordError> {
+        self.functions.record(options)
+    }
+
+    /// The page.
+    pub(crate) fn page(&self, case: &Case, wishes: &PageWishes) -> Result<String, Fault> {
+        let motion = &case.motions[case.lead];
         let (from, to) = (motion.start().min(motion.end()), motion.start().max(motion.end()));
-        let inputs = Row::from_fn(|index| case.motions[index].start());
-        let mut draft = crate::report(&mechanism)
-            .at(inputs)
-            .moving(M::DESCRIPTION.inputs[lead].name)
-            .speed((motion.end() - motion.start()).signum() * case.speed())
-            .units(case.length, "s")
-            .assembly(Self::assembly(case, &mechanism)?)
-            .plots(wishes.plots.iter().cloned())
-            .documentation(wishes.documentation.clone());
-        if wishes.has_range {
-            draft = draft.range(from..=to);
-        }
-        if !case.in_degrees {
-            draft = draft.in_radians();
-        }
-        if let Some(title) = &wishes.title {
-            draft = draft.title(title.clone());
-        }
-        if let Some(declaration) = &wishes.declaration {
-            draft = draft.declaration(declaration.clone());
-        }
-        draft.html().map_err(|error| match error {
+        let report = Wishes {
+            assembly: Some(self.assembly(case)?),
+            inputs: case.ends()[0].clone(),
+            moving: Some(self.description().inputs[case.lead].name.to_owned()),
+            range: wishes.has_range.then_some([from, to]),
+            speed: (motion.end() - motion.start()).signum() * case.speed(),
+            plots: wishes.plots.clone(),
+            title: wishes.title.clone(),
+            documentation: wishes.documentation.clone(),
+            declaration: wishes.declaration.clone(),
+            length: case.length.to_owned(),
+            degrees: case.in_degrees,
+            ..Wishes::new(self.functions, &case.parameters)
+        };
+        let page = report.report().map(|report| report.html());
+        page.map_err(|error| match error {
             ReportError::ClosesNowhere { .. } | ReportError::NoPosition { .. } => Fault::open(error),
             error => Fault::wrong(error),
         })
     }
 
-    fn exact_table(&self, case: &Case, precision: Precision) -> Result<ExactTable, Fault> {
+    /// The table that is exact between its rows.
+    pub(crate) fn exact_table(&self, case: &Case, precision: Precision) -> Result<ExactTable, Fault> {
         const ROWS: usize = 13;
         match case.time_of_laws() {
-            None => Self::line(case, ROWS)?.exact_table(precision),
-            Some(duration) => Self::under_laws(case, duration, ROWS, |course| course.exact_table(precision))?,
+            None => self.line(case, ROWS)?.exact_table(precision),
+            Some(duration) => self.under_laws(case, duration, ROWS, |sweep| sweep.exact_table(precision))?,
         }
         .map_err(of_exact_table)
     }
 
-    fn partial(&self, parameters: &[f64], inputs: &[f64], assembly: &Wanted) -> Result<Partial, Fault> {
-        let assembly = Self::assembly_at(assembly, &Self::mechanism(parameters), inputs)?;
+    /// One pose and its derivatives.
+    pub(crate) fn partial(&self, parameters: &[f64], inputs: &[f64], assembly: &Wanted) -> Result<Partial, Fault> {
+        let description = self.description();
+        let choice = assembly_at(assembly, &self.linkage(parameters), inputs)?;
+        let near: Vec<Change> = match &choice {
+            AssemblyChoice::Index(_) => Vec::new(),
+            AssemblyChoice::Near(near) => near.iter().map(|value| Change::constant(*value)).collect(),
+        };
+        let choice = choice
+            .index()
+            .map_or(PositionChoice::Near(&near), PositionChoice::Assembly);
         let mut values = Vec::new();
         let mut by: Vec<Vec<f64>> = Vec::new();
         for place in 0..parameters.len() + inputs.len() {
-            let moved = |index: usize, value: f64| {
-                let rate = f64::from(u8::from(index == place));
-                Local::from_derivatives([value, rate, 0.0, 0.0, 0.0])
-            };
-            let mechanism = M::With::<Local>::from_parameters(Row::from_fn(|index| moved(index, parameters[index])));
-            let motions = Row::from_fn(|index| {
-                let value = moved(parameters.len() + index, inputs[index]);
-                Row::from_fn(|order| if order == 0 { value } else { Local::constant(0.0) })
-            });
-            let pose = mechanism.solve_motion(motions, assembly).map_err(Fault::open)?;
-            let (unknowns, outputs) = (pose.unknown_motions(), pose.output_motions());
-            let all = unknowns.as_ref().iter().chain(outputs.as_ref());
-            let all: Vec<[f64; 5]> = all.map(|motion| motion[0].derivatives()).collect();
+            let given = parameters.iter().chain(inputs).enumerate();
+            let given: Vec<Change> = given
+                .map(|(index, value)| Change::new(*value, f64::from(u8::from(index == place))))
+                .collect();
+            let (parameters, inputs) = given.split_at(parameters.len());
+            let count = description.unknowns.len();
+            let mut all = vec![Change::constant(0.0); count + description.outputs.len()];
+            let (unknowns, outputs) = all.split_at_mut(count);
+            let positions: &dyn PositionOver<Change> = self.functions;
+            positions
+                .position(parameters, inputs, choice, unknowns)
+                .map_err(Fault::open)?;
+            let functions: &dyn OutputsOver<Change> = self.functions;
+            functions.outputs(parameters, inputs, unknowns, outputs);
             if place == 0 {
-                values = all.iter().map(|series| series[0]).collect();
+                values = all.iter().map(|number| number.value).collect();
                 by = vec![Vec::new(); all.len()];
             }
-            for (own, series) in by.iter_mut().zip(&all) {
-                own.push(series[1]);
+            for (own, number) in by.iter_mut().zip(&all) {
+                own.push(number.change);
             }
         }
         Ok(Partial { values, by })
+    }
+}
+
+fn assembly_at(wanted: &Wanted, linkage: &AnyLinkage, start: &[f64]) -> Result<AssemblyChoice, Fault> {
+    match wanted {
+        Wanted::Named(index) if *index < linkage.assembly_count() => Ok(AssemblyChoice::Index(*index)),
+        Wanted::Named(_) => Err(Fault::wrong("there is no assembly of this number")),
+        Wanted::Near(values) => Ok(linkage.assembly_near(start, values)),
+        Wanted::At { inputs, near } => {
+            let unknowns = linkage
+                .position(inputs, PositionChoice::Near(near))
+                .map_err(Fault::open)?;
+            let there = linkage.track(inputs, &unknowns, start).map_err(Fault::open)?;
+            Ok(linkage.assembly_near(start, &there))
+        }
+        Wanted::Unknown => {
+            let (positions, _) = linkage.positions_at(start).map_err(Fault::open)?;
+            Err(unnamed(linkage.description(), &positions, start))
+        }
     }
 }
 

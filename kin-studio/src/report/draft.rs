@@ -60,6 +60,10 @@ impl Wishes {
         }
     }
 
+    pub(crate) fn report(&self) -> Result<Report, ReportError> {
+        gather::report(self)
+    }
+
     /// The inputs where the moving one is at a place.
     pub(super) fn inputs_at(&self, moving: usize, place: f64) -> Vec<f64> {
         let mut inputs = self.inputs.clone();
@@ -148,7 +152,7 @@ impl<M: Mechanism<Scalar = f64>> Draft<M> {
     /// # Errors
     /// [`ReportError`] if the mechanism closes nowhere, or if a number or a name is not one.
     pub fn report(&self) -> Result<Report, ReportError> {
-        gather::report(&self.wishes)
+        self.wishes.report()
     }
 
     /// The page.

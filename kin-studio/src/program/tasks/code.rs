@@ -16,7 +16,7 @@ use super::print;
 /// The file of the example. Many people's programs have one of this name.
 const EXAMPLE: &str = "main.c";
 
-pub(super) fn run(subject: &dyn Subject, code: &Code, told: &Told) -> Result<(), Fault> {
+pub(super) fn run(subject: &Subject, code: &Code, told: &Told) -> Result<(), Fault> {
     let mut options = Options::new();
     if let Some(order) = code.order {
         options = options.up_to(order);

@@ -2,17 +2,17 @@
 
 use std::fmt::Write as _;
 
-use kin_core::cycle::{BlockClass, EndKind};
+use kin_core::cycle::{BlockClass, Branch, EndKind};
 
 use super::super::command::Setup;
 use super::super::fault::Fault;
 use super::super::file::Told;
 use super::super::progress::watched;
-use super::super::subject::{CircuitOf, Subject};
+use super::super::subject::Subject;
 use super::super::text::{self, Column, Units};
 use super::print;
 
-pub(super) fn run(subject: &dyn Subject, setup: &Setup, told: &Told) -> Result<(), Fault> {
+pub(super) fn run(subject: &Subject, setup: &Setup, told: &Told) -> Result<(), Fault> {
     // the input passes all its values, wherever it begins
     let case = setup.typed(told).case_without_range(subject, 0.0)?;
     let description = subject.description();
@@ -22,54 +22,56 @@ pub(super) fn run(subject: &dyn Subject, setup: &Setup, told: &Told) -> Result<(
         length: case.length,
     };
     let found = watched("searching all circuits", 1, |_| subject.cycle(&case))?;
-    let branches: usize = found.circuits.iter().map(|circuit| circuit.branches.len()).sum();
     let count = |number: usize, word: &str, words: &str| format!("{number} {}", if number == 1 { word } else { words });
     let mut out = format!(
         "{} over {}: {}, {}; {}\n",
         description.name,
         input.name,
-        count(found.circuits.len(), "circuit", "circuits"),
-        count(branches, "branch", "branches"),
-        if found.incomplete.is_empty() {
+        count(found.circuits().len(), "circuit", "circuits"),
+        count(found.branches().len(), "branch", "branches"),
+        if found.is_complete() {
             "there are no others".to_owned()
         } else {
-            format!("there may be others: {}", found.incomplete.join(", and "))
+            let reasons: Vec<String> = found.incomplete().iter().map(ToString::to_string).collect();
+            format!("there may be others: {}", reasons.join(", and "))
         }
     );
-    for (block, class) in &found.classes {
-        let _ = writeln!(out, "{block}: {}", class_in_words(*class));
+    for (block, class) in subject.classes(&case) {
+        let _ = writeln!(out, "{block}: {}", class_in_words(class));
     }
-    if found.circuits.is_empty() {
+    if found.circuits().is_empty() {
         print(&out)?;
         return Err(Fault::open("the mechanism closes nowhere with these dimensions"));
     }
     let at = |value: f64| units.text(input.dimension, 0, value);
-    for (index, circuit) in found.circuits.iter().enumerate() {
-        let full = circuit
-            .branches
+    let assemblies = subject.assemblies();
+    for (index, circuit) in found.circuits().iter().enumerate() {
+        let branches: Vec<&Branch> = circuit
+            .branches()
             .iter()
-            .all(|branch| branch.ends[0] == EndKind::FullTurn);
+            .map(|branch| &found.branches()[*branch])
+            .collect();
+        let full = branches.iter().all(|branch| branch.is_full_turn());
         let word = if full {
             "the input goes round"
         } else {
             "the input swings"
         };
         let _ = writeln!(out, "\ncircuit {}: {word}", index + 1);
-        let mut table = branch_columns(circuit, &at);
+        let mut table = branch_columns(&branches, &assemblies, &at);
         indent(&mut table);
         out.push_str(&text::table(&table));
         let names = description.unknowns.iter().chain(description.outputs);
         let strokes: Vec<_> = names
-            .zip(&circuit.strokes)
-            .filter_map(|(quantity, stroke)| Some((quantity, stroke.as_ref()?)))
+            .filter_map(|quantity| Some((quantity, found.stroke(index, quantity.name).ok()?)))
             .collect();
         let column = |end: usize, is_place: bool| {
             let cells = strokes.iter().map(|(quantity, stroke)| {
-                let (value, place) = stroke[end];
+                let end = [stroke.low, stroke.high][end];
                 if is_place {
-                    format!("at {}", at(place))
+                    format!("at {}", at(end.input))
                 } else {
-                    units.text(quantity.dimension, 0, value)
+                    units.text(quantity.dimension, 0, end.value)
                 }
             });
             cells.collect::<Vec<_>>()
@@ -86,40 +88,43 @@ pub(super) fn run(subject: &dyn Subject, setup: &Setup, told: &Told) -> Result<(
         ];
         indent(&mut table);
         out.push_str(&text::table(&table));
-        if let Some((block, angle, place)) = circuit.transmission {
-            let angle = units.text(kin_core::Dimension::Angle, 0, angle);
-            let _ = writeln!(out, "  worst transmission angle {angle} at {}, of {block}", at(place));
+        if let Ok(worst) = found.worst_transmission(index) {
+            let angle = units.text(kin_core::Dimension::Angle, 0, worst.angle);
+            let (place, block) = (at(worst.input), worst.block);
+            let _ = writeln!(out, "  worst transmission angle {angle} at {place}, of {block}");
         }
     }
     print(&out)
 }
 
-fn branch_columns(circuit: &CircuitOf, at: &impl Fn(f64) -> String) -> Vec<Column> {
-    let cells = |cell: &dyn Fn(usize) -> String| (0..circuit.branches.len()).map(cell).collect::<Vec<_>>();
-    let branch = |index: usize| &circuit.branches[index];
+fn branch_columns(branches: &[&Branch], assemblies: &[String], at: &impl Fn(f64) -> String) -> Vec<Column> {
+    let cells = |cell: &dyn Fn(&Branch) -> String| branches.iter().map(|branch| cell(branch)).collect::<Vec<_>>();
     // a full turn begins anywhere
-    let is_turn = |index: usize| branch(index).ends[0] == EndKind::FullTurn;
-    let place = |index: usize, side: usize| {
-        if is_turn(index) {
+    let place = |branch: &Branch, side: usize| {
+        if branch.is_full_turn() {
             "-".to_owned()
         } else {
-            at(branch(index).range[side])
+            at(branch.ends()[side].input)
         }
     };
-    let kind = |index: usize, side: usize| {
-        if is_turn(index) && side == 0 {
+    let kind = |branch: &Branch, side: usize| {
+        if branch.is_full_turn() && side == 0 {
             String::new()
         } else {
-            end(branch(index).ends[side]).to_owned()
+            end(branch.ends()[side].kind).to_owned()
         }
     };
     let mut columns = vec![
-        Column::numbers("from", cells(&|index| place(index, 0))),
-        Column::words("", cells(&|index| kind(index, 0))),
-        Column::numbers("to", cells(&|index| place(index, 1))),
-        Column::words("", cells(&|index| kind(index, 1))),
+        Column::numbers("from", cells(&|branch| place(branch, 0))),
+        Column::words("", cells(&|branch| kind(branch, 0))),
+        Column::numbers("to", cells(&|branch| place(branch, 1))),
+        Column::words("", cells(&|branch| kind(branch, 1))),
     ];
-    let names = cells(&|index| branch(index).assembly.clone());
+    let names = cells(&|branch| {
+        branch
+            .assembly()
+            .map_or_else(String::new, |index| assemblies[index].clone())
+    });
     if names.iter().any(|name| !name.is_empty()) {
         columns.insert(0, Column::words("assembly", names));
     }

@@ -53,7 +53,7 @@ impl Data {
     }
 }
 
-pub(super) fn run(subject: &dyn Subject, options: &Fit, told: &Told) -> Result<(), Fault> {
+pub(super) fn run(subject: &Subject, options: &Fit, told: &Told) -> Result<(), Fault> {
     let typed = options.setup.typed(told);
     let case = typed.case_without_range(subject, 0.0)?;
     let mut lengths = match case.length {
@@ -90,7 +90,7 @@ pub(super) fn run(subject: &dyn Subject, options: &Fit, told: &Told) -> Result<(
 }
 
 /// Reads the file of numbers.
-fn read(subject: &dyn Subject, options: &Fit, lengths: &mut Lengths) -> Result<Data, Fault> {
+fn read(subject: &Subject, options: &Fit, lengths: &mut Lengths) -> Result<Data, Fault> {
     let path = options.data.display();
     let text = std::fs::read_to_string(&options.data)
         .map_err(|error| Fault::wrong(format!("{path} cannot be read: {error}")))?;
@@ -210,7 +210,7 @@ fn quantities(description: &Description) -> Vec<&'static Quantity> {
 
 /// The sum of squares that is to become small.
 struct Problem<'s> {
-    subject: &'s dyn Subject,
+    subject: &'s Subject,
     data: std::rc::Rc<Data>,
     assembly: Wanted,
     parameters: Vec<f64>,
@@ -229,13 +229,7 @@ struct Problem<'s> {
 }
 
 impl<'s> Problem<'s> {
-    fn new(
-        subject: &'s dyn Subject,
-        options: &Fit,
-        case: &Case,
-        data: Data,
-        lengths: &mut Lengths,
-    ) -> Result<Self, Fault> {
+    fn new(subject: &'s Subject, options: &Fit, case: &Case, data: Data, lengths: &mut Lengths) -> Result<Self, Fault> {
         let description = subject.description();
         let varied = varied(&description, &options.vary)?;
         let longest = description
@@ -732,13 +726,13 @@ mod tests {
     use kin_core::library::HoekenLinkage;
 
     use super::super::super::case::Typed;
-    use super::super::super::subject::bare;
+    use super::super::super::subject::Subject;
     use super::*;
 
     /// Wherever a search ends, a point that is no minimum is told.
     #[test]
     fn what_is_no_minimum_is_told() {
-        let subject = bare::<HoekenLinkage>();
+        let subject = Subject::of::<HoekenLinkage>();
         let command = Fit::augment_args(Command::new("fit"));
         let options = Fit::from_arg_matches(&command.get_matches_from(["fit", "--data", "path.csv"])).unwrap();
         let set = ["ground=2", "crank=1", "coupler=2.5"].map(str::to_owned).to_vec();

@@ -22,7 +22,7 @@ use super::file::Told;
 use super::subject::Subject;
 
 /// Does what a command says.
-pub(super) fn run(subject: &dyn Subject, task: &Task, told: &Told) -> Result<(), Fault> {
+pub(super) fn run(subject: &Subject, task: &Task, told: &Told) -> Result<(), Fault> {
     if let Some(setup) = task.setup() {
         for remark in setup.typed(told).remarks(subject) {
             eprintln!("note: {remark}");

@@ -16,7 +16,7 @@ use super::print;
 /// The highest order of a rate that is shown.
 const HIGHEST: usize = 4;
 
-pub(super) fn run(subject: &dyn Subject, options: &Peaks, told: &Told) -> Result<(), Fault> {
+pub(super) fn run(subject: &Subject, options: &Peaks, told: &Told) -> Result<(), Fault> {
     let case = options.setup.typed(told).case(subject)?;
     let description = subject.description();
     let quantities: Vec<&Quantity> = description.unknowns.iter().chain(description.outputs).collect();
@@ -73,7 +73,7 @@ fn label(quantity: &Quantity, order: usize) -> String {
     }
 }
 
-fn shown(subject: &dyn Subject, case: &Case, wanted: &[(String, Dimension, usize)], found: &[Extent]) -> String {
+fn shown(subject: &Subject, case: &Case, wanted: &[(String, Dimension, usize)], found: &[Extent]) -> String {
     let units = Units {
         in_degrees: case.in_degrees,
         length: case.length,

@@ -10,7 +10,7 @@ use super::super::snake;
 use super::super::subject::{PageWishes, Subject};
 use super::write;
 
-pub(super) fn run(subject: &dyn Subject, options: &Report, told: &Told) -> Result<(), Fault> {
+pub(super) fn run(subject: &Subject, options: &Report, told: &Told) -> Result<(), Fault> {
     if let Some(path) = &options.output {
         is_page(path)?;
     }
@@ -48,7 +48,7 @@ fn is_page(path: &Path) -> Result<(), Fault> {
 }
 
 /// The page as one text.
-pub(super) fn page(subject: &dyn Subject, options: &Report, told: &Told) -> Result<String, Fault> {
+pub(super) fn page(subject: &Subject, options: &Report, told: &Told) -> Result<String, Fault> {
     let typed = options.setup.typed(told);
     let case = typed.case(subject)?;
     if case.time_of_laws().is_some() {

@@ -11,7 +11,7 @@ use super::report::page;
 
 static PAGE: OnceLock<String> = OnceLock::new();
 
-pub(super) fn run(subject: &dyn Subject, options: &Serve, told: &Told) -> Result<(), Fault> {
+pub(super) fn run(subject: &Subject, options: &Serve, told: &Told) -> Result<(), Fault> {
     let page = page(subject, &options.page(), told)?;
     PAGE.get_or_init(|| page);
     serve(subject.description().name, options.port, &answer)

@@ -11,11 +11,11 @@ use super::super::subject::Subject;
 use super::super::text::{self, Column, Units};
 use super::print;
 
-pub(super) fn run(subject: &dyn Subject, told: &Told) -> Result<(), Fault> {
+pub(super) fn run(subject: &Subject, told: &Told) -> Result<(), Fault> {
     print(&shown(subject, told)?)
 }
 
-fn shown(subject: &dyn Subject, told: &Told) -> Result<String, Fault> {
+fn shown(subject: &Subject, told: &Told) -> Result<String, Fault> {
     let description = subject.description();
     let known = if *told == Told::default() {
         of_library(subject)
@@ -64,16 +64,16 @@ fn shown(subject: &dyn Subject, told: &Told) -> Result<String, Fault> {
 }
 
 /// The values of the library, which have no unit of length.
-fn of_library(subject: &dyn Subject) -> Option<Known> {
+fn of_library(subject: &Subject) -> Option<Known> {
     subject.example().map(|example| Known {
-        parameters: example.parameters,
-        inputs: example.inputs.into_iter().map(Some).collect(),
+        parameters: example.parameters.clone(),
+        inputs: example.inputs.iter().copied().map(Some).collect(),
         length: "",
     })
 }
 
 /// The values of a file.
-fn of_file(subject: &dyn Subject, told: &Told) -> Result<Known, Fault> {
+fn of_file(subject: &Subject, told: &Told) -> Result<Known, Fault> {
     Typed {
         set: told.set.clone(),
         over: told.over.clone(),
@@ -128,7 +128,7 @@ fn shortened(text: &str, room: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::subject::bare;
+    use super::super::super::subject::Subject;
     use super::*;
     use kin_core::library::{Pantograph, SliderCrank};
 
@@ -140,7 +140,7 @@ mod tests {
             set: set.map(str::to_owned).to_vec(),
             ..Told::default()
         };
-        let out = shown(&bare::<Pantograph>(), &told).unwrap();
+        let out = shown(&Subject::of::<Pantograph>(), &told).unwrap();
         for line in [
             "upper   30 mm  length",
             "lower   30 mm  length",
@@ -158,7 +158,7 @@ mod tests {
                 assembly,
                 ..Told::default()
             };
-            assert_eq!(shown(&bare::<SliderCrank>(), &told).is_ok(), is_one);
+            assert_eq!(shown(&Subject::of::<SliderCrank>(), &told).is_ok(), is_one);
         }
     }
 }

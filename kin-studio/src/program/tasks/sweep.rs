@@ -18,7 +18,7 @@ use crate::tables::Export as _;
 const ROWS_AS_TEXT: u32 = 13;
 const ROWS_IN_A_FILE: u32 = 361;
 
-pub(super) fn run(subject: &dyn Subject, options: &Sweep, told: &Told) -> Result<(), Fault> {
+pub(super) fn run(subject: &Subject, options: &Sweep, told: &Told) -> Result<(), Fault> {
     let case = options.setup.typed(told).case(subject)?;
     let is_text = options.csv.is_none() && options.json.is_none();
     let rows = options

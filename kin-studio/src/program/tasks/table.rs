@@ -12,7 +12,7 @@ use super::super::text::{self, Column};
 use super::print;
 use crate::tables::ExactJson as _;
 
-pub(super) fn run(subject: &dyn Subject, options: &ExactTable, told: &Told) -> Result<(), Fault> {
+pub(super) fn run(subject: &Subject, options: &ExactTable, told: &Told) -> Result<(), Fault> {
     let case = options.setup.typed(told).case(subject)?;
     let mut precision = Precision::from(options.tolerance);
     if let Some(order) = options.order {
