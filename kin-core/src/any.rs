@@ -198,24 +198,32 @@ pub trait EveryPosition {
     ) -> Result<PositionSearch, SolveError>;
 }
 
-/// A mechanism without its type, in double precision: what every answer needs.
-pub trait AnyMechanism: PositionOver<f64> + ClosureOver<f64> {
+/// What a mechanism is.
+pub trait Described {
     /// The names, dimensions and equations.
     fn description(&self) -> &'static Description;
 
     /// The number of assemblies, or zero if it depends on the dimensions.
     fn assembly_count(&self) -> usize;
 
+    /// The name of an assembly, as [`Mechanism::assembly_name`] gives it. It is empty if there is only one.
+    #[cfg(feature = "alloc")]
+    #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
+    fn assembly_name(&self, index: usize) -> Option<alloc::string::String>;
+
     /// The number of dyads.
     fn dyad_count(&self) -> usize;
+}
 
+/// A mechanism without its type, in double precision: what every answer needs.
+pub trait AnyMechanism: Described + PositionOver<f64> + ClosureOver<f64> {
     /// The index of the assembly to which a position belongs, if there are assemblies.
     fn assembly_near(&self, parameters: &[f64], inputs: &[f64], unknowns: &[f64]) -> Option<usize>;
 }
 
 /// The functions of a declared mechanism on slices.
 #[derive(Clone, Copy, Debug)]
-pub struct Of<M>(PhantomData<M>);
+pub struct Of<M>(PhantomData<fn() -> M>);
 
 impl<M: 'static> Of<M> {
     /// The functions.
@@ -346,7 +354,7 @@ impl<M: Mechanism<Scalar = f64>> EveryPosition for Of<M> {
     }
 }
 
-impl<M: Mechanism> AnyMechanism for Of<M> {
+impl<M: Mechanism> Described for Of<M> {
     fn description(&self) -> &'static Description {
         const { &M::DESCRIPTION }
     }
@@ -355,10 +363,17 @@ impl<M: Mechanism> AnyMechanism for Of<M> {
         M::ASSEMBLY_COUNT
     }
 
+    #[cfg(feature = "alloc")]
+    fn assembly_name(&self, index: usize) -> Option<alloc::string::String> {
+        M::assembly(index).map(M::assembly_name)
+    }
+
     fn dyad_count(&self) -> usize {
         <M::Dyads<f64> as Row<f64>>::LENGTH
     }
+}
 
+impl<M: Mechanism> AnyMechanism for Of<M> {
     fn assembly_near(&self, parameters: &[f64], inputs: &[f64], unknowns: &[f64]) -> Option<usize> {
         index_of::<M>(with::<M, f64>(parameters).assembly_near(row(inputs), row(unknowns)))
     }

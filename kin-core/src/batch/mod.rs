@@ -47,6 +47,8 @@ mod target;
 #[cfg(test)]
 mod tests;
 mod transmission;
+#[cfg(feature = "alloc")]
+mod untyped;
 mod view;
 
 pub use column::{Column, Parameter};
@@ -61,3 +63,6 @@ pub use outcome::{LengthMismatch, Outcome, Summary};
 pub use parallel::{solve_in_parallel, solve_near_in_parallel};
 pub use sweep::{solve, solve_near};
 pub use target::{Columns, MotionColumns, Place, Target, Visitor};
+#[cfg(feature = "alloc")]
+#[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
+pub use untyped::{AnyBatch, AnyFold, ColumnChoice, GivenColumns, WantedColumns};

@@ -19,7 +19,9 @@ use crate::track::{TrackError, track_between};
 /// The functions of a mechanism from which its answers are found: [`Of::<M>::FUNCTIONS`](Of::FUNCTIONS) has them for every declared
 /// mechanism.
 pub trait LinkageFunctions:
-    fmt::Debug
+    Send
+    + Sync
+    + fmt::Debug
     + AnyMechanism
     + SweptMechanism
     + ChangedFunctions

@@ -14,11 +14,11 @@ use super::table::Table;
 use super::unwrap::unwrap;
 use super::walk::Walk;
 use super::{Course, limits};
-use crate::any::{AssemblyOver, Of, motions};
-use crate::batch::{self, Column, Columns, LengthMismatch, Outcome, Place, Vectors, Visitor};
+use crate::any::{AssemblyOver, Of};
+use crate::batch::{AnyBatch, Column, ColumnChoice, GivenColumns, Outcome, Place, Vectors, WantedColumns};
 use crate::failure::SolveError;
 use crate::mechanism::Mechanism;
-use crate::number::{Number, Row};
+use crate::number::Number;
 
 /// The rows that a batch solves between two calls of the progress, and those of coupled blocks.
 const BLOCK: usize = 1 << 16;
@@ -89,36 +89,9 @@ impl<M: Mechanism<Scalar = f64>, D: Drive> Course<M, D> {
 }
 
 /// What a table needs of its mechanism.
-pub trait TabledMechanism: SweptMechanism + AssemblyOver<Bend> {
-    /// Solves the rows of an assembly, with a column for each order of each input, one after the other. It returns whether every row closes.
-    fn solve_rows(
-        &self,
-        parameters: &[f64],
-        assembly: usize,
-        columns: &[Column<'_>],
-        places: &mut Places<'_>,
-        outcomes: &mut [Outcome],
-    ) -> Result<bool, LengthMismatch>;
-}
+pub trait TabledMechanism: SweptMechanism + AssemblyOver<Bend> + AnyBatch {}
 
-impl<M: Mechanism<Scalar = f64>> TabledMechanism for Of<M> {
-    fn solve_rows(
-        &self,
-        parameters: &[f64],
-        assembly: usize,
-        columns: &[Column<'_>],
-        places: &mut Places<'_>,
-        outcomes: &mut [Outcome],
-    ) -> Result<bool, LengthMismatch> {
-        let Some(assembly) = M::assembly(assembly) else {
-            return Ok(false);
-        };
-        let parameters = M::Parameters::from_fn(|parameter| Column::Same(parameters[parameter]));
-        let vectors = Vectors::widest();
-        let summary = batch::solve::<M, _, _>(parameters, motions(columns), assembly, places, outcomes, vectors)?;
-        Ok(summary.failed == 0)
-    }
-}
+impl<F: SweptMechanism + AssemblyOver<Bend> + AnyBatch> TabledMechanism for F {}
 
 impl AnyCourse<'_> {
     pub(crate) fn table(
@@ -204,25 +177,28 @@ impl AnyCourse<'_> {
             }
         }
         let inputs = &*inputs;
-        let solve = |rows: Range<usize>, places: &mut Places<'_>, outcomes: &mut [Outcome]| {
+        let parameters: Vec<Column<'_>> = self.parameters.iter().copied().map(Column::Same).collect();
+        let solve = |rows: Range<usize>, wanted: Vec<(Place, &mut [f64])>, outcomes: &mut [Outcome]| {
             let columns = same.iter().zip(inputs.chunks_exact(count));
             let columns: Vec<Column<'_>> = columns
                 .map(|(same, values)| same.map_or(Column::Each(&values[rows.clone()]), Column::Same))
                 .collect();
-            functions.solve_rows(&self.parameters, assembly, &columns, places, outcomes)
+            let inputs: Vec<&[Column<'_>]> = columns.chunks_exact(orders).collect();
+            let given = GivenColumns {
+                parameters: &parameters,
+                inputs: &inputs,
+                choice: ColumnChoice::Assembly(assembly),
+            };
+            let wanted = &mut WantedColumns::new(wanted);
+            let summary = functions.solve_batch(given, wanted, outcomes, Vectors::widest())?;
+            Ok::<_, SweepError>(summary.failed == 0)
         };
         let unknowns = description.unknowns.len();
         // A batch stores a direction as cosine and sine. Which unknowns are directions is seen at the first row that closes.
         let mut is_direction = vec![false; unknowns];
         for row in 0..count {
             let (mut sines, mut outcome) = (vec![f64::NAN; unknowns], [Outcome::Unsolved]);
-            let mut places = Places {
-                orders,
-                unknowns,
-                results: vec![],
-                sines: sines.chunks_exact_mut(1).map(Some).collect(),
-            };
-            if solve(row..row + 1, &mut places, &mut outcome)? {
+            if solve(row..row + 1, sines_of(sines.chunks_exact_mut(1)), &mut outcome)? {
                 is_direction = sines.iter().map(|sine| !sine.is_nan()).collect();
                 break;
             }
@@ -234,16 +210,20 @@ impl AnyCourse<'_> {
         let mut is_closed = true;
         for start in (0..count).step_by(BLOCK) {
             let rows = start..count.min(start + BLOCK);
-            let mut places = Places {
-                orders,
-                unknowns,
-                results: results
-                    .chunks_exact_mut(count)
-                    .map(|column| Some(&mut column[rows.clone()]))
-                    .collect(),
-                sines: sines.iter_mut().map(|sine| sine.get_mut(rows.clone())).collect(),
-            };
-            is_closed &= solve(rows.clone(), &mut places, &mut table.outcomes[rows.clone()])?;
+            let mut wanted = sines_of(
+                sines
+                    .iter_mut()
+                    .map(|sine| sine.get_mut(rows.clone()).unwrap_or_default()),
+            );
+            for (index, column) in results.chunks_exact_mut(count).enumerate() {
+                let (quantity, order) = (index / orders, index % orders);
+                let place = match quantity.checked_sub(unknowns) {
+                    None => Place::Unknown(quantity, order),
+                    Some(output) => Place::Output(output, order),
+                };
+                wanted.push((place, &mut column[rows.clone()]));
+            }
+            is_closed &= solve(rows.clone(), wanted, &mut table.outcomes[rows.clone()])?;
             progress(part(rows.end, count));
         }
         for (unknown, sines) in sines.iter().enumerate() {
@@ -319,30 +299,8 @@ pub(super) fn outcome<T>(result: &Result<T, SolveError>) -> Outcome {
     result.as_ref().map_or_else(Outcome::from, |_| Outcome::Solved)
 }
 
-/// The columns of a table as the target of a batch.
-pub struct Places<'t> {
-    orders: usize,
-    unknowns: usize,
-    /// For each unknown and then each output, its orders.
-    results: Vec<Option<&'t mut [f64]>>,
-    sines: Vec<Option<&'t mut [f64]>>,
-}
-
-impl<'t> Columns<Option<&'t mut [f64]>> for Places<'t> {
-    fn each<'a>(&'a mut self, visitor: &mut impl Visitor<'a, Option<&'t mut [f64]>>)
-    where
-        Option<&'t mut [f64]>: 'a,
-    {
-        for (index, column) in self.results.iter_mut().enumerate() {
-            let (quantity, order) = (index / self.orders, index % self.orders);
-            let place = match quantity.checked_sub(self.unknowns) {
-                None => Place::Unknown(quantity, order),
-                Some(output) => Place::Output(output, order),
-            };
-            visitor.visit(place, column);
-        }
-        for (unknown, sines) in self.sines.iter_mut().enumerate() {
-            visitor.visit(Place::Sine(unknown), sines);
-        }
-    }
+/// The sines of the unknowns that have a column for them.
+fn sines_of<'s>(columns: impl Iterator<Item = &'s mut [f64]>) -> Vec<(Place, &'s mut [f64])> {
+    let all = columns.enumerate().filter(|(_, column)| !column.is_empty());
+    all.map(|(unknown, column)| (Place::Sine(unknown), column)).collect()
 }

@@ -28,7 +28,7 @@ chord, as a share of the chord; unevenness is the largest less the smallest spee
 
 impl LineFunction {
     /// The function, if the mechanism has a point in the plane.
-    pub(crate) fn new(solver: Arc<dyn Solver>) -> Option<Self> {
+    pub(crate) fn new(solver: &'static dyn Solver) -> Option<Self> {
         let point = point_of(solver.description())?;
         Some(Self {
             search: Search::new(solver, "line", Vec::new(), TEXT),

@@ -9,6 +9,7 @@ use datafusion::execution::FunctionRegistry;
 use datafusion::logical_expr::ScalarUDF;
 use datafusion::prelude::SessionContext;
 use kin_core::Mechanism;
+use kin_core::any::Of;
 
 use crate::candidates;
 use crate::digest::digest;
@@ -17,7 +18,7 @@ use super::line::LineFunction;
 use super::path::PathFunction;
 use super::pose::PoseFunction;
 use super::search::Search;
-use super::solver::{Of, Solver};
+use super::solver::Solver;
 use super::turn::TurnFunction;
 
 /// A list of functions of SQL, by their names.
@@ -58,7 +59,7 @@ impl Functions {
     pub fn library() -> Self {
         macro_rules! of_the_library {
             ($($mechanism:ident)+) => {
-                [$(Arc::new(Of::<kin_core::library::$mechanism>::new()) as Arc<dyn Solver>),+]
+                [$(Of::<kin_core::library::$mechanism>::FUNCTIONS as &'static dyn Solver),+]
             };
         }
         let solvers = kin_core::each_library_mechanism!(of_the_library);
@@ -74,7 +75,7 @@ impl Functions {
     /// This list with the functions of one more mechanism. Functions of the same name are replaced.
     #[must_use]
     pub fn with<M: Mechanism<Scalar = f64> + 'static>(self) -> Self {
-        self.with_solver(Arc::new(Of::<M>::new()))
+        self.with_solver(Of::<M>::FUNCTIONS)
     }
 
     /// This list with one more function of any kind.
@@ -84,11 +85,11 @@ impl Functions {
         self
     }
 
-    fn with_solver(self, solver: Arc<dyn Solver>) -> Self {
-        let mut own = self.with_function(ScalarUDF::from(PoseFunction::new(Arc::clone(&solver))));
-        if Search::is_possible(&*solver) {
-            own = own.with_function(ScalarUDF::from(TurnFunction::new(Arc::clone(&solver))));
-            if let Some(line) = LineFunction::new(Arc::clone(&solver)) {
+    fn with_solver(self, solver: &'static dyn Solver) -> Self {
+        let mut own = self.with_function(ScalarUDF::from(PoseFunction::new(solver)));
+        if Search::is_possible(solver) {
+            own = own.with_function(ScalarUDF::from(TurnFunction::new(solver)));
+            if let Some(line) = LineFunction::new(solver) {
                 own = own.with_function(ScalarUDF::from(line));
             }
             if let Some(path) = PathFunction::new(solver) {

@@ -36,7 +36,7 @@ points themselves, as in '0 1; 0.5 1.2'";
 
 impl PathFunction {
     /// The function, if the mechanism has a point in the plane.
-    pub(crate) fn new(solver: Arc<dyn Solver>) -> Option<Self> {
+    pub(crate) fn new(solver: &'static dyn Solver) -> Option<Self> {
         let point = point_of(solver.description())?;
         Some(Self {
             search: Search::new(solver, ENDING, vec![Argument::text("points", POINTS)], TEXT),

@@ -10,14 +10,14 @@ use datafusion::common::{Result, ScalarValue, exec_datafusion_err, plan_err};
 use datafusion::logical_expr::{
     ColumnarValue, DocSection, Documentation, ReturnFieldArgs, ScalarFunctionArgs, ScalarUDFImpl, Signature, Volatility,
 };
-use kin_core::batch::{Column, Outcome, Place, Vectors};
+use kin_core::batch::{Column, ColumnChoice, GivenColumns, Outcome, Place, Vectors, WantedColumns};
 use kin_core::{Dimension, in_small_letters};
 
 use super::arguments::{Argument, FEWEST_ROWS, Numbers, Texts, accepted, coerced, signature, valid_rows};
 use super::assembly;
 use super::names::{of_order, plain, unit};
 use super::settings;
-use super::solver::{Choice, Given, Solver, Wanted};
+use super::solver::{Solver, assemblies};
 
 /// The section of the documentation to which the functions belong.
 pub(crate) const SECTION: DocSection = DocSection {
@@ -51,7 +51,7 @@ fn text_of(outcome: Outcome) -> &'static str {
 #[derive(Debug)]
 pub(crate) struct PoseFunction {
     name: String,
-    solver: Arc<dyn Solver>,
+    solver: &'static dyn Solver,
     assemblies: Vec<String>,
     arguments: Vec<Argument>,
     /// The number of arguments that cannot be left out.
@@ -107,17 +107,17 @@ pub(crate) fn choice(solver: &dyn Solver, assemblies: &[String]) -> Vec<Argument
 }
 
 impl PoseFunction {
-    pub(crate) fn new(solver: Arc<dyn Solver>) -> Self {
+    pub(crate) fn new(solver: &'static dyn Solver) -> Self {
         let description = solver.description();
         let name = in_small_letters(description.name, '_');
-        let assemblies = solver.assemblies();
-        let mut arguments = dimensions(&*solver);
+        let assemblies = assemblies(solver);
+        let mut arguments = dimensions(solver);
         for input in description.inputs {
             let meaning = format!("{} ({})", input.description, unit(input.dimension, 0));
             arguments.push(Argument::number(plain(input), meaning));
         }
         let mut required = arguments.len();
-        let choice = choice(&*solver, &assemblies);
+        let choice = choice(solver, &assemblies);
         if assemblies.is_empty() {
             required += choice.len();
         }
@@ -133,7 +133,7 @@ impl PoseFunction {
             }
         }
         let signature = signature(&arguments, Volatility::Immutable);
-        let documentation = documentation(&name, &*solver, &arguments);
+        let documentation = documentation(&name, solver, &arguments);
         Self {
             name,
             solver,
@@ -224,16 +224,16 @@ impl PoseFunction {
         let mut poses: Option<Poses> = None;
         for (text, own_rows) in assembly.groups(rows) {
             let choice = match text {
-                _ if self.assemblies.is_empty() => Choice::Near(&near),
-                None => Choice::Assembly(0),
-                Some(text) => Choice::Assembly(assembly::index_of(&self.assemblies, text)?),
+                _ if self.assemblies.is_empty() => ColumnChoice::Near(&near),
+                None => ColumnChoice::Assembly(0),
+                Some(text) => ColumnChoice::Assembly(assembly::index_of(&self.assemblies, text)?),
             };
-            let given = Given {
+            let given = GivenColumns {
                 parameters: &dimensions,
                 inputs: &motions,
                 choice,
             };
-            let found = Poses::solve(&*self.solver, given, layout.order, rows, vectors)?;
+            let found = Poses::solve(self.solver, given, layout.order, rows, vectors)?;
             match (&mut poses, own_rows) {
                 (Some(poses), Some(own_rows)) => poses.take(&found, &own_rows),
                 (poses, _) => *poses = Some(found),
@@ -256,7 +256,13 @@ struct Poses {
 const NO_SINE: f64 = 2.0;
 
 impl Poses {
-    fn solve(solver: &dyn Solver, given: Given<'_>, order: usize, rows: usize, vectors: Vectors) -> Result<Self> {
+    fn solve(
+        solver: &dyn Solver,
+        given: GivenColumns<'_>,
+        order: usize,
+        rows: usize,
+        vectors: Vectors,
+    ) -> Result<Self> {
         let description = solver.description();
         // as many rows as are solved in vectors of any width
         let padded = if rows == 0 { 0 } else { rows.max(FEWEST_ROWS) };
@@ -280,7 +286,7 @@ impl Poses {
             places.push((Place::Sine(unknown), sine.as_mut_slice()));
         }
         solver
-            .solve(given, &mut Wanted::new(places), &mut outcomes, vectors)
+            .solve_batch(given, &mut WantedColumns::new(places), &mut outcomes, vectors)
             .map_err(|mismatch| exec_datafusion_err!("{mismatch}"))?;
         for (unknown, sines) in sines.iter().enumerate() {
             if sines.first().is_some_and(|sine| *sine != NO_SINE) {

@@ -6,7 +6,7 @@ use datafusion::arrow::buffer::NullBuffer;
 use datafusion::arrow::datatypes::DataType;
 use datafusion::common::{Result, exec_err, plan_err};
 use datafusion::logical_expr::{ColumnarValue, Documentation, ScalarFunctionArgs, Signature, Volatility};
-use kin_core::batch::{Column, Turn, Vectors};
+use kin_core::batch::{Column, ColumnChoice, GivenColumns, Turn, Vectors};
 use kin_core::{Dimension, in_small_letters};
 
 use super::arguments::{Argument, Numbers, Texts, accepted, coerced, signature, valid_rows};
@@ -14,7 +14,7 @@ use super::assembly;
 use super::names::{plain, unit};
 use super::pose::{choice, dimensions, documented};
 use super::settings;
-use super::solver::{Choice, Given, Solver};
+use super::solver::{Solver, assemblies};
 use super::used;
 
 /// The number of poses of a turn, unless it is given.
@@ -26,7 +26,7 @@ const MOST_POSES: f64 = 1e6;
 #[derive(Debug)]
 pub(crate) struct Search {
     pub(crate) name: String,
-    pub(crate) solver: Arc<dyn Solver>,
+    pub(crate) solver: &'static dyn Solver,
     assemblies: Vec<String>,
     arguments: Vec<Argument>,
     /// The number of texts that come first.
@@ -72,23 +72,23 @@ impl Search {
     /// Whether a mechanism has a turn: its first input is an angle, and every block has a closed form.
     pub(crate) fn is_possible(solver: &dyn Solver) -> bool {
         let first = solver.description().inputs.first();
-        first.is_some_and(|input| input.dimension == Dimension::Angle) && !solver.assemblies().is_empty()
+        first.is_some_and(|input| input.dimension == Dimension::Angle) && !assemblies(solver).is_empty()
     }
 
     /// A function with this ending of its name. The texts come before the dimensions.
-    pub(crate) fn new(solver: Arc<dyn Solver>, ending: &str, texts: Vec<Argument>, result: &str) -> Self {
+    pub(crate) fn new(solver: &'static dyn Solver, ending: &str, texts: Vec<Argument>, result: &str) -> Self {
         let description = solver.description();
         let name = format!("{}_{ending}", in_small_letters(description.name, '_'));
-        let assemblies = solver.assemblies();
+        let assemblies = assemblies(solver);
         let text_count = texts.len();
         let mut arguments = texts;
-        arguments.extend(dimensions(&*solver));
+        arguments.extend(dimensions(solver));
         for input in description.inputs.iter().skip(1) {
             let meaning = format!("{}, which stands ({})", input.description, unit(input.dimension, 0));
             arguments.push(Argument::number(plain(input), meaning));
         }
         let required = arguments.len();
-        arguments.extend(choice(&*solver, &assemblies));
+        arguments.extend(choice(solver, &assemblies));
         let turning = description.inputs.first().map_or("", |input| input.name);
         arguments.extend([
             Argument::number("poses", "The number of poses; 360 if it is left out"),
@@ -226,13 +226,13 @@ impl<'s> Call<'s> {
 
 impl Candidate<'_> {
     /// Calls `then` with the columns of the candidate. The input that turns has these positions.
-    pub(crate) fn given<R>(&self, positions: Column<'_>, then: impl FnOnce(Given<'_>) -> R) -> R {
+    pub(crate) fn given<R>(&self, positions: Column<'_>, then: impl FnOnce(GivenColumns<'_>) -> R) -> R {
         let turning = [positions, Column::Same(self.speed)];
         let given = |inputs: &[&[Column<'_>]]| {
-            then(Given {
+            then(GivenColumns {
                 parameters: &self.parameters,
                 inputs,
-                choice: Choice::Assembly(self.assembly),
+                choice: ColumnChoice::Assembly(self.assembly),
             })
         };
         if self.standing.is_empty() {

@@ -2,11 +2,11 @@
 
 use datafusion::common::{Result, exec_datafusion_err};
 use kin_core::Description;
-use kin_core::batch::{Column, Outcome, Place, Vectors};
+use kin_core::batch::{AnyBatch as _, Column, Outcome, Place, Vectors, WantedColumns};
 
 use super::arguments::FEWEST_ROWS;
 use super::search::Candidate;
-use super::solver::{Solver, Wanted};
+use super::solver::Solver;
 
 /// The index of the first output of a mechanism that is a point of the plane: that of its x.
 pub(crate) fn point_of(description: &Description) -> Option<usize> {
@@ -63,7 +63,7 @@ impl Trace {
             column.resize(count, 0.0);
         }
         self.outcomes.resize(count, Outcome::Unsolved);
-        let mut wanted = Wanted::new(vec![
+        let mut wanted = WantedColumns::new(vec![
             (Place::Output(point, 0), x.as_mut_slice()),
             (Place::Output(point + 1, 0), y.as_mut_slice()),
             (Place::Output(point, 1), x_velocity.as_mut_slice()),
@@ -71,7 +71,7 @@ impl Trace {
         ]);
         candidate
             .given(Column::Each(&self.inputs), |given| {
-                solver.solve(given, &mut wanted, &mut self.outcomes, vectors)
+                solver.solve_batch(given, &mut wanted, &mut self.outcomes, vectors)
             })
             .map_err(|mismatch| exec_datafusion_err!("{mismatch}"))
     }

@@ -48,12 +48,12 @@ q_least, q_greatest and their difference q_swing; and the largest absolute value
 begins with where_ or contains _where_ is the value of the input there.";
 
 impl TurnFunction {
-    pub(crate) fn new(solver: Arc<dyn Solver>) -> Self {
+    pub(crate) fn new(solver: &'static dyn Solver) -> Self {
         let description = solver.description();
         let number = |name: &str| Field::new(name, DataType::Float64, true);
         let mut fields = vec![number("closed"), Field::new("rotates", DataType::Boolean, true)];
         let mut numbers = Vec::new();
-        if solver.dyads() > 0 {
+        if solver.dyad_count() > 0 {
             numbers.push((FoldedNumber::SmallestTransmissionAngle, Summarised::Least));
             fields.extend([number("min_transmission"), number("where_min_transmission")]);
         }
@@ -118,7 +118,7 @@ impl TurnFunction {
             let solver = &self.search.solver;
             let summary = candidate
                 .given(Column::Same(0.0), |given| {
-                    solver.fold(candidate.turn, given, &mut folds, call.vectors)
+                    solver.fold_batch(candidate.turn, given, &mut folds, call.vectors)
                 })
                 .map_err(|error| exec_datafusion_err!("{}: {error}", self.search.name))?;
             let count = |poses: usize| f64::from(u32::try_from(poses).unwrap_or(u32::MAX));

@@ -99,18 +99,11 @@ type Change = Changing<f64>;
 pub(crate) trait ProgramFunctions:
     ReportFunctions + TabledMechanism + PositionOver<Change> + OutputsOver<Change>
 {
-    /// The name of an assembly, empty if there is only one.
-    fn assembly_name(&self, index: usize) -> String;
-
     /// Both oracles, with a range for each input.
     fn verify(&self, parameters: &[f64], ranges: &[(f64, f64)]) -> verify::Report;
 }
 
 impl<M: Mechanism<Scalar = f64>> ProgramFunctions for Of<M> {
-    fn assembly_name(&self, index: usize) -> String {
-        M::assembly(index).map_or_else(String::new, M::assembly_name)
-    }
-
     fn verify(&self, parameters: &[f64], ranges: &[(f64, f64)]) -> verify::Report {
         let mechanism = M::from_parameters(Row::from_fn(|index| parameters[index]));
         verify::of(&mechanism, Row::from_fn(|index| ranges[index]))
@@ -264,8 +257,9 @@ impl Subject {
 
     /// The names of its assemblies; none if they depend on the dimensions, an empty name if there is only one.
     pub(crate) fn assemblies(&self) -> Vec<String> {
-        (0..self.functions.assembly_count())
-            .map(|index| self.functions.assembly_name(index))
+        let indices = 0..self.functions.assembly_count();
+        indices
+            .filter_map(|index| self.functions.assembly_name(index))
             .collect()
     }
 

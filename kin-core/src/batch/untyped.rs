@@ -1,0 +1,146 @@
+//! Batches of a mechanism without its type.
+
+use alloc::vec::Vec;
+
+use super::{Column, Columns, Fold, FoldError, LengthMismatch, Outcome, Place, Summary, Turn, Vectors, Visitor};
+use super::{fold, solve, solve_near};
+use crate::any::{Described, Of};
+use crate::mechanism::Mechanism;
+use crate::number::Row;
+
+/// The choice among several positions, for each row.
+#[derive(Clone, Copy, Debug)]
+pub enum ColumnChoice<'a> {
+    /// The assembly with this index.
+    Assembly(usize),
+    /// The position closest to these values, one column for each unknown.
+    Near(&'a [Column<'a>]),
+}
+
+/// The columns of a batch. There are at least as many as the mechanism has quantities.
+#[derive(Clone, Copy, Debug)]
+pub struct GivenColumns<'a> {
+    /// A column for each scalar parameter.
+    pub parameters: &'a [Column<'a>],
+    /// For each input a column for each order, position first; missing orders are zero.
+    pub inputs: &'a [&'a [Column<'a>]],
+    /// The choice among several positions.
+    pub choice: ColumnChoice<'a>,
+}
+
+impl<'a> GivenColumns<'a> {
+    /// The columns in the rows of the mechanism.
+    fn rows<M: Mechanism>(&self) -> (M::Parameters<Column<'a>>, M::Inputs<M::Motion<Column<'a>>>) {
+        let inputs = M::Inputs::from_fn(|input| {
+            M::Motion::from_fn(|order| self.inputs[input].get(order).copied().unwrap_or(Column::Same(0.0)))
+        });
+        (Row::from_fn(|index| self.parameters[index]), inputs)
+    }
+}
+
+/// The numbers of the poses that are wanted, each with a slice for all rows.
+#[derive(Debug, Default)]
+pub struct WantedColumns<'w> {
+    columns: Vec<(Place, &'w mut [f64])>,
+}
+
+impl<'w> WantedColumns<'w> {
+    /// These numbers.
+    #[must_use]
+    pub fn new(columns: Vec<(Place, &'w mut [f64])>) -> Self {
+        Self { columns }
+    }
+}
+
+impl<'w> Columns<&'w mut [f64]> for WantedColumns<'w> {
+    fn each<'a>(&'a mut self, visitor: &mut impl Visitor<'a, &'w mut [f64]>)
+    where
+        &'w mut [f64]: 'a,
+    {
+        for (place, column) in &mut self.columns {
+            visitor.visit(*place, column);
+        }
+    }
+}
+
+/// Batches on columns by their indices.
+pub trait AnyBatch: Described {
+    /// Solves a batch, as `solve_batch` does. Without such an assembly, all poses fail.
+    ///
+    /// # Errors
+    /// [`LengthMismatch`] if the length of a column differs from the number of outcomes.
+    fn solve_batch(
+        &self,
+        given: GivenColumns<'_>,
+        wanted: &mut WantedColumns<'_>,
+        outcomes: &mut [Outcome],
+        vectors: Vectors,
+    ) -> Result<Summary, LengthMismatch>;
+}
+
+impl<M: Mechanism<Scalar = f64>> AnyBatch for Of<M> {
+    fn solve_batch(
+        &self,
+        given: GivenColumns<'_>,
+        wanted: &mut WantedColumns<'_>,
+        outcomes: &mut [Outcome],
+        vectors: Vectors,
+    ) -> Result<Summary, LengthMismatch> {
+        let (parameters, inputs) = given.rows::<M>();
+        // in constants, so that only one of the two is compiled for a mechanism
+        match given.choice {
+            ColumnChoice::Near(near) if const { M::ASSEMBLY_COUNT == 0 } => {
+                let near = Row::from_fn(|unknown| near[unknown]);
+                solve_near::<M, _, _>(parameters, inputs, near, wanted, outcomes, vectors)
+            }
+            ColumnChoice::Assembly(index) if const { M::ASSEMBLY_COUNT > 0 } && index < M::ASSEMBLY_COUNT => {
+                let assembly = M::assembly(index).unwrap_or_else(|| unreachable!("the index is one of an assembly"));
+                solve::<M, _, _>(parameters, inputs, assembly, wanted, outcomes, vectors)
+            }
+            _ => {
+                outcomes.fill(Outcome::Failed);
+                Ok(Summary {
+                    failed: outcomes.len(),
+                    ..Summary::default()
+                })
+            }
+        }
+    }
+}
+
+/// Summaries of the poses of a turn, on columns by their indices.
+pub trait AnyFold: Described {
+    /// Solves the poses of a turn, and summarises some of their numbers. What is given for the position of the input that turns is not read.
+    ///
+    /// # Errors
+    /// As for [`fold`]. A coupled mechanism has no turn: its position is only known from values nearby.
+    fn fold_batch(
+        &self,
+        turn: Turn,
+        given: GivenColumns<'_>,
+        folds: &mut [Fold],
+        vectors: Vectors,
+    ) -> Result<Summary, FoldError>;
+}
+
+impl<M: Mechanism<Scalar = f64>> AnyFold for Of<M> {
+    fn fold_batch(
+        &self,
+        turn: Turn,
+        given: GivenColumns<'_>,
+        folds: &mut [Fold],
+        vectors: Vectors,
+    ) -> Result<Summary, FoldError> {
+        let (parameters, inputs) = given.rows::<M>();
+        if const { M::ASSEMBLY_COUNT > 0 }
+            && let ColumnChoice::Assembly(index) = given.choice
+            && let Some(assembly) = M::assembly(index)
+        {
+            return fold::<M>(turn, parameters, inputs, assembly, folds, vectors);
+        }
+        Err(FoldError::NoSuchInput {
+            mechanism: M::DESCRIPTION.name,
+            input: turn.input,
+        })
+    }
+}
