@@ -495,7 +495,7 @@ crate::mechanism! {
 }
 
 /// The margin as a series at a place of a sweep, by differences of the extremes' own numbers.
-fn margins<M>(sweep: Course<M, StraightLine>, expected: impl Fn(f64) -> f64)
+fn margins<M>(sweep: &Course<M, StraightLine>, expected: impl Fn(f64) -> f64)
 where
     M: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]>,
 {
@@ -530,7 +530,7 @@ fn margins_of_links_that_change() {
     let triangle = |base: f64, boom: f64, link: f64| (base + boom - link).min(link - (base - boom).abs());
     let boom: RelativeBoom = RelativeBoom { base: 2.0, boom: 1.5 };
     let lift = boom.sweep(Assembly::Open).over(0.6..=3.4, 21);
-    margins(lift, |cylinder| triangle(2.0, 1.5, cylinder));
+    margins(&lift, |cylinder| triangle(2.0, 1.5, cylinder));
     // up to its limit, where nothing is left
     let ends = boom
         .sweep(Assembly::Open)
@@ -545,19 +545,19 @@ fn margins_of_links_that_change() {
         "{last}"
     );
     let stretched: StretchedLink = StretchedLink { offset: 0.5 };
-    margins(stretched.sweep(Assembly::Open).over(0.6..=3.4, 21), |link| link - 0.5);
+    margins(&stretched.sweep(Assembly::Open).over(0.6..=3.4, 21), |link| link - 0.5);
     let sloping: StretchedLinkOnSlope = StretchedLinkOnSlope {
         offset: 0.5,
         slope: 0.3,
     };
-    margins(sloping.sweep(Assembly::Open).over(0.6..=3.4, 21), |link| link - 0.5);
+    margins(&sloping.sweep(Assembly::Open).over(0.6..=3.4, 21), |link| link - 0.5);
     let carried: CarriedCylinder = CarriedCylinder {
         base: 2.0,
         crank: 0.3,
         rest: 1.6,
         boom: 1.5,
     };
-    margins(carried.sweep(Assembly::Open).over(0.0..=TAU, 21), |theta| {
+    margins(&carried.sweep(Assembly::Open).over(0.0..=TAU, 21), |theta| {
         let distance = (2.0_f64 * 2.0 + 0.09 - 2.0 * 2.0 * 0.3 * theta.cos()).sqrt();
         let link = 1.6 + 0.3 * theta.sin();
         (distance + 1.5 - link)

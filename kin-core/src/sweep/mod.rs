@@ -227,12 +227,12 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     /// println!("{} m/s³ at {} s", peak.value, peak.at);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn under_laws<'l>(
+    pub fn under_laws(
         self,
-        laws: M::Inputs<&'l dyn Piecewise<f64>>,
+        laws: M::Inputs<&dyn Piecewise<f64>>,
         range: impl ClosedRange,
         rows: usize,
-    ) -> Course<M, Laws<'l>> {
+    ) -> Course<M, Laws<'_>> {
         self.course(Laws::new(laws.as_ref(), &M::DESCRIPTION), range, rows)
     }
 
@@ -241,7 +241,7 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     ///
     /// Limits between two rows are those on the straight line between their inputs, and their places are parts of the way from one row to the next.
     #[expect(clippy::cast_precision_loss, reason = "a table has far fewer rows than 2⁵³")]
-    pub fn along<'c>(self, columns: InputMotions<M, Column<'c>>) -> Course<M, Along<'c>> {
+    pub fn along(self, columns: InputMotions<M, Column<'_>>) -> Course<M, Along<'_>> {
         let along = Along::new::<M>(&columns);
         let count = along.count();
         self.course(along, 0.0..=count.saturating_sub(1) as f64, count)

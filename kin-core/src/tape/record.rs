@@ -149,14 +149,14 @@ impl Error for RecordError {}
 /// # Ok::<(), tape::RecordError>(())
 /// ```
 pub fn record<M: Mechanism<Scalar: Plain>>(options: &Options) -> Result<Tape, RecordError> {
-    M::Scalar::tape(&Solver::<M>(|_, _| Vec::new()), options, &[])
+    M::Scalar::tape(&RecordedMechanism::<M>(|_, _| Vec::new()), options, &[])
 }
 
 /// [`record`] at a place: wherever the solver asks for the value of an argument, it is the one given here. The tape is the same at
 /// all places. Its checks do not know their blocks.
 #[doc(hidden)]
 pub fn record_at<M: Mechanism<Scalar: Plain>>(options: &Options, at: &[f64]) -> Result<Tape, RecordError> {
-    M::Scalar::tape(&Solver::<M>(|_, _| Vec::new()), options, at)
+    M::Scalar::tape(&RecordedMechanism::<M>(|_, _| Vec::new()), options, at)
 }
 
 /// [`record`], with the partial derivatives of every unknown and output with respect to each parameter.
@@ -168,7 +168,7 @@ where
     M: Mechanism<Scalar: Plain>,
     M::With<Recorded<M::Scalar>>: Sensitive,
 {
-    M::Scalar::tape(&Solver::<M>(partials::<M, M::With<Recorded<M::Scalar>>>), options, &[])
+    M::Scalar::tape(&RecordedMechanism::<M>(partials::<M, M::With<Recorded<M::Scalar>>>), options, &[])
 }
 
 /// The partial derivatives as results.
@@ -273,9 +273,9 @@ type More<M> = fn(&In<M>, &<In<M> as Mechanism>::Pose) -> Vec<TapeResult>;
 type In<M> = <M as Mechanism>::With<Recorded<<M as Mechanism>::Scalar>>;
 
 /// The solver of a mechanism.
-struct Solver<M: Mechanism<Scalar: Plain>>(More<M>);
+struct RecordedMechanism<M: Mechanism<Scalar: Plain>>(More<M>);
 
-impl<M: Mechanism<Scalar: Plain>> Solver<M> {
+impl<M: Mechanism<Scalar: Plain>> RecordedMechanism<M> {
     fn places(arguments: &SolverArguments<'_, M::Scalar>) -> <In<M> as Mechanism>::Inputs<Recorded<M::Scalar>> {
         let orders = M::DESCRIPTION.order + 1;
         Row::from_fn(|input| arguments.inputs[input * orders])
@@ -289,7 +289,7 @@ impl<M: Mechanism<Scalar: Plain>> Solver<M> {
     }
 }
 
-impl<M: Mechanism<Scalar: Plain>> RecordedSolver<M::Scalar> for Solver<M> {
+impl<M: Mechanism<Scalar: Plain>> RecordedSolver<M::Scalar> for RecordedMechanism<M> {
     fn description(&self) -> &'static Description {
         const { &M::DESCRIPTION }
     }

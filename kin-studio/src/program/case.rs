@@ -168,7 +168,7 @@ impl Typed {
                     Some(index) => (description.parameters[index], &mut parameters[index]),
                     None => match place_of(description.inputs, &name) {
                         Some(index) => (description.inputs[index], &mut standing[index]),
-                        None => return Err(no_dimension(&description, &name)),
+                        None => return Err(no_dimension(description, &name)),
                     },
                 };
                 let value = value::quantity(quantity.dimension, value, lengths)

@@ -65,6 +65,7 @@ pub(crate) const CORE: House = House {
         room("cycle", &["cycle/"], "circuits, branches"),
         room("tape", &["tape/"], "solvers as data"),
         room("exact", &["exact/"], "exact tables"),
+        room("linkage", &["linkage/"], "answers, without types"),
         room("stored", &["stored/"], "traits of serde"),
         room("interop", &["interop/"], "other crates' types"),
         room("verify", &["verify/"], "two oracles"),

@@ -95,7 +95,7 @@ fn read(subject: &Subject, options: &Fit, lengths: &mut Lengths) -> Result<Data,
     let text = std::fs::read_to_string(&options.data)
         .map_err(|error| Fault::wrong(format!("{path} cannot be read: {error}")))?;
     let description = subject.description();
-    let names: Vec<&Quantity> = quantities(&description);
+    let names: Vec<&Quantity> = quantities(description);
     let mut lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
     let Some((_, head)) = lines.next() else {
         return Err(Fault::wrong(format!(
@@ -117,7 +117,7 @@ fn read(subject: &Subject, options: &Fit, lengths: &mut Lengths) -> Result<Data,
             (Some(index), _) => Some((true, index, description.inputs[index].dimension)),
             (None, Some(index)) => Some((false, index, names[index].dimension)),
             // rates and remarks of a table that this program wrote
-            _ if is_of_a_sweep(&description, name) => None,
+            _ if is_of_a_sweep(description, name) => None,
             _ => {
                 let all = description
                     .inputs
@@ -231,7 +231,7 @@ struct Problem<'s> {
 impl<'s> Problem<'s> {
     fn new(subject: &'s Subject, options: &Fit, case: &Case, data: Data, lengths: &mut Lengths) -> Result<Self, Fault> {
         let description = subject.description();
-        let varied = varied(&description, &options.vary)?;
+        let varied = varied(description, &options.vary)?;
         let longest = description
             .parameters
             .iter()
@@ -282,7 +282,7 @@ impl<'s> Problem<'s> {
         let free: Vec<usize> = (0..data.inputs.len())
             .filter(|row| data.inputs[*row][lead].is_none())
             .collect();
-        let scales = scales(&description, &data);
+        let scales = scales(description, &data);
         // the values are those where the motion begins, and each row is reached from there
         let assembly = match &case.assembly {
             Wanted::Near(near) => Wanted::At {
@@ -415,7 +415,7 @@ impl<'s> Problem<'s> {
     /// The scaled differences of a row from its numbers.
     fn differences(&self, row: usize, pose: &Partial) -> Vec<Option<f64>> {
         let description = self.subject.description();
-        let quantities = quantities(&description);
+        let quantities = quantities(description);
         let columns = self.data.columns.iter().zip(&self.data.values[row]).zip(&self.scales);
         columns
             .map(|((column, wanted), scale)| {
@@ -557,7 +557,7 @@ impl<'s> Problem<'s> {
 
     fn shown(&self, case: &Case, start: &[f64], found: &[f64]) -> String {
         let description = self.subject.description();
-        let quantities = quantities(&description);
+        let quantities = quantities(description);
         let units = Units {
             in_degrees: case.in_degrees,
             length: case.length,

@@ -27,17 +27,14 @@ impl Own {
         let (linkage, place) = (&wishes.linkage, wishes.inputs[moving]);
         let of_assembly = |choice: &AssemblyChoice| linkage.position(&wishes.inputs, choice.position());
         let wanted = wishes.assembly.as_ref().map(|choice| (choice, of_assembly(choice)));
-        let found = match &wanted {
-            Some((choice, solved)) => solved
-                .as_ref()
-                .ok()
-                .map(|unknowns| ((*choice).clone(), unknowns.clone())),
-            None => {
-                let all = linkage.positions_at(&wishes.inputs);
-                let (all, _) = all.map_err(|error| ReportError::ClosesNowhere { error })?;
-                let first = all.into_iter().next();
-                first.map(|unknowns| (linkage.assembly_near(&wishes.inputs, &unknowns), unknowns))
-            }
+        let found = if let Some((choice, solved)) = &wanted {
+            let solved = solved.as_ref().ok();
+            solved.map(|unknowns| ((*choice).clone(), unknowns.clone()))
+        } else {
+            let all = linkage.positions_at(&wishes.inputs);
+            let (all, _) = all.map_err(|error| ReportError::ClosesNowhere { error })?;
+            let first = all.into_iter().next();
+            first.map(|unknowns| (linkage.assembly_near(&wishes.inputs, &unknowns), unknowns))
         };
         if let Some((assembly, unknowns)) = found {
             return Ok(Self {
