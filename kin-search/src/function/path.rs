@@ -1,7 +1,5 @@
 //! The function of a mechanism that tells for each row how far the path of a point is from wanted points.
 
-use std::sync::Arc;
-
 use datafusion::arrow::array::StructArray;
 use datafusion::arrow::datatypes::{DataType, Fields};
 use datafusion::common::{Result, exec_err};

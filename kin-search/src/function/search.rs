@@ -1,7 +1,5 @@
 //! The part that the functions of whole turns have in common: their arguments, and the rows of a call.
 
-use std::sync::Arc;
-
 use datafusion::arrow::buffer::NullBuffer;
 use datafusion::arrow::datatypes::DataType;
 use datafusion::common::{Result, exec_err, plan_err};

@@ -2,7 +2,7 @@
 
 use datafusion::common::{Result, exec_datafusion_err};
 use kin_core::Description;
-use kin_core::batch::{AnyBatch as _, Column, Outcome, Place, Vectors, WantedColumns};
+use kin_core::batch::{Column, Outcome, Place, Vectors, WantedColumns};
 
 use super::arguments::FEWEST_ROWS;
 use super::search::Candidate;
@@ -69,10 +69,11 @@ impl Trace {
             (Place::Output(point, 1), x_velocity.as_mut_slice()),
             (Place::Output(point + 1, 1), y_velocity.as_mut_slice()),
         ]);
-        candidate
-            .given(Column::Each(&self.inputs), |given| {
-                solver.solve_batch(given, &mut wanted, &mut self.outcomes, vectors)
-            })
+        let solved = candidate.given(Column::Each(&self.inputs), |given| {
+            solver.solve_batch(given, &mut wanted, &mut self.outcomes, vectors)
+        });
+        solved
+            .map(|_| ())
             .map_err(|mismatch| exec_datafusion_err!("{mismatch}"))
     }
 
