@@ -168,7 +168,11 @@ where
     M: Mechanism<Scalar: Plain>,
     M::With<Recorded<M::Scalar>>: Sensitive,
 {
-    M::Scalar::tape(&RecordedMechanism::<M>(partials::<M, M::With<Recorded<M::Scalar>>>), options, &[])
+    M::Scalar::tape(
+        &RecordedMechanism::<M>(partials::<M, M::With<Recorded<M::Scalar>>>),
+        options,
+        &[],
+    )
 }
 
 /// The partial derivatives as results.
