@@ -12,7 +12,7 @@ use super::progress::Progress;
 use super::quantity::Named;
 use super::sensitivity::ByDimension;
 use super::station::{ChangedFunctions, NamedFunctions, SweepStation};
-use super::swept::QuantityOfSweep;
+use super::swept::{QuantityOfSweep, RateOfQuantity};
 use super::{Crossing, DwellRange, Extreme, ExtremesError, Mean, Over, Peak, PeakSensitivities};
 use crate::any::Of;
 use crate::mechanism::Mechanism;
@@ -104,6 +104,19 @@ pub trait AskedQuantity<S> {
     #[doc(hidden)]
     fn at(&self, sweep: &S, station: &SweepStation) -> Result<Local, ExtremesError>;
 
+    /// The order of the derivative that it is, if it is one.
+    #[doc(hidden)]
+    fn order(&self) -> Option<usize> {
+        None
+    }
+
+    /// The value of a lower derivative of the same quantity.
+    #[doc(hidden)]
+    fn lower(&self, sweep: &S, station: &SweepStation, order: usize) -> Result<Local, ExtremesError> {
+        let _ = order;
+        self.at(sweep, station)
+    }
+
     /// How its value and its slope at a place of a sweep change with a dimension.
     #[doc(hidden)]
     fn by_dimension(&self, sweep: &S, station: &SweepStation, dimension: usize) -> Result<ByDimension, ExtremesError>;
@@ -121,6 +134,17 @@ impl<S: QuantitySource> AskedQuantity<S> for ByName<'_> {
     fn at(&self, sweep: &S, station: &SweepStation) -> Result<Local, ExtremesError> {
         match &self.found {
             Ok(named) => named.at(sweep.named(), station),
+            Err(error) => Err(error.clone()),
+        }
+    }
+
+    fn order(&self) -> Option<usize> {
+        self.found.as_ref().ok().map(|named| named.order)
+    }
+
+    fn lower(&self, sweep: &S, station: &SweepStation, order: usize) -> Result<Local, ExtremesError> {
+        match &self.found {
+            Ok(named) => named.of_order(order).at(sweep.named(), station),
             Err(error) => Err(error.clone()),
         }
     }
@@ -395,6 +419,7 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
     ) -> Result<T, ExtremesError> {
         self.quantity.check(self.sweep, HIGHEST)?;
         let answer = |station: &SweepStation| self.quantity.at(self.sweep, station);
+        let lower = |station: &SweepStation, order: usize| self.quantity.lower(self.sweep, station, order);
         let tell = |part: f64| {
             if let Some(progress) = &self.progress {
                 progress.reach(part);
@@ -404,6 +429,10 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
             course: self.sweep.course(),
             drive: self.sweep.drive(),
             quantity: &answer,
+            rate: self
+                .quantity
+                .order()
+                .map(|order| RateOfQuantity { order, lower: &lower }),
             known: None,
             progress: Some(&tell),
         })?;

@@ -57,6 +57,7 @@ impl KnownSweep<'_> {
             course: self.course,
             drive: self.drive,
             quantity,
+            rate: None,
             known: Some(self.stretch),
             progress: None,
         };

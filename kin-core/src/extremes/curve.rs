@@ -172,6 +172,11 @@ impl<'c> Curve<'c> {
         self.quantity.way(at)
     }
 
+    /// The directions in which the quantity has no bound at a joint of laws.
+    pub(super) fn impulse_at(&self, joint: &CurveNode) -> Result<[bool; 2], ExtremesError> {
+        self.quantity.impulse(&joint.mark, joint.at)
+    }
+
     /// The answer to a question. A gap or an edge that it meets between two rows divides the sweep, and the question is asked again.
     ///
     /// Towards the ends of a gap the curve is a root, which no piece agrees with. So pieces are halved there until a place in the gap

@@ -63,9 +63,10 @@ pub enum ExtremesError {
         /// Its kind.
         kind: ExtremeKind,
     },
-    /// The quantity grows beyond all bounds towards a limit, a turning point or a pole, so it has no peak.
+    /// The quantity grows beyond all bounds towards a limit, a turning point or a pole, or at a joint of laws where a lower rate jumps, so it
+    /// has no peak.
     Unbounded {
-        /// The limit.
+        /// The limit or the joint.
         at: f64,
     },
     /// The integral over the quantity diverges at a turning point.
@@ -128,7 +129,8 @@ impl fmt::Display for ExtremesError {
             ),
             Self::Unbounded { at } => write!(
                 formatter,
-                "the quantity grows beyond all bounds towards the limit at {}: end the sweep short of it",
+                "the quantity grows beyond all bounds at {}, a limit or a joint of laws where a lower rate jumps: end the sweep short of it, \
+                 or take a smoother law",
                 Digits(*at)
             ),
             Self::Diverges { at, power } => write!(

@@ -1,7 +1,7 @@
 //! Means and root mean squares.
 
 use super::ExtremesError;
-use super::curve::{Curve, Edge, Stretch};
+use super::curve::{Curve, Edge, Stretch, StretchEnd};
 use crate::number::{GAUSS, Number};
 use crate::sweep::Local;
 
@@ -56,7 +56,10 @@ impl Curve<'_> {
         let stretches = self.stretches()?;
         // Quadrature steps over change points and poles. The pieces of the curve meet them, and the sweep is divided there.
         for stretch in &stretches {
-            self.parts(stretch, false, &mut |_, _| Ok(()))?;
+            let [_, end] = self.parts(stretch, false, &mut |_, _| Ok(()))?;
+            if stretch.ends[1] == StretchEnd::Joint && self.impulse_at(&end)? != [false; 2] {
+                return Err(ExtremesError::Unbounded { at: end.at });
+            }
         }
         let is_smooth_turn = self.extent.is_full_turn && stretches.len() == 1 && self.is_periodic(&stretches)?;
         if is_smooth_turn && let Some(mean) = self.over_turn(&stretches[0], power)? {

@@ -85,7 +85,7 @@ pub enum ExtremeKind {
     Kink,
     /// The sweep ends.
     End,
-    /// The quantity grows beyond all bounds towards a limit: a turning point or a pole.
+    /// The quantity grows beyond all bounds: towards a turning point or a pole, or at a joint of laws where a lower rate jumps.
     Unbounded,
 }
 

@@ -72,6 +72,11 @@ impl Named {
         )))
     }
 
+    /// Another derivative of the same quantity.
+    pub(super) fn of_order(self, order: usize) -> Self {
+        Self { order, ..self }
+    }
+
     /// Its value at a place of a sweep, from the position alone.
     pub(super) fn at(self, functions: &dyn NamedFunctions, station: &SweepStation) -> Result<Local, ExtremesError> {
         let value = match (self.result(), self.kind) {

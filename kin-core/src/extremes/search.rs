@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 use super::ExtremesError;
 use super::curve::{Curve, CurveNode, Edge, Stretch, StretchEnd};
 use super::parts::{CurvePart, ROUNDING};
+use super::swept::JUMP;
 use super::{Crossing, DwellRange, Extreme, ExtremeKind, Peak};
 use crate::number::Number;
 use crate::sweep::Local;
@@ -63,6 +64,9 @@ impl Curve<'_> {
                     let begin = reached(stretch, stretch.ends[0], &begin);
                     let found = joint([&node, &begin], [rose, rises_first], kind);
                     extremes.extend(found.into_iter().flatten());
+                    if end == StretchEnd::Joint {
+                        extremes.extend(self.impulse(&begin)?);
+                    }
                 }
                 before => {
                     // a change point beyond which nothing closes
@@ -87,6 +91,19 @@ impl Curve<'_> {
             extremes.push(edge(&node, ExtremeKind::Limit, rose));
         }
         Ok(FoundExtremes { extremes, first })
+    }
+
+    /// The extremes at a joint of laws where a lower rate jumps.
+    fn impulse(&self, joint: &CurveNode) -> Result<impl Iterator<Item = Extreme> + use<>, ExtremesError> {
+        let (at, [up, down]) = (joint.at, self.impulse_at(joint)?);
+        let unbounded = move |is_maximum: bool| Extreme {
+            at,
+            value: None,
+            kind: ExtremeKind::Unbounded,
+            is_maximum,
+        };
+        let both = [up.then(|| unbounded(true)), down.then(|| unbounded(false))];
+        Ok(both.into_iter().flatten())
     }
 
     /// The value of the highest rank. It has none if the quantity has no bound there.
@@ -342,9 +359,6 @@ fn edge(node: &CurveNode, kind: ExtremeKind, is_maximum: bool) -> Extreme {
         is_maximum,
     }
 }
-
-/// A difference between the values on both sides of an edge, relative to them, above which it is a jump.
-const JUMP: f64 = 1e-9;
 
 /// The extremes at an edge with two sides, where the quantity rises or falls on each. A jump between them has an extreme on each side
 /// from which the quantity does not go on in the same direction.

@@ -21,6 +21,9 @@ use crate::sweep::{
     AnyCourse, Limit, Local, READ, SmoothDrive, SweepError, Variable, Walk, by_time, joints, limit_between,
 };
 
+/// A difference between the values on both sides of a joint, relative to them, above which it is a jump.
+pub(super) const JUMP: f64 = 1e-9;
+
 /// A quantity of a pose.
 pub(super) type PoseQuantity<'q> = dyn Fn(&SweepStation) -> Result<Local, ExtremesError> + 'q;
 
@@ -57,11 +60,18 @@ impl Mark {
     }
 }
 
+/// A quantity that is a derivative with respect to time, with those of lower orders.
+pub(super) struct RateOfQuantity<'c> {
+    pub(super) order: usize,
+    pub(super) lower: &'c dyn Fn(&SweepStation, usize) -> Result<Local, ExtremesError>,
+}
+
 /// A quantity along a sweep.
 pub(super) struct QuantityOfSweep<'c> {
     pub(super) course: AnyCourse<'c>,
     pub(super) drive: &'c dyn SmoothDrive,
     pub(super) quantity: &'c PoseQuantity<'c>,
+    pub(super) rate: Option<RateOfQuantity<'c>>,
     pub(super) known: Option<KnownStretch>,
     /// Told the part of the sweep that has been searched.
     pub(super) progress: Option<&'c dyn Fn(f64)>,
@@ -187,6 +197,29 @@ impl QuantityOfSweep<'_> {
     /// The joints of laws between two places, in the order from the first to the second.
     pub(super) fn joints(&self, ends: [f64; 2]) -> Vec<f64> {
         joints(self.drive, ends)
+    }
+
+    /// The directions in which the quantity has no bound at a joint, upwards and downwards: a rate below it jumps there. One above a jump
+    /// has the direction of the jump, and those above that have both.
+    pub(super) fn impulse(&self, near: &Mark, joint: f64) -> Result<[bool; 2], ExtremesError> {
+        let (Some(rate), Some(jump)) = (&self.rate, self.drive.jump(joint)) else {
+            return Ok([false; 2]);
+        };
+        if rate.order <= jump {
+            return Ok([false; 2]);
+        } else if rate.order > jump + 1 {
+            return Ok([true; 2]);
+        }
+        let variable = Local::from_coefficients([joint, 1.0, 0.0, 0.0, 0.0]);
+        let beside = |side: Side| {
+            let (station, _) = self.station(near, variable, side)?;
+            Ok::<_, ExtremesError>(station.finite((rate.lower)(&station, jump)?)?.real())
+        };
+        let (left, right) = (beside(Side::Left)?, beside(Side::Right)?);
+        let rises = (right > left) == (self.course.to >= self.course.from);
+        // rounding errors of a quantity that does not jump with the inputs are no impulse
+        let is_none = (right - left).abs() <= JUMP * left.abs().max(right.abs());
+        Ok([rises && !is_none, !rises && !is_none])
     }
 
     /// The ends of the sweep and a pose inside of it, if it is known that the mechanism closes throughout.

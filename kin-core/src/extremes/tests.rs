@@ -6,7 +6,7 @@ use std::vec::Vec;
 
 use super::{At, ExtremeKind, ExtremesError, Over};
 use crate::assembly::{Assembly, Near};
-use crate::law::{Dwell, Law, Rise, Sequence, Shape};
+use crate::law::{Dwell, Law, Piecewise, Rise, Sequence, Shape};
 use crate::library::{ClassThreeTriad, FourBar, JansenLeg, PeaucellierLinkage, ScotchYoke, SliderCrank};
 use crate::mechanism::Mechanism;
 use crate::motion::Motion;
@@ -297,6 +297,47 @@ fn laws_have_joints() {
         .unwrap();
     let [start, end] = [0.0, 0.4].map(|time| crank.solve(rise.at(time), Assembly::Open).unwrap().s.acceleration());
     assert!((mean.value - (end - start) / 0.4).abs() < 1e-11);
+}
+
+/// Where a rate jumps, the one above it is an impulse in the direction of the jump, and those above that have no bound on either side.
+#[test]
+fn rates_above_a_jump_have_no_bound() {
+    let crank = SliderCrank { r: 0.1, l: 0.3 };
+    let unbounded = |servo: &Sequence<'_, f64, 3>, name: &str| -> Vec<(f64, bool)> {
+        let end = servo.duration();
+        let sweep = crank.sweep(Assembly::Open).under_laws([servo], 0.0..=end, 20);
+        let extremes = sweep.of(name).extremes().unwrap();
+        let unbounded = extremes.iter().filter(|extreme| extreme.value.is_none());
+        let found: Vec<(f64, bool)> = unbounded.map(|extreme| (extreme.at, extreme.is_maximum)).collect();
+        let rms = sweep.of(name).rms(Over::Time);
+        assert_eq!(found.is_empty(), rms.is_ok(), "{name}: {rms:?}");
+        found
+    };
+    let start = Dwell::new(0.3, 0.2).unwrap();
+    let even = Rise::new(Shape::ConstantSpeed, 0.3, 1.0, 0.25).unwrap();
+    let end = Dwell::new(1.0, 0.25).unwrap();
+    let servo = Sequence::new([&start as &dyn Piecewise<f64>, &even, &end]).unwrap();
+    for name in ["theta", "s", "theta_velocity", "s_velocity"] {
+        assert_eq!(unbounded(&servo, name), [], "{name}");
+    }
+    let [begin, stop] = [0.2, 0.45];
+    assert_eq!(unbounded(&servo, "theta_acceleration"), [(begin, true), (stop, false)]);
+    // the slide moves back as the crank turns on
+    assert_eq!(unbounded(&servo, "s_acceleration"), [(begin, false), (stop, true)]);
+    let both = [(begin, true), (begin, false), (stop, true), (stop, false)];
+    assert_eq!(unbounded(&servo, "theta_jerk"), both);
+    assert_eq!(unbounded(&servo, "s_snap"), both);
+    let sweep = crank.sweep(Assembly::Open).under_laws([&servo], 0.0..=0.7, 20);
+    let error = sweep.of("s_acceleration").peak().unwrap_err();
+    assert!(
+        error.to_string().contains("a joint of laws where a lower rate jumps"),
+        "{error}"
+    );
+    // the jerk of a cycloid jumps at its ends, and its acceleration does not
+    let cycloid = Rise::new(Shape::Cycloidal, 0.3, 1.0, 0.25).unwrap();
+    let servo = Sequence::new([&start as &dyn Piecewise<f64>, &cycloid, &end]).unwrap();
+    assert_eq!(unbounded(&servo, "s_jerk"), []);
+    assert_eq!(unbounded(&servo, "theta_snap"), [(begin, true), (stop, false)]);
 }
 
 /// A kink of the quantity itself is found to rounding: the folded transmission angle has one at a right angle.

@@ -101,6 +101,13 @@ pub trait SmoothDrive: Drive {
         let _ = after;
         None
     }
+
+    /// The lowest order of an input's derivative that jumps at a joint, if one does: higher ones have no bound there.
+    #[doc(hidden)]
+    fn jump(&self, joint: f64) -> Option<usize> {
+        let _ = joint;
+        None
+    }
 }
 
 /// A derivative with respect to time, as a series in the variable, from the derivatives with respect to the variable.
@@ -409,6 +416,28 @@ impl SmoothDrive for Laws<'_> {
                 .reduce(f64::min)
         };
         self.laws.iter().filter_map(|law| next(*law)).reduce(f64::min)
+    }
+
+    fn jump(&self, joint: f64) -> Option<usize> {
+        const ORDERS: usize = RATES.len() + 1;
+        let jumps = self.laws.iter().filter_map(|law| {
+            let duration = law.duration();
+            // times are rounded, and the end of a law that repeats is its beginning
+            let turns = |time: f64| {
+                if law.repeats() {
+                    Float::round(time / duration)
+                } else {
+                    0.0
+                }
+            };
+            let is_here = |time: f64| {
+                let distance = joint - time;
+                (distance - turns(distance) * duration).abs() <= 16.0 * f64::EPSILON * joint.abs().max(duration)
+            };
+            let mut joints = law.joints::<ORDERS>().filter(|own| is_here(own.time));
+            joints.find_map(|own| own.first_jump())
+        });
+        jumps.min()
     }
 }
 
