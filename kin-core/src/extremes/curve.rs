@@ -146,6 +146,8 @@ pub(super) struct Curve<'c> {
     met: Cell<Option<(f64, LimitKind)>>,
     /// The walk to the node before, from which the next one is often closest.
     cursor: RefCell<Option<Mark>>,
+    /// The size of the quantity in all stretches, as far as it has been seen.
+    pub(super) size: Cell<f64>,
 }
 
 impl<'c> Curve<'c> {
@@ -157,6 +159,7 @@ impl<'c> Curve<'c> {
             edges: Vec::new(),
             met: Cell::new(None),
             cursor: RefCell::new(None),
+            size: Cell::new(0.0),
         }
     }
 
@@ -305,6 +308,7 @@ impl<'c> Curve<'c> {
         if stretches.is_empty() {
             return Err(ExtremesError::NoLength { at: first });
         }
+        self.see_size(&stretches)?;
         Ok(stretches)
     }
 

@@ -74,7 +74,8 @@ impl Curve<'_> {
             }
             let [from, to] = stretch.parameters;
             let whole = self.gauss(stretch, [from, to], over, power)?;
-            let scale = whole.size;
+            // where the quantity should be zero, its size elsewhere tells what is rounding
+            let scale = whole.size.max(Number::powi(self.size.get(), power) * whole.weight);
             let own = self.halved(stretch, [from, to], whole, scale, over, power, HALVINGS, &mut error)?;
             sum = sum.plus(own, 1.0);
         }

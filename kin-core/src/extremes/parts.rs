@@ -27,6 +27,11 @@ const BESIDE: f64 = 1.0 / 1024.0;
 /// The largest difference between a piece and the poses, and the smallest range with an extreme, in measured rounding errors.
 const MEASURED: [f64; 2] = [8.0, 64.0];
 
+/// The smallest parameter next to a limit whose value counts for the size of the quantity.
+const BESIDE_LIMIT: f64 = 0.1;
+/// Places of a stretch at which the size of the quantity is looked at, as parts of it.
+const SIZED: [f64; 4] = [0.2, 0.4, 0.6, 0.8];
+
 /// A part of a curve.
 pub(super) enum CurvePart {
     /// A piece that agrees with the poses.
@@ -66,7 +71,7 @@ impl Curve<'_> {
             reason = "a count from 4 on, and the conversion ends at the largest number"
         )]
         let mut budget = MOST[0].saturating_add(MOST[1].saturating_mul(count as usize));
-        let mut size: f64 = 0.0;
+        let mut size = self.size.get();
         let mut index = 0.0;
         while index < count {
             index += 1.0;
@@ -80,14 +85,34 @@ impl Curve<'_> {
                 right.value = first.value;
             }
             // next to a turning point rates are far larger than elsewhere
-            if stretch.edge.is_none() || left.parameter.min(right.parameter) > 0.1 {
+            if stretch.edge.is_none() || left.parameter.min(right.parameter) > BESIDE_LIMIT {
                 size = size.max(right.value.real().abs());
             }
             self.divide(stretch, [&left, &right], 0, size, &mut budget, visit)?;
+            self.size.set(self.size.get().max(size));
             left = right;
             self.tell(left.at);
         }
         Ok([first, left])
+    }
+
+    /// Looks at the size of the quantity in all stretches: where it should be zero on one of them, it is made of rounding errors, whose size
+    /// others tell.
+    pub(super) fn see_size(&self, stretches: &[Stretch]) -> Result<(), ExtremesError> {
+        let mut size: f64 = 0.0;
+        // a single stretch tells its size itself
+        for stretch in stretches.iter().filter(|_| stretches.len() > 1) {
+            let [from, to] = stretch.parameters;
+            for part in SIZED {
+                let parameter = from + part * (to - from);
+                if stretch.edge.is_none() || parameter > BESIDE_LIMIT {
+                    let node = self.node(stretch, parameter, &stretch.mark)?;
+                    size = size.max(node.value.real().abs());
+                }
+            }
+        }
+        self.size.set(size);
+        Ok(())
     }
 
     fn divide(
@@ -130,9 +155,15 @@ impl Curve<'_> {
         let tolerance = AGREEMENT * (high - low) + ROUNDING * (own * growth).max(size);
         let apart = |node: &CurveNode| (piece.at(node.parameter).real() - node.value.real()).abs();
         let mut apart_most = apart(&middle);
+        // the node that is furthest from the piece
+        let mut furthest = None;
         if apart_most <= tolerance || depth >= DEEP {
             for part in [1.0 / 3.0, 2.0 / 3.0] {
-                apart_most = apart_most.max(apart(&self.node(stretch, at(part), &left.mark)?));
+                let node = self.node(stretch, at(part), &left.mark)?;
+                if apart(&node) > apart_most {
+                    apart_most = apart(&node);
+                    furthest = Some(node);
+                }
             }
         }
         if apart_most <= tolerance {
@@ -145,13 +176,17 @@ impl Curve<'_> {
             return visit(&part, [left, right]);
         }
         if depth >= DEEP {
-            let rounding = self.rounding(stretch, &middle, BESIDE * (ends[1] - ends[0]))?;
-            let [agreement, flat] = MEASURED.map(|times| times * rounding);
-            if high - low <= flat && apart_most <= flat {
-                return visit(&CurvePart::Flat, [left, right]);
-            }
-            if apart_most <= agreement {
-                return visit(&CurvePart::Piece(piece), [left, right]);
+            // Where a quantity should be zero, some poses have a rounding error and others have none: those that differ, and the ends.
+            let mut rounding: f64 = 0.0;
+            for node in [furthest.as_ref().unwrap_or(&middle), left, right] {
+                rounding = rounding.max(self.rounding(stretch, node, BESIDE * (ends[1] - ends[0]))?);
+                let [agreement, flat] = MEASURED.map(|times| times * rounding);
+                if high - low <= flat && apart_most <= flat {
+                    return visit(&CurvePart::Flat, [left, right]);
+                }
+                if apart_most <= agreement {
+                    return visit(&CurvePart::Piece(piece), [left, right]);
+                }
             }
         }
         *budget = budget.checked_sub(1).ok_or(ExtremesError::Unresolved {
@@ -187,8 +222,12 @@ impl Curve<'_> {
     }
 
     /// The rounding error of the quantity, as places that are close together show it: the difference between poses and the Taylor series
-    /// of a pose beside them. On one side of a jump the series holds, so the smaller difference of both sides counts.
+    /// of a pose beside them. On one side of a jump the series holds, so the smaller difference of both sides counts. An end of a stretch
+    /// has one side, and none is known there.
     fn rounding(&self, stretch: &Stretch, node: &CurveNode, step: f64) -> Result<f64, ExtremesError> {
+        if stretch.parameters.contains(&node.parameter) {
+            return Ok(0.0);
+        }
         let mut sides = [0.0_f64; 2];
         for (side, sign) in sides.iter_mut().zip([-1.0, 1.0]) {
             for times in [1.0, 2.0] {

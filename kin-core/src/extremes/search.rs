@@ -90,6 +90,7 @@ impl Curve<'_> {
         {
             extremes.push(edge(&node, ExtremeKind::Limit, rose));
         }
+        leave_out_rounding(&mut extremes, ROUNDING * self.size.get());
         Ok(FoundExtremes { extremes, first })
     }
 
@@ -320,6 +321,38 @@ impl Curve<'_> {
             })
             .collect())
     }
+}
+
+/// Takes out the extremes that rounding errors make: those inside of the curve that differ from the next one, or from both neighbours, by
+/// less than the errors.
+fn leave_out_rounding(extremes: &mut Vec<Extreme>, rounding: f64) {
+    let is_inside = |extreme: &Extreme| matches!(extreme.kind, ExtremeKind::Inner | ExtremeKind::Kink);
+    let is_same = |one: &Extreme, other: &Extreme| match (one.value, other.value) {
+        (Some(one), Some(other)) => (one - other).abs() <= rounding,
+        _ => false,
+    };
+    let mut kept: Vec<Extreme> = Vec::with_capacity(extremes.len());
+    for extreme in extremes.drain(..) {
+        match kept.last() {
+            Some(last) if is_inside(last) && is_inside(&extreme) && is_same(last, &extreme) => {
+                // of two maxima one is left, and of a maximum and a minimum none
+                if last.is_maximum != extreme.is_maximum {
+                    kept.pop();
+                }
+            }
+            _ => kept.push(extreme),
+        }
+    }
+    let mut index = 1;
+    while index + 1 < kept.len() {
+        let [before, own, after] = [&kept[index - 1], &kept[index], &kept[index + 1]];
+        if is_inside(own) && is_same(before, own) && is_same(own, after) {
+            kept.remove(index);
+        } else {
+            index += 1;
+        }
+    }
+    *extremes = kept;
 }
 
 /// The mistake of a question whose level or tolerance is not a finite number.

