@@ -5,7 +5,7 @@ use core::cell::{Cell, RefCell};
 use core::f64::consts::TAU;
 
 use super::ExtremesError;
-use super::swept::{Mark, QuantityOfSweep, SweepExtent};
+use super::swept::{Mark, MissingLength, QuantityOfSweep, SweepExtent};
 use crate::law::Side;
 use crate::number::Number;
 use crate::sweep::{Limit, LimitKind, Local, Walk};
@@ -16,6 +16,21 @@ const NEAREST: f64 = 1.0 / 256.0;
 /// The smallest distance of an angle from a change point. A velocity there has an error of ε over the square of this distance, and a series of
 /// five terms one of its fifth power.
 const NEAREST_ANGLE: f64 = 2.5e-3;
+
+/// The distance from a turning point that rounding makes, as a part of the sweep or of the variable.
+const AT_LIMIT: f64 = 1e-13;
+
+/// The distance at which a missing length is compared with itself, as a part of the sweep.
+const BESIDE: f64 = 1e-7;
+
+/// The steps of Newton's method for a missing length.
+const NEWTON: usize = 12;
+
+/// The steps of a search for an island. A narrower one is missed.
+const SECTIONS: usize = 40;
+
+/// The part of the sweep beyond its ends at which turning points are sought.
+const BEYOND: f64 = 1.0 / 1024.0;
 
 /// The largest number of gaps and edges between rows.
 const MOST_DIVISIONS: usize = 64;
@@ -30,12 +45,20 @@ const MOST_PROBES: f64 = 1e6;
 pub(super) enum StretchEnd {
     /// The end of the sweep, with the place of the other end if both are the same pose.
     Sweep,
+    /// The end of the sweep, so short of a turning point that the curve is a root of the distance from it.
+    ShortOf(TurningPoint),
     /// Where two pieces of a law meet.
     Joint,
     /// Where the mechanism begins or ceases to close.
     Limit(LimitKind),
     /// A place inside of a smooth curve, where a stretch has been divided.
     Inside,
+}
+
+/// A turning point beyond the end of a sweep.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct TurningPoint {
+    pub(super) at: f64,
 }
 
 impl StretchEnd {
@@ -67,6 +90,8 @@ pub(super) struct Stretch {
 #[derive(Clone, Copy)]
 pub(super) struct Edge {
     pub(super) at: f64,
+    /// The end of the curve: the limit itself, or the end of a sweep short of it, with its parameter.
+    pub(super) end: (f64, f64),
     /// The variable at the parameter one, as a distance from the limit.
     scale: f64,
     pub(super) kind: LimitKind,
@@ -99,7 +124,7 @@ impl Stretch {
     /// The value of the variable. The smallest parameter next to a limit stands for the limit itself.
     pub(super) fn place(&self, parameter: f64) -> f64 {
         match self.edge {
-            Some(edge) if parameter == edge.nearest => edge.at,
+            Some(edge) if parameter == edge.nearest => edge.end.0,
             _ => self.variable(parameter).real(),
         }
     }
@@ -245,6 +270,91 @@ impl<'c> Curve<'c> {
         places
     }
 
+    /// The places, with those in islands between them, which no row meets.
+    fn places_with_islands(&self) -> Vec<f64> {
+        let mut places = self.places();
+        if !self.extent.has_assemblies {
+            return places;
+        }
+        let beside = BESIDE * (self.extent.to - self.extent.from);
+        let open: Vec<Option<[MissingLength; 3]>> = places.iter().map(|at| self.missing_around(*at, beside)).collect();
+        let mut islands = Vec::new();
+        for (pair, at) in open.windows(2).zip(places.windows(2)) {
+            let from = |side: usize| self.closing([at[side], at[1 - side]], pair[side]?[0].block);
+            let closing = [from(0), from(1)];
+            islands.extend(closing.into_iter().flatten());
+            if let ([None, None], [Some([one, .., after]), Some([other, before, ..])]) = (closing, pair)
+                && [after, other, before].iter().all(|missing| missing.block == one.block)
+                && after.length < one.length
+                && before.length < other.length
+            {
+                islands.extend(self.island([at[0], at[1]], one.block));
+            }
+        }
+        places.extend(islands);
+        places.sort_by(f64::total_cmp);
+        places.dedup();
+        if self.extent.to < self.extent.from {
+            places.reverse();
+        }
+        places
+    }
+
+    /// The missing lengths at a place, before it and behind it, if the mechanism closes at none of them.
+    fn missing_around(&self, at: f64, beside: f64) -> Option<[MissingLength; 3]> {
+        let missing = |at: f64| self.quantity.missing(at);
+        Some([missing(at)?, missing(at - beside)?, missing(at + beside)?])
+    }
+
+    /// The first place on the way from one place to another at which a block closes, by Newton's method for the missing length.
+    fn closing(&self, [from, to]: [f64; 2], block: &'static str) -> Option<f64> {
+        let beside = BESIDE * (to - from);
+        let mut at = from;
+        for _ in 0..NEWTON {
+            let Some(missing) = self.quantity.missing(at) else {
+                return Some(at);
+            };
+            let slope = (self.quantity.missing(at + beside)?.length - missing.length) / beside;
+            let step = -missing.length / slope;
+            let next = at + step;
+            let is_on_the_way = (next - at) * (to - from) > 0.0 && (to - next) * (to - from) > 0.0;
+            if missing.block != block || !is_on_the_way {
+                return None;
+            }
+            // a bit beyond, where the next step may already close
+            at = next + beside;
+        }
+        None
+    }
+
+    /// A place between two others at which the mechanism closes, by a search for the least missing length of a block. (J. Kiefer, Sequential
+    /// minimax search for a maximum, Proceedings of the American Mathematical Society 4, 1953, 502-506: golden sections.)
+    fn island(&self, [mut low, mut high]: [f64; 2], block: &'static str) -> Option<f64> {
+        let part = 0.5 * (num_traits::Float::sqrt(5.0_f64) - 1.0);
+        let missing = |at: f64| match self.quantity.missing(at) {
+            None => Err(at),
+            Some(missing) if missing.block == block => Ok(missing.length),
+            Some(_) => Ok(f64::INFINITY),
+        };
+        let mut search = || {
+            let mut places = [high - part * (high - low), low + part * (high - low)];
+            let mut lengths = [missing(places[0])?, missing(places[1])?];
+            for _ in 0..SECTIONS {
+                if lengths[0] <= lengths[1] {
+                    high = places[1];
+                    places = [high - part * (high - low), places[0]];
+                    lengths = [missing(places[0])?, lengths[0]];
+                } else {
+                    low = places[0];
+                    places = [places[1], low + part * (high - low)];
+                    lengths = [lengths[1], missing(places[1])?];
+                }
+            }
+            Ok(())
+        };
+        search().err()
+    }
+
     /// The number of equal steps between two rows, so that none is longer than a probe.
     #[expect(
         clippy::cast_possible_truncation,
@@ -319,7 +429,7 @@ impl<'c> Curve<'c> {
         let mut first_error = None;
         // the row before: its place, its mark, and whether it closed
         let mut before: Option<(f64, Mark, bool)> = None;
-        for at in self.places() {
+        for at in self.places_with_islands() {
             let result;
             (mark, result) = self.quantity.step(&mark, at);
             let is_closed = result.is_ok();
@@ -329,17 +439,13 @@ impl<'c> Curve<'c> {
             match (&before, is_closed) {
                 (None, true) => circuits.push(([at, at], [StretchEnd::Sweep, StretchEnd::Sweep], mark.clone())),
                 (Some((place, _, false)), true) => {
-                    let limit = self.limit(at, &mark, *place)?;
-                    circuits.push((
-                        [limit.at, at],
-                        [StretchEnd::Limit(limit.kind), StretchEnd::Sweep],
-                        mark.clone(),
-                    ));
+                    let (limit, kind) = self.limit(at, &mark, *place)?;
+                    circuits.push(([limit, at], [StretchEnd::Limit(kind), StretchEnd::Sweep], mark.clone()));
                 }
                 (Some((place, there, true)), false) => {
-                    let limit = self.limit(*place, there, at)?;
+                    let (limit, kind) = self.limit(*place, there, at)?;
                     if let Some((ends, kinds, _)) = circuits.last_mut() {
-                        (ends[1], kinds[1]) = (limit.at, StretchEnd::Limit(limit.kind));
+                        (ends[1], kinds[1]) = (limit, StretchEnd::Limit(kind));
                     }
                 }
                 (Some((_, _, true)), true) => {
@@ -351,6 +457,7 @@ impl<'c> Curve<'c> {
             }
             before = Some((at, mark.clone(), is_closed));
         }
+        self.shorten(&mut circuits);
         if circuits.is_empty() {
             return Err(first_error.map_or(
                 ExtremesError::Gap { at: self.extent.from },
@@ -359,6 +466,44 @@ impl<'c> Curve<'c> {
         }
         self.join(&mut circuits);
         Ok(circuits)
+    }
+
+    /// Looks for turning points close beyond the ends of the sweep, where no polynomial follows the curve.
+    fn shorten(&self, circuits: &mut [ClosedPart]) {
+        let SweepExtent { from, to, .. } = self.extent;
+        if let Some((ends, kinds, mark)) = circuits.first_mut()
+            && (ends[0], kinds[0]) == (from, StretchEnd::Sweep)
+        {
+            kinds[0] = self.turning_point_beyond([from, ends[1]], mark).unwrap_or(kinds[0]);
+        }
+        if let Some((ends, kinds, mark)) = circuits.last_mut()
+            && (ends[1], kinds[1]) == (to, StretchEnd::Sweep)
+        {
+            kinds[1] = self.turning_point_beyond([to, ends[0]], mark).unwrap_or(kinds[1]);
+        }
+    }
+
+    /// The turning point at which the curve ends close beyond the first of two places.
+    fn turning_point_beyond(&self, [end, other]: [f64; 2], mark: &Mark) -> Option<StretchEnd> {
+        let way = end - other;
+        let beyond = end + BEYOND * way;
+        if way == 0.0 || self.quantity.step(mark, beyond).1.is_ok() {
+            return None;
+        }
+        // from a place that is as far on this side: a pose at the turning point itself leads nowhere
+        let inside = end - BEYOND * way;
+        let (mark, result) = self.quantity.step(mark, inside);
+        result.ok()?;
+        let limit = self.quantity.limit(inside, &mark, beyond)?;
+        if limit.kind != LimitKind::TurningPoint {
+            return None;
+        }
+        let rounding = AT_LIMIT * way.abs().max(end.abs());
+        if (limit.at - end).abs() <= rounding {
+            return Some(StretchEnd::Limit(limit.kind));
+        }
+        let is_beyond = (limit.at > end) == (beyond > end);
+        is_beyond.then_some(StretchEnd::ShortOf(TurningPoint { at: limit.at }))
     }
 
     /// Where the mechanism does not close at a single place only, the curve has a kink there and goes on.
@@ -395,16 +540,26 @@ impl<'c> Curve<'c> {
         cuts
     }
 
-    fn limit(&self, closed: f64, mark: &Mark, open: f64) -> Result<Limit, ExtremesError> {
+    /// The limit between a place that closes and one that does not, with its kind.
+    fn limit(&self, closed: f64, mark: &Mark, open: f64) -> Result<(f64, LimitKind), ExtremesError> {
+        let told = |limit: Limit| (limit.at, limit.kind);
         if let Some(limit) = self.quantity.limit(closed, mark, open) {
-            return Ok(limit);
+            return Ok(told(limit));
         }
         // an angle that an equation gives in -π ..= π may have jumped on the way, which stops a track
         let gap = || ExtremesError::Gap { at: open };
         let near = self.quantity.edge(closed, open);
         let (mark, result) = self.quantity.step(mark, near);
         result.map_err(|_| gap())?;
-        self.quantity.limit(near, &mark, open).ok_or_else(gap)
+        if let Some(limit) = self.quantity.limit(near, &mark, open) {
+            return Ok(told(limit));
+        }
+        // a sweep that ends at a limit, up to rounding, ends on either side of it
+        let rounding = AT_LIMIT * open.abs().max((self.extent.to - self.extent.from).abs());
+        if (open - near).abs() <= rounding {
+            return Ok((near, LimitKind::TurningPoint));
+        }
+        Err(gap())
     }
 
     /// Adds the stretches between two ends: two if it is bounded by limits on both sides. The end of a range or domain is taken for a turning
@@ -436,17 +591,23 @@ impl<'c> Curve<'c> {
 
     /// The limit at an end of a stretch, if there is one.
     fn edge(&self, (at, end): (f64, StretchEnd), other: f64) -> Option<Edge> {
-        let StretchEnd::Limit(kind) = end else { return None };
-        let scale = other - at;
+        let (limit, kind) = match end {
+            StretchEnd::Limit(kind) => (at, kind),
+            StretchEnd::ShortOf(turning_point) => (turning_point.at, LimitKind::TurningPoint),
+            StretchEnd::Sweep | StretchEnd::Joint | StretchEnd::Inside => return None,
+        };
+        let scale = other - limit;
         let nearest = match kind {
             LimitKind::ChangePoint if self.extent.is_angle => NEAREST.min(NEAREST_ANGLE / scale.abs()),
             _ => NEAREST,
         };
+        let parameter = num_traits::Float::sqrt((at - limit) / scale);
         Some(Edge {
-            at,
+            at: limit,
+            end: (at, parameter),
             scale,
             kind,
-            nearest,
+            nearest: nearest.max(parameter),
         })
     }
 }

@@ -7,9 +7,12 @@ use std::vec::Vec;
 use super::{ExtremeKind, ExtremesError, Over};
 use crate::assembly::Assembly;
 use crate::cycle::{Cycle, EndKind, FullCycle, MeasureError};
-use crate::library::{FourBar, InvertedSliderCrank, SliderCrank};
+use crate::geometry::Plane;
+use crate::library::{FourBar, InvertedSliderCrank, SliderCrank, WattII};
 use crate::mechanism::Mechanism;
+use crate::number::samples;
 use crate::sweep::Sweep;
+use crate::verify::Random;
 
 /// 3 + 7 = 4 + 6: all links lie on a line at 0 degrees.
 const CHANGE_POINT: FourBar = FourBar {
@@ -216,6 +219,83 @@ fn islands_between_rows_are_found() {
 }
 
 /// A mean says which part of the range it covers, and limits are in degrees where the table is.
+#[test]
+fn islands_that_no_row_meets_are_found() {
+    // two short links at the end of a long way: they reach in two ranges of less than two degrees
+    let linkage = WattII {
+        r1: 9.921_816_707_874_704,
+        r2: 9.031_328_919_922_51,
+        r3: 7.178_178_032_424_118,
+        r4: 7.336_662_509_328_392,
+        arm: Plane::new(6.579_029_608_608_295, 5.744_573_470_603_521),
+        pivot: Plane::new(7.823_593_573_717_425, 8.346_502_864_261_836),
+        r5: 1.155_631_708_194_362_3,
+        r6: 2.876_824_491_808_959,
+    };
+    for assembly in <WattII as Mechanism>::assemblies() {
+        let sweep = |rows: usize| linkage.sweep(assembly).over(-PI..=PI, rows);
+        let table = sweep(4001).table().unwrap();
+        let values = table.column("theta3").unwrap().iter().filter(|value| !value.is_nan());
+        let scanned = values.clone().fold(f64::NEG_INFINITY, |most, value| most.max(*value));
+        for rows in [2, 5, 37] {
+            let highest = sweep(rows).of("theta3").highest().map(|peak| peak.value);
+            match highest {
+                Ok(highest) => assert!(
+                    highest >= scanned && highest < scanned + 0.02,
+                    "{rows}: {highest} {scanned}"
+                ),
+                Err(error) => assert!(values.clone().next().is_none(), "{rows}: {error}"),
+            }
+        }
+    }
+}
+
+/// A sweep may end where the input turns back, or as close to it as numbers can, on either side.
+#[test]
+fn sweeps_end_at_limits() {
+    let mut random = Random::new(7);
+    let mut tested = 0;
+    for _ in 0..samples::of(300) {
+        let [r1, r2, r3, r4] = [(); 4].map(|()| random.between(0.3, 2.0));
+        let linkage = FourBar { r1, r2, r3, r4 };
+        let cycle = linkage.cycle().unwrap();
+        for branch in cycle.branches().iter().filter(|branch| !branch.is_full_turn()) {
+            let [low, high] = branch.ends().map(|end| end.input);
+            let assembly = Assembly::BOTH[branch.assembly().unwrap()];
+            let expected = branch.ends().map(|end| end.unknowns[1]);
+            for slack in [0.0, 1e-16, 4e-15, -4e-15, -1e-12, -1e-9] {
+                let range = low - slack..=high + slack;
+                let sweep = linkage.sweep(assembly).over(range, 11);
+                let extremes = sweep.of("theta4").extremes().unwrap();
+                let (first, last) = (extremes.first().unwrap(), extremes.last().unwrap());
+                let turns = first.value.unwrap() - expected[0];
+                let turns = TAU * (turns / TAU).round();
+                // the angle is a root of the distance from the limit
+                let near = 1e-6 + 10.0 * slack.abs().sqrt() * (1.0 + (r1 + r2 + r3 + r4) / r1.min(r2).min(r3).min(r4));
+                for (extreme, expected) in [first, last].into_iter().zip(expected) {
+                    let difference = extreme.value.unwrap() - turns - expected;
+                    assert!(difference.abs() < near, "{linkage:?} {slack}: {extreme} {expected}");
+                }
+                let velocity = sweep.of("theta4_velocity").extremes().unwrap();
+                let ends = [velocity.first().unwrap(), velocity.last().unwrap()];
+                let is_at_limit = slack.abs() < 1e-14;
+                assert!(
+                    !is_at_limit || ends.iter().all(|end| end.value.is_none()),
+                    "{linkage:?} {slack}: {ends:?}"
+                );
+                let mean = sweep.of("theta4").mean(Over::Time).unwrap();
+                let (lowest, highest) = (
+                    sweep.of("theta4").lowest().unwrap(),
+                    sweep.of("theta4").highest().unwrap(),
+                );
+                assert!(lowest.value < mean.value && mean.value < highest.value);
+                tested += 1;
+            }
+        }
+    }
+    assert!(tested > 6 * samples::of(100), "{tested}");
+}
+
 #[test]
 fn a_mean_covers_what_closes() {
     let linkage = FourBar {

@@ -172,6 +172,10 @@ impl Curve<'_> {
 
     /// The part next to a turning point, from the Taylor series at the nearest place.
     fn beside_limit(&self, stretch: &Stretch, edge: Edge, over: Over, power: i32) -> Result<Integral, ExtremesError> {
+        if edge.nearest == edge.end.1 {
+            // the pieces reach to the end
+            return Ok(Integral::default());
+        }
         let nearest = self.node(stretch, edge.nearest, &stretch.mark)?;
         // the power of one over the parameter with which the quantity grows
         let growth = if stretch.may_grow() {
@@ -197,7 +201,7 @@ impl Curve<'_> {
             let mut sum = 0.0;
             for coefficient in coefficients {
                 order += 1.0;
-                reach *= -edge.nearest;
+                reach *= edge.end.1 - edge.nearest;
                 sum -= coefficient * reach / order;
             }
             sum

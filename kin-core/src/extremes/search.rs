@@ -51,6 +51,7 @@ impl Curve<'_> {
             let [rises_first, rises_last] = [&begin, &end].map(|node| rises(stretch, node));
             let beginning = match stretch.ends[0] {
                 StretchEnd::Limit(_) => self.at_limit(stretch, &begin)?,
+                StretchEnd::ShortOf(_) => self.short_of_limit(stretch, &begin)?,
                 _ => edge(&begin, ExtremeKind::End, !rises_first),
             };
             first.get_or_insert(beginning);
@@ -80,6 +81,7 @@ impl Curve<'_> {
             match stretch.ends[1] {
                 StretchEnd::Sweep if is_turn => {}
                 StretchEnd::Sweep => extremes.push(edge(&end, ExtremeKind::End, rises_last)),
+                StretchEnd::ShortOf(_) => extremes.push(self.short_of_limit(stretch, &end)?),
                 end_kind if end_kind.goes_on() => {}
                 _ => extremes.push(self.at_limit(stretch, &end)?),
             }
@@ -193,6 +195,26 @@ impl Curve<'_> {
             kind: ExtremeKind::Limit,
             is_maximum: nearest.value.coefficients()[1] < 0.0,
         })
+    }
+
+    /// The extreme at the end of a sweep short of a turning point.
+    fn short_of_limit(&self, stretch: &Stretch, nearest: &CurveNode) -> Result<Extreme, ExtremesError> {
+        let end = match stretch.edge {
+            Some(Edge {
+                end: (at, parameter), ..
+            }) => CurveNode {
+                at,
+                ..self.node(stretch, parameter, &nearest.mark)?
+            },
+            None => nearest.clone(),
+        };
+        let is_maximum = if end.value.real() == nearest.value.real() {
+            // the slope towards the limit is against the parameter
+            nearest.value.coefficients()[1] < 0.0
+        } else {
+            end.value.real() > nearest.value.real()
+        };
+        Ok(edge(&end, ExtremeKind::End, is_maximum))
     }
 
     fn is_unbounded(&self, stretch: &Stretch, nearest: &CurveNode) -> Result<bool, ExtremesError> {
@@ -414,5 +436,5 @@ pub(super) fn extrapolated(nearest: Local, edge: Edge) -> f64 {
     coefficients
         .iter()
         .rev()
-        .fold(0.0, |sum, coefficient| sum * -edge.nearest + coefficient)
+        .fold(0.0, |sum, coefficient| sum * (edge.end.1 - edge.nearest) + coefficient)
 }

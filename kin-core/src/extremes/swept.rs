@@ -13,7 +13,7 @@ use super::curve::{Curve, StretchEnd};
 use super::search::FoundExtremes;
 use super::station::SweepStation;
 use super::{Crossing, DwellRange, ExtremesError, Mean, Over, Peak};
-use crate::failure::SolveError;
+use crate::failure::{Failure, SolveError};
 use crate::law::Side;
 use crate::number::{Number, NumberRow};
 use crate::quantity::Dimension;
@@ -41,6 +41,13 @@ pub(super) struct SweepExtent {
     pub(super) has_assemblies: bool,
     /// The time for each unit of the variable.
     pub(super) time: f64,
+}
+
+/// The length by which the links of a block do not reach, infinite if the block fails for another reason.
+#[derive(Clone, Copy)]
+pub(super) struct MissingLength {
+    pub(super) block: &'static str,
+    pub(super) length: f64,
 }
 
 /// A pose of the walk along a sweep.
@@ -237,6 +244,19 @@ impl QuantityOfSweep<'_> {
     pub(super) fn value(&self, near: &Mark, variable: Local, side: Side) -> Result<(Local, Mark), ExtremesError> {
         let (station, mark) = self.station(near, variable, side)?;
         Ok((station.finite((self.quantity)(&station)?)?, mark))
+    }
+
+    /// The length that is missing for the assembly to close at a place, if it does not for this reason.
+    pub(super) fn missing(&self, at: f64) -> Option<MissingLength> {
+        let error = self.course.position(at).err()?;
+        let length = match error.failure {
+            Failure::OutOfReach { margin } => -margin,
+            _ => f64::INFINITY,
+        };
+        Some(MissingLength {
+            block: error.block,
+            length,
+        })
     }
 
     /// The limit on the way from a pose to another place.

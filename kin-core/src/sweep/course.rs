@@ -132,16 +132,18 @@ impl AnyCourse<'_> {
         Ok(numbers)
     }
 
+    /// The unknowns of the assembly at a place.
+    pub(crate) fn position(&self, at: f64) -> Result<NumberRow, SolveError> {
+        let mut unknowns = NumberRow::splat(self.description.unknowns.len(), 0.0);
+        let (inputs, choice) = (self.inputs(at), self.assembly.position());
+        self.mechanism
+            .position(&self.parameters, &inputs, choice, &mut unknowns)?;
+        Ok(unknowns)
+    }
+
     /// Whether the mechanism closes at a place.
     pub(super) fn closes(&self, at: f64) -> bool {
-        let mut unknowns = NumberRow::splat(self.description.unknowns.len(), 0.0);
-        let found = self.mechanism.position(
-            &self.parameters,
-            &self.inputs(at),
-            self.assembly.position(),
-            &mut unknowns,
-        );
-        found.is_ok()
+        self.position(at).is_ok()
     }
 
     /// The last place at which the mechanism closes, from one that closes to one that does not.
