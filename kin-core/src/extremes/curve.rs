@@ -23,8 +23,9 @@ const AT_LIMIT: f64 = 1e-13;
 /// The distance at which a missing length is compared with itself, as a part of the sweep.
 const BESIDE: f64 = 1e-7;
 
-/// The steps of Newton's method for a missing length.
-const NEWTON: usize = 12;
+/// The steps of Newton's method for a missing length, and the part of the way that it may go to where the mechanism closes.
+const NEWTON: usize = 24;
+const SHORT_STEP: f64 = 0.01;
 
 /// The steps of a search for an island. A narrower one is missed.
 const SECTIONS: usize = 40;
@@ -306,23 +307,35 @@ impl<'c> Curve<'c> {
         Some([missing(at)?, missing(at - beside)?, missing(at + beside)?])
     }
 
-    /// The first place on the way from one place to another at which a block closes, by Newton's method for the missing length.
+    /// The first place on the way from one place to another at which a block closes, by Newton's method for the missing length. A step that
+    /// leads to where more is missing again, or that closes after a long way, may have gone too far, and is halved.
     fn closing(&self, [from, to]: [f64; 2], block: &'static str) -> Option<f64> {
         let beside = BESIDE * (to - from);
-        let mut at = from;
+        // a place with its step
+        let seen = |at: f64| {
+            let missing = self.quantity.missing(at)?;
+            let there = self.quantity.missing(at + beside)?;
+            Some((
+                missing.block == block,
+                -missing.length * beside / (there.length - missing.length),
+            ))
+        };
+        let (mut at, mut step) = (from, seen(from)?.1);
         for _ in 0..NEWTON {
-            let Some(missing) = self.quantity.missing(at) else {
-                return Some(at);
-            };
-            let slope = (self.quantity.missing(at + beside)?.length - missing.length) / beside;
-            let step = -missing.length / slope;
-            let next = at + step;
-            let is_on_the_way = (next - at) * (to - from) > 0.0 && (to - next) * (to - from) > 0.0;
-            if missing.block != block || !is_on_the_way {
+            let way = to - at;
+            if step * way <= 0.0 {
                 return None;
             }
-            // a bit beyond, where the next step may already close
-            at = next + beside;
+            if step.abs() > 0.5 * way.abs() {
+                step = 0.5 * way;
+            }
+            // a bit beyond, where it may close already
+            let next = at + step + beside;
+            match seen(next) {
+                None if step.abs() <= SHORT_STEP * (to - from).abs() => return Some(next),
+                Some((true, next_step)) if next_step * way > 0.0 => (at, step) = (next, next_step),
+                _ => step = 0.5 * (next - at),
+            }
         }
         None
     }
