@@ -60,7 +60,7 @@ impl Doubt {
 /// rounding included: each operation widens its bounds by more than its own error. (R. E. Moore, R. B. Kearfott and M. J. Cloud, Introduction
 /// to Interval Analysis, SIAM 2009: natural extensions and, in [`Bounds::tight`], the mean value form.)
 #[derive(Clone, Copy, Debug)]
-pub struct Bounds {
+pub(crate) struct Bounds {
     middle: f64,
     error: f64,
     pub(super) low: f64,

@@ -15,7 +15,7 @@ use crate::solve::{Check, Choose, Real, Scalar, Validity};
 /// All values of a function of one variable t in -1 ..= 1, with its derivative at t = 0 and bounds of its second
 /// derivative.
 #[derive(Clone, Copy, Debug)]
-pub struct Curved {
+pub(crate) struct Curved {
     pub(super) bounds: Bounds,
     /// The derivative at t = 0, with its largest error.
     slope: f64,

@@ -15,11 +15,19 @@ use crate::quantity::{Dimension, Quantity};
 use crate::track::{TrackError, Tracked, track_between};
 
 /// What every search needs of a mechanism.
+#[expect(
+    private_bounds,
+    reason = "messages would list a public number among those that a user may take"
+)]
 pub trait CycleFunctions: Tracked + ClosureOver<Bounds> {}
 
 impl<F: Tracked + ClosureOver<Bounds>> CycleFunctions for F {}
 
 /// What the search needs where every block has a closed form.
+#[expect(
+    private_bounds,
+    reason = "messages would list a public number among those that a user may take"
+)]
 pub trait ClosedForms: CycleFunctions + AssemblyOver<Bounds> + AssemblyOver<Curved> + TransmissionOver<f64> {}
 
 impl<F: CycleFunctions + AssemblyOver<Bounds> + AssemblyOver<Curved> + TransmissionOver<f64>> ClosedForms for F {}
