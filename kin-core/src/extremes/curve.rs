@@ -5,7 +5,8 @@ use core::cell::{Cell, RefCell};
 use core::f64::consts::TAU;
 
 use super::ExtremesError;
-use super::swept::{Mark, MissingLength, QuantityOfSweep, SweepExtent};
+use super::swept::{Mark, QuantityOfSweep, SweepExtent};
+use crate::failure::SolveError;
 use crate::law::Side;
 use crate::number::Number;
 use crate::sweep::{Limit, LimitKind, Local, Walk};
@@ -19,16 +20,6 @@ const NEAREST_ANGLE: f64 = 2.5e-3;
 
 /// The distance from a turning point that rounding makes, as a part of the sweep or of the variable.
 const AT_LIMIT: f64 = 1e-13;
-
-/// The distance at which a missing length is compared with itself, as a part of the sweep.
-const BESIDE: f64 = 1e-7;
-
-/// The steps of Newton's method for a missing length, and the part of the way that it may go to where the mechanism closes.
-const NEWTON: usize = 24;
-const SHORT_STEP: f64 = 0.01;
-
-/// The steps of a search for an island. A narrower one is missed.
-const SECTIONS: usize = 40;
 
 /// The part of the sweep beyond its ends at which turning points are sought.
 const BEYOND: f64 = 1.0 / 1024.0;
@@ -162,7 +153,7 @@ type ClosedPart = ([f64; 2], [StretchEnd; 2], Mark);
 
 /// A quantity over a sweep.
 pub(super) struct Curve<'c> {
-    quantity: &'c QuantityOfSweep<'c>,
+    pub(super) quantity: &'c QuantityOfSweep<'c>,
     pub(super) extent: SweepExtent,
     /// Places where the mechanism does not close, although it does in the rows on both sides.
     gaps: Vec<f64>,
@@ -253,7 +244,7 @@ impl<'c> Curve<'c> {
     /// The rows, places between rows that are far apart, the end of the sweep if there is only one row, and the gaps, in the order of the
     /// sweep.
     fn places(&self) -> Vec<f64> {
-        let SweepExtent { from, to, rows, .. } = self.extent;
+        let SweepExtent { to, rows, .. } = self.extent;
         let end = (rows == 1).then_some(to);
         let given: Vec<f64> = (0..rows).map(|row| self.quantity.row(row)).chain(end).collect();
         let mut places = given.clone();
@@ -263,109 +254,17 @@ impl<'c> Curve<'c> {
                 .extend((1..count).map(|probe| pair[0] + (pair[1] - pair[0]) * (f64::from(probe) / f64::from(count))));
         }
         places.extend(&self.gaps);
-        places.sort_by(f64::total_cmp);
-        places.dedup();
-        if to < from {
-            places.reverse();
-        }
+        self.put_in_order(&mut places);
         places
     }
 
-    /// The places, with those in islands between them, which no row meets.
-    fn places_with_islands(&self) -> Vec<f64> {
-        let mut places = self.places();
-        if !self.extent.has_assemblies {
-            return places;
-        }
-        let beside = BESIDE * (self.extent.to - self.extent.from);
-        let open: Vec<Option<[MissingLength; 3]>> = places.iter().map(|at| self.missing_around(*at, beside)).collect();
-        let mut islands = Vec::new();
-        for (pair, at) in open.windows(2).zip(places.windows(2)) {
-            let from = |side: usize| self.closing([at[side], at[1 - side]], pair[side]?[0].block);
-            let closing = [from(0), from(1)];
-            islands.extend(closing.into_iter().flatten());
-            if let ([None, None], [Some([one, .., after]), Some([other, before, ..])]) = (closing, pair)
-                && [after, other, before].iter().all(|missing| missing.block == one.block)
-                && after.length < one.length
-                && before.length < other.length
-            {
-                islands.extend(self.island([at[0], at[1]], one.block));
-            }
-        }
-        places.extend(islands);
+    /// Sorts places in the order of the sweep.
+    fn put_in_order(&self, places: &mut Vec<f64>) {
         places.sort_by(f64::total_cmp);
         places.dedup();
         if self.extent.to < self.extent.from {
             places.reverse();
         }
-        places
-    }
-
-    /// The missing lengths at a place, before it and behind it, if the mechanism closes at none of them.
-    fn missing_around(&self, at: f64, beside: f64) -> Option<[MissingLength; 3]> {
-        let missing = |at: f64| self.quantity.missing(at);
-        Some([missing(at)?, missing(at - beside)?, missing(at + beside)?])
-    }
-
-    /// The first place on the way from one place to another at which a block closes, by Newton's method for the missing length. A step that
-    /// leads to where more is missing again, or that closes after a long way, may have gone too far, and is halved.
-    fn closing(&self, [from, to]: [f64; 2], block: &'static str) -> Option<f64> {
-        let beside = BESIDE * (to - from);
-        // a place with its step
-        let seen = |at: f64| {
-            let missing = self.quantity.missing(at)?;
-            let there = self.quantity.missing(at + beside)?;
-            Some((
-                missing.block == block,
-                -missing.length * beside / (there.length - missing.length),
-            ))
-        };
-        let (mut at, mut step) = (from, seen(from)?.1);
-        for _ in 0..NEWTON {
-            let way = to - at;
-            if step * way <= 0.0 {
-                return None;
-            }
-            if step.abs() > 0.5 * way.abs() {
-                step = 0.5 * way;
-            }
-            // a bit beyond, where it may close already
-            let next = at + step + beside;
-            match seen(next) {
-                None if step.abs() <= SHORT_STEP * (to - from).abs() => return Some(next),
-                Some((true, next_step)) if next_step * way > 0.0 => (at, step) = (next, next_step),
-                _ => step = 0.5 * (next - at),
-            }
-        }
-        None
-    }
-
-    /// A place between two others at which the mechanism closes, by a search for the least missing length of a block. (J. Kiefer, Sequential
-    /// minimax search for a maximum, Proceedings of the American Mathematical Society 4, 1953, 502-506: golden sections.)
-    fn island(&self, [mut low, mut high]: [f64; 2], block: &'static str) -> Option<f64> {
-        let part = 0.5 * (num_traits::Float::sqrt(5.0_f64) - 1.0);
-        let missing = |at: f64| match self.quantity.missing(at) {
-            None => Err(at),
-            Some(missing) if missing.block == block => Ok(missing.length),
-            Some(_) => Ok(f64::INFINITY),
-        };
-        let mut search = || {
-            let mut places = [high - part * (high - low), low + part * (high - low)];
-            let mut lengths = [missing(places[0])?, missing(places[1])?];
-            for _ in 0..SECTIONS {
-                if lengths[0] <= lengths[1] {
-                    high = places[1];
-                    places = [high - part * (high - low), places[0]];
-                    lengths = [missing(places[0])?, lengths[0]];
-                } else {
-                    low = places[0];
-                    places = [places[1], low + part * (high - low)];
-                    lengths = [lengths[1], missing(places[1])?];
-                }
-            }
-            Ok(())
-        };
-        search().err()
     }
 
     /// The number of equal steps between two rows, so that none is longer than a probe.
@@ -437,12 +336,36 @@ impl<'c> Curve<'c> {
 
     /// The parts of the sweep on which the mechanism closes, each with a pose.
     fn circuits(&self) -> Result<Vec<ClosedPart>, ExtremesError> {
+        let mut places = self.places();
+        let mut seen = self.circuits_at(&places);
+        if !matches!(seen, Ok((_, None))) {
+            let islands = self.islands(&places);
+            if !islands.is_empty() {
+                places.extend(islands);
+                self.put_in_order(&mut places);
+                seen = self.circuits_at(&places);
+            }
+        }
+        let (mut circuits, first_error) = seen?;
+        self.shorten(&mut circuits);
+        if circuits.is_empty() {
+            return Err(first_error.map_or(
+                ExtremesError::Gap { at: self.extent.from },
+                ExtremesError::NothingCloses,
+            ));
+        }
+        self.join(&mut circuits);
+        Ok(circuits)
+    }
+
+    /// The parts on which the mechanism closes, as some places tell, and the error at the first place at which it does not.
+    fn circuits_at(&self, places: &[f64]) -> Result<(Vec<ClosedPart>, Option<SolveError>), ExtremesError> {
         let mut circuits: Vec<ClosedPart> = Vec::new();
         let mut mark = Mark::new(Walk::BEGINNING);
         let mut first_error = None;
         // the row before: its place, its mark, and whether it closed
         let mut before: Option<(f64, Mark, bool)> = None;
-        for at in self.places_with_islands() {
+        for at in places.iter().copied() {
             let result;
             (mark, result) = self.quantity.step(&mark, at);
             let is_closed = result.is_ok();
@@ -470,15 +393,7 @@ impl<'c> Curve<'c> {
             }
             before = Some((at, mark.clone(), is_closed));
         }
-        self.shorten(&mut circuits);
-        if circuits.is_empty() {
-            return Err(first_error.map_or(
-                ExtremesError::Gap { at: self.extent.from },
-                ExtremesError::NothingCloses,
-            ));
-        }
-        self.join(&mut circuits);
-        Ok(circuits)
+        Ok((circuits, first_error))
     }
 
     /// Looks for turning points close beyond the ends of the sweep, where no polynomial follows the curve.

@@ -47,6 +47,7 @@ mod curve;
 mod edge_tests;
 mod error;
 mod guessed;
+mod islands;
 mod margin;
 mod mean;
 mod parts;
