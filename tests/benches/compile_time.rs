@@ -287,6 +287,14 @@ fn questions() {
             "cycle",
             "let _ = turn; Some(linkage.cycle().ok()?.branches().len() as f64)",
         ),
+        (
+            "stroke",
+            "let _ = turn; Some(linkage.cycle().ok()?.stroke(0, \"theta6\").ok()?.length())",
+        ),
+        (
+            "sensitivities",
+            "Some(turn.of(\"theta6_jerk\").peak_sensitivities().ok()?.by[0].value)",
+        ),
     ];
     let sources: Vec<String> = asked.iter().map(|(_, question)| six_bar(question)).collect();
     let times = user.times(&sources);
