@@ -119,7 +119,10 @@ impl Fine {
 /// Compares the answers to every question about a quantity with a fine table.
 fn hold<M: Mechanism<Scalar = f64>, D: SmoothDrive>(name: &str, fine_table: &Table, rows: usize, sweep: &Course<M, D>) {
     let fine = Fine::of(fine_table, name);
-    let context = || format!("{:?}, {name}, {rows} rows", sweep.mechanism);
+    let context = || {
+        let (mechanism, assembly, from, to) = (sweep.mechanism, sweep.assembly, sweep.from, sweep.to);
+        format!("{mechanism:?}, {assembly:?} from {from} to {to}, {name}, {rows} rows")
+    };
     // towards a limit a quantity is a root, whose steps grow from row to row
     let steps = if fine_table.limits().is_empty() { 1.0 } else { 4.0 };
     let slack = steps * fine.step + 1e-9 * fine.size;

@@ -207,7 +207,8 @@ fn mechanisms_of_all_kinds_in_every_assembly() {
     let Compare {
         poses, failures, alone, ..
     } = compare;
-    assert!(poses > 10_000 && failures > 100, "{poses} {failures}");
+    let least = if cfg!(feature = "every-case") { 10_000 } else { 5_000 };
+    assert!(poses > least && failures > 100, "{poses} {failures}");
     assert!(alone < poses / 50, "{alone} of {poses}");
 }
 
