@@ -211,6 +211,14 @@ pub trait Described {
     #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
     fn assembly_name(&self, index: usize) -> Option<alloc::string::String>;
 
+    /// The names of all assemblies: none if a position is chosen by values nearby, and an empty one if there is no choice.
+    #[cfg(feature = "alloc")]
+    #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
+    fn assembly_names(&self) -> Vec<alloc::string::String> {
+        let indices = 0..self.assembly_count();
+        indices.filter_map(|index| self.assembly_name(index)).collect()
+    }
+
     /// The number of dyads.
     fn dyad_count(&self) -> usize;
 }

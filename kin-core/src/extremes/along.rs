@@ -84,6 +84,12 @@ pub struct ByName<'q> {
     found: Result<Named, ExtremesError>,
 }
 
+impl ByName<'_> {
+    fn named(&self) -> Result<Named, ExtremesError> {
+        self.found.clone()
+    }
+}
+
 /// A quantity that a closure calculates from a pose.
 #[derive(Clone, Copy)]
 pub struct ByExpression<F>(F);
@@ -104,17 +110,10 @@ pub trait AskedQuantity<S> {
     #[doc(hidden)]
     fn at(&self, sweep: &S, station: &SweepStation) -> Result<Local, ExtremesError>;
 
-    /// The order of the derivative that it is, if it is one.
+    /// The derivative that it is, if it is one.
     #[doc(hidden)]
-    fn order(&self) -> Option<usize> {
+    fn derivative(&self) -> Option<Named> {
         None
-    }
-
-    /// The value of a lower derivative of the same quantity.
-    #[doc(hidden)]
-    fn lower(&self, sweep: &S, station: &SweepStation, order: usize) -> Result<Local, ExtremesError> {
-        let _ = order;
-        self.at(sweep, station)
     }
 
     /// How its value and its slope at a place of a sweep change with a dimension.
@@ -124,36 +123,22 @@ pub trait AskedQuantity<S> {
 
 impl<S: QuantitySource> AskedQuantity<S> for ByName<'_> {
     fn check(&self, sweep: &S, highest: usize) -> Result<(), ExtremesError> {
-        match &self.found {
-            Ok(named) if named.order <= highest => Ok(()),
-            Ok(_) => Named::find(sweep.named(), self.name, highest).map(|_| ()),
-            Err(error) => Err(error.clone()),
+        if self.named()?.order > highest {
+            Named::find(sweep.named(), self.name, highest)?;
         }
+        Ok(())
     }
 
     fn at(&self, sweep: &S, station: &SweepStation) -> Result<Local, ExtremesError> {
-        match &self.found {
-            Ok(named) => named.at(sweep.named(), station),
-            Err(error) => Err(error.clone()),
-        }
+        self.named()?.at(sweep.named(), station)
     }
 
-    fn order(&self) -> Option<usize> {
-        self.found.as_ref().ok().map(|named| named.order)
-    }
-
-    fn lower(&self, sweep: &S, station: &SweepStation, order: usize) -> Result<Local, ExtremesError> {
-        match &self.found {
-            Ok(named) => named.of_order(order).at(sweep.named(), station),
-            Err(error) => Err(error.clone()),
-        }
+    fn derivative(&self) -> Option<Named> {
+        self.named().ok()
     }
 
     fn by_dimension(&self, sweep: &S, station: &SweepStation, dimension: usize) -> Result<ByDimension, ExtremesError> {
-        match &self.found {
-            Ok(named) => named.by_dimension(sweep.changed(), station, dimension),
-            Err(error) => Err(error.clone()),
-        }
+        self.named()?.by_dimension(sweep.changed(), station, dimension)
     }
 }
 
@@ -419,7 +404,6 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
     ) -> Result<T, ExtremesError> {
         self.quantity.check(self.sweep, HIGHEST)?;
         let answer = |station: &SweepStation| self.quantity.at(self.sweep, station);
-        let lower = |station: &SweepStation, order: usize| self.quantity.lower(self.sweep, station, order);
         let tell = |part: f64| {
             if let Some(progress) = &self.progress {
                 progress.reach(part);
@@ -429,10 +413,10 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
             course: self.sweep.course(),
             drive: self.sweep.drive(),
             quantity: &answer,
-            rate: self
-                .quantity
-                .order()
-                .map(|order| RateOfQuantity { order, lower: &lower }),
+            rate: self.quantity.derivative().map(|named| RateOfQuantity {
+                named,
+                functions: self.sweep.named(),
+            }),
             known: None,
             progress: Some(&tell),
         })?;

@@ -38,19 +38,16 @@ pub(super) enum StretchEnd {
     /// The end of the sweep, with the place of the other end if both are the same pose.
     Sweep,
     /// The end of the sweep, so short of a turning point that the curve is a root of the distance from it.
-    ShortOf(TurningPoint),
+    ShortOf {
+        /// The turning point beyond it.
+        limit: f64,
+    },
     /// Where two pieces of a law meet.
     Joint,
     /// Where the mechanism begins or ceases to close.
     Limit(LimitKind),
     /// A place inside of a smooth curve, where a stretch has been divided.
     Inside,
-}
-
-/// A turning point beyond the end of a sweep.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct TurningPoint {
-    pub(super) at: f64,
 }
 
 impl StretchEnd {
@@ -190,11 +187,6 @@ impl<'c> Curve<'c> {
     /// The way of the first input for each unit of the variable.
     pub(super) fn way(&self, at: f64) -> f64 {
         self.quantity.way(at)
-    }
-
-    /// The directions in which the quantity has no bound at a joint of laws.
-    pub(super) fn impulse_at(&self, joint: &CurveNode) -> Result<[bool; 2], ExtremesError> {
-        self.quantity.impulse(&joint.mark, joint.at)
     }
 
     /// The answer to a question. A gap or an edge that it meets between two rows divides the sweep, and the question is asked again.
@@ -431,7 +423,7 @@ impl<'c> Curve<'c> {
             return Some(StretchEnd::Limit(limit.kind));
         }
         let is_beyond = (limit.at > end) == (beyond > end);
-        is_beyond.then_some(StretchEnd::ShortOf(TurningPoint { at: limit.at }))
+        is_beyond.then_some(StretchEnd::ShortOf { limit: limit.at })
     }
 
     /// Where the mechanism does not close at a single place only, the curve has a kink there and goes on.
@@ -521,7 +513,7 @@ impl<'c> Curve<'c> {
     fn edge(&self, (at, end): (f64, StretchEnd), other: f64) -> Option<Edge> {
         let (limit, kind) = match end {
             StretchEnd::Limit(kind) => (at, kind),
-            StretchEnd::ShortOf(turning_point) => (turning_point.at, LimitKind::TurningPoint),
+            StretchEnd::ShortOf { limit } => (limit, LimitKind::TurningPoint),
             StretchEnd::Sweep | StretchEnd::Joint | StretchEnd::Inside => return None,
         };
         let scale = other - limit;

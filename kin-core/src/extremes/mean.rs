@@ -57,7 +57,7 @@ impl Curve<'_> {
         // Quadrature steps over change points and poles. The pieces of the curve meet them, and the sweep is divided there.
         for stretch in &stretches {
             let [_, end] = self.parts(stretch, false, &mut |_, _| Ok(()))?;
-            if stretch.ends[1] == StretchEnd::Joint && self.impulse_at(&end)? != [false; 2] {
+            if stretch.ends[1] == StretchEnd::Joint && self.quantity.impulse(&end)? != [false; 2] {
                 return Err(ExtremesError::Unbounded { at: end.at });
             }
         }

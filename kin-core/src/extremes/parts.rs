@@ -180,7 +180,7 @@ impl Curve<'_> {
             let mut rounding: f64 = 0.0;
             // The ends are looked at now and then: at a kink, which is none of this, pieces are halved all the way.
             let nodes = [furthest.as_ref().unwrap_or(&middle), left, right];
-            for node in nodes.into_iter().take(if depth % DEEP == 0 { 3 } else { 1 }) {
+            for node in nodes.into_iter().take(if depth.is_multiple_of(DEEP) { 3 } else { 1 }) {
                 rounding = rounding.max(self.rounding(stretch, node, BESIDE * (ends[1] - ends[0]))?);
                 let [agreement, flat] = MEASURED.map(|times| times * rounding);
                 if high - low <= flat && apart_most <= flat {

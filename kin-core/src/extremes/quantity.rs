@@ -17,7 +17,7 @@ const MARGIN: &str = "margin";
 
 /// A derivative of an input, an unknown or an output, or the margin.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Named {
+pub struct Named {
     kind: Kind,
     index: usize,
     pub(super) order: usize,

@@ -51,7 +51,7 @@ impl Curve<'_> {
             let [rises_first, rises_last] = [&begin, &end].map(|node| rises(stretch, node));
             let beginning = match stretch.ends[0] {
                 StretchEnd::Limit(_) => self.at_limit(stretch, &begin)?,
-                StretchEnd::ShortOf(_) => self.short_of_limit(stretch, &begin)?,
+                StretchEnd::ShortOf { .. } => self.short_of_limit(stretch, &begin)?,
                 _ => edge(&begin, ExtremeKind::End, !rises_first),
             };
             first.get_or_insert(beginning);
@@ -81,7 +81,7 @@ impl Curve<'_> {
             match stretch.ends[1] {
                 StretchEnd::Sweep if is_turn => {}
                 StretchEnd::Sweep => extremes.push(edge(&end, ExtremeKind::End, rises_last)),
-                StretchEnd::ShortOf(_) => extremes.push(self.short_of_limit(stretch, &end)?),
+                StretchEnd::ShortOf { .. } => extremes.push(self.short_of_limit(stretch, &end)?),
                 end_kind if end_kind.goes_on() => {}
                 _ => extremes.push(self.at_limit(stretch, &end)?),
             }
@@ -98,7 +98,7 @@ impl Curve<'_> {
 
     /// The extremes at a joint of laws where a lower rate jumps.
     fn impulse(&self, joint: &CurveNode) -> Result<impl Iterator<Item = Extreme> + use<>, ExtremesError> {
-        let (at, [up, down]) = (joint.at, self.impulse_at(joint)?);
+        let (at, [up, down]) = (joint.at, self.quantity.impulse(joint)?);
         let unbounded = move |is_maximum: bool| Extreme {
             at,
             value: None,

@@ -9,9 +9,10 @@ use alloc::vec::Vec;
 use core::f64::consts::TAU;
 
 use super::branch::KnownStretch;
-use super::curve::{Curve, StretchEnd};
+use super::curve::{Curve, CurveNode, StretchEnd};
+use super::quantity::Named;
 use super::search::FoundExtremes;
-use super::station::SweepStation;
+use super::station::{NamedFunctions, SweepStation};
 use super::{Crossing, DwellRange, ExtremesError, Mean, Over, Peak};
 use crate::failure::{Failure, SolveError};
 use crate::law::Side;
@@ -67,10 +68,10 @@ impl Mark {
     }
 }
 
-/// A quantity that is a derivative with respect to time, with those of lower orders.
+/// A quantity that is a derivative with respect to time, from which those of lower orders are found.
 pub(super) struct RateOfQuantity<'c> {
-    pub(super) order: usize,
-    pub(super) lower: &'c dyn Fn(&SweepStation, usize) -> Result<Local, ExtremesError>,
+    pub(super) named: Named,
+    pub(super) functions: &'c dyn NamedFunctions,
 }
 
 /// A quantity along a sweep.
@@ -208,19 +209,21 @@ impl QuantityOfSweep<'_> {
 
     /// The directions in which the quantity has no bound at a joint, upwards and downwards: a rate below it jumps there. One above a jump
     /// has the direction of the jump, and those above that have both.
-    pub(super) fn impulse(&self, near: &Mark, joint: f64) -> Result<[bool; 2], ExtremesError> {
-        let (Some(rate), Some(jump)) = (&self.rate, self.drive.jump(joint)) else {
+    pub(super) fn impulse(&self, joint: &CurveNode) -> Result<[bool; 2], ExtremesError> {
+        let (Some(rate), Some(jump)) = (&self.rate, self.drive.jump(joint.at)) else {
             return Ok([false; 2]);
         };
-        if rate.order <= jump {
+        let order = rate.named.order;
+        if order <= jump {
             return Ok([false; 2]);
-        } else if rate.order > jump + 1 {
+        } else if order > jump + 1 {
             return Ok([true; 2]);
         }
-        let variable = Local::from_coefficients([joint, 1.0, 0.0, 0.0, 0.0]);
+        let below = rate.named.of_order(jump);
+        let variable = Local::from_coefficients([joint.at, 1.0, 0.0, 0.0, 0.0]);
         let beside = |side: Side| {
-            let (station, _) = self.station(near, variable, side)?;
-            Ok::<_, ExtremesError>(station.finite((rate.lower)(&station, jump)?)?.real())
+            let (station, _) = self.station(&joint.mark, variable, side)?;
+            Ok::<_, ExtremesError>(station.finite(below.at(rate.functions, &station)?)?.real())
         };
         let (left, right) = (beside(Side::Left)?, beside(Side::Right)?);
         let rises = (right > left) == (self.course.to >= self.course.from);

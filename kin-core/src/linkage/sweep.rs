@@ -80,12 +80,6 @@ impl AnySweep<StraightLine> {
 }
 
 impl<D: SmoothDrive> AnySweep<D> {
-    /// The linkage.
-    #[must_use]
-    pub fn linkage(&self) -> &AnyLinkage {
-        &self.linkage
-    }
-
     /// The number of rows.
     #[must_use]
     pub fn count(&self) -> usize {

@@ -17,7 +17,7 @@ use super::arguments::{Argument, FEWEST_ROWS, Numbers, Texts, accepted, coerced,
 use super::assembly;
 use super::names::{of_order, plain, unit};
 use super::settings;
-use super::solver::{Solver, assemblies};
+use super::solver::Solver;
 
 /// The section of the documentation to which the functions belong.
 pub(crate) const SECTION: DocSection = DocSection {
@@ -110,7 +110,7 @@ impl PoseFunction {
     pub(crate) fn new(solver: &'static dyn Solver) -> Self {
         let description = solver.description();
         let name = in_small_letters(description.name, '_');
-        let assemblies = assemblies(solver);
+        let assemblies = solver.assembly_names();
         let mut arguments = dimensions(solver);
         for input in description.inputs {
             let meaning = format!("{} ({})", input.description, unit(input.dimension, 0));

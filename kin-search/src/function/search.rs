@@ -12,7 +12,7 @@ use super::assembly;
 use super::names::{plain, unit};
 use super::pose::{choice, dimensions, documented};
 use super::settings;
-use super::solver::{Solver, assemblies};
+use super::solver::Solver;
 use super::used;
 
 /// The number of poses of a turn, unless it is given.
@@ -70,14 +70,14 @@ impl Search {
     /// Whether a mechanism has a turn: its first input is an angle, and every block has a closed form.
     pub(crate) fn is_possible(solver: &dyn Solver) -> bool {
         let first = solver.description().inputs.first();
-        first.is_some_and(|input| input.dimension == Dimension::Angle) && !assemblies(solver).is_empty()
+        first.is_some_and(|input| input.dimension == Dimension::Angle) && !solver.assembly_names().is_empty()
     }
 
     /// A function with this ending of its name. The texts come before the dimensions.
     pub(crate) fn new(solver: &'static dyn Solver, ending: &str, texts: Vec<Argument>, result: &str) -> Self {
         let description = solver.description();
         let name = format!("{}_{ending}", in_small_letters(description.name, '_'));
-        let assemblies = assemblies(solver);
+        let assemblies = solver.assembly_names();
         let text_count = texts.len();
         let mut arguments = texts;
         arguments.extend(dimensions(solver));

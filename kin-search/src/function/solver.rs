@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-use kin_core::any::Described;
 use kin_core::batch::{AnyBatch, AnyFold};
 
 /// What the functions of SQL need of a mechanism.
@@ -14,11 +13,4 @@ impl fmt::Debug for dyn Solver {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(self.description().name)
     }
-}
-
-/// The assemblies as text, such as `open` or `alpha=open,knee=crossed`. There are none if a position is chosen by values nearby, and one
-/// without letters if there is no choice.
-pub(crate) fn assemblies(mechanism: &(impl Described + ?Sized)) -> Vec<String> {
-    let indices = 0..mechanism.assembly_count();
-    indices.filter_map(|index| mechanism.assembly_name(index)).collect()
 }

@@ -257,10 +257,7 @@ impl Subject {
 
     /// The names of its assemblies; none if they depend on the dimensions, an empty name if there is only one.
     pub(crate) fn assemblies(&self) -> Vec<String> {
-        let indices = 0..self.functions.assembly_count();
-        indices
-            .filter_map(|index| self.functions.assembly_name(index))
-            .collect()
+        self.functions.assembly_names()
     }
 
     fn linkage(&self, parameters: &[f64]) -> AnyLinkage {
@@ -375,9 +372,10 @@ impl Subject {
     pub(crate) fn page(&self, case: &Case, wishes: &PageWishes) -> Result<String, Fault> {
         let motion = &case.motions[case.lead];
         let (from, to) = (motion.start().min(motion.end()), motion.start().max(motion.end()));
+        let [inputs, _] = case.ends();
         let report = Wishes {
             assembly: Some(self.assembly(case)?),
-            inputs: case.ends()[0].clone(),
+            inputs,
             moving: Some(self.description().inputs[case.lead].name.to_owned()),
             range: wishes.has_range.then_some([from, to]),
             speed: (motion.end() - motion.start()).signum() * case.speed(),
