@@ -380,7 +380,7 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
     /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
     /// let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 361).speed(10.0);
     /// let found = turn.of("theta4_acceleration").peak_sensitivities()?;
-    /// for (name, by) in ["r1", "r2", "r3", "r4"].iter().zip(found.by) {
+    /// for (name, by) in ["r1", "r2", "r3", "r4"].iter().zip(&found.by) {
     ///     println!("{name}: {} rad/s² for each unit of length, and {} rad", by.value, by.at);
     /// }
     /// // a longer crank makes the rocker faster
