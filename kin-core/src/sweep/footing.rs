@@ -14,6 +14,8 @@ use crate::number::NumberRow;
 pub(super) const LONGEST: f64 = 1.0;
 /// The largest difference between an angle and its prediction from the rates at both ends of a step. Half a turn would be ambiguous.
 pub(super) const PREDICTION: f64 = 1.0;
+/// The largest such difference by which a pose of the other assembly is still known to continue the motion.
+const SURE_PREDICTION: f64 = 0.1;
 /// The largest change that rates may predict: next to a limit they are far too large.
 pub(super) const LONGEST_PREDICTION: f64 = 2.0;
 /// The largest step of an angle without rates.
@@ -162,6 +164,7 @@ impl Footing {
         let mut unwrapping = Unwrapping {
             has_moved: false,
             follows: true,
+            is_sure: true,
         };
         for index in angles {
             let (before, mut angle) = (from.angle(index), self.angle(index));
@@ -169,6 +172,7 @@ impl Footing {
             unwrapping.has_moved |= unwrapped != angle.value;
             angle.value = unwrapped;
             unwrapping.follows &= angle.follows(before, step);
+            unwrapping.is_sure &= angle.is_within(SURE_PREDICTION, before, step);
             self.numbers[index * self.orders] = unwrapped;
         }
         unwrapping
@@ -221,6 +225,8 @@ pub(super) struct Unwrapping {
     pub(super) has_moved: bool,
     /// Whether each is so close to its prediction that its turn is certain.
     pub(super) follows: bool,
+    /// Whether each is so close to its prediction that its assembly is certain, too.
+    pub(super) is_sure: bool,
 }
 
 /// An angle with its rate, which is not finite if it is not known.
@@ -246,11 +252,15 @@ impl MovingAngle {
     /// Whether the angle is so close to the prediction that its turn is certain.
     fn follows(self, before: Self, step: f64) -> bool {
         match self.predicted(before, step) {
-            Some(predicted) => {
-                (self.value - predicted).abs() <= PREDICTION && (predicted - before.value).abs() <= LONGEST_PREDICTION
-            }
+            Some(_) => self.is_within(PREDICTION, before, step),
             None => (self.value - before.value).abs() <= WITHOUT_RATES,
         }
+    }
+
+    /// Whether the angle is predicted up to a given difference. Without rates the angle before is the prediction.
+    fn is_within(self, difference: f64, before: Self, step: f64) -> bool {
+        let predicted = self.predicted(before, step).unwrap_or(before.value);
+        (self.value - predicted).abs() <= difference && (predicted - before.value).abs() <= LONGEST_PREDICTION
     }
 }
 

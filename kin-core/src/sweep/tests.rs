@@ -10,7 +10,7 @@ use super::{Instant, LimitKind, Sweep, SweepError, Table};
 use crate::assembly::{Assembly, Near};
 use crate::batch::{Column, Outcome};
 use crate::law::{ConstantSpeed, Law, Rise, Sequence, Shape};
-use crate::library::{FiveBar, FourBar, ScotchYoke};
+use crate::library::{FiveBar, FourBar, GearedFiveBar, ScotchYoke};
 use crate::load::{Loaded, Loads};
 use crate::mechanism::{Mechanism, OneInput};
 use crate::motion::Motion;
@@ -602,6 +602,29 @@ fn an_angle_may_turn_many_times_between_two_rows() {
     let table = orbit.sweep(Near([0.0])).over(0.0..=turns, 2).table().unwrap();
     let eccentric = table.column("eccentric").unwrap()[1];
     assert!((eccentric - turns).abs() < 1e-9, "{eccentric}");
+}
+
+/// In one step of 3 radians the links of the other assembly are closer to the prediction, on another turn.
+#[test]
+fn a_long_step_stays_in_its_assembly() {
+    let linkage = GearedFiveBar {
+        r1: 5.563824417149662,
+        r2: 1.9060877781521919,
+        r3: 9.436975600415074,
+        r4: 6.805883605147002,
+        r5: 8.802187860046637,
+        ratio: 1.8649358836356493,
+        phase: 0.8278182476124498,
+    };
+    for k in 0..40 {
+        let [from, to] = [9.5 - 0.05 * f64::from(k), 3.0 + 0.1 * f64::from(k)];
+        let last = |rows: usize| {
+            let table = linkage.sweep(Assembly::Crossed).over(from..=to, rows).table().unwrap();
+            table.column("theta3").unwrap()[rows - 1]
+        };
+        let [coarse, fine] = [last(2), last(400)];
+        assert!((coarse - fine).abs() <= 1e-9, "{from}..={to}: {coarse} {fine}");
+    }
 }
 
 #[test]

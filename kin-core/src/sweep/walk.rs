@@ -254,15 +254,17 @@ fn unwrapped(course: &AnyCourse<'_>, mut reached: Footing, motions: &[f64], from
         let near = reached.near(from);
         if let Ok(numbers) = course.solved_near(motions, &near, Vec::new()) {
             let mut turned = Footing::new(course, reached.at, numbers);
-            let follows = turned.unwrap_unknowns(from).follows;
-            // Where two assemblies meet, the solver may return the other one. Within a loop, a gear of half the speed exchanges their names.
+            let turns = turned.unwrap_unknowns(from);
+            // Where two assemblies meet, the solver may return the other one. Within a loop, a gear of half the speed exchanges their names:
+            // only a short step that both rates predict well tells the two cases apart.
+            let continues = turns.is_sure && turned.inputs_follow(from);
             let inputs = course.values(motions);
             let own = course
                 .mechanism
                 .assembly_near(&course.parameters, &inputs, &turned.unknowns());
-            if own == course.assembly.index() || (follows && !unknowns.follows) {
+            if own == course.assembly.index() || (continues && !unknowns.follows) {
                 turned.near = Some(near);
-                (reached, unknowns.follows) = (turned, follows);
+                (reached, unknowns) = (turned, turns);
             }
         }
     }
