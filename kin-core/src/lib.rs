@@ -109,6 +109,7 @@ pub mod any;
 mod assemblies;
 mod assembly;
 pub mod batch;
+mod curve;
 #[cfg(feature = "alloc")]
 pub mod cycle;
 #[cfg(rust_analyzer)]
@@ -150,6 +151,8 @@ pub use assemblies::{Assemblies, Choices, Positions, continuation};
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 pub use assembly::assembly_named;
 pub use assembly::{Assembly, Guess, IntoAssembly, Near};
+#[doc(hidden)]
+pub use curve::CurveFunctions;
 pub use failure::{Failure, InputValues, SolveError};
 pub use geometry::{Plane, Rotation, Space};
 #[doc(hidden)]
@@ -168,8 +171,6 @@ pub use picture::{Body, Outline, PlaneOrSpace, PointArray, Skeleton, Slide, Tran
 pub use quantity::in_small_letters;
 pub use quantity::{Dimension, Quantity, RATES};
 pub use solve::Scalar;
-#[doc(hidden)]
-pub use track::Tracked;
 pub use track::{Halt, MOST_TRACK_STEPS, Obstacle, TrackError, TrackErrorOf, track};
 
 /// Declares a mechanism by its loop closure, and generates solvers for its position and all time derivatives up to snap

@@ -8,20 +8,21 @@ use super::curved::Curved;
 use super::line::turned;
 use super::search::SearchMethod;
 use crate::any::{AssemblyOver, ClosureOver, Of, PositionChoice, TransmissionOver};
+use crate::curve::CurveFunctions;
 use crate::failure::SolveError;
 use crate::mechanism::{Block, Description, Mechanism};
 use crate::number::NumberRow;
 use crate::quantity::{Dimension, Quantity};
-use crate::track::{TrackError, Tracked, track_between};
+use crate::track::{TrackError, track_between};
 
 /// What every search needs of a mechanism.
 #[expect(
     private_bounds,
     reason = "messages would list a public number among those that a user may take"
 )]
-pub trait CycleFunctions: Tracked + ClosureOver<Bounds> {}
+pub trait CycleFunctions: CurveFunctions + ClosureOver<Bounds> {}
 
-impl<F: Tracked + ClosureOver<Bounds>> CycleFunctions for F {}
+impl<F: CurveFunctions + ClosureOver<Bounds>> CycleFunctions for F {}
 
 /// What the search needs where every block has a closed form.
 #[expect(

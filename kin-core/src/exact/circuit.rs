@@ -8,22 +8,23 @@ use alloc::boxed::Box;
 use alloc::string::ToString as _;
 use alloc::vec;
 use alloc::vec::Vec;
+use core::cell::RefCell;
 use core::f64::consts::TAU;
 
 use num_traits::Float;
 
 use super::ExactTableError;
-use super::factors::CurveFactors;
 use super::owned::ExactTable;
 use super::precision::Precision;
 use super::refine::{Frame, Source, Station, refined};
-use crate::any::{AnyMechanism, ClosureOver, Of};
+use crate::any::{ClosureOver, Of};
+use crate::curve::{CurveFunctions, LentRows, Way, WayPoint, bordered, corrected, expanded, fastest, rates};
 use crate::failure::Failure;
 use crate::law::Side;
-use crate::mechanism::{Mechanism, Sizes};
+use crate::mechanism::{HeapMemory, Mechanism};
 use crate::number::{GAUSS, Number};
 use crate::quantity::{Dimension, Quantity};
-use crate::sweep::{Course, Drive, Local, READ, SmoothDrive, StraightLine, Variable, Walk, composed};
+use crate::sweep::{Course, Local, StraightLine, Walk, composed};
 
 /// The number of terms of the series along the curve.
 const TERMS: usize = 5;
@@ -41,17 +42,19 @@ const TURN: f64 = 0.9;
 const SHARE: f64 = 0.3;
 /// The largest distance between prediction and correction, for each unit of a step.
 const CORRECTION: f64 = 0.05;
-/// The largest distance of a corrected point to the curve.
+/// The largest distance of the end of a circuit from its beginning.
 const NOISE: f64 = 1e-9;
-/// The largest number of corrections.
+/// The largest number of corrections of the length of an arc.
 const CORRECTIONS: usize = 16;
+/// The largest number of turns of an input after which the inputs may be where they were.
+const MOST_TURNS: u32 = 12;
 /// The longest piece over which the length of the arc is integrated at once. An error of 10⁻¹² would be one of 10⁻³ in a derivative of order 4
 /// of a short piece of the table.
 const PIECE: f64 = 0.05;
 /// The distance of the places at which rows may stand. The lengths of pieces between them are not rounded.
 const GRID: f64 = 1.0 / 65_536.0;
 
-/// A point of the curve. Its coordinates are the moving input and the unknowns, in their sizes.
+/// A point of the curve. Its coordinates are the unknowns and the travel of the inputs, in their sizes.
 #[derive(Clone)]
 struct Point {
     place: Vec<f64>,
@@ -115,11 +118,6 @@ fn length(vector: &[f64]) -> f64 {
     Float::sqrt(dot(vector, vector))
 }
 
-/// The right-hand side for the rates by the leading coordinate, which belongs to the last row.
-fn leading_rate(count: usize) -> Vec<f64> {
-    (1..=count).map(|row| if row == count { 1.0 } else { 0.0 }).collect()
-}
-
 fn dot(one: &[f64], other: &[f64]) -> f64 {
     one.iter().zip(other).map(|(one, other)| one * other).sum()
 }
@@ -133,127 +131,104 @@ fn value(series: &Local, change: f64) -> f64 {
         .fold(0.0, |sum, coefficient| sum * change + coefficient)
 }
 
-/// What a circuit needs of a mechanism: it follows the closure alone.
-trait CircuitFunctions: AnyMechanism + ClosureOver<Local> {}
+/// The functions of a mechanism that a circuit needs.
+trait CircuitFunctions: CurveFunctions + ClosureOver<Local> {}
 
-impl<F: AnyMechanism + ClosureOver<Local>> CircuitFunctions for F {}
+impl<F: CurveFunctions + ClosureOver<Local>> CircuitFunctions for F {}
 
 /// The curve of all positions on which a pose lies.
 struct CircuitCurve<'c> {
-    mechanism: &'c dyn CircuitFunctions,
-    /// The dimensions, as numbers and as series.
-    dimensions: (Vec<f64>, Vec<Local>),
-    /// Writes the inputs where the moving one has a value.
-    inputs: &'c dyn Fn(f64) -> Vec<f64>,
-    /// The inputs that move, with their ways for each unit of the leading one.
-    moving: Vec<(usize, f64)>,
-    sizes: Vec<f64>,
-    /// Whether a coordinate is an angle.
-    angles: Vec<bool>,
-    count: usize,
+    functions: &'c dyn CircuitFunctions,
+    way: Way<'c>,
+    /// Memory for parameters, inputs, unknowns and residuals as series, in which the parameters stand.
+    series: RefCell<Vec<Local>>,
+    scratch: RefCell<LentRows<'c>>,
+    /// The inputs that move.
+    moving: Vec<usize>,
+    /// The travel after which the inputs are where they were, if all that move are angles.
+    period: Option<f64>,
+    /// The orders of a column.
+    orders: usize,
+}
+
+/// The travel after which every moving input has turned by whole turns, which are so many for each unit of the travel.
+fn period(turns: &[f64]) -> Option<f64> {
+    let fastest = turns.iter().fold(0.0, |fastest: f64, turns| fastest.max(turns.abs()));
+    let is_whole = |turns: f64| (turns - Float::round(turns)).abs() <= NOISE;
+    let periods = (1..=MOST_TURNS).map(|count| f64::from(count) / fastest);
+    let mut whole = periods.filter(|period| turns.iter().all(|turns| is_whole(turns * period)));
+    whole.next()
 }
 
 impl CircuitCurve<'_> {
-    /// The residuals of the closure for coordinates that are series.
-    fn residuals(&self, coordinates: &[Local]) -> Vec<Local> {
-        let scaled = |(size, coordinate): (&f64, &Local)| Local::constant(*size) * *coordinate;
-        let scaled: Vec<Local> = self.sizes.iter().zip(coordinates).map(scaled).collect();
-        let lead = scaled[0];
-        let change = lead - Local::constant(lead.real());
-        let mut inputs: Vec<Local> = (self.inputs)(lead.real()).into_iter().map(Local::constant).collect();
-        for (input, slope) in &self.moving {
-            inputs[*input] = inputs[*input] + Local::constant(*slope) * change;
-        }
-        let mut residuals = vec![Local::constant(0.0); scaled.len() - 1];
-        self.mechanism
-            .residuals(&self.dimensions.1, &inputs, &scaled[1..], &mut residuals);
-        residuals
+    fn unknowns(&self, place: &[f64]) -> Vec<f64> {
+        let coordinates = place.iter().zip(self.way.sizes);
+        coordinates.map(|(value, size)| value * size).collect()
     }
 
-    /// The residuals at a place, and the Jacobian with a row that holds the leading coordinate.
-    fn linear(&self, place: &[f64], leading: usize) -> Option<(Vec<f64>, CurveFactors)> {
-        let count = place.len();
-        let mut rows = vec![vec![0.0; count]; count];
-        let mut values = vec![0.0; count];
-        let mut coordinates: Vec<Local> = place.iter().copied().map(Local::constant).collect();
-        for column in 0..count {
-            coordinates[column] = Local::from_coefficients([place[column], 1.0, 0.0, 0.0, 0.0]);
-            let residuals = self.residuals(&coordinates);
-            for (row, residual) in residuals.iter().enumerate().take(count - 1) {
-                [values[row], rows[row][column]] = [residual.coefficients()[0], residual.coefficients()[1]];
-            }
-            coordinates[column] = Local::constant(place[column]);
-        }
-        rows[count - 1][leading] = 1.0;
-        Some((values, CurveFactors::new(count, |row, column| rows[row][column])?))
+    /// The first input that moves, at a place.
+    fn input(&self, place: &[f64]) -> f64 {
+        self.way.input(place[self.way.count()], self.moving[0])
     }
 
     /// The place on the curve with the same leading coordinate.
-    fn corrected(&self, mut place: Vec<f64>, leading: usize) -> Option<(Vec<f64>, CurveFactors)> {
-        let mut previous = f64::INFINITY;
-        for _ in 0..CORRECTIONS {
-            let (mut values, factors) = self.linear(&place, leading)?;
-            // the leading coordinate stays
-            if let Some(last) = values.last_mut() {
-                *last = 0.0;
-            }
-            let changes = factors.solve(&values);
-            let size = changes.iter().fold(0.0, |size: f64, change| size.max(change.abs()));
-            if !size.is_finite() {
-                return None;
-            }
-            for (value, change) in place.iter_mut().zip(&changes) {
-                *value -= change;
-            }
-            if size <= f64::EPSILON || size >= 0.5 * previous {
-                return (size <= NOISE).then_some((place, factors));
-            }
-            previous = size;
-        }
-        None
+    fn corrected(&self, place: &[f64], leading: usize) -> Option<Vec<f64>> {
+        let (way, mut scratch) = (&self.way, self.scratch.borrow_mut());
+        let start = WayPoint {
+            unknowns: &self.unknowns(place),
+            travel: place[way.count()],
+        };
+        let found = corrected(way, start, leading, &mut scratch.scope())?;
+        let unknowns = found.unknowns.iter().zip(way.sizes).map(|(value, size)| value / size);
+        Some(unknowns.chain([found.travel]).collect())
+    }
+
+    /// The rates of all coordinates by the leading one, at a place of the curve.
+    fn rates(&self, place: &[f64], leading: usize) -> Option<Vec<f64>> {
+        let (way, mut scratch) = (&self.way, self.scratch.borrow_mut());
+        let mut scope = scratch.scope();
+        let point = WayPoint {
+            unknowns: &self.unknowns(place),
+            travel: place[way.count()],
+        };
+        let linear = way.linearise(point, &mut scope)?;
+        let system = bordered(&linear, leading, &mut scope);
+        let rates = rates(&linear, leading, &system, &mut scope);
+        rates.iter().all(|rate| rate.is_finite()).then(|| rates.to_vec())
     }
 
     /// The curve close to a place, in the direction of `ahead`.
-    fn point(&self, place: Vec<f64>, leading: usize, ahead: &[f64]) -> Option<Point> {
-        let (place, mut factors) = self.corrected(place, leading)?;
-        let count = place.len();
-        let unit = leading_rate(count);
-        let mut leading = leading;
-        let mut rates = factors.solve(&unit);
-        let fastest = (0..count).max_by(|one, other| rates[*one].abs().total_cmp(&rates[*other].abs()))?;
-        if fastest != leading {
-            leading = fastest;
-            factors = self.linear(&place, leading)?.1;
-            rates = factors.solve(&unit);
-        }
-        let mut series: Vec<[f64; TERMS]> = place
-            .iter()
-            .zip(&rates)
-            .map(|(value, rate)| [*value, *rate, 0.0, 0.0, 0.0])
-            .collect();
-        for order in 2..TERMS {
-            let coordinates: Vec<Local> = series.iter().copied().map(Local::from_coefficients).collect();
-            let residuals = self.residuals(&coordinates);
-            let mut right: Vec<f64> = residuals
-                .iter()
-                .map(|residual| -residual.coefficients()[order])
-                .collect();
-            right.truncate(count - 1);
-            right.push(0.0);
-            for (series, coefficient) in series.iter_mut().zip(factors.solve(&right)) {
-                series[order] = coefficient;
-            }
-        }
-        if !series.iter().flatten().all(|coefficient| coefficient.is_finite()) {
+    fn point(&self, place: &[f64], leading: usize, ahead: &[f64]) -> Option<Point> {
+        let place = self.corrected(place, leading)?;
+        let leading = fastest(&self.rates(&place, leading)?);
+        let (way, mut scratch) = (&self.way, self.scratch.borrow_mut());
+        let mut scope = scratch.scope();
+        let point = WayPoint {
+            unknowns: &self.unknowns(&place),
+            travel: place[way.count()],
+        };
+        let linear = way.linearise(point, &mut scope)?;
+        let system = bordered(&linear, leading, &mut scope);
+        let mut memory = self.series.borrow_mut();
+        let equations = (&linear, leading, &system);
+        let travel = expanded::<TERMS>(way, (self.functions, &mut memory), point, equations, &mut scope);
+        let unknowns = way.unknowns(&mut memory[..]).iter().zip(way.sizes);
+        let unknowns =
+            unknowns.map(|(series, size)| Local::from_coefficients(series.coefficients().map(|own| own / size)));
+        let series: Vec<Local> = unknowns.chain([travel]).collect();
+        let mut coefficients = series.iter().flat_map(Local::coefficients);
+        if !coefficients.all(f64::is_finite) {
             return None;
         }
+        let rates: Vec<f64> = series.iter().map(|series| series.coefficients()[1]).collect();
         let direction = dot(&rates, ahead).signum();
         Some(Point {
             place,
             leading,
-            series: series.into_iter().map(Local::from_coefficients).collect(),
+            series,
             direction,
-            orientation: factors.sign() * direction,
+            // the column of the travel stands in that of the leading coordinate, an exchange of two columns
+            orientation: system.orientation().sign * if leading == way.count() { direction } else { -direction },
         })
     }
 
@@ -266,8 +241,8 @@ impl CircuitCurve<'_> {
 
     /// The change of the length of the arc with the local parameter, after a change of it.
     fn speed(&self, from: &Point, change: f64) -> Option<f64> {
-        let (_, factors) = self.corrected(Self::predicted(from, change), from.leading)?;
-        Some(length(&factors.solve(&leading_rate(from.place.len()))))
+        let place = self.corrected(&Self::predicted(from, change), from.leading)?;
+        Some(length(&self.rates(&place, from.leading)?))
     }
 
     /// The length of the arc from a point to the one after a change of the local parameter, along the curve.
@@ -299,25 +274,24 @@ impl CircuitCurve<'_> {
             previous = missing.abs();
             change += from.direction * missing / self.speed(from, change)?;
         }
-        self.point(Self::predicted(from, change), from.leading, &from.tangent())
+        self.point(&Self::predicted(from, change), from.leading, &from.tangent())
     }
 
     /// The columns at a point, in all orders by the length of the arc.
     fn station(&self, at: f64, point: Point) -> Station<Point> {
-        let parameter = point.by_arc();
-        let derivatives = |index: usize| {
-            let series = composed(point.series[index], parameter) * Local::constant(self.sizes[index]);
+        let (way, parameter) = (&self.way, point.by_arc());
+        let derivatives = |index: usize, size: f64| {
+            let series = composed(point.series[index], parameter) * Local::constant(size);
             series.derivatives()
         };
         let mut numbers = Vec::new();
-        let lead = derivatives(0);
-        let values = (self.inputs)(lead[0]);
-        for (input, slope) in &self.moving {
-            numbers.push(values[*input]);
-            numbers.extend(lead[1..self.count].iter().map(|derivative| slope * derivative));
+        for input in &self.moving {
+            let own = derivatives(way.count(), way.slope(*input));
+            numbers.push(way.input(point.place[way.count()], *input));
+            numbers.extend(&own[1..self.orders]);
         }
-        for index in 1..point.place.len() {
-            numbers.extend(&derivatives(index)[..self.count]);
+        for (index, size) in way.sizes.iter().enumerate() {
+            numbers.extend(&derivatives(index, *size)[..self.orders]);
         }
         Station {
             at,
@@ -329,7 +303,7 @@ impl CircuitCurve<'_> {
     /// The error of a curve that cannot be followed beyond a station.
     fn lost(&self, station: &Station<Point>) -> ExactTableError {
         ExactTableError::Lost {
-            input: station.near.place[0] * self.sizes[0],
+            input: self.input(&station.near.place),
             length: station.at,
         }
     }
@@ -338,7 +312,7 @@ impl CircuitCurve<'_> {
     fn next(&self, from: &Station<Point>, longest: f64) -> Result<Station<Point>, ExactTableError> {
         let here = &from.near;
         let tangent = here.tangent();
-        let input = here.place[0] * self.sizes[0];
+        let input = self.input(&here.place);
         let mut way = longest;
         loop {
             if way < SHORTEST {
@@ -346,7 +320,7 @@ impl CircuitCurve<'_> {
             }
             let change = value(&here.by_arc(), way);
             let predicted = Self::predicted(here, change);
-            let found = self.point(predicted.clone(), here.leading, &tangent).filter(|there| {
+            let found = self.point(&predicted, here.leading, &tangent).filter(|there| {
                 let ahead = there.tangent();
                 let distances = there
                     .place
@@ -381,18 +355,14 @@ impl CircuitCurve<'_> {
     /// Whether the solvers find this place as well. Near a limit they may not.
     fn confirm(&self, station: &Station<Point>) -> Result<(), ExactTableError> {
         let point = &station.near;
-        let at = point.place[0] * self.sizes[0];
-        let coordinates = point.place.iter().zip(&self.sizes);
-        let unknowns: Vec<f64> = coordinates.skip(1).map(|(value, size)| value * size).collect();
-        let mut found = unknowns.clone();
-        let solved = self
-            .mechanism
-            .position_near(&self.dimensions.0, &(self.inputs)(at), &unknowns, &mut found);
-        match solved {
-            Ok(()) => {
-                let is_near = (0..self.sizes.len() - 1).all(|index| {
-                    let mut change = (found[index] - unknowns[index]) / self.sizes[1 + index];
-                    if self.angles[1 + index] {
+        let (way, unknowns) = (&self.way, self.unknowns(&point.place));
+        let mut scratch = self.scratch.borrow_mut();
+        let solved = way.position_near(point.place[way.count()], &unknowns, &mut scratch.scope());
+        match solved.map(<[f64]>::to_vec) {
+            Ok(found) => {
+                let is_near = way.description.unknowns.iter().enumerate().all(|(index, unknown)| {
+                    let mut change = (found[index] - unknowns[index]) / way.sizes[index];
+                    if unknown.dimension == Dimension::Angle {
                         change -= TAU * Float::round(change / TAU);
                     }
                     change.abs() <= 0.1
@@ -402,7 +372,7 @@ impl CircuitCurve<'_> {
             Err(error) => match error.failure {
                 Failure::OutOfReach { .. } | Failure::Singular { .. } | Failure::NotConverged { .. } => Ok(()),
                 _ => Err(ExactTableError::NotClosed {
-                    at,
+                    at: self.input(&point.place),
                     error: Box::new(error),
                 }),
             },
@@ -411,14 +381,12 @@ impl CircuitCurve<'_> {
 
     /// The whole turns by which a place differs from the start, and the rest of the difference.
     fn turns(&self, start: &Point, place: &[f64]) -> (Vec<f64>, Vec<f64>) {
-        let differences = place.iter().zip(&start.place).zip(&self.angles);
+        let unknowns = self.way.description.unknowns.iter();
+        let periods = unknowns.map(|unknown| (unknown.dimension == Dimension::Angle).then_some(TAU));
+        let differences = place.iter().zip(&start.place).zip(periods.chain([self.period]));
         differences
-            .map(|((one, other), is_angle)| {
-                let turns = if *is_angle {
-                    TAU * Float::round((one - other) / TAU)
-                } else {
-                    0.0
-                };
+            .map(|((one, other), period)| {
+                let turns = period.map_or(0.0, |period| period * Float::round((one - other) / period));
                 (turns, one - other - turns)
             })
             .unzip()
@@ -444,7 +412,7 @@ impl CircuitCurve<'_> {
             .map(|(value, turn)| value + turn)
             .collect();
         let change = end[leading] - here.near.place[leading];
-        let (found, _) = self.corrected(Self::predicted(&here.near, change), leading)?;
+        let found = self.corrected(&Self::predicted(&here.near, change), leading)?;
         let distances = found.iter().zip(&end).map(|(one, other)| (one - other).abs());
         if distances.fold(0.0, f64::max) > NOISE {
             return None;
@@ -461,20 +429,20 @@ impl CircuitCurve<'_> {
         let again = self.station(station.at, station.near.clone());
         for (own, again) in station
             .numbers
-            .chunks_mut(self.count)
-            .zip(again.numbers.chunks(self.count))
+            .chunks_mut(self.orders)
+            .zip(again.numbers.chunks(self.orders))
         {
             own[0] = again[0];
         }
         Some(station)
     }
 
-    /// Pairs of neighbouring stations around the whole circuit, from a place in one direction of the moving input.
-    fn around(&self, place: Vec<f64>, is_downwards: bool) -> Result<Vec<[Station<Point>; 2]>, ExactTableError> {
-        let input = place[0] * self.sizes[0];
+    /// Pairs of neighbouring stations around the whole circuit, from a place in the direction of the inputs.
+    fn around(&self, place: &[f64]) -> Result<Vec<[Station<Point>; 2]>, ExactTableError> {
+        let (input, travel) = (self.input(place), self.way.count());
         let mut ahead = vec![0.0; place.len()];
-        ahead[0] = if is_downwards { -1.0 } else { 1.0 };
-        let start = self.point(place, 0, &ahead);
+        ahead[travel] = 1.0;
+        let start = self.point(place, travel, &ahead);
         let start = self.station(0.0, start.ok_or(ExactTableError::ChangePoint { input })?);
         let mut stations = vec![start.clone()];
         let mut here = start.clone();
@@ -505,8 +473,8 @@ impl Source for CircuitCurve<'_> {
     type Near = Point;
 
     fn columns(&self) -> Vec<Quantity> {
-        let description = self.mechanism.description();
-        let inputs = self.moving.iter().map(|(input, _)| description.inputs[*input]);
+        let description = self.way.description;
+        let inputs = self.moving.iter().map(|input| description.inputs[*input]);
         inputs.chain(description.unknowns.iter().copied()).collect()
     }
 
@@ -529,8 +497,8 @@ impl<M: Mechanism<Scalar = f64>> Course<M, StraightLine> {
     /// The whole circuit as an [`ExactTable`]: from the beginning of the range in its direction, on through the limits where the input
     /// turns back, until the motion has come back to its start. So one closed table holds both assemblies between two limits.
     ///
-    /// The parameter is the length of the arc, `arc`: the root of the sum of the squares of all ways of the moving input and the unknowns,
-    /// angles in radians and lengths in units of the longest link. It is smooth where the input turns back. A mechanism that is shown at a
+    /// The parameter is the length of the arc, `arc`: the root of the sum of the squares of all ways of the unknowns and the moving input (of
+    /// several, the one that moves farthest), angles in radians and lengths in units of the longest link. It is smooth where the input turns back. A mechanism that is shown at a
     /// constant speed of the arc moves evenly. The columns are the inputs that move and the unknowns, in this order. Outputs are not among
     /// them: at a limit the solver has none of their derivatives. A quantity that is declared as an unknown with an equation of its own is
     /// a column.
@@ -570,12 +538,32 @@ impl<M: Mechanism<Scalar = f64>> Course<M, StraightLine> {
         let reached = walk
             .step(&course, self.from, &course.motions(self.from))
             .map_err(closed)?;
-        let inputs = |at: f64| course.inputs(at).to_vec();
         let unknowns = reached.unknowns();
-        let curve = self.circuit_curve(order + 1, &unknowns, &inputs);
-        let values = core::iter::once(&self.from).chain(unknowns.iter());
-        let start = values.zip(&curve.sizes).map(|(value, size)| value / size).collect();
-        let stations = curve.around(start, self.to < self.from)?;
+        // a sweep of one place has a direction as well
+        let end = if self.to == self.from { self.from + 1.0 } else { self.to };
+        let [from, to] = [self.from, end].map(|at| course.inputs(at));
+        let mut memory = HeapMemory::new(course.description, course.parameters.len());
+        let functions = Of::<M>::FUNCTIONS;
+        let (way, scratch) = Way::new(functions, &course.parameters, [&from, &to], &unknowns, memory.lend());
+        let parameters = course.parameters.iter().copied().map(Local::constant);
+        let others = from.len() + 2 * unknowns.len();
+        let series = parameters
+            .chain(core::iter::repeat_n(Local::constant(0.0), others))
+            .collect();
+        let moving: Vec<usize> = (0..from.len()).filter(|input| from[*input] != to[*input]).collect();
+        let is_angle = |input: &usize| course.description.inputs[*input].dimension == Dimension::Angle;
+        let turns: Vec<f64> = moving.iter().map(|input| way.slope(*input) / TAU).collect();
+        let curve = CircuitCurve {
+            functions,
+            series: RefCell::new(series),
+            scratch: RefCell::new(scratch),
+            period: moving.iter().all(is_angle).then(|| period(&turns)).flatten(),
+            moving,
+            orders: order + 1,
+            way,
+        };
+        let start = unknowns.iter().zip(curve.way.sizes).map(|(value, size)| value / size);
+        let stations = curve.around(&start.chain([0.0]).collect::<Vec<f64>>())?;
         let frame = Frame {
             name: M::DESCRIPTION.name,
             parameter: ("arc".to_string(), Dimension::Scalar),
@@ -583,46 +571,5 @@ impl<M: Mechanism<Scalar = f64>> Course<M, StraightLine> {
             may_close: true,
         };
         refined(&curve, frame, stations, precision)
-    }
-
-    fn circuit_curve<'c>(
-        &'c self,
-        count: usize,
-        unknowns: &[f64],
-        inputs: &'c dyn Fn(f64) -> Vec<f64>,
-    ) -> CircuitCurve<'c> {
-        let description = M::DESCRIPTION;
-        let parameters = self.mechanism.parameters().as_ref().to_vec();
-        // the variable of a line is always an input
-        let lead = match self.drive.variable() {
-            Variable::Input(lead) => lead,
-            _ => 0,
-        };
-        let mut slopes = vec![0.0; description.inputs.len() * READ];
-        self.drive.derivatives(self.from, Side::Right, &mut slopes);
-        let own = Sizes::of(&description, &parameters);
-        let quantities = core::iter::once(description.inputs[lead]).chain(description.unknowns.iter().copied());
-        let values = core::iter::once(self.from).chain(unknowns.iter().copied());
-        CircuitCurve {
-            mechanism: Of::<M>::FUNCTIONS,
-            dimensions: (
-                parameters.clone(),
-                parameters.into_iter().map(Local::constant).collect(),
-            ),
-            inputs,
-            moving: (0..description.inputs.len())
-                .filter(|input| *input == lead || self.drive.same(*input, 0).is_none())
-                .map(|input| (input, slopes[input * READ + 1]))
-                .collect(),
-            sizes: quantities
-                .clone()
-                .zip(values)
-                .map(|(quantity, value)| own.size(quantity.dimension, value))
-                .collect(),
-            angles: quantities
-                .map(|quantity| quantity.dimension == Dimension::Angle)
-                .collect(),
-            count,
-        }
     }
 }

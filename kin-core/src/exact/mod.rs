@@ -35,7 +35,6 @@
 mod circuit;
 mod error;
 #[cfg(feature = "alloc")]
-mod factors;
 #[cfg(feature = "alloc")]
 mod failure;
 #[cfg(feature = "alloc")]

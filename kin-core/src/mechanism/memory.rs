@@ -1,5 +1,12 @@
 //! The memory of a track.
 
+#[cfg(feature = "alloc")]
+use alloc::vec;
+#[cfg(feature = "alloc")]
+use alloc::vec::Vec;
+
+#[cfg(feature = "alloc")]
+use super::Description;
 use crate::number::series::Series;
 use crate::solve::lent_factors_length;
 
@@ -46,12 +53,47 @@ impl Memory {
         let station = unknowns * (orders + 2) + sides;
         let curve = 3 * unknowns + sides;
         // Stations and curves that are alive at the same time, the matrices of the deepest calls, and rows beside them.
-        8 * station + 6 * curve + 4 * (linear + factors) + 32 * unknowns + (self.inputs + 2) * (orders + 4)
+        8 * station + 6 * curve + 4 * (linear + factors) + 36 * (unknowns + 1) + (self.inputs + 2) * (orders + 4)
     }
 
     /// The count of series of each order.
     #[must_use]
     pub const fn series(self) -> usize {
         self.parameters + self.inputs + 2 * self.unknowns
+    }
+}
+
+/// The memory of a track, of the heap.
+#[cfg(feature = "alloc")]
+#[derive(Debug)]
+pub(crate) struct HeapMemory {
+    numbers: Vec<f64>,
+    first: Vec<First>,
+    second: Vec<Second>,
+}
+
+#[cfg(feature = "alloc")]
+impl HeapMemory {
+    pub(crate) fn new(description: &Description, parameters: usize) -> Self {
+        let memory = Memory {
+            parameters,
+            inputs: description.inputs.len(),
+            unknowns: description.unknowns.len(),
+            blocks: description.blocks.len(),
+            orders: description.order + 1,
+        };
+        Self {
+            numbers: vec![0.0; memory.numbers()],
+            first: vec![First::ZERO; memory.series()],
+            second: vec![Second::ZERO; memory.series()],
+        }
+    }
+
+    pub(crate) fn lend(&mut self) -> Lent<'_> {
+        Lent {
+            numbers: &mut self.numbers,
+            first: &mut self.first,
+            second: &mut self.second,
+        }
     }
 }

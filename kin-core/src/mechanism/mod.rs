@@ -23,6 +23,8 @@ pub use description::{Block, Description};
 #[doc(hidden)]
 pub use failed::{culprit, failed};
 pub use formulas::{Formula, Formulas};
+#[cfg(feature = "alloc")]
+pub(crate) use memory::HeapMemory;
 #[doc(hidden)]
 pub use memory::{First, Lent, Memory, Second};
 pub use one_input::OneInput;

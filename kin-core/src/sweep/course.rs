@@ -9,17 +9,17 @@ use super::drive::{Drive, SmoothDrive, Variable};
 use super::table::Table;
 use super::{Course, SweepError, row_at};
 use crate::any::{AssemblyChoice, AssemblyMotionOver, Of, PositionChoice};
+use crate::curve::CurveFunctions;
 use crate::failure::SolveError;
 use crate::mechanism::{Description, Mechanism};
 use crate::number::NumberRow;
 use crate::quantity::{Dimension, Quantity};
-use crate::track::Tracked;
 
 /// The halvings that find the edge of a gap. Angles there differ from those at the limit by some 10⁻⁵.
 const EDGE: usize = 32;
 
 /// What a sweep needs of its mechanism.
-pub trait SweptMechanism: Tracked + AssemblyMotionOver<f64> {}
+pub trait SweptMechanism: CurveFunctions + AssemblyMotionOver<f64> {}
 
 impl<M: Mechanism<Scalar = f64>> SweptMechanism for Of<M> {}
 

@@ -608,13 +608,13 @@ fn an_angle_may_turn_many_times_between_two_rows() {
 #[test]
 fn a_long_step_stays_in_its_assembly() {
     let linkage = GearedFiveBar {
-        r1: 5.563824417149662,
-        r2: 1.9060877781521919,
-        r3: 9.436975600415074,
-        r4: 6.805883605147002,
-        r5: 8.802187860046637,
-        ratio: 1.8649358836356493,
-        phase: 0.8278182476124498,
+        r1: 5.5638,
+        r2: 1.9061,
+        r3: 9.437,
+        r4: 6.8059,
+        r5: 8.8022,
+        ratio: 1.8649,
+        phase: 0.8278,
     };
     for k in 0..40 {
         let [from, to] = [9.5 - 0.05 * f64::from(k), 3.0 + 0.1 * f64::from(k)];

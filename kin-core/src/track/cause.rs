@@ -1,12 +1,10 @@
 //! The causes that stop a track.
 
 use super::follow::{ANCHOR, BLUR, Ended, FAR, SECANTS, TrackPoint};
-use super::lent_rows::LentRows;
+use super::line::TrackLine;
 use super::obstacle::{FIRM, Halt, Obstacle, TrackError};
-use super::rounding::{blur, is_indistinct};
-use super::sides::Sides;
 use super::steps::Steps;
-use super::way::{Way, WayPoint, largest};
+use crate::curve::{LentRows, Sides, Way, WayPoint, blur, is_indistinct, largest};
 use crate::failure::{Failure, SolveError};
 use crate::quantity::Dimension;
 
@@ -18,7 +16,7 @@ const BISECTIONS: usize = 64;
 /// A change point. It is a limit instead if several blocks reach their limits at once, so that nothing continues
 /// beyond.
 fn crossed_or_ended(
-    way: &Way<'_>,
+    way: &TrackLine<'_>,
     point: WayPoint<'_>,
     sides: &Sides<'_>,
     beginning: &Sides<'_>,
@@ -34,7 +32,7 @@ fn crossed_or_ended(
 
 /// The change point to which ever shorter steps lead. It is located from an earlier station if that is more exact.
 pub(super) fn crossed_near(
-    way: &Way<'_>,
+    way: &TrackLine<'_>,
     near: WayPoint<'_>,
     sides: Sides<'_>,
     anchor: &TrackPoint<'_>,
@@ -59,7 +57,7 @@ fn is_out_of_reach(way: &Way<'_>, point: WayPoint<'_>, scratch: &mut LentRows<'_
 
 /// The cause where no step succeeds, however short. `error` is the last error of the solvers.
 pub(super) fn blocked(
-    way: &Way<'_>,
+    way: &TrackLine<'_>,
     here: &TrackPoint<'_>,
     anchor: &TrackPoint<'_>,
     beginning: &Sides<'_>,
@@ -95,7 +93,7 @@ pub(super) fn blocked(
 }
 
 /// The place at which an unknown goes to infinity, if it is close.
-fn pole(way: &Way<'_>, here: &TrackPoint<'_>, scratch: &mut LentRows<'_>) -> Option<Obstacle<(), ()>> {
+fn pole(way: &TrackLine<'_>, here: &TrackPoint<'_>, scratch: &mut LentRows<'_>) -> Option<Obstacle<(), ()>> {
     let values = here.point.unknowns;
     let grown = |index: &usize| values[*index].abs() / way.sizes[*index];
     let index = (0..way.count()).max_by(|one, other| grown(one).total_cmp(&grown(other)))?;
@@ -270,7 +268,7 @@ fn is_beside(way: &Way<'_>, point: WayPoint<'_>, here: WayPoint<'_>) -> bool {
 }
 
 pub(super) fn obstacle(
-    way: &Way<'_>,
+    way: &TrackLine<'_>,
     point: WayPoint<'_>,
     sides: &Sides<'_>,
     beginning: &Sides<'_>,
@@ -287,7 +285,12 @@ pub(super) fn obstacle(
 }
 
 /// The place where the track stopped.
-pub(super) fn halt(way: &Way<'_>, point: WayPoint<'_>, steps: &Steps, scratch: &mut LentRows<'_>) -> Halt<(), ()> {
+pub(super) fn halt(
+    way: &TrackLine<'_>,
+    point: WayPoint<'_>,
+    steps: &Steps,
+    scratch: &mut LentRows<'_>,
+) -> Halt<(), ()> {
     way.end_at(point);
     Halt {
         steps: steps.taken(),

@@ -3,14 +3,13 @@
 use num_traits::Float;
 
 use super::cause::{blocked, crossed_near, halt, obstacle};
-use super::lent_rows::LentRows;
+use super::line::{TrackLine, TrackPlace};
 use super::obstacle::TrackError;
-use super::rounding::{blur, is_crossed};
-use super::sides::Sides;
 use super::steps::Steps;
-use super::tracked::Tracked;
 use super::turning::{self, Passage};
-use super::way::{Way, WayPoint, largest, largest_difference};
+use crate::curve::{
+    CurveFunctions, LentRows, Sides, Way, WayPoint, blur, fastest, is_crossed, largest, largest_difference,
+};
 use crate::failure::{Failure, InputValues, SolveError};
 use crate::mechanism::Lent;
 
@@ -20,8 +19,6 @@ pub(super) const LONGEST: f64 = 0.5;
 pub(super) const LAST_TERM: f64 = 0.02;
 /// The largest difference between corrected and predicted unknowns. For their rates it is relative to the largest rate.
 pub(super) const CORRECTION: f64 = 0.02;
-/// The shortest step, as a part of the way or of the unit.
-pub(super) const SHORTEST: f64 = 1e-13;
 /// The length of a step whose station is far enough from a change point for its series to be accurate there.
 pub(super) const ANCHOR: f64 = 1e-3;
 /// Within this distance of a change point, rounding can mix up the branches that cross there.
@@ -41,12 +38,6 @@ pub(super) const FAST: f64 = 32.0;
 
 /// The error of a track whose place is told beside it.
 pub(super) type Ended = TrackError<(), ()>;
-
-/// The place at which a track begins, and then the one at which it has ended.
-pub(super) struct TrackPlace<'p> {
-    pub(super) inputs: &'p mut [f64],
-    pub(super) unknowns: &'p mut [f64],
-}
 
 /// A point of the track and everything known there.
 #[derive(Clone, Copy)]
@@ -163,7 +154,7 @@ pub(super) enum Missing {
 
 /// Moves the mechanism of a place, whose unknowns are close to a position, along a line of inputs.
 pub(super) fn follow(
-    mechanism: &dyn Tracked,
+    mechanism: &dyn CurveFunctions,
     parameters: &[f64],
     [from, to]: [&[f64]; 2],
     place: TrackPlace<'_>,
@@ -177,7 +168,7 @@ pub(super) fn follow(
     solved(from, place.unknowns, start)?;
     let start = &*start;
     place.unknowns.copy_from_slice(start);
-    let (way, mut scratch) = Way::new(
+    let (way, mut scratch) = TrackLine::new(
         mechanism,
         parameters,
         [from, to],
@@ -277,7 +268,7 @@ pub(super) fn follow(
         };
         // Rounding errors separate the branches that cross here, so there seems to be a way around the crossing.
         if step < BLUR && {
-            let parameter = turning::fastest(there.rates(way.sizes, &mut scratch));
+            let parameter = fastest(there.rates(way.sizes, &mut scratch));
             is_crossed(&way, there.point, parameter, &mut scratch)
         } {
             return Err(crossed_near(
@@ -381,7 +372,7 @@ enum Arrival<'s> {
 }
 
 fn round_the_turn<'s>(
-    way: &Way<'_>,
+    way: &TrackLine<'_>,
     here: &TrackPoint<'_>,
     anchor: &TrackPoint<'_>,
     beginning: &Sides<'_>,

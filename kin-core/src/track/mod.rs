@@ -1,25 +1,22 @@
 //! Moving a mechanism from a known position to another one.
 
+#[cfg(feature = "alloc")]
+mod between;
 mod cause;
 mod follow;
-mod lent_rows;
+mod line;
 mod obstacle;
-mod rounding;
-mod sides;
 mod steps;
 #[cfg(test)]
 mod tests;
-mod tracked;
 mod turning;
-mod way;
 
+#[cfg(feature = "alloc")]
+pub(crate) use between::track_between;
 pub use obstacle::{Halt, Obstacle, TrackError};
 pub use steps::MOST_TRACK_STEPS;
-pub use tracked::Tracked;
-#[cfg(feature = "alloc")]
-pub(crate) use tracked::track_between;
 
-use follow::TrackPlace;
+use line::TrackPlace;
 
 use crate::any::Of;
 use crate::failure::SolveError;

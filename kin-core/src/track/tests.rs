@@ -4,15 +4,12 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::string::ToString;
 use std::{format, vec};
 
-use super::follow::{CORRECTION, TrackPlace, attempted, station};
-use super::lent_rows::LentRows;
-use super::rounding::{blur, is_crossed, is_indistinct};
-use super::sides::Sides;
-use super::turning::fastest;
-use super::way::{Way, WayPoint, largest, largest_difference};
+use super::follow::{CORRECTION, attempted, station};
+use super::line::{TrackLine, TrackPlace};
 use super::{TrackError, TrackErrorOf, track};
 use crate::any::Of;
 use crate::assembly::Assembly;
+use crate::curve::{LentRows, Sides, WayPoint, blur, fastest, is_crossed, is_indistinct, largest, largest_difference};
 use crate::failure::Failure;
 use crate::library::{FourBar, InvertedSliderCrank, OffsetSliderCrank};
 use crate::mechanism::{Mechanism, PoseOf};
@@ -330,7 +327,7 @@ pub(super) fn on_the_way<R>(
     linkage: &FourBar,
     unknowns: [f64; 2],
     [from, to]: [f64; 2],
-    ask: impl FnOnce(&Way<'_>, WayPoint<'_>, &mut LentRows<'_>) -> R,
+    ask: impl FnOnce(&TrackLine<'_>, WayPoint<'_>, &mut LentRows<'_>) -> R,
 ) -> R {
     let (mut inputs, mut end) = ([from], unknowns);
     let place = TrackPlace {
@@ -340,7 +337,7 @@ pub(super) fn on_the_way<R>(
     let (parameters, from, to) = (linkage.parameters(), [from], [to]);
     FourBar::<f64>::lend(|lent| {
         let functions = Of::<FourBar>::FUNCTIONS;
-        let (way, mut scratch) = Way::new(functions, &parameters, [&from, &to], &unknowns, lent, place);
+        let (way, mut scratch) = TrackLine::new(functions, &parameters, [&from, &to], &unknowns, lent, place);
         let point = WayPoint {
             unknowns: &unknowns,
             travel: 0.0,

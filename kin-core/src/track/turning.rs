@@ -1,17 +1,14 @@
 //! The curve of solutions near limit positions, where an unknown is faster than the inputs.
 //!
-//! There the fastest unknown is the parameter, and the travel of the inputs is unknown instead. With this parameter the
-//! curve is as smooth as anywhere, and a limit position is a simple zero of the travel's rate. (Local parametrisation:
-//! W. C. Rheinboldt and J. V. Burkardt, A locally parameterized continuation process, ACM Transactions on Mathematical
-//! Software 9, 1983, 215-235.)
+//! There the fastest unknown is the parameter, and the travel of the inputs is unknown instead.
 
 use super::follow::{BLUR, CREEPING, FAR, MOST_CREEPING};
-use super::lent_rows::LentRows;
-use super::rounding::{is_crossed, rounding};
-use super::sides::{Sides, bordered};
 use super::steps::Steps;
-use super::way::{Way, WayPoint, largest, largest_difference};
-use crate::solve::{LentFactors, Orientation};
+use crate::curve::{
+    LentRows, Sides, Way, WayPoint, bordered, corrected, expanded, fastest, is_crossed, largest, largest_difference,
+    local_blur,
+};
+use crate::solve::Orientation;
 
 /// The longest step, in sizes of the parameter.
 const LONGEST: f64 = 0.05;
@@ -23,9 +20,6 @@ const SLOW: f64 = 16.0;
 const ITERATIONS: usize = 64;
 /// The number of steps without a change of the inputs after which the curve is given up.
 const STANDSTILL: u32 = 32;
-/// The size below which a correction that does not fall is rounding.
-const NOISE: f64 = 1e-7;
-
 /// The result of following the curve.
 pub(super) enum Passage<'s> {
     /// The unknowns have become slow again.
@@ -67,16 +61,20 @@ impl<'s> LocalCurve<'s> {
         let mut scope = scratch.scope();
         let linear = way.linearise(point, &mut scope)?;
         let system = bordered(&linear, parameter, &mut scope);
-        let count = way.count();
-        let column = scope.row(count, |row| -linear.entry(row, parameter));
-        let rates = scope.lend(count);
-        system.solve(column, rates);
-        let travel_rate = core::mem::replace(&mut rates[parameter], 1.0);
-        let right = way.bend(point, rates, travel_rate, &mut scope);
-        let bends = scope.lend(count);
-        system.solve(right, bends);
-        let travel_bend = core::mem::replace(&mut bends[parameter], 0.0);
-        let all = rates.iter().chain(&*bends);
+        let mut second = way.second();
+        let travel = expanded::<3>(
+            way,
+            (way.mechanism, &mut second[..]),
+            point,
+            (&linear, parameter, &system),
+            &mut scope,
+        );
+        let series = way.unknowns(&mut second[..]);
+        let coefficient = |order: usize, index: usize| series[index].coefficients()[order] / way.sizes[index];
+        let rates = scope.row(way.count(), |index| coefficient(1, index));
+        let bends = scope.row(way.count(), |index| coefficient(2, index));
+        let [_, travel_rate, travel_bend] = travel.coefficients();
+        let all = rates.iter().chain(bends);
         let mut all = all.chain([&travel_rate, &travel_bend]);
         if !all.all(|value| value.is_finite()) {
             return None;
@@ -161,63 +159,6 @@ impl<'s> LocalCurve<'s> {
     fn fastest(&self) -> usize {
         fastest(self.rates)
     }
-}
-
-/// The index of the largest rate, the first of several.
-pub(super) fn fastest(rates: &[f64]) -> usize {
-    let rates = rates.iter().enumerate();
-    let best = rates.fold(
-        (0, 0.0),
-        |best: (usize, f64), (index, rate)| {
-            if rate.abs() > best.1 { (index, rate.abs()) } else { best }
-        },
-    );
-    best.0
-}
-
-/// The point of the curve with the same value of the parameter, by Newton's method.
-fn corrected<'s>(
-    way: &Way<'_>,
-    start: WayPoint<'_>,
-    parameter: usize,
-    scratch: &mut LentRows<'s>,
-) -> Option<WayPoint<'s>> {
-    let unknowns = scratch.filled(way.count(), |index| start.unknowns[index]);
-    let mut travel = start.travel;
-    let mut previous = f64::INFINITY;
-    for _ in 0..ITERATIONS {
-        let mut scope = scratch.scope();
-        let point = WayPoint { unknowns, travel };
-        let linear = way.linearise(point, &mut scope)?;
-        let system = bordered(&linear, parameter, &mut scope);
-        let correction = scope.lend(way.count());
-        system.solve(linear.residuals, correction);
-        let length = largest(correction.iter().copied());
-        let stalls = length >= 0.5 * previous;
-        if !length.is_finite() || (stalls && length > NOISE && length > blur(way, point, &system, &mut scope)) {
-            return None;
-        }
-        for (index, change) in correction.iter().enumerate() {
-            if index == parameter {
-                travel -= change;
-            } else {
-                unknowns[index] -= change * way.sizes[index];
-            }
-        }
-        if length <= f64::EPSILON || stalls {
-            return Some(WayPoint { unknowns, travel });
-        }
-        previous = length;
-    }
-    None
-}
-
-/// The distance from the curve that rounding errors may cause. It is zero if it exceeds a fifth of the longest step,
-/// because it would then excuse any deviation.
-fn blur(way: &Way<'_>, point: WayPoint<'_>, system: &LentFactors<'_>, scratch: &mut LentRows<'_>) -> f64 {
-    let mut scope = scratch.scope();
-    let size = largest(rounding(way, point, system, &mut scope).iter().copied());
-    if size <= 0.2 * LONGEST { size } else { 0.0 }
 }
 
 /// Follows the curve until the unknowns are slow again, the inputs reach their target, or there is a limit.
@@ -380,7 +321,7 @@ fn attempted<'s>(
         let mut scope = scratch.scope();
         let linear = way.linearise(there.point, &mut scope)?;
         let system = bordered(&linear, parameter, &mut scope);
-        if distance > 0.05 * size + blur(way, there.point, &system, &mut scope) {
+        if distance > 0.05 * size + local_blur(way, there.point, &system, &mut scope) {
             return None;
         }
     }

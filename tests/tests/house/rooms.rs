@@ -57,6 +57,7 @@ pub(crate) const CORE: House = House {
         room("mechanism", &["mechanism/"], "traits of mechanisms"),
         room("any", &["any.rs"], "without their types"),
         room("assemblies", &["assemblies/"], "all positions"),
+        room("curve", &["curve/"], "positions over a line"),
         room("track", &["track/"], "from pose to pose"),
         room("load", &["load/"], "efforts, energies"),
         room("batch", &["batch/"], "columns, in lanes"),

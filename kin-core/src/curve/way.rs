@@ -1,23 +1,25 @@
 //! The line along which the inputs move, and the closure on it.
 
-use core::cell::RefCell;
+use core::cell::{RefCell, RefMut};
 
-use super::follow::{SHORTEST, TrackPlace};
+use super::functions::CurveFunctions;
 use super::lent_rows::LentRows;
-use super::tracked::Tracked;
 use crate::any::ClosureOver;
 use crate::failure::SolveError;
 use crate::mechanism::{Description, First, Lent, Second, Sizes};
-use crate::number::{at_constant_rate, series::Series};
+use crate::number::{Number, at_constant_rate, series::Series};
 use crate::quantity::Dimension;
+
+/// The shortest step along the curve, as a part of the way or of the unit.
+pub(crate) const SHORTEST: f64 = 1e-13;
 
 /// A point on the curve of solutions over the line of inputs.
 #[derive(Clone, Copy)]
-pub(super) struct WayPoint<'s> {
+pub(crate) struct WayPoint<'s> {
     /// The unknowns in their own units.
-    pub(super) unknowns: &'s [f64],
+    pub(crate) unknowns: &'s [f64],
     /// The distance that the inputs have covered.
-    pub(super) travel: f64,
+    pub(crate) travel: f64,
 }
 
 /// The line of inputs from one place to another, for a mechanism in double precision.
@@ -25,48 +27,51 @@ pub(super) struct WayPoint<'s> {
 /// Unknowns are measured in their natural sizes: 1 for an angle, the longest link for a length. The travel of the
 /// inputs is the largest of their distances, in units of their sizes, so rates with respect to the travel are usually
 /// about 1.
-pub(super) struct Way<'w> {
-    pub(super) mechanism: &'w dyn Tracked,
-    pub(super) description: &'w Description,
+pub(crate) struct Way<'w> {
+    pub(crate) mechanism: &'w dyn CurveFunctions,
+    pub(crate) description: &'w Description,
     parameters: &'w [f64],
     from: &'w [f64],
     to: &'w [f64],
     /// The whole travel.
-    pub(super) length: f64,
+    pub(crate) length: f64,
     /// The sizes of the unknowns at the start.
-    pub(super) sizes: &'w [f64],
+    pub(crate) sizes: &'w [f64],
     /// Parameters, inputs, unknowns and residuals as series of first and of second order.
     first: RefCell<&'w mut [First]>,
     second: RefCell<&'w mut [Second]>,
-    /// Where the end of the track is told.
-    place: RefCell<TrackPlace<'w>>,
 }
 
 /// The closure to first order at a point, one row for each equation, in sizes of the unknowns.
 #[derive(Clone, Copy)]
-pub(super) struct Linear<'s> {
+pub(crate) struct Linear<'s> {
     /// The entries row by row.
     jacobian: &'s [f64],
     /// The derivatives with respect to the travel of the inputs.
-    pub(super) travel: &'s [f64],
-    pub(super) residuals: &'s [f64],
+    pub(crate) travel: &'s [f64],
+    pub(crate) residuals: &'s [f64],
 }
 
 impl Linear<'_> {
-    pub(super) fn entry(&self, row: usize, column: usize) -> f64 {
-        self.jacobian[row * self.travel.len() + column]
+    /// The derivative of an equation with respect to a coordinate: an unknown, or the travel behind all of them.
+    pub(crate) fn entry(&self, row: usize, column: usize) -> f64 {
+        let count = self.travel.len();
+        if column == count {
+            self.travel[row]
+        } else {
+            self.jacobian[row * count + column]
+        }
     }
 }
 
 impl<'w> Way<'w> {
     /// The line between two places, for unknowns `near` the first one. What the line keeps is taken of the scratch.
-    pub(super) fn new(
-        mechanism: &'w dyn Tracked,
+    pub(crate) fn new(
+        mechanism: &'w dyn CurveFunctions,
         parameters: &'w [f64],
         [from, to]: [&'w [f64]; 2],
         near: &[f64],
         lent: Lent<'w>,
-        place: TrackPlace<'w>,
     ) -> (Self, LentRows<'w>) {
         let Lent { numbers, first, second } = lent;
         let mut scratch = LentRows::new(numbers);
@@ -98,47 +103,27 @@ impl<'w> Way<'w> {
             sizes,
             first: RefCell::new(first),
             second: RefCell::new(second),
-            place: RefCell::new(place),
         };
         (way, scratch)
     }
 
     /// The names of the unknowns of a block.
-    pub(super) fn block(&self, block: usize) -> &'static str {
+    pub(crate) fn block(&self, block: usize) -> &'static str {
         self.description.blocks.get(block).map_or("", |block| block.unknowns)
     }
 
-    /// Tells the place where the track has ended.
-    pub(super) fn end_at(&self, point: WayPoint<'_>) {
-        for (index, input) in self.place.borrow_mut().inputs.iter_mut().enumerate() {
-            *input = self.input(point.travel, index);
-        }
-        self.arrive(point.unknowns);
-    }
-
-    /// An input of the place that was told.
-    #[cfg(test)]
-    pub(super) fn ended_at(&self, input: usize) -> f64 {
-        self.place.borrow().inputs[input]
-    }
-
-    /// Tells the unknowns at the end of the track.
-    pub(super) fn arrive(&self, unknowns: &[f64]) {
-        self.place.borrow_mut().unknowns.copy_from_slice(unknowns);
-    }
-
     /// The number of unknowns, which is also the number of equations.
-    pub(super) const fn count(&self) -> usize {
+    pub(crate) const fn count(&self) -> usize {
         self.sizes.len()
     }
 
     /// The number of derivatives of a motion, the value included.
-    pub(super) const fn orders(&self) -> usize {
+    pub(crate) const fn orders(&self) -> usize {
         self.description.order + 1
     }
 
     /// The size of an unknown at a point. A length or a number may have grown.
-    pub(super) fn size_at(&self, unknowns: &[f64], index: usize) -> f64 {
+    pub(crate) fn size_at(&self, unknowns: &[f64], index: usize) -> f64 {
         let size = self.sizes[index];
         match self.description.unknowns[index].dimension {
             Dimension::Angle => size,
@@ -147,17 +132,17 @@ impl<'w> Way<'w> {
     }
 
     /// The shortest step of the inputs.
-    pub(super) fn shortest(&self) -> f64 {
+    pub(crate) fn shortest(&self) -> f64 {
         SHORTEST * self.length.max(1.0)
     }
 
     /// Whether two travels round to the same inputs.
-    pub(super) fn are_same(&self, one: f64, other: f64) -> bool {
+    pub(crate) fn are_same(&self, one: f64, other: f64) -> bool {
         (0..self.from.len()).all(|index| self.input(one, index) == self.input(other, index))
     }
 
     /// An input after a given travel.
-    fn input(&self, travel: f64, index: usize) -> f64 {
+    pub(crate) fn input(&self, travel: f64, index: usize) -> f64 {
         if travel == self.length {
             return self.to[index];
         }
@@ -165,12 +150,12 @@ impl<'w> Way<'w> {
     }
 
     /// The inputs after a given travel.
-    pub(super) fn inputs<'s>(&self, travel: f64, scratch: &mut LentRows<'s>) -> &'s [f64] {
+    pub(crate) fn inputs<'s>(&self, travel: f64, scratch: &mut LentRows<'s>) -> &'s [f64] {
         scratch.row(self.from.len(), |index| self.input(travel, index))
     }
 
     /// The position close to given unknowns after a given travel.
-    pub(super) fn position_near<'s>(
+    pub(crate) fn position_near<'s>(
         &self,
         travel: f64,
         near: &[f64],
@@ -183,7 +168,7 @@ impl<'w> Way<'w> {
     }
 
     /// The motions of the unknowns close to given ones after a given travel, with respect to the travel.
-    pub(super) fn motions_near<'s>(
+    pub(crate) fn motions_near<'s>(
         &self,
         travel: f64,
         near: &[f64],
@@ -203,46 +188,53 @@ impl<'w> Way<'w> {
     }
 
     /// Whether a position belongs to an assembly.
-    pub(super) fn assembly_at(&self, point: WayPoint<'_>, scratch: &mut LentRows<'_>) -> Option<usize> {
+    pub(crate) fn assembly_at(&self, point: WayPoint<'_>, scratch: &mut LentRows<'_>) -> Option<usize> {
         let mut scope = scratch.scope();
         let inputs = self.inputs(point.travel, &mut scope);
         self.mechanism.assembly_near(self.parameters, inputs, point.unknowns)
     }
 
-    fn slope(&self, index: usize) -> f64 {
+    /// The change of an input for each unit of the travel.
+    pub(crate) fn slope(&self, index: usize) -> f64 {
         (self.to[index] - self.from[index]) / self.length
     }
 
-    /// Passes on the residuals as series, where unknowns and travel are polynomials of first degree.
-    fn residuals<const N: usize>(
+    /// The unknowns in memory for parameters, inputs, unknowns and residuals.
+    pub(crate) fn unknowns<'m, T>(&self, series: &'m mut [T]) -> &'m mut [T] {
+        let first = self.parameters.len() + self.from.len();
+        &mut series[first..first + self.count()]
+    }
+
+    /// The residuals as series, in memory for parameters, inputs, unknowns and residuals in which parameters and unknowns stand.
+    pub(crate) fn residuals<'m, const N: usize>(
         &self,
-        mechanism: &dyn ClosureOver<Series<N>>,
-        series: &mut [Series<N>],
-        point: WayPoint<'_>,
-        rate: impl Fn(usize) -> f64,
-        travel_rate: f64,
-        mut read: impl FnMut(usize, [f64; N]),
-    ) {
+        functions: &dyn ClosureOver<Series<N>>,
+        series: &'m mut [Series<N>],
+        travel: Series<N>,
+    ) -> &'m [Series<N>] {
         let (parameters, rest) = series.split_at_mut(self.parameters.len());
         let (inputs, rest) = rest.split_at_mut(self.from.len());
         let (unknowns, residuals) = rest.split_at_mut(self.count());
         for (index, input) in inputs.iter_mut().enumerate() {
-            *input = along(self.input(point.travel, index), self.slope(index) * travel_rate);
+            let slope = self.slope(index);
+            let mut coefficients = travel.coefficients().map(|coefficient| slope * coefficient);
+            coefficients[0] = self.input(travel.real(), index);
+            *input = Series::from_coefficients(coefficients);
         }
-        for (index, unknown) in unknowns.iter_mut().enumerate() {
-            *unknown = along(point.unknowns[index], rate(index) * self.sizes[index]);
-        }
-        mechanism.residuals(parameters, inputs, unknowns, residuals);
-        for (row, residual) in residuals.iter().enumerate() {
-            read(row, residual.coefficients());
-        }
+        functions.residuals(parameters, inputs, unknowns, residuals);
+        residuals
+    }
+
+    /// The memory of series of second order, in which the parameters stand.
+    pub(crate) fn second(&self) -> RefMut<'_, &'w mut [Second]> {
+        self.second.borrow_mut()
     }
 
     /// The size of the terms of each equation: the largest shift of the equation that a relative error of one in every
     /// quantity causes.
     ///
     /// Terms that cancel count in full, for example those of a long crank in a loop of short links.
-    pub(super) fn terms<'s>(&self, point: WayPoint<'_>, scratch: &mut LentRows<'s>) -> &'s [f64] {
+    pub(crate) fn terms<'s>(&self, point: WayPoint<'_>, scratch: &mut LentRows<'s>) -> &'s [f64] {
         let terms = scratch.filled(self.count(), |_| 0.0);
         let mut series = self.first.borrow_mut();
         let (quantities, residuals) = series.split_at_mut(self.parameters.len() + self.from.len() + self.count());
@@ -268,16 +260,28 @@ impl<'w> Way<'w> {
     }
 
     /// The closure near a point; `None` if it is not finite there.
-    pub(super) fn linearise<'s>(&self, point: WayPoint<'_>, scratch: &mut LentRows<'s>) -> Option<Linear<'s>> {
+    pub(crate) fn linearise<'s>(&self, point: WayPoint<'_>, scratch: &mut LentRows<'s>) -> Option<Linear<'s>> {
         let count = self.count();
         let (jacobian, travel, residuals) = (scratch.lend(count * count), scratch.lend(count), scratch.lend(count));
         let mut series = self.first.borrow_mut();
-        let read = |row: usize, [value, rate]: [f64; 2]| (residuals[row], travel[row]) = (value, rate);
-        self.residuals::<2>(self.mechanism, &mut series, point, |_| 0.0, 1.0, read);
+        for (unknown, value) in self.unknowns(&mut series[..]).iter_mut().zip(point.unknowns) {
+            *unknown = along(*value, 0.0);
+        }
+        for (row, residual) in self
+            .residuals::<2>(self.mechanism, &mut series[..], along(point.travel, 1.0))
+            .iter()
+            .enumerate()
+        {
+            [residuals[row], travel[row]] = residual.coefficients();
+        }
         for column in 0..count {
-            let rate = |index: usize| if index == column { 1.0 } else { 0.0 };
-            let read = |row: usize, [_, rate]: [f64; 2]| jacobian[row * count + column] = rate;
-            self.residuals::<2>(self.mechanism, &mut series, point, rate, 0.0, read);
+            let value = point.unknowns[column];
+            self.unknowns(&mut series[..])[column] = along(value, self.sizes[column]);
+            let changes = self.residuals::<2>(self.mechanism, &mut series[..], along(point.travel, 0.0));
+            for (row, change) in changes.iter().enumerate() {
+                jacobian[row * count + column] = change.coefficients()[1];
+            }
+            self.unknowns(&mut series[..])[column] = along(value, 0.0);
         }
         let mut all = jacobian.iter().chain(&*travel).chain(&*residuals);
         all.all(|entry| entry.is_finite()).then_some(Linear {
@@ -285,28 +289,6 @@ impl<'w> Way<'w> {
             travel,
             residuals,
         })
-    }
-
-    /// The second-order coefficients of the residuals along a straight line through the point, with their signs changed.
-    pub(super) fn bend<'s>(
-        &self,
-        point: WayPoint<'_>,
-        rates: &[f64],
-        travel_rate: f64,
-        scratch: &mut LentRows<'s>,
-    ) -> &'s [f64] {
-        let bend = scratch.lend(self.count());
-        let mut series = self.second.borrow_mut();
-        let read = |row: usize, [.., second]: [f64; 3]| bend[row] = -second;
-        self.residuals::<3>(
-            self.mechanism,
-            &mut series,
-            point,
-            |index| rates[index],
-            travel_rate,
-            read,
-        );
-        bend
     }
 }
 
@@ -316,7 +298,7 @@ fn along<const N: usize>(value: f64, rate: f64) -> Series<N> {
 }
 
 /// The largest magnitude in a row, or NaN if an entry is NaN.
-pub(super) fn largest(values: impl Iterator<Item = f64>) -> f64 {
+pub(crate) fn largest(values: impl Iterator<Item = f64>) -> f64 {
     values.fold(0.0, |largest: f64, value| {
         let size = value.abs();
         if size <= largest || largest.is_nan() {
@@ -328,7 +310,7 @@ pub(super) fn largest(values: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// The largest difference of two rows, in units of sizes.
-pub(super) fn largest_difference(one: &[f64], other: &[f64], sizes: &[f64]) -> f64 {
+pub(crate) fn largest_difference(one: &[f64], other: &[f64], sizes: &[f64]) -> f64 {
     let pairs = one.iter().zip(other).zip(sizes);
     largest(pairs.map(|((one, other), size)| (one - other) / size))
 }

@@ -1,7 +1,8 @@
 //! The effect of rounding errors on a position.
 
 use super::lent_rows::LentRows;
-use super::sides::{Sides, bordered, whole};
+use super::local::{bordered, whole};
+use super::sides::Sides;
 use super::way::{Linear, Way, WayPoint, largest};
 use crate::solve::LentFactors;
 
@@ -10,7 +11,7 @@ const UNITS: f64 = 4.0;
 
 /// The largest effect of rounding errors in a single equation on the solution of a system of all equations, in units of
 /// the sizes. It is not finite if the system is singular.
-pub(super) fn rounding<'s>(
+pub(crate) fn rounding<'s>(
     way: &Way<'_>,
     point: WayPoint<'_>,
     system: &LentFactors<'_>,
@@ -34,7 +35,7 @@ pub(super) fn rounding<'s>(
 
 /// The largest effect of rounding errors on the unknowns at a point, in units of their sizes. It is not finite if the
 /// equations are singular.
-pub(super) fn blur(way: &Way<'_>, point: WayPoint<'_>, scratch: &mut LentRows<'_>) -> f64 {
+pub(crate) fn blur(way: &Way<'_>, point: WayPoint<'_>, scratch: &mut LentRows<'_>) -> f64 {
     let mut scope = scratch.scope();
     way.linearise(point, &mut scope).map_or(f64::INFINITY, |linear| {
         let system = whole(&linear, &mut scope);
@@ -44,7 +45,7 @@ pub(super) fn blur(way: &Way<'_>, point: WayPoint<'_>, scratch: &mut LentRows<'_
 
 /// Whether rounding errors may change the determinant of a block by half or more. A position where it is zero is then
 /// too close to be ruled out.
-pub(super) fn is_indistinct(way: &Way<'_>, point: WayPoint<'_>, scratch: &mut LentRows<'_>) -> bool {
+pub(crate) fn is_indistinct(way: &Way<'_>, point: WayPoint<'_>, scratch: &mut LentRows<'_>) -> bool {
     let mut scope = scratch.scope();
     let Some(linear) = way.linearise(point, &mut scope) else {
         return false;
@@ -62,7 +63,7 @@ pub(super) fn is_indistinct(way: &Way<'_>, point: WayPoint<'_>, scratch: &mut Le
 
 /// [`is_indistinct`] with an unknown as the parameter. If it holds, a crossing of branches is too close to be ruled
 /// out.
-pub(super) fn is_crossed(way: &Way<'_>, point: WayPoint<'_>, parameter: usize, scratch: &mut LentRows<'_>) -> bool {
+pub(crate) fn is_crossed(way: &Way<'_>, point: WayPoint<'_>, parameter: usize, scratch: &mut LentRows<'_>) -> bool {
     let mut scope = scratch.scope();
     let Some(linear) = way.linearise(point, &mut scope) else {
         return false;
