@@ -61,7 +61,7 @@ fn main() -> Result<(), SolveError> {
     }
     let start = lift.position(1.0, assembly)?;
     for beyond in [0.1, 3.0] {
-        if let Err(TrackError::Limit(limit)) = lift.track(&start, beyond) {
+        if let Err(TrackError::TurningPoint(limit)) = lift.track(&start, beyond) {
             println!("towards {beyond} m: dead point at {:.4} m", limit.inputs[0]);
         }
     }

@@ -153,6 +153,7 @@ pub use assembly::assembly_named;
 pub use assembly::{Assembly, Guess, IntoAssembly, Near};
 #[doc(hidden)]
 pub use curve::CurveFunctions;
+pub use curve::LimitKind;
 pub use failure::{Failure, InputValues, SolveError};
 pub use geometry::{Plane, Rotation, Space};
 #[doc(hidden)]

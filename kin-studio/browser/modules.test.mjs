@@ -115,7 +115,7 @@ test("limits are found to 1e-9, and motion stops there", () => {
 });
 
 test("the report's exact limits take the place of the page's own", () => {
-  const end = (input) => ({ kind: "Limit", input, block: "s", text: "limit position" });
+  const end = (input) => ({ kind: "TurningPoint", input, block: "s", text: "limit position" });
   const cycle = { complete: true, circuits: [], branches: [{ circuit: 0, assembly: 0, range: [-Math.PI / 6, Math.PI / 6], full_turn: false, ends: [end(-Math.PI / 6), end(Math.PI / 6)], samples: [] }] };
   const { model, sweep } = prepared({ ...SHORT_ROD, cycle });
   const marks = marksOf(model, sweep, 0, true);

@@ -7,6 +7,7 @@
 
 mod functions;
 mod lent_rows;
+mod limit;
 mod local;
 mod rounding;
 mod sides;
@@ -14,6 +15,7 @@ mod way;
 
 pub use functions::CurveFunctions;
 pub(crate) use lent_rows::LentRows;
+pub use limit::LimitKind;
 #[cfg(feature = "alloc")]
 pub(crate) use local::rates;
 pub(crate) use local::{bordered, corrected, expanded, fastest, local_blur};

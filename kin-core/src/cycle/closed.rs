@@ -16,6 +16,7 @@ use super::pieces::{BranchNode, BranchPiece, FoundPieces, Tip};
 use super::sought::{ClosedForms, SoughtMechanism};
 use super::{EndKind, Incomplete};
 use crate::any::PositionChoice;
+use crate::curve::LimitKind;
 use crate::failure::{Failure, SolveError};
 use crate::number::NumberRow;
 use crate::picture::TransmissionAngle;
@@ -440,7 +441,10 @@ impl ClosedSearch<'_> {
     fn limit(&mut self, assembly: usize, mut good: f64, mut bad: f64) -> usize {
         let (low, high) = (good.min(bad), good.max(bad));
         let known = self.found.nodes.iter().position(|node| {
-            node.kind == EndKind::Limit && node.s >= low && node.s <= high && node.assemblies[1] == assembly
+            node.kind == EndKind::Limit(LimitKind::TurningPoint)
+                && node.s >= low
+                && node.s <= high
+                && node.assemblies[1] == assembly
         });
         if let Some(known) = known {
             return known;
@@ -452,7 +456,11 @@ impl ClosedSearch<'_> {
         let is_domain =
             error.is_some_and(|error| !matches!(error.failure, Failure::OutOfReach { .. } | Failure::Singular { .. }));
         let mut node: BranchNode = BranchNode {
-            kind: if is_domain { EndKind::Domain } else { EndKind::Limit },
+            kind: if is_domain {
+                EndKind::Limit(LimitKind::End)
+            } else {
+                EndKind::Limit(LimitKind::TurningPoint)
+            },
             s: good,
             unknowns: self
                 .solved(good, assembly)
@@ -468,7 +476,7 @@ impl ClosedSearch<'_> {
             let own = self.distance(&node.unknowns, &unknowns);
             if own < closest {
                 closest = own;
-                node.kind = EndKind::Limit;
+                node.kind = EndKind::Limit(LimitKind::TurningPoint);
                 node.assemblies[1] = other;
             }
         }
@@ -487,7 +495,7 @@ impl ClosedSearch<'_> {
             if let Some(first) = blocks.find(|block| block.members.iter().any(moves)) {
                 node.block = first.unknowns;
             }
-            (node.kind, node.assemblies) = (EndKind::ChangePoint, [assembly, assembly]);
+            (node.kind, node.assemblies) = (EndKind::Limit(LimitKind::ChangePoint), [assembly, assembly]);
             return self.noted(node);
         }
         if node.assemblies[1] != assembly
@@ -596,7 +604,7 @@ impl ClosedSearch<'_> {
         let ([before, _], [behind, _]) = (before, behind);
         Some([before, behind].map(|unknowns| {
             self.found.nodes.push(BranchNode {
-                kind: EndKind::Pole,
+                kind: EndKind::Limit(LimitKind::Pole),
                 s,
                 unknowns: unknowns.clone(),
                 block,
@@ -618,10 +626,9 @@ impl ClosedSearch<'_> {
         let range = self.line.high - self.line.low;
         let slack = RESOLUTION * range;
         let is_inside = |s: f64| s >= low - slack && s <= high + slack;
-        let known =
-            self.found.nodes.iter().position(|node| {
-                node.kind == EndKind::ChangePoint && is_inside(node.s) && node.assemblies[1] == assembly
-            });
+        let known = self.found.nodes.iter().position(|node| {
+            node.kind == EndKind::Limit(LimitKind::ChangePoint) && is_inside(node.s) && node.assemblies[1] == assembly
+        });
         if let Some(known) = known {
             return Some([known; 2].map(|node| self.at_node(node)));
         }
@@ -651,7 +658,7 @@ impl ClosedSearch<'_> {
         {
             let mut end = |unknowns: NumberRow| {
                 let node = self.noted(BranchNode {
-                    kind: EndKind::ChangePoint,
+                    kind: EndKind::Limit(LimitKind::ChangePoint),
                     s,
                     unknowns: unknowns.clone(),
                     block,
@@ -676,7 +683,7 @@ impl ClosedSearch<'_> {
                     }
                     return None;
                 }
-                Err(TrackError::ChangePoint(obstacle) | TrackError::Limit(obstacle)) => (
+                Err(TrackError::ChangePoint(obstacle) | TrackError::TurningPoint(obstacle)) => (
                     self.line.place(&obstacle.inputs),
                     NumberRow::from(&*obstacle.unknowns),
                     obstacle.block,
@@ -689,7 +696,7 @@ impl ClosedSearch<'_> {
             }
         };
         let node = self.noted(BranchNode {
-            kind: EndKind::ChangePoint,
+            kind: EndKind::Limit(LimitKind::ChangePoint),
             s,
             unknowns,
             block,
@@ -714,7 +721,10 @@ impl ClosedSearch<'_> {
     /// Whether two nodes are change points at the same place.
     fn is_same_place(&self, one: &BranchNode, other: &BranchNode) -> bool {
         let tolerance = 8.0 * RESOLUTION * (self.line.high - self.line.low);
-        [one, other].iter().all(|node| node.kind == EndKind::ChangePoint) && (one.s - other.s).abs() <= tolerance
+        [one, other]
+            .iter()
+            .all(|node| node.kind == EndKind::Limit(LimitKind::ChangePoint))
+            && (one.s - other.s).abs() <= tolerance
     }
 
     /// The index of a change point, which is added unless it is known.

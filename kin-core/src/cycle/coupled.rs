@@ -11,6 +11,7 @@ use super::pieces::{BranchNode, BranchPiece, FoundPieces, Tip};
 use super::sought::SoughtMechanism;
 use super::{EndKind, Incomplete};
 use crate::any::{EveryPosition, PositionChoice};
+use crate::curve::LimitKind;
 use crate::failure::SolveError;
 use crate::number::NumberRow;
 use crate::track::TrackError;
@@ -139,7 +140,7 @@ fn from_limits(
         }
     }
     for (node, place) in search.found.nodes.iter().enumerate() {
-        if place.kind == EndKind::Limit && search.branches_at(node) != 2 {
+        if place.kind == EndKind::Limit(LimitKind::TurningPoint) && search.branches_at(node) != 2 {
             look_beside(place.s, SAME_PLACE);
         }
     }
@@ -369,7 +370,10 @@ impl<'a> Search<'a> {
         for unknown in &limit.unknowns {
             own[unknown.index] = unknown.value;
         }
-        let is_singular = matches!(node.kind, EndKind::Limit | EndKind::ChangePoint);
+        let is_singular = matches!(
+            node.kind,
+            EndKind::Limit(LimitKind::TurningPoint | LimitKind::ChangePoint)
+        );
         is_singular
             && (node.s - limit.s).abs() <= tolerance * (self.line.high - self.line.low)
             && self.distance(&own, &node.unknowns) <= LOCATED[1]
@@ -387,8 +391,8 @@ impl<'a> Search<'a> {
         let nodes = || self.found.nodes.iter().enumerate();
         let is_limit = |node: &BranchNode| limits.iter().any(|limit| self.is_at(node, limit));
         let joins = |(index, node): (usize, &BranchNode)| match node.kind {
-            EndKind::Limit => self.branches_at(index) == 2,
-            EndKind::ChangePoint => true,
+            EndKind::Limit(LimitKind::TurningPoint) => self.branches_at(index) == 2,
+            EndKind::Limit(LimitKind::ChangePoint) => true,
             _ => false,
         };
         // If a block that is solved later does not close, its mechanism is not at a limit of an earlier one.
@@ -522,19 +526,7 @@ impl<'a> Search<'a> {
     /// The node at which a track ended. A limit's other side is noted.
     fn ended(&mut self, s: f64, unknowns: &[f64], direction: f64, error: TrackError<Vec<f64>, Vec<f64>>) -> usize {
         let range = self.line.high - self.line.low;
-        let node = match error {
-            TrackError::Limit(obstacle) => {
-                self.node(EndKind::Limit, &obstacle.inputs, &obstacle.unknowns, obstacle.block)
-            }
-            TrackError::ChangePoint(obstacle) => self.node(
-                EndKind::ChangePoint,
-                &obstacle.inputs,
-                &obstacle.unknowns,
-                obstacle.block,
-            ),
-            TrackError::Unbounded(obstacle) => {
-                self.node(EndKind::Pole, &obstacle.inputs, &obstacle.unknowns, obstacle.block)
-            }
+        let node = match &error {
             TrackError::TooManySteps(halt) | TrackError::Lost(halt) => {
                 self.node(EndKind::Lost, &halt.inputs, &halt.unknowns, "")
             }
@@ -543,12 +535,16 @@ impl<'a> Search<'a> {
                 for (input, (_, value)) in inputs.iter_mut().zip(error.inputs.iter()) {
                     *input = value;
                 }
-                self.node(EndKind::Domain, &inputs, unknowns, error.block)
+                self.node(EndKind::Limit(LimitKind::End), &inputs, unknowns, error.block)
+            }
+            TrackError::TurningPoint(place) | TrackError::ChangePoint(place) | TrackError::Pole(place) => {
+                let kind = error.limit().map_or(EndKind::Lost, |(kind, _)| EndKind::Limit(kind));
+                self.node(kind, &place.inputs, &place.unknowns, place.block)
             }
         };
         let place = &self.found.nodes[node];
         let inside = place.s - direction * BESIDE * range;
-        if place.kind == EndKind::Limit
+        if place.kind == EndKind::Limit(LimitKind::TurningPoint)
             && (inside - s) * direction > 0.0
             && let Ok(near) = self.track(s, unknowns, inside)
         {

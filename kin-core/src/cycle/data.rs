@@ -6,21 +6,15 @@ use core::ops::RangeInclusive;
 use num_traits::Float;
 
 use super::Incomplete;
+use crate::curve::LimitKind;
 
 /// The reason why a branch ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum EndKind {
-    /// A limit: the input turns back, and the branch meets another one of its circuit.
-    Limit,
-    /// A change point: branches cross, or meet where a part turns freely or where several blocks have their limits, and
-    /// geometry does not determine which one the mechanism follows.
-    ChangePoint,
-    /// The end of the domain of a function, or of the declared range of an unknown.
-    Domain,
-    /// A length goes to infinity. The unknowns are those next to the pole.
-    Pole,
+    /// A limit. At a limit position the input turns back, and the branch meets another one of its circuit; at a change point branches cross.
+    Limit(LimitKind),
     /// The end of the range of the input that was looked at.
     Range,
     /// The search could not go on, for a reason that it does not know.
@@ -44,6 +38,23 @@ pub struct End {
     pub block: &'static str,
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) node: Option<usize>,
+}
+
+impl End {
+    /// The kind of the limit, if the branch ends at one.
+    #[must_use]
+    pub fn limit(&self) -> Option<LimitKind> {
+        self.kind.limit()
+    }
+}
+
+impl EndKind {
+    pub(super) fn limit(self) -> Option<LimitKind> {
+        match self {
+            Self::Limit(kind) => Some(kind),
+            Self::Range | Self::Lost | Self::FullTurn => None,
+        }
+    }
 }
 
 /// A branch: a part of a circuit over which the input moves in one direction.

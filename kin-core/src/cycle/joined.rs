@@ -10,6 +10,7 @@ use super::data::{Branch, Circuit, End, EndKind};
 use super::line::InputLine;
 use super::pieces::{BranchPiece, FoundPieces, Tip};
 use super::sought::SoughtMechanism;
+use crate::curve::LimitKind;
 use crate::number::NumberRow;
 use crate::quantity::Dimension;
 
@@ -215,7 +216,7 @@ fn around(
         let meeting = at_node(branches, node);
         let [one, other] = meeting[..] else { return None };
         let next = if one == (branch, 1 - entered) { other } else { one };
-        if to.kind != EndKind::Limit {
+        if to.kind != EndKind::Limit(LimitKind::TurningPoint) {
             return None;
         }
         (branch, entered) = next;

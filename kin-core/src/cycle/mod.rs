@@ -5,7 +5,8 @@
 //! single-degree-of-freedom planar linkages*, Journal of Mechanical Design 115 (1993), 223-230). [`FullCycle::cycle`] finds all of them.
 //!
 //! ```
-//! use kin_core::cycle::{EndKind, FullCycle};
+//! use kin_core::LimitKind;
+//! use kin_core::cycle::FullCycle;
 //! use kin_core::library::FourBar;
 //!
 //! let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
@@ -14,7 +15,7 @@
 //! // one circuit with two branches: the crank swings, and at both ends the two assemblies meet
 //! assert_eq!((cycle.circuits().len(), cycle.branches().len()), (1, 2));
 //! let [low, high] = cycle.branches()[0].ends();
-//! assert_eq!((low.kind, high.kind), (EndKind::Limit, EndKind::Limit));
+//! assert_eq!([low.limit(), high.limit()], [Some(LimitKind::TurningPoint); 2]);
 //! assert!((high.input.to_degrees() - 112.0243).abs() < 5e-5 && (low.input + high.input).abs() < 1e-14);
 //! # Ok::<(), kin_core::SolveError>(())
 //! ```

@@ -6,6 +6,7 @@ use std::{format, vec};
 
 use super::{Cycle, EndKind, FullCycle, Incomplete};
 use crate::assembly::Assembly;
+use crate::curve::LimitKind;
 use crate::failure::Failure;
 use crate::geometry::Plane;
 use crate::library::*;
@@ -64,7 +65,7 @@ fn short_cranks_have_change_points() {
         for end in cycle.branches().iter().flat_map(super::Branch::ends) {
             assert_eq!(
                 (end.kind, end.block),
-                (EndKind::ChangePoint, "theta3, theta4"),
+                (EndKind::Limit(LimitKind::ChangePoint), "theta3, theta4"),
                 "{name}"
             );
             assert!(end.input.sin().abs() < 1e-7, "{name}");
@@ -108,8 +109,8 @@ fn a_near_miss_is_no_change_point() {
                 assert!(cycle.is_complete(), "{cycle:?}");
                 let (circuits, kind) = match sign {
                     1.0 => (2, EndKind::FullTurn),
-                    _ if excess > 2.0 * short => (0, EndKind::Limit),
-                    _ => (1, EndKind::Limit),
+                    _ if excess > 2.0 * short => (0, EndKind::Limit(LimitKind::TurningPoint)),
+                    _ => (1, EndKind::Limit(LimitKind::TurningPoint)),
                 };
                 let mut ends = cycle.branches().iter().flat_map(super::Branch::ends);
                 assert!(ends.all(|end| end.kind == kind), "{cycle:?}");
@@ -189,7 +190,10 @@ fn limits_of_two_blocks_at_once_are_a_change_point() {
         assert_eq!((cycle.circuits().len(), cycle.branches().len()), (2, 8), "{cycle:?}");
         for branch in cycle.branches() {
             for (end, joins) in branch.ends().iter().zip(branch.joins()) {
-                assert_eq!((end.kind, end.block), (EndKind::ChangePoint, "alpha, gamma"));
+                assert_eq!(
+                    (end.kind, end.block),
+                    (EndKind::Limit(LimitKind::ChangePoint), "alpha, gamma")
+                );
                 assert_eq!(joins.len(), 3, "{branch:?}");
             }
         }
@@ -211,7 +215,11 @@ fn limits_of_two_blocks_at_once_are_a_change_point() {
         );
         for branch in cycle.branches() {
             let kinds = branch.ends().map(|end| end.kind);
-            assert_eq!(kinds, [EndKind::Limit; 2], "{excess} {branch:?}");
+            assert_eq!(
+                kinds,
+                [EndKind::Limit(LimitKind::TurningPoint); 2],
+                "{excess} {branch:?}"
+            );
         }
     }
 }
@@ -314,7 +322,7 @@ fn a_change_point_beside_a_limit_has_all_its_digits() {
             residuals.iter().all(|residual| residual.abs() < tolerance),
             "{end:?} {residuals:?}"
         );
-        if end.kind == EndKind::ChangePoint {
+        if end.kind == EndKind::Limit(LimitKind::ChangePoint) {
             count += 1;
             assert!((end.input - expected).abs() < 1e-9 * expected, "{end:?} {expected}");
         }

@@ -5,12 +5,12 @@ use alloc::vec::Vec;
 use super::data::Branch;
 use super::line::whole_turns;
 use super::measure::{MeasureError, MeasuredFunctions};
-use super::{EndKind, SearchedCycle};
+use super::{End, SearchedCycle};
 use crate::any::AssemblyChoice;
 use crate::extremes::{KnownStretch, KnownSweep};
 use crate::number::NumberRow;
 use crate::quantity::{Dimension, Quantity};
-use crate::sweep::{AnyCourse, Footing, LimitKind, Walk};
+use crate::sweep::{AnyCourse, Footing, Walk};
 
 /// The distance from the end of a branch at which the turns of angles are compared, as a part of the branch.
 const NEAR_END: f64 = 1e-6;
@@ -104,13 +104,7 @@ impl<'c> MeasuredCycle<'c> {
     fn known(&self, station: &BranchStation) -> KnownStretch {
         let branch = self.branch(station.branch);
         KnownStretch {
-            limits: branch.ends.each_ref().map(|end| match end.kind {
-                EndKind::Limit => Some(LimitKind::TurningPoint),
-                EndKind::ChangePoint => Some(LimitKind::ChangePoint),
-                EndKind::Domain => Some(LimitKind::End),
-                EndKind::Pole => Some(LimitKind::Pole),
-                EndKind::Range | EndKind::Lost | EndKind::FullTurn => None,
-            }),
+            limits: branch.ends.each_ref().map(End::limit),
             is_full_turn: branch.is_full_turn(),
             inside: Walk::from(station.footing.clone()),
         }

@@ -7,6 +7,7 @@ use std::vec::Vec;
 use std::{format, println};
 
 use super::{BarkerClass, Branch, Cycle, EndKind, FullCycle, GrashofType, MeasureError};
+use crate::curve::LimitKind;
 use crate::failure::{Failure, SolveError};
 use crate::geometry::Plane;
 use crate::library::*;
@@ -59,7 +60,7 @@ fn the_sample_linkage_swings() {
     let expected = SAMPLE.crank_range().unwrap().high;
     for branch in cycle.branches() {
         let [low, high] = branch.ends();
-        assert_eq!([low.kind, high.kind], [EndKind::Limit; 2]);
+        assert_eq!([low.kind, high.kind], [EndKind::Limit(LimitKind::TurningPoint); 2]);
         assert!((high.input - expected).abs() < 4e-15 && (low.input + expected).abs() < 4e-15);
         // coupler and rocker are in line
         let [theta3, theta4] = high.unknowns[..] else { panic!() };
@@ -107,7 +108,7 @@ fn every_type_of_four_bar() {
         .iter()
         .flat_map(|branch| branch.ends().map(|end| end.kind))
         .collect();
-    assert!(kinds.iter().all(|kind| *kind == EndKind::ChangePoint));
+    assert!(kinds.iter().all(|kind| *kind == EndKind::Limit(LimitKind::ChangePoint)));
     assert_eq!(cycle.branches().len(), 4);
 }
 
@@ -202,7 +203,10 @@ fn a_link_turns_freely() {
             for (end, joins) in branch.ends().iter().zip(branch.joins()) {
                 // Next to the place, the direction of the link has lost its digits: those 0.01 away have an error of ε divided by that.
                 let tolerance = 16.0 * f64::EPSILON / 0.01;
-                assert_eq!((end.kind, end.block), (EndKind::ChangePoint, "phi, slide"));
+                assert_eq!(
+                    (end.kind, end.block),
+                    (EndKind::Limit(LimitKind::ChangePoint), "phi, slide")
+                );
                 assert!((end.input.abs() - PI).abs() < tolerance, "{end:?}");
                 let [phi, slide] = end.unknowns[..] else { panic!() };
                 assert!(slide.abs() < tolerance * length, "{end:?}");
@@ -232,7 +236,7 @@ fn a_link_turns_freely() {
             "{one_sided:?}"
         );
         for end in one_sided.branches()[0].ends() {
-            assert_eq!(end.kind, EndKind::ChangePoint);
+            assert_eq!(end.kind, EndKind::Limit(LimitKind::ChangePoint));
             assert!((end.unknowns[1] - 0.5 * end.input).sin().abs() < 1e-9, "{end:?}");
             assert!((end.unknowns[1] - 0.5 * end.input).cos() > 0.0, "{end:?}");
         }
@@ -256,7 +260,7 @@ fn coupler_and_rocker_turn_freely() {
     assert_eq!(disagreements("rhombus", &rhombus, 501), Vec::<String>::new());
     for cycle in [kite, rhombus] {
         for end in cycle.branches().iter().flat_map(Branch::ends) {
-            assert_eq!(end.kind, EndKind::ChangePoint);
+            assert_eq!(end.kind, EndKind::Limit(LimitKind::ChangePoint));
             assert!((end.input).sin().abs() < 16.0 * f64::EPSILON / 0.01, "{end:?}");
             let residuals = cycle
                 .mechanism()
@@ -284,7 +288,7 @@ fn a_link_that_turns_freely_drives_a_ram() {
     assert_eq!((cycle.circuits().len(), cycle.branches().len()), (2, 4), "{cycle:?}");
     for branch in cycle.branches() {
         for (side, (end, joins)) in branch.ends().iter().zip(branch.joins()).enumerate() {
-            assert_eq!(end.kind, EndKind::ChangePoint);
+            assert_eq!(end.kind, EndKind::Limit(LimitKind::ChangePoint));
             let [next] = joins else { panic!("{branch:?}") };
             let next = cycle.branches()[*next].ends()[1 - side];
             for (unknown, (one, other)) in end.unknowns.iter().zip(&next.unknowns).enumerate() {
@@ -319,7 +323,10 @@ fn several_inputs_move_along_a_line() {
     // at every limit, two branches meet
     for branch in cycle.branches() {
         for (end, joins) in branch.ends().iter().zip(branch.joins()) {
-            assert!(end.kind != EndKind::Limit || joins.len() == 1, "{branch:?}");
+            assert!(
+                end.kind != EndKind::Limit(LimitKind::TurningPoint) || joins.len() == 1,
+                "{branch:?}"
+            );
         }
     }
     let robot = FiveBar {
@@ -376,10 +383,12 @@ fn labels_agree_with_the_cycle() {
                 })
                 .collect()
         };
-        let has_change_point = cycle
-            .branches()
-            .iter()
-            .any(|branch| branch.ends().iter().any(|end| end.kind == EndKind::ChangePoint));
+        let has_change_point = cycle.branches().iter().any(|branch| {
+            branch
+                .ends()
+                .iter()
+                .any(|end| end.kind == EndKind::Limit(LimitKind::ChangePoint))
+        });
         let expected = match class {
             BarkerClass::DoubleCrank => vec![(Some(1), Some(vec![1, 1])); 2],
             BarkerClass::CrankRocker => vec![(Some(1), Some(vec![0, 0])); 2],

@@ -9,7 +9,8 @@ use super::quantity::Named;
 use super::station::{NamedFunctions, SweepStation};
 use super::swept::{Mark, PoseQuantity, QuantityOfSweep};
 use super::{Extreme, ExtremesError};
-use crate::sweep::{AnyCourse, LimitKind, SmoothDrive, Walk};
+use crate::curve::LimitKind;
+use crate::sweep::{AnyCourse, SmoothDrive, Walk};
 
 /// The ends of a sweep on which the mechanism closes throughout, and a pose inside of it.
 pub(crate) struct KnownStretch {

@@ -6,10 +6,11 @@ use core::f64::consts::TAU;
 
 use super::ExtremesError;
 use super::swept::{Mark, QuantityOfSweep, SweepExtent};
+use crate::curve::LimitKind;
 use crate::failure::SolveError;
 use crate::law::Side;
 use crate::number::Number;
-use crate::sweep::{Limit, LimitKind, Local, Walk};
+use crate::sweep::{Limit, Local, Walk};
 
 /// The smallest parameter next to a turning point. Closer to it, a Taylor series goes on: the places of the variable there are too few for
 /// the poses to be exact.

@@ -6,6 +6,7 @@ use std::vec::Vec;
 
 use super::{ExtremeKind, ExtremesError, Over};
 use crate::assembly::Assembly;
+use crate::curve::LimitKind;
 use crate::cycle::{Cycle, EndKind, FullCycle, MeasureError};
 use crate::geometry::Plane;
 use crate::library::{FourBar, InvertedSliderCrank, SliderCrank, WattII};
@@ -180,7 +181,7 @@ fn a_branch_ends_at_a_pole() {
         };
         for (branch, range) in [(one, [-1.0, 1.0]), (other, [1.0, 3.0])] {
             for (end, place) in branch.ends().iter().zip(range) {
-                assert_eq!((end.kind, end.block), (EndKind::Pole, "y"));
+                assert_eq!((end.kind, end.block), (EndKind::Limit(LimitKind::Pole), "y"));
                 assert!(
                     (end.input - place * FRAC_PI_2).abs() <= 4.0 * f64::EPSILON,
                     "{branch:?}"

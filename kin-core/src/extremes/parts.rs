@@ -2,9 +2,10 @@
 
 use super::ExtremesError;
 use super::curve::{Curve, CurveNode, Stretch};
+use crate::curve::LimitKind;
 use crate::hermite::Piece;
 use crate::number::Number;
-use crate::sweep::{LimitKind, Local};
+use crate::sweep::Local;
 
 /// The first pieces of a turn of an angle, or of the whole sweep.
 const FIRST: f64 = 24.0;

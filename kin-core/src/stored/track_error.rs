@@ -42,9 +42,9 @@ struct HaltForm<'a> {
 
 #[derive(serde::Serialize)]
 enum Reason<'a> {
-    Limit(ObstacleForm<'a>),
+    TurningPoint(ObstacleForm<'a>),
     ChangePoint(ObstacleForm<'a>),
-    Unbounded(ObstacleForm<'a>),
+    Pole(ObstacleForm<'a>),
     TooManySteps(HaltForm<'a>),
     Lost(HaltForm<'a>),
     Failed(SolveError),
@@ -80,9 +80,9 @@ fn halt<I: AsRef<[f64]>, U: AsRef<[f64]>>(halt: &Halt<I, U>) -> HaltForm<'_> {
 impl<I: AsRef<[f64]>, U: AsRef<[f64]>> Serialize for TrackError<I, U> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let reason = match self {
-            Self::Limit(limit) => Reason::Limit(obstacle(limit)),
+            Self::TurningPoint(limit) => Reason::TurningPoint(obstacle(limit)),
             Self::ChangePoint(point) => Reason::ChangePoint(obstacle(point)),
-            Self::Unbounded(pole) => Reason::Unbounded(obstacle(pole)),
+            Self::Pole(pole) => Reason::Pole(obstacle(pole)),
             Self::TooManySteps(last) => Reason::TooManySteps(halt(last)),
             Self::Lost(last) => Reason::Lost(halt(last)),
             Self::Failed(error) => Reason::Failed(*error),

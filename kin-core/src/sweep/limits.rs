@@ -9,23 +9,10 @@ use super::drive::Variable;
 use super::gaps::{self, Bend};
 use super::table::Table;
 use crate::any::AssemblyOver;
+use crate::curve::LimitKind;
 use crate::number::NumberRow;
 use crate::quantity::Digits;
 use crate::track::{TrackError, track_between};
-
-/// The kind of a limit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum LimitKind {
-    /// Two assemblies meet, and neither goes on: the inputs can only turn back.
-    TurningPoint,
-    /// Two assemblies cross.
-    ChangePoint,
-    /// A length goes to infinity.
-    Pole,
-    /// The end of a declared range, or of the domain of a function.
-    End,
-}
 
 /// A place where a sweep begins or ceases to close.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,12 +38,7 @@ pub struct Limit {
 
 impl fmt::Display for Limit {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let kind = match self.kind {
-            LimitKind::TurningPoint => "limit position",
-            LimitKind::ChangePoint => "change point",
-            LimitKind::Pole => "pole",
-            LimitKind::End => "end of a range",
-        };
+        let kind = self.kind;
         let side = if self.closes_before { "up to" } else { "from" };
         write!(
             formatter,
@@ -82,29 +64,18 @@ pub(crate) fn between(course: &AnyCourse<'_>, closed: f64, unknowns: &[f64], ope
         unknowns,
         variable: course.variable().name,
     };
-    let (kind, obstacle) = match error {
-        TrackError::Limit(obstacle) => (LimitKind::TurningPoint, obstacle),
-        TrackError::ChangePoint(obstacle) => (LimitKind::ChangePoint, obstacle),
-        TrackError::Unbounded(obstacle) => (LimitKind::Pole, obstacle),
-        TrackError::Failed(failure) => {
-            // the first place beyond: found by the inputs that the error keeps
-            let mut place = to.clone();
-            for (input, (_, value)) in failure.inputs.iter().enumerate() {
-                place[input] = value;
-            }
-            let unknowns = inside(course, &from, unknowns, &place);
-            return Some(limit(LimitKind::End, failure.block, &place, None, unknowns));
+    if let TrackError::Failed(failure) = error {
+        // the first place beyond: found by the inputs that the error keeps
+        let mut place = to.clone();
+        for (input, (_, value)) in failure.inputs.iter().enumerate() {
+            place[input] = value;
         }
-        _ => return None,
-    };
-    let place = &obstacle.inputs;
-    Some(limit(
-        kind,
-        obstacle.block,
-        place,
-        Some(obstacle.fraction),
-        obstacle.unknowns,
-    ))
+        let unknowns = inside(course, &from, unknowns, &place);
+        return Some(limit(LimitKind::End, failure.block, &place, None, unknowns));
+    }
+    let (kind, obstacle) = error.limit()?;
+    let (place, unknowns) = (&obstacle.inputs, obstacle.unknowns.clone());
+    Some(limit(kind, obstacle.block, place, Some(obstacle.fraction), unknowns))
 }
 
 /// The distances from an end of a range at which the unknowns are sought, as parts of the way to it.

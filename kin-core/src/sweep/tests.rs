@@ -6,9 +6,10 @@ use std::string::ToString;
 use std::vec::Vec;
 
 use super::samples::{CRANK_ROCKER, Inverse, LIMITED, triad};
-use super::{Instant, LimitKind, Sweep, SweepError, Table};
+use super::{Instant, Sweep, SweepError, Table};
 use crate::assembly::{Assembly, Near};
 use crate::batch::{Column, Outcome};
+use crate::curve::LimitKind;
 use crate::law::{ConstantSpeed, Law, Rise, Sequence, Shape};
 use crate::library::{FiveBar, FourBar, GearedFiveBar, ScotchYoke};
 use crate::load::{Loaded, Loads};

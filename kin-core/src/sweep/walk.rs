@@ -288,7 +288,7 @@ fn stopped(
 ) -> (Gap, SolveError) {
     let blocks = course.description.blocks;
     match error {
-        TrackError::Limit(obstacle) | TrackError::ChangePoint(obstacle) | TrackError::Unbounded(obstacle) => {
+        TrackError::TurningPoint(obstacle) | TrackError::ChangePoint(obstacle) | TrackError::Pole(obstacle) => {
             let gap = Gap {
                 block: obstacle.block,
                 inputs: obstacle.inputs.as_slice().into(),

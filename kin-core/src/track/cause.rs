@@ -24,7 +24,7 @@ fn crossed_or_ended(
 ) -> Ended {
     let obstacle = obstacle(way, point, sides, beginning);
     if is_out_of_reach(way, point, scratch) {
-        TrackError::Limit(obstacle)
+        TrackError::TurningPoint(obstacle)
     } else {
         TrackError::ChangePoint(obstacle)
     }
@@ -66,7 +66,7 @@ pub(super) fn blocked(
     scratch: &mut LentRows<'_>,
 ) -> Ended {
     if let Some(obstacle) = pole(way, here, scratch) {
-        return TrackError::Unbounded(obstacle);
+        return TrackError::Pole(obstacle);
     }
     if let Some(error) = end_of_domain(way, here, scratch) {
         return TrackError::Failed(error);

@@ -389,7 +389,7 @@ fn round_the_turn<'s>(
             way.arrive(unknowns);
             Ok(Arrival::End)
         }
-        Passage::Limit(point, sides) => Err(TrackError::Limit(obstacle(way, point, &sides, beginning))),
+        Passage::Limit(point, sides) => Err(TrackError::TurningPoint(obstacle(way, point, &sides, beginning))),
         Passage::ChangePoint(point, sides) => Err(crossed_near(way, point, sides, anchor, beginning, scratch)),
         Passage::Lost => Ok(Arrival::None),
         Passage::Spent(point) => Err(TrackError::TooManySteps(halt(way, point, steps, scratch))),

@@ -57,7 +57,7 @@ pub type TrackErrorOf<M> = TrackError<<M as Mechanism>::Inputs<f64>, <M as Mecha
 /// The track runs in double precision; a number type that carries derivatives gets them at the end.
 ///
 /// # Errors
-/// [`TrackError::Limit`], [`TrackError::ChangePoint`] and [`TrackError::Unbounded`] with the place.
+/// [`TrackError::TurningPoint`], [`TrackError::ChangePoint`] and [`TrackError::Pole`] with the place.
 /// [`TrackError::Failed`] if there is no position at the start, or if something else ends the track: at the end of the
 /// domain of a function, or of the range of an unknown, its inputs are the first ones beyond, to the last digit.
 /// [`TrackError::TooManySteps`] and [`TrackError::Lost`] with the last position and the reason for stopping there.
@@ -80,7 +80,7 @@ pub type TrackErrorOf<M> = TrackError<<M as Mechanism>::Inputs<f64>, <M as Mecha
 /// let (r1, r2, r3, r4) = (90.0_f64, 30.0, 60.0, 45.0);
 /// let linkage = FourBar { r1, r2, r3, r4 };
 /// let start = linkage.position(0.5, Assembly::Open)?.unknowns();
-/// let Err(TrackError::Limit(limit)) = track(&linkage, [0.5], start, [3.0]) else {
+/// let Err(TrackError::TurningPoint(limit)) = track(&linkage, [0.5], start, [3.0]) else {
 ///     panic!("the links do not reach");
 /// };
 /// let expected = ((r1 * r1 + r2 * r2 - (r3 + r4) * (r3 + r4)) / (2.0 * r1 * r2)).acos();

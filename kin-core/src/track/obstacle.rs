@@ -3,6 +3,7 @@
 use core::error::Error;
 use core::fmt::{self, Debug};
 
+use crate::curve::LimitKind;
 use crate::failure::SolveError;
 use crate::quantity::{Digits, Quantity, WithUnit};
 
@@ -55,7 +56,7 @@ pub enum TrackError<I, U> {
     /// A limit position: two assemblies meet, and neither exists beyond it. The inputs can only turn back.
     ///
     /// In a plot of the solution over the inputs, the curve turns back there.
-    Limit(Obstacle<I, U>),
+    TurningPoint(Obstacle<I, U>),
     /// A change point: the assembly meets another one, and both continue. Geometry does not determine which one the
     /// mechanism follows.
     ///
@@ -65,7 +66,7 @@ pub enum TrackError<I, U> {
     /// A length or a number goes to infinity, for example where a slide becomes parallel to its guide.
     ///
     /// The inputs are those at the pole, the unknowns those of the last position before it.
-    Unbounded(Obstacle<I, U>),
+    Pole(Obstacle<I, U>),
     /// The track takes more steps than [`MOST_TRACK_STEPS`](crate::MOST_TRACK_STEPS). The error contains the last
     /// position, and another track may continue from there.
     TooManySteps(Halt<I, U>),
@@ -82,9 +83,9 @@ impl TrackError<(), ()> {
     /// The error at a place.
     pub(super) fn placed<I, U>(self, inputs: I, unknowns: U) -> TrackError<I, U> {
         match self {
-            Self::Limit(limit) => TrackError::Limit(limit.placed(inputs, unknowns)),
+            Self::TurningPoint(limit) => TrackError::TurningPoint(limit.placed(inputs, unknowns)),
             Self::ChangePoint(point) => TrackError::ChangePoint(point.placed(inputs, unknowns)),
-            Self::Unbounded(pole) => TrackError::Unbounded(pole.placed(inputs, unknowns)),
+            Self::Pole(pole) => TrackError::Pole(pole.placed(inputs, unknowns)),
             Self::TooManySteps(halt) => TrackError::TooManySteps(halt.placed(inputs, unknowns)),
             Self::Lost(halt) => TrackError::Lost(halt.placed(inputs, unknowns)),
             Self::Failed(error) => TrackError::Failed(error),
@@ -113,6 +114,21 @@ impl Halt<(), ()> {
             unknowns,
             rounding: self.rounding,
             names: self.names,
+        }
+    }
+}
+
+impl<I, U> TrackError<I, U> {
+    /// The kind of the limit at which the track has ended, and its place; `None` if it ended for another reason.
+    ///
+    /// The end of a domain or of a declared range is [`TrackError::Failed`], with the error of the first place beyond it.
+    #[must_use]
+    pub fn limit(&self) -> Option<(LimitKind, &Obstacle<I, U>)> {
+        match self {
+            Self::TurningPoint(place) => Some((LimitKind::TurningPoint, place)),
+            Self::ChangePoint(place) => Some((LimitKind::ChangePoint, place)),
+            Self::Pole(place) => Some((LimitKind::Pole, place)),
+            Self::TooManySteps(_) | Self::Lost(_) | Self::Failed(_) => None,
         }
     }
 }
@@ -178,7 +194,7 @@ impl<I: AsRef<[f64]>, U> Halt<I, U> {
 impl<I: AsRef<[f64]>, U> fmt::Display for TrackError<I, U> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Limit(limit) => write!(
+            Self::TurningPoint(limit) => write!(
                 formatter,
                 "{} a limit position{}: two assemblies meet there and neither continues; stop short of it, or \
                  drive the mechanism by another input",
@@ -192,7 +208,7 @@ impl<I: AsRef<[f64]>, U> fmt::Display for TrackError<I, U> {
                 Reaching(point.block),
                 point.place()
             ),
-            Self::Unbounded(pole) => write!(
+            Self::Pole(pole) => write!(
                 formatter,
                 "an unknown of {} runs to infinity{}; stop short of it, or drive the mechanism by another input",
                 pole.block,

@@ -3,8 +3,9 @@
 use std::error::Error;
 use std::f64::consts::{PI, TAU};
 
+use kin_core::LimitKind;
 use kin_core::Plane;
-use kin_core::cycle::{Cycle, EndKind, FullCycle as _};
+use kin_core::cycle::{Cycle, FullCycle as _};
 use kin_core::library::FourBar;
 
 use super::Figure;
@@ -82,7 +83,7 @@ fn map(cycle: &Cycle<FourBar>, title: &str) -> Canvas {
         }
         page.path(&run, false, &style);
         for end in branch.ends() {
-            if end.kind == EndKind::Limit {
+            if end.limit() == Some(LimitKind::TurningPoint) {
                 let rocker = end.unknowns[1] - TAU * (end.unknowns[1] / TAU).round();
                 page.circle(
                     place(end.input, rocker),

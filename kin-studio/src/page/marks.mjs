@@ -5,8 +5,9 @@ import { gapText } from "./reasons.mjs";
 
 const KINDS = {
   Limit: "Limit",
+  TurningPoint: "Limit position",
   ChangePoint: "Change point",
-  Domain: "End of the domain",
+  End: "End of the domain",
   Pole: "Pole",
   Range: "End of the range",
   Lost: "Lost",
@@ -35,7 +36,7 @@ export function marksOf(model, sweep, assembly, given) {
 
 /** Why a branch ends, with the names as they are printed. */
 function reasonOf(model, { kind, block, text }) {
-  const words = { Limit: "limit position of", ChangePoint: "branches cross in" };
+  const words = { TurningPoint: "limit position of", ChangePoint: "branches cross in" };
   return words[kind] && block ? `${words[kind]} ${blockText(model, block)}` : (text ?? "");
 }
 

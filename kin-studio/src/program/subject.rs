@@ -311,9 +311,9 @@ impl Subject {
         let assembly = self.assembly(case)?;
         let start = linkage.position(&from, assembly.position()).map_err(Fault::open)?;
         match linkage.track(&from, &start, &to) {
-            Err(error @ (TrackError::Limit(_) | TrackError::Unbounded(_) | TrackError::Failed(_))) => Err(Fault::open(
-                format!("the mechanism does not close all along the motion: {error}"),
-            )),
+            Err(error @ (TrackError::TurningPoint(_) | TrackError::Pole(_) | TrackError::Failed(_))) => Err(
+                Fault::open(format!("the mechanism does not close all along the motion: {error}")),
+            ),
             // branches cross, or nothing certain is known
             _ => Ok(()),
         }

@@ -200,7 +200,7 @@ pub struct Branch {
 /// An end of a branch.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct End {
-    /// `Limit`, `ChangePoint`, `Domain`, `Pole`, `Range`, `Lost` or `FullTurn`.
+    /// `TurningPoint`, `ChangePoint`, `Pole`, `End`, `Range`, `Lost` or `FullTurn`.
     pub kind: String,
     /// The input there.
     pub input: f64,

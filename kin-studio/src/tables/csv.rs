@@ -20,7 +20,7 @@ pub(super) fn text(table: &Table) -> String {
         text.push('\n');
         while let Some(limit) = limits.next_if(|limit| limit.row == row.index()) {
             line(&mut text, table.values_at(limit));
-            text.push_str(super::kind(limit.kind));
+            text.push_str(&limit.kind.to_string());
             text.push_str(",\n");
         }
     }

@@ -29,7 +29,7 @@ pub(super) fn text(table: &Table) -> String {
                 .map(|(name, value)| (name, value.into()));
             json!({
                 "at": limit.at,
-                "kind": super::kind(limit.kind),
+                "kind": limit.kind.to_string(),
                 "block": limit.block,
                 "row": limit.row,
                 "closes": if limit.closes_before { "before" } else { "behind" },

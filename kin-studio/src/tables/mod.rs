@@ -27,7 +27,7 @@ use std::io;
 use std::path::Path;
 
 use kin_core::batch::Outcome;
-use kin_core::sweep::{LimitKind, Table};
+use kin_core::sweep::Table;
 
 /// Tables as text for other programs. Angles, lengths and times have the units of the table, which its `in_degrees` and `units` choose.
 pub trait Export {
@@ -84,15 +84,5 @@ fn outcome(outcome: Outcome) -> &'static str {
         Outcome::OutOfReach { .. } => "does not close",
         Outcome::Singular => "singular",
         Outcome::Failed | Outcome::Unsolved => "failed",
-    }
-}
-
-/// The kind of a limit in a few words.
-pub(crate) fn kind(kind: LimitKind) -> &'static str {
-    match kind {
-        LimitKind::TurningPoint => "limit position",
-        LimitKind::ChangePoint => "change point",
-        LimitKind::Pole => "pole",
-        _ => "end of a range",
     }
 }

@@ -306,9 +306,9 @@ impl<T: Topology> Engine for Of<T> {
         });
         let ending = match result {
             Ok(unknowns) => Ending::Arrived(unknowns.as_ref().to_vec()),
-            Err(TrackError::Limit(obstacle)) => Ending::Limit(place(&obstacle)),
+            Err(TrackError::TurningPoint(obstacle)) => Ending::Limit(place(&obstacle)),
             Err(TrackError::ChangePoint(obstacle)) => Ending::ChangePoint(place(&obstacle)),
-            Err(TrackError::Unbounded(obstacle)) => Ending::Unbounded(place(&obstacle)),
+            Err(TrackError::Pole(obstacle)) => Ending::Unbounded(place(&obstacle)),
             Err(TrackError::Failed(error)) => Ending::Failed(error),
             Err(TrackError::Lost(halt)) => Ending::Lost(halt.inputs.as_ref().to_vec()),
             Err(_) => Ending::Endless,

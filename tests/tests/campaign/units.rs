@@ -1,12 +1,12 @@
 //! The unit of length has no say in a cycle: with all lengths multiplied by 10ᵏ, for k from -60 to 60, it has the same
 //! circuits, branches, kinds of ends, labels and flags, and limits at the same inputs.
 
-use kin_core::Dimension;
-use kin_core::cycle::{BlockClass, Branch, Cycle, EndKind, FullCycle, GrashofType};
+use kin_core::cycle::{BlockClass, Branch, Cycle, FullCycle, GrashofType};
 use kin_core::library::{
     FourBar, GearedFiveBar, InvertedSliderCrank, OffsetSliderCrank, StephensonI, StephensonIII, WattI, WattII,
 };
 use kin_core::prelude::*;
+use kin_core::{Dimension, LimitKind};
 use kin_tests::mechanisms::cases::{self, Case, ThroughSnap, Visitor};
 use kin_tests::random::Random;
 use kin_tests::samples;
@@ -133,7 +133,7 @@ impl Units {
         });
         let ratio = if long > 0.0 { long / short } else { 1.0 };
         let mut ends = cycle.branches().iter().flat_map(Branch::ends);
-        self.change_points += usize::from(ends.any(|end| end.kind == EndKind::ChangePoint));
+        self.change_points += usize::from(ends.any(|end| end.limit() == Some(LimitKind::ChangePoint)));
         self.incomplete += usize::from(!cycle.is_complete());
         self.mechanisms += 1;
         self.cycles += 1;
@@ -182,7 +182,7 @@ impl Units {
         };
         let found = linkage.cycle().map(|cycle| {
             let mut ends = cycle.branches().iter().flat_map(Branch::ends);
-            let has_change_point = ends.any(|end| end.kind == EndKind::ChangePoint);
+            let has_change_point = ends.any(|end| end.limit() == Some(LimitKind::ChangePoint));
             (cycle.is_complete(), has_change_point, cycle.circuits().len())
         });
         if class.grashof() != GrashofType::ChangePoint || found != Ok((true, true, 1)) {

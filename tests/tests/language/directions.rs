@@ -380,11 +380,11 @@ fn limits_are_where_they_are() {
     );
     for assembly in Assembly::BOTH {
         let start = angles.position(0.5, assembly).expect("it closes").unknowns();
-        let Err(TrackError::Limit(one)) = track(&angles, [0.5], start, [3.0]) else {
+        let Err(TrackError::TurningPoint(one)) = track(&angles, [0.5], start, [3.0]) else {
             panic!("the links do not reach");
         };
         let start = directions.position(0.5, assembly).expect("it closes").unknowns();
-        let Err(TrackError::Limit(other)) = track(&directions, [0.5], start, [3.0]) else {
+        let Err(TrackError::TurningPoint(other)) = track(&directions, [0.5], start, [3.0]) else {
             panic!("the links do not reach");
         };
         assert!((one.inputs[0] - other.inputs[0]).abs() <= 1e-14);
@@ -475,7 +475,7 @@ fn coupled_blocks() {
                     assert!((one - other).abs() <= 1e-9, "{one} {other}");
                 }
             }
-            (Err(TrackError::Limit(one)), Err(TrackError::Limit(other))) => {
+            (Err(TrackError::TurningPoint(one)), Err(TrackError::TurningPoint(other))) => {
                 assert!((one.fraction - other.fraction).abs() <= 1e-9);
             }
             (one, other) => assert_eq!(

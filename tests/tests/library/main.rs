@@ -858,7 +858,7 @@ impl FullTurn {
                     self.compare::<M>("after a turn", start, end);
                 }
             }
-            Err(TrackError::Limit(limit)) => {
+            Err(TrackError::TurningPoint(limit)) => {
                 self.limited.push(name);
                 let (low, high) = (from[0], to[0]);
                 if !(low..=high).contains(&limit.inputs[0]) {

@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use kin_core::LimitKind;
 use kin_core::cycle::{BlockClass, Branch, Cycle, EndKind, FullCycle, InvertedSliderCrankType, SliderCrankType};
 use kin_core::library::{
     StephensonI, StephensonIByDyad, StephensonII, StephensonIIByElbow, StephensonIII, StephensonIIIByDyad, WattI,
@@ -281,7 +282,10 @@ fn told<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>) -> (Vec<Turns>, bool) {
         (circuit.input_turns(), unknown)
     });
     let mut ends = cycle.branches().iter().flat_map(Branch::ends);
-    (turns.collect(), ends.any(|end| end.kind == EndKind::ChangePoint))
+    (
+        turns.collect(),
+        ends.any(|end| end.limit() == Some(LimitKind::ChangePoint)),
+    )
 }
 
 /// What a label says of the turns along each circuit, or nothing for a linkage with a change point.
@@ -393,7 +397,7 @@ fn a_free_link_connects_branches() {
         for branch in cycle.branches() {
             assert_eq!(
                 branch.ends().map(|end| end.kind),
-                [EndKind::ChangePoint; 2],
+                [EndKind::Limit(LimitKind::ChangePoint); 2],
                 "{cycle:?}"
             );
             assert_eq!(branch.joins().map(<[usize]>::len), [3; 2], "{cycle:?}");

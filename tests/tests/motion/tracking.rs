@@ -84,7 +84,7 @@ fn limit_of<M: Mechanism<Scalar = f64>>(
         start,
         M::Inputs::from_fn(|_| to),
     ) {
-        Err(TrackError::Limit(limit)) => {
+        Err(TrackError::TurningPoint(limit)) => {
             assert!((limit.fraction - (limit.inputs[0] - from) / (to - from)).abs() < 1e-14);
             (limit.block, limit.inputs[0], limit.unknowns)
         }
@@ -227,7 +227,7 @@ fn a_parallelogram_has_change_points() {
                 let result = track(&linkage, [1.0], start, [to]);
                 // The kite's coupler and rocker are in line at π only where the diagonal is as long as both.
                 if links[0] == 0.8 && place == PI {
-                    assert!(matches!(result, Err(TrackError::Limit(_))), "{result:?}");
+                    assert!(matches!(result, Err(TrackError::TurningPoint(_))), "{result:?}");
                     continue;
                 }
                 let Err(TrackError::ChangePoint(point)) = result else {
@@ -309,7 +309,7 @@ fn to_the_limit_and_hardly_further() {
             }
             // beyond it
             let result = track(&DOUBLE_ROCKER, [0.5], start, [end + gap]);
-            let Err(TrackError::Limit(limit)) = result else {
+            let Err(TrackError::TurningPoint(limit)) = result else {
                 panic!("{gap}: {result:?}");
             };
             assert!((limit.inputs[0] - end).abs() < 1e-14, "{gap}: {limit:?}");
@@ -453,7 +453,7 @@ fn both_cranks<M: Mechanism<Scalar = f64, Assembly = Assembly>>(mechanism: &M) {
             panic!("it does not reach");
         };
         let message = error.to_string();
-        let TrackError::Limit(limit) = error else {
+        let TrackError::TurningPoint(limit) = error else {
             panic!("{error:?}");
         };
         let [left, right] = [0, 1].map(|index| limit.inputs[index]);
@@ -489,7 +489,7 @@ fn several_limits_at_once_are_a_limit() {
         let Ok(start) = linkage.solve_position([0.6], assembly) else {
             continue;
         };
-        let Err(TrackError::Limit(limit)) = track(&linkage, [0.6], start, [3.0]) else {
+        let Err(TrackError::TurningPoint(limit)) = track(&linkage, [0.6], start, [3.0]) else {
             panic!("{assembly:?} goes on");
         };
         assert!((limit.inputs[0] - TAU / 3.0).abs() < 1e-12, "{limit:?}");

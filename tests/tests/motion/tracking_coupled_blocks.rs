@@ -18,7 +18,7 @@ fn kepler_turns_back() {
         let fold = (1.0 / eccentricity).acos();
         let expected = fold - eccentricity * fold.sin();
         // from the branch through π down to its end
-        let Err(TrackError::Limit(limit)) = track(&mechanism, [PI], [PI], [-20.0]) else {
+        let Err(TrackError::TurningPoint(limit)) = track(&mechanism, [PI], [PI], [-20.0]) else {
             panic!("{mechanism:?}");
         };
         let tolerance = 8.0 * f64::EPSILON * (1.0 + eccentricity);
@@ -30,7 +30,7 @@ fn kepler_turns_back() {
         assert!((limit.unknowns[0] - fold).abs() <= 1e-12, "{limit:?} {fold}");
         // and the inner branch, from the root at zero, to either side
         for side in [1.0, -1.0] {
-            let Err(TrackError::Limit(limit)) = track(&mechanism, [0.0], [0.0], [side * 20.0]) else {
+            let Err(TrackError::TurningPoint(limit)) = track(&mechanism, [0.0], [0.0], [side * 20.0]) else {
                 panic!("{mechanism:?}");
             };
             assert!(
@@ -71,7 +71,7 @@ fn a_relative_drive_stops_where_ground_and_rocker_are_in_line() {
                     continue;
                 }
                 let result = track(&mechanism, [from], start, [to]);
-                let Err(TrackError::Limit(limit)) = result else {
+                let Err(TrackError::TurningPoint(limit)) = result else {
                     panic!("{mechanism:?} {assembly:?} {from} {to}: {result:?}");
                 };
                 let condition = 1.0 + (r1 + r4).powi(2).max(r2 * r2 + r3 * r3) / (2.0 * r2 * r3) / end.sin();
@@ -133,7 +133,7 @@ fn condition<M: Mechanism<Scalar = f64>>(
         let other = M::from_parameters(M::Parameters::from_fn(|index| {
             parameters[index] * if index == changed { 1.0 + change } else { 1.0 }
         }));
-        let Err(TrackError::Limit(there)) = track(&other, inputs(from), start, inputs(to)) else {
+        let Err(TrackError::TurningPoint(there)) = track(&other, inputs(from), start, inputs(to)) else {
             // hardly to be reached
             return f64::INFINITY;
         };
@@ -166,7 +166,7 @@ where
                 "there"
             }
         }
-        Err(TrackError::Limit(limit)) => {
+        Err(TrackError::TurningPoint(limit)) => {
             let input = limit.inputs[0];
             let unknowns = limit.unknowns;
             for residual in mechanism.residuals(limit.inputs, unknowns).as_ref() {
@@ -189,7 +189,8 @@ where
                 (apart / distance - 2.0).abs() < 0.1,
                 "{mechanism:?}: {apart} {distance}"
             );
-            let Err(TrackError::Limit(again)) = track(mechanism, inputs(input + missing), other, inputs(to)) else {
+            let Err(TrackError::TurningPoint(again)) = track(mechanism, inputs(input + missing), other, inputs(to))
+            else {
                 panic!("{mechanism:?}");
             };
             let tolerance = 16.0 * f64::EPSILON * condition(mechanism, from, start, to, input);

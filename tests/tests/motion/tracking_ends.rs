@@ -259,14 +259,14 @@ fn what_runs_to_infinity_is_said_to() {
         let start = guide.position(from).unwrap().unknowns();
         // Parallel lines; at once in the other direction it would be the same line turned by half a turn.
         for (to, place) in [(inclination - 1.0, inclination), (from + PI, inclination + PI)] {
-            let Err(TrackError::Unbounded(pole)) = track(&guide, [from], start, [to]) else {
+            let Err(TrackError::Pole(pole)) = track(&guide, [from], start, [to]) else {
                 panic!("{guide:?}");
             };
             assert_eq!(pole.block, "s, t");
             assert!((pole.inputs[0] - place).abs() <= 1e-12, "{pole:?} {place}");
         }
         let tangent = Tangent { l: unit };
-        let Err(TrackError::Unbounded(pole)) = track(&tangent, [0.3], [unit * 0.3_f64.tan()], [-4.0]) else {
+        let Err(TrackError::Pole(pole)) = track(&tangent, [0.3], [unit * 0.3_f64.tan()], [-4.0]) else {
             panic!("{tangent:?}");
         };
         assert!((pole.inputs[0] + FRAC_PI_2).abs() <= 1e-12, "{pole:?}");
@@ -311,7 +311,7 @@ fn a_start_beside_a_limit_goes_back_or_ends_at_it() {
                 let Some(result) = from_beside(&linkage, assembly, from, high + 1.0) else {
                     continue;
                 };
-                let Err(TrackError::Limit(limit)) = result else {
+                let Err(TrackError::TurningPoint(limit)) = result else {
                     panic!("{linkage:?} {assembly:?} {from}: {result:?}");
                 };
                 let tolerance = 16.0 * f64::EPSILON * (1.0 + 1.0 / (r1 * r2 * high.sin()));
@@ -440,7 +440,7 @@ fn the_pole_of_a_tangent_is_found_whatever_the_sizes() {
         ),
     ] {
         let error = explicit_from([a, b], from, to);
-        let TrackError::Unbounded(pole) = error else {
+        let TrackError::Pole(pole) = error else {
             panic!("{a} {b}: {error:?}");
         };
         assert_eq!(pole.block, "w");

@@ -87,7 +87,7 @@ impl Tally {
         self.most.closures = self.most.closures.max(calls.closures);
         match &result {
             Ok(_) => self.arrived += 1,
-            Err(TrackError::Limit(_)) => self.limits += 1,
+            Err(TrackError::TurningPoint(_)) => self.limits += 1,
             Err(TrackError::TooManySteps(halt)) => panic!("{mechanism:?} {from:?}: {halt:?}", from = from.as_ref()),
             Err(_) => self.others += 1,
         }
@@ -162,7 +162,7 @@ fn a_way_shorter_than_rounding_lets_see_ends_at_its_limits() {
         let linkage = FourBarOnGround { a, b, c, ground };
         let mut tally = Tally::default();
         tally.around(&linkage, q, Some([u, v]), TAU, |to, result| {
-            let Err(TrackError::Limit(limit)) = result else {
+            let Err(TrackError::TurningPoint(limit)) = result else {
                 panic!("{linkage:?} to {to}: {result:?}");
             };
             assert_eq!(limit.block, "u, v");
@@ -192,7 +192,7 @@ fn four_bars_of_extreme_proportions() {
                     "{linkage:?}"
                 );
             }
-            Err(TrackError::Limit(limit)) => is_the_first_limit(&linkage, q, limit.inputs[0]),
+            Err(TrackError::TurningPoint(limit)) => is_the_first_limit(&linkage, q, limit.inputs[0]),
             Err(_) => {
                 // Where rounding of the longest link is as long as the shortest one.
                 assert!(blur > 1e-4 * a.min(b).min(c), "{linkage:?} {q}: {result:?}");

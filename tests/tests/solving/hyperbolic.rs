@@ -396,7 +396,7 @@ fn the_lowest_point_is_a_limit() {
         assert_eq!(below, Err(Failure::OutOfReach { margin: -0.5 }));
         let start = catenary().position(5.0, assembly).expect("it closes");
         match catenary().track(&start, 1.0) {
-            Err(TrackError::Limit(limit)) => {
+            Err(TrackError::TurningPoint(limit)) => {
                 assert!((limit.inputs[0] - 2.0).abs() <= 8.0 * f64::EPSILON, "{limit:?}");
                 // the height is flat there
                 assert!((limit.unknowns[0] - 0.5).abs() <= 1e-7, "{limit:?}");

@@ -111,7 +111,7 @@ fn branch_columns(branches: &[&Branch], assemblies: &[String], at: &impl Fn(f64)
         if branch.is_full_turn() && side == 0 {
             String::new()
         } else {
-            end(branch.ends()[side].kind).to_owned()
+            end(branch.ends()[side].kind)
         }
     };
     let mut columns = vec![
@@ -139,15 +139,12 @@ fn indent(columns: &mut [Column]) {
     }
 }
 
-fn end(kind: EndKind) -> &'static str {
+fn end(kind: EndKind) -> String {
     match kind {
-        EndKind::Limit => "limit",
-        EndKind::ChangePoint => "change point",
-        EndKind::Domain => "end of a domain",
-        EndKind::Pole => "pole",
-        EndKind::Range => "end of the range",
-        EndKind::FullTurn => "full turn",
-        _ => "lost",
+        EndKind::Limit(kind) => kind.to_string(),
+        EndKind::Range => "end of the range".to_owned(),
+        EndKind::FullTurn => "full turn".to_owned(),
+        _ => "lost".to_owned(),
     }
 }
 

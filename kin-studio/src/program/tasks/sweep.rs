@@ -94,7 +94,7 @@ fn shown(table: &Table, names: &[String]) -> Result<String, Fault> {
     for limit in table.limits() {
         let unit = table.variable().unit.to_string();
         let side = if limit.closes_before { "up to" } else { "from" };
-        let kind = crate::tables::kind(limit.kind);
+        let kind = limit.kind;
         let _ = writeln!(
             out,
             "closes {side} {variable} = {} {unit}: {kind} of {}",

@@ -25,7 +25,9 @@ pub(super) fn of(cycle: &AnyCycle, own: &Own, moving: Quantity, range: [f64; 2])
             range: ends.map(|end| end.input),
             full_turn: branch.is_full_turn(),
             ends: ends.map(|end| model::End {
-                kind: format!("{:?}", end.kind),
+                kind: end
+                    .limit()
+                    .map_or_else(|| format!("{:?}", end.kind), |kind| format!("{kind:?}")),
                 input: end.input,
                 block: end.block.to_owned(),
                 text: text(end, moving),
@@ -69,10 +71,7 @@ fn text(end: &End, quantity: Quantity) -> String {
         format!(" of {}", end.block)
     };
     match end.kind {
-        EndKind::Limit => format!("limit position{of} at {place}"),
-        EndKind::ChangePoint => format!("change point{of} at {place}"),
-        EndKind::Domain => format!("end of a domain or of a declared range{of} at {place}"),
-        EndKind::Pole => format!("a length{of} goes to infinity at {place}"),
+        EndKind::Limit(kind) => format!("{kind}{of} at {place}"),
         EndKind::Range => format!("end of the range that was looked at, {place}"),
         EndKind::FullTurn => "goes on for a full turn".to_owned(),
         _ => format!("the search could not go on at {place}"),
