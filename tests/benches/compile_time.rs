@@ -289,7 +289,7 @@ fn questions() {
         ),
         (
             "stroke",
-            "let _ = turn; Some(linkage.cycle().ok()?.stroke(0, \"theta6\").ok()?.length())",
+            "let _ = turn; Some(linkage.cycle().ok()?.along(0).of(\"theta6\").stroke().ok()?.length())",
         ),
         (
             "sensitivities",

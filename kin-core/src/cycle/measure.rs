@@ -1,26 +1,16 @@
 //! What a designer reads off a circuit: strokes, ratios of times and the worst transmission angle.
 
-use alloc::vec;
 use core::error::Error;
-use core::f64::consts::PI;
 use core::fmt;
 
-use super::Cycle;
-use super::line::turned;
-use super::station::MeasuredCycle;
-use crate::any::{Of, OutputsOver, TransmissionOver};
-use crate::extremes::{ExtremeKind, ExtremesError, NamedFunctions};
-use crate::mechanism::Mechanism;
-use crate::picture::TransmissionAngle;
+use crate::any::{OutputsOver, TransmissionOver};
+use crate::extremes::{Extreme, ExtremesError, NamedFunctions};
 use crate::quantity::Digits;
 use crate::sweep::SweptMechanism;
 
-/// The smallest stroke of a quantity that moves, as a part of its largest value, and the shortest way between its ends, as a part of a turn.
-const STILL: f64 = 1e-12;
-
-/// The smallest or largest value of a quantity.
+/// A value of a quantity along a circuit, and where.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StrokeEnd {
+pub struct CircuitPeak {
     /// The value.
     pub value: f64,
     /// The input there.
@@ -29,13 +19,22 @@ pub struct StrokeEnd {
     pub branch: usize,
 }
 
+/// An extreme of a quantity along a circuit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CircuitExtreme {
+    /// The index of the branch.
+    pub branch: usize,
+    /// The extreme in the sweep over that branch.
+    pub extreme: Extreme,
+}
+
 /// The range of a quantity along a circuit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stroke {
     /// The smallest value.
-    pub low: StrokeEnd,
+    pub low: CircuitPeak,
     /// The largest value.
-    pub high: StrokeEnd,
+    pub high: CircuitPeak,
 }
 
 impl Stroke {
@@ -114,165 +113,3 @@ impl From<ExtremesError> for MeasureError {
 pub trait MeasuredFunctions: SweptMechanism + NamedFunctions + OutputsOver<f64> + TransmissionOver<f64> {}
 
 impl<F: SweptMechanism + NamedFunctions + OutputsOver<f64> + TransmissionOver<f64>> MeasuredFunctions for F {}
-
-impl<M: Mechanism<Scalar = f64>> Cycle<M> {
-    /// The smallest and the largest value of a quantity along a circuit, called by the name of its column: `"theta4"`, `"foot.x"`,
-    /// `"theta4_velocity"`. Rates are those with respect to the input.
-    ///
-    /// They are the [extremes](crate::extremes) of a sweep along each branch, where angles go on from branch to branch, and so do the
-    /// quantities that depend on them, as the position of a rack does.
-    ///
-    /// # Errors
-    /// [`MeasureError::NoSuchCircuit`], and [`MeasureError::Extremes`] if there is no such quantity, or if it grows beyond all bounds.
-    ///
-    /// ```
-    /// use kin_core::cycle::FullCycle;
-    /// use kin_core::library::SliderCrank;
-    ///
-    /// let press = SliderCrank { r: 0.1, l: 0.3 };
-    /// let stroke = press.cycle()?.stroke(0, "s")?;
-    /// assert!((stroke.length() - 0.2).abs() < 1e-15);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn stroke(&self, circuit: usize, name: &str) -> Result<Stroke, MeasureError> {
-        self.measured().stroke(circuit, name)
-    }
-
-    /// The time ratio of a quick return, at a constant speed of the input: the longer of the ways of the input between the smallest and the
-    /// largest value of a quantity, divided by the shorter one. It is 1 or more.
-    ///
-    /// # Errors
-    /// [`MeasureError::NoFullTurn`], if the input does not turn once along the circuit, [`MeasureError::NoReturn`], if the quantity turns
-    /// fully or stays where it is; otherwise as for [`stroke`](Self::stroke).
-    ///
-    /// ```
-    /// use kin_core::cycle::FullCycle;
-    /// use kin_core::library::FourBar;
-    ///
-    /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
-    /// let cycle = linkage.cycle()?;
-    /// // at its ends, the rocker is where crank and coupler lie on one line
-    /// let angle = |side: f64| ((90.0_f64.powi(2) + side.powi(2) - 60.0_f64.powi(2)) / (2.0 * 90.0 * side)).acos();
-    /// let offset = (angle(70.0 - 30.0) - angle(70.0 + 30.0)).abs();
-    /// let expected = (std::f64::consts::PI + offset) / (std::f64::consts::PI - offset);
-    /// assert!((cycle.time_ratio(0, "theta4")? - expected).abs() < 1e-12);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn time_ratio(&self, circuit: usize, name: &str) -> Result<f64, MeasureError> {
-        self.measured().time_ratio(circuit, name)
-    }
-
-    /// The smallest transmission angle of all dyads along a circuit, folded to at most a right angle. It is zero if the circuit has a limit in
-    /// which a dyad is stretched or folded.
-    ///
-    /// # Errors
-    /// [`MeasureError::NoDyad`], if the mechanism has none, or if there is no such circuit.
-    ///
-    /// ```
-    /// use kin_core::cycle::FullCycle;
-    /// use kin_core::library::FourBar;
-    ///
-    /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
-    /// let worst = linkage.cycle()?.worst_transmission(0)?;
-    /// // crank and ground in line: the diagonal is 60 or 120
-    /// let angle = |d: f64| ((70.0_f64.powi(2) + 60.0_f64.powi(2) - d * d) / (2.0 * 70.0 * 60.0)).acos();
-    /// let expected = angle(60.0).min(std::f64::consts::PI - angle(120.0));
-    /// assert!((worst.angle - expected).abs() < 1e-12);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn worst_transmission(&self, circuit: usize) -> Result<WorstTransmission, MeasureError> {
-        self.measured().worst_transmission(circuit)
-    }
-
-    fn measured(&self) -> MeasuredCycle<'_> {
-        MeasuredCycle {
-            cycle: &self.searched,
-            functions: Of::<M>::FUNCTIONS,
-        }
-    }
-}
-
-impl MeasuredCycle<'_> {
-    pub(crate) fn stroke(&self, circuit: usize, name: &str) -> Result<Stroke, MeasureError> {
-        self.range(circuit, name).map(|(stroke, _)| stroke)
-    }
-
-    /// The stroke of a quantity, and whether both of its ends lie inside of branches or at their limits, so that the quantity turns there.
-    fn range(&self, circuit: usize, name: &str) -> Result<(Stroke, bool), MeasureError> {
-        let mut range: Option<(Stroke, [ExtremeKind; 2])> = None;
-        for station in self.branch_stations(circuit)? {
-            for extreme in self.sweep(&station).extremes(self.functions, name)? {
-                let value = extreme.value.ok_or(ExtremesError::Unbounded { at: extreme.at })?;
-                let own = StrokeEnd {
-                    value,
-                    input: extreme.at,
-                    branch: station.branch,
-                };
-                let (stroke, kinds) = range.get_or_insert((Stroke { low: own, high: own }, [extreme.kind; 2]));
-                if value < stroke.low.value {
-                    (stroke.low, kinds[0]) = (own, extreme.kind);
-                }
-                if value > stroke.high.value {
-                    (stroke.high, kinds[1]) = (own, extreme.kind);
-                }
-            }
-        }
-        let (stroke, kinds) = range.ok_or(MeasureError::NoSuchCircuit)?;
-        Ok((stroke, !kinds.contains(&ExtremeKind::End)))
-    }
-
-    pub(crate) fn time_ratio(&self, circuit: usize, name: &str) -> Result<f64, MeasureError> {
-        let [branch] = self.circuit(circuit)? else {
-            return Err(MeasureError::NoFullTurn);
-        };
-        let branch = self.branch(*branch);
-        if !branch.is_full_turn() {
-            return Err(MeasureError::NoFullTurn);
-        }
-        let turn = branch.ends[1].input - branch.ends[0].input;
-        let (stroke, returns) = self.range(circuit, name)?;
-        let way = (stroke.high.input - stroke.low.input).abs();
-        let [short, long] = [way.min(turn - way), way.max(turn - way)];
-        let (low, high) = (stroke.low.value, stroke.high.value);
-        let is_still = stroke.length() <= STILL * low.abs().max(high.abs()) || short <= STILL * turn;
-        if !returns || is_still {
-            return Err(MeasureError::NoReturn { low, high });
-        }
-        Ok(long / short)
-    }
-
-    pub(crate) fn worst_transmission(&self, circuit: usize) -> Result<WorstTransmission, MeasureError> {
-        let mut worst: Option<WorstTransmission> = None;
-        let mechanism = &self.cycle.mechanism;
-        let mut all = vec![TransmissionAngle::of("", 0.0, 1.0); mechanism.functions.dyad_count()];
-        for station in self.branch_stations(circuit)? {
-            let mut candidate = |block: &'static str, angle: f64, input: f64| {
-                if worst.is_none_or(|worst| angle < worst.angle) {
-                    worst = Some(WorstTransmission {
-                        block,
-                        angle,
-                        input,
-                        branch: station.branch,
-                    });
-                }
-            };
-            for end in &self.branch(station.branch).ends {
-                let inputs = self.cycle.line.inputs(end.input);
-                let functions: &dyn TransmissionOver<f64> = self.functions;
-                functions.angles_of_dyads(&mechanism.parameters, &inputs, &end.unknowns, &mut all);
-                for dyad in &all {
-                    candidate(dyad.block, dyad.folded(), end.input);
-                }
-            }
-            for (dyad, transmission) in all.iter().enumerate() {
-                for extreme in self.sweep(&station).transmission_extremes(self.functions, dyad)? {
-                    if let Some(angle) = extreme.value {
-                        let size = turned(angle).abs();
-                        candidate(transmission.block, size.min(PI - size), extreme.at);
-                    }
-                }
-            }
-        }
-        worst.ok_or(MeasureError::NoDyad)
-    }
-}

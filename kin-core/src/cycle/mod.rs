@@ -43,6 +43,7 @@
 //! without declared ranges. For any other mechanism all positions are sought at stated inputs, and `is_complete` is false.
 //! [`incomplete`](CycleData::incomplete) says why.
 
+mod along;
 mod bounds;
 mod class;
 mod closed;
@@ -70,10 +71,11 @@ mod station;
 mod tests;
 mod unit;
 
+pub use along::{CircuitAlong, QuantityOnCircuit};
 pub use class::{BarkerClass, BlockClass, GrashofType, InvertedSliderCrankType, SliderCrankType};
 pub use data::{Branch, Circuit, CycleData, End, EndKind};
 pub use incomplete::Incomplete;
-pub use measure::{MeasureError, Stroke, StrokeEnd, WorstTransmission};
+pub use measure::{CircuitExtreme, CircuitPeak, MeasureError, Stroke, WorstTransmission};
 
 use alloc::vec::Vec;
 use core::ops::Deref;

@@ -7,13 +7,16 @@ use std::vec::Vec;
 use std::{format, println};
 
 use super::{BarkerClass, Branch, Cycle, EndKind, FullCycle, GrashofType, MeasureError};
+use crate::assembly::Assembly;
 use crate::curve::LimitKind;
+use crate::extremes::ExtremesError;
 use crate::failure::{Failure, SolveError};
 use crate::geometry::Plane;
 use crate::library::*;
 use crate::mechanism::Mechanism;
 use crate::number::samples;
 use crate::quantity::Dimension;
+use crate::sweep::Sweep as _;
 
 const SAMPLE: FourBar = FourBar {
     r1: 90.0,
@@ -454,18 +457,63 @@ fn a_position_on_a_branch_is_inside_of_it() {
 #[test]
 fn a_time_ratio_needs_a_return() {
     let no_return = |cycle: Cycle<FourBar>, name: &str| {
-        let ratio = cycle.time_ratio(0, name);
+        let ratio = cycle.along(0).of(name).time_ratio();
         assert!(matches!(ratio, Err(MeasureError::NoReturn { .. })), "{name}: {ratio:?}");
     };
     // a double crank: coupler and rocker turn
     no_return(four_bar(30.0, 60.0, 70.0, 80.0), "theta4");
     no_return(four_bar(30.0, 60.0, 70.0, 80.0), "theta3");
-    assert!(four_bar(90.0, 30.0, 70.0, 60.0).time_ratio(0, "theta4").unwrap() > 1.0);
+    assert!(
+        four_bar(90.0, 30.0, 70.0, 60.0)
+            .along(0)
+            .of("theta4")
+            .time_ratio()
+            .unwrap()
+            > 1.0
+    );
+}
+
+/// A name and an expression of the same quantity have the same extremes, which are those of sweeps over the branches.
+#[test]
+fn questions_along_a_circuit_are_those_along_a_sweep() {
+    for cycle in [four_bar(90.0, 30.0, 70.0, 60.0), four_bar(90.0, 30.0, 60.0, 45.0)] {
+        let along = cycle.along(0);
+        let (named, expressed) = (along.of("theta4"), along.of_expression(|at| at.theta4));
+        let extremes = named.extremes().unwrap();
+        assert_eq!(extremes, expressed.extremes().unwrap());
+        let values = || extremes.iter().filter_map(|found| found.extreme.value);
+        let [low, high] = [
+            values().fold(f64::INFINITY, f64::min),
+            values().fold(f64::NEG_INFINITY, f64::max),
+        ];
+        assert_eq!(
+            [named.lowest(), named.highest()].map(|peak| peak.unwrap().value),
+            [low, high]
+        );
+        assert_eq!(named.peak().unwrap().value.abs(), low.abs().max(high.abs()));
+        let velocity = along.of("theta4_velocity").peak();
+        if cycle.branches()[0].is_full_turn() {
+            let turn = cycle
+                .mechanism()
+                .sweep(Assembly::BOTH[cycle.branches()[0].assembly().unwrap()]);
+            let turn = turn.over(0.0..=2.0 * PI, 3).of("theta4_velocity").peak().unwrap();
+            assert!((velocity.unwrap().value - turn.value).abs() < 1e-12);
+        } else {
+            let unbounded = matches!(&velocity, Err(MeasureError::Extremes(ExtremesError::Unbounded { .. })));
+            assert!(unbounded, "{velocity:?}");
+        }
+    }
+    let none = four_bar(90.0, 30.0, 70.0, 60.0).along(7).of("theta4").peak();
+    assert_eq!(none, Err(MeasureError::NoSuchCircuit));
 }
 
 #[test]
 fn a_name_that_nothing_has_is_told_with_those_that_exist() {
-    let error = four_bar(90.0, 30.0, 70.0, 60.0).stroke(0, "theta5").unwrap_err();
+    let error = four_bar(90.0, 30.0, 70.0, 60.0)
+        .along(0)
+        .of("theta5")
+        .stroke()
+        .unwrap_err();
     let sentence = "none of the 40 columns is called `theta5`: did you mean `theta2`, `theta3` or `theta4`";
     assert_eq!(format!("{error:?}"), sentence);
 }

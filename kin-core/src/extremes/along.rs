@@ -428,7 +428,7 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
 }
 
 /// The value of an expression of the typed pose.
-fn pose_quantity<M: Mechanism<Scalar = f64>, A: Answer>(
+pub(crate) fn pose_quantity<M: Mechanism<Scalar = f64>, A: Answer>(
     station: &SweepStation,
     changed: Option<&[Local]>,
     quantity: impl Fn(&At<M>) -> A,

@@ -1,5 +1,6 @@
 //! Extremes along a branch of a cycle: a sweep whose ends are known.
 
+use alloc::boxed::Box;
 use alloc::vec::Vec;
 
 use super::at::HIGHEST;
@@ -28,6 +29,18 @@ impl KnownStretch {
     }
 }
 
+/// A quantity of each pose of a sweep.
+pub(crate) type StationQuantity<'q> = Box<PoseQuantity<'q>>;
+
+/// A quantity that is called by its name.
+pub(crate) fn named_quantity<'q>(
+    functions: &'q dyn NamedFunctions,
+    name: &str,
+) -> Result<StationQuantity<'q>, ExtremesError> {
+    let named = Named::find(functions, name, HIGHEST)?;
+    Ok(Box::new(move |station| named.at(functions, station)))
+}
+
 /// A sweep on which the mechanism closes throughout.
 pub(crate) struct KnownSweep<'c> {
     pub(crate) course: AnyCourse<'c>,
@@ -36,12 +49,6 @@ pub(crate) struct KnownSweep<'c> {
 }
 
 impl KnownSweep<'_> {
-    /// The extremes of a quantity that is called by its name.
-    pub(crate) fn extremes(self, functions: &dyn NamedFunctions, name: &str) -> Result<Vec<Extreme>, ExtremesError> {
-        let named = Named::find(functions, name, HIGHEST)?;
-        self.extremes_of(&|station| named.at(functions, station))
-    }
-
     /// The extremes of the angle between the links of a dyad.
     pub(crate) fn transmission_extremes(
         self,
@@ -53,7 +60,8 @@ impl KnownSweep<'_> {
         })
     }
 
-    fn extremes_of(self, quantity: &PoseQuantity<'_>) -> Result<Vec<Extreme>, ExtremesError> {
+    /// The extremes of a quantity of each pose.
+    pub(crate) fn extremes_of(self, quantity: &PoseQuantity<'_>) -> Result<Vec<Extreme>, ExtremesError> {
         let asked = QuantityOfSweep {
             course: self.course,
             drive: self.drive,

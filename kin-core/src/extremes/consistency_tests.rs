@@ -350,7 +350,7 @@ fn quantities() -> impl Iterator<Item = &'static str> {
 
 /// The worst transmission angle of a circuit is the lowest one of the sweeps over its branches.
 fn hold_transmission(linkage: &Geared, cycle: &Cycle<Geared>, circuit: usize) {
-    let worst = cycle.worst_transmission(circuit).unwrap();
+    let worst = cycle.along(circuit).worst_transmission().unwrap();
     let mut least = f64::INFINITY;
     for branch in cycle.circuits()[circuit].branches() {
         let branch = &cycle.branches()[*branch];
@@ -408,7 +408,7 @@ fn strokes_are_those_of_sweeps() {
         for (_, name) in (sample..).zip(quantities()).filter(|(place, _)| place % 3 == 0) {
             let mut lengths = [std::vec![], std::vec![]];
             for (index, circuit) in cycle.circuits().iter().enumerate() {
-                let stroke = cycle.stroke(index, name).unwrap();
+                let stroke = cycle.along(index).of(name).stroke().unwrap();
                 // a sweep whose range ends beyond a limit by rounding may refuse an answer, and says so
                 let ranges = circuit.branches().iter().filter_map(|branch| {
                     let branch = &cycle.branches()[*branch];
@@ -438,7 +438,7 @@ fn strokes_are_those_of_sweeps() {
                     "{linkage:?}, {name}: {stroke:?}, {ranges:?}"
                 );
                 lengths[0].push(stroke.length());
-                lengths[1].push(turned.stroke(index, name).unwrap().length());
+                lengths[1].push(turned.along(index).of(name).stroke().unwrap().length());
             }
             // half an angle, turned by half a turn, has another sine
             if name == "tooth" {

@@ -164,7 +164,7 @@ fn a_pole_is_unbounded() {
         }
     }
     for name in ["y", "travel", "ratio", "y_velocity"] {
-        let stroke = Lever { h: 1.0 }.cycle().unwrap().stroke(0, name);
+        let stroke = Lever { h: 1.0 }.cycle().unwrap().along(0).of(name).stroke();
         assert!(
             matches!(stroke, Err(MeasureError::Extremes(ExtremesError::Unbounded { at })) if (at.abs() - FRAC_PI_2).abs() < 1e-9),
             "{name}: {stroke:?}"

@@ -62,10 +62,11 @@ mod swept;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use along::pose_quantity;
 pub use along::{AskedQuantity, ByDyad, ByExpression, ByName, QuantityAlong, QuantitySource};
 pub use answer::Answer;
 pub use at::At;
-pub(crate) use branch::{KnownStretch, KnownSweep};
+pub(crate) use branch::{KnownStretch, KnownSweep, StationQuantity, named_quantity};
 pub use error::ExtremesError;
 pub use mean::{Mean, Over};
 pub use sensitivity::{PeakSensitivities, PeakSensitivity};

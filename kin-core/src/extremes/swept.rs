@@ -26,7 +26,7 @@ use crate::sweep::{
 pub(super) const JUMP: f64 = 1e-9;
 
 /// A quantity of a pose.
-pub(super) type PoseQuantity<'q> = dyn Fn(&SweepStation) -> Result<Local, ExtremesError> + 'q;
+pub(crate) type PoseQuantity<'q> = dyn Fn(&SweepStation) -> Result<Local, ExtremesError> + 'q;
 
 /// What a search knows of a sweep.
 #[derive(Clone, Copy)]

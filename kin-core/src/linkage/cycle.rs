@@ -5,7 +5,7 @@ use core::fmt;
 use core::ops::Deref;
 
 use super::{AnyLinkage, LinkageFunctions};
-use crate::cycle::{CycleData, MeasureError, MeasuredCycle, SearchedCycle, Stroke, WorstTransmission};
+use crate::cycle::{CircuitAlong, CycleData, MeasuredCycle, SearchedCycle};
 use crate::failure::SolveError;
 
 /// All circuits and branches of a linkage. [`AnyLinkage::cycle_along`] makes it.
@@ -54,34 +54,13 @@ impl AnyCycle {
         self.searched.position_on(branch, input).map(|found| found.to_vec())
     }
 
-    /// The smallest and the largest value of a quantity along a circuit: see [`Cycle::stroke`](crate::cycle::Cycle::stroke).
-    ///
-    /// # Errors
-    /// As there.
-    pub fn stroke(&self, circuit: usize, name: &str) -> Result<Stroke, MeasureError> {
-        self.measured().stroke(circuit, name)
-    }
-
-    /// The time ratio of a quick return: see [`Cycle::time_ratio`](crate::cycle::Cycle::time_ratio).
-    ///
-    /// # Errors
-    /// As there.
-    pub fn time_ratio(&self, circuit: usize, name: &str) -> Result<f64, MeasureError> {
-        self.measured().time_ratio(circuit, name)
-    }
-
-    /// The smallest transmission angle along a circuit: see [`Cycle::worst_transmission`](crate::cycle::Cycle::worst_transmission).
-    ///
-    /// # Errors
-    /// As there.
-    pub fn worst_transmission(&self, circuit: usize) -> Result<WorstTransmission, MeasureError> {
-        self.measured().worst_transmission(circuit)
-    }
-
-    fn measured(&self) -> MeasuredCycle<'_> {
-        MeasuredCycle {
+    /// A circuit by its index: see [`Cycle::along`](crate::cycle::Cycle::along).
+    #[must_use]
+    pub fn along(&self, circuit: usize) -> CircuitAlong<'_, Self> {
+        let cycle = MeasuredCycle {
             cycle: &self.searched,
             functions: self.functions,
-        }
+        };
+        CircuitAlong::new(cycle, circuit)
     }
 }

@@ -87,9 +87,18 @@ fn cycles_agree<M: Mechanism<Scalar = f64>>(mechanism: &M, from: M::Inputs<f64>)
     assert_eq!(*one, *other);
     let name = M::DESCRIPTION.unknowns[0].name;
     for circuit in 0..one.circuits().len() {
-        assert_eq!(one.stroke(circuit, name), other.stroke(circuit, name));
-        assert_eq!(one.time_ratio(circuit, name), other.time_ratio(circuit, name));
-        assert_eq!(one.worst_transmission(circuit), other.worst_transmission(circuit));
+        assert_eq!(
+            one.along(circuit).of(name).stroke(),
+            other.along(circuit).of(name).stroke()
+        );
+        assert_eq!(
+            one.along(circuit).of(name).time_ratio(),
+            other.along(circuit).of(name).time_ratio()
+        );
+        assert_eq!(
+            one.along(circuit).worst_transmission(),
+            other.along(circuit).worst_transmission()
+        );
         for &branch in one.circuits()[circuit].branches() {
             let [low, high] = one.branches()[branch].ends().map(|end| end.input);
             let (one, other) = (

@@ -88,7 +88,7 @@ pub(super) fn walking() -> Result<Figure, Box<dyn Error>> {
     let cycle = leg.cycle()?;
     let walking = cycle.branches_of(JansenLeg::WALKING).next();
     let circuit = walking.ok_or("the leg does not walk")?.1.circuit();
-    let ground = cycle.stroke(circuit, "foot.y")?.low;
+    let ground = cycle.along(circuit).of("foot.y").stroke()?.low;
     let dwells = turn.of("foot.y").dwells(ground.value + 0.5 * CONTACT, 0.5 * CONTACT)?;
     let contact = dwells.first().ok_or("the foot does not stand")?;
 

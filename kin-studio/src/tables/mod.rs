@@ -37,7 +37,7 @@ pub trait Export {
     /// length of a row that does not close, as a negative number. Numbers that are not there are left empty.
     ///
     /// A limit that lies between two rows has a line of its own between theirs. It holds the inputs and the unknowns there, and its kind
-    /// as the outcome: `limit position`, `change point`, `pole` or `end of a range`. Its rates and outputs are empty.
+    /// as the outcome: `limit position`, `change point`, `pole` or `end of a domain or range`. Its rates and outputs are empty.
     fn to_csv(&self) -> String;
 
     /// One object: `variable`, the name of the column over which the sweep runs; `columns`, each with `name`, `unit`, `order` and

@@ -63,7 +63,7 @@ pub(super) fn run(subject: &Subject, setup: &Setup, told: &Told) -> Result<(), F
         out.push_str(&text::table(&table));
         let names = description.unknowns.iter().chain(description.outputs);
         let strokes: Vec<_> = names
-            .filter_map(|quantity| Some((quantity, found.stroke(index, quantity.name).ok()?)))
+            .filter_map(|quantity| Some((quantity, found.along(index).of(quantity.name).stroke().ok()?)))
             .collect();
         let column = |end: usize, is_place: bool| {
             let cells = strokes.iter().map(|(quantity, stroke)| {
@@ -88,7 +88,7 @@ pub(super) fn run(subject: &Subject, setup: &Setup, told: &Told) -> Result<(), F
         ];
         indent(&mut table);
         out.push_str(&text::table(&table));
-        if let Ok(worst) = found.worst_transmission(index) {
+        if let Ok(worst) = found.along(index).worst_transmission() {
             let angle = units.text(kin_core::Dimension::Angle, 0, worst.angle);
             let (place, block) = (at(worst.input), worst.block);
             let _ = writeln!(out, "  worst transmission angle {angle} at {place}, of {block}");
