@@ -511,7 +511,7 @@ impl<'a> Search<'a> {
                     self.seeds[next].visit(self.mechanism, self.size, &unknowns);
                 }
                 Err(error) => {
-                    let node = self.ended(s, &unknowns, direction, error);
+                    let node = self.ended(s, &unknowns, direction, &error);
                     let place = &self.found.nodes[node];
                     samples.push((place.s, self.mechanism.nearest(&place.unknowns, &unknowns)));
                     return WayEnd {
@@ -524,9 +524,9 @@ impl<'a> Search<'a> {
     }
 
     /// The node at which a track ended. A limit's other side is noted.
-    fn ended(&mut self, s: f64, unknowns: &[f64], direction: f64, error: TrackError<Vec<f64>, Vec<f64>>) -> usize {
+    fn ended(&mut self, s: f64, unknowns: &[f64], direction: f64, error: &TrackError<Vec<f64>, Vec<f64>>) -> usize {
         let range = self.line.high - self.line.low;
-        let node = match &error {
+        let node = match error {
             TrackError::TooManySteps(halt) | TrackError::Lost(halt) => {
                 self.node(EndKind::Lost, &halt.inputs, &halt.unknowns, "")
             }
