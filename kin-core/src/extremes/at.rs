@@ -181,7 +181,7 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
     /// use kin_core::prelude::*;
     ///
     /// let robot = FiveBar { ground: 2.0, left: 1.5, left_rod: 2.0, right_rod: 2.0, right: 1.5 };
-    /// let way = robot.sweep(Assembly::Open).between([2.4, 0.4], [1.8, 1.2], 50);
+    /// let way = robot.sweep(Assembly::Open).between([2.1, 1.0], [1.8, 1.2], 50);
     /// let spread = way.of_expression(|at| {
     ///     let hand = at.jacobian_of(&["hand"])?;
     ///     let values = hand.singular_values();

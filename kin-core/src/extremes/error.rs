@@ -92,7 +92,6 @@ impl ExtremesError {
     /// The error of a Jacobian at a place of a sweep.
     pub(super) fn of_jacobian(at: f64, error: JacobianError) -> Self {
         match error {
-            JacobianError::NoSuchResult(error) => Self::NoSuchColumn(error),
             JacobianError::Position(_) => Self::Gap { at },
             error => Self::Jacobian(error),
         }

@@ -2,15 +2,16 @@
 #![cfg(feature = "alloc")]
 
 use core::f64::consts::{FRAC_PI_4, PI, TAU};
+use std::string::ToString;
 use std::vec::Vec;
 
 use super::{ExtremeKind, ExtremesError};
-use crate::any::{AssemblyChoice, Of};
+use crate::any::AssemblyChoice;
 use crate::assembly::Assembly;
 use crate::library::{ClassThreeTriad, FiveBar, FourBar};
 use crate::linkage::AnyLinkage;
 use crate::mechanism::{Jacobian, JacobianError, JacobianMeasure, Mechanism, PoseOf};
-use crate::number::Number;
+use crate::number::{Number, Row};
 use crate::sweep::samples::{CRANK_ROCKER, LIMITED, triad};
 use crate::sweep::{Local, Sweep};
 
@@ -59,7 +60,6 @@ fn close(one: f64, other: f64, allowed: f64) {
 /// Singularity analysis of closed-loop kinematic chains, IEEE Transactions on Robotics and Automation 6, 1990, 281-290.)
 fn by_rods(robot: &FiveBar, cranks: [f64; 2], hand: [f64; 2]) -> [[f64; 2]; 2] {
     let rods = [(robot.left, 0.0), (robot.right, robot.ground)];
-    let rods = rods.map(|(length, pivot)| (length, pivot));
     let lines: Vec<[f64; 3]> = (0..2)
         .map(|side| {
             let ((length, pivot), (sine, cosine)) = (rods[side], cranks[side].sin_cos());
@@ -78,7 +78,7 @@ fn by_rods(robot: &FiveBar, cranks: [f64; 2], hand: [f64; 2]) -> [[f64; 2]; 2] {
 /// At every row, by the matrix of the pose, by the rods, and by nalgebra.
 #[test]
 fn of_the_rows_are_those_of_the_poses() {
-    let way = ROBOT.sweep(Assembly::Open).between([2.4, 0.4], [1.2, 1.9], 60);
+    let way = ROBOT.sweep(Assembly::Open).between([2.1, 1.0], [1.2, 1.9], 60);
     let columns = [
         LargestSingularValue,
         SmallestSingularValue,
@@ -133,19 +133,24 @@ fn derivatives_agree<M: Mechanism<Scalar = f64>>(
         assert_eq!(one.len(), other.len(), "{measure:?}: {one:?} {other:?}");
         for (one, other) in one.iter().zip(&other) {
             close(one.value.unwrap(), other.value.unwrap(), 1e-12);
-            close(one.at, other.at, 1e-6);
+            close(one.at, other.at, 1e-7);
         }
         // the derivatives, by Taylor's formula
         let at = |place: f64| {
             let along = |input: usize| from[input] + (to[input] - from[input]) * place;
-            let inputs = <M::Inputs<f64> as crate::number::Row<f64>>::from_fn(along);
-            let near = mechanism.sweep(assembly).between(inputs, to, 2).of_jacobian(results, measure).column();
+            let inputs = M::Inputs::<f64>::from_fn(along);
+            let near = mechanism
+                .sweep(assembly)
+                .between(inputs, to, 2)
+                .of_jacobian(results, measure)
+                .column();
             near.unwrap()[0]
         };
         let step = 1e-3;
-        let slope = (8.0 * (at(0.4 + step) - at(0.4 - step)) - at(0.4 + 2.0 * step) + at(0.4 - 2.0 * step)) / (12.0 * step);
+        let slope =
+            (8.0 * (at(0.4 + step) - at(0.4 - step)) - at(0.4 + 2.0 * step) + at(0.4 - 2.0 * step)) / (12.0 * step);
         let bend = (at(0.4 + step) - 2.0 * at(0.4) + at(0.4 - step)) / (step * step);
-        let middle = <M::Inputs<f64> as crate::number::Row<f64>>::from_fn(|input| from[input] + (to[input] - from[input]) * 0.4);
+        let middle = M::Inputs::<f64>::from_fn(|input| from[input] + (to[input] - from[input]) * 0.4);
         let way = mechanism.sweep(assembly).between(middle, to, 2);
         let unit = 0.6 / (way.at(1) - way.at(0));
         for order in [1, 2] {
@@ -156,7 +161,10 @@ fn derivatives_agree<M: Mechanism<Scalar = f64>>(
                 })
                 .column()
                 .unwrap()[0];
-            let (found, expected) = (by_series / unit.powi(order.try_into().unwrap()), [slope, bend][order - 1]);
+            let (found, expected) = (
+                by_series / unit.powi(order.try_into().unwrap()),
+                [slope, bend][order - 1],
+            );
             close(found, expected, if order == 1 { 1e-8 } else { 1e-4 });
         }
     }
@@ -164,8 +172,9 @@ fn derivatives_agree<M: Mechanism<Scalar = f64>>(
 
 #[test]
 fn have_derivatives_along_the_sweep() {
-    derivatives_agree(&ROBOT, [2.4, 0.4], [1.8, 1.2], Assembly::Open, &["hand"]);
-    derivatives_agree(&ARM, [0.2, 0.3], [0.9, 2.0], ARM_ASSEMBLY, &["hand"]);
+    derivatives_agree(&ROBOT, [2.1, 1.0], [1.8, 1.2], Assembly::Open, &["hand"]);
+    let only = Arm::<f64>::assembly(0).expect("there is one");
+    derivatives_agree(&ARM, [0.2, 0.3], [0.9, 2.0], only, &["hand"]);
     derivatives_agree(&CRANK_ROCKER, [0.5], [2.9], Assembly::Crossed, &["theta3", "theta4"]);
 }
 
@@ -179,14 +188,16 @@ fn of_a_platform_on_cylinders() {
     let smallest = way.of_jacobian(&["centre"], SmallestSingularValue);
     let column = smallest.column().unwrap();
     for (row, pose) in way.rows().enumerate() {
-        let (_, pose) = pose;
         let pose = pose.unwrap();
         let jacobian = pose.jacobian(&platform).unwrap();
         let count = ClassThreeTriad::<f64>::DESCRIPTION.unknowns.len();
         close(column[row], expected([jacobian[count], jacobian[count + 1]])[1], 1e-12);
     }
     let lowest = smallest.lowest().unwrap();
-    assert!(column.iter().all(|value| *value >= lowest.value - 1e-12), "{lowest} {column:?}");
+    assert!(
+        column.iter().all(|value| *value >= lowest.value - 1e-12),
+        "{lowest} {column:?}"
+    );
 }
 
 /// With one input, the singular value of one row is the size of a velocity at unit speed: at limits and at change points, too.
@@ -198,7 +209,11 @@ fn of_one_input_are_speeds() {
         let value = way.of_jacobian(&["theta4"], SmallestSingularValue).extremes().unwrap();
         assert_eq!(speed.len(), value.len(), "{speed:?} {value:?}");
         for (one, other) in speed.iter().zip(&value) {
-            assert_eq!((one.kind, one.is_maximum), (other.kind, other.is_maximum), "{one:?} {other:?}");
+            assert_eq!(
+                (one.kind, one.is_maximum),
+                (other.kind, other.is_maximum),
+                "{one:?} {other:?}"
+            );
             close(one.at, other.at, 1e-9);
             close(one.value.unwrap_or(0.0), other.value.unwrap_or(0.0), 1e-8);
         }
@@ -206,7 +221,11 @@ fn of_one_input_are_speeds() {
     };
     let kinds = check(CRANK_ROCKER, 0.0, TAU);
     // the rocker rests at both ends of its swing, where its speed has a kink
-    assert_eq!(kinds.iter().filter(|kind| **kind == ExtremeKind::Kink).count(), 2, "{kinds:?}");
+    assert_eq!(
+        kinds.iter().filter(|kind| **kind == ExtremeKind::Kink).count(),
+        2,
+        "{kinds:?}"
+    );
     let kinds = check(LIMITED, -3.0, 3.0);
     assert!(kinds.contains(&ExtremeKind::Unbounded), "{kinds:?}");
     let change_point = FourBar {
@@ -222,7 +241,7 @@ fn of_one_input_are_speeds() {
 /// The arm's only isotropic pose, where both singular values meet, and its stretched pose.
 #[test]
 fn of_an_arm() {
-    let bend = ARM.sweep(ARM_ASSEMBLY).between([0.3, 0.1], [0.3, 3.0], 12);
+    let bend = ARM.sweep().between([0.3, 0.1], [0.3, 3.0], 12);
     let best = bend.of_jacobian(&["hand"], ConditionNumber).lowest().unwrap();
     close(best.at, 3.0 * FRAC_PI_4, 1e-8);
     close(best.value, 1.0, 1e-8);
@@ -242,7 +261,7 @@ fn of_an_arm() {
 
     // through the stretched pose, on a row and between rows
     for rows in [20, 21] {
-        let through = ARM.sweep(ARM_ASSEMBLY).between([0.3, -1.0], [0.3, 1.0], rows);
+        let through = ARM.sweep().between([0.3, -1.0], [0.3, 1.0], rows);
         let smallest = through.of_jacobian(&["hand"], SmallestSingularValue).lowest().unwrap();
         assert!(smallest.value.abs() < 1e-9 && smallest.at.abs() < 1e-9, "{smallest:?}");
         assert_eq!(smallest.kind, ExtremeKind::Kink);
@@ -258,8 +277,11 @@ fn of_an_arm() {
     }
 
     // The largest singular value is that of the stretched arm, with √((a + b)² + b²).
-    let through = ARM.sweep(ARM_ASSEMBLY).between([0.3, -1.1], [0.3, 1.0], 20);
-    let found = through.of_jacobian(&["hand"], LargestSingularValue).peak_sensitivities().unwrap();
+    let through = ARM.sweep().between([0.3, -1.1], [0.3, 1.0], 20);
+    let found = through
+        .of_jacobian(&["hand"], LargestSingularValue)
+        .peak_sensitivities()
+        .unwrap();
     let value = (ARM.upper + ARM.fore).hypot(ARM.fore);
     close(found.peak.value, value, 1e-14);
     assert!(found.peak.at.abs() < 1e-9);
@@ -273,7 +295,9 @@ fn of_an_arm() {
 #[test]
 fn next_to_singular_poses() {
     // both cranks outwards until the rods are stretched
-    let outwards = ROBOT.sweep(Assembly::Open).between([2.0, PI - 2.0], [3.0, PI - 3.0], 30);
+    let outwards = ROBOT
+        .sweep(Assembly::Open)
+        .between([2.0, PI - 2.0], [3.0, PI - 3.0], 30);
     let error = outwards.of_jacobian(&["hand"], ConditionNumber).highest().unwrap_err();
     let limit = outwards.table().unwrap().limits()[0].at;
     close(1.0 - ROBOT.left * limit.cos(), 2.0, 1e-12);
@@ -283,8 +307,14 @@ fn next_to_singular_poses() {
     );
     let column = outwards.of_jacobian(&["hand"], SmallestSingularValue).column().unwrap();
     assert!(column[0].is_finite() && column[29].is_nan());
-    let inverse = outwards.of_jacobian(&["hand"], InverseConditionNumber).lowest().unwrap();
-    assert!(inverse.value.abs() < 1e-6 && inverse.kind == ExtremeKind::Limit, "{inverse:?}");
+    let inverse = outwards
+        .of_jacobian(&["hand"], InverseConditionNumber)
+        .lowest()
+        .unwrap();
+    assert!(
+        inverse.value.abs() < 1e-6 && inverse.kind == ExtremeKind::Limit,
+        "{inverse:?}"
+    );
 
     // The left crank passes under the hand, which stands still: its velocity changes the direction.
     let way = ROBOT.sweep(Assembly::Open).between([0.2, 0.8], [2.0, 0.8], 40);
@@ -294,9 +324,10 @@ fn next_to_singular_poses() {
 
 #[test]
 fn mistakes_are_told() {
-    let way = ROBOT.sweep(Assembly::Open).between([2.4, 0.4], [1.8, 1.2], 5);
+    let way = ROBOT.sweep(Assembly::Open).between([2.1, 1.0], [1.8, 1.2], 5);
     let error = way.of_jacobian(&["hnd"], ConditionNumber).highest().unwrap_err();
-    assert!(matches!(&error, ExtremesError::NoSuchColumn(error) if error.columns == 4), "{error:?}");
+    let told = "no unknown and no output is called `hnd`: there are phi, psi, hand.x, hand.y";
+    assert_eq!(error.to_string(), told);
     let error = way.of_jacobian(&["hand", "phi"], ConditionNumber).column().unwrap_err();
     let ExtremesError::Jacobian(JacobianError::MixedDimensions { one, other }) = error else {
         panic!("{error:?}");
@@ -313,5 +344,4 @@ fn mistakes_are_told() {
         Ok::<_, JacobianError>(Jacobian::from_rows(&rows).condition_number())
     });
     assert!(scaled.lowest().unwrap().value > 1.0);
-    let _ = Of::<FiveBar>::FUNCTIONS;
 }

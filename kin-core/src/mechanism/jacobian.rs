@@ -1,5 +1,6 @@
 //! The Jacobian of chosen results, and its singular values.
 
+use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::error::Error;
 use core::fmt;
@@ -9,7 +10,6 @@ use crate::mechanism::Description;
 use crate::number::series::Series;
 use crate::number::{Number, singular_values};
 use crate::quantity::Quantity;
-use crate::sweep::NoSuchColumn;
 
 /// Numbers whose matrices have singular values: `f64`, and series of it. A new version may add items.
 pub trait JacobianNumber: Number {
@@ -144,11 +144,16 @@ impl<T: JacobianNumber> Jacobian<T> {
 }
 
 /// The reason why results have no Jacobian with singular values.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub enum JacobianError {
     /// No unknown and no output has this name.
-    NoSuchResult(NoSuchColumn),
+    NoSuchResult {
+        /// The name.
+        name: String,
+        /// The names of all unknowns and outputs.
+        results: Vec<&'static str>,
+    },
     /// There is no result, or no input.
     Empty,
     /// Two results, or two inputs, have different dimensions.
@@ -165,7 +170,11 @@ pub enum JacobianError {
 impl fmt::Display for JacobianError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NoSuchResult(error) => write!(formatter, "{error}"),
+            Self::NoSuchResult { name, results } => write!(
+                formatter,
+                "no unknown and no output is called `{name}`: there are {}",
+                results.join(", ")
+            ),
             Self::Empty => formatter.write_str("a Jacobian needs a result and an input: name an unknown or an output"),
             Self::MixedDimensions { one, other } => write!(
                 formatter,
@@ -178,12 +187,13 @@ impl fmt::Display for JacobianError {
     }
 }
 
+crate::__debug_by_display!(JacobianError);
+
 impl Error for JacobianError {
     fn source(&self) -> Option<&(dyn Error + 'static)> {
         match self {
-            Self::NoSuchResult(error) => Some(error),
             Self::Position(error) => Some(error),
-            Self::Empty | Self::MixedDimensions { .. } => None,
+            Self::NoSuchResult { .. } | Self::Empty | Self::MixedDimensions { .. } => None,
         }
     }
 }
@@ -207,8 +217,10 @@ pub(crate) fn rows_of(description: &Description, names: &[&str]) -> Result<Vec<u
         let before = rows.len();
         rows.extend(meant.map(|(row, _)| row));
         if rows.len() == before {
-            let all = results().map(|own| own.name);
-            return Err(JacobianError::NoSuchResult(NoSuchColumn::new(name, all)));
+            return Err(JacobianError::NoSuchResult {
+                name: name.to_string(),
+                results: results().map(|own| own.name).collect(),
+            });
         }
     }
     check_dimension(rows.iter().filter_map(|row| results().nth(*row).copied()))?;

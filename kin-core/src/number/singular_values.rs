@@ -55,6 +55,11 @@ pub(crate) fn singular_values<const N: usize>(rows: &[Series<N>], width: usize) 
         }
     }
     let mut values: Vec<Series<N>> = columns.iter().map(length).collect();
+    if width == height
+        && let Some((shortest, value)) = shortest_length(&columns)
+    {
+        values[shortest] = value;
+    }
     // equal values are in the order that they have behind the kink
     values.sort_by(|one, other| {
         let mut terms = other.coefficients().into_iter().zip(one.coefficients());
@@ -104,6 +109,47 @@ fn turn<const N: usize>(first: &mut Column<N>, second: &mut Column<N>) -> bool {
 /// The sine and the cosine of half an angle.
 fn halved<const N: usize>(angle: Series<N>) -> (Series<N>, Series<N>) {
     (angle * Series::constant(0.5)).sin_cos()
+}
+
+/// The length of the shortest column of a square matrix, along the only direction at right angles to all others. Its own direction, which
+/// is that of small numbers with large rounding errors, is not needed. `None` if the others are too short to have directions.
+fn shortest_length<const N: usize>(columns: &[Column<N>]) -> Option<(usize, Series<N>)> {
+    let sizes = columns.iter().map(|column| size_of_constants(&column.entries));
+    let (shortest, _) = sizes.enumerate().min_by(|one, other| one.1.total_cmp(&other.1))?;
+    let others = columns.iter().enumerate().filter(|(index, _)| *index != shortest);
+    let mut triangle: Vec<Vec<Series<N>>> = others.map(|(_, column)| column.entries.clone()).collect();
+    triangle.push(columns[shortest].entries.clone());
+    // Givens rotations of rows, with the largest entry of a column as its pivot
+    let last = columns.len() - 1;
+    for step in 0..last {
+        let size = |row: &usize| triangle[step][*row].real().abs();
+        let pivot = (step..=last).max_by(|one, other| size(one).total_cmp(&size(other)))?;
+        for column in &mut triangle {
+            column.swap(step, pivot);
+        }
+        for row in step + 1..=last {
+            let [x, y] = [triangle[step][step], triangle[step][row]];
+            let radius = (x * x + y * y).sqrt();
+            let [cosine, sine] = [x / radius, y / radius];
+            for column in &mut triangle[step..] {
+                let [one, other] = [column[step], column[row]];
+                column[step] = cosine * one + sine * other;
+                column[row] = cosine * other - sine * one;
+            }
+        }
+    }
+    let mut height = triangle[last][last].coefficients();
+    if height[0].abs() <= 2.0 * columns[shortest].error {
+        height[0] = 0.0;
+    }
+    let height = Series::from_coefficients(height);
+    let is_negative = height
+        .coefficients()
+        .iter()
+        .find(|term| **term != 0.0)
+        .is_some_and(|term| *term < 0.0);
+    let length = if is_negative { -height } else { height };
+    Number::is_finite(length).then_some((shortest, length))
 }
 
 /// The length of a column: t to some power times that of the column without this power, so that a root is never that of zero.
@@ -320,14 +366,17 @@ mod tests {
                         "{found:?} {value} {slope}"
                     );
                 }
-                // the sum of their squares is that of all entries, at all orders
-                let square = |sum: Fifth, entry: &Fifth| sum + *entry * *entry;
-                let [one, other] = [found.iter(), rows.iter()].map(|all| all.fold(Fifth::ZERO, square).coefficients());
-                for (power, (one, other)) in one.into_iter().zip(other).enumerate() {
-                    assert!(
-                        (one - other).abs() < 1e-10 * (1.0 + other.abs()),
-                        "{power}: {one} {other}"
-                    );
+                // the sum of their squares is that of all entries, at all orders: as far as the largest of its terms
+                let square = |sum: Fifth, entry: Fifth| sum + entry * entry;
+                let sum = |all: &[Fifth]| all.iter().copied().fold(Fifth::ZERO, square).coefficients();
+                let terms = found
+                    .iter()
+                    .copied()
+                    .map(super::sizes)
+                    .fold(Fifth::ZERO, square)
+                    .coefficients();
+                for (power, (one, other)) in sum(&found).into_iter().zip(sum(&rows)).enumerate() {
+                    assert!((one - other).abs() < 1e-11 * terms[power], "{power}: {one} {other}");
                 }
             }
         }
