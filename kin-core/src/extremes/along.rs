@@ -463,6 +463,10 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
     ///
     /// # Errors
     /// Those of the type, except that a sweep which closes nowhere has a column.
+    #[expect(
+        clippy::redundant_closure_for_method_calls,
+        reason = "the method by its path has a lifetime of its own"
+    )]
     pub fn column(&self) -> Result<Vec<f64>, ExtremesError> {
         self.ask(|asked| asked.column())
     }

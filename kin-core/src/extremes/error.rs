@@ -58,7 +58,7 @@ pub enum ExtremesError {
         error: Box<LoadError>,
     },
     /// The results have no Jacobian with singular values, whatever the place.
-    Jacobian(JacobianError),
+    Jacobian(Box<JacobianError>),
     /// The peak moves with the end of the circuit or stands at a kink, so that it has no sensitivity of its own.
     NoSensitivity {
         /// The place of the peak.
@@ -93,7 +93,7 @@ impl ExtremesError {
     pub(super) fn of_jacobian(at: f64, error: JacobianError) -> Self {
         match error {
             JacobianError::Position(_) => Self::Gap { at },
-            error => Self::Jacobian(error),
+            error => Self::Jacobian(Box::new(error)),
         }
     }
 }
@@ -173,7 +173,7 @@ impl Error for ExtremesError {
             Self::Sweep(error) => Some(error),
             Self::NothingCloses(error) => Some(error),
             Self::Load { error, .. } => Some(&**error),
-            Self::Jacobian(error) => Some(error),
+            Self::Jacobian(error) => Some(&**error),
             _ => None,
         }
     }

@@ -101,6 +101,7 @@ impl<T: Copy> Jacobian<T> {
     }
 
     /// The rows, one for each result, with a number for each input.
+    #[must_use]
     pub fn rows(&self) -> impl ExactSizeIterator<Item = &[T]> {
         // a row without numbers is no part of a slice
         self.entries.chunks_exact(self.width.max(1))

@@ -37,7 +37,7 @@ struct Column<const N: usize> {
 /// Where two values are equal, or where one is zero, they have kinks, and the series are those on the right side of it: behind the kink if
 /// the variable of the series grows.
 pub(crate) fn singular_values<const N: usize>(rows: &[Series<N>], width: usize) -> Vec<Series<N>> {
-    let height = if width == 0 { 0 } else { rows.len() / width };
+    let height = rows.len().checked_div(width).unwrap_or(0);
     let column = |own: usize| -> Column<N> {
         // the transposed matrix has the same values
         let entries: Vec<Series<N>> = if height >= width {
