@@ -34,18 +34,17 @@ impl<const N: usize> JacobianNumber for Series<N> {
 /// The partial derivatives of chosen unknowns or outputs with respect to all inputs: rows of the [Jacobian of a
 /// pose](crate::PoseOf::jacobian), which has one for each of them.
 ///
-/// For inputs that move with a speed of 1 in all (the root of the sum of squares), the hand of a robot has the speed of the
-/// largest singular value in its fastest direction, and that of the smallest one in its slowest. Where the smallest one is
-/// zero, there is a direction in which the hand does not move at all. A force on the hand needs efforts that are as large as
-/// the speeds, so a small value also means a small effort, and a hand that is pushed about by small errors of the inputs
-/// where a value is large. (T. Yoshikawa, *Manipulability of robotic mechanisms*, International Journal of Robotics Research
-/// 4, no. 2 (1985), 3-9.)
+/// If the root of the sum of squares of the inputs' speeds is 1, the hand of a robot has the speed of the largest singular
+/// value in its fastest direction, and that of the smallest one in its slowest. Where the smallest one is zero, the hand does
+/// not move at all in some direction. By the same factors errors of the inputs reach the hand, and forces on the hand reach
+/// the drives. (T. Yoshikawa, *Manipulability of robotic mechanisms*, International Journal of Robotics Research 4, no. 2
+/// (1985), 3-9.)
 ///
 /// Singular values compare rows with each other, and columns with each other. They mean something only if all rows have
 /// one dimension, and all inputs have one; otherwise they would depend on the unit of length. [`PoseOf::jacobian_of`] refuses
 /// to mix dimensions. Divide the rows of lengths by a length that you state, and make a matrix [`from_rows`](Self::from_rows).
 ///
-/// They tell nothing of rounding errors, which are told by the [condition of a pose](crate::PoseOf::condition).
+/// They tell nothing of rounding errors: the [condition of a pose](crate::PoseOf::condition) does.
 ///
 /// [`PoseOf::jacobian_of`]: crate::PoseOf::jacobian_of
 #[derive(Clone, Debug, PartialEq)]
