@@ -26,7 +26,7 @@ enum Turns {
 }
 
 /// A column, and the rounding error of its constant terms.
-struct Column<const N: usize> {
+struct TurnedColumn<const N: usize> {
     entries: Vec<Series<N>>,
     error: f64,
 }
@@ -38,7 +38,7 @@ struct Column<const N: usize> {
 /// the variable of the series grows.
 pub(crate) fn singular_values<const N: usize>(rows: &[Series<N>], width: usize) -> Vec<Series<N>> {
     let height = rows.len().checked_div(width).unwrap_or(0);
-    let column = |own: usize| -> Column<N> {
+    let column = |own: usize| -> TurnedColumn<N> {
         // the transposed matrix has the same values
         let entries: Vec<Series<N>> = if height >= width {
             (0..height).map(|row| rows[row * width + own]).collect()
@@ -46,9 +46,9 @@ pub(crate) fn singular_values<const N: usize>(rows: &[Series<N>], width: usize) 
             rows[own * width..(own + 1) * width].to_vec()
         };
         let error = f64::EPSILON * size_of_constants(&entries);
-        Column { entries, error }
+        TurnedColumn { entries, error }
     };
-    let mut columns: Vec<Column<N>> = (0..width.min(height)).map(column).collect();
+    let mut columns: Vec<TurnedColumn<N>> = (0..width.min(height)).map(column).collect();
     // The constant terms first: columns on their way to right angles may be nearly alike, and series of their turns would grow.
     for turns in [Turns::Constant, Turns::Changing] {
         for _ in 0..PASSES {
@@ -81,7 +81,7 @@ pub(crate) fn singular_values<const N: usize>(rows: &[Series<N>], width: usize) 
 }
 
 /// Turns two columns until they are at right angles, unless they are.
-fn turn<const N: usize>(first: &mut Column<N>, second: &mut Column<N>, turns: Turns) -> bool {
+fn turn<const N: usize>(first: &mut TurnedColumn<N>, second: &mut TurnedColumn<N>, turns: Turns) -> bool {
     let mut across = Series::ZERO;
     let mut longer = Series::ZERO;
     let mut terms = [Series::<N>::ZERO; 2];
@@ -126,7 +126,7 @@ fn halved<const N: usize>(angle: Series<N>) -> (Series<N>, Series<N>) {
 
 /// The length of the shortest column of a square matrix, along the only direction at right angles to all others. Its own direction, which
 /// is that of small numbers with large rounding errors, is not needed. `None` if the others are too short to have directions.
-fn shortest_length<const N: usize>(columns: &[Column<N>]) -> Option<(usize, Series<N>)> {
+fn shortest_length<const N: usize>(columns: &[TurnedColumn<N>]) -> Option<(usize, Series<N>)> {
     let sizes = columns.iter().map(|column| size_of_constants(&column.entries));
     let (shortest, _) = sizes.enumerate().min_by(|one, other| one.1.total_cmp(&other.1))?;
     let others = columns.iter().enumerate().filter(|(index, _)| *index != shortest);
@@ -165,7 +165,7 @@ fn shortest_length<const N: usize>(columns: &[Column<N>]) -> Option<(usize, Seri
 }
 
 /// The length of a column: t to some power times that of the column without this power, so that a root is never that of zero.
-fn length<const N: usize>(column: &Column<N>) -> Series<N> {
+fn length<const N: usize>(column: &TurnedColumn<N>) -> Series<N> {
     let mut entries = column.entries.clone();
     let clear = |entries: &mut [Series<N>]| {
         for entry in entries {
