@@ -162,6 +162,9 @@ pub use mechanism::{
     Block, BlockForm, Description, Formula, Formulas, Mechanism, OneInput, PartialMotions, Partials, Pose, PoseOf,
     PositionSearch, Sensitive, sensitivities_of,
 };
+#[cfg(feature = "alloc")]
+#[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
+pub use mechanism::{Jacobian, JacobianError, JacobianMeasure, JacobianNumber};
 pub use motion::{Contains, Direction, IntoMotion, LinkMotion, Motion, rpm};
 #[cfg(feature = "std")]
 pub use number::count;

@@ -15,7 +15,7 @@ use super::station::{ChangedFunctions, NamedFunctions, SweepStation};
 use super::swept::{QuantityOfSweep, RateOfQuantity};
 use super::{Crossing, DwellRange, Extreme, ExtremesError, Mean, Over, Peak, PeakSensitivities};
 use crate::any::Of;
-use crate::mechanism::Mechanism;
+use crate::mechanism::{JacobianError, JacobianMeasure, Mechanism, rows_of};
 use crate::number::Number;
 use crate::sweep::{AnyCourse, Course, Local, SmoothDrive};
 
@@ -87,6 +87,52 @@ pub struct ByName<'q> {
 impl ByName<'_> {
     fn named(&self) -> Result<Named, ExtremesError> {
         self.found.clone()
+    }
+}
+
+/// A measure of the Jacobian of results.
+#[derive(Clone, Debug)]
+pub struct ByJacobian {
+    rows: Result<Vec<usize>, JacobianError>,
+    measure: JacobianMeasure,
+}
+
+impl ByJacobian {
+    fn value(
+        &self,
+        functions: &dyn ChangedFunctions,
+        station: &SweepStation,
+        parameters: &[Local],
+    ) -> Result<Local, ExtremesError> {
+        let at = station.variable.real();
+        let jacobian = self
+            .rows
+            .clone()
+            .and_then(|rows| Ok(station.jacobian(functions, &rows, parameters)?));
+        jacobian
+            .map(|jacobian| jacobian.measure(self.measure))
+            .map_err(|error| ExtremesError::of_jacobian(at, error))
+    }
+}
+
+impl<S: QuantitySource> AskedQuantity<S> for ByJacobian {
+    fn check(&self, _: &S, _: usize) -> Result<(), ExtremesError> {
+        // names and dimensions are the same everywhere
+        self.rows
+            .clone()
+            .map(|_| ())
+            .map_err(|error| ExtremesError::of_jacobian(f64::NAN, error))
+    }
+
+    fn at(&self, sweep: &S, station: &SweepStation) -> Result<Local, ExtremesError> {
+        let parameters: Vec<Local> = station.parameters.iter().copied().map(Local::constant).collect();
+        self.value(sweep.changed(), station, &parameters)
+    }
+
+    fn by_dimension(&self, sweep: &S, station: &SweepStation, dimension: usize) -> Result<ByDimension, ExtremesError> {
+        ByDimension::of_expression(station, dimension, |station, changed| {
+            self.value(sweep.changed(), station, changed)
+        })
     }
 }
 
@@ -231,6 +277,39 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> Course<M, D> {
     ) -> QuantityAlong<'_, Self, ByExpression<F>> {
         QuantityAlong::new(self, ByExpression(expression))
     }
+
+    /// A measure of the Jacobian of results, as its smallest singular value or its condition number: where is a robot close to a singular
+    /// pose? The results are unknowns or outputs, which are called by their names. A point has a row for each of its coordinates. See
+    /// [`Jacobian`](crate::Jacobian), which tells what the values mean.
+    ///
+    /// Where two singular values are equal, and where one is zero, they have kinks, which are found as such. Where the mechanism ceases
+    /// to close because its inputs cannot hold it, the largest singular value and the condition number grow beyond all bounds.
+    /// A closure has the matrix itself: see [`At::jacobian_of`].
+    ///
+    /// ```
+    /// use kin_core::JacobianMeasure;
+    /// use kin_core::library::FiveBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// let robot = FiveBar { ground: 2.0, left: 1.5, left_rod: 2.0, right_rod: 2.0, right: 1.5 };
+    /// let way = robot.sweep(Assembly::Open).between([2.1, 1.0], [1.8, 1.2], 50);
+    /// let slowest = way.of_jacobian(&["hand"], JacobianMeasure::SmallestSingularValue).lowest()?;
+    /// let worst = way.of_jacobian(&["hand"], JacobianMeasure::ConditionNumber).highest()?;
+    /// println!("{} of length for each radian at {}; κ = {}", slowest.value, slowest.at, worst.value);
+    /// # Ok::<(), kin_core::extremes::ExtremesError>(())
+    /// ```
+    ///
+    /// Names that no result has, and results or inputs of several dimensions, are errors of the question.
+    pub fn of_jacobian(&self, results: &[&str], measure: JacobianMeasure) -> QuantityAlong<'_, Self, ByJacobian> {
+        QuantityAlong::by_jacobian(self, results, measure)
+    }
+}
+
+impl<'c, S: QuantitySource> QuantityAlong<'c, S, ByJacobian> {
+    pub(crate) fn by_jacobian(sweep: &'c S, results: &[&str], measure: JacobianMeasure) -> Self {
+        let rows = rows_of(sweep.course().description, results);
+        Self::new(sweep, ByJacobian { rows, measure })
+    }
 }
 
 impl<'c, 'q, S: QuantitySource> QuantityAlong<'c, S, ByName<'q>> {
@@ -367,6 +446,31 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
         rooted(self.ask(|asked| asked.mean(over, 2)))
     }
 
+    /// The values in the rows of the sweep, as a column beside those of its [table](Course::table): NaN in rows that do not close, and
+    /// infinite where the quantity is.
+    ///
+    /// ```
+    /// use std::f64::consts::TAU;
+    /// use kin_core::library::FourBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
+    /// let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 361).speed(10.0);
+    /// let power = turn.of_expression(|at| at.theta4.velocity() * at.theta4.acceleration()).column()?;
+    /// assert_eq!(power.len(), turn.table()?.count());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of the type, except that a sweep which closes nowhere has a column.
+    #[expect(
+        clippy::redundant_closure_for_method_calls,
+        reason = "the method by its path has a lifetime of its own"
+    )]
+    pub fn column(&self) -> Result<Vec<f64>, ExtremesError> {
+        self.ask(|asked| asked.column())
+    }
+
     /// The [`peak`](Self::peak), and how its value and its place depend on every dimension of the mechanism.
     ///
     /// A peak between the ends of the sweep is taken where it is. One at an end of the sweep stays there. At a limit or a kink there is
@@ -435,8 +539,5 @@ pub(crate) fn pose_quantity<M: Mechanism<Scalar = f64>, A: Answer>(
 ) -> Result<Local, ExtremesError> {
     let at = station.variable.real();
     let pose = At::of(station, changed).map_err(|_| ExtremesError::Gap { at })?;
-    quantity(&pose).answer().map_err(|error| ExtremesError::Load {
-        at,
-        error: Box::new(error),
-    })
+    quantity(&pose).answer(at)
 }

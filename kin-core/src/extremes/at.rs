@@ -8,7 +8,7 @@ use super::station::{ResultIndex, SweepStation};
 use crate::any::{Of, motions, row, write};
 use crate::failure::SolveError;
 use crate::load::{Balance, LoadError, Loaded, LoadsOf};
-use crate::mechanism::{Mechanism, Pose};
+use crate::mechanism::{Jacobian, JacobianError, Mechanism, Pose, rows_of};
 use crate::motion::Motion;
 use crate::number::{Number, NumberRow, Row};
 use crate::picture::TransmissionAngle;
@@ -53,6 +53,10 @@ struct SourceOf<M: Mechanism> {
     rate: f64,
     variable: Local,
 }
+
+/// A row for each result, with a number for each input.
+type RowsOf<M> =
+    <<M as Mechanism>::With<Local> as Mechanism>::Results<<<M as Mechanism>::With<Local> as Mechanism>::Inputs<Local>>;
 
 /// The highest order of a derivative.
 pub(super) const HIGHEST: usize = RATES.len();
@@ -165,6 +169,46 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
     #[must_use]
     pub fn transmission_angle(&self, dyad: usize) -> Option<TransmissionAngle<Local>> {
         self.margins().transmission_angle(dyad)
+    }
+
+    /// The Jacobian of unknowns or outputs of these names, whose singular values have their derivatives along the sweep. It has the rows
+    /// that [`PoseOf::jacobian_of`](crate::PoseOf::jacobian_of) has at one pose. For one of its measures alone,
+    /// [`of_jacobian`](crate::sweep::Course::of_jacobian) is shorter.
+    ///
+    /// ```
+    /// use kin_core::JacobianMeasure;
+    /// use kin_core::library::FiveBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// let robot = FiveBar { ground: 2.0, left: 1.5, left_rod: 2.0, right_rod: 2.0, right: 1.5 };
+    /// let way = robot.sweep(Assembly::Open).between([2.1, 1.0], [1.8, 1.2], 50);
+    /// let spread = way.of_expression(|at| {
+    ///     let hand = at.jacobian_of(&["hand"])?;
+    ///     let values = hand.singular_values();
+    ///     Ok::<_, kin_core::JacobianError>(values[0] - values[1])
+    /// });
+    /// println!("{}", spread.lowest()?);
+    /// # Ok::<(), kin_core::extremes::ExtremesError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As there.
+    pub fn jacobian_of(&self, results: &[&str]) -> Result<Jacobian<Local>, JacobianError> {
+        let rows = rows_of(&M::DESCRIPTION, results)?;
+        let jacobian = self.jacobian()?;
+        let entry = |row: usize, column: usize| jacobian[rows[row]][column];
+        Ok(Jacobian::from_fn(rows.len(), M::DESCRIPTION.inputs.len(), entry))
+    }
+
+    /// The Jacobian of the pose, with a row for each unknown and then for each scalar output, and a number for each input: see
+    /// [`PoseOf::jacobian`](crate::PoseOf::jacobian).
+    ///
+    /// # Errors
+    /// As there.
+    pub fn jacobian(&self) -> Result<RowsOf<M>, SolveError> {
+        let inputs = Row::from_fn(|input| self.inputs[input][0]);
+        let near = Row::from_fn(|unknown| self.near[unknown]);
+        self.mechanism.jacobian_near(inputs, near)
     }
 
     /// The balance of loads and drives, with its change along the sweep. The loads are those of the mechanism over `Local`.

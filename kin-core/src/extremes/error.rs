@@ -7,6 +7,7 @@ use core::fmt;
 use super::ExtremeKind;
 use crate::failure::SolveError;
 use crate::load::LoadError;
+use crate::mechanism::JacobianError;
 use crate::quantity::Digits;
 use crate::sweep::{NoSuchColumn, SweepError};
 
@@ -56,6 +57,8 @@ pub enum ExtremesError {
         /// The reason.
         error: Box<LoadError>,
     },
+    /// The results have no Jacobian with singular values, whatever the place.
+    Jacobian(Box<JacobianError>),
     /// The peak moves with the end of the circuit or stands at a kink, so that it has no sensitivity of its own.
     NoSensitivity {
         /// The place of the peak.
@@ -83,6 +86,16 @@ pub enum ExtremesError {
         /// The estimate of its error.
         error: f64,
     },
+}
+
+impl ExtremesError {
+    /// The error of a Jacobian at a place of a sweep.
+    pub(super) fn of_jacobian(at: f64, error: JacobianError) -> Self {
+        match error {
+            JacobianError::Position(_) => Self::Gap { at },
+            error => Self::Jacobian(Box::new(error)),
+        }
+    }
 }
 
 impl From<SweepError> for ExtremesError {
@@ -117,6 +130,7 @@ impl fmt::Display for ExtremesError {
             ),
             Self::NotFinite { at } => write!(formatter, "the quantity is not finite at {}", Digits(*at)),
             Self::Load { at, error } => write!(formatter, "at {}: {error}", Digits(*at)),
+            Self::Jacobian(error) => write!(formatter, "{error}"),
             Self::NoSensitivity { at, kind } => write!(
                 formatter,
                 "the peak at {} stands at {}, where it has no sensitivity: end the sweep short of it",
@@ -159,6 +173,7 @@ impl Error for ExtremesError {
             Self::Sweep(error) => Some(error),
             Self::NothingCloses(error) => Some(error),
             Self::Load { error, .. } => Some(&**error),
+            Self::Jacobian(error) => Some(&**error),
             _ => None,
         }
     }

@@ -48,6 +48,8 @@ mod edge_tests;
 mod error;
 mod guessed;
 mod islands;
+#[cfg(test)]
+mod jacobian_tests;
 mod margin;
 mod mean;
 mod parts;
@@ -63,7 +65,7 @@ mod swept;
 mod tests;
 
 pub(crate) use along::pose_quantity;
-pub use along::{AskedQuantity, ByDyad, ByExpression, ByName, QuantityAlong, QuantitySource};
+pub use along::{AskedQuantity, ByDyad, ByExpression, ByJacobian, ByName, QuantityAlong, QuantitySource};
 pub use answer::Answer;
 pub use at::At;
 pub(crate) use branch::{KnownStretch, KnownSweep, StationQuantity, named_quantity};

@@ -7,7 +7,7 @@ use super::ExtremesError;
 use super::margin::{DyadFunctions, Margins};
 use crate::any::{NearOver, Of, OutputsOver};
 use crate::failure::SolveError;
-use crate::mechanism::{Description, Mechanism};
+use crate::mechanism::{Description, Jacobian, Mechanism};
 use crate::number::series::Series;
 use crate::number::{Changing, Number, NumberRow};
 use crate::quantity::{Dimension, Quantity};
@@ -191,22 +191,42 @@ impl SweepStation {
         })
     }
 
+    /// The Jacobian of results, of dimensions that may change with the parameter in which the variable is a series.
+    pub(super) fn jacobian(
+        &self,
+        functions: &dyn ChangedFunctions,
+        rows: &[usize],
+        parameters: &[Local],
+    ) -> Result<Jacobian<Local>, SolveError> {
+        type Number = Changing<Series<UP_TO_SNAP>>;
+        let (unknown_count, input_count) = (self.unknowns.len(), self.description.inputs.len());
+        let mut columns = Vec::with_capacity(input_count);
+        for moved in 0..input_count {
+            let inputs = (0..input_count).map(|input| {
+                let rate = f64::from(u8::from(input == moved));
+                Number::new(longer(self.input(input, 0)), Series::constant(rate))
+            });
+            let still = parameters.iter().map(|value| Number::new(longer(*value), Series::ZERO));
+            let mut position = self.position_at::<Number>(functions, still, inputs)?;
+            let [parameters, inputs, _, unknowns] = position.parts();
+            let mut outputs = vec![Number::constant(0.0); self.outputs.len()];
+            if rows.iter().any(|row| *row >= unknown_count) {
+                functions.outputs(parameters, inputs, unknowns, &mut outputs);
+            }
+            let mut results = unknowns.to_vec();
+            results.extend(outputs);
+            columns.push(results);
+        }
+        let entry = |row: usize, column: usize| shorter(columns[column][rows[row]].change);
+        Ok(Jacobian::from_fn(rows.len(), input_count, entry))
+    }
+
     /// [`margins`](Self::margins) of dimensions that change with the parameter in which the variable is a series.
     pub(super) fn changed_margins<'f>(
         &self,
         functions: &'f dyn NamedFunctions,
         changed: &[Local],
     ) -> Result<Margins<'f>, SolveError> {
-        let longer = |series: Local| {
-            let coefficients = series.coefficients();
-            Series::<UP_TO_SNAP>::from_coefficients(core::array::from_fn(|power| {
-                coefficients.get(power).copied().unwrap_or(0.0)
-            }))
-        };
-        let shorter = |series: Series<UP_TO_SNAP>| {
-            let coefficients = series.coefficients();
-            Local::from_coefficients(core::array::from_fn(|power| coefficients[power]))
-        };
         let inputs: Vec<Local> = (0..self.description.inputs.len())
             .map(|input| self.input(input, 0))
             .collect();
@@ -287,6 +307,20 @@ impl SweepStation {
     pub(super) fn by_time(&self, derivatives: &[f64], order: usize) -> Local {
         composed(by_time(derivatives, order, self.rate), self.variable)
     }
+}
+
+/// A series with further terms, which are zero.
+fn longer(series: Local) -> Series<UP_TO_SNAP> {
+    let coefficients = series.coefficients();
+    Series::from_coefficients(core::array::from_fn(|power| {
+        coefficients.get(power).copied().unwrap_or(0.0)
+    }))
+}
+
+/// The first terms of a series.
+fn shorter(series: Series<UP_TO_SNAP>) -> Local {
+    let coefficients = series.coefficients();
+    Local::from_coefficients(core::array::from_fn(|power| coefficients[power]))
 }
 
 /// A value on the turn nearest to another one, if it is an angle.

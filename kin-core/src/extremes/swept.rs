@@ -108,6 +108,36 @@ impl QuantityOfSweep<'_> {
         self.ask(|curve| curve.dwells(level, tolerance))
     }
 
+    /// The values in the rows.
+    pub(super) fn column(&self) -> Result<Vec<f64>, ExtremesError> {
+        self.check()?;
+        let mut mark = Mark::new(Walk::BEGINNING);
+        let mut value = |row: usize| {
+            let at = self.row(row);
+            let result;
+            (mark, result) = self.step(&mark, at);
+            if result.is_err() {
+                return Ok(f64::NAN);
+            }
+            let side = if at == self.course.to.max(self.course.from) {
+                Side::Left
+            } else {
+                Side::Right
+            };
+            let variable = Local::from_coefficients([at, 1.0, 0.0, 0.0, 0.0]);
+            let found = self
+                .station(&mark, variable, side)
+                .and_then(|(station, _)| (self.quantity)(&station));
+            match found {
+                Ok(value) => Ok(value.real()),
+                // at a limit, whose rates have no series
+                Err(ExtremesError::Gap { .. }) => Ok(f64::NAN),
+                Err(error) => Err(error),
+            }
+        };
+        (0..self.course.count).map(&mut value).collect()
+    }
+
     /// The mean of a power of the quantity.
     pub(super) fn mean(&self, over: Over, power: i32) -> Result<Mean, ExtremesError> {
         self.ask(|curve| curve.mean(over, power))

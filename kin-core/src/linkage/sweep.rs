@@ -6,9 +6,10 @@ use core::fmt;
 use super::AnyLinkage;
 use crate::any::AssemblyChoice;
 use crate::exact::{ExactTable, ExactTableError, Precision, exact_table};
-use crate::extremes::{ByDyad, ByName, ChangedFunctions, NamedFunctions, QuantityAlong, QuantitySource};
+use crate::extremes::{ByDyad, ByJacobian, ByName, ChangedFunctions, NamedFunctions, QuantityAlong, QuantitySource};
 use crate::failure::SolveError;
 use crate::law::Piecewise;
+use crate::mechanism::JacobianMeasure;
 use crate::number::ClosedRange;
 use crate::sweep::{AnyCourse, Footing, Laws, SmoothDrive, StraightLine, SweepError, Table, TabledMechanism, Walk};
 
@@ -129,6 +130,11 @@ impl<D: SmoothDrive> AnySweep<D> {
     /// The transmission angle of a dyad, by its index in the order in which the dyads are solved, or its supplement if this is smaller.
     pub fn of_transmission_angle(&self, dyad: usize) -> QuantityAlong<'_, Self, ByDyad> {
         QuantityAlong::new(self, ByDyad(dyad))
+    }
+
+    /// A measure of the Jacobian of results, by their names: see [`of_jacobian`](crate::sweep::Course::of_jacobian).
+    pub fn of_jacobian(&self, results: &[&str], measure: JacobianMeasure) -> QuantityAlong<'_, Self, ByJacobian> {
+        QuantityAlong::by_jacobian(self, results, measure)
     }
 }
 

@@ -7,6 +7,8 @@ mod failed;
 mod formulas;
 #[doc(hidden)]
 pub mod guessed;
+#[cfg(feature = "alloc")]
+mod jacobian;
 mod memory;
 mod one_input;
 mod pose_of;
@@ -23,6 +25,10 @@ pub use description::{Block, Description};
 #[doc(hidden)]
 pub use failed::{culprit, failed};
 pub use formulas::{Formula, Formulas};
+#[cfg(feature = "alloc")]
+pub(crate) use jacobian::rows_of;
+#[cfg(feature = "alloc")]
+pub use jacobian::{Jacobian, JacobianError, JacobianMeasure, JacobianNumber};
 #[cfg(feature = "alloc")]
 pub(crate) use memory::HeapMemory;
 #[doc(hidden)]

@@ -3,7 +3,11 @@
 use core::fmt::Debug;
 
 use crate::failure::SolveError;
+#[cfg(feature = "alloc")]
+use crate::mechanism::jacobian::{Jacobian, JacobianError, rows_of};
 use crate::mechanism::{Mechanism, condition};
+#[cfg(feature = "alloc")]
+use crate::number::Number;
 
 /// A pose of the mechanism `M` of any order: the position, with as many derivatives as were solved for.
 ///
@@ -69,6 +73,37 @@ pub trait PoseOf<M: Mechanism>: Copy + Debug {
     fn jacobian(&self, mechanism: &M) -> Result<M::Results<M::Inputs<M::Scalar>>, SolveError> {
         let (inputs, unknowns) = self.values();
         mechanism.jacobian_near(inputs, unknowns)
+    }
+
+    /// The rows of the [`jacobian`](Self::jacobian) for unknowns or outputs of these names, with their singular values. A point
+    /// has a row for each of its coordinates.
+    ///
+    /// All of these results must have one dimension, and all inputs must have one: see [`Jacobian`](crate::Jacobian), which
+    /// tells what singular values mean. Along a sweep, [`of_jacobian`](crate::sweep::Course::of_jacobian) finds where they
+    /// are smallest.
+    ///
+    /// ```
+    /// use kin_core::library::FiveBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// let robot = FiveBar { ground: 2.0, left: 1.5, left_rod: 2.0, right_rod: 2.0, right: 1.5 };
+    /// let pose = robot.position(2.2, 0.9, Assembly::Open)?;
+    /// // lengths of the hand's way for each radian of the cranks
+    /// let values = pose.jacobian_of(&robot, &["hand"])?.singular_values();
+    /// assert!(values[0] > values[1] && values[1] > 0.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`JacobianError`](crate::JacobianError) for names that no result has, for mixed dimensions, and with the errors of
+    /// [`jacobian`](Self::jacobian).
+    #[cfg(feature = "alloc")]
+    #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
+    fn jacobian_of(&self, mechanism: &M, results: &[&str]) -> Result<Jacobian<f64>, JacobianError> {
+        let rows = rows_of(&M::DESCRIPTION, results)?;
+        let jacobian = self.jacobian(mechanism)?;
+        let entry = |row: usize, column: usize| jacobian[rows[row]][column].real();
+        Ok(Jacobian::from_fn(rows.len(), M::DESCRIPTION.inputs.len(), entry))
     }
 
     /// The condition of each unknown, in the unit of the unknown: rounding changes its value by about this times ε, the

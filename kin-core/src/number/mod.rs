@@ -19,6 +19,8 @@ pub(crate) mod samples;
 pub(crate) mod scatter;
 pub mod series;
 mod single;
+#[cfg(feature = "alloc")]
+mod singular_values;
 
 pub use changing::Changing;
 #[cfg(feature = "alloc")]
@@ -30,6 +32,8 @@ pub use range::ClosedRange;
 pub use row::Row;
 pub(crate) use row::at_constant_rate;
 pub(crate) use single::single;
+#[cfg(feature = "alloc")]
+pub(crate) use singular_values::singular_values;
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};

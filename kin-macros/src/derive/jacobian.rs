@@ -15,7 +15,7 @@ use crate::structure::Block;
 const CRAMER: usize = 3;
 
 /// A Jacobian after all reductions.
-pub(super) struct Jacobian {
+pub(super) struct BlockJacobian {
     turns: Vec<EquationTurn>,
     /// The remaining equations, by their indices in the block.
     rows: Vec<usize>,
@@ -58,7 +58,7 @@ fn partials(graph: &mut Graph, residuals: &[Node], block: &Block) -> Vec<Vec<Nod
         .collect()
 }
 
-impl Jacobian {
+impl BlockJacobian {
     pub(super) fn new(graph: &mut Graph, residuals: &[Node], block: &Block, passes: Passes) -> Self {
         let core = partials(graph, residuals, block);
         let mut jacobian = Self {
@@ -300,7 +300,7 @@ fn determinant(graph: &mut Graph, matrix: &[Vec<Node>], passes: Passes) -> Node 
 mod tests {
     use std::collections::BTreeMap;
 
-    use super::{Jacobian, Regularity};
+    use super::{BlockJacobian, Regularity};
     use crate::algebra::{Graph, Node, Symbol};
     use crate::derive::{Influences, Rate};
     use crate::passes::{Pass, Passes};
@@ -371,7 +371,7 @@ mod tests {
             all: None,
             check_jacobian: true,
         };
-        let jacobian = Jacobian::new(&mut graph, &residuals, &block, passes);
+        let jacobian = BlockJacobian::new(&mut graph, &residuals, &block, passes);
         let rates = jacobian.solve(&mut graph, influences, &right, &|unknown| {
             Symbol::UnknownRate(unknown, 1)
         });

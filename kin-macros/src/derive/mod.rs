@@ -16,7 +16,7 @@ pub(crate) use jacobian::Regularity;
 pub(crate) use sensitivity::{Definition, Dependent};
 
 use influence::FoundCoefficient;
-use jacobian::Jacobian;
+use jacobian::BlockJacobian;
 use rates::KnownRates;
 
 use crate::algebra::{Expansion, Graph, Node, Symbol, TrigonometricPolynomial, Variables};
@@ -35,7 +35,7 @@ pub(crate) struct Derivatives {
     pub(crate) guaranteed: Vec<Node>,
     rights: Vec<(Node, Hint)>,
     rates: KnownRates,
-    jacobians: Vec<Jacobian>,
+    jacobians: Vec<BlockJacobian>,
 }
 
 /// The error that the derivatives through an order take more expressions than are allowed.
@@ -165,10 +165,10 @@ impl Derivatives {
     /// # Errors
     /// Returns the order at which there are too many expressions.
     pub(crate) fn new(graph: &mut Graph, task: Subject<'_>, order: usize) -> Result<Self, TooLarge> {
-        let jacobians: Vec<Jacobian> = task
+        let jacobians: Vec<BlockJacobian> = task
             .blocks
             .iter()
-            .map(|block| Jacobian::new(graph, task.residuals, block, task.passes))
+            .map(|block| BlockJacobian::new(graph, task.residuals, block, task.passes))
             .collect();
         let mut derivatives = Self {
             orders: Vec::new(),

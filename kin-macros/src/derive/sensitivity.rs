@@ -13,7 +13,7 @@
 
 use std::collections::BTreeMap;
 
-use super::jacobian::Jacobian;
+use super::jacobian::BlockJacobian;
 use super::rates::{KnownRates, binomial};
 use super::{Derivatives, Influences, Rate, Subject, TooLarge};
 use crate::algebra::{Graph, Node, NodeKind, Symbol};
@@ -181,7 +181,7 @@ impl Derivation<'_> {
     }
 
     /// S⁽ⁿ⁾ of a block, from J S⁽ⁿ⁾ = right by the solver of the rates.
-    fn solve(&mut self, jacobian: &Jacobian, right: &[Node], parameter: usize, order: usize) {
+    fn solve(&mut self, jacobian: &BlockJacobian, right: &[Node], parameter: usize, order: usize) {
         let symbol = |unknown: usize| Symbol::Sensitivity(unknown, parameter, order);
         // each right-hand side has entries of its own order only
         for solution in jacobian.solve(self.graph, Influences::Separate, right, &symbol) {
