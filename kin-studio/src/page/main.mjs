@@ -201,7 +201,8 @@ export function start(report, solver) {
   function showPeaks() {
     const exact = model.frames !== null || (isGiven() && state.assembly === (report.assembly ?? 0));
     const peaks = exact ? givenPeaks(model) : [];
-    const rest = exact && peaks.length > 0 ? "Exact values of the report." : "Found by the page at these dimensions.";
+    const source = exact && peaks.length > 0 ? "Exact values of the report." : "Found by the page at these dimensions.";
+    const rest = model.drive.joints.length > 0 ? `${source} Where a derivative jumps, those above it are unbounded.` : source;
     const least = exact ? worstTransmission(model) : null;
     const angle = least ? ` Least transmission angle ${numberText((least.angle * 180) / Math.PI)}° at ${inputText(model, least.at, state.degrees)}.` : "";
     paper.showPeaks(peaks.length > 0 ? peaks : ownPeaks(model, state.design, sweep, assemblyNow()), state.degrees, `${rest}${angle}`);

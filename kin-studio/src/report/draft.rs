@@ -163,8 +163,9 @@ impl<'l, M: Mechanism<Scalar = f64>> Draft<'l, M> {
     /// let servo = Sequence::new([&rise, &dwell])?;
     /// let press = SliderCrank { r: 0.1, l: 0.3 };
     /// let page = kin_studio::report(&press).under_laws([&servo], 0.0..=0.5).report()?;
-    /// // the jerk of a modified sine jumps at its end
-    /// assert_eq!((page.drive.joints[0].at, page.drive.joints[0].order), (0.4, 3));
+    /// // the jerk of a modified sine jumps at its end, and its snap within
+    /// let joints: Vec<_> = page.drive.joints.iter().map(|joint| joint.order).collect();
+    /// assert_eq!(joints, [4, 4, 3]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn under_laws(mut self, laws: M::Inputs<&'l dyn Piecewise<f64>>, range: impl ClosedRange) -> Self {

@@ -49,8 +49,8 @@ pub(super) fn on_line(solver: &Solver, cycle: &AnyCycle, own: &Own, range: [f64;
     (all, index)
 }
 
-/// All assemblies under laws that close somewhere, and the index of the report's own. Those of coupled blocks are the positions where the laws
-/// begin. `inputs` gives the inputs at a time.
+/// All assemblies under laws that close somewhere, and the index of the report's own. Those of coupled blocks are the positions where the
+/// laws begin. `inputs` gives the inputs at a time.
 pub(super) fn under_laws(
     solver: &Solver,
     linkage: &AnyLinkage,
