@@ -6,7 +6,8 @@ import { test } from "node:test";
 import { anatomyOf, followedAt, placeOf } from "../src/page/anatomy.mjs";
 import { isMathematics, seemsMathematics, withClasses } from "../src/page/formulas.mjs";
 import { createRoom, keepLines, placeName } from "../src/page/labels.mjs";
-import { marksOf, stopText } from "../src/page/marks.mjs";
+import { isBroken, motionOf, pieceAt, placesOf } from "../src/page/drive.mjs";
+import { kindText, marksOf, stopText } from "../src/page/marks.mjs";
 import { cautionOf } from "../src/page/dimensions.mjs";
 import { createModel, givenDesign, movedOn, reasonToRefuse, solveAt } from "../src/page/model.mjs";
 import { nearestInput } from "../src/page/nearest.mjs";
@@ -17,11 +18,11 @@ import { hull } from "../src/page/picture.mjs";
 import { circleOfCurvature, instantCentre, ratesOfJoints } from "../src/page/rates.mjs";
 import { gapText, shortfallOf } from "../src/page/reasons.mjs";
 import { quotedCell, sweepTable } from "../src/page/saving.mjs";
-import { allRows, movedInput, rowAt, sweepDesign } from "../src/page/sweep.mjs";
+import { allRows, movedInput, rowAt, rowBefore, sweepDesign } from "../src/page/sweep.mjs";
 import { poorTransmission } from "../src/page/transmission.mjs";
 import { createView, fitView, flat, onPage, orbitView, zoomView } from "../src/page/view.mjs";
 import { poseText } from "../src/page/words.mjs";
-import { reportOf, solver } from "./testing/slider_crank.mjs";
+import { LAW, reportOf, solver } from "./testing/slider_crank.mjs";
 
 function prepared(changes) {
   const model = createModel(reportOf(changes), solver);
@@ -78,7 +79,8 @@ test("a newer report is refused with both numbers", () => {
   assert.equal(reasonToRefuse(reportOf()), "");
   const reason = reasonToRefuse(reportOf({ format: 7 }));
   assert.match(reason, /format 7/);
-  assert.match(reason, /up to 1/);
+  assert.match(reason, /up to 2/);
+  assert.match(reasonToRefuse(reportOf({ format: 1 })), /format 1.*format 2.*again/);
   assert.notEqual(reasonToRefuse(null), "");
 });
 
@@ -335,4 +337,111 @@ test("what is typed and not taken is told, and so are lengths that no link has",
   for (const [changes, typed, usual] of [[{}, "5", 30], [{ declared: "p.x" }, "-5", 30], [{}, "-5", -3], [{ dimension: "angle" }, "-5", 1], [{ group: "speed" }, "-5", 1]]) {
     assert.equal(said(changes, typed, usual), "");
   }
+});
+
+test("a drive has the rates of its series, and both sides of its joints", () => {
+  const { model } = prepared(LAW);
+  const { drive } = model;
+  assert.ok(drive.overTime && model.variable.dimension === "time");
+  assert.deepEqual([0, 0.05, 0.1, 0.3, 0.5, 0.6].map((x) => pieceAt(drive, x)), [0, 0, 1, 1, 2, 2]);
+  const motion = motionOf(drive, 0, 0.3, 1, 1, 4);
+  assert.deepEqual(motion, [0.5, 3.75, 0, -187.5, 0]);
+  // at another speed of the variable, rates by time have its powers
+  assert.deepEqual(motionOf(drive, 0, 0.3, 1, 2, 3), [0.5, 7.5, 0, -1500]);
+  const [before, behind] = [0, 1].map((piece) => motionOf(drive, 0, 0.1, piece, 1, 2));
+  [0, 0, 37.5].forEach((value, order) => assert.ok(Math.abs(behind[order] - value) < 1e-12 && before[order] === 0));
+  const places = placesOf(drive, 0, 0.6, 360, 8);
+  assert.deepEqual(places.filter(({ x }) => x === 0.1).map(({ piece }) => piece), [0, 1]);
+  assert.ok(places.every(({ x }, index) => index === 0 || x >= places[index - 1].x));
+  const line = { pieces: [{ from: 0, to: 1, at: 0, inputs: [[0, 1]] }], joints: [], overTime: false };
+  assert.equal(placesOf(line, 0, 1, 360, 8).length, 361);
+});
+
+test("a short piece has rows of its own", () => {
+  const pieces = [[0, 0.5], [0.5, 0.501], [0.501, 1]].map(([from, to]) => ({ from, to, at: from, inputs: [[0]] }));
+  const places = placesOf({ pieces, joints: [], overTime: true }, 0, 1, 360, 8);
+  assert.ok(places.filter(({ x }) => x > 0.5 && x < 0.501).length >= 7);
+});
+
+test("under a law, curves have gaps where a derivative jumps", () => {
+  const { model, design, assembly, sweep } = prepared(LAW);
+  assert.equal(sweep.spans.length, 1);
+  assert.ok(!sweep.full);
+  const rows = allRows(sweep);
+  const breaks = (order) => rows.slice(1).filter((row, index) => isBroken(model.drive, rows[index], row, order)).map(({ x }) => x);
+  assert.deepEqual([0, 1, 2, 3, 4].map(breaks), [[], [], [0.1, 0.5], [0.1, 0.5], [0.1, 0.5]]);
+  const row = rowAt(model, design, sweep, assembly, 0.1);
+  const before = rowBefore(model, sweep, row);
+  assert.deepEqual([before.piece, row.piece, before.pose.s[2], before.pose.s[0] - row.pose.s[0]], [0, 1, 0, 0]);
+  assert.ok(row.pose.theta[2] > 37);
+  assert.equal(rowBefore(model, sweep, rowAt(model, design, sweep, assembly, 0.2)), null);
+  const marks = marksOf(model, sweep, 0, true);
+  assert.deepEqual(marks.map(({ kind }) => kind), ["Joint", "Joint"]);
+  assert.equal(kindText(marks[0]), "Acceleration jumps at");
+  assert.equal(stopText(model, marks, sweep.gaps, 0.6, true), "End of the range at time = 0.6 s.");
+});
+
+test("under a law, values are those of the solver with the motion of the law", () => {
+  const { model, design, assembly, sweep } = prepared(LAW);
+  const theta = [0.5, 3.75, 0, -187.5, 0];
+  const { pose } = solver.solve({ r: 30, l: 80 }, { theta }, 1);
+  const row = rowAt(model, design, sweep, assembly, 0.3);
+  row.pose.s.forEach((value, order) => assert.ok(Math.abs(value - pose.s[order]) <= 1e-12 * Math.abs(pose.s[order]), `order ${order}`));
+  // the input is one of the quantities
+  assert.deepEqual(model.quantities.map(({ name, isInput }) => [name, isInput]), [["s", false], ["theta", true]]);
+  assert.deepEqual(row.pose.theta, theta);
+  const lines = sweepTable(model, sweep, true, 1).trim().split("\r\n");
+  assert.match(lines[0], /^time \[s\],s \[mm\],.*theta \[deg\],theta velocity/);
+  assert.equal(lines[1].split(",").length, 11);
+  assert.equal(poseText(model, row, true, "", [0]), `time = 0.3 s, s = ${numberText(pose.s[0])} mm`);
+  // another rod: the same law
+  const longer = { ...design, parameters: { r: 30, l: 100 } };
+  const again = rowAt(model, longer, sweepDesign(model, longer, assembly), assembly, 0.3);
+  assert.deepEqual(again.pose.theta, theta);
+  assert.ok(again.pose.s[0] > row.pose.s[0] + 15);
+});
+
+test("above a jump there is no bound", () => {
+  const { model, design, assembly, sweep } = prepared(LAW);
+  const peaks = ownPeaks(model, design, sweep, assembly).filter(({ quantity }) => quantity === "theta");
+  assert.equal(peaks[0].highest.value, 1);
+  assert.ok(Math.abs(peaks[1].highest.value - 3.75) < 1e-12 && Math.abs(peaks[1].highest.at - 0.3) < 1e-6);
+  // the acceleration jumps up where the law begins, and up where it ends
+  assert.ok(Math.abs(peaks[2].highest.value - 37.5) < 1e-9 && peaks[2].rms > 0);
+  assert.deepEqual([peaks[3].highest, peaks[3].rms], [{ value: null, at: 0.1 }, null]);
+  assert.ok(peaks[3].lowest.value < -187);
+  assert.deepEqual([peaks[4].highest, peaks[4].lowest], [{ value: null, at: 0.1 }, { value: null, at: 0.1 }]);
+});
+
+test("rates of joints go on by the series of their own piece", () => {
+  const { model, design, assembly, sweep } = prepared(LAW);
+  const row = rowAt(model, design, sweep, assembly, 0.5 - 1e-9);
+  const rates = ratesOfJoints(model, design, assembly, row);
+  // the crank's pin at 1 rad with the acceleration of the end of the law
+  const size = 30 * 37.5;
+  assert.ok(Math.abs(rates[1][1][1] - 30 * Math.cos(1) * row.pose.theta[2]) < 1e-3 * size);
+  assert.ok(Math.hypot(...ratesOfJoints(model, design, assembly, rowAt(model, design, sweep, assembly, 0.55))[1][0]) < 1e-9);
+});
+
+test("several inputs move along one line, and those that stand have values", () => {
+  const input = (name, dimension, value) => ({ name, key: name, text: name, documentation: "", dimension, ...(value === undefined ? {} : { value }) });
+  const inputs = [input("theta", "angle"), input("lift", "length"), input("tilt", "angle", 0.25)];
+  const drive = { variable: "input", pieces: [{ from: 0, to: 2, at: 1, inputs: [[1, 1], [7, -3], [0.25]] }], joints: [] };
+  const seen = [];
+  const solve = (_, given) => {
+    seen.push(given);
+    return { ok: true, pose: { s: [given.lift[0], ...given.lift.slice(1)], joints: [[0, 0], [Math.cos(given.theta[0]), Math.sin(given.theta[0])]], slides: [] } };
+  };
+  const outline = { ground: [0], bodies: [{ name: "r", joints: [0, 1] }], slides: [], points: [] };
+  const model = createModel(reportOf({ inputs, drive, range: [0, 2], period: null, speed: 10, outline }), { solve, OUTLINE: {}, CHECKS: [] });
+  const design = givenDesign(model);
+  assert.deepEqual(design.standing, { tilt: 0.25 });
+  solveAt(model, design, 1.5, 1);
+  assert.deepEqual(seen.pop(), { theta: [1.5, 10, 0, 0, 0], lift: [5.5, -30, 0, 0, 0], tilt: [0.25, 0, 0, 0, 0] });
+  const sweep = sweepDesign(model, design, model.report.assemblies[0]);
+  assert.deepEqual(anatomyOf(model, sweep).drivers, [0]);
+  const row = rowAt(model, design, sweep, model.report.assemblies[0], 1.5);
+  assert.equal(poseText(model, row, false, "", []), "theta = 1.5 rad, lift = 5.5 mm");
+  const [head, first] = sweepTable(model, sweep, false, 10).split("\r\n").map((line) => line.split(","));
+  assert.deepEqual([head.slice(0, 3), first.slice(0, 3)], [["theta [rad]", "lift [mm]", "time [s]"], ["0", "10", "0"]]);
 });

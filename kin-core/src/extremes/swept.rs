@@ -238,28 +238,28 @@ impl QuantityOfSweep<'_> {
     }
 
     /// The directions in which the quantity has no bound at a joint, upwards and downwards: a rate below it jumps there. One above a jump
-    /// has the direction of the jump, and those above that have both.
+    /// has the direction of the jump, and those above that have both. Another input's jump need not be one of the quantity.
     pub(super) fn impulse(&self, joint: &CurveNode) -> Result<[bool; 2], ExtremesError> {
         let (Some(rate), Some(jump)) = (&self.rate, self.drive.jump(joint.at)) else {
             return Ok([false; 2]);
         };
         let order = rate.named.order;
-        if order <= jump {
-            return Ok([false; 2]);
-        } else if order > jump + 1 {
-            return Ok([true; 2]);
-        }
-        let below = rate.named.of_order(jump);
         let variable = Local::from_coefficients([joint.at, 1.0, 0.0, 0.0, 0.0]);
-        let beside = |side: Side| {
-            let (station, _) = self.station(&joint.mark, variable, side)?;
-            Ok::<_, ExtremesError>(station.finite(below.at(rate.functions, &station)?)?.real())
-        };
-        let (left, right) = (beside(Side::Left)?, beside(Side::Right)?);
-        let rises = (right > left) == (self.course.to >= self.course.from);
-        // rounding errors of a quantity that does not jump with the inputs are no impulse
-        let is_none = (right - left).abs() <= JUMP * left.abs().max(right.abs());
-        Ok([rises && !is_none, !rises && !is_none])
+        for jumping in jump..order {
+            let below = rate.named.of_order(jumping);
+            let beside = |side: Side| {
+                let (station, _) = self.station(&joint.mark, variable, side)?;
+                Ok::<_, ExtremesError>(station.finite(below.at(rate.functions, &station)?)?.real())
+            };
+            let (left, right) = (beside(Side::Left)?, beside(Side::Right)?);
+            // rounding errors of a quantity that does not jump with the inputs are no impulse
+            if (right - left).abs() > JUMP * left.abs().max(right.abs()) {
+                let rises = (right > left) == (self.course.to >= self.course.from);
+                let is_higher = order > jumping + 1;
+                return Ok([rises || is_higher, !rises || is_higher]);
+            }
+        }
+        Ok([false; 2])
     }
 
     /// The ends of the sweep and a pose inside of it, if it is known that the mechanism closes throughout.

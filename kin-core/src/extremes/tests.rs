@@ -6,8 +6,8 @@ use std::vec::Vec;
 
 use super::{At, ExtremeKind, ExtremesError, Over};
 use crate::assembly::{Assembly, Near};
-use crate::law::{Dwell, Law, Piecewise, Rise, Sequence, Shape};
-use crate::library::{ClassThreeTriad, FourBar, JansenLeg, PeaucellierLinkage, ScotchYoke, SliderCrank};
+use crate::law::{ConstantSpeed, Dwell, Law, Piecewise, Rise, Sequence, Shape};
+use crate::library::{ClassThreeTriad, FiveBar, FourBar, JansenLeg, PeaucellierLinkage, ScotchYoke, SliderCrank};
 use crate::mechanism::Mechanism;
 use crate::motion::Motion;
 use crate::number::{Number, samples, series::Series};
@@ -338,6 +338,48 @@ fn rates_above_a_jump_have_no_bound() {
     let servo = Sequence::new([&start as &dyn Piecewise<f64>, &cycloid, &end]).unwrap();
     assert_eq!(unbounded(&servo, "s_jerk"), []);
     assert_eq!(unbounded(&servo, "theta_snap"), [(begin, true), (stop, false)]);
+}
+
+/// A jump of one input is none of a quantity that does not follow it, and a crank that begins a new turn does not jump.
+#[test]
+fn jumps_are_those_of_the_quantity() {
+    let robot = FiveBar {
+        ground: 2.0,
+        left: 0.5,
+        left_rod: 2.0,
+        right_rod: 2.0,
+        right: 1.5,
+    };
+    let left = Rise::new(Shape::Cycloidal, 0.0, 2.0, 0.5).unwrap();
+    let right = Rise::new(Shape::ConstantSpeed, 1.0, 1.6, 0.25).unwrap();
+    let sweep = robot.sweep(Assembly::Open).under_laws([&left, &right], 0.0..=0.6, 20);
+    for (name, places) in [
+        ("beta_acceleration", std::vec![0.25]),
+        ("phi_acceleration", std::vec![0.25]),
+        ("phi_jerk", std::vec![0.25, 0.25]),
+        ("alpha_jerk", std::vec![]),
+        ("alpha_snap", std::vec![0.5]),
+    ] {
+        let extremes = sweep.of(name).extremes().unwrap();
+        let unbounded = extremes.iter().filter(|extreme| extreme.value.is_none());
+        assert_eq!(
+            unbounded.map(|extreme| extreme.at).collect::<Vec<_>>(),
+            places,
+            "{name}"
+        );
+    }
+    let turns = ConstantSpeed::new(0.0, TAU / 0.5, 0.5).unwrap().repeated();
+    let sweep = CRANK_ROCKER.sweep(Assembly::Open).under_laws([&turns], 0.0..=1.5, 40);
+    for name in [
+        "theta2_velocity",
+        "theta4_velocity",
+        "theta4_acceleration",
+        "theta4_snap",
+    ] {
+        let extremes = sweep.of(name).extremes().unwrap();
+        assert!(extremes.iter().all(|extreme| extreme.value.is_some()), "{name}");
+        assert!(sweep.of(name).rms(Over::Time).is_ok(), "{name}");
+    }
 }
 
 /// A kink of the quantity itself is found to rounding: the folded transmission angle has one at a right angle.

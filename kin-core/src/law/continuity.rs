@@ -43,9 +43,14 @@ impl<T: Number, const N: usize> LawJoint<T, N> {
     /// The lowest order that jumps, if one below `N` does: 0 for the value, 1 for the velocity, and so on.
     #[must_use]
     pub fn first_jump(&self) -> Option<usize> {
+        self.first_jump_from(0)
+    }
+
+    /// The lowest order from a given one on that jumps, if one below `N` does.
+    pub(crate) fn first_jump_from(&self, lowest: usize) -> Option<usize> {
         let jump = self.jump();
-        let mut sizes = jump.as_slice().iter().zip(self.rounding);
-        sizes.position(|(size, rounding)| size.real().abs() > rounding)
+        let mut sizes = jump.as_slice().iter().zip(self.rounding).enumerate().skip(lowest);
+        sizes.find_map(|(order, (size, rounding))| (size.real().abs() > rounding).then_some(order))
     }
 
     /// The highest order up to which the law is continuous here, at most `N - 1`; `None` if the value itself jumps.

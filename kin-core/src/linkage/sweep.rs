@@ -1,5 +1,6 @@
 //! Sweeps of a linkage without its type.
 
+use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
 
@@ -8,10 +9,12 @@ use crate::any::AssemblyChoice;
 use crate::exact::{ExactTable, ExactTableError, Precision, exact_table};
 use crate::extremes::{ByDyad, ByJacobian, ByName, ChangedFunctions, NamedFunctions, QuantityAlong, QuantitySource};
 use crate::failure::SolveError;
-use crate::law::Piecewise;
+use crate::law::{Piecewise, Side};
 use crate::mechanism::JacobianMeasure;
 use crate::number::ClosedRange;
-use crate::sweep::{AnyCourse, Footing, Laws, SmoothDrive, StraightLine, SweepError, Table, TabledMechanism, Walk};
+use crate::sweep::{
+    AnyCourse, Footing, Laws, READ, SmoothDrive, StraightLine, SweepError, Table, TabledMechanism, Walk,
+};
 
 /// A linkage in an assembly, of which a sweep is wanted.
 #[derive(Clone, Debug)]
@@ -91,6 +94,29 @@ impl<D: SmoothDrive> AnySweep<D> {
     #[must_use]
     pub fn at(&self, row: usize) -> f64 {
         self.course().at(row)
+    }
+
+    /// Whether the inputs can move so. Every question to the sweep is answered by this error if they cannot.
+    ///
+    /// # Errors
+    /// [`SweepError`] for numbers that are not finite, for the speed zero, and for a law whose value jumps.
+    pub fn check(&self) -> Result<(), SweepError> {
+        self.course().check()
+    }
+
+    /// The first place beyond another one where two pieces of a law meet, if there is one; it may lie behind the range.
+    #[must_use]
+    pub fn next_joint(&self, after: f64) -> Option<f64> {
+        self.drive.next_joint(after)
+    }
+
+    /// The inputs at a value of the variable, each with its derivatives with respect to the variable, the value first. Where two pieces of
+    /// a law meet, `side` selects one.
+    #[must_use]
+    pub fn inputs(&self, at: f64, side: Side) -> Vec<Vec<f64>> {
+        let mut derivatives = vec![0.0; self.linkage.description().inputs.len() * READ];
+        self.drive.derivatives(at, side, &mut derivatives);
+        derivatives.chunks_exact(READ).map(<[f64]>::to_vec).collect()
     }
 
     /// The poses of all rows, each with the value of the variable: see [`rows`](crate::sweep::Course::rows).

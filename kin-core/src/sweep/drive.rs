@@ -9,7 +9,7 @@ use num_traits::Float;
 use crate::any::write;
 use crate::batch::{Column, LengthMismatch};
 pub(crate) use crate::hermite::TERMS;
-use crate::law::{Law, Piecewise, Side, approached};
+use crate::law::{Law, LawJoint, Piecewise, Side, approached};
 use crate::mechanism::{Description, Mechanism};
 use crate::motion::Motion;
 use crate::number::{NumberRow, series::Series};
@@ -351,16 +351,13 @@ impl Drive for Laws<'_> {
         }
     }
 
-    /// A mechanism does not jump. A jump of an angle by whole turns is none: a crank starts a new turn at zero.
+    /// A mechanism does not jump.
     fn check(&self, range: [f64; 2], _: usize) -> Result<(), SweepError> {
         for (law, quantity) in self.laws.iter().zip(self.inputs) {
             let period = law.repeats().then(|| law.duration());
             let jump = law.joints::<1>().find_map(|joint| {
                 let by = joint.jump().value();
-                let turns = by / core::f64::consts::TAU;
-                let is_none = joint.first_jump().is_none()
-                    || quantity.dimension == Dimension::Angle && (turns - Float::round(turns)).abs() < WHOLE;
-                (!is_none)
+                (first_jump(&joint, quantity.dimension) == Some(0))
                     .then(|| within(joint.time, period, range))?
                     .map(|at| (at, by))
             });
@@ -378,6 +375,13 @@ impl Drive for Laws<'_> {
     }
 }
 
+/// The lowest order that jumps at a joint. A jump of an angle by whole turns is none: a crank starts a new turn at zero.
+fn first_jump<const N: usize>(joint: &LawJoint<f64, N>, dimension: Dimension) -> Option<usize> {
+    let turns = joint.jump().value() / core::f64::consts::TAU;
+    let is_whole = dimension == Dimension::Angle && (turns - Float::round(turns)).abs() < WHOLE;
+    joint.first_jump_from(usize::from(is_whole))
+}
+
 /// The first of the times, one or one in each period, that lies inside of a range.
 fn within(time: f64, period: Option<f64>, [start, end]: [f64; 2]) -> Option<f64> {
     let first = match period {
@@ -390,7 +394,16 @@ fn within(time: f64, period: Option<f64>, [start, end]: [f64; 2]) -> Option<f64>
 impl SmoothDrive for Laws<'_> {
     fn derivatives(&self, at: f64, side: Side, derivatives: &mut [f64]) {
         for (law, motion) in self.laws.iter().zip(derivatives.chunks_exact_mut(READ)) {
-            let known: Motion<f64, READ> = approached(*law, at, side);
+            // The end of a law itself has the motion of the last piece. Behind it, and before the beginning, the law rests.
+            let rests = match side {
+                Side::Left => at <= 0.0,
+                Side::Right => at >= law.duration(),
+            };
+            let known: Motion<f64, READ> = if rests && !law.repeats() {
+                Motion::constant(approached::<f64, _, 1>(*law, at, side).value())
+            } else {
+                approached(*law, at, side)
+            };
             motion.copy_from_slice(known.as_ref());
         }
     }
@@ -420,7 +433,7 @@ impl SmoothDrive for Laws<'_> {
 
     fn jump(&self, joint: f64) -> Option<usize> {
         const ORDERS: usize = RATES.len() + 1;
-        let jumps = self.laws.iter().filter_map(|law| {
+        let jumps = self.laws.iter().zip(self.inputs).filter_map(|(law, quantity)| {
             let duration = law.duration();
             // times are rounded, and the end of a law that repeats is its beginning
             let turns = |time: f64| {
@@ -435,7 +448,7 @@ impl SmoothDrive for Laws<'_> {
                 (distance - turns(distance) * duration).abs() <= 16.0 * f64::EPSILON * joint.abs().max(duration)
             };
             let mut joints = law.joints::<ORDERS>().filter(|own| is_here(own.time));
-            joints.find_map(|own| own.first_jump())
+            joints.find_map(|own| first_jump(&own, quantity.dimension))
         });
         jumps.min()
     }

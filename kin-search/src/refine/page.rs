@@ -101,7 +101,7 @@ impl<M: Mechanism<Scalar = f64>> Refined<M> {
 
     /// The report of kin-studio about the result, in its assembly, over its travel or the full turn. The caller may add units, a title and a
     /// declaration.
-    pub fn report(&self, objective: &Objective<M>) -> Draft<M> {
+    pub fn report(&self, objective: &Objective<M>) -> Draft<'static, M> {
         let description = M::DESCRIPTION;
         let mechanism = self.design.mechanism();
         let draft = kin_studio::report(&mechanism)
@@ -168,7 +168,7 @@ pub fn write_pages_of<M: Mechanism<Scalar = f64>>(
 
 /// Writes reports, each with the number of its candidate. The files are called after the mechanism, the place of the report and this number.
 fn write<M: Mechanism<Scalar = f64>>(
-    reports: impl Iterator<Item = (u64, Draft<M>)>,
+    reports: impl Iterator<Item = (u64, Draft<'static, M>)>,
     folder: &Path,
 ) -> Result<Vec<PathBuf>, PageError> {
     fs::create_dir_all(folder).map_err(|error| PageError::Folder {

@@ -21,15 +21,24 @@ function root(series) {
   return found;
 }
 
-/** Sine and cosine of an angle that grows at a constant speed. */
-function waves(angle, speed) {
-  const factors = [1, 1, 2, 6, 24];
-  return [0, 0.5 * Math.PI].map((shift) => factors.map((factor, order) => (Math.sin(angle + shift + 0.5 * Math.PI * order) * speed ** order) / factor));
+/** Sine and cosine of a Taylor series: the derivative of each is the other one times that of the angle. */
+function waves(angle) {
+  const [sine, cosine] = [[Math.sin(angle[0])], [Math.cos(angle[0])]];
+  for (let order = 1; order < angle.length; order += 1) {
+    let [up, down] = [0, 0];
+    for (let index = 1; index <= order; index += 1) {
+      up += index * angle[index] * cosine[order - index];
+      down -= index * angle[index] * sine[order - index];
+    }
+    sine.push(up / order);
+    cosine.push(down / order);
+  }
+  return [sine, cosine];
 }
 
 function solve({ r, l }, { theta }, assembly) {
-  const [angle, speed = 0] = theta;
-  const [sine, cosine] = waves(angle, speed);
+  const factors = [1, 1, 2, 6, 24];
+  const [sine, cosine] = waves(factors.map((factor, order) => (theta[order] ?? 0) / factor));
   const height = sine.map((value) => r * value);
   const square = times(height, height).map((value, order) => (order === 0 ? l * l - value : -value));
   if (!(square[0] > 1e-300)) {
@@ -37,7 +46,6 @@ function solve({ r, l }, { theta }, assembly) {
   }
   const near = root(square);
   const sign = assembly >= 0 ? 1 : -1;
-  const factors = [1, 1, 2, 6, 24];
   const s = cosine.map((value, order) => (r * value + sign * near[order]) * factors[order]);
   const joints = [[0, 0], [r * cosine[0], r * sine[0]], [s[0], 0]];
   return { ok: true, pose: { s, joints, slides: [[1, 0]] } };
@@ -45,11 +53,12 @@ function solve({ r, l }, { theta }, assembly) {
 
 export const solver = { solve, OUTLINE: {}, CHECKS: [] };
 
-/** A report of it, with changes. */
+/** A report of it, with changes. The crank turns through the range, unless the drive is changed. */
 export function reportOf(changes = {}) {
+  const range = changes.range ?? [0, 2 * Math.PI];
   const quantity = (name, text, dimension, value) => ({ name, key: name, text, documentation: "", dimension, ...(value === undefined ? {} : { value }) });
   return {
-    format: 1,
+    format: 2,
     kin: "0.1.0",
     title: "Slider-crank",
     name: "SliderCrank",
@@ -66,7 +75,8 @@ export function reportOf(changes = {}) {
     outputs: [],
     plots: ["s"],
     moving: 0,
-    range: [0, 2 * Math.PI],
+    drive: { variable: "input", pieces: [{ from: range[0], to: range[1], at: 0, inputs: [[0, 1]] }], joints: [] },
+    range,
     period: 2 * Math.PI,
     speed: 10,
     assemblies: [{ name: "open", argument: 1, circuit: 0 }, { name: "crossed", argument: -1, circuit: 1 }],
@@ -91,3 +101,23 @@ export function reportOf(changes = {}) {
     ...changes,
   };
 }
+
+/**
+ * The same crank under a law: at rest until 0.1, up to 1 rad by a polynomial of the third degree, whose acceleration jumps at both ends, and at
+ * rest from 0.5 on.
+ */
+export const LAW = {
+  range: [0, 0.6],
+  period: null,
+  speed: 1,
+  drive: {
+    variable: "time",
+    pieces: [
+      { from: 0, to: 0.1, at: 0.05, inputs: [[0]] },
+      // 3 u² - 2 u³ of u = (t - 0.1) / 0.4, about its middle
+      { from: 0.1, to: 0.5, at: 0.3, inputs: [[0.5, 3.75, 0, -31.25]] },
+      { from: 0.5, to: 0.6, at: 0.55, inputs: [[1]] },
+    ],
+    joints: [{ at: 0.1, order: 2 }, { at: 0.5, order: 2 }],
+  },
+};

@@ -1,11 +1,12 @@
 /** What belongs to what in a mechanism's picture: pins, driven bodies, and the unknown that a body's angle is. */
+import { motionOf } from "./drive.mjs";
 import { alongSlide, innerRows } from "./sweep.mjs";
 
 /** How far an angle may differ from that of a body which it describes, in radians. */
 const AGREES = 1e-6;
 
 /**
- * @typedef {{pins: boolean[], fixed: boolean[], colours: (number | null)[], driven: boolean[], drivenSlides: boolean[], keeps: boolean[], floating: number}} Anatomy
+ * @typedef {{pins: boolean[], fixed: boolean[], colours: (number | null)[], drivers: (number | null)[], driven: boolean[], drivenSlides: boolean[], keeps: boolean[], floating: number}} Anatomy
  */
 
 /**
@@ -30,22 +31,27 @@ export function anatomyOf(model, sweep) {
     return apart.every((angle) => Number.isFinite(angle) && Math.abs(Math.sin(0.5 * (angle - apart[0]))) < AGREES);
   };
   const turns = (value) => some.some((row) => Math.abs(value(row) - value(some[0])) > 1e-3);
-  const input = (row) => row.x;
+  // the values of the inputs that move, of which no dimension changes anything
+  const inputs = model.moving.map(({ index, dimension }) => ({ index, dimension, value: ({ x, piece }) => motionOf(model.drive, index, x, piece, 1, 0)[0] }));
+  const angles = inputs.filter(({ dimension }) => dimension === "angle");
+  const lengths = inputs.filter(({ dimension }) => dimension === "length");
   const colours = outline.bodies.map((_, body) => {
-    const owner = model.quantities.find(({ name, dimension }) => {
+    const owner = model.quantities.find(({ name, dimension, isInput }) => {
       const value = (row) => row.pose[name][0];
       const opposite = (row) => -value(row);
-      return dimension === "angle" && !model.space && turns(value) && (follows(body, value) || follows(body, opposite));
+      return dimension === "angle" && !isInput && !model.space && turns(value) && (follows(body, value) || follows(body, opposite));
     });
     return owner ? owner.colour : null;
   });
-  const driven = outline.bodies.map(({ joints }, body) => {
-    const turned = model.space ? joints.some((joint) => fixed[joint]) && turnsAlong(rows, joints) : follows(body, input);
-    return model.moving.dimension === "angle" && turned;
+  const drivers = outline.bodies.map(({ joints }, body) => {
+    const turns = ({ value }) => (model.space ? joints.some((joint) => fixed[joint]) && turnsAlong(rows, joints, value) : follows(body, value));
+    return angles.find(turns)?.index ?? null;
   });
   const drivenSlides = outline.slides.map((_, slide) => {
-    const apart = some.map((row) => Math.abs(alongSlide(model, row.pose, slide)) - Math.abs(row.x));
-    return model.moving.dimension === "length" && apart.every((shift) => Math.abs(shift - apart[0]) < AGREES * (1 + Math.abs(apart[0])));
+    return lengths.some(({ value }) => {
+      const apart = some.map((row) => Math.abs(alongSlide(model, row.pose, slide)) - Math.abs(value(row)));
+      return apart.every((shift) => Math.abs(shift - apart[0]) < AGREES * (1 + Math.abs(apart[0])));
+    });
   });
   const pins = some[0].pose.joints.map((_, joint) => {
     const turning = outline.bodies.filter(({ joints }, body) => {
@@ -55,13 +61,14 @@ export function anatomyOf(model, sweep) {
     return turning > 1 || (turning === 1 && (fixed[joint] || outline.slides.some((slide) => slide.joint === joint)));
   });
   const floating = outline.bodies.findIndex(({ joints }) => joints.length > 1 && !joints.some((joint) => fixed[joint]));
-  return { pins, fixed, colours, driven, drivenSlides, keeps, floating };
+  return { pins, fixed, colours, drivers, driven: drivers.map((driver) => driver !== null), drivenSlides, keeps, floating };
 }
 
 /** Whether a body of space turns as far as the input, at right angles to its axis. */
-function turnsAlong(rows, [first, second]) {
+function turnsAlong(rows, [first, second], value) {
   const direction = ({ pose }) => pose.joints[second].map((value, axis) => value - pose.joints[first][axis]);
-  const close = rows.filter(({ x }) => x > rows[0].x && x < rows[0].x + 0.5);
+  const way = (row) => value(row) - value(rows[0]);
+  const close = rows.filter((row) => Math.abs(way(row)) > 0 && Math.abs(way(row)) < 0.5);
   if (second === undefined || close.length === 0) {
     return false;
   }
@@ -69,7 +76,7 @@ function turnsAlong(rows, [first, second]) {
   return close.every((row) => {
     const other = direction(row);
     const cosine = one.reduce((sum, value, axis) => sum + value * other[axis], 0) / (Math.hypot(...one) * Math.hypot(...other));
-    return Math.abs(cosine - Math.cos(row.x - rows[0].x)) < AGREES;
+    return Math.abs(cosine - Math.cos(way(row))) < AGREES;
   });
 }
 

@@ -1,4 +1,4 @@
-/** The drawer: a slider and a field for each dimension, for the inputs that stand still, and for the speed. */
+/** The drawer: a slider and a field for each dimension, for the inputs that stand, and for the speed of a line. */
 import { made, tell } from "./elements.mjs";
 import { numberText, unitFactor, unitText, withUnit } from "./numbers.mjs";
 
@@ -46,6 +46,11 @@ export function createSliders(place, model, given, changed) {
     const [low, high] = boundsOf(entry, valueIn(given, entry), size);
     return { entry, slider, field, unit, caution, box, low, high, factor };
   });
+  if (model.drive.overTime && model.moving.length > 0) {
+    const names = model.moving.map(({ text }) => text).join(", ");
+    const words = model.moving.length > 1 ? "move under laws, which keep" : "moves under a law, which keeps";
+    place.append(made("p", { className: "quiet-text" }, `${names} ${words} to their times and values whatever the dimensions are.`));
+  }
   return {
     /** @param {import("./model.mjs").Design} design @param {boolean} inDegrees */
     show(design, inDegrees) {
@@ -95,9 +100,11 @@ export function cautionOf(entry, typed, usual, last) {
 function entriesOf(model) {
   const { parameters, inputs } = model;
   const entry = (group, order) => ({ name, text, declared, documentation, dimension }) => ({ group, order, name, declared, dimension, text: text || name, note: (documentation ?? "").replaceAll("`", "") });
-  const standing = inputs.filter(({ name }) => name !== model.moving.name).map(entry("standing", 0));
-  const speed = { group: "speed", order: 1, name: "speed", declared: "speed", text: `Speed of ${model.moving.text}`, note: "", dimension: model.moving.dimension };
-  return [...parameters.map(entry("parameters", 0)), ...standing, speed];
+  const standing = inputs.filter(({ moves }) => !moves).map(entry("standing", 0));
+  const { text, dimension } = model.variable;
+  const speed = { group: "speed", order: 1, name: "speed", declared: "speed", text: `Speed of ${text}`, note: "", dimension };
+  // laws tell the speed themselves
+  return [...parameters.map(entry("parameters", 0)), ...standing, ...(model.drive.overTime ? [] : [speed])];
 }
 
 function valueIn(design, { group, name }) {

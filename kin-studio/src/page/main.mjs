@@ -1,6 +1,7 @@
 /** The page: what is shown, and what happens when a reader acts. */
 import { anatomyOf, placeOf } from "./anatomy.mjs";
 import { createSliders } from "./dimensions.mjs";
+import { motionOf } from "./drive.mjs";
 import { made, part, tell } from "./elements.mjs";
 import { handlePicture, handlePlots, handleScrubber } from "./hands.mjs";
 import { inputText, marksOf, stopText } from "./marks.mjs";
@@ -160,7 +161,7 @@ export function start(report, solver) {
     }
   }
 
-  /** The whole turn again, after a dimension or the assembly changed. */
+  /** The whole motion again, after a dimension or the assembly changed. */
   function solveAgain() {
     const begin = performance.now();
     unsolved = false;
@@ -174,7 +175,7 @@ export function start(report, solver) {
     const spent = performance.now() - begin;
     document.body.dataset.solved = spent.toFixed(2);
     const gaps = isGiven() ? "" : " Limits are the page's own.";
-    tell(part("solved"), `The whole turn was solved again in ${numberText(spent, 2)} ms.${gaps}`);
+    tell(part("solved"), `The whole motion was solved again in ${numberText(spent, 2)} ms.${gaps}`);
     if (spanAt(sweep, state.x) === null && sweep.spans.length > 0) {
       const ends = sweep.spans.flatMap(({ from, to }) => [from, to]);
       state.x = ends.reduce((near, end) => (Math.abs(end - state.x) < Math.abs(near - state.x) ? end : near));
@@ -200,7 +201,8 @@ export function start(report, solver) {
   function showPeaks() {
     const exact = model.frames !== null || (isGiven() && state.assembly === (report.assembly ?? 0));
     const peaks = exact ? givenPeaks(model) : [];
-    const rest = exact && peaks.length > 0 ? "Exact values of the report." : "Found by the page at these dimensions.";
+    const source = exact && peaks.length > 0 ? "Exact values of the report." : "Found by the page at these dimensions.";
+    const rest = model.drive.joints.length > 0 ? `${source} Where a derivative jumps, those above it are unbounded.` : source;
     const least = exact ? worstTransmission(model) : null;
     const angle = least ? ` Least transmission angle ${numberText((least.angle * 180) / Math.PI)}° at ${inputText(model, least.at, state.degrees)}.` : "";
     paper.showPeaks(peaks.length > 0 ? peaks : ownPeaks(model, state.design, sweep, assemblyNow()), state.degrees, `${rest}${angle}`);
@@ -228,6 +230,11 @@ export function start(report, solver) {
   function play(seconds) {
     if (state.held > 0) {
       state.held -= seconds;
+      // time does not run backwards
+      if (state.held <= 0 && model.drive.overTime) {
+        state.x = spanAt(sweep, state.x)?.from ?? state.x;
+        say("", false);
+      }
       return;
     }
     const change = state.forward * state.pace * seconds * Math.abs(state.design.speed) * secondsOf(model.units.time);
@@ -241,7 +248,7 @@ export function start(report, solver) {
     }
     if (moved.stopped) {
       sayStop(state.x);
-      state.forward = -state.forward;
+      state.forward = model.drive.overTime ? 1 : -state.forward;
       state.held = 0.6;
     } else if (part("message").textContent !== "" && state.held <= 0 && spanAt(sweep, state.x) !== null) {
       const span = spanAt(sweep, state.x);
@@ -396,7 +403,7 @@ export function start(report, solver) {
       sweep,
       shows: state.shows,
       followed: state.followed,
-      forward: state.forward,
+      senses: anatomy.drivers.map((driver) => (driver === null ? 0 : state.forward * Math.sign(motionOf(model.drive, driver, lastRow.x, lastRow.piece, 1, 1)[1]))),
       still: [view.scale, view.x, view.y, view.yaw, view.pitch, ...state.size, version, state.shows.paths, state.shows.ghosts, state.followed.length].join(),
       trails: () => (state.shows.paths ? allTrails() : []),
       ghosts: [],
@@ -533,7 +540,8 @@ export function start(report, solver) {
         content.push(made("label", { title: documentation ?? "" }, box, made("span", { className: `legend c${colour}${dashed ? " dashed" : ""}` }), text));
       }
     });
-    const over = made("select", { "aria-label": "Plotted over" }, made("option", { value: "input", selected: !state.time }, `over ${model.moving.text}`), made("option", { value: "time", selected: state.time }, "over time"));
+    const over = made("select", { "aria-label": "Plotted over" }, made("option", { value: "input", selected: !state.time }, `over ${model.variable.text}`), made("option", { value: "time", selected: state.time }, "over time"));
+    over.hidden = model.drive.overTime;
     over.addEventListener("change", () => {
       state.time = over.value === "time";
       redrawn = true;
@@ -630,9 +638,9 @@ export function start(report, solver) {
     );
     part("assembly-choice").hidden = report.assemblies.length < 2;
     part("angles").value = state.degrees ? "degrees" : "radians";
-    const degreesFactor = model.moving.dimension === "angle" ? 180 / Math.PI : 1;
+    const degreesFactor = model.variable.dimension === "angle" ? 180 / Math.PI : 1;
     const scrub = part("scrubber");
-    scrub.setAttribute("aria-label", `${model.moving.text}${model.moving.documentation ? `, ${model.moving.documentation}` : ""}`);
+    scrub.setAttribute("aria-label", `${model.variable.text}${model.variable.documentation ? `, ${model.variable.documentation}` : ""}`);
     scrub.setAttribute("aria-valuemin", String(Math.round(model.from * degreesFactor * 1000) / 1000));
     scrub.setAttribute("aria-valuemax", String(Math.round(model.to * degreesFactor * 1000) / 1000));
     state.followed = model.outline.points.map(({ name, joint }) => ({ name, joint })).filter(({ joint }) => !model.outline.ground.includes(joint));
@@ -654,7 +662,7 @@ export function start(report, solver) {
       say(`Dimensions cannot be changed here${report.unrecorded ? `: ${report.unrecorded}` : ""}.`, false);
     } else if (report.not_closed) {
       const { text, unknowns, margin, at } = report.not_closed;
-      const reason = margin === null ? text : `out of reach by ${amount(Math.abs(margin))} at ${model.moving.text} = ${inputText(model, at, state.degrees)}${unknowns ? ` (${blockText(model, unknowns)})` : ""}`;
+      const reason = margin === null ? text : `out of reach by ${amount(Math.abs(margin))} at ${model.variable.text} = ${inputText(model, at, state.degrees)}${unknowns ? ` (${blockText(model, unknowns)})` : ""}`;
       say(`It does not close everywhere: ${reason}.`, false);
     }
   }

@@ -1,5 +1,5 @@
-/** The ends of what closes, and the places within it that matter: exact ones of the report, or the page's own. */
-import { numberText, unitFactor, unitText, withUnit } from "./numbers.mjs";
+/** The ends of what closes, and the places within it that matter: exact ones of the report, or the page's own; and the joints of laws. */
+import { numberText, ORDERS, unitFactor, unitText, withUnit } from "./numbers.mjs";
 import { blockText } from "./model.mjs";
 import { gapText } from "./reasons.mjs";
 
@@ -31,6 +31,9 @@ export function marksOf(model, sweep, assembly, given) {
       }
     }
   }
+  for (const { at, order } of model.drive.joints) {
+    marks.push({ x: at, kind: "Joint", text: `${ORDERS[order][0].toUpperCase()}${ORDERS[order].slice(1)} jumps at`, own: false });
+  }
   return marks.sort((one, other) => one.x - other.x);
 }
 
@@ -40,7 +43,7 @@ function reasonOf(model, { kind, block, text }) {
   return words[kind] && block ? `${words[kind]} ${blockText(model, block)}` : (text ?? "");
 }
 
-/** Whether a mark is at an input, up to the accuracy with which the page finds ends itself. */
+/** Whether a mark is at a place, up to the accuracy with which the page finds ends itself. */
 function isThere(model, mark, x) {
   return Math.abs(mark.x - x) < 1e-5 * (model.to - model.from);
 }
@@ -73,22 +76,22 @@ function intoRange(model, input) {
 }
 
 /**
- * A mark's kind in words.
- * @param {string} kind
+ * What a mark is, in words.
+ * @param {import("./sweep.mjs").Mark} mark
  */
-export function kindText(kind) {
-  return KINDS[kind] ?? kind;
+export function kindText({ kind, text }) {
+  return kind === "Joint" ? text : (KINDS[kind] ?? kind);
 }
 
 /**
- * A value of the moving input, with its unit.
+ * A value of the variable, with its unit.
  * @param {import("./model.mjs").Model} model
  * @param {number} x
  * @param {boolean} degrees
  * @param {number} digits
  */
 export function inputText(model, x, degrees, digits = 6) {
-  const { dimension } = model.moving;
+  const { dimension } = model.variable;
   return withUnit(numberText(x * unitFactor(dimension, degrees), digits), unitText(dimension, 0, model.units, degrees));
 }
 
@@ -101,12 +104,12 @@ export function inputText(model, x, degrees, digits = 6) {
  * @param {boolean} degrees
  */
 export function stopText(model, marks, gaps, x, degrees) {
-  const mark = marks.find((one) => isThere(model, one, x));
-  const place = `${model.moving.text} = ${inputText(model, mark?.x ?? x, degrees)}`;
+  const mark = marks.find((one) => one.kind !== "Joint" && isThere(model, one, x));
+  const place = `${model.variable.text} = ${inputText(model, mark?.x ?? x, degrees)}`;
   if (!mark) {
     return `End of the range at ${place}.`;
   }
   const gap = gaps.find(({ from, to }) => Math.abs(from - x) < 1e-6 || Math.abs(to - x) < 1e-6);
   const reason = mark.text || (gap ? gapText(model, gap, null) : "");
-  return `${kindText(mark.kind)} at ${place}${reason ? `: ${reason}` : ""}.`;
+  return `${kindText(mark)} at ${place}${reason ? `: ${reason}` : ""}.`;
 }

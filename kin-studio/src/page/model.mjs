@@ -1,10 +1,11 @@
-/** The mechanism as the page sees it: its quantities, and its solver. */
+/** The mechanism as the page sees it: its quantities, its drive, and its solver. */
+import { driveOf, motionOf, pieceAt } from "./drive.mjs";
 
 /** The newest form of a report that this page reads. */
-export const FORMAT = 1;
+export const FORMAT = 2;
 
 /**
- * Dimensions, places of the inputs that stand still, and the speed of the input that moves.
+ * Dimensions, places of the inputs that stand, and the change of the variable for each unit of time.
  * @typedef {{parameters: Record<string, number>, standing: Record<string, number>, speed: number}} Design
  * @typedef {Record<string, any>} Pose
  * @typedef {{ok: true, pose: Pose} | {ok: false, check: string, block: string, margin: number}} Solved
@@ -22,8 +23,14 @@ export function reasonToRefuse(report) {
   if (report.format > FORMAT) {
     return `The report has format ${report.format}; this page reads formats up to ${FORMAT}. Write the page again with the kin that wrote the report.`;
   }
+  if (report.format < FORMAT) {
+    return `The report has format ${report.format}; this page reads format ${FORMAT}. Make the report again.`;
+  }
   return "";
 }
+
+/** The time as a quantity. */
+const TIME = { name: "time", declared: "time", text: "time", documentation: "", dimension: "time" };
 
 /**
  * @param {any} report
@@ -32,10 +39,14 @@ export function reasonToRefuse(report) {
 export function createModel(report, solver) {
   // the solver's own names are used throughout; the declared ones are for the reader
   const named = (quantity) => ({ ...quantity, name: quantity.key ?? quantity.name, declared: quantity.name, text: quantity.text || quantity.name });
-  const inputs = report.inputs.map(named);
-  const moving = inputs[report.moving] ?? inputs[0];
+  const drive = driveOf(report);
+  const inputs = report.inputs.map((input, index) => ({ ...named(input), index, moves: typeof input.value !== "number" }));
+  const moving = inputs.filter(({ moves }) => moves);
   const unknowns = report.unknowns.map(named);
-  const quantities = [...unknowns, ...report.outputs.map(named)].map((quantity, index) => ({
+  // over time the inputs are plotted as well
+  const plotted = drive.overTime ? moving.map((input) => ({ ...input, isInput: true })) : [];
+  const quantities = [...unknowns, ...report.outputs.map(named), ...plotted].map((quantity, index) => ({
+    isInput: false,
     ...quantity,
     colour: index % 6,
     dashed: index >= 6,
@@ -44,11 +55,15 @@ export function createModel(report, solver) {
     report,
     solver,
     inputs,
+    /** The inputs that move. */
     moving,
+    drive,
+    /** What the range is of. */
+    variable: drive.overTime ? TIME : (inputs[report.moving] ?? inputs[0]),
     parameters: report.parameters.map(named),
     unknowns,
     quantities,
-    frames: solver ? null : framesOf(report, quantities),
+    frames: solver ? null : framesOf(report, drive, quantities),
     outline: report.outline ?? solver?.OUTLINE ?? { ground: [], bodies: [], slides: [], points: [] },
     from: report.range[0],
     to: report.range[1],
@@ -62,10 +77,11 @@ export function createModel(report, solver) {
 }
 
 /** The poses of a mechanism without a solver, in the shape in which a solver gives them. */
-function framesOf({ frames }, quantities) {
+function framesOf({ frames, order, speed }, drive, quantities) {
   return (frames ?? []).map(({ input, values, joints, slides }) => {
-    const entries = quantities.map(({ name }, index) => [name, values[index]]);
-    return { x: input, pose: values.length > 0 ? { ...Object.fromEntries(entries), joints, slides } : null };
+    const piece = pieceAt(drive, input);
+    const entries = quantities.map(({ name, isInput, index: own }, index) => [name, isInput ? motionOf(drive, own, input, piece, speed, order) : values[index]]);
+    return { x: input, piece, pose: values.length > 0 ? { ...Object.fromEntries(entries), joints, slides } : null };
   });
 }
 
@@ -79,7 +95,7 @@ function framesOf({ frames }, quantities) {
 export function givenDesign(model) {
   return {
     parameters: Object.fromEntries(model.parameters.map(({ name, value }) => [name, value])),
-    standing: Object.fromEntries(model.inputs.map(({ name, value }) => [name, value ?? 0])),
+    standing: Object.fromEntries(model.inputs.filter(({ moves }) => !moves).map(({ name, value }) => [name, value])),
     speed: model.report.speed || 1,
   };
 }
@@ -94,27 +110,29 @@ export function sameDesign(one, other) {
 }
 
 /**
- * The pose where the moving input has a value.
+ * The pose at a value of the variable.
  * @param {Model} model
  * @param {Design} design
- * @param {number} input
+ * @param {number} x
  * @param {any} argument the assembly, or values nearby
+ * @param {number} piece the piece of the drive
  * @returns {Solved}
  */
-export function solveAt(model, design, input, argument) {
+export function solveAt(model, design, x, argument, piece = pieceAt(model.drive, x)) {
+  const orders = Math.max(4, model.report.order ?? 4);
   const inputs = {};
-  for (const { name, speed = 0 } of model.inputs) {
-    const time = (input - model.from) / design.speed;
-    inputs[name] =
-      name === model.moving.name
-        ? [input, design.speed, 0, 0, 0]
-        : [design.standing[name] + (speed ? speed * time : 0), speed || 0, 0, 0, 0];
+  for (const { name, index, moves } of model.inputs) {
+    inputs[name] = moves ? motionOf(model.drive, index, x, piece, design.speed, orders) : [design.standing[name], ...Array(orders).fill(0)];
   }
-  return model.solver.solve(design.parameters, inputs, argument);
+  const solved = model.solver.solve(design.parameters, inputs, argument);
+  if (solved.ok) {
+    model.quantities.filter(({ isInput }) => isInput).forEach(({ name }) => (solved.pose[name] = inputs[name]));
+  }
+  return solved;
 }
 
 /**
- * The unknowns of a pose as values nearby, moved on by a change of the input.
+ * The unknowns of a pose as values nearby, moved on by a change of the variable.
  * @param {Model} model
  * @param {Design} design
  * @param {Pose} pose

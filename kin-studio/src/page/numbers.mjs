@@ -64,7 +64,8 @@ function raised(power) {
  * @param {boolean} degrees
  */
 export function unitText(dimension, order, units, degrees) {
-  const base = dimension === "angle" ? (degrees ? "°" : "rad") : dimension === "length" ? units.length : "";
+  const bases = { angle: degrees ? "°" : "rad", length: units.length, time: units.time };
+  const base = bases[dimension] ?? "";
   if (order === 0) {
     return base;
   }

@@ -1,14 +1,18 @@
 /** What stands below the fold: peaks, sensitivities, equations, how it was solved, the declaration. */
+import { motionOf } from "./drive.mjs";
 import { drawn, made } from "./elements.mjs";
 import { formulaOf } from "./formulas.mjs";
 import { inputText } from "./marks.mjs";
 import { numberText, ORDERS, unitFactor, unitText, withUnit } from "./numbers.mjs";
 import { quotedCell } from "./saving.mjs";
 
+/** The part of the larger extreme below which the smaller one is but rounding. */
+const ROUNDING = 1e-14;
+
 /**
  * @param {HTMLElement} place
  * @param {import("./model.mjs").Model} model
- * @param {(x: number) => void} go moves the mechanism to an input
+ * @param {(x: number) => void} go moves the mechanism to a place of the range
  */
 export function createPaper(place, model, go) {
   const { report } = model;
@@ -51,7 +55,7 @@ export function createPaper(place, model, go) {
       const reasons = new Set((report.unanswered ?? []).map(({ text }) => text));
       note.textContent = reasons.size > 0 ? `${source} Not found: ${[...reasons].join("; ")}.` : source;
       const unit = (quantity, order) => unitText(quantity.dimension, order, model.units, degrees);
-      const inputUnit = unitText(model.moving.dimension, 0, model.units, degrees);
+      const inputUnit = unitText(model.variable.dimension, 0, model.units, degrees);
       cells = [["quantity", "derivative", "unit", "highest", `at [${inputUnit}]`, "lowest", `at [${inputUnit}]`, "rms"]];
       body.replaceChildren();
       for (const { quantity: name, order, highest, lowest, rms } of peaks) {
@@ -60,18 +64,21 @@ export function createPaper(place, model, go) {
           continue;
         }
         const factor = unitFactor(quantity.dimension, degrees);
-        const inputFactor = unitFactor(model.moving.dimension, degrees);
+        const inputFactor = unitFactor(model.variable.dimension, degrees);
+        const size = Math.max(Math.abs(highest?.value ?? 0), Math.abs(lowest?.value ?? 0));
         const value = (peak) => {
           if (!peak) {
             return "–";
           }
-          return peak.value === null ? "unbounded" : withUnit(numberText(peak.value * factor, 6), unit(quantity, order));
+          // beside the other extreme, what is left of a zero by rounding is zero
+          const own = Math.abs(peak.value) > ROUNDING * size ? peak.value : 0;
+          return peak.value === null ? "unbounded" : withUnit(numberText(own * factor, 6), unit(quantity, order));
         };
         const at = (peak) => {
           if (!peak) {
             return "";
           }
-          const button = made("button", { type: "button", "aria-label": `Go to ${model.moving.text} = ${inputText(model, peak.at, degrees)}` }, inputText(model, peak.at, degrees));
+          const button = made("button", { type: "button", "aria-label": `Go to ${model.variable.text} = ${inputText(model, peak.at, degrees)}` }, inputText(model, peak.at, degrees));
           button.dataset.at = String(peak.at);
           button.addEventListener("click", () => go(peak.at));
           return button;
@@ -204,11 +211,20 @@ function howSolved(add, model) {
   }
 }
 
+/** What dragging does: an input alone is free, and several keep to their common motion. */
+function dragText(model) {
+  const stops = "it stops at limits";
+  if (model.drive.overTime) {
+    return `goes to the time at which the laws lead it nearest; the inputs keep to their laws, and ${stops}`;
+  }
+  return model.moving.length > 1 ? `moves all inputs along their line to the nearest pose; ${stops}` : `moves the mechanism to the nearest pose; ${stops}`;
+}
+
 /** What hands can do. */
 function manual(add, model) {
   const list = made("dl");
   for (const [deed, effect] of [
-    ["Drag a link", "moves the mechanism to the nearest pose; it stops at limits"],
+    ["Drag a link", dragText(model)],
     ["Double click on a link", "draws the path of that point"],
     [model.space ? "Drag beside the links" : "Drag the empty plane", model.space ? "turns the view; with Shift it shifts the view" : "shifts the view"],
     ["Click into a picture, then the wheel", "enlarges it; with Ctrl at once"],
@@ -226,16 +242,36 @@ function declaration(add, model) {
   const { report } = model;
   const list = made("dl");
   const entry = (name, text) => text && list.append(made("dt", {}, name), made("dd", {}, text));
-  const { parameters, inputs } = report;
+  const { parameters } = report;
   const unit = (dimension, order) => unitText(dimension, order, model.units, false);
   entry("Mechanism", report.name);
   entry("Dimensions", parameters.map(({ name, value, dimension }) => withUnit(`${name} = ${value}`, unit(dimension, 0))).join(", "));
-  entry("Moving input", `${model.moving.declared} from ${withUnit(String(model.from), unit(model.moving.dimension, 0))} to ${withUnit(String(model.to), unit(model.moving.dimension, 0))} at ${withUnit(String(report.speed), unit(model.moving.dimension, 1))}`);
-  const others = inputs.filter(({ name }) => name !== model.moving.declared);
+  entry(model.moving.length > 1 ? "Moving inputs" : "Moving input", motionText(model, unit));
+  const others = model.inputs.filter(({ moves }) => !moves).map(({ declared: name, value, dimension }) => ({ name, value, dimension }));
   entry("Other inputs", others.map(({ name, value, dimension }) => withUnit(`${name} = ${value}`, unit(dimension, 0))).join(", "));
   entry("Assembly", report.assemblies?.[report.assembly]?.name);
   entry("Written by", `kin ${report.kin}`);
   entry("Hash", report.hash);
   const source = report.declaration ? [made("pre", { tabIndex: 0 }, report.declaration)] : [];
   add("Declaration", ...source, made("h3", {}, "This report"), list);
+}
+
+/** How the inputs move, with all digits. */
+function motionText(model, unit) {
+  const { drive, variable } = model;
+  const range = (from, to, dimension) => `from ${withUnit(String(from), unit(dimension, 0))} to ${withUnit(String(to), unit(dimension, 0))}`;
+  if (model.moving.length === 0) {
+    return "none";
+  }
+  if (drive.overTime) {
+    const names = model.moving.map(({ declared }) => declared).join(", ");
+    return `${names} under ${model.moving.length > 1 ? "laws" : "a law"}, ${range(model.from, model.to, "time")}`;
+  }
+  const last = drive.pieces.length - 1;
+  const value = (index, x, piece) => motionOf(drive, index, x, piece, 1, 0)[0];
+  const ways = model.moving.map(({ declared, index, dimension, name }) => {
+    const ends = name === variable.name ? [model.from, model.to] : [value(index, model.from, 0), value(index, model.to, last)];
+    return `${declared} ${range(ends[0], ends[1], dimension)}`;
+  });
+  return `${ways.join(", ")}, ${model.moving.length > 1 ? `${variable.declared} ` : ""}at ${withUnit(String(model.report.speed), unit(variable.dimension, 1))}`;
 }

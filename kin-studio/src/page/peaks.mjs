@@ -1,8 +1,11 @@
-/** The highest and lowest values of each quantity, and root mean squares: the report's exact ones, or the page's own. */
+/** The highest and lowest values of each quantity, and root mean squares: the report's exact ones, or the page's own. No value: no bound. */
 import { innerRows, rowAt } from "./sweep.mjs";
 
+/** A jump below this part of a derivative's size is rounding. */
+const JUMP = 1e-9;
+
 /**
- * @typedef {{quantity: string, order: number, highest: {value: number, at: number} | null, lowest: {value: number, at: number} | null, rms: number | null}} Peak
+ * @typedef {{quantity: string, order: number, highest: {value: number | null, at: number} | null, lowest: {value: number | null, at: number} | null, rms: number | null}} Peak
  */
 
 /**
@@ -50,10 +53,31 @@ export function ownPeaks(model, design, sweep, assembly) {
         });
         return place < 0 ? null : narrowed(model, design, sweep, assembly, rows, place, value, sign);
       };
-      peaks.push({ quantity: name, order, highest: best(1), lowest: best(-1), rms: meanOf(rows, value) });
+      const [up, down] = impulsesOf(model, rows, name, order);
+      const unbounded = (at) => (at === null ? null : { value: null, at });
+      const rms = up === null && down === null ? meanOf(rows, value) : null;
+      peaks.push({ quantity: name, order, highest: unbounded(up) ?? best(1), lowest: unbounded(down) ?? best(-1), rms });
     }
   });
   return peaks;
+}
+
+/**
+ * The first joints of laws at which a derivative has no bound upwards and downwards, or null: one below it jumps there. As in kin's extremes,
+ * the one above a jump has its direction, and those above that have both.
+ */
+function impulsesOf(model, rows, name, order) {
+  const found = [null, null];
+  for (const joint of model.drive.joints) {
+    const [left, right] = [joint.piece - 1, joint.piece].map((piece) => rows.find((row) => row.x === joint.at && row.piece === piece)?.pose[name]);
+    const jumping = left && right ? left.findIndex((value, below) => below >= joint.order && Math.abs(right[below] - value) > JUMP * Math.max(Math.abs(value), Math.abs(right[below]))) : -1;
+    if (jumping >= 0 && jumping < order) {
+      const rises = right[jumping] > left[jumping] === model.report.speed > 0;
+      found[0] ??= rises || order > jumping + 1 ? joint.at : null;
+      found[1] ??= !rises || order > jumping + 1 ? joint.at : null;
+    }
+  }
+  return found;
 }
 
 function narrowed(model, design, sweep, assembly, rows, place, value, sign) {

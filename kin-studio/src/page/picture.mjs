@@ -27,6 +27,7 @@ const LAYERS = ["grid", "trails", "ghosts", "reference", "ground", "bodies", "sl
  * @property {{from: number[], by: number[], order: number}[]} arrows by, in pixels
  * @property {{centre: number[], radius: number, at: number[]}[]} circles
  * @property {{at: number[], name: string}[]} centres
+ * @property {number[]} senses for each body the sense in which its input turns it: 1, -1, or 0 if none does or it stands
  * @property {boolean} moves whether names should keep their places
  */
 
@@ -345,11 +346,11 @@ function marks(layer, model, scene, joints, room) {
     const own = model.outline.bodies[body].joints;
     const centre = own.find((joint) => scene.anatomy.fixed[joint]);
     const arm = own.find((joint) => joint !== centre);
-    if (!driven || model.space || centre === undefined || arm === undefined) {
+    const sign = scene.senses[body];
+    if (!driven || sign === 0 || model.space || centre === undefined || arm === undefined) {
       return;
     }
     const from = -Math.atan2(joints[arm][1] - joints[centre][1], joints[arm][0] - joints[centre][0]);
-    const sign = scene.forward < 0 ? -1 : 1;
     const arc = [...Array(17).keys()].map((step) => {
       const angle = from + sign * (0.4 + (1.4 * step) / 16);
       return [joints[centre][0] + 19 * Math.cos(angle), joints[centre][1] - 19 * Math.sin(angle)];

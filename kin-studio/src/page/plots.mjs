@@ -1,8 +1,9 @@
 /** Position through snap over one common axis, with one cursor. */
+import { isBroken } from "./drive.mjs";
 import { change, drawn, line, tell, tenth } from "./elements.mjs";
 import { inputText } from "./marks.mjs";
 import { numberText, ORDERS, steadyText, ticks, unitFactor, unitText, withUnit } from "./numbers.mjs";
-import { innerRows, isAtLimit, spanAt } from "./sweep.mjs";
+import { innerRows, isAtLimit, rowBefore, spanAt } from "./sweep.mjs";
 
 const LEFT = 58;
 const RIGHT = 16;
@@ -78,9 +79,9 @@ export function createPlots(svg, model) {
     for (const x of axisPlaces()) {
       drawn("path", { d: `M${tenth(across(x))} ${upper}V${tenth(lower)}`, class: "grid-line" }, still);
     }
-    for (const { x } of now.marks) {
+    for (const { x, kind } of now.marks) {
       if (x >= now.zoom[0] && x <= now.zoom[1]) {
-        drawn("path", { d: `M${tenth(across(x))} ${upper}V${tenth(lower)}`, class: "limit-line" }, still);
+        drawn("path", { d: `M${tenth(across(x))} ${upper}V${tenth(lower)}`, class: kind === "Joint" ? "joint-line" : "limit-line" }, still);
       }
     }
     const curves = drawn("g", { "clip-path": `url(#${clip})` }, still);
@@ -90,7 +91,8 @@ export function createPlots(svg, model) {
       curvesOf(now.reference, order, held, curves, " reference");
     }
     curvesOf(now.sweep, order, held, curves, "");
-    const dots = now.shown.map((index) => drawn("circle", { r: 3.2, class: `plot-dot c${model.quantities[index].colour}` }, moving));
+    const dot = (index) => drawn("circle", { r: 3.2, class: `plot-dot c${model.quantities[index].colour}` }, moving);
+    const [dots, dotsBefore] = [now.shown.map(dot), now.shown.map(dot)];
     const wide = now.shown.reduce((sum, index) => sum + DIGIT * (model.quantities[index].text.length + 9) + 14, 0);
     const named = wide < now.width - LEFT - RIGHT - 120;
     const own = now.shown.slice(0, named ? 99 : Math.max(1, Math.floor((now.width - LEFT - RIGHT - 118) / (DIGIT * 8))));
@@ -101,15 +103,22 @@ export function createPlots(svg, model) {
       return { element: drawn("tspan", { dx: 3 }, values), name: named ? `${model.quantities[index].text} ` : "" };
     });
     const scales = now.shown.map((index) => now.sweep.scales[index][order] * unitFactor(model.quantities[index].dimension, now.degrees));
-    return { upper, lower, down: held, dots, texts, scales, visible: (y) => y >= upper - 3 && y <= lower + 3 };
+    return { upper, lower, down: held, dots, dotsBefore, texts, scales, visible: (y) => y >= upper - 3 && y <= lower + 3 };
   }
 
   function curvesOf(sweep, order, down, parent, style) {
     for (const index of now.shown) {
       const { colour, dashed } = model.quantities[index];
       for (const span of sweep.spans) {
-        const points = span.rows.map((row) => [across(row.x), down(valueOf(row, index, order))]);
-        drawn("path", { d: line(points), class: `curve c${colour}${dashed ? " dashed" : ""}${style}` }, parent);
+        // where a derivative jumps, the curve has a gap
+        const pieces = [[]];
+        span.rows.forEach((row, place) => {
+          if (place > 0 && isBroken(model.drive, span.rows[place - 1], row, order)) {
+            pieces.push([]);
+          }
+          pieces[pieces.length - 1].push([across(row.x), down(valueOf(row, index, order))]);
+        });
+        drawn("path", { d: pieces.map((points) => line(points)).join(""), class: `curve c${colour}${dashed ? " dashed" : ""}${style}` }, parent);
       }
     }
   }
@@ -144,7 +153,7 @@ export function createPlots(svg, model) {
       const [from, to] = now.zoom.map((x) => (x - model.from) / now.speed);
       return ticks(Math.min(from, to), Math.max(from, to), count).map((time) => model.from + time * now.speed);
     }
-    const factor = unitFactor(model.moving.dimension, now.degrees);
+    const factor = unitFactor(model.variable.dimension, now.degrees);
     return ticks(now.zoom[0] * factor, now.zoom[1] * factor, count, factor !== 1).map((x) => x / factor);
   }
 
@@ -153,12 +162,12 @@ export function createPlots(svg, model) {
     for (const x of axisPlaces()) {
       const at = across(x);
       const text = drawn("text", { x: tenth(at), y: y + 14, class: "quiet middle" }, still);
-      const time = numberText((x - model.from) / now.speed, 4);
-      text.textContent = now.time ? time : inputText(model, x, now.degrees, 4);
+      const own = model.drive.overTime ? numberText(x, 4) : inputText(model, x, now.degrees, 4);
+      text.textContent = now.time ? numberText((x - model.from) / now.speed, 4) : own;
       drawn("path", { d: `M${tenth(at)} ${y}v4`, class: "axis-line" }, still);
     }
     const label = drawn("text", { x: now.width - RIGHT, y: y + 29, class: "quiet end" }, still);
-    label.textContent = now.time ? withUnit("time,", model.units.time) : model.moving.text;
+    label.textContent = now.time || model.drive.overTime ? withUnit("time,", model.units.time) : model.variable.text;
   }
 
   /** The cursor and the values at it. @param {import("./sweep.mjs").Row} row */
@@ -170,13 +179,22 @@ export function createPlots(svg, model) {
     const inside = x >= LEFT - 0.5 && x <= now.width - RIGHT + 0.5;
     change(rows.cursor, { d: rows.map(({ upper, lower }) => `M${tenth(x)} ${tenth(upper)}V${tenth(lower)}`).join(""), display: inside ? "inline" : "none" });
     const ends = isAtLimit(now.sweep, row.x);
-    rows.forEach(({ down, dots, texts, scales, visible }, order) => {
+    // at a joint there is a value before it and one behind it
+    const before = rowBefore(model, now.sweep, row);
+    rows.forEach(({ down, dots, dotsBefore, texts, scales, visible }, order) => {
+      const jumps = before !== null && isBroken(model.drive, before, row, order);
       now.shown.forEach((index, place) => {
-        const value = valueOf(row, index, order);
-        const y = down(value);
-        change(dots[place], { cx: tenth(x), cy: tenth(y), display: inside && visible(y) ? "inline" : "none" });
+        const put = (element, own, shown) => {
+          const y = down(valueOf(own, index, order));
+          change(element, { cx: tenth(x), cy: tenth(y), display: shown && inside && visible(y) ? "inline" : "none" });
+        };
+        put(dots[place], row, true);
+        put(dotsBefore[place], before ?? row, jumps);
         if (texts[place]) {
-          tell(texts[place].element, `${texts[place].name}${ends && Math.abs(value) > 1e3 * scales[place] ? "unbounded" : steadyText(value, scales[place])}`);
+          const value = valueOf(row, index, order);
+          const text = (number) => (ends && Math.abs(number) > 1e3 * scales[place] ? "unbounded" : steadyText(number, scales[place]));
+          const both = jumps && 2 * texts.length * DIGIT * 11 < now.width - LEFT - RIGHT;
+          tell(texts[place].element, `${texts[place].name}${both ? `${text(valueOf(before, index, order))} → ` : ""}${text(value)}`);
         }
       });
     });

@@ -3,6 +3,8 @@ import { solveAt, valuesNear } from "./model.mjs";
 
 /** The distance of the poses from which the rates of joints come, in parts of the range. */
 const STEP = 1 / 400;
+/** The most of it in parts of a piece of the drive. */
+const OF_PIECE = 1 / 16;
 /** Central differences of seven places: the first, second and third derivative, whose errors go with the sixth and fourth power. */
 const WEIGHTS = [
   [-1 / 60, 3 / 20, -3 / 4, 0, 3 / 4, -3 / 20, 1 / 60],
@@ -19,11 +21,13 @@ const WEIGHTS = [
  * @returns {number[][][] | null}
  */
 export function ratesOfJoints(model, design, assembly, row) {
-  const step = (model.to - model.from) * STEP;
+  // the series of the row's own piece goes on beyond its ends, so that no joint comes between; from a short piece, not far
+  const { from, to } = model.drive.pieces[row.piece];
+  const step = Math.min((model.to - model.from) * STEP, (to - from) * OF_PIECE);
   const poses = [];
   for (let place = -3; place <= 3; place += 1) {
     const argument = model.coupled ? valuesNear(model, design, row.pose, place * step) : assembly.argument;
-    const found = place === 0 ? { ok: true, pose: row.pose } : solveAt(model, design, row.x + place * step, argument);
+    const found = place === 0 ? { ok: true, pose: row.pose } : solveAt(model, design, row.x + place * step, argument, row.piece);
     if (!found.ok) {
       return null;
     }

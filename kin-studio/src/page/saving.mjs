@@ -1,4 +1,5 @@
 /** What can be taken away: tables as CSV, the picture as SVG and PNG, the report and the design as JSON. */
+import { motionOf } from "./drive.mjs";
 import { made } from "./elements.mjs";
 import { ORDERS, unitFactor, unitText } from "./numbers.mjs";
 import { allRows } from "./sweep.mjs";
@@ -20,14 +21,19 @@ export function sweepTable(model, sweep, degrees, speed) {
   };
   const orders = [...Array(model.orders + 1).keys()];
   const columns = model.quantities.flatMap((quantity, index) => orders.map((order) => ({ quantity, index, order })));
+  const { variable, drive } = model;
+  // over time the inputs are among the quantities, with their rates
+  const others = drive.overTime ? [] : model.moving.filter(({ name }) => name !== variable.name);
   const head = [
-    heading(model.moving.declared, model.moving.dimension, 0),
-    quotedCell(`time [${model.units.time}]`),
+    heading(variable.declared, variable.dimension, 0),
+    ...others.map(({ declared, dimension }) => heading(declared, dimension, 0)),
+    ...(drive.overTime ? [] : [quotedCell(`time [${model.units.time}]`)]),
     ...columns.map(({ quantity, order }) => heading(quantity.declared, quantity.dimension, order)),
   ];
   const rows = allRows(sweep).map((row) => [
-    row.x * unitFactor(model.moving.dimension, degrees),
-    (row.x - model.from) / speed,
+    row.x * unitFactor(variable.dimension, degrees),
+    ...others.map(({ index, dimension }) => motionOf(drive, index, row.x, row.piece, 1, 0)[0] * unitFactor(dimension, degrees)),
+    ...(drive.overTime ? [] : [(row.x - model.from) / speed]),
     ...columns.map(({ quantity, index, order }) => {
       const value = row.pose[quantity.name][order] + (order === 0 ? row.shifts[index] : 0);
       return value * unitFactor(quantity.dimension, degrees);

@@ -1,9 +1,11 @@
-/** The range of the input: where it closes, limits, dead points, poor transmission, and what is out of reach. */
+/** The range of the variable: where it closes, limits, dead points, poor transmission, and what is out of reach. */
 import { change, drawn, line, tell, tenth } from "./elements.mjs";
 import { inputText, kindText } from "./marks.mjs";
 import { ticks, unitFactor } from "./numbers.mjs";
 import { shortfallOf } from "./reasons.mjs";
 
+/** The classes of marks that are no limits. */
+const MARK_CLASSES = { ChangePoint: "change-mark", Joint: "joint-mark" };
 const SIDE = 22;
 const TRACK = 40;
 const THICK = 12;
@@ -50,7 +52,7 @@ export function createScrubber(svg, model) {
         const band = { x: across(from), width: Math.max(1, across(to) - across(from)), y: TRACK - THICK / 2, height: THICK, class: "poor" };
         drawn("title", {}, drawn("rect", band, still)).textContent = "transmission angle below 40°";
       }
-      const factor = unitFactor(model.moving.dimension, degrees);
+      const factor = unitFactor(model.variable.dimension, degrees);
       for (const place of ticks(model.from * factor, model.to * factor, (width - 2 * SIDE) / 90, factor !== 1)) {
         const x = across(place / factor);
         drawn("path", { d: `M${tenth(x)} ${TRACK + 8}v4`, class: "axis-line" }, still);
@@ -61,10 +63,10 @@ export function createScrubber(svg, model) {
     /** @param {number} x @param {string} text the pose in words, short */
     point(x, text) {
       change(handle, { transform: `translate(${tenth(across(x))} 0)` });
-      const factor = unitFactor(model.moving.dimension, true);
+      const factor = unitFactor(model.variable.dimension, true);
       change(svg, { "aria-valuenow": Math.round(x * factor * 1000) / 1000, "aria-valuetext": text });
     },
-    /** The input at a place of the picture. @param {number} x */
+    /** The variable at a place of the picture. @param {number} x */
     inputAt: (x) => model.from + Math.min(1, Math.max(0, (x - SIDE) / (width - 2 * SIDE))) * (model.to - model.from),
   };
 
@@ -72,9 +74,9 @@ export function createScrubber(svg, model) {
     let last = -Infinity;
     for (const mark of marks) {
       const x = across(mark.x);
-      const tick = drawn("path", { d: `M${tenth(x)} ${TRACK - 12}V${TRACK + 10}`, class: mark.kind === "ChangePoint" ? "change-mark" : "limit-mark" }, parent);
-      const text = `${kindText(mark.kind)} ${inputText(model, mark.x, degrees)}`;
-      drawn("title", {}, tick).textContent = `${text}${mark.text ? `: ${mark.text}` : ""}${mark.own ? " (found by the page)" : ""}`;
+      const tick = drawn("path", { d: `M${tenth(x)} ${TRACK - 12}V${TRACK + 10}`, class: MARK_CLASSES[mark.kind] ?? "limit-mark" }, parent);
+      const text = `${kindText(mark)} ${inputText(model, mark.x, degrees)}`;
+      drawn("title", {}, tick).textContent = mark.kind === "Joint" ? `${text}, where two pieces of a law meet` : `${text}${mark.text ? `: ${mark.text}` : ""}${mark.own ? " (found by the page)" : ""}`;
       const half = 3.4 * text.length;
       const at = Math.min(width - half - 2, Math.max(half + 2, x));
       if (at - half > last + 8) {

@@ -1,9 +1,12 @@
 /** The whole turn of a design in one assembly: its poses, where it closes, and where it does not. */
+import { pieceAt, placesOf } from "./drive.mjs";
 import { movedOn, solveAt, valuesNear } from "./model.mjs";
 
 /** Parts of the range. */
 const PARTS = 360;
-/** How far a limit is bisected, in units of the input. */
+/** The parts of a piece of the drive. */
+const ROWS_OF_PIECE = 8;
+/** How far a limit is bisected, in units of the variable. */
 const BISECTED = 1e-9;
 /** The part of its size by which a joint may move from row to row; rows are put between where it moves further. */
 const APART = 0.03;
@@ -13,7 +16,7 @@ const SMALLEST = 2 ** -22;
 const ASTRAY = 1e-3;
 
 /**
- * @typedef {{x: number, pose: any, shifts: number[]}} Row
+ * @typedef {{x: number, piece: number, pose: any, shifts: number[]}} Row
  * @typedef {{x: number, kind: string, text: string, own: boolean}} Mark
  * @typedef {{from: number, to: number, rows: Row[]}} Span
  * @typedef {{from: number, to: number, check: string, block: string, margin: number, at: number, lost: boolean}} Gap
@@ -41,7 +44,7 @@ export function sweepDesign(model, design, assembly) {
 function standing(model) {
   const [spans, gaps] = [[], []];
   let before = null;
-  for (const { x, pose } of model.frames) {
+  for (const { x, piece, pose } of model.frames) {
     const closes = pose !== null;
     if (before === null || before.closes !== closes) {
       const from = before?.x ?? x;
@@ -49,7 +52,7 @@ function standing(model) {
     }
     const last = closes ? spans[spans.length - 1] : gaps[gaps.length - 1];
     last.to = x;
-    last.rows?.push({ x, pose, shifts: [] });
+    last.rows?.push({ x, piece, pose, shifts: [] });
     before = { x, closes };
   }
   return { spans, gaps };
@@ -57,16 +60,14 @@ function standing(model) {
 
 /** Looks at every part of the range for itself, and bisects where the check changes its sign. */
 function lookAround(model, design, argument) {
-  const solved = (x) => solveAt(model, design, x, argument);
+  const solved = (x, piece = pieceAt(model.drive, x)) => ({ ...solveAt(model, design, x, argument, piece), piece });
   const spans = [];
   const gaps = [];
-  const width = model.to - model.from;
   let span = null;
   let gap = null;
   let before = null;
-  for (let index = 0; index <= PARTS; index += 1) {
-    const x = model.from + (width * index) / PARTS;
-    const found = solved(x);
+  for (const { x, piece } of placesOf(model.drive, model.from, model.to, PARTS, ROWS_OF_PIECE)) {
+    const found = solved(x, piece);
     if (before !== null && found.ok !== before.found.ok) {
       const edge = bisect(solved, before, { x, found });
       const inner = graded(solved, edge, found.ok ? x : before.x);
@@ -86,7 +87,7 @@ function lookAround(model, design, argument) {
       (found.ok ? spans : gaps).push(span ?? gap);
     }
     if (found.ok) {
-      span.rows.push({ x, pose: found.pose, shifts: [] });
+      span.rows.push(rowOf(x, found));
       span.to = x;
     } else {
       worsen(gap, x, found);
@@ -119,12 +120,16 @@ function fine(model, solved, rows) {
       const x = before.x + ((row.x - before.x) * part) / parts;
       const found = solved(x);
       if (found.ok) {
-        all.push({ x, pose: found.pose, shifts: [] });
+        all.push(rowOf(x, found));
       }
     }
     all.push(row);
   }
   return all;
+}
+
+function rowOf(x, { pose, piece }) {
+  return { x, piece, pose, shifts: [] };
 }
 
 function newGap(x, { check, block, margin }) {
@@ -149,7 +154,7 @@ function bisect(solved, one, other) {
       outside = { x, found };
     }
   }
-  return { x: inside.x, pose: inside.found.pose, shifts: [] };
+  return rowOf(inside.x, inside.found);
 }
 
 /** Rows between a limit and a place inside, denser towards the limit, where the motion goes like a square root. */
@@ -159,7 +164,7 @@ function graded(solved, edge, inside) {
     const x = edge.x + (inside - edge.x) * (part / 8) ** 2;
     const found = solved(x);
     if (found.ok) {
-      rows.push({ x, pose: found.pose, shifts: [] });
+      rows.push(rowOf(x, found));
     }
   }
   return rows;
@@ -172,7 +177,7 @@ function goOn(model, design, assembly) {
   if (!first.ok) {
     return { spans: [], gaps: [{ ...newGap(model.from, first), to: model.to, at: start }] };
   }
-  const row = { x: start, pose: first.pose, shifts: [] };
+  const row = { x: start, piece: pieceAt(model.drive, start), pose: first.pose, shifts: [] };
   const back = walk(model, design, row, model.from);
   const on = walk(model, design, row, model.to);
   const rows = [...back.rows.reverse(), row, ...on.rows];
@@ -184,26 +189,28 @@ function walk(model, design, start, end) {
   const size = sizeOf(model, start.pose);
   const rows = [];
   const whole = (model.to - model.from) / PARTS;
-  const sign = Math.sign(end - start.x);
+  const sign = end >= start.x ? 1 : -1;
+  const isAhead = ({ x, piece }) => sign * (x - start.x) > 1e-12 || (x === start.x && sign * (piece - start.piece) > 0);
+  const ahead = placesOf(model.drive, model.from, model.to, PARTS, ROWS_OF_PIECE).filter(isAhead);
   let last = start;
   let step = whole;
-  while (sign * (end - last.x) > 1e-12) {
-    // the grid of the whole range, so that rows stand at round places
-    const index = (last.x - model.from) / whole;
-    const grid = model.from + whole * (sign > 0 ? Math.floor(index + 1 + 1e-9) : Math.ceil(index - 1 - 1e-9));
-    const aim = sign * (end - grid) < 1e-12 ? end : grid;
-    const x = step < whole && Math.abs(aim - last.x) > step ? last.x + sign * step : aim;
-    const found = solveAt(model, design, x, valuesNear(model, design, last.pose, x - last.x));
-    if (found.ok && isNextTo(model, design, last, { x, pose: found.pose }, size)) {
-      last = { x, pose: found.pose, shifts: [] };
-      rows.push(last);
-      step = Math.min(whole, 2 * step);
-    } else if (step > whole * SMALLEST) {
-      step *= 0.5;
-    } else {
-      const reason = found.ok ? { check: "", block: "", margin: 0 } : found;
-      const [from, to] = sign > 0 ? [last.x, end] : [end, last.x];
-      return { rows, gap: { ...newGap(last.x, reason), from, to, at: x, lost: true } };
+  for (const aim of sign > 0 ? ahead : ahead.reverse()) {
+    while (last.x !== aim.x || last.piece !== aim.piece) {
+      const isShort = step < whole && Math.abs(aim.x - last.x) > step;
+      const x = isShort ? last.x + sign * step : aim.x;
+      const piece = isShort ? pieceAt(model.drive, x) : aim.piece;
+      const found = solveAt(model, design, x, valuesNear(model, design, last.pose, x - last.x), piece);
+      if (found.ok && isNextTo(model, design, last, { x, pose: found.pose }, size)) {
+        last = { x, piece, pose: found.pose, shifts: [] };
+        rows.push(last);
+        step = Math.min(whole, 2 * step);
+      } else if (step > whole * SMALLEST) {
+        step *= 0.5;
+      } else {
+        const reason = found.ok ? { check: "", block: "", margin: 0 } : found;
+        const [from, to] = sign > 0 ? [last.x, end] : [end, last.x];
+        return { rows, gap: { ...newGap(last.x, reason), from, to, at: x, lost: true } };
+      }
     }
   }
   return { rows, gap: null };
@@ -312,7 +319,7 @@ function scaleOf(sweep, name, order) {
 }
 
 /**
- * All rows in the order of the input.
+ * All rows in the order of the variable.
  * @param {Sweep} sweep
  * @returns {Row[]}
  */
@@ -338,7 +345,7 @@ export function innerRows(sweep) {
 }
 
 /**
- * The stretch on which an input lies.
+ * The stretch on which a place lies.
  * @param {Sweep} sweep
  * @param {number} x
  */
@@ -347,7 +354,7 @@ export function spanAt(sweep, x) {
 }
 
 /**
- * The row nearest to an input, within its stretch.
+ * The row nearest to a place, within its stretch.
  * @param {Sweep} sweep
  * @param {number} x
  * @returns {Row | null}
@@ -371,7 +378,19 @@ export function rowNear(sweep, x) {
 }
 
 /**
- * The pose at an input, with the turns of its angles.
+ * At a joint of laws, the row before it, at the same place; otherwise null.
+ * @param {import("./model.mjs").Model} model
+ * @param {Sweep} sweep
+ * @param {Row} row
+ * @returns {Row | null}
+ */
+export function rowBefore(model, sweep, row) {
+  const isThere = model.drive.joints.some(({ at, piece }) => at === row.x && piece === row.piece);
+  return (isThere && spanAt(sweep, row.x)?.rows.find((one) => one.x === row.x && one.piece < row.piece)) || null;
+}
+
+/**
+ * The pose at a place, with the turns of its angles.
  * @param {import("./model.mjs").Model} model
  * @param {import("./model.mjs").Design} design
  * @param {Sweep} sweep
@@ -388,18 +407,19 @@ export function rowAt(model, design, sweep, assembly, x) {
     return near;
   }
   const argument = model.coupled ? valuesNear(model, design, near.pose, x - near.x) : assembly.argument;
-  const found = solveAt(model, design, x, argument);
+  const piece = pieceAt(model.drive, x);
+  const found = solveAt(model, design, x, argument, piece);
   if (!found.ok) {
     return near;
   }
   const shifts = model.quantities.map(({ name, dimension }, index) =>
     dimension === "angle" ? turnsBetween(found.pose[name][0], near.pose[name][0] + near.shifts[index]) : 0,
   );
-  return { x, pose: found.pose, shifts };
+  return { x, piece, pose: found.pose, shifts };
 }
 
 /**
- * Where an input comes to when it moves: it stops at limits, and passes from the end of a turn to its beginning.
+ * Where the variable comes to when it moves: it stops at limits, and passes from the end of a turn to its beginning.
  * @param {import("./model.mjs").Model} model
  * @param {Sweep} sweep
  * @param {number} x
@@ -425,7 +445,7 @@ export function movedInput(model, sweep, x, change) {
 }
 
 /**
- * Whether an input is at an end of what closes, apart from those of the range.
+ * Whether a place is at an end of what closes, apart from those of the range.
  * @param {Sweep} sweep
  * @param {number} x
  */

@@ -15,7 +15,7 @@ use kin_core::{Changing, Description, Number, Row, TrackError, verify};
 use super::case::Case;
 use super::fault::Fault;
 use super::text;
-use crate::report::{ReportError, ReportFunctions, Wishes};
+use crate::report::{ReportError, ReportFunctions, WayWished, Wishes};
 
 /// The assembly that is wanted.
 #[derive(Clone, Debug, PartialEq)]
@@ -204,21 +204,29 @@ fn extent_of<D: SmoothDrive>(course: &AnySweep<D>, name: &str) -> Result<Extent,
     };
     let size = |one: &Reached| one.value.unwrap_or(f64::NAN);
     let order = |one: &Reached, other: &Reached| size(one).total_cmp(&size(other));
-    let lowest = unbounded(&all, false).or_else(|| reached().min_by(order));
-    let highest = unbounded(&all, true).or_else(|| reached().max_by(order));
+    let lowest = reached().min_by(order);
+    let highest = reached().max_by(order);
     let flat = |peak: kin_core::extremes::Peak| Reached {
         value: Some(peak.value),
         at: peak.at,
         is_limit: false,
     };
+    // an extreme over a while, as in a dwell, is at no place
+    let further = |known: Option<Reached>, peak: Result<kin_core::extremes::Peak, ExtremesError>, sign: f64| {
+        let peak = flat(peak.map_err(of_extremes)?);
+        Ok::<_, Fault>(match known {
+            Some(known) if sign * (size(&peak) - size(&known)) <= 1e-12 * size(&peak).abs() => known,
+            _ => peak,
+        })
+    };
     Ok(Extent {
-        lowest: match lowest {
+        lowest: match unbounded(&all, false) {
             Some(lowest) => lowest,
-            None => flat(quantity.lowest().map_err(of_extremes)?),
+            None => further(lowest, quantity.lowest(), -1.0)?,
         },
-        highest: match highest {
+        highest: match unbounded(&all, true) {
             Some(highest) => highest,
-            None => flat(quantity.highest().map_err(of_extremes)?),
+            None => further(highest, quantity.highest(), 1.0)?,
         },
         rms: quantity.rms(Over::Time),
     })
@@ -284,8 +292,7 @@ impl Subject {
         rows: usize,
         then: impl FnOnce(AnySweep<Laws<'_>>) -> R,
     ) -> Result<R, Fault> {
-        let laws: Result<Vec<_>, _> = case.motions.iter().map(|motion| motion.law(duration)).collect();
-        let laws = laws.map_err(Fault::wrong)?;
+        let laws = laws_of(case, duration)?;
         let laws: Vec<&dyn Piecewise<f64>> = laws.iter().map(|law| &**law).collect();
         let sweep = self.linkage(&case.parameters).sweep(self.assembly(case)?);
         Ok(then(sweep.under_laws(&laws, 0.0..=duration, rows)))
@@ -371,14 +378,9 @@ impl Subject {
     /// The page.
     pub(crate) fn page(&self, case: &Case, wishes: &PageWishes) -> Result<String, Fault> {
         let motion = &case.motions[case.lead];
-        let (from, to) = (motion.start().min(motion.end()), motion.start().max(motion.end()));
-        let [inputs, _] = case.ends();
-        let report = Wishes {
+        let ends = case.ends();
+        let wished = Wishes {
             assembly: Some(self.assembly(case)?),
-            inputs,
-            moving: Some(self.description().inputs[case.lead].name.to_owned()),
-            range: wishes.has_range.then_some([from, to]),
-            speed: (motion.end() - motion.start()).signum() * case.speed(),
             plots: wishes.plots.clone(),
             title: wishes.title.clone(),
             documentation: wishes.documentation.clone(),
@@ -387,8 +389,29 @@ impl Subject {
             degrees: case.in_degrees,
             ..Wishes::new(self.functions, &case.parameters)
         };
-        let page = report.report().map(|report| report.html());
-        page.map_err(|error| match error {
+        let several = case.motions.iter().filter(|motion| motion.moves()).count() > 1;
+        let report = if let Some(duration) = case.time_of_laws() {
+            let laws = laws_of(case, duration)?;
+            let laws = laws.iter().map(|law| &**law).collect();
+            let way = WayWished::UnderLaws(laws, [0.0, duration]);
+            Wishes { way, ..wished }.report()
+        } else if several {
+            let speed = Some(case.speed());
+            let way = WayWished::Between(ends);
+            Wishes { way, speed, ..wished }.report()
+        } else {
+            let (from, to) = (motion.start().min(motion.end()), motion.start().max(motion.end()));
+            let [inputs, _] = ends;
+            Wishes {
+                at: Some(inputs),
+                moving: Some(self.description().inputs[case.lead].name.to_owned()),
+                range: wishes.has_range.then_some([from, to]),
+                speed: Some((motion.end() - motion.start()).signum() * case.speed()),
+                ..wished
+            }
+            .report()
+        };
+        report.map(|report| report.html()).map_err(|error| match error {
             ReportError::ClosesNowhere { .. } | ReportError::NoPosition { .. } => Fault::open(error),
             error => Fault::wrong(error),
         })
@@ -442,6 +465,12 @@ impl Subject {
         }
         Ok(Partial { values, by })
     }
+}
+
+/// The motions as laws over a time.
+fn laws_of(case: &Case, duration: f64) -> Result<Vec<Box<dyn Piecewise<f64>>>, Fault> {
+    let laws: Result<_, _> = case.motions.iter().map(|motion| motion.law(duration)).collect();
+    laws.map_err(Fault::wrong)
 }
 
 fn assembly_at(wanted: &Wanted, linkage: &AnyLinkage, start: &[f64]) -> Result<AssemblyChoice, Fault> {

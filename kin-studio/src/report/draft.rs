@@ -1,12 +1,14 @@
 //! The wishes for a report, one after the other.
 
+use std::fmt;
 use std::marker::PhantomData;
 use std::ops::RangeInclusive;
 use std::path::Path;
 
-use kin_core::Mechanism;
 use kin_core::any::{AssemblyChoice, Of};
+use kin_core::law::Piecewise;
 use kin_core::linkage::AnyLinkage;
+use kin_core::{ClosedRange, Mechanism};
 
 use super::functions::ReportFunctions;
 use super::model::Report;
@@ -15,21 +17,23 @@ use super::{ReportError, gather};
 /// A report that is to be made: a mechanism, and what is wanted beside the defaults. [`report`](super::report) begins it.
 #[derive(Clone, Debug)]
 #[must_use = "write it, or ask for its `report`"]
-pub struct Draft<M: Mechanism<Scalar = f64>> {
-    wishes: Wishes,
+pub struct Draft<'l, M: Mechanism<Scalar = f64>> {
+    wishes: Wishes<'l>,
     mechanism: PhantomData<M>,
 }
 
 /// A draft without the type of its mechanism.
 #[derive(Clone, Debug)]
-pub(crate) struct Wishes {
+pub(crate) struct Wishes<'l> {
     pub(crate) functions: &'static dyn ReportFunctions,
     pub(crate) linkage: AnyLinkage,
     pub(crate) assembly: Option<AssemblyChoice>,
-    pub(crate) inputs: Vec<f64>,
+    pub(crate) way: WayWished<'l>,
+    /// Where the inputs stand that do not move.
+    pub(crate) at: Option<Vec<f64>>,
     pub(crate) moving: Option<String>,
     pub(crate) range: Option<[f64; 2]>,
-    pub(crate) speed: f64,
+    pub(crate) speed: Option<f64>,
     pub(crate) plots: Vec<String>,
     pub(crate) title: Option<String>,
     pub(crate) documentation: String,
@@ -39,17 +43,41 @@ pub(crate) struct Wishes {
     pub(crate) degrees: bool,
 }
 
-impl Wishes {
+/// Which inputs move.
+#[derive(Clone, Default)]
+pub(crate) enum WayWished<'l> {
+    /// One, at a constant speed, through a range.
+    #[default]
+    OneInput,
+    /// All, along the straight line between two places.
+    Between([Vec<f64>; 2]),
+    /// All, each under a law, over a range of the time.
+    UnderLaws(Vec<&'l dyn Piecewise<f64>>, [f64; 2]),
+}
+
+/// Laws are functions, which cannot be shown.
+impl fmt::Debug for WayWished<'_> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OneInput => formatter.write_str("OneInput"),
+            Self::Between(ends) => formatter.debug_tuple("Between").field(ends).finish(),
+            Self::UnderLaws(laws, range) => write!(formatter, "UnderLaws({}, {range:?})", laws.len()),
+        }
+    }
+}
+
+impl Wishes<'_> {
     /// No wishes beside the mechanism.
     pub(crate) fn new(functions: &'static dyn ReportFunctions, parameters: &[f64]) -> Self {
         Self {
             functions,
             linkage: AnyLinkage::new(functions, parameters),
             assembly: None,
-            inputs: vec![0.0; functions.description().inputs.len()],
+            way: WayWished::OneInput,
+            at: None,
             moving: None,
             range: None,
-            speed: 1.0,
+            speed: None,
             plots: Vec::new(),
             title: None,
             documentation: String::new(),
@@ -63,16 +91,9 @@ impl Wishes {
     pub(crate) fn report(&self) -> Result<Report, ReportError> {
         gather::report(self)
     }
-
-    /// The inputs where the moving one is at a place.
-    pub(super) fn inputs_at(&self, moving: usize, place: f64) -> Vec<f64> {
-        let mut inputs = self.inputs.clone();
-        inputs[moving] = place;
-        inputs
-    }
 }
 
-impl<M: Mechanism<Scalar = f64>> Draft<M> {
+impl<'l, M: Mechanism<Scalar = f64>> Draft<'l, M> {
     pub(super) fn new(mechanism: &M) -> Self {
         Self {
             wishes: Wishes::new(Of::<M>::FUNCTIONS, mechanism.parameters().as_ref()),
@@ -81,7 +102,7 @@ impl<M: Mechanism<Scalar = f64>> Draft<M> {
     }
 
     /// The assembly that is shown first; otherwise the first one that closes. [`Near`](kin_core::Near) values hold where
-    /// [`at`](Self::at) says.
+    /// [`at`](Self::at) says, or where the line of [`between`](Self::between) or the laws begin.
     pub fn assembly(mut self, assembly: M::Assembly) -> Self {
         self.wishes.assembly = Some(AssemblyChoice::of::<M>(assembly));
         self
@@ -89,7 +110,7 @@ impl<M: Mechanism<Scalar = f64>> Draft<M> {
 
     /// Where the inputs stand that do not move, and where values nearby hold; otherwise zero.
     pub fn at(mut self, inputs: M::Inputs<f64>) -> Self {
-        self.wishes.inputs = inputs.as_ref().to_vec();
+        self.wishes.at = Some(inputs.as_ref().to_vec());
         self
     }
 
@@ -105,9 +126,50 @@ impl<M: Mechanism<Scalar = f64>> Draft<M> {
         self
     }
 
-    /// The speed of the moving input; otherwise 1, so that rates are per unit of the input.
+    /// The speed of the moving input, or of the first one that moves along the line of [`between`](Self::between); otherwise 1, so that
+    /// rates are per unit of the input.
     pub fn speed(mut self, speed: f64) -> Self {
-        self.wishes.speed = speed;
+        self.wishes.speed = Some(speed);
+        self
+    }
+
+    /// All inputs move together, along the straight line between two places in the space of the inputs. The variable of the page is the
+    /// first input that moves, as for a [sweep](kin_core::sweep::Assembled::between).
+    ///
+    /// ```
+    /// use kin_core::library::FiveBar;
+    ///
+    /// let robot = FiveBar { ground: 2.0, left: 0.5, left_rod: 2.0, right_rod: 2.0, right: 1.5 };
+    /// let page = kin_studio::report(&robot).between([0.0, 1.0], [2.0, 1.6]).speed(3.0).report()?;
+    /// assert_eq!((page.range, page.speed), ([0.0, 2.0], 3.0));
+    /// # Ok::<(), kin_studio::report::ReportError>(())
+    /// ```
+    pub fn between(mut self, from: M::Inputs<f64>, to: M::Inputs<f64>) -> Self {
+        self.wishes.way = WayWished::Between([from, to].map(|inputs| inputs.as_ref().to_vec()));
+        self
+    }
+
+    /// Each input moves under a [motion law](kin_core::law), in brackets, over a range of the time, as for a
+    /// [sweep](kin_core::sweep::Assembled::under_laws). The variable of the page is the time. An input that stands takes a
+    /// [`Dwell`](kin_core::law::Dwell).
+    ///
+    /// ```
+    /// use kin_core::law::{Dwell, Rise, Sequence, Shape};
+    /// use kin_core::library::SliderCrank;
+    ///
+    /// // the servo turns the crank by 90 degrees in 0.4 s, and waits for 0.1 s
+    /// let rise = Rise::new(Shape::ModifiedSine, 0.0, 90_f64.to_radians(), 0.4)?;
+    /// let dwell = Dwell::new(90_f64.to_radians(), 0.1)?;
+    /// let servo = Sequence::new([&rise, &dwell])?;
+    /// let press = SliderCrank { r: 0.1, l: 0.3 };
+    /// let page = kin_studio::report(&press).under_laws([&servo], 0.0..=0.5).report()?;
+    /// // the jerk of a modified sine jumps at its end, and its snap within
+    /// let joints: Vec<_> = page.drive.joints.iter().map(|joint| joint.order).collect();
+    /// assert_eq!(joints, [4, 4, 3]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn under_laws(mut self, laws: M::Inputs<&'l dyn Piecewise<f64>>, range: impl ClosedRange) -> Self {
+        self.wishes.way = WayWished::UnderLaws(laws.as_ref().to_vec(), range.ends());
         self
     }
 
@@ -150,7 +212,7 @@ impl<M: Mechanism<Scalar = f64>> Draft<M> {
     /// The report.
     ///
     /// # Errors
-    /// [`ReportError`] if the mechanism closes nowhere, or if a number or a name is not one.
+    /// [`ReportError`] if the mechanism closes nowhere, if a number or a name is not one, or if the inputs cannot move so.
     pub fn report(&self) -> Result<Report, ReportError> {
         self.wishes.report()
     }

@@ -5,6 +5,7 @@ use std::fmt;
 use std::io;
 use std::path::PathBuf;
 
+use kin_core::sweep::SweepError;
 use kin_core::{InputValues, SolveError};
 
 /// The reason why there is no report, or why it cannot be read or written.
@@ -48,6 +49,39 @@ pub enum ReportError {
         /// Its end.
         to: f64,
     },
+    /// The two places between which the inputs would move are the same.
+    NoWay {
+        /// The inputs there.
+        inputs: InputValues,
+    },
+    /// A wish about the motion beside another one that already tells it.
+    SaidTwice {
+        /// The wish that says nothing.
+        wish: &'static str,
+        /// The wish that tells the motion.
+        beside: &'static str,
+    },
+    /// The inputs cannot move so: a law jumps.
+    Motion(SweepError),
+    /// The derivatives that a law writes are not those of its value.
+    NotSmooth {
+        /// The input.
+        input: &'static str,
+        /// The time near which they are not.
+        at: f64,
+    },
+    /// The laws have more pieces than a page can hold.
+    TooManyPieces {
+        /// So many are held.
+        most: usize,
+    },
+    /// A report that was written by an earlier version, in another format.
+    OlderFormat {
+        /// The version of its format.
+        found: u32,
+        /// The version that this crate reads.
+        known: u32,
+    },
     /// A report that was written by a later version.
     NewerFormat {
         /// The version of its format.
@@ -90,7 +124,29 @@ impl fmt::Display for ReportError {
             }
             Self::NoRange { from, to } => write!(
                 formatter,
-                "the moving input would go from {from} to {to}: give a range with the smaller number first"
+                "the motion would go from {from} to {to}: give a range with the smaller number first"
+            ),
+            Self::NoWay { inputs } => write!(
+                formatter,
+                "nothing moves between two places that are the same, {inputs}: give `between` two different ones"
+            ),
+            Self::SaidTwice { wish, beside } => write!(
+                formatter,
+                "`{wish}` says nothing beside `{beside}`, which tells how all inputs move: leave one of them out"
+            ),
+            Self::Motion(error) => write!(formatter, "the inputs cannot move so: {error}"),
+            Self::NotSmooth { input, at } => write!(
+                formatter,
+                "the derivatives that the law of `{input}` writes near the time {at} are not those of one smooth function: let it have a \
+                 piece of its own for each formula, and derivatives to the order 16"
+            ),
+            Self::TooManyPieces { most } => write!(
+                formatter,
+                "within the range the laws have more than {most} pieces, which a page cannot hold: give a shorter range"
+            ),
+            Self::OlderFormat { found, known } => write!(
+                formatter,
+                "the report has the format {found}, and this version of kin reads the format {known}: make the report again"
             ),
             Self::NewerFormat { found, known } => write!(
                 formatter,
@@ -117,6 +173,7 @@ impl Error for ReportError {
     fn source(&self) -> Option<&(dyn Error + 'static)> {
         match self {
             Self::ClosesNowhere { error } => Some(error),
+            Self::Motion(error) => Some(error),
             Self::Json(error) => Some(error),
             Self::File { error, .. } => Some(error),
             _ => None,

@@ -24,7 +24,7 @@ mod read;
 
 pub use draft::Draft;
 #[cfg(feature = "program")]
-pub(crate) use draft::Wishes;
+pub(crate) use draft::{WayWished, Wishes};
 pub use error::ReportError;
 #[cfg(feature = "program")]
 pub(crate) use functions::ReportFunctions;
@@ -45,7 +45,7 @@ use kin_core::{Mechanism, in_small_letters};
 /// assert_eq!(page.range, [0.0, std::f64::consts::TAU]);
 /// # Ok::<(), kin_studio::report::ReportError>(())
 /// ```
-pub fn report<M: Mechanism<Scalar = f64>>(mechanism: &M) -> Draft<M> {
+pub fn report<'l, M: Mechanism<Scalar = f64>>(mechanism: &M) -> Draft<'l, M> {
     Draft::new(mechanism)
 }
 

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// The version of the format that this crate writes.
-pub const FORMAT: u32 = 1;
+pub const FORMAT: u32 = 2;
 
 /// A mechanism with its motion, its limits, its peaks and its equations: all that a page shows.
 ///
@@ -39,21 +39,23 @@ pub struct Report {
     pub order: usize,
     /// The scalar parameters with their values.
     pub parameters: Vec<Quantity>,
-    /// The inputs, each with the value at which it stands unless it moves.
+    /// The inputs. Those that stand have their value, and those that move have none.
     pub inputs: Vec<Quantity>,
     /// The unknowns.
     pub unknowns: Vec<Quantity>,
     /// The scalar outputs; a point is its coordinates.
     pub outputs: Vec<Quantity>,
-    /// The names of the unknowns and outputs that are plotted at first.
+    /// The names of the quantities that are plotted at first.
     pub plots: Vec<String>,
-    /// The index of the input that moves.
+    /// The index of the first input that moves.
     pub moving: usize,
-    /// The range of the moving input.
+    /// How the inputs move over the variable.
+    pub drive: Drive,
+    /// The range of the variable.
     pub range: [f64; 2],
-    /// The way of the moving input after which all positions repeat themselves, if the range closes.
+    /// The way of the variable after which all positions repeat themselves, if the range closes.
     pub period: Option<f64>,
-    /// The speed of the moving input.
+    /// The change of the variable for each unit of time: the speed of the moving input, or 1 if the variable is the time.
     pub speed: f64,
     /// The assemblies.
     pub assemblies: Vec<Assembly>,
@@ -63,7 +65,7 @@ pub struct Report {
     pub coupled: bool,
     /// Whether joints have three coordinates.
     pub space: bool,
-    /// All circuits and branches over the moving input.
+    /// All circuits and branches over the moving input; none under laws, which lead along a curve.
     pub cycle: Option<Cycle>,
     /// The highest and the lowest value of each derivative of each unknown and output, over the range.
     pub extremes: Vec<Extreme>,
@@ -100,6 +102,53 @@ pub struct Units {
     pub length: String,
     /// The unit of time.
     pub time: String,
+}
+
+/// How the inputs move: a function of one variable for each of them.
+///
+/// In each piece of the range an input is a power series, whose derivatives with respect to the variable are exact through snap, up to
+/// rounding. With respect to time, the derivative of order `k` is that with respect to the variable times the `k`-th power of
+/// [`speed`](Report::speed).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Drive {
+    /// What the inputs move over.
+    pub variable: Variable,
+    /// The pieces of the range, one after the other.
+    pub pieces: Vec<Piece>,
+    /// The places within the range where the motion of an input is not smooth.
+    pub joints: Vec<Joint>,
+}
+
+/// What the inputs move over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Variable {
+    /// The moving input: the others move in proportion, or stand.
+    Input,
+    /// The time: each input moves under a law.
+    Time,
+}
+
+/// A piece of the range.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Piece {
+    /// Where it begins.
+    pub from: f64,
+    /// Where it ends.
+    pub to: f64,
+    /// The place about which the series are.
+    pub at: f64,
+    /// For each input the coefficients of its series, the value at that place first.
+    pub inputs: Vec<Vec<f64>>,
+}
+
+/// A place where two pieces of a law meet that do not fit together in all derivatives.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Joint {
+    /// The value of the variable.
+    pub at: f64,
+    /// The lowest order of a derivative that has one value before and another one behind.
+    pub order: usize,
 }
 
 /// A quantity by its names.
@@ -139,7 +188,7 @@ pub struct Assembly {
     pub name: String,
     /// The argument of the solver.
     pub argument: Argument,
-    /// The value of the moving input at which the argument holds, for values nearby.
+    /// The value of the variable at which the argument holds, for values nearby.
     pub at: Option<f64>,
     /// The index of its first circuit.
     pub circuit: Option<usize>,
@@ -223,7 +272,7 @@ pub struct Extreme {
     pub kind: Side,
     /// The value, or nothing if the quantity grows beyond all bounds there.
     pub value: Option<f64>,
-    /// The value of the moving input.
+    /// The value of the variable.
     pub at: f64,
     /// What is at that place.
     pub place: Place,
@@ -282,7 +331,7 @@ pub struct Unanswered {
 pub struct Transmission {
     /// The unknowns of each dyad.
     pub dyads: Vec<String>,
-    /// The smallest angle of each dyad, and the input there.
+    /// The smallest angle of each dyad, and the variable there.
     pub worst: Vec<WorstAngle>,
     /// The angles of all dyads over the range, to nine figures.
     pub samples: Vec<Angles>,
@@ -293,14 +342,14 @@ pub struct Transmission {
 pub struct WorstAngle {
     /// The angle, 0 at a limit.
     pub angle: f64,
-    /// The input there.
+    /// The variable there.
     pub at: f64,
 }
 
 /// The transmission angles at one place.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Angles {
-    /// The moving input.
+    /// The variable.
     pub input: f64,
     /// An angle for each dyad.
     pub angles: Vec<f64>,
@@ -317,7 +366,7 @@ pub struct Sensitivity {
     pub order: usize,
     /// The value that is largest in size, with its sign.
     pub peak: f64,
-    /// The moving input there.
+    /// The variable there.
     pub at: f64,
     /// The derivative of the peak with respect to each parameter.
     pub values: Vec<f64>,
@@ -376,7 +425,7 @@ pub struct NotClosed {
     pub unknowns: String,
     /// The missing length as a negative number, if the links do not reach.
     pub margin: Option<f64>,
-    /// The moving input there.
+    /// The variable there.
     pub at: f64,
 }
 
@@ -423,7 +472,7 @@ pub struct Point {
 /// A pose, as the solver would find it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Frame {
-    /// The moving input.
+    /// The variable.
     pub input: f64,
     /// The unknowns and then the outputs, each with its rates. It is empty where the mechanism does not close.
     pub values: Vec<Vec<f64>>,

@@ -17,6 +17,7 @@ macro_rules! modules {
 pub(super) const MODULES: &[(&str, &str)] = modules! {
     "numbers"
     "elements"
+    "drive"
     "model"
     "sweep"
     "pace"

@@ -15,7 +15,8 @@ impl Report {
     /// A report from JSON.
     ///
     /// # Errors
-    /// [`ReportError::NewerFormat`] if a later version has written it, and [`ReportError::Json`] if it is no report.
+    /// [`ReportError::NewerFormat`] and [`ReportError::OlderFormat`] if another version has written it in its own format, and
+    /// [`ReportError::Json`] if it is no report.
     pub fn from_json(text: &str) -> Result<Self, ReportError> {
         /// The version alone, so that a later format is told as such.
         #[derive(Deserialize)]
@@ -25,6 +26,12 @@ impl Report {
         let Version { format } = serde_json::from_str(text)?;
         if format > FORMAT {
             return Err(ReportError::NewerFormat {
+                found: format,
+                known: FORMAT,
+            });
+        }
+        if format < FORMAT {
+            return Err(ReportError::OlderFormat {
                 found: format,
                 known: FORMAT,
             });

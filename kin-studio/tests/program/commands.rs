@@ -317,6 +317,29 @@ fn report() {
     assert!(page.starts_with("<!doctype html>") && page.contains("Yoke"));
 }
 
+/// A page takes the motions that a table takes.
+#[test]
+fn report_of_motions() {
+    let folder = Folder::new("report-motions");
+    let page = |options: &str| {
+        let told = typed_in(&folder, &format!("kin report {options} -o page.html"));
+        assert!(told.ends_with("code 0\n"), "{told}");
+        std::fs::read_to_string(folder.path().join("page.html")).unwrap()
+    };
+    let law = page("slider_crank --over '0..90deg by cycloidal in 0.4s'");
+    assert!(law.contains(r#""variable":"time""#) && law.contains(r#""range":[0.0,0.4]"#));
+    let robot = "five_bar --set ground=2 --set left=0.5 --set left_rod=2 --set right_rod=2 --set right=1.5";
+    let line = page(&format!(
+        "{robot} --over alpha=0..2rad --over beta=1..1.6rad --speed 3rad/s"
+    ));
+    assert!(line.contains(r#""variable":"input""#) && line.contains(r#""range":[0.0,2.0]"#));
+    assert!(line.contains(r#""speed":3.0"#) && !line.contains(r#""value":1.0"#));
+    let laws = page(&format!(
+        "{robot} --over 'alpha=0..2rad by cycloidal in 0.5s' --over 'beta=1..1.6rad at 1rad/s'"
+    ));
+    assert!(laws.contains(r#""variable":"time""#) && laws.contains(r#""range":[0.0,0.6"#));
+}
+
 #[test]
 fn completions() {
     let bash = typed("completions", "kin completions bash");

@@ -51,11 +51,6 @@ fn is_page(path: &Path) -> Result<(), Fault> {
 pub(super) fn page(subject: &Subject, options: &Report, told: &Told) -> Result<String, Fault> {
     let typed = options.setup.typed(told);
     let case = typed.case(subject)?;
-    if case.time_of_laws().is_some() {
-        return Err(Fault::wrong(
-            "a page shows a range at a speed: leave the motion law out",
-        ));
-    }
     let wishes = PageWishes {
         title: options.title.clone(),
         plots: options.plots.clone(),

@@ -2,37 +2,27 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use kin_core::linkage::AnyCycle;
+use kin_core::any::AssemblyChoice;
+use kin_core::linkage::{AnyCycle, AnyLinkage};
 
 use super::place::{self, Own};
 use super::solver::Solver;
 use crate::names::symbol;
 use crate::report::model::{Argument, Assembly};
 
-/// All assemblies that close somewhere, and the index of the report's own.
-pub(super) fn list(solver: &Solver, cycle: &AnyCycle, own: &Own, range: [f64; 2]) -> (Vec<Assembly>, usize) {
+/// Positions that differ less are one: radians, or parts of a length.
+const SAME: f64 = 1e-6;
+
+/// All assemblies along a line that close somewhere, and the index of the report's own.
+pub(super) fn on_line(solver: &Solver, cycle: &AnyCycle, own: &Own, range: [f64; 2]) -> (Vec<Assembly>, usize) {
     if let Some(shown) = own.assembly.index() {
-        let numbers = numbers(cycle, shown);
-        let entry = |number: &usize| {
+        let circuit = |number: usize| {
             let mut branches = cycle.branches().iter();
-            Assembly {
-                name: name(&solver.assemblies, *number),
-                argument: argument(&solver.assemblies, *number),
-                at: None,
-                circuit: branches
-                    .find(|branch| branch.assembly() == Some(*number))
-                    .map(kin_core::cycle::Branch::circuit),
-            }
+            let own = branches.find(|branch| branch.assembly() == Some(number));
+            own.map(kin_core::cycle::Branch::circuit)
         };
-        let index = numbers.iter().position(|number| *number == shown);
-        return (numbers.iter().map(entry).collect(), index.unwrap_or(0));
+        return numbered(solver, &numbers(cycle, shown), shown, &circuit);
     }
-    let near = |place: f64, unknowns: &[f64], number: usize, circuit: Option<usize>| Assembly {
-        name: format!("assembly {number}"),
-        argument: Argument::Several(solver.near.iter().cloned().zip(unknowns.iter().copied()).collect()),
-        at: Some(place),
-        circuit,
-    };
     let mut all: Vec<Assembly> = Vec::new();
     let shown = shown(cycle, own, range);
     for &index in &shown {
@@ -47,16 +37,75 @@ pub(super) fn list(solver: &Solver, cycle: &AnyCycle, own: &Own, range: [f64; 2]
             Ok(unknowns) => (place, unknowns.as_slice()),
             Err(_) => (*sample, unknowns.as_slice()),
         };
-        all.push(near(place, unknowns, index + 1, Some(branch.circuit())));
+        all.push(near(solver, place, unknowns, index + 1, Some(branch.circuit())));
     }
     let first = own.branches.first();
     let index = first.and_then(|first| shown.iter().position(|index| index == first));
     let index = index.unwrap_or_else(|| {
         let (place, unknowns) = &own.start;
-        all.push(near(*place, unknowns, all.len() + 1, None));
+        all.push(near(solver, *place, unknowns, all.len() + 1, None));
         all.len() - 1
     });
     (all, index)
+}
+
+/// All assemblies under laws that close somewhere, and the index of the report's own. Those of coupled blocks are the positions where the
+/// laws begin. `inputs` gives the inputs at a time.
+pub(super) fn under_laws(
+    solver: &Solver,
+    linkage: &AnyLinkage,
+    own: &Own,
+    range: [f64; 2],
+    inputs: &dyn Fn(f64) -> Vec<f64>,
+) -> (Vec<Assembly>, usize) {
+    if let Some(shown) = own.assembly.index() {
+        let places: Vec<Vec<f64>> = place::places(range).into_iter().map(inputs).collect();
+        let closes = |number: &usize| {
+            let choice = AssemblyChoice::Index(*number);
+            let mut places = places.iter();
+            *number == shown || places.any(|inputs| linkage.position(inputs, choice.position()).is_ok())
+        };
+        let numbers: Vec<usize> = (0..linkage.assembly_count()).filter(closes).collect();
+        return numbered(solver, &numbers, shown, &|_| None);
+    }
+    let (place, unknowns) = &own.start;
+    let description = linkage.description();
+    // the search answers for the other ones alone: the report's own is known
+    let others = linkage.positions_at(&inputs(*place)).map(|(all, _)| all);
+    let is_other = |position: &Vec<f64>| place::distance(description, position, unknowns) > SAME;
+    let others = others.unwrap_or_default().into_iter().filter(is_other);
+    let positions = std::iter::once(unknowns.clone()).chain(others);
+    let all = positions
+        .enumerate()
+        .map(|(index, own)| near(solver, *place, &own, index + 1, None));
+    (all.collect(), 0)
+}
+
+/// The assemblies of closed forms by their numbers, and the index of the one that is shown.
+fn numbered(
+    solver: &Solver,
+    numbers: &[usize],
+    shown: usize,
+    circuit: &dyn Fn(usize) -> Option<usize>,
+) -> (Vec<Assembly>, usize) {
+    let entry = |number: &usize| Assembly {
+        name: name(&solver.assemblies, *number),
+        argument: argument(&solver.assemblies, *number),
+        at: None,
+        circuit: circuit(*number),
+    };
+    let index = numbers.iter().position(|number| *number == shown);
+    (numbers.iter().map(entry).collect(), index.unwrap_or(0))
+}
+
+/// An assembly of a coupled block, by values nearby.
+fn near(solver: &Solver, place: f64, unknowns: &[f64], number: usize, circuit: Option<usize>) -> Assembly {
+    Assembly {
+        name: format!("assembly {number}"),
+        argument: Argument::Several(solver.near.iter().cloned().zip(unknowns.iter().copied()).collect()),
+        at: Some(place),
+        circuit,
+    }
 }
 
 /// The index of the assembly to which a branch belongs, if it is listed.

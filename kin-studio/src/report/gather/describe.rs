@@ -5,11 +5,11 @@ use kin_core::{Description, Dimension, Operations};
 use crate::names::symbol;
 use crate::report::model::{self, Block, Body, Cost, Outline, Point, Slide};
 
-/// Quantities with their names in the solver, and with values if there are any.
+/// Quantities with their names in the solver, and with those values that there are.
 pub(super) fn quantities(
     quantities: &[kin_core::Quantity],
     keys: &[String],
-    values: Option<&[f64]>,
+    value: impl Fn(usize) -> Option<f64>,
 ) -> Vec<model::Quantity> {
     let entry = |(index, quantity): (usize, &kin_core::Quantity)| model::Quantity {
         name: quantity.name.to_owned(),
@@ -24,7 +24,7 @@ pub(super) fn quantities(
             Dimension::Angle => model::Dimension::Angle,
             Dimension::Scalar => model::Dimension::Number,
         },
-        value: values.and_then(|values| values.get(index).copied()),
+        value: value(index),
     };
     quantities.iter().enumerate().map(entry).collect()
 }

@@ -3,6 +3,8 @@
 mod assemblies;
 mod circuits;
 mod describe;
+mod drive;
+mod line;
 mod peaks;
 mod place;
 mod solver;
@@ -11,41 +13,116 @@ mod way;
 
 use data_encoding::HEXLOWER;
 use hmac_sha256::Hash;
-use kin_core::in_small_letters;
+use kin_core::any::AssemblyChoice;
+use kin_core::law::{Law, Piecewise};
+use kin_core::sweep::SmoothDrive;
+use kin_core::{Description, Quantity, in_small_letters};
 
+use self::line::Line;
 use self::place::Own;
 use self::solver::Solver;
 use self::way::Way;
 use super::ReportError;
-use super::draft::Wishes;
-use super::model::{FORMAT, NotClosed, Report, Units};
+use super::draft::{WayWished, Wishes};
+use super::model::{Assembly, Cycle, Drive, FORMAT, NotClosed, Report, Units, Variable};
 
 /// The report that is wished for.
-pub(super) fn report(wishes: &Wishes) -> Result<Report, ReportError> {
-    let (functions, description) = (wishes.functions, wishes.linkage.description());
+pub(super) fn report(wishes: &Wishes<'_>) -> Result<Report, ReportError> {
     check(wishes)?;
-    let moving = moving(wishes)?;
-    let (from, direction) = line(wishes, moving);
-    let cycle = wishes
-        .linkage
-        .cycle_along(&from, &direction)
+    let solver = Solver::record(wishes.functions);
+    match &wishes.way {
+        WayWished::UnderLaws(laws, range) => under_laws(wishes, solver, laws, *range),
+        WayWished::OneInput | WayWished::Between(_) => along_line(wishes, solver),
+    }
+}
+
+/// What is known of a motion beside its poses.
+struct Known {
+    drive: Drive,
+    range: [f64; 2],
+    speed: f64,
+    /// The assemblies, and the index of the report's own.
+    assemblies: (Vec<Assembly>, usize),
+    period: Option<f64>,
+    cycle: Option<Cycle>,
+}
+
+fn along_line(wishes: &Wishes<'_>, solver: Solver) -> Result<Report, ReportError> {
+    let linkage = &wishes.linkage;
+    let line = Line::new(wishes)?;
+    let cycle = line
+        .cycle(linkage)
         .map_err(|error| ReportError::ClosesNowhere { error })?;
-    let own = Own::find(wishes, moving, &cycle)?;
-    let range = match wishes.range {
+    let own = Own::on_line(wishes, &line, &cycle)?;
+    let range = match line.range {
         Some(range) => range,
-        None => own.range(&cycle, wishes.inputs[moving])?,
+        None => own.range(&cycle, line.place)?,
     };
-    let way = Way::new(wishes, moving, range, &cycle, &own)?;
-    let solver = Solver::record(functions);
+    let way = Way::along(linkage, &line, range, &cycle, &own)?;
+    let input = linkage.description().inputs[line.lead];
+    let known = Known {
+        drive: drive::of(
+            &line.sweep(linkage, &own.assembly, range),
+            linkage.description(),
+            Variable::Input,
+            range,
+        )?,
+        range,
+        speed: line.speed,
+        assemblies: assemblies::on_line(&solver, &cycle, &own, range),
+        period: cycle.period(),
+        cycle: Some(circuits::of(&cycle, &own, input, range)),
+    };
+    moved(wishes, solver, &way, known)
+}
+
+fn under_laws(
+    wishes: &Wishes<'_>,
+    solver: Solver,
+    laws: &[&dyn Piecewise<f64>],
+    range: [f64; 2],
+) -> Result<Report, ReportError> {
+    let linkage = &wishes.linkage;
+    let sweep = |assembly: &AssemblyChoice| {
+        let sweep = linkage.sweep(assembly.clone());
+        sweep.under_laws(laws, range[0]..=range[1], way::ROWS)
+    };
+    // the inputs move in all assemblies alike
+    let any = AssemblyChoice::Index(0);
+    let drive = drive::of(&sweep(&any), linkage.description(), Variable::Time, range)?;
+    let inputs = |time: f64| -> Vec<f64> { laws.iter().map(|law| law.at::<1>(time).value()).collect() };
+    let own = Own::under_laws(wishes, range, &inputs)?;
+    let way = Way::under_laws(sweep(&own.assembly));
+    let known = Known {
+        period: period(laws, &drive, range),
+        drive,
+        range,
+        speed: 1.0,
+        assemblies: assemblies::under_laws(&solver, linkage, &own, range, &inputs),
+        cycle: None,
+    };
+    moved(wishes, solver, &way, known)
+}
+
+/// The report of a motion.
+fn moved<D: SmoothDrive>(
+    wishes: &Wishes<'_>,
+    solver: Solver,
+    way: &Way<D>,
+    known: Known,
+) -> Result<Report, ReportError> {
+    let (functions, description) = (wishes.functions, wishes.linkage.description());
+    let inputs = 0..description.inputs.len();
+    let standing: Vec<Option<f64>> = inputs.map(|input| drive::standing(&known.drive, input)).collect();
     let poses = way.poses();
     if poses.iter().all(|(_, pose)| pose.is_err())
         && let Some((_, Err(error))) = poses.first()
     {
         return Err(ReportError::ClosesNowhere { error: *error });
     }
-    let (assemblies, assembly) = assemblies::list(&solver, &cycle, &own, range);
-    let found = peaks::find(&way, description);
-    let closes = poses.iter().all(|(_, pose)| pose.is_ok());
+    let quantities = quantities(description, known.drive.variable, &standing);
+    let found = peaks::find(way, &quantities, description.order, drive::dwells(&known.drive));
+    let (assemblies, assembly) = known.assemblies;
     Ok(Report {
         format: FORMAT,
         kin: env!("CARGO_PKG_VERSION").to_owned(),
@@ -61,28 +138,29 @@ pub(super) fn report(wishes: &Wishes) -> Result<Report, ReportError> {
         },
         degrees: wishes.degrees,
         order: description.order,
-        parameters: describe::quantities(
-            description.parameters,
-            &solver.parameters,
-            Some(wishes.linkage.parameters()),
-        ),
-        inputs: describe::quantities(description.inputs, &solver.inputs, Some(&wishes.inputs)),
-        unknowns: describe::quantities(description.unknowns, &solver.unknowns, None),
-        outputs: describe::quantities(description.outputs, &solver.outputs, None),
-        plots: plots(wishes)?,
-        moving,
-        range,
-        period: cycle.period().filter(|_| closes),
-        speed: wishes.speed,
+        parameters: describe::quantities(description.parameters, &solver.parameters, |parameter| {
+            wishes.linkage.parameters().get(parameter).copied()
+        }),
+        inputs: describe::quantities(description.inputs, &solver.inputs, |input| standing[input]),
+        unknowns: describe::quantities(description.unknowns, &solver.unknowns, |_| None),
+        outputs: describe::quantities(description.outputs, &solver.outputs, |_| None),
+        plots: plots(wishes, &quantities)?,
+        moving: standing.iter().position(Option::is_none).unwrap_or(0),
+        drive: known.drive,
+        range: known.range,
+        period: known
+            .period
+            .filter(|_| comes_back(description, known.range, known.period, &poses)),
+        speed: known.speed,
         assemblies,
         assembly,
         coupled: wishes.linkage.assembly_count() == 0,
         space: functions.is_space(),
-        cycle: Some(circuits::of(&cycle, &own, description.inputs[moving], range)),
+        cycle: known.cycle,
         extremes: found.extremes,
         rms: found.rms,
         unanswered: found.unanswered,
-        transmission: transmission::of(wishes, &way, &poses),
+        transmission: transmission::of(wishes, way, &poses),
         sensitivities: found.sensitivities,
         formulas: describe::formulas(&functions.formulas()),
         blocks: describe::blocks(description),
@@ -95,48 +173,68 @@ pub(super) fn report(wishes: &Wishes) -> Result<Report, ReportError> {
     })
 }
 
-/// All numbers that were given are numbers.
-fn check(wishes: &Wishes) -> Result<(), ReportError> {
-    let named = |quantities: &[kin_core::Quantity], values: &[f64]| {
+/// What was said of the motion fits together, and all numbers that were given are numbers.
+fn check(wishes: &Wishes<'_>) -> Result<(), ReportError> {
+    let of_one = [
+        ("at", wishes.at.is_some()),
+        ("moving", wishes.moving.is_some()),
+        ("range", wishes.range.is_some()),
+    ];
+    let (beside, unread) = match &wishes.way {
+        WayWished::OneInput => ("", Vec::new()),
+        WayWished::Between(_) => ("between", of_one.to_vec()),
+        WayWished::UnderLaws(..) => (
+            "under_laws",
+            [&of_one[..], &[("speed", wishes.speed.is_some())]].concat(),
+        ),
+    };
+    if let Some((wish, _)) = unread.into_iter().find(|(_, is_said)| *is_said) {
+        return Err(ReportError::SaidTwice { wish, beside });
+    }
+    let named = |quantities: &[Quantity], values: &[f64]| {
         let mut pairs = quantities.iter().zip(values);
         pairs
             .find(|(_, value)| !value.is_finite())
             .map(|(quantity, _)| quantity.name)
     };
     let description = wishes.linkage.description();
+    let given: &[Vec<f64>] = match &wishes.way {
+        WayWished::Between(ends) => ends,
+        _ => wishes.at.as_slice(),
+    };
+    let speed = wishes.speed.unwrap_or(1.0);
     let culprit = named(description.parameters, wishes.linkage.parameters())
-        .or_else(|| named(description.inputs, &wishes.inputs))
-        .or((!wishes.speed.is_finite()).then_some("the speed"));
+        .or_else(|| given.iter().find_map(|inputs| named(description.inputs, inputs)))
+        .or((!speed.is_finite()).then_some("the speed"));
     if let Some(quantity) = culprit {
         return Err(ReportError::NotFinite {
             quantity: quantity.to_owned(),
         });
     }
-    if wishes.speed == 0.0 {
+    if speed == 0.0 {
         return Err(ReportError::NoSpeed);
     }
-    match wishes.range {
+    let range = match &wishes.way {
+        WayWished::UnderLaws(_, range) => Some(*range),
+        _ => wishes.range,
+    };
+    match range {
         Some([from, to]) if !(to - from > 0.0 && (to - from).is_finite()) => Err(ReportError::NoRange { from, to }),
         _ => Ok(()),
     }
 }
 
-/// The index of the input that moves.
-fn moving(wishes: &Wishes) -> Result<usize, ReportError> {
-    let inputs = wishes.linkage.description().inputs;
-    let Some(name) = &wishes.moving else { return Ok(0) };
-    let found = inputs.iter().position(|input| input.name == name);
-    found.ok_or_else(|| ReportError::NoSuchInput {
-        name: name.clone(),
-        inputs: inputs.iter().map(|input| input.name.to_owned()).collect(),
-    })
+/// The quantities that are plotted: unknowns and outputs, and under laws the inputs that move as well.
+fn quantities(description: &Description, variable: Variable, standing: &[Option<f64>]) -> Vec<Quantity> {
+    let inputs = description.inputs.iter().zip(standing);
+    let moving = inputs.filter(|(_, stands)| variable == Variable::Time && stands.is_none());
+    let own = description.unknowns.iter().chain(description.outputs);
+    own.chain(moving.map(|(input, _)| input)).copied().collect()
 }
 
 /// The names of the quantities that are plotted at first.
-fn plots(wishes: &Wishes) -> Result<Vec<String>, ReportError> {
-    let description = wishes.linkage.description();
-    let quantities = description.unknowns.iter().chain(description.outputs);
-    let names: Vec<String> = quantities.map(|quantity| quantity.name.to_owned()).collect();
+fn plots(wishes: &Wishes<'_>, quantities: &[Quantity]) -> Result<Vec<String>, ReportError> {
+    let names: Vec<String> = quantities.iter().map(|quantity| quantity.name.to_owned()).collect();
     match wishes.plots.iter().find(|wanted| !names.contains(wanted)) {
         Some(name) => Err(ReportError::NoSuchQuantity {
             name: name.clone(),
@@ -147,12 +245,26 @@ fn plots(wishes: &Wishes) -> Result<Vec<String>, ReportError> {
     }
 }
 
-/// The line of inputs along which the moving input goes: its value is the distance along the line.
-fn line(wishes: &Wishes, moving: usize) -> (Vec<f64>, Vec<f64>) {
-    let mut from = wishes.inputs.clone();
-    let mut direction = vec![0.0; from.len()];
-    (from[moving], direction[moving]) = (0.0, 1.0);
-    (from, direction)
+/// The range, if all laws begin again at its end. A law that rests does so always.
+fn period(laws: &[&dyn Piecewise<f64>], drive: &Drive, [from, to]: [f64; 2]) -> Option<f64> {
+    let repeats = |law: &dyn Piecewise<f64>| {
+        let cycles = (to - from) / law.duration();
+        law.repeats() && cycles > 0.5 && (cycles - cycles.round()).abs() < 1e-9
+    };
+    let mut all = laws.iter().enumerate();
+    all.all(|(input, law)| drive::standing(drive, input).is_some() || repeats(*law))
+        .then_some(to - from)
+}
+
+/// Whether it closes all over the range, and comes back to where it began if the range is one period.
+fn comes_back(description: &Description, [from, to]: [f64; 2], period: Option<f64>, poses: &[way::At]) -> bool {
+    let all: Option<Vec<_>> = poses.iter().map(|(_, pose)| pose.as_ref().ok()).collect();
+    let Some(all) = all else { return false };
+    let is_one = period.is_some_and(|period| (to - from - period).abs() < 1e-9 * period);
+    match all.as_slice() {
+        [first, .., last] if is_one => place::distance(description, &first.unknowns(), &last.unknowns()) < 1e-6,
+        _ => true,
+    }
 }
 
 /// The place of the range where the most is missing.
@@ -174,7 +286,7 @@ fn not_closed(poses: &[way::At]) -> Option<NotClosed> {
 }
 
 /// What tells one design from another, in hexadecimal digits.
-fn hash(wishes: &Wishes) -> String {
+fn hash(wishes: &Wishes<'_>) -> String {
     let mut hash = Hash::new();
     let mut add = |text: &str| {
         hash.update(text);

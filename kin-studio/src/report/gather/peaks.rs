@@ -1,8 +1,8 @@
 //! Extremes, means and sensitivities over the range.
 
-use kin_core::Description;
+use kin_core::Quantity;
 use kin_core::extremes::{self, ExtremeKind, ExtremesError, Over};
-use kin_core::sweep::Label;
+use kin_core::sweep::{Label, SmoothDrive};
 
 use super::way::Way;
 use crate::names::symbol;
@@ -34,11 +34,13 @@ pub(super) struct Found {
     pub(super) unanswered: Vec<Unanswered>,
 }
 
-/// The answers for every derivative of every unknown and output.
-pub(super) fn find(way: &Way, description: &'static Description) -> Found {
+/// The answers for every derivative of some quantities.
+///
+/// A drive that `dwells` lets everything rest for a while.
+pub(super) fn find<D: SmoothDrive>(way: &Way<D>, quantities: &[Quantity], orders: usize, dwells: bool) -> Found {
     let mut found = Found::default();
-    for quantity in description.unknowns.iter().chain(description.outputs) {
-        for order in 0..=description.order {
+    for quantity in quantities {
+        for order in 0..=orders {
             let text = format!(
                 "{}{}",
                 symbol(quantity.name),
@@ -49,6 +51,7 @@ pub(super) fn find(way: &Way, description: &'static Description) -> Found {
                 column: Label::new(*quantity, order).to_string(),
                 text,
                 order,
+                dwells,
             };
             question.answer(way, &mut found);
         }
@@ -63,10 +66,12 @@ struct Question {
     column: String,
     text: String,
     order: usize,
+    /// Whether it may be extreme over a while, and not at a place.
+    dwells: bool,
 }
 
 impl Question {
-    fn answer(&self, way: &Way, found: &mut Found) {
+    fn answer<D: SmoothDrive>(&self, way: &Way<D>, found: &mut Found) {
         match extremes(way, &self.column) {
             Ok(all) => {
                 let highest = all
@@ -77,17 +82,30 @@ impl Question {
                     .iter()
                     .filter(|one| !one.is_maximum)
                     .min_by(|one, other| rank(one).total_cmp(&rank(other)));
-                let both = [(highest, Side::Highest), (lowest, Side::Lowest)];
-                let both = both.into_iter().filter_map(|(extreme, side)| Some((extreme?, side)));
-                found.extremes.extend(both.map(|(extreme, kind)| Extreme {
-                    quantity: self.name.to_owned(),
-                    text: self.text.clone(),
-                    order: self.order,
-                    kind,
-                    value: extreme.value,
-                    at: extreme.at,
-                    place: place(extreme.kind),
-                }));
+                for (extreme, kind) in [(highest, Side::Highest), (lowest, Side::Lowest)] {
+                    let known = extreme.map(|extreme| (extreme.value, extreme.at, place(extreme.kind)));
+                    let flat = if self.dwells || known.is_none() {
+                        flat(way, &self.column, kind)
+                    } else {
+                        None
+                    };
+                    let reached = match (known, flat) {
+                        (Some((Some(value), ..)), Some((further, at, place))) if exceeds(further, value, kind) => {
+                            Some((Some(further), at, place))
+                        }
+                        (None, Some((value, at, place))) => Some((Some(value), at, place)),
+                        (known, _) => known,
+                    };
+                    found.extremes.extend(reached.map(|(value, at, place)| Extreme {
+                        quantity: self.name.to_owned(),
+                        text: self.text.clone(),
+                        order: self.order,
+                        kind,
+                        value,
+                        at,
+                        place,
+                    }));
+                }
             }
             Err(error) => found.unanswered.push(self.unanswered(&error)),
         }
@@ -99,8 +117,8 @@ impl Question {
             }),
             Err(error) => found.unanswered.push(self.unanswered(&error)),
         }
-        // where there is no peak, or where it moves with a limit, there is no sensitivity
-        if let Some(own) = sensitivity(way, &self.column) {
+        // where there is no peak, or where it moves with a limit, there is no sensitivity, and no dimension moves that of an input
+        if let Some(own) = sensitivity(way, &self.column).filter(|own| own.by.iter().any(|by| by.value != 0.0)) {
             let values = own.by.iter().map(|by| by.value).collect();
             found.sensitivities.push(Sensitivity {
                 quantity: self.name.to_owned(),
@@ -142,7 +160,7 @@ fn place(kind: ExtremeKind) -> Place {
 }
 
 /// All extremes over the range.
-fn extremes(way: &Way, column: &str) -> Result<Vec<extremes::Extreme>, ExtremesError> {
+fn extremes<D: SmoothDrive>(way: &Way<D>, column: &str) -> Result<Vec<extremes::Extreme>, ExtremesError> {
     let mut all = Vec::new();
     for course in &way.courses {
         all.extend(course.of(column).extremes()?);
@@ -167,8 +185,32 @@ fn extremes(way: &Way, column: &str) -> Result<Vec<extremes::Extreme>, ExtremesE
     Ok(all)
 }
 
+/// Whether a value lies further to a side than another one by more than rounding.
+fn exceeds(further: f64, value: f64, side: Side) -> bool {
+    let by = if side == Side::Highest {
+        further - value
+    } else {
+        value - further
+    };
+    by > 1e-12 * value.abs().max(further.abs())
+}
+
+/// The extreme value, even if it is reached over a while and not at a place, as in a dwell.
+fn flat<D: SmoothDrive>(way: &Way<D>, column: &str, side: Side) -> Option<(f64, f64, Place)> {
+    let reached = way.courses.iter().map(|course| match side {
+        Side::Highest => course.of(column).highest(),
+        Side::Lowest => course.of(column).lowest(),
+    });
+    let reached: Vec<_> = reached.collect::<Result<_, _>>().ok()?;
+    let sign = if side == Side::Highest { 1.0 } else { -1.0 };
+    let best = reached
+        .into_iter()
+        .max_by(|one, other| (sign * one.value).total_cmp(&(sign * other.value)))?;
+    Some((best.value, best.at, place(best.kind)))
+}
+
 /// The root mean square over time, or nothing if it grows beyond all bounds.
-fn rms(way: &Way, column: &str) -> Result<Option<f64>, ExtremesError> {
+fn rms<D: SmoothDrive>(way: &Way<D>, column: &str) -> Result<Option<f64>, ExtremesError> {
     let mut own = Vec::new();
     for course in &way.courses {
         match course.of(column).rms(Over::Time) {
@@ -187,7 +229,7 @@ fn rms(way: &Way, column: &str) -> Result<Option<f64>, ExtremesError> {
 }
 
 /// The peak that is largest in size, with its dependence on the dimensions.
-fn sensitivity(way: &Way, column: &str) -> Option<extremes::PeakSensitivities> {
+fn sensitivity<D: SmoothDrive>(way: &Way<D>, column: &str) -> Option<extremes::PeakSensitivities> {
     let mut best: Option<extremes::PeakSensitivities> = None;
     for course in &way.courses {
         let own = course.of(column).peak_sensitivities().ok()?;

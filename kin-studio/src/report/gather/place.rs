@@ -5,11 +5,14 @@ use kin_core::cycle::{Branch, EndKind};
 use kin_core::linkage::AnyCycle;
 use kin_core::{Description, Dimension, InputValues};
 
+use super::line::Line;
 use crate::report::ReportError;
 use crate::report::draft::Wishes;
 
 /// The part of the range by which the scrubber goes on beyond a limit.
 const BEYOND: f64 = 0.1;
+/// The parts of a range in which an assembly is looked for.
+const PLACES: u32 = 180;
 /// A place between two ends at which nothing special is, however symmetric the mechanism.
 const BETWEEN: f64 = 0.487_213;
 
@@ -18,23 +21,23 @@ pub(super) struct Own {
     pub(super) assembly: AssemblyChoice,
     /// The indices of its branches, the branch of the wanted place first.
     pub(super) branches: Vec<usize>,
-    /// A value of the moving input, and the unknowns there.
+    /// A value of the variable, and the unknowns there.
     pub(super) start: (f64, Vec<f64>),
 }
 
 impl Own {
-    pub(super) fn find(wishes: &Wishes, moving: usize, cycle: &AnyCycle) -> Result<Self, ReportError> {
-        let (linkage, place) = (&wishes.linkage, wishes.inputs[moving]);
-        let of_assembly = |choice: &AssemblyChoice| linkage.position(&wishes.inputs, choice.position());
+    pub(super) fn on_line(wishes: &Wishes<'_>, line: &Line, cycle: &AnyCycle) -> Result<Self, ReportError> {
+        let (linkage, place, inputs) = (&wishes.linkage, line.place, line.inputs());
+        let of_assembly = |choice: &AssemblyChoice| linkage.position(inputs, choice.position());
         let wanted = wishes.assembly.as_ref().map(|choice| (choice, of_assembly(choice)));
         let found = if let Some((choice, solved)) = &wanted {
             let solved = solved.as_ref().ok();
             solved.map(|unknowns| ((*choice).clone(), unknowns.clone()))
         } else {
-            let all = linkage.positions_at(&wishes.inputs);
+            let all = linkage.positions_at(inputs);
             let (all, _) = all.map_err(|error| ReportError::ClosesNowhere { error })?;
             let first = all.into_iter().next();
-            first.map(|unknowns| (linkage.assembly_near(&wishes.inputs, &unknowns), unknowns))
+            first.map(|unknowns| (linkage.assembly_near(inputs, &unknowns), unknowns))
         };
         if let Some((assembly, unknowns)) = found {
             return Ok(Self {
@@ -62,16 +65,59 @@ impl Own {
             return Err(match error {
                 Some(error) => ReportError::ClosesNowhere { error },
                 None => ReportError::NoPosition {
-                    inputs: InputValues::new(linkage.description().inputs, &wishes.inputs),
+                    inputs: InputValues::new(linkage.description().inputs, inputs),
                 },
             });
         };
-        let assembly = linkage.assembly_near(&wishes.inputs_at(moving, place), &unknowns);
+        let assembly = linkage.assembly_near(&line.inputs_at(place), &unknowns);
         Ok(Self {
             branches: branches(cycle, place, &assembly, &unknowns, linkage.description()),
             assembly,
             start: (place, unknowns),
         })
+    }
+
+    /// The assembly under laws: the wanted one, or the first one that closes. Values nearby hold where the laws begin. `inputs` gives the
+    /// inputs at a time.
+    pub(super) fn under_laws(
+        wishes: &Wishes<'_>,
+        range: [f64; 2],
+        inputs: &dyn Fn(f64) -> Vec<f64>,
+    ) -> Result<Self, ReportError> {
+        let (linkage, [begin, _]) = (&wishes.linkage, range);
+        let solved = |choice: &AssemblyChoice, place: f64| linkage.position(&inputs(place), choice.position());
+        let count = linkage.assembly_count();
+        let candidates: Vec<AssemblyChoice> = match &wishes.assembly {
+            Some(choice) => vec![choice.clone()],
+            None if count > 0 => (0..count).map(AssemblyChoice::Index).collect(),
+            None => {
+                let found = linkage.positions_at(&inputs(begin));
+                let (all, _) = found.map_err(|error| ReportError::ClosesNowhere { error })?;
+                all.into_iter().map(AssemblyChoice::Near).collect()
+            }
+        };
+        // a coupled block is followed from the beginning, and a closed form may close only later
+        let places = if count > 0 { places(range) } else { vec![begin] };
+        let closing = places.iter().find_map(|place| {
+            let mut own = candidates.iter();
+            own.find_map(|choice| Some((choice.clone(), *place, solved(choice, *place).ok()?)))
+        });
+        match (closing, candidates.first()) {
+            (Some((assembly, place, unknowns)), _) => Ok(Self {
+                assembly,
+                branches: Vec::new(),
+                start: (place, unknowns),
+            }),
+            (None, Some(choice)) => Err(match solved(choice, begin) {
+                Err(error) => ReportError::ClosesNowhere { error },
+                Ok(_) => ReportError::NoPosition {
+                    inputs: InputValues::new(linkage.description().inputs, &inputs(begin)),
+                },
+            }),
+            (None, None) => Err(ReportError::NoPosition {
+                inputs: InputValues::new(linkage.description().inputs, &inputs(begin)),
+            }),
+        }
     }
 
     /// The range of the moving input: as far as the assembly goes, and a bit beyond its limits.
@@ -110,6 +156,12 @@ impl Own {
             }),
         }
     }
+}
+
+/// Some places of a range, from its beginning to its end.
+pub(super) fn places([from, to]: [f64; 2]) -> Vec<f64> {
+    let place = |part: u32| from + (to - from) * f64::from(part) / f64::from(PLACES);
+    (0..=PLACES).map(place).collect()
 }
 
 /// The largest part of a branch within a range, and the whole periods by which it is shifted there.
@@ -183,7 +235,7 @@ fn shifted(cycle: &AnyCycle, branch: usize, place: f64) -> f64 {
 }
 
 /// The largest difference of two positions: of angles without whole turns, of lengths relative to their size.
-fn distance(description: &Description, one: &[f64], other: &[f64]) -> f64 {
+pub(super) fn distance(description: &Description, one: &[f64], other: &[f64]) -> f64 {
     let values = one.iter().zip(other);
     let named = description.unknowns.iter().zip(values);
     named.fold(0.0, |largest: f64, (quantity, (one, other))| {

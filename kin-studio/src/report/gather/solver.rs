@@ -52,7 +52,7 @@ impl Solver {
 }
 
 /// The poses as the solver would find them.
-pub(super) fn frames(wishes: &Wishes, poses: &[At]) -> Vec<Frame> {
+pub(super) fn frames(wishes: &Wishes<'_>, poses: &[At]) -> Vec<Frame> {
     let (functions, parameters) = (wishes.functions, wishes.linkage.parameters());
     let slides = functions.outline().slides.len();
     let shortened = |values: &[f64]| values.iter().copied().map(super::short).collect::<Vec<f64>>();

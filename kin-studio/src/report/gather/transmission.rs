@@ -1,11 +1,13 @@
 //! Transmission angles over the range.
 
+use kin_core::sweep::SmoothDrive;
+
 use super::way::{At, Way};
 use crate::report::draft::Wishes;
 use crate::report::model::{Angles, Transmission, WorstAngle};
 
 /// The transmission angles of all dyads, if there are any and if they are found everywhere.
-pub(super) fn of(wishes: &Wishes, way: &Way, poses: &[At]) -> Option<Transmission> {
+pub(super) fn of<D: SmoothDrive>(wishes: &Wishes<'_>, way: &Way<D>, poses: &[At]) -> Option<Transmission> {
     let linkage = &wishes.linkage;
     let mut dyads = Vec::new();
     let mut samples = Vec::new();

@@ -1,45 +1,44 @@
-//! The motion of a report: the moving input over its range, in one assembly.
+//! The motion of a report: its drive over the range, in one assembly.
 
 use kin_core::SolveError;
-use kin_core::any::AssemblyChoice;
-use kin_core::linkage::{AnyCycle, AnyPose, AnySweep};
-use kin_core::sweep::StraightLine;
+use kin_core::linkage::{AnyCycle, AnyLinkage, AnyPose, AnySweep};
+use kin_core::sweep::{Laws, SmoothDrive, StraightLine};
 
+use super::line::Line;
 use super::place::{self, Own};
 use crate::report::ReportError;
-use crate::report::draft::Wishes;
 
 /// The rows of a sweep over the range.
-const ROWS: usize = 181;
+pub(super) const ROWS: usize = 181;
 
-/// A value of the moving input, and the pose there.
+/// A value of the variable, and the pose there.
 pub(super) type At = (f64, Result<AnyPose, SolveError>);
 
-/// The sweeps over the range. Closed forms need one. Coupled blocks are followed from a position to both ends.
-pub(super) struct Way {
+/// The sweeps over the range. Closed forms and laws need one. Along a line, coupled blocks are followed from a position to both ends.
+pub(super) struct Way<D> {
     /// The sweep downwards comes first, if there are two.
-    pub(super) courses: Vec<AnySweep<StraightLine>>,
+    pub(super) courses: Vec<AnySweep<D>>,
     /// The places on the range where the assembly closes, as the branches tell.
     closes: Vec<[f64; 2]>,
 }
 
-impl Way {
-    pub(super) fn new(
-        wishes: &Wishes,
-        moving: usize,
+impl<'l> Way<Laws<'l>> {
+    pub(super) fn under_laws(course: AnySweep<Laws<'l>>) -> Self {
+        Self {
+            courses: vec![course],
+            closes: Vec::new(),
+        }
+    }
+}
+
+impl Way<StraightLine> {
+    pub(super) fn along(
+        linkage: &AnyLinkage,
+        line: &Line,
         range: [f64; 2],
         cycle: &AnyCycle,
         own: &Own,
     ) -> Result<Self, ReportError> {
-        let linkage = &wishes.linkage;
-        let inputs = |place: f64| wishes.inputs_at(moving, place);
-        let course = |assembly: &AssemblyChoice, from: f64, to: f64| {
-            linkage
-                .sweep(assembly.clone())
-                .between(&inputs(from), &inputs(to), ROWS)
-                // a sweep downwards has a positive speed downwards
-                .speed(if to < from { -wishes.speed } else { wishes.speed })
-        };
         let [low, high] = range;
         let branch = own.branches.first().map(|index| &cycle.branches()[*index]);
         let is_turning = branch.is_some_and(kin_core::cycle::Branch::is_full_turn);
@@ -51,7 +50,7 @@ impl Way {
         };
         if own.assembly.index().is_some() {
             return Ok(Self {
-                courses: vec![course(&own.assembly, low, high)],
+                courses: vec![line.sweep(linkage, &own.assembly, range)],
                 closes,
             });
         }
@@ -71,17 +70,19 @@ impl Way {
             _ => None,
         };
         let (start, near) = start.unwrap_or((place, near));
-        let assembly = linkage.assembly_near(&inputs(start), &near);
+        let assembly = linkage.assembly_near(&line.inputs_at(start), &near);
         let mut courses = Vec::new();
         if start > low {
-            courses.push(course(&assembly, start, low));
+            courses.push(line.sweep(linkage, &assembly, [start, low]));
         }
         if start < high {
-            courses.push(course(&assembly, start, high));
+            courses.push(line.sweep(linkage, &assembly, [start, high]));
         }
         Ok(Self { courses, closes })
     }
+}
 
+impl<D: SmoothDrive> Way<D> {
     /// The place where two sweeps begin, if there are two.
     pub(super) fn start(&self) -> Option<f64> {
         match self.courses.as_slice() {
@@ -90,7 +91,7 @@ impl Way {
         }
     }
 
-    /// The way of the moving input on which each sweep closes, if it is known.
+    /// The way of the variable on which each sweep closes, if it is known.
     pub(super) fn lengths(&self) -> Option<Vec<f64>> {
         let [from, to] = *self.closes.first()?;
         let start = self.start()?;
