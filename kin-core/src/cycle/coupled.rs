@@ -8,9 +8,9 @@ use alloc::vec::Vec;
 use super::limits::{SingularPlace, limits};
 use super::line::InputLine;
 use super::pieces::{BranchNode, BranchPiece, FoundPieces, Tip};
-use super::sought::SoughtMechanism;
+use super::sought::{CoupledBlocks, SoughtMechanism};
 use super::{EndKind, Incomplete};
-use crate::any::{EveryPosition, PositionChoice};
+use crate::any::PositionChoice;
 use crate::failure::SolveError;
 use crate::number::NumberRow;
 use crate::track::TrackError;
@@ -52,7 +52,7 @@ struct Seed {
 
 struct Search<'a> {
     mechanism: &'a SoughtMechanism<'a>,
-    functions: &'a dyn EveryPosition,
+    functions: &'a dyn CoupledBlocks,
     line: &'a InputLine,
     size: f64,
     seeds: Vec<Seed>,
@@ -67,10 +67,10 @@ struct Search<'a> {
 /// Returns the error of the search for positions, if a parameter is not finite.
 pub(super) fn search(
     mechanism: &SoughtMechanism<'_>,
-    functions: &dyn EveryPosition,
+    functions: &dyn CoupledBlocks,
     line: &InputLine,
 ) -> Result<FoundPieces, SolveError> {
-    match limits(mechanism, line) {
+    match limits(mechanism, functions, line) {
         Ok(limits) => from_limits(mechanism, functions, line, &limits),
         Err(reason) => {
             let mut found = from_seeds(mechanism, functions, line)?;
@@ -95,7 +95,7 @@ fn division(line: &InputLine) -> impl Iterator<Item = (f64, bool)> {
 /// beside this limit are sought.
 fn from_limits(
     mechanism: &SoughtMechanism<'_>,
-    functions: &dyn EveryPosition,
+    functions: &dyn CoupledBlocks,
     line: &InputLine,
     limits: &[SingularPlace],
 ) -> Result<FoundPieces, SolveError> {
@@ -153,7 +153,7 @@ fn from_limits(
 /// All pieces that pass one of the seeds.
 fn from_seeds(
     mechanism: &SoughtMechanism<'_>,
-    functions: &dyn EveryPosition,
+    functions: &dyn CoupledBlocks,
     line: &InputLine,
 ) -> Result<FoundPieces, SolveError> {
     let mut seeds: Vec<Seed> = Vec::new();
@@ -184,7 +184,7 @@ fn from_seeds(
 
 fn seed(
     mechanism: &SoughtMechanism<'_>,
-    functions: &dyn EveryPosition,
+    functions: &dyn CoupledBlocks,
     line: &InputLine,
     s: f64,
 ) -> Result<Seed, SolveError> {
@@ -243,7 +243,7 @@ struct WayEnd {
 impl<'a> Search<'a> {
     fn new(
         mechanism: &'a SoughtMechanism<'a>,
-        functions: &'a dyn EveryPosition,
+        functions: &'a dyn CoupledBlocks,
         line: &'a InputLine,
         seeds: Vec<Seed>,
     ) -> Self {
