@@ -155,8 +155,8 @@ pub use geometry::{Plane, Rotation, Space};
 #[doc(hidden)]
 pub use mechanism::guessed::WriteTheParametersByName;
 pub use mechanism::{
-    Block, BlockForm, ClosureTerm, Description, Formula, Formulas, Harmonic, Mechanism, OneInput, PartialMotions,
-    Partials, Pose, PoseOf, PositionSearch, Sensitive, sensitivities_of,
+    Block, BlockForm, ClosureHarmonic, ClosureTerm, Description, Formula, Formulas, Mechanism, OneInput,
+    PartialMotions, Partials, Pose, PoseOf, PositionSearch, Sensitive, sensitivities_of,
 };
 pub use motion::{Contains, Direction, IntoMotion, LinkMotion, Motion, rpm};
 #[cfg(feature = "std")]

@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use num_traits::{Float, ToPrimitive};
 
 use super::polynomial::{ClosurePolynomial, ClosureQuantity, Quantities};
-use crate::mechanism::{ClosureTerm, Harmonic};
+use crate::mechanism::{ClosureHarmonic, ClosureTerm};
 
 /// The largest sum of the multiples of an angle that is taken apart: the binomial coefficients of a larger one have more digits than a
 /// number.
@@ -162,9 +162,9 @@ impl ClosureOnLine<'_> {
             }
         }
         let (angle, is_cosine) = match term.harmonic {
-            Harmonic::One => return Some(whole),
-            Harmonic::Cosine(angle) => (angle, true),
-            Harmonic::Sine(angle) => (angle, false),
+            ClosureHarmonic::One => return Some(whole),
+            ClosureHarmonic::Cosine(angle) => (angle, true),
+            ClosureHarmonic::Sine(angle) => (angle, false),
         };
         // The angle is a phase plus multiples of the quantities.
         let (mut phase, mut rate) = (0.0, 0.0);

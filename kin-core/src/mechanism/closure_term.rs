@@ -16,13 +16,13 @@ pub struct ClosureTerm {
     /// The index and power of each quantity.
     pub powers: &'static [(u16, u8)],
     /// The sine or cosine.
-    pub harmonic: Harmonic,
+    pub harmonic: ClosureHarmonic,
 }
 
 /// The sine or cosine of a whole combination of angles, given by the index and multiple of each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Harmonic {
+pub enum ClosureHarmonic {
     /// Neither: 1.
     One,
     /// A cosine.
@@ -41,7 +41,7 @@ impl ClosureTerm {
             factor,
             coefficient,
             powers,
-            harmonic: Harmonic::One,
+            harmonic: ClosureHarmonic::One,
         }
     }
 
@@ -54,7 +54,7 @@ impl ClosureTerm {
         angle: &'static [(u16, i8)],
     ) -> Self {
         Self {
-            harmonic: Harmonic::Cosine(angle),
+            harmonic: ClosureHarmonic::Cosine(angle),
             ..Self::__one(equation, factor, coefficient, powers)
         }
     }
@@ -68,7 +68,7 @@ impl ClosureTerm {
         angle: &'static [(u16, i8)],
     ) -> Self {
         Self {
-            harmonic: Harmonic::Sine(angle),
+            harmonic: ClosureHarmonic::Sine(angle),
             ..Self::__one(equation, factor, coefficient, powers)
         }
     }

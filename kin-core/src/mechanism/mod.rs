@@ -20,7 +20,7 @@ mod sizes;
 pub use block_form::BlockForm;
 #[doc(hidden)]
 pub use block_form::length;
-pub use closure_term::{ClosureTerm, Harmonic};
+pub use closure_term::{ClosureHarmonic, ClosureTerm};
 pub use description::{Block, Description};
 #[doc(hidden)]
 pub use failed::{culprit, failed};

@@ -8,7 +8,7 @@ use crate::algebra::{Graph, Node, Symbol};
 use crate::assemble;
 use crate::passes::Passes;
 use crate::program::{
-    Choice, Closure, Component, Expression, FormLengths, Lengths, Mode, Names, Program, Step, TransmissionAngles,
+    Choice, ClosureTerms, Component, Expression, FormLengths, Lengths, Mode, Names, Program, Step, TransmissionAngles,
 };
 use crate::schedule::{Style, schedule};
 use crate::structure::{Block, block_forms, closure_polynomials, dyads};
@@ -20,7 +20,7 @@ pub(super) struct Extras {
     pub(super) every: Option<Program<Expression>>,
     pub(super) transmission: TransmissionAngles,
     pub(super) lengths: Lengths,
-    pub(super) closure: Option<Closure>,
+    pub(super) closure: Option<ClosureTerms>,
 }
 
 /// Plans all of them.
@@ -109,7 +109,7 @@ fn lengths(mut graph: Graph, task: &Task<'_>) -> Lengths {
 }
 
 /// The closure as polynomials, for a mechanism with a coupled block.
-fn closure(task: &Task<'_>) -> Option<Closure> {
+fn closure(task: &Task<'_>) -> Option<ClosureTerms> {
     if !task.blocks.iter().any(Block::is_coupled) {
         return None;
     }
@@ -118,7 +118,7 @@ fn closure(task: &Task<'_>) -> Option<Closure> {
     let mut components = Components::new(task, "coefficient");
     let coefficients = polynomials.coefficients.into_iter();
     let coefficients = coefficients.map(|node| components.of(&mut graph, node)).collect();
-    Some(Closure {
+    Some(ClosureTerms {
         terms: polynomials.terms,
         coefficients,
         program: components.program(&graph),

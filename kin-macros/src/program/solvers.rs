@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::{Choice, Directions, Expression, Names, Program, Stage, Trials};
 use crate::algebra::{Graph, Symbol};
-use crate::structure::{BlockKind, ClosureTerm, Dyad};
+use crate::structure::{BlockKind, ClosureMonomial, Dyad};
 
 /// The programs that a mechanism needs, and the decisions behind them.
 pub(crate) struct Solvers {
@@ -25,7 +25,7 @@ pub(crate) struct Solvers {
     pub(crate) transmission: TransmissionAngles,
     pub(crate) lengths: Lengths,
     /// The closure as polynomials, if Newton's method solves a part and the closure is algebraic.
-    pub(crate) closure: Option<Closure>,
+    pub(crate) closure: Option<ClosureTerms>,
     /// Whether equations or outputs were too large to be multiplied out.
     pub(crate) is_form_given_up: bool,
     pub(crate) trials: Trials,
@@ -44,8 +44,8 @@ pub(crate) struct Lengths {
 }
 
 /// The terms of the closure with their coefficients, and the program that computes those that are no parameters.
-pub(crate) struct Closure {
-    pub(crate) terms: Vec<ClosureTerm>,
+pub(crate) struct ClosureTerms {
+    pub(crate) terms: Vec<ClosureMonomial>,
     pub(crate) coefficients: Vec<Component>,
     pub(crate) program: Program<Expression>,
 }

@@ -10,7 +10,7 @@ use crate::algebra::{Expansion, Graph, Harmonic, Node, Symbol, Variables};
 /// A term of a scalar equation: a number times a coefficient, by index, powers of inputs and unknowns, and a sine or a
 /// cosine.
 #[derive(Clone)]
-pub(crate) struct ClosureTerm {
+pub(crate) struct ClosureMonomial {
     pub(crate) equation: u16,
     pub(crate) factor: f64,
     pub(crate) coefficient: u16,
@@ -20,7 +20,7 @@ pub(crate) struct ClosureTerm {
 
 /// The terms of all scalar equations, in their order, and the coefficients, free of inputs and unknowns.
 pub(crate) struct ClosurePolynomials {
-    pub(crate) terms: Vec<ClosureTerm>,
+    pub(crate) terms: Vec<ClosureMonomial>,
     pub(crate) coefficients: Vec<Node>,
 }
 
@@ -46,7 +46,7 @@ pub(crate) fn closure_polynomials(graph: &mut Graph, residuals: &[Node]) -> Opti
                 coefficients.push(coefficient);
                 coefficients.len() - 1
             });
-            terms.push(ClosureTerm {
+            terms.push(ClosureMonomial {
                 equation: u16::try_from(equation).ok()?,
                 factor,
                 coefficient: u16::try_from(place).ok()?,

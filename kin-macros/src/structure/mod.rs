@@ -21,7 +21,7 @@ use std::collections::BTreeSet;
 
 pub(crate) use arm::Arm;
 pub(crate) use closed_form::ClosedForm;
-pub(crate) use closure::{ClosureTerm, closure_polynomials};
+pub(crate) use closure::{ClosureMonomial, closure_polynomials};
 pub(crate) use complex::ComplexNode;
 pub(crate) use dyads::{Dyad, dyads};
 pub(crate) use form::{BlockKind, block_forms};

@@ -6,12 +6,12 @@ use quote::quote;
 use crate::algebra::{Angle, Harmonic, Symbol};
 use crate::emit::compiled::{Compiled, local};
 use crate::emit::text::ProgramText;
-use crate::program::Closure;
-use crate::structure::ClosureTerm;
+use crate::program::ClosureTerms;
+use crate::structure::ClosureMonomial;
 
 /// The method `closure_terms` of the trait.
 pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
-    let Some(Closure {
+    let Some(ClosureTerms {
         terms,
         coefficients,
         program,
@@ -35,7 +35,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     }
 }
 
-fn written(mechanism: &Compiled<'_>, term: &ClosureTerm) -> TokenStream {
+fn written(mechanism: &Compiled<'_>, term: &ClosureMonomial) -> TokenStream {
     let runtime = mechanism.runtime;
     let place = |symbol: Symbol| {
         Literal::usize_unsuffixed(match symbol {
