@@ -29,7 +29,7 @@ use alloc::vec::Vec;
 use core::marker::PhantomData;
 
 use crate::failure::SolveError;
-use crate::mechanism::{BlockForm, Description, Mechanism, Pose, PositionSearch};
+use crate::mechanism::{BlockForm, ClosureTerm, Description, Mechanism, Pose, PositionSearch};
 use crate::number::Row;
 use crate::picture::TransmissionAngle;
 use crate::solve::Scalar;
@@ -132,6 +132,12 @@ impl<T, F: AssemblyOver<T> + NearOver<T>> PositionOver<T> for F {}
 pub trait ClosureOver<T> {
     /// Writes the residual of each scalar equation.
     fn residuals(&self, parameters: &[T], inputs: &[T], unknowns: &[T], residuals: &mut [T]);
+}
+
+/// The closure as trigonometric polynomials, with coefficients in numbers of one type.
+pub trait ClosureTermsOver<T> {
+    /// Passes on the terms and their coefficients, as [`Mechanism::closure_terms`] does.
+    fn closure_terms(&self, parameters: &[T], found: &mut dyn FnMut(&'static [ClosureTerm], &[T]));
 }
 
 /// The outputs in numbers of one type.
@@ -294,6 +300,12 @@ impl<M: Mechanism, T: Scalar> ClosureOver<T> for Of<M> {
     fn residuals(&self, parameters: &[T], inputs: &[T], unknowns: &[T], residuals: &mut [T]) {
         let found = with::<M, T>(parameters).residuals(row(inputs), row(unknowns));
         residuals.copy_from_slice(found.as_ref());
+    }
+}
+
+impl<M: Mechanism, T: Scalar> ClosureTermsOver<T> for Of<M> {
+    fn closure_terms(&self, parameters: &[T], found: &mut dyn FnMut(&'static [ClosureTerm], &[T])) {
+        with::<M, T>(parameters).closure_terms(found);
     }
 }
 

@@ -159,8 +159,8 @@ pub use geometry::{Plane, Rotation, Space};
 #[doc(hidden)]
 pub use mechanism::guessed::WriteTheParametersByName;
 pub use mechanism::{
-    Block, BlockForm, Description, Formula, Formulas, Mechanism, OneInput, PartialMotions, Partials, Pose, PoseOf,
-    PositionSearch, Sensitive, sensitivities_of,
+    Block, BlockForm, ClosureHarmonic, ClosureTerm, Description, Formula, Formulas, Mechanism, OneInput,
+    PartialMotions, Partials, Pose, PoseOf, PositionSearch, Sensitive, sensitivities_of,
 };
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]

@@ -2,7 +2,9 @@
 
 use std::cell::Cell;
 
-use kin_core::{BlockForm, Description, Formulas, Mechanism, Outline, Pose, Scalar, SolveError, TransmissionAngle};
+use kin_core::{
+    BlockForm, ClosureTerm, Description, Formulas, Mechanism, Outline, Pose, Scalar, SolveError, TransmissionAngle,
+};
 
 thread_local! {
     static CALLS: Cell<Calls> = const { Cell::new(Calls { solutions: 0, closures: 0 }) };
@@ -119,6 +121,10 @@ impl<M: Mechanism> Mechanism for Counting<M> {
     ) -> Self::Residuals<Self::Scalar> {
         count(|calls| calls.closures += 1);
         self.0.residuals(inputs, unknowns)
+    }
+
+    fn closure_terms(&self, found: impl FnOnce(&'static [ClosureTerm], &[Self::Scalar])) {
+        self.0.closure_terms(found);
     }
 
     fn places(&self, inputs: Self::Inputs<Self::Scalar>, unknowns: Self::Unknowns<Self::Scalar>) -> Self::Places {

@@ -8,9 +8,9 @@ use alloc::vec::Vec;
 use super::limits::{SingularPlace, limits};
 use super::line::InputLine;
 use super::pieces::{BranchNode, BranchPiece, FoundPieces, Tip};
-use super::sought::SoughtMechanism;
+use super::sought::{CoupledBlocks, SoughtMechanism};
 use super::{EndKind, Incomplete};
-use crate::any::{EveryPosition, PositionChoice};
+use crate::any::PositionChoice;
 use crate::curve::LimitKind;
 use crate::failure::SolveError;
 use crate::number::NumberRow;
@@ -53,7 +53,7 @@ struct Seed {
 
 struct Search<'a> {
     mechanism: &'a SoughtMechanism<'a>,
-    functions: &'a dyn EveryPosition,
+    functions: &'a dyn CoupledBlocks,
     line: &'a InputLine,
     size: f64,
     seeds: Vec<Seed>,
@@ -68,10 +68,10 @@ struct Search<'a> {
 /// Returns the error of the search for positions, if a parameter is not finite.
 pub(super) fn search(
     mechanism: &SoughtMechanism<'_>,
-    functions: &dyn EveryPosition,
+    functions: &dyn CoupledBlocks,
     line: &InputLine,
 ) -> Result<FoundPieces, SolveError> {
-    match limits(mechanism, line) {
+    match limits(mechanism, functions, line) {
         Ok(limits) => from_limits(mechanism, functions, line, &limits),
         Err(reason) => {
             let mut found = from_seeds(mechanism, functions, line)?;
@@ -96,7 +96,7 @@ fn division(line: &InputLine) -> impl Iterator<Item = (f64, bool)> {
 /// beside this limit are sought.
 fn from_limits(
     mechanism: &SoughtMechanism<'_>,
-    functions: &dyn EveryPosition,
+    functions: &dyn CoupledBlocks,
     line: &InputLine,
     limits: &[SingularPlace],
 ) -> Result<FoundPieces, SolveError> {
@@ -154,7 +154,7 @@ fn from_limits(
 /// All pieces that pass one of the seeds.
 fn from_seeds(
     mechanism: &SoughtMechanism<'_>,
-    functions: &dyn EveryPosition,
+    functions: &dyn CoupledBlocks,
     line: &InputLine,
 ) -> Result<FoundPieces, SolveError> {
     let mut seeds: Vec<Seed> = Vec::new();
@@ -185,7 +185,7 @@ fn from_seeds(
 
 fn seed(
     mechanism: &SoughtMechanism<'_>,
-    functions: &dyn EveryPosition,
+    functions: &dyn CoupledBlocks,
     line: &InputLine,
     s: f64,
 ) -> Result<Seed, SolveError> {
@@ -244,7 +244,7 @@ struct WayEnd {
 impl<'a> Search<'a> {
     fn new(
         mechanism: &'a SoughtMechanism<'a>,
-        functions: &'a dyn EveryPosition,
+        functions: &'a dyn CoupledBlocks,
         line: &'a InputLine,
         seeds: Vec<Seed>,
     ) -> Self {

@@ -47,7 +47,7 @@ pub enum Incomplete {
         /// Whether the input is an angle.
         is_angle: bool,
     },
-    /// The closure of a coupled block cannot be written as polynomials without products of three quantities, so its
+    /// The closure of a mechanism with a coupled block is no polynomial in lengths and in cosines and sines of angles, so its
     /// limits are not all known.
     NotAlgebraic,
     /// An unknown of a mechanism with a coupled block has a declared range.
@@ -66,7 +66,7 @@ pub enum Incomplete {
     TooManyPaths {
         /// The unknowns of the block, separated by commas.
         block: &'static str,
-        /// The number of paths.
+        /// The number of paths, or a smaller one that is above the largest too.
         paths: usize,
         /// The largest number that is followed.
         most: usize,
@@ -127,9 +127,7 @@ impl fmt::Display for Incomplete {
                 "a branch could not be followed beyond the input {}",
                 WithUnit { value: input, is_angle }
             ),
-            Self::NotAlgebraic => formatter.write_str(
-                "the closure is not algebraic, or has products of three quantities, so limits may be missing",
-            ),
+            Self::NotAlgebraic => formatter.write_str("the closure is not algebraic, so limits may be missing"),
             Self::DeclaredRange { unknown } => write!(
                 formatter,
                 "`{unknown}` has a declared range, which the search for the limits of coupled equations does not know"

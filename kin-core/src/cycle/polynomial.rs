@@ -1,4 +1,4 @@
-//! The closure of a mechanism as polynomials in the cosines and sines of its angles, and in its lengths, found from its values.
+//! Polynomials in the cosines and sines of angles, and in lengths.
 
 use alloc::collections::BTreeMap;
 use alloc::vec;
@@ -6,12 +6,8 @@ use alloc::vec::Vec;
 
 use num_traits::Float;
 
-/// What a coefficient may be, relative to the largest value of its equation, and still be rounding.
+/// What a coefficient may be, relative to the largest of its polynomial, and still be rounding.
 const ROUNDING: f64 = 1e-13;
-/// The largest difference of the polynomials from the closure, relative to its largest value.
-const AGREEMENT: f64 = 1e-11;
-/// The number of places at which polynomials and closure are compared.
-const PLACES: u32 = 5;
 
 /// A quantity of the closure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,16 +66,6 @@ impl Quantities {
         });
         variables.flatten().collect()
     }
-
-    /// The function of a quantity, of three, that is not constant and belongs to a power of its variables.
-    fn powers(&self, quantity: usize, function: usize) -> (u16, u8) {
-        let first = self.first[quantity];
-        match (self.kinds[quantity], function) {
-            (ClosureQuantity::Angle | ClosureQuantity::Plain, 1) => (first, 1),
-            (ClosureQuantity::Angle, _) => (first + 1, 1),
-            (ClosureQuantity::Plain, _) => (first, 2),
-        }
-    }
 }
 
 /// Powers of variables, in ascending order of the variables.
@@ -92,10 +78,17 @@ pub(super) struct ClosurePolynomial {
 }
 
 impl ClosurePolynomial {
-    fn one() -> Self {
-        let mut one = Self::default();
-        one.add(Vec::new(), 1.0);
-        one
+    pub(super) fn number(number: f64) -> Self {
+        let mut own = Self::default();
+        own.add(Vec::new(), number);
+        own
+    }
+
+    /// A variable by itself.
+    pub(super) fn variable(variable: u16) -> Self {
+        let mut own = Self::default();
+        own.add(vec![(variable, 1)], 1.0);
+        own
     }
 
     pub(super) fn terms(&self) -> impl Iterator<Item = (&[(u16, u8)], f64)> {
@@ -130,6 +123,19 @@ impl ClosurePolynomial {
         })
     }
 
+    pub(super) fn times(&self, other: &Self) -> Self {
+        let mut product = Self::default();
+        product.add_product(self, other, 1.0);
+        product
+    }
+
+    /// Adds another polynomial times a number.
+    pub(super) fn add_multiple(&mut self, other: &Self, factor: f64) {
+        for (powers, coefficient) in &other.terms {
+            self.add(powers.clone(), factor * coefficient);
+        }
+    }
+
     /// Adds the product of two polynomials and a number.
     fn add_product(&mut self, one: &Self, other: &Self, factor: f64) {
         for (powers, coefficient) in &one.terms {
@@ -142,9 +148,7 @@ impl ClosurePolynomial {
     /// This polynomial plus another one times a number.
     pub(super) fn plus(&self, other: &Self, factor: f64) -> Self {
         let mut sum = self.clone();
-        for (powers, coefficient) in &other.terms {
-            sum.add(powers.clone(), factor * coefficient);
-        }
+        sum.add_multiple(other, factor);
         sum.tidy();
         sum
     }
@@ -183,17 +187,32 @@ impl ClosurePolynomial {
         sum
     }
 
-    /// Whether this is another polynomial times a number, up to rounding.
-    pub(super) fn is_multiple(&self, other: &Self, number: f64) -> bool {
-        self.terms.len() == other.terms.len()
-            && self.terms.iter().all(|(powers, value)| {
-                let expected = other.terms.get(powers).map(|own| number * own);
-                expected.is_some_and(|expected| (value - expected).abs() <= AGREEMENT * value.abs())
-            })
+    /// The same function of the angles without squares of sines: sin² is 1 - cos².
+    pub(super) fn reduced(&self, quantities: &Quantities) -> Self {
+        let mut reduced = Self::default();
+        let mut waiting: Vec<(Powers, f64)> = self.terms.clone().into_iter().collect();
+        while let Some((powers, coefficient)) = waiting.pop() {
+            let is_sine = |variable: u16| {
+                let quantity = quantities.quantity(variable);
+                quantities.kind(quantity) == ClosureQuantity::Angle && variable > quantities.first(quantity)
+            };
+            let Some(place) = powers.iter().position(|&(own, power)| power > 1 && is_sine(own)) else {
+                reduced.add(powers, coefficient);
+                continue;
+            };
+            let cosine = powers[place].0 - 1;
+            let mut less = powers;
+            less[place].1 -= 2;
+            less.retain(|(_, power)| *power > 0);
+            waiting.push((product(&less, &vec![(cosine, 2)]), -coefficient));
+            waiting.push((less, coefficient));
+        }
+        reduced.tidy();
+        reduced
     }
 
     /// Removes terms that are rounding.
-    fn tidy(&mut self) {
+    pub(super) fn tidy(&mut self) {
         let largest = self
             .terms
             .values()
@@ -215,7 +234,7 @@ fn product(one: &Powers, other: &Powers) -> Powers {
 
 /// The determinant of a square matrix, by rows: the minors of its first rows with each choice of columns.
 pub(super) fn determinant(matrix: &[Vec<ClosurePolynomial>]) -> ClosurePolynomial {
-    let mut minors = BTreeMap::from([(0_u32, ClosurePolynomial::one())]);
+    let mut minors = BTreeMap::from([(0_u32, ClosurePolynomial::number(1.0))]);
     for row in matrix {
         let mut next: BTreeMap<u32, ClosurePolynomial> = BTreeMap::new();
         for (columns, minor) in &minors {
@@ -237,129 +256,12 @@ pub(super) fn determinant(matrix: &[Vec<ClosurePolynomial>]) -> ClosurePolynomia
     minors.into_values().next().unwrap_or_default()
 }
 
-/// The equations of a closure as polynomials. An equation that is none, or that has a product of more than two quantities, is `None`.
-///
-/// `closure` writes the values of the equations for values of the quantities. `size` is the size of lengths.
-pub(super) fn polynomials(
-    quantities: &Quantities,
-    size: f64,
-    equations: usize,
-    closure: &mut dyn FnMut(&[f64], &mut [f64]),
-) -> Vec<Option<ClosurePolynomial>> {
-    let count = quantities.kinds.len();
-    let place = |place: u32, quantity: usize| {
-        let mixed = Float::sin(12.9898 * (super::line::count(quantity) + 1.7) * (f64::from(place) + 0.5));
-        match quantities.kinds[quantity] {
-            ClosureQuantity::Angle => 3.0 * mixed,
-            ClosureQuantity::Plain => size * mixed,
-        }
-    };
-    let anchor: Vec<f64> = (0..count).map(|quantity| place(0, quantity)).collect();
-    let node = |quantity: usize, node: usize| match (quantities.kinds[quantity], node) {
-        (ClosureQuantity::Angle, 0) => 0.0,
-        (ClosureQuantity::Angle, 1) => core::f64::consts::PI,
-        (ClosureQuantity::Angle, _) => core::f64::consts::FRAC_PI_2,
-        (ClosureQuantity::Plain, 0) => size,
-        (ClosureQuantity::Plain, 1) => -size,
-        (ClosureQuantity::Plain, _) => 0.0,
-    };
-    // The coefficients of the three functions of a quantity, from the values at its nodes.
-    let coefficients = |quantity: usize, [first, opposite, middle]: [f64; 3]| {
-        let (half, mean) = (0.5 * (first - opposite), 0.5 * (first + opposite));
-        match quantities.kinds[quantity] {
-            ClosureQuantity::Angle => [mean, half, middle - mean],
-            ClosureQuantity::Plain => [middle, half / size, (mean - middle) / (size * size)],
-        }
-    };
-    let mut values = vec![0.0; equations];
-    let mut largest = vec![0.0_f64; equations];
-    let mut found = vec![ClosurePolynomial::default(); equations];
-    let scale = |quantity: usize, function: usize| match quantities.kinds[quantity] {
-        ClosureQuantity::Angle => 1.0,
-        ClosureQuantity::Plain => Float::powi(size, i32::from(function == 1) + 2 * i32::from(function == 2)),
-    };
-
-    for one in 0..count {
-        for other in one + 1..count {
-            let mut grid = vec![[[0.0; 3]; 3]; equations];
-            for (row, column) in (0..9).map(|node| (node / 3, node % 3)) {
-                let mut at = anchor.clone();
-                (at[one], at[other]) = (node(one, row), node(other, column));
-                closure(&at, &mut values);
-                for equation in 0..equations {
-                    grid[equation][row][column] = values[equation];
-                    largest[equation] = largest[equation].max(values[equation].abs());
-                }
-            }
-            for (equation, grid) in grid.into_iter().enumerate() {
-                let rows = grid.map(|row| coefficients(other, row));
-                for second in 1..3 {
-                    let along = coefficients(one, rows.map(|row| row[second]));
-                    for (first, coefficient) in along.into_iter().enumerate().skip(1) {
-                        if (coefficient * scale(one, first) * scale(other, second)).abs() > ROUNDING * largest[equation]
-                        {
-                            let powers = vec![quantities.powers(one, first), quantities.powers(other, second)];
-                            found[equation].add(powers, coefficient);
-                        }
-                    }
-                }
-            }
-        }
-    }
-    let rest =
-        |at: &[f64], values: &mut [f64], closure: &mut dyn FnMut(&[f64], &mut [f64]), found: &[ClosurePolynomial]| {
-            closure(at, values);
-            let variables = quantities.variables(at);
-            for (value, polynomial) in values.iter_mut().zip(found) {
-                *value -= polynomial.value(&variables);
-            }
-        };
-    let mut singles = vec![ClosurePolynomial::default(); equations];
-    for quantity in 0..count {
-        let mut nodes = vec![[0.0; 3]; equations];
-        for which in 0..3 {
-            let mut at = anchor.clone();
-            at[quantity] = node(quantity, which);
-            rest(&at, &mut values, closure, &found);
-            for (nodes, value) in nodes.iter_mut().zip(&values) {
-                nodes[which] = *value;
-            }
-        }
-        for (equation, nodes) in nodes.into_iter().enumerate() {
-            for (function, coefficient) in coefficients(quantity, nodes).into_iter().enumerate().skip(1) {
-                if (coefficient * scale(quantity, function)).abs() > ROUNDING * largest[equation] {
-                    singles[equation].add(vec![quantities.powers(quantity, function)], coefficient);
-                }
-            }
-        }
-    }
-    for (polynomial, single) in found.iter_mut().zip(singles) {
-        polynomial.terms.extend(single.terms);
-    }
-    rest(&anchor, &mut values, closure, &found);
-    for (equation, value) in values.iter().enumerate() {
-        if value.abs() > ROUNDING * largest[equation] {
-            found[equation].add(Vec::new(), *value);
-        }
-    }
-    let mut agrees = vec![true; equations];
-    for number in 1..=PLACES {
-        let at: Vec<f64> = (0..count).map(|quantity| place(number, quantity)).collect();
-        rest(&at, &mut values, closure, &found);
-        for (equation, value) in values.iter().enumerate() {
-            agrees[equation] &= value.abs() <= AGREEMENT * largest[equation];
-        }
-    }
-    let all = found.into_iter().zip(agrees);
-    all.map(|(polynomial, agrees)| agrees.then_some(polynomial)).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use std::vec;
     use std::vec::Vec;
 
-    use super::{ClosurePolynomial, ClosureQuantity, Quantities, determinant, polynomials};
+    use super::{ClosurePolynomial, ClosureQuantity, Quantities, determinant};
 
     fn quantities() -> Quantities {
         Quantities::new(vec![
@@ -369,55 +271,27 @@ mod tests {
         ])
     }
 
-    /// Equations of sums and products of two quantities are found, and others are not.
-    #[test]
-    fn closures_are_polynomials() {
-        let quantities = quantities();
-        let mut closure = |at: &[f64], values: &mut [f64]| {
-            let [angle, length, other] = at[..] else { return };
-            values[0] = 2.0 * angle.cos() + length * other.sin() - 0.5;
-            values[1] = length * length - 3.0 * (angle - other).cos();
-            values[2] = length * angle.cos() * other.cos();
-            values[3] = other - angle.sin();
-        };
-        let found = polynomials(&quantities, 4.0, 4, &mut closure);
-        let terms = |index: usize| -> Vec<(Vec<(u16, u8)>, f64)> {
-            let polynomial = found[index].as_ref().unwrap();
-            polynomial
-                .terms()
-                .map(|(powers, value)| (powers.into(), (1e12 * value).round() / 1e12))
-                .collect()
-        };
-        assert_eq!(
-            terms(0),
-            [(vec![], -0.5), (vec![(0, 1)], 2.0), (vec![(2, 1), (4, 1)], 1.0)]
-        );
-        assert_eq!(
-            terms(1),
-            [
-                (vec![(0, 1), (3, 1)], -3.0),
-                (vec![(1, 1), (4, 1)], -3.0),
-                (vec![(2, 2)], 1.0)
-            ]
-        );
-        assert!(found[2].is_none() && found[3].is_none());
+    fn polynomial(terms: &[(&[(u16, u8)], f64)]) -> ClosurePolynomial {
+        let mut polynomial = ClosurePolynomial::default();
+        for (powers, coefficient) in terms {
+            polynomial.add(powers.to_vec(), *coefficient);
+        }
+        polynomial
     }
 
-    /// Derivatives and determinants have the values that differences and a formula give.
+    /// Derivatives and determinants have the values that a formula gives.
     #[test]
     fn derivatives_and_determinants_are_right() {
         let quantities = quantities();
-        let mut closure = |at: &[f64], values: &mut [f64]| {
-            let [angle, length, other] = at[..] else { return };
-            values[0] = 2.0 * angle.cos() + length * other.sin();
-            values[1] = angle.sin() - length * other.cos();
-            values[2] = length * length + (angle - other).sin();
-        };
-        let found: Vec<ClosurePolynomial> = polynomials(&quantities, 1.0, 3, &mut closure)
-            .into_iter()
-            .flatten()
-            .collect();
-        let matrix: Vec<Vec<ClosurePolynomial>> = found
+        let equations = [
+            // 2 cos angle + length sin other
+            polynomial(&[(&[(0, 1)], 2.0), (&[(2, 1), (4, 1)], 1.0)]),
+            // sin angle - length cos other
+            polynomial(&[(&[(1, 1)], 1.0), (&[(2, 1), (3, 1)], -1.0)]),
+            // length² + sin(angle - other)
+            polynomial(&[(&[(2, 2)], 1.0), (&[(1, 1), (3, 1)], 1.0), (&[(0, 1), (4, 1)], -1.0)]),
+        ];
+        let matrix: Vec<Vec<ClosurePolynomial>> = equations
             .iter()
             .map(|equation| {
                 (0..3)
@@ -444,5 +318,20 @@ mod tests {
         let variables = quantities.variables(&[angle, length, other]);
         let value = determinant(&matrix).value(&variables);
         assert!((value - expected).abs() < 1e-13, "{value} {expected}");
+    }
+
+    /// Squares of sines are replaced, so that a sum of squares of a sine and its cosine is a number.
+    #[test]
+    fn a_sum_of_squares_is_a_number() {
+        let quantities = quantities();
+        // the cosine and the sine of angle + other, times 3
+        let cosine = polynomial(&[(&[(0, 1), (3, 1)], 3.0), (&[(1, 1), (4, 1)], -3.0)]);
+        let sine = polynomial(&[(&[(1, 1), (3, 1)], 3.0), (&[(0, 1), (4, 1)], 3.0)]);
+        let mut squares = cosine.times(&cosine);
+        squares.add_multiple(&sine.times(&sine), 1.0);
+        assert_eq!(squares.reduced(&quantities), ClosurePolynomial::number(9.0));
+        let fourth = polynomial(&[(&[(1, 4), (2, 3)], 1.0)]);
+        let expected = polynomial(&[(&[(2, 3)], 1.0), (&[(0, 2), (2, 3)], -2.0), (&[(0, 4), (2, 3)], 1.0)]);
+        assert_eq!(fourth.reduced(&quantities), expected);
     }
 }

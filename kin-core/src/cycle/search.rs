@@ -3,17 +3,17 @@
 use super::data::{Branch, CycleData, EndKind};
 use super::joined::{circuits, joined_at_the_seam};
 use super::line::InputLine;
-use super::sought::{ClosedForms, SoughtMechanism};
+use super::sought::{ClosedForms, CoupledBlocks, SoughtMechanism};
 use super::unit::LengthUnit;
 use super::{Incomplete, closed, coupled};
-use crate::any::{EveryPosition, PositionChoice};
+use crate::any::PositionChoice;
 use crate::failure::{Failure, InputValues, SolveError};
 use crate::number::NumberRow;
 
 /// The functions of a search: there are other ones for closed forms and for coupled blocks.
 pub enum SearchMethod<'f> {
     Closed(&'f dyn ClosedForms),
-    Coupled(&'f dyn EveryPosition),
+    Coupled(&'f dyn CoupledBlocks),
 }
 
 /// All circuits and branches along a line of inputs, which is given by a place and a direction.

@@ -7,7 +7,8 @@ use core::f64::consts::PI;
 use num_traits::Float;
 
 use super::Incomplete;
-use super::polynomial::{ClosurePolynomial, ClosureQuantity, Quantities, determinant, polynomials};
+use super::closure::Closure;
+use super::polynomial::{ClosurePolynomial, ClosureQuantity, Quantities, determinant};
 use crate::assemblies::continuation::{BorrowedSystem, BorrowedTerm, real_solutions};
 use crate::mechanism::Block;
 
@@ -38,129 +39,38 @@ pub(super) struct Singular {
     pub(super) rate: f64,
 }
 
-/// The closure as polynomials of an input and the unknowns.
-struct Closure {
-    quantities: Quantities,
-    equations: Vec<ClosurePolynomial>,
-    /// The unknown angle, as a quantity, that was added to the input times the sign.
-    added: Option<(usize, f64)>,
-    /// The unknown angle, as a quantity, that turns the input, a length, and whose cosine and sine occur with it only. Their products with
-    /// the input have taken the place of its variables.
-    turned: Option<usize>,
-}
-
-impl Closure {
-    /// The closure whose first quantity is the input, or the input plus or minus an unknown angle, whichever makes the lowest degrees. The
-    /// angle of a motor between two links is a difference of their angles, for example.
-    fn new(quantities: &Quantities, size: f64, closure: &mut dyn FnMut(&[f64], &mut [f64])) -> Option<Self> {
-        let count = quantities.len();
-        let mut best: Option<(usize, Self)> = None;
-        let angles = (1..count).filter(|quantity| quantities.kind(*quantity) == ClosureQuantity::Angle);
-        let sums = angles.flat_map(|angle| [Some((angle, 1.0)), Some((angle, -1.0))]);
-        for added in core::iter::once(None).chain(sums) {
-            if added.is_some() && quantities.kind(0) != ClosureQuantity::Angle {
-                break;
-            }
-            let mut shifted = |at: &[f64], values: &mut [f64]| {
-                let mut at = at.to_vec();
-                if let Some((angle, sign)) = added {
-                    at[0] -= sign * at[angle];
-                }
-                closure(&at, values);
-            };
-            let found = polynomials(quantities, size, count - 1, &mut shifted);
-            let Some(equations) = found.into_iter().collect::<Option<Vec<ClosurePolynomial>>>() else {
-                continue;
-            };
-            let degree = equations.iter().map(ClosurePolynomial::degree).sum();
-            if best.as_ref().is_none_or(|(known, _)| degree < *known) {
-                let own = Self {
-                    quantities: quantities.clone(),
-                    equations,
-                    added,
-                    turned: None,
-                };
-                best = Some((degree, own));
-            }
-            if degree < count {
-                break;
-            }
-        }
-        best.map(|(_, closure)| closure.with_the_input_turned())
-    }
-
-    /// The closure with the coordinates of the input's link as variables, if the input is the length of a turning link.
-    fn with_the_input_turned(mut self) -> Self {
-        let input = self.quantities.first(0);
-        let is_input = |&(variable, _): &(u16, u8)| variable == input;
-        let angle = self
-            .equations
-            .iter()
-            .flat_map(ClosurePolynomial::terms)
-            .find_map(|(powers, _)| {
-                let other = powers.iter().find(|factor| !is_input(factor))?;
-                powers.iter().any(is_input).then(|| self.quantities.quantity(other.0))
-            });
-        let Some(angle) = angle.filter(|_| self.quantities.kind(0) == ClosureQuantity::Plain) else {
-            return self;
-        };
-        let is_angle = |&(variable, _): &(u16, u8)| self.quantities.quantity(variable) == angle;
-        let is_product = self
-            .equations
-            .iter()
-            .flat_map(ClosurePolynomial::terms)
-            .all(|(powers, _)| {
-                let degree = |counts: &dyn Fn(&(u16, u8)) -> bool| -> u32 {
-                    let own = powers.iter().filter(|factor| counts(factor));
-                    own.map(|(_, power)| u32::from(*power)).sum()
-                };
-                matches!((degree(&is_input), degree(&is_angle)), (0, 0) | (1, 1))
-            });
-        if is_product && self.quantities.kind(angle) == ClosureQuantity::Angle {
-            let without = |equation: &ClosurePolynomial| {
-                let mut own = ClosurePolynomial::default();
-                for (powers, coefficient) in equation.terms() {
-                    let others = powers.iter().filter(|factor| !is_input(factor));
-                    own.add(others.copied().collect(), coefficient);
-                }
-                own
-            };
-            self.equations = self.equations.iter().map(without).collect();
-            self.turned = Some(angle);
-        }
-        self
-    }
-
-    /// The derivative of an equation with respect to an unknown, while the input stands still.
-    fn derivative(&self, equation: usize, quantity: usize) -> ClosurePolynomial {
-        let own = self.equations[equation].derivative(&self.quantities, quantity);
-        match self.added {
-            Some((added, sign)) if added == quantity => {
-                own.plus(&self.equations[equation].derivative(&self.quantities, 0), sign)
-            }
-            _ => own,
-        }
-    }
-}
-
 /// The singular positions of every block. The input is the first of the quantities.
 ///
 /// # Errors
-/// Says if the closure is not algebraic, if an unknown may grow beyond all bounds, if there are too many paths, or
-/// if one of them was lost.
-pub(super) fn singular_positions(
-    quantities: &Quantities,
-    size: f64,
-    blocks: &[Block],
-    closure: &mut dyn FnMut(&[f64], &mut [f64]),
-) -> Result<Vec<SingularPosition>, Incomplete> {
-    let closure = Closure::new(quantities, size.max(f64::MIN_POSITIVE), closure).ok_or(Incomplete::NotAlgebraic)?;
+/// Says if an unknown may grow beyond all bounds, if there are too many paths, or if one of them was lost.
+pub(super) fn singular_positions(closure: &Closure, blocks: &[Block]) -> Result<Vec<SingularPosition>, Incomplete> {
+    let quantities = &closure.quantities;
     if !is_bounded(quantities, &closure.equations) {
         return Err(Incomplete::Unbounded);
     }
     let mut all = Vec::new();
     for (block, own) in blocks.iter().enumerate() {
         let members = own.members;
+        let mut system = Vec::new();
+        let mut involved = match closure.turned {
+            Some(_) => Vec::new(),
+            None => vec![0],
+        };
+        for needed in needed(closure, blocks, block) {
+            let Block { equations, members, .. } = blocks[needed];
+            system.extend(equations.iter().map(|equation| closure.equations[*equation].clone()));
+            involved.extend(members.iter().map(|member| member + 1));
+        }
+        reduce(&mut system);
+        // The determinant has more terms than can be counted if the block is large. It only adds to the paths.
+        let paths = paths(closure, &system, &involved);
+        if paths > MOST_PATHS {
+            return Err(Incomplete::TooManyPaths {
+                block: own.unknowns,
+                paths,
+                most: MOST_PATHS,
+            });
+        }
         let row = |equation: &usize| {
             let columns = members.iter();
             columns
@@ -175,23 +85,12 @@ pub(super) fn singular_positions(
         if singular.degree() == 0 {
             continue;
         }
-        let mut system = Vec::new();
-        let mut involved = match closure.turned {
-            Some(_) => Vec::new(),
-            None => vec![0],
-        };
-        for needed in needed(&closure, blocks, block) {
-            let Block { equations, members, .. } = blocks[needed];
-            system.extend(equations.iter().map(|equation| closure.equations[*equation].clone()));
-            involved.extend(members.iter().map(|member| member + 1));
-        }
-        reduce(&mut system);
         system.push(singular);
         // A block on which the input has no effect stands still.
         if closure.turned.is_some_and(|turned| !involved.contains(&turned)) {
             continue;
         }
-        for (at, is_multiple) in solutions(&closure, &system, &involved, own.unknowns)? {
+        for (at, is_multiple) in solutions(closure, &system, &involved, own.unknowns)? {
             let mut variables = quantities.variables(&at);
             if let Some(turned) = closure.turned {
                 let first = usize::from(quantities.first(turned));
@@ -217,7 +116,7 @@ pub(super) fn singular_positions(
             });
             all.push(SingularPosition {
                 input: match closure.added {
-                    Some((angle, sign)) => at[0] - sign * at[angle],
+                    Some((angle, sign)) => at[0] - f64::from(sign) * at[angle],
                     None => at[0],
                 },
                 unknowns: unknowns.collect(),
@@ -226,6 +125,16 @@ pub(super) fn singular_positions(
         }
     }
     Ok(all)
+}
+
+/// The product of the degrees of a system and of the circles of its angles.
+fn paths(closure: &Closure, system: &[ClosurePolynomial], involved: &[usize]) -> usize {
+    let is_on_circle = |quantity: &&usize| {
+        closure.turned != Some(**quantity) && closure.quantities.kind(**quantity) == ClosureQuantity::Angle
+    };
+    let circles = involved.iter().filter(is_on_circle).map(|_| 2);
+    let degrees = system.iter().map(|polynomial| polynomial.degree().max(1));
+    degrees.chain(circles).fold(1, usize::saturating_mul)
 }
 
 /// Subtracts equations from each other, so that fewer have a degree above one.
@@ -338,15 +247,11 @@ fn is_bounded(quantities: &Quantities, equations: &[ClosurePolynomial]) -> bool 
                 (is_alone && !slope.is_zero()).then_some(slope)
             });
             let slopes: Vec<ClosurePolynomial> = slopes.collect();
+            // Two slopes with a constant sum of squares, which is not zero, do not vanish together.
             let is_turned = |one: &ClosurePolynomial, other: &ClosurePolynomial| {
-                let angles: Vec<usize> = (0..=count)
-                    .filter(|angle| quantities.kind(*angle) == ClosureQuantity::Angle)
-                    .collect();
-                angles.into_iter().any(|angle| {
-                    [1.0, -1.0]
-                        .into_iter()
-                        .any(|sign| one.derivative(quantities, angle).is_multiple(other, sign))
-                })
+                let mut squares = one.times(one);
+                squares.add_multiple(&other.times(other), 1.0);
+                squares.reduced(quantities).degree() == 0
             };
             bounded[quantity] = slopes.iter().enumerate().any(|(place, slope)| {
                 slope.degree() == 0 || slopes[place + 1..].iter().any(|other| is_turned(slope, other))
@@ -386,10 +291,9 @@ fn solutions(
         Some(first[place] + (variable - quantities.first(quantity)))
     };
     let mut terms: Vec<OwnedTerm> = Vec::new();
-    let mut paths = 1_usize;
+    let paths = paths(closure, system, involved);
     let mut equation = 0_u16;
     for polynomial in system {
-        paths = paths.saturating_mul(polynomial.degree().max(1));
         for (powers, coefficient) in polynomial.terms() {
             let powers: Option<Vec<(u16, u8)>> = powers
                 .iter()
@@ -407,7 +311,6 @@ fn solutions(
             for powers in [vec![(*first, 2)], vec![(*first + 1, 2)], Vec::new()] {
                 terms.push((equation, if powers.is_empty() { -1.0 } else { 1.0 }, powers));
             }
-            paths = paths.saturating_mul(2);
             equation += 1;
         }
     }

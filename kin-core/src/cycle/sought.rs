@@ -7,7 +7,7 @@ use super::bounds::Bounds;
 use super::curved::Curved;
 use super::line::turned;
 use super::search::SearchMethod;
-use crate::any::{AssemblyOver, ClosureOver, Of, PositionChoice, TransmissionOver};
+use crate::any::{AssemblyOver, ClosureOver, ClosureTermsOver, EveryPosition, Of, PositionChoice, TransmissionOver};
 use crate::curve::CurveFunctions;
 use crate::failure::SolveError;
 use crate::mechanism::{Block, Description, Mechanism};
@@ -32,6 +32,11 @@ impl<F: CurveFunctions + ClosureOver<Bounds>> CycleFunctions for F {}
 pub trait ClosedForms: CycleFunctions + AssemblyOver<Bounds> + AssemblyOver<Curved> + TransmissionOver<f64> {}
 
 impl<F: CycleFunctions + AssemblyOver<Bounds> + AssemblyOver<Curved> + TransmissionOver<f64>> ClosedForms for F {}
+
+/// What the search needs where a block is coupled.
+pub trait CoupledBlocks: EveryPosition + ClosureTermsOver<f64> {}
+
+impl<F: EveryPosition + ClosureTermsOver<f64>> CoupledBlocks for F {}
 
 /// A mechanism whose cycle can be searched.
 pub trait SearchedFunctions: CycleFunctions {

@@ -1,6 +1,7 @@
 //! The common interface of all mechanisms, so that sweeps, tables and verification are written once.
 
 mod block_form;
+mod closure_term;
 mod condition;
 mod description;
 mod failed;
@@ -21,6 +22,7 @@ mod sizes;
 pub use block_form::BlockForm;
 #[doc(hidden)]
 pub use block_form::length;
+pub use closure_term::{ClosureHarmonic, ClosureTerm};
 pub use description::{Block, Description};
 #[doc(hidden)]
 pub use failed::{culprit, failed};
@@ -195,6 +197,15 @@ pub trait Mechanism: Copy + Debug + 'static {
         inputs: Self::Inputs<Self::Scalar>,
         unknowns: Self::Unknowns<Self::Scalar>,
     ) -> Self::Residuals<Self::Scalar>;
+
+    /// Calls `found` with the closure as trigonometric polynomials of inputs and unknowns: the terms of the scalar equations, whose sums
+    /// are the [`residuals`](Self::residuals), and the coefficients of these terms.
+    ///
+    /// Only a mechanism with a coupled block has them, if its closure is algebraic: then angles occur in sines and cosines only, and
+    /// nothing that moves stands in a denominator. Otherwise `found` is not called.
+    fn closure_terms(&self, found: impl FnOnce(&'static [ClosureTerm], &[Self::Scalar])) {
+        let _ = found;
+    }
 
     /// The inherent method of this name exists `with sensitivities;` only. Without it this one is found instead, and the
     /// compiler names the request that is missing.

@@ -83,6 +83,7 @@ impl Candidate {
             every: extras.every,
             transmission: extras.transmission,
             lengths: extras.lengths,
+            closure: extras.closure,
             is_form_given_up,
             trials: Trials {
                 all: trials,

@@ -1,4 +1,5 @@
-//! Programs beside the motion: the assembly of a guess, all positions, the transmission angles, the lengths of links.
+//! Programs beside the motion: the assembly of a guess, all positions, the transmission angles, the lengths of links, the
+//! coefficients of the closure.
 
 use std::collections::BTreeMap;
 
@@ -7,10 +8,10 @@ use crate::algebra::{Graph, Node, Symbol};
 use crate::assemble;
 use crate::passes::Passes;
 use crate::program::{
-    Choice, Component, Expression, FormLengths, Lengths, Mode, Names, Program, Step, TransmissionAngles,
+    Choice, ClosureTerms, Component, Expression, FormLengths, Lengths, Mode, Names, Program, Step, TransmissionAngles,
 };
 use crate::schedule::{Style, schedule};
-use crate::structure::{Block, block_forms, dyads};
+use crate::structure::{Block, block_forms, closure_polynomials, dyads};
 
 /// The programs beside the motion.
 pub(super) struct Extras {
@@ -19,6 +20,7 @@ pub(super) struct Extras {
     pub(super) every: Option<Program<Expression>>,
     pub(super) transmission: TransmissionAngles,
     pub(super) lengths: Lengths,
+    pub(super) closure: Option<ClosureTerms>,
 }
 
 /// Plans all of them.
@@ -30,6 +32,7 @@ pub(super) fn extras(task: &Task<'_>, graph: &mut Graph, names: &Names, choices:
         every: every(task),
         transmission: transmission_angles(task.graph.clone(), task),
         lengths: lengths(task.graph.clone(), task),
+        closure: closure(task),
     }
 }
 
@@ -84,23 +87,7 @@ fn transmission_angles(mut graph: Graph, task: &Task<'_>) -> TransmissionAngles 
 
 /// The form of each block. Lengths that are parameters or numbers need no program.
 fn lengths(mut graph: Graph, task: &Task<'_>) -> Lengths {
-    let mut names = task.names.clone();
-    let (mut steps, mut known) = (Vec::new(), BTreeMap::new());
-    let mut component = |graph: &mut Graph, node: Node| {
-        if let Some(number) = graph.as_number(node) {
-            return Component::Number(number);
-        }
-        let (coefficient, positive) = graph.split_coefficient(node);
-        if let (1.0, Some(Symbol::Parameter(index))) = (coefficient.abs(), graph.as_symbol(positive)) {
-            return Component::Parameter(index);
-        }
-        Component::Value(*known.entry(node).or_insert_with(|| {
-            let (symbol, _) = graph.new_step();
-            names.name(symbol, "length");
-            steps.push(Step::Define { symbol, value: node });
-            symbol
-        }))
-    };
+    let mut components = Components::new(task, "length");
     let forms = block_forms(&mut graph, task.residuals, task.blocks)
         .into_iter()
         .map(|form| FormLengths {
@@ -109,13 +96,85 @@ fn lengths(mut graph: Graph, task: &Task<'_>) -> Lengths {
             lengths: form
                 .lengths
                 .into_iter()
-                .map(|length| length.map(|vector| [vector.re, vector.im].map(|part| component(&mut graph, part))))
+                .map(|length| {
+                    length.map(|vector| [vector.re, vector.im].map(|part| components.positive(&mut graph, part)))
+                })
                 .collect(),
         })
         .collect();
     Lengths {
         forms,
-        program: scheduled(&graph, steps, names),
+        program: components.program(&graph),
+    }
+}
+
+/// The closure as polynomials, for a mechanism with a coupled block.
+fn closure(task: &Task<'_>) -> Option<ClosureTerms> {
+    if !task.blocks.iter().any(Block::is_coupled) {
+        return None;
+    }
+    let mut graph = task.graph.clone();
+    let polynomials = closure_polynomials(&mut graph, task.residuals)?;
+    let mut components = Components::new(task, "coefficient");
+    let coefficients = polynomials.coefficients.into_iter();
+    let coefficients = coefficients.map(|node| components.of(&mut graph, node)).collect();
+    Some(ClosureTerms {
+        terms: polynomials.terms,
+        coefficients,
+        program: components.program(&graph),
+    })
+}
+
+/// Values from the parameters, and the steps that compute those that are no parameters or numbers.
+struct Components {
+    names: Names,
+    /// The name that is wished for the computed ones.
+    wish: &'static str,
+    steps: Vec<Step<Node>>,
+    known: BTreeMap<Node, Symbol>,
+}
+
+impl Components {
+    fn new(task: &Task<'_>, wish: &'static str) -> Self {
+        Self {
+            names: task.names.clone(),
+            wish,
+            steps: Vec::new(),
+            known: BTreeMap::new(),
+        }
+    }
+
+    fn of(&mut self, graph: &mut Graph, node: Node) -> Component {
+        if let Some(number) = graph.as_number(node) {
+            return Component::Number(number);
+        }
+        if let Some(Symbol::Parameter(index)) = graph.as_symbol(node) {
+            return Component::Parameter(index);
+        }
+        let symbol = *self.known.entry(node).or_insert_with(|| {
+            let (symbol, _) = graph.new_step();
+            self.names.name(symbol, self.wish);
+            self.steps.push(Step::Define { symbol, value: node });
+            symbol
+        });
+        Component::Value(symbol)
+    }
+
+    /// A value up to its sign.
+    fn positive(&mut self, graph: &mut Graph, node: Node) -> Component {
+        if let Some(number) = graph.as_number(node) {
+            return Component::Number(number.abs());
+        }
+        let (coefficient, positive) = graph.split_coefficient(node);
+        if coefficient.abs() == 1.0 && matches!(graph.as_symbol(positive), Some(Symbol::Parameter(_))) {
+            self.of(graph, positive)
+        } else {
+            self.of(graph, node)
+        }
+    }
+
+    fn program(self, graph: &Graph) -> Program<Expression> {
+        scheduled(graph, self.steps, self.names)
     }
 }
 

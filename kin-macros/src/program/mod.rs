@@ -23,7 +23,7 @@ pub(crate) use expression::Expression;
 pub(crate) use names::{Names, OWN_NAMES};
 pub(crate) use order::order_name;
 pub(crate) use solver::{FormArgument, Returns, Solver};
-pub(crate) use solvers::{Component, FormLengths, Lengths, Solvers, TransmissionAngles};
+pub(crate) use solvers::{ClosureTerms, Component, FormLengths, Lengths, Solvers, TransmissionAngles};
 pub(crate) use stage::{Carried, Program, Stage};
 pub(crate) use step::Step;
 pub(crate) use trials::{Approach, Trial, Trials};

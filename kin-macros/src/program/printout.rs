@@ -25,6 +25,10 @@ impl Display for Solvers {
             ("all positions", self.every.as_ref()),
             ("transmission angles", Some(&self.transmission.program)),
             ("lengths", Some(&self.lengths.program)),
+            (
+                "coefficients of the closure",
+                self.closure.as_ref().map(|closure| &closure.program),
+            ),
         ];
         for (title, program) in further {
             if let Some(program) = program.filter(|program| !program.stages[0].steps.is_empty()) {

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::{Choice, Directions, Expression, Names, Program, Stage, Trials};
 use crate::algebra::{Graph, Symbol};
-use crate::structure::{BlockKind, Dyad};
+use crate::structure::{BlockKind, ClosureMonomial, Dyad};
 
 /// The programs that a mechanism needs, and the decisions behind them.
 pub(crate) struct Solvers {
@@ -24,6 +24,8 @@ pub(crate) struct Solvers {
     pub(crate) every: Option<Program<Expression>>,
     pub(crate) transmission: TransmissionAngles,
     pub(crate) lengths: Lengths,
+    /// The closure as polynomials, if Newton's method solves a part and the closure is algebraic.
+    pub(crate) closure: Option<ClosureTerms>,
     /// Whether equations or outputs were too large to be multiplied out.
     pub(crate) is_form_given_up: bool,
     pub(crate) trials: Trials,
@@ -41,6 +43,13 @@ pub(crate) struct Lengths {
     pub(crate) program: Program<Expression>,
 }
 
+/// The terms of the closure with their coefficients, and the program that computes those that are no parameters.
+pub(crate) struct ClosureTerms {
+    pub(crate) terms: Vec<ClosureMonomial>,
+    pub(crate) coefficients: Vec<Component>,
+    pub(crate) program: Program<Expression>,
+}
+
 /// The form of a block. A length is given by its two components; a length that changes is `None`.
 pub(crate) struct FormLengths {
     pub(crate) kind: BlockKind,
@@ -48,7 +57,7 @@ pub(crate) struct FormLengths {
     pub(crate) lengths: Vec<Option<[Component; 2]>>,
 }
 
-/// A component of a length, up to its sign.
+/// A component of a length, up to its sign, or a coefficient.
 #[derive(Clone, Copy)]
 pub(crate) enum Component {
     Number(f64),

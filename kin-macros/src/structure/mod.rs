@@ -6,6 +6,7 @@
 
 mod arm;
 mod closed_form;
+mod closure;
 mod complex;
 mod dyads;
 mod form;
@@ -20,6 +21,7 @@ use std::collections::BTreeSet;
 
 pub(crate) use arm::Arm;
 pub(crate) use closed_form::ClosedForm;
+pub(crate) use closure::{ClosureMonomial, closure_polynomials};
 pub(crate) use complex::ComplexNode;
 pub(crate) use dyads::{Dyad, dyads};
 pub(crate) use form::{BlockKind, block_forms};

@@ -31,6 +31,9 @@ pub(crate) fn assert_defined(solvers: &Solvers) {
             matches!(symbol, Symbol::Parameter(_) | Symbol::Input(_))
         });
     }
+    for stage in solvers.closure.iter().flat_map(|closure| &closure.program.stages) {
+        assert_of_stage(stage, |symbol| matches!(symbol, Symbol::Parameter(_)));
+    }
     for stage in &solvers.orientations.stages {
         assert_of_stage(stage, |symbol| {
             matches!(symbol, Symbol::Parameter(_) | Symbol::Input(_) | Symbol::Unknown(_))

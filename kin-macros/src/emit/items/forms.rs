@@ -15,18 +15,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let Lengths { forms, program } = &mechanism.solvers.lengths;
     let (text, stage) = (ProgramText::of(mechanism, program), &program.stages[0]);
     let (readings, body) = (text.readings(stage, &[]), text.plain_steps(stage));
-    let parameters = mechanism.scalar_parameters();
-    let component = |component: Component| match component {
-        Component::Number(number) => {
-            let number = Literal::f64_unsuffixed(number.abs());
-            quote!(T::constant(#number))
-        }
-        Component::Parameter(index) => parameters[index].1.clone(),
-        Component::Value(symbol) => {
-            let name = text.name(symbol);
-            quote!(#name)
-        }
-    };
+    let component = |component: Component| text.component(component);
     let length = |[x, y]: [Component; 2]| match [x, y] {
         [x, Component::Number(0.0)] => component(x),
         [Component::Number(0.0), y] => component(y),

@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use syn::{Attribute, Expr, Lit, Meta};
 
-use super::{assembly, every, forms, jacobian, transmission};
+use super::{assembly, closure, every, forms, jacobian, transmission};
 use crate::emit::compiled::{Compiled, local};
 use crate::model::Dimension;
 use crate::translate::vector_type;
@@ -147,9 +147,10 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
         )
     };
     let (forms, jacobian) = (forms::tokens(mechanism), jacobian::tokens(mechanism));
-    let (angles, positions) = (
+    let (angles, positions, closure) = (
         transmission::implementation(mechanism),
         every::implementation(mechanism),
+        closure::tokens(mechanism),
     );
     quote! {
         impl<T: #runtime::Scalar> #runtime::Mechanism for #name<T> {
@@ -241,6 +242,8 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
             #jacobian
 
             #positions
+
+            #closure
 
             #picture
 

@@ -2,6 +2,7 @@
 
 pub(super) mod assembly;
 pub(super) mod batch;
+mod closure;
 pub(super) mod description;
 mod documentation;
 pub(super) mod every;

@@ -6,12 +6,12 @@ mod failures;
 mod iterations;
 mod steps;
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::compiled::{Compiled, local};
 use crate::algebra::Symbol;
-use crate::program::{Expression, Names, Program, Stage, UnitPart, order_name};
+use crate::program::{Component, Expression, Names, Program, Stage, UnitPart, order_name};
 
 /// Writes a program of a mechanism.
 #[derive(Clone, Copy)]
@@ -43,6 +43,21 @@ impl<'a> ProgramText<'a> {
     /// The name of a symbol.
     pub(super) fn name(&self, symbol: Symbol) -> Ident {
         local(self.names.of(symbol))
+    }
+
+    /// A value from the parameters.
+    pub(super) fn component(&self, component: Component) -> TokenStream {
+        match component {
+            Component::Number(number) => {
+                let number = Literal::f64_unsuffixed(number);
+                quote!(T::constant(#number))
+            }
+            Component::Parameter(index) => self.mechanism.scalar_parameters()[index].1.clone(),
+            Component::Value(symbol) => {
+                let name = self.name(symbol);
+                quote!(#name)
+            }
+        }
     }
 
     /// `let` for the values that a stage reads: values of earlier stages, positions and rates. `given` are arguments

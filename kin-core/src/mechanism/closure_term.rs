@@ -1,0 +1,75 @@
+//! The closure as trigonometric polynomials.
+
+/// A term of a scalar equation of the closure, which is a sum of such terms: a number times a coefficient, powers of
+/// inputs and unknowns, and the sine or cosine of a combination of them.
+///
+/// Quantities are counted from the first input through the last unknown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct ClosureTerm {
+    /// The index of its scalar equation.
+    pub equation: u16,
+    /// The number.
+    pub factor: f64,
+    /// The index of its coefficient, which depends on the parameters alone.
+    pub coefficient: u16,
+    /// The index and power of each quantity.
+    pub powers: &'static [(u16, u8)],
+    /// The sine or cosine.
+    pub harmonic: ClosureHarmonic,
+}
+
+/// The sine or cosine of a whole combination of angles, given by the index and multiple of each.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ClosureHarmonic {
+    /// Neither: 1.
+    One,
+    /// A cosine.
+    Cosine(&'static [(u16, i8)]),
+    /// A sine.
+    Sine(&'static [(u16, i8)]),
+}
+
+/// The terms that generated code makes.
+#[doc(hidden)]
+impl ClosureTerm {
+    #[must_use]
+    pub const fn __one(equation: u16, factor: f64, coefficient: u16, powers: &'static [(u16, u8)]) -> Self {
+        Self {
+            equation,
+            factor,
+            coefficient,
+            powers,
+            harmonic: ClosureHarmonic::One,
+        }
+    }
+
+    #[must_use]
+    pub const fn __cosine(
+        equation: u16,
+        factor: f64,
+        coefficient: u16,
+        powers: &'static [(u16, u8)],
+        angle: &'static [(u16, i8)],
+    ) -> Self {
+        Self {
+            harmonic: ClosureHarmonic::Cosine(angle),
+            ..Self::__one(equation, factor, coefficient, powers)
+        }
+    }
+
+    #[must_use]
+    pub const fn __sine(
+        equation: u16,
+        factor: f64,
+        coefficient: u16,
+        powers: &'static [(u16, u8)],
+        angle: &'static [(u16, i8)],
+    ) -> Self {
+        Self {
+            harmonic: ClosureHarmonic::Sine(angle),
+            ..Self::__one(equation, factor, coefficient, powers)
+        }
+    }
+}
