@@ -125,6 +125,7 @@ mod tests {
     use super::super::{Branch, CycleData, FullCycle};
     use super::{AlongLine, ClosureQuantity, Incomplete, InputLine, SoughtMechanism};
     use crate::any::Of;
+    use crate::curve::LimitKind;
     use crate::geometry::Plane;
     use crate::library::*;
     use crate::mechanism::Mechanism;
