@@ -13,6 +13,8 @@ import { pathToFileURL } from "node:url";
 
 import { chromium } from "playwright-core";
 
+import { LAW } from "./testing/slider_crank.mjs";
+
 const folder = resolve(process.env.KIN_PAGES ?? "../../target/pages");
 const files = readdirSync(folder).filter((name) => name.endsWith(".html") && name !== "index.html").sort();
 const DATA = /(<script type="application\/json" id="report">)([^]*?)(<\/script>)/;
@@ -170,6 +172,37 @@ test("motion starts by itself, unless the reader prefers less of it", async () =
   await withPage(addressOf("four_bar"), async (page) => assert.equal(await page.textContent("#play"), "Pause"), { reducedMotion: "no-preference" });
   await withPage(addressOf("four_bar"), async (page) => assert.equal(await page.textContent("#play"), "Play"));
 });
+
+/** A crank that rests, turns by one radian, and rests. */
+function asServo(report) {
+  Object.assign(report, LAW, { cycle: null, extremes: [], rms: [], transmission: null, sensitivities: [], not_closed: null });
+}
+
+test("under a law the page runs over the time, and curves have gaps where a derivative jumps", () =>
+  withPage(addressOf("four_bar", asServo), async (page) => {
+    assert.equal(await page.getAttribute("#scrubber", "aria-valuemax"), "0.6");
+    assert.match(await page.textContent("#scrubber"), /Acceleration jumps at 0\.1 s/);
+    const parts = await page.evaluate(() => [...document.querySelectorAll("#plots .curve")].map((curve) => curve.getAttribute("d").match(/M/g).length));
+    assert.deepEqual(parts, [1, 1, 1, 1, 3, 3, 3, 3, 3, 3]);
+    assert.ok(await page.isHidden("[aria-label='Plotted over']"));
+    // time does not run backwards: from the end it begins anew
+    await page.focus("#scrubber");
+    await page.keyboard.press("End");
+    await settle(page);
+    assert.equal(await inputNow(page), 0.6);
+    await page.click("#play");
+    await page.waitForTimeout(1200);
+    await page.click("#play");
+    await settle(page);
+    const again = await inputNow(page);
+    assert.ok(again > 0 && again < 0.5, `${again}`);
+    // the law has no slider, and keeps to its values
+    await page.click("#open-dimensions");
+    assert.equal(await page.locator("#speed-speed").count(), 0);
+    assert.match(await page.textContent("#sliders"), /θ₂ moves under a law/);
+    assert.match(await saved(page, "#save-csv"), /^time \[s\],theta3 \[deg\]/);
+    assert.match(await page.textContent("#paper"), /theta2 under a law, from 0 s to 0\.6 s/);
+  }));
 
 test("the scrubber follows the pointer and the keys", () =>
   withPage(addressOf("four_bar"), async (page) => {
@@ -449,7 +482,7 @@ test("a newer form of report is refused with both numbers", () =>
     async (page) => {
       const text = await page.textContent("#refusal");
       assert.match(text, /format 9/);
-      assert.match(text, /up to 1/);
+      assert.match(text, /up to 2/);
     },
   ));
 

@@ -84,11 +84,7 @@ impl Question {
                     .min_by(|one, other| rank(one).total_cmp(&rank(other)));
                 for (extreme, kind) in [(highest, Side::Highest), (lowest, Side::Lowest)] {
                     let known = extreme.map(|extreme| (extreme.value, extreme.at, place(extreme.kind)));
-                    let flat = if self.dwells || known.is_none() {
-                        flat(way, &self.column, kind)
-                    } else {
-                        None
-                    };
+                    let flat = self.dwells.then(|| flat(way, &self.column, kind)).flatten();
                     let reached = match (known, flat) {
                         (Some((Some(value), ..)), Some((further, at, place))) if exceeds(further, value, kind) => {
                             Some((Some(further), at, place))
