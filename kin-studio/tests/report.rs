@@ -181,7 +181,7 @@ fn limits_are_those_of_the_cycle() {
             panic!("a four-bar has one choice");
         };
         assert_eq!(cycle.assembly_of(index), Some(Assembly::from_sign(sign)));
-        assert!(told.ends.iter().all(|end| end.kind == "Limit"));
+        assert!(told.ends.iter().all(|end| end.kind == "TurningPoint"));
     }
     let [low, high] = cycle.branches()[0].ends().map(|end| end.input);
     assert!(report.range[0] < low && report.range[1] > high);
