@@ -426,7 +426,7 @@ fn errors_are_written_with_their_messages_and_read_as_records() {
     let error = track(&linkage, [1.0], start.unknowns(), [2.5]).expect_err("it has a limit");
     let text: serde_json::Value = serde_json::from_str(&text(&error)).expect("it is JSON");
     assert_eq!(text["message"], error.to_string());
-    assert!(text["reason"]["Limit"]["fraction"].is_f64(), "{text}");
+    assert!(text["reason"]["TurningPoint"]["fraction"].is_f64(), "{text}");
 }
 
 #[test]
