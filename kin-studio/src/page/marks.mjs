@@ -5,7 +5,7 @@ import { gapText } from "./reasons.mjs";
 
 const KINDS = {
   Limit: "Limit",
-  TurningPoint: "Limit position",
+  TurningPoint: "Limit",
   ChangePoint: "Change point",
   End: "End of the domain",
   Pole: "Pole",
