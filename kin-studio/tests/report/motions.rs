@@ -6,17 +6,13 @@ use kin_core::extremes::Over;
 use kin_core::law::{
     ConstantSpeed, Dwell, Fourier, Law, Limits, Piecewise, Polynomial, Rise, SCurve, Scca, Sequence, Shape,
 };
-use kin_core::library::{ClassThreeTriad, FiveBar, FourBar, SliderCrank};
+use kin_core::library::{FiveBar, FourBar, SliderCrank};
 use kin_core::prelude::*;
 use kin_core::sweep::{SweepError, Table};
 use kin_studio::report::{Drive, Report, ReportError, Side, Variable};
 
-const CRANK_ROCKER: FourBar = FourBar {
-    r1: 90.0,
-    r2: 30.0,
-    r3: 70.0,
-    r4: 60.0,
-};
+use super::{CRANK_ROCKER, triad};
+
 const ROBOT: FiveBar = FiveBar {
     ground: 2.0,
     left: 0.5,
@@ -281,13 +277,7 @@ fn repeated_laws_have_a_period() {
 #[test]
 #[cfg_attr(not(feature = "gallery"), ignore = "a minute, for the feature gallery")]
 fn coupled_blocks_move_under_laws() {
-    let root = 3.0_f64.sqrt();
-    let triad: ClassThreeTriad = ClassThreeTriad {
-        base_b: Plane::new(4.0 * root, 0.0),
-        base_c: Plane::new(2.0 * root, 6.0),
-        platform_b: Plane::new(root, 0.0),
-        platform_c: Plane::new(root / 2.0, 1.5),
-    };
+    let triad = triad();
     let leg = Rise::new(Shape::Cycloidal, 3.4, 3.45, 0.4).unwrap();
     let [b, c] = [3.4, 3.6].map(|length| Dwell::new(length, 0.4).unwrap());
     let near = Near([0.5, 2.6, -1.5, 0.2]);

@@ -1,5 +1,7 @@
 //! Reports tell what kin-core finds, and pages are single files that nothing can break out of.
 
+mod motions;
+
 use std::f64::consts::TAU;
 
 use kin_core::cycle::FullCycle as _;
@@ -22,6 +24,17 @@ const DOUBLE_ROCKER: FourBar = FourBar {
     r3: 60.0,
     r4: 45.0,
 };
+
+/// A triad whose rods move a platform of a quarter of the size of its base.
+fn triad() -> ClassThreeTriad {
+    let root = 3_f64.sqrt();
+    ClassThreeTriad {
+        base_b: Plane::new(4.0 * root, 0.0),
+        base_c: Plane::new(2.0 * root, 6.0),
+        platform_b: Plane::new(root, 0.0),
+        platform_c: Plane::new(root / 2.0, 1.5),
+    }
+}
 
 fn crank_rocker() -> Report {
     let draft = kin_studio::report(&CRANK_ROCKER).speed(10.0).units("mm", "s");
@@ -111,13 +124,7 @@ fn numbers_are_those_of_sweeps() {
 /// An assembly that closes only beyond the range would show the numbers of another one.
 #[test]
 fn assemblies_of_coupled_blocks_lie_in_the_range() {
-    let root = 3_f64.sqrt();
-    let triad = ClassThreeTriad {
-        base_b: Plane::new(4.0 * root, 0.0),
-        base_c: Plane::new(2.0 * root, 6.0),
-        platform_b: Plane::new(root, 0.0),
-        platform_c: Plane::new(root / 2.0, 1.5),
-    };
+    let triad = triad();
     let [b, c] = [3.4, 3.6];
     let start = [3.4, b, c];
     let cycle = triad.cycle_along([0.0, b, c], [1.0, 0.0, 0.0]).unwrap();
@@ -200,13 +207,7 @@ fn limits_are_those_of_the_cycle() {
 #[test]
 #[cfg_attr(not(feature = "gallery"), ignore = "half a minute, for the feature gallery")]
 fn coupled_blocks_have_nearby_values() {
-    let root = 3.0_f64.sqrt();
-    let triad: ClassThreeTriad = ClassThreeTriad {
-        base_b: Plane::new(4.0 * root, 0.0),
-        base_c: Plane::new(2.0 * root, 6.0),
-        platform_b: Plane::new(root, 0.0),
-        platform_c: Plane::new(root / 2.0, 1.5),
-    };
+    let triad = triad();
     let draft = kin_studio::report(&triad)
         .at([3.4, 3.4, 3.6])
         .assembly(Near([0.5, 2.6, -1.5, 0.2]));
