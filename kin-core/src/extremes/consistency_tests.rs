@@ -12,10 +12,10 @@ use crate::library::{
     ClassThreeTriad, FiveBar, GearedFiveBar, InvertedSliderCrank, OffsetSliderCrank, Rssr, SphericalFourBar,
     StephensonIII, UniversalJoint, WattII, WhitworthQuickReturn,
 };
-use crate::mechanism::Mechanism;
+use crate::mechanism::{JacobianMeasure, Mechanism, PoseOf};
 use crate::number::{Row, samples};
 use crate::quantity::{Dimension, Quantity};
-use crate::sweep::{Course, SmoothDrive, Sweep, Table};
+use crate::sweep::{Course, SmoothDrive, StraightLine, Sweep, Table};
 use crate::verify::Random;
 
 crate::mechanism! {
@@ -141,6 +141,15 @@ fn hold<M: Mechanism<Scalar = f64>, D: SmoothDrive>(name: &str, fine_table: &Tab
         );
     }
     assert!(compared > 0 || rows < 10, "{}", context());
+    let column = sweep.of(name).column().unwrap();
+    for (row, (own, expected)) in column.iter().zip(table.column(name).unwrap()).enumerate() {
+        let is_same = (own - expected).abs() <= 1e-9 * fine.size.max(expected.abs());
+        assert!(
+            is_same || own.is_nan() && expected.is_nan(),
+            "{}, row {row}: {own} in the column, {expected} in the table",
+            context()
+        );
+    }
     let (lowest, highest) = match (sweep.of(name).lowest(), sweep.of(name).highest()) {
         (Ok(lowest), Ok(highest)) => (lowest.value, highest.value),
         // a rate at a limit
@@ -285,7 +294,7 @@ fn all_answers_about_random_linkages_agree() {
 }
 
 /// A mechanism of random dimensions along a random line of its inputs, in one of its positions.
-fn hold_random<M: Mechanism<Scalar = f64>>(random: &mut Random, rows: usize) -> bool {
+fn hold_random<M: Mechanism<Scalar = f64, Pose: PoseOf<M>>>(random: &mut Random, rows: usize) -> bool {
     let mut value = |quantity: &Quantity| match quantity.dimension {
         Dimension::Length => random.between(1.0, 10.0),
         Dimension::Angle => random.between(0.2, 1.4),
@@ -311,7 +320,35 @@ fn hold_random<M: Mechanism<Scalar = f64>>(random: &mut Random, rows: usize) -> 
         };
         assembly = Some(found);
     });
-    assembly.is_some_and(|assembly| hold_all(&[rows], |rows| mechanism.sweep(assembly).between(from, to, rows)))
+    assembly.is_some_and(|assembly| {
+        hold_jacobian(&mechanism, &mechanism.sweep(assembly).between(from, to, rows));
+        hold_all(&[rows], |rows| mechanism.sweep(assembly).between(from, to, rows))
+    })
+}
+
+/// The singular value of one result along a sweep is that of the poses in its rows.
+fn hold_jacobian<M: Mechanism<Scalar = f64, Pose: PoseOf<M>>>(mechanism: &M, sweep: &Course<M, StraightLine>) {
+    let result = [M::DESCRIPTION.unknowns[0].name];
+    let column = match sweep
+        .of_jacobian(&result, JacobianMeasure::LargestSingularValue)
+        .column()
+    {
+        Err(ExtremesError::Jacobian(_)) => return,
+        column => column.unwrap(),
+    };
+    for (row, (pose, value)) in sweep.rows().zip(column).enumerate() {
+        let Ok(expected) = pose.map(|pose| pose.jacobian_of(mechanism, &result)) else {
+            assert!(value.is_nan(), "{mechanism:?}, row {row}: {value}");
+            continue;
+        };
+        let Ok(expected) = expected.map(|jacobian| jacobian.singular_values()[0]) else {
+            continue;
+        };
+        assert!(
+            (value - expected).abs() <= 1e-9 * expected.abs().max(1e-6),
+            "{mechanism:?}, row {row}: {value} along the sweep, {expected} of the pose"
+        );
+    }
 }
 
 /// Closed and coupled, in the plane and in space, with gears, sliders and change points. `KIN_CONSISTENCY=500` draws 500 of them.
