@@ -456,11 +456,11 @@ impl ClosedSearch<'_> {
         let is_domain =
             error.is_some_and(|error| !matches!(error.failure, Failure::OutOfReach { .. } | Failure::Singular { .. }));
         let mut node: BranchNode = BranchNode {
-            kind: if is_domain {
-                EndKind::Limit(LimitKind::End)
+            kind: EndKind::Limit(if is_domain {
+                LimitKind::End
             } else {
-                EndKind::Limit(LimitKind::TurningPoint)
-            },
+                LimitKind::TurningPoint
+            }),
             s: good,
             unknowns: self
                 .solved(good, assembly)

@@ -24,7 +24,7 @@ use crate::law::Side;
 use crate::mechanism::{HeapMemory, Mechanism};
 use crate::number::{GAUSS, Number};
 use crate::quantity::{Dimension, Quantity};
-use crate::sweep::{Course, Local, StraightLine, Walk, composed};
+use crate::sweep::{Course, Local, StraightLine, Variable, Walk, composed};
 
 /// The number of terms of the series along the curve.
 const TERMS: usize = 5;
@@ -118,6 +118,11 @@ fn length(vector: &[f64]) -> f64 {
     Float::sqrt(dot(vector, vector))
 }
 
+/// The numbers, if all of them are finite.
+fn finite(numbers: &[f64]) -> Option<&[f64]> {
+    numbers.iter().all(|number| number.is_finite()).then_some(numbers)
+}
+
 fn dot(one: &[f64], other: &[f64]) -> f64 {
     one.iter().zip(other).map(|(one, other)| one * other).sum()
 }
@@ -143,6 +148,8 @@ struct CircuitCurve<'c> {
     /// Memory for parameters, inputs, unknowns and residuals as series, in which the parameters stand.
     series: RefCell<Vec<Local>>,
     scratch: RefCell<LentRows<'c>>,
+    /// The input of the sweep.
+    lead: usize,
     /// The inputs that move.
     moving: Vec<usize>,
     /// The travel after which the inputs are where they were, if all that move are angles.
@@ -166,9 +173,9 @@ impl CircuitCurve<'_> {
         coordinates.map(|(value, size)| value * size).collect()
     }
 
-    /// The first input that moves, at a place.
+    /// The input of the sweep, at a place.
     fn input(&self, place: &[f64]) -> f64 {
-        self.way.input(place[self.way.count()], self.moving[0])
+        self.way.input(place[self.way.count()], self.lead)
     }
 
     /// The place on the curve with the same leading coordinate.
@@ -193,14 +200,12 @@ impl CircuitCurve<'_> {
         };
         let linear = way.linearise(point, &mut scope)?;
         let system = bordered(&linear, leading, &mut scope);
-        let rates = rates(&linear, leading, &system, &mut scope);
-        rates.iter().all(|rate| rate.is_finite()).then(|| rates.to_vec())
+        finite(rates(&linear, leading, &system, &mut scope)).map(<[f64]>::to_vec)
     }
 
     /// The curve close to a place, in the direction of `ahead`.
     fn point(&self, place: &[f64], leading: usize, ahead: &[f64]) -> Option<Point> {
         let place = self.corrected(place, leading)?;
-        let leading = fastest(&self.rates(&place, leading)?);
         let (way, mut scratch) = (&self.way, self.scratch.borrow_mut());
         let mut scope = scratch.scope();
         let point = WayPoint {
@@ -208,7 +213,12 @@ impl CircuitCurve<'_> {
             travel: place[way.count()],
         };
         let linear = way.linearise(point, &mut scope)?;
-        let system = bordered(&linear, leading, &mut scope);
+        let mut system = bordered(&linear, leading, &mut scope);
+        let fastest = fastest(finite(rates(&linear, leading, &system, &mut scope))?);
+        if fastest != leading {
+            system = bordered(&linear, fastest, &mut scope);
+        }
+        let leading = fastest;
         let mut memory = self.series.borrow_mut();
         let equations = (&linear, leading, &system);
         let travel = expanded::<TERMS>(way, (self.functions, &mut memory), point, equations, &mut scope);
@@ -557,6 +567,11 @@ impl<M: Mechanism<Scalar = f64>> Course<M, StraightLine> {
             functions,
             series: RefCell::new(series),
             scratch: RefCell::new(scratch),
+            // the variable of a line is always an input
+            lead: match course.drive.variable() {
+                Variable::Input(lead) => lead,
+                _ => 0,
+            },
             period: moving.iter().all(is_angle).then(|| period(&turns)).flatten(),
             moving,
             orders: order + 1,

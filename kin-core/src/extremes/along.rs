@@ -98,6 +98,12 @@ pub struct ByJacobian {
 }
 
 impl ByJacobian {
+    /// The rows of the results. Names and dimensions are the same everywhere.
+    fn rows(&self) -> Result<&[usize], ExtremesError> {
+        let rows = self.rows.as_deref();
+        rows.map_err(|error| ExtremesError::of_jacobian(f64::NAN, error.clone()))
+    }
+
     fn value(
         &self,
         functions: &dyn ChangedFunctions,
@@ -105,23 +111,16 @@ impl ByJacobian {
         parameters: &[Local],
     ) -> Result<Local, ExtremesError> {
         let at = station.variable.real();
-        let jacobian = self
-            .rows
-            .clone()
-            .and_then(|rows| Ok(station.jacobian(functions, &rows, parameters)?));
+        let jacobian = station.jacobian(functions, self.rows()?, parameters);
         jacobian
             .map(|jacobian| jacobian.measure(self.measure))
-            .map_err(|error| ExtremesError::of_jacobian(at, error))
+            .map_err(|_| ExtremesError::Gap { at })
     }
 }
 
 impl<S: QuantitySource> AskedQuantity<S> for ByJacobian {
     fn check(&self, _: &S, _: usize) -> Result<(), ExtremesError> {
-        // names and dimensions are the same everywhere
-        self.rows
-            .clone()
-            .map(|_| ())
-            .map_err(|error| ExtremesError::of_jacobian(f64::NAN, error))
+        self.rows().map(|_| ())
     }
 
     fn at(&self, sweep: &S, station: &SweepStation) -> Result<Local, ExtremesError> {

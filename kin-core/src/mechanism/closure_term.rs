@@ -31,11 +31,16 @@ pub enum ClosureHarmonic {
     Sine(&'static [(u16, i8)]),
 }
 
+/// Indices of quantities with their powers.
+type Powers = &'static [(u16, u8)];
+/// Indices of angles with their multiples.
+type Angle = &'static [(u16, i8)];
+
 /// The terms that generated code makes.
 #[doc(hidden)]
 impl ClosureTerm {
     #[must_use]
-    pub const fn __one(equation: u16, factor: f64, coefficient: u16, powers: &'static [(u16, u8)]) -> Self {
+    pub const fn __one(equation: u16, factor: f64, coefficient: u16, powers: Powers) -> Self {
         Self {
             equation,
             factor,
@@ -46,30 +51,16 @@ impl ClosureTerm {
     }
 
     #[must_use]
-    pub const fn __cosine(
-        equation: u16,
-        factor: f64,
-        coefficient: u16,
-        powers: &'static [(u16, u8)],
-        angle: &'static [(u16, i8)],
-    ) -> Self {
-        Self {
-            harmonic: ClosureHarmonic::Cosine(angle),
-            ..Self::__one(equation, factor, coefficient, powers)
-        }
+    pub const fn __cosine(equation: u16, factor: f64, coefficient: u16, powers: Powers, angle: Angle) -> Self {
+        Self::__one(equation, factor, coefficient, powers).times(ClosureHarmonic::Cosine(angle))
     }
 
     #[must_use]
-    pub const fn __sine(
-        equation: u16,
-        factor: f64,
-        coefficient: u16,
-        powers: &'static [(u16, u8)],
-        angle: &'static [(u16, i8)],
-    ) -> Self {
-        Self {
-            harmonic: ClosureHarmonic::Sine(angle),
-            ..Self::__one(equation, factor, coefficient, powers)
-        }
+    pub const fn __sine(equation: u16, factor: f64, coefficient: u16, powers: Powers, angle: Angle) -> Self {
+        Self::__one(equation, factor, coefficient, powers).times(ClosureHarmonic::Sine(angle))
+    }
+
+    const fn times(self, harmonic: ClosureHarmonic) -> Self {
+        Self { harmonic, ..self }
     }
 }
