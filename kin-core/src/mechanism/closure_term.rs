@@ -34,7 +34,7 @@ pub enum ClosureHarmonic {
 /// Indices of quantities with their powers.
 type Powers = &'static [(u16, u8)];
 /// Indices of angles with their multiples.
-type Angle = &'static [(u16, i8)];
+type Multiples = &'static [(u16, i8)];
 
 /// The terms that generated code makes.
 #[doc(hidden)]
@@ -51,12 +51,12 @@ impl ClosureTerm {
     }
 
     #[must_use]
-    pub const fn __cosine(equation: u16, factor: f64, coefficient: u16, powers: Powers, angle: Angle) -> Self {
+    pub const fn __cosine(equation: u16, factor: f64, coefficient: u16, powers: Powers, angle: Multiples) -> Self {
         Self::__one(equation, factor, coefficient, powers).times(ClosureHarmonic::Cosine(angle))
     }
 
     #[must_use]
-    pub const fn __sine(equation: u16, factor: f64, coefficient: u16, powers: Powers, angle: Angle) -> Self {
+    pub const fn __sine(equation: u16, factor: f64, coefficient: u16, powers: Powers, angle: Multiples) -> Self {
         Self::__one(equation, factor, coefficient, powers).times(ClosureHarmonic::Sine(angle))
     }
 
