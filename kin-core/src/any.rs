@@ -28,11 +28,17 @@
 use alloc::vec::Vec;
 use core::marker::PhantomData;
 
+#[doc(hidden)]
+pub use crate::failure::InputNames;
 use crate::failure::SolveError;
-use crate::mechanism::{BlockForm, ClosureTerm, Description, Mechanism, Pose, PositionSearch};
+use crate::mechanism::{BlockForm, Mechanism, Pose, PositionSearch};
 use crate::number::Row;
 use crate::picture::TransmissionAngle;
 use crate::solve::Scalar;
+
+pub use crate::mechanism::{Block, ClosureHarmonic, ClosureTerm, Description, Formula, Formulas, Named};
+pub use crate::picture::{Body, Outline, Skeleton};
+pub use crate::quantity::{Name, NameKind, Quantity};
 
 /// Which of several positions is meant.
 #[derive(Clone, Copy, Debug)]
@@ -137,7 +143,7 @@ pub trait ClosureOver<T> {
 /// The closure as trigonometric polynomials, with coefficients in numbers of one type.
 pub trait ClosureTermsOver<T> {
     /// Passes on the terms and their coefficients, as [`Mechanism::closure_terms`] does.
-    fn closure_terms(&self, parameters: &[T], found: &mut dyn FnMut(&'static [ClosureTerm], &[T]));
+    fn closure_terms(&self, parameters: &[T], found: &mut dyn FnMut(&[ClosureTerm<'_>], &[T]));
 }
 
 /// The outputs in numbers of one type.
@@ -207,7 +213,18 @@ pub trait EveryPosition {
 /// What a mechanism is.
 pub trait Described {
     /// The names, dimensions and equations.
-    fn description(&self) -> &'static Description;
+    fn description(&self) -> &Description<'_>;
+
+    /// A name in an error. Only a declared mechanism has names that live long enough, see [`Name`].
+    fn name(&self, of: NameKind, index: usize) -> Name {
+        Name::by_index(of, index)
+    }
+
+    /// The names of the inputs in an error.
+    #[doc(hidden)]
+    fn input_names(&self) -> InputNames {
+        InputNames::counted(self.description().inputs)
+    }
 
     /// The number of assemblies, or zero if it depends on the dimensions.
     fn assembly_count(&self) -> usize;
@@ -264,6 +281,11 @@ fn with<M: Mechanism, T: Scalar>(parameters: &[T]) -> M::With<T> {
     M::With::from_parameters(row(parameters))
 }
 
+/// The description of a declared mechanism.
+pub(crate) const fn description<M: Mechanism>() -> &'static Description<'static> {
+    const { &M::DESCRIPTION }
+}
+
 /// The assembly of an index. An answer takes an index from the mechanism itself.
 fn assembly<M: Mechanism>(index: usize) -> M::Assembly {
     M::assembly(index).unwrap_or_else(|| panic!("{} has {} assemblies", M::DESCRIPTION.name, M::ASSEMBLY_COUNT))
@@ -304,7 +326,7 @@ impl<M: Mechanism, T: Scalar> ClosureOver<T> for Of<M> {
 }
 
 impl<M: Mechanism, T: Scalar> ClosureTermsOver<T> for Of<M> {
-    fn closure_terms(&self, parameters: &[T], found: &mut dyn FnMut(&'static [ClosureTerm], &[T])) {
+    fn closure_terms(&self, parameters: &[T], found: &mut dyn FnMut(&[ClosureTerm<'_>], &[T])) {
         with::<M, T>(parameters).closure_terms(found);
     }
 }
@@ -375,8 +397,16 @@ impl<M: Mechanism<Scalar = f64>> EveryPosition for Of<M> {
 }
 
 impl<M: Mechanism> Described for Of<M> {
-    fn description(&self) -> &'static Description {
-        const { &M::DESCRIPTION }
+    fn description(&self) -> &Description<'_> {
+        description::<M>()
+    }
+
+    fn name(&self, of: NameKind, index: usize) -> Name {
+        description::<M>().name_of(of, index).map_or(Name::NONE, Name::from)
+    }
+
+    fn input_names(&self) -> InputNames {
+        InputNames::Declared(description::<M>().inputs)
     }
 
     fn assembly_count(&self) -> usize {

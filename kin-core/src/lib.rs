@@ -112,6 +112,7 @@ pub mod batch;
 mod curve;
 #[cfg(feature = "alloc")]
 pub mod cycle;
+mod declared;
 #[cfg(rust_analyzer)]
 #[doc(hidden)]
 pub mod editor;
@@ -154,13 +155,13 @@ pub use assembly::{Assembly, Guess, IntoAssembly, Near};
 #[doc(hidden)]
 pub use curve::CurveFunctions;
 pub use curve::LimitKind;
+pub use declared::*;
 pub use failure::{Failure, InputValues, SolveError};
 pub use geometry::{Plane, Rotation, Space};
 #[doc(hidden)]
 pub use mechanism::guessed::WriteTheParametersByName;
 pub use mechanism::{
-    Block, BlockForm, ClosureHarmonic, ClosureTerm, Description, Formula, Formulas, Mechanism, OneInput,
-    PartialMotions, Partials, Pose, PoseOf, PositionSearch, Sensitive, sensitivities_of,
+    BlockForm, Mechanism, OneInput, PartialMotions, Partials, Pose, PoseOf, PositionSearch, Sensitive, sensitivities_of,
 };
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
@@ -169,11 +170,11 @@ pub use motion::{Contains, Direction, IntoMotion, LinkMotion, Motion, rpm};
 #[cfg(feature = "std")]
 pub use number::count;
 pub use number::{Changing, ClosedRange, Number, Operations, Row, series};
-pub use picture::{Body, Outline, PlaneOrSpace, PointArray, Skeleton, Slide, TransmissionAngle};
+pub use picture::{PlaneOrSpace, PointArray, Slide, TransmissionAngle};
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 pub use quantity::in_small_letters;
-pub use quantity::{Dimension, Quantity, RATES};
+pub use quantity::{Dimension, RATES};
 pub use solve::Scalar;
 pub use track::{Halt, MOST_TRACK_STEPS, Obstacle, TrackError, TrackErrorOf, track};
 

@@ -14,18 +14,19 @@ pub use crate::__stored as stored;
 pub use crate::__unexpanded as unexpanded;
 pub use crate::assemblies::{Assemblies, Choices, continuation, every, positions_near};
 pub use crate::assembly::{Assembly, Guess, IntoAssembly, Near};
+pub use crate::declared::*;
 #[cfg(rust_analyzer)]
 pub use crate::editor;
 pub use crate::failure::{Failure, InputValues, SolveError};
 pub use crate::geometry::{Plane, Rotation, Space};
 pub use crate::mechanism::{
-    Block, BlockForm, ClosureTerm, Description, First, Formula, Formulas, Lent, Mechanism, Memory, Partials, Pose,
-    PoseOf, PositionSearch, Second, Sensitive, Shown, culprit, failed, fmt_pose, guessed, length,
+    BlockForm, First, Lent, Mechanism, Memory, Partials, Pose, PoseOf, PositionSearch, Second, Sensitive, Shown,
+    culprit, failed, fmt_pose, guessed, length,
 };
 pub use crate::motion::{Direction, IntoMotion, Motion};
 pub use crate::number::{Number, Operations, Row, series};
-pub use crate::picture::{Body, Outline, Skeleton, Slide, TransmissionAngle};
-pub use crate::quantity::{Dimension, Quantity};
+pub use crate::picture::{Slide, TransmissionAngle};
+pub use crate::quantity::Dimension;
 pub use crate::solve::Scalar;
 pub use crate::track::{TrackErrorOf, track_to};
 pub use crate::{batch, solve};

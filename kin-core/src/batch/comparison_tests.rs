@@ -221,7 +221,10 @@ fn all_cores_find_what_one_finds() {
         vectors,
     )
     .unwrap_err();
-    assert_eq!((error.quantity, error.poses, error.length), ("theta2", 1999, 2000));
+    assert_eq!(
+        (error.quantity, error.poses, error.length),
+        ("theta2".into(), 1999, 2000)
+    );
 }
 
 #[test]
@@ -262,13 +265,13 @@ fn whatever_is_of_another_length_is_named() {
     assert_eq!(solved(parameters(), five, near, 5), Ok(5));
     assert_eq!(solved(with_column, five, near, 5), Ok(5));
     with_column[2] = Column::Each(&[LINKAGE.r3; 6]);
-    assert_eq!(solved(with_column, five, near, 5), mismatch("r3", 6));
-    assert_eq!(solved(parameters(), four, near, 5), mismatch("theta2", 4));
+    assert_eq!(solved(with_column, five, near, 5), mismatch("r3".into(), 6));
+    assert_eq!(solved(parameters(), four, near, 5), mismatch("theta2".into(), 4));
     assert_eq!(
         solved(parameters(), five, [near[0], Column::Each(four)], 5),
-        mismatch("theta4", 4)
+        mismatch("theta4".into(), 4)
     );
-    assert_eq!(solved(parameters(), five, near, 6), mismatch("theta4", 6));
+    assert_eq!(solved(parameters(), five, near, 6), mismatch("theta4".into(), 6));
 }
 
 #[test]

@@ -76,7 +76,7 @@ impl<'t, M: Mechanism<Scalar: Element>> Destination<'t, M> {
                 Place::Output(index, _) => &description.outputs[index],
             };
             Err(LengthMismatch {
-                quantity: quantity.name,
+                quantity: quantity.name.into(),
                 poses: count,
                 length,
             })

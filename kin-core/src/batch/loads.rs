@@ -225,7 +225,7 @@ mod tests {
         assert_eq!(
             mismatch,
             Err(LengthMismatch {
-                quantity,
+                quantity: quantity.into(),
                 poses: COUNT - 1,
                 length: COUNT
             })

@@ -4,6 +4,7 @@ use core::error::Error;
 use core::fmt;
 
 use crate::failure::{Failure, SolveError};
+use crate::quantity::Name;
 
 /// The outcome of one pose.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
@@ -119,7 +120,7 @@ impl Summary {
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub struct LengthMismatch {
     /// The quantity of the column.
-    pub quantity: &'static str,
+    pub quantity: Name,
     /// The number of poses, which is the number of outcomes given.
     pub poses: usize,
     /// The length of the column.
@@ -163,7 +164,7 @@ mod tests {
         assert_eq!(outcome(OUT_OF_REACH), Outcome::OutOfReach { margin: -0.25 });
         assert_eq!(outcome(OUT_OF_REACH).margin(), Some(-0.25));
         assert_eq!(outcome(SINGULAR), Outcome::Singular);
-        assert_eq!(outcome(Failure::NotFinite { quantity: "r1" }), Outcome::Failed);
+        assert_eq!(outcome(Failure::not_finite("r1")), Outcome::Failed);
         for other in [Outcome::Unsolved, Outcome::Solved, Outcome::Singular, Outcome::Failed] {
             assert_eq!(other.margin(), None);
             assert_eq!(other.is_solved(), other == Outcome::Solved);

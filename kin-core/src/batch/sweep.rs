@@ -224,7 +224,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Problem<'a, M, G> {
         let description = M::DESCRIPTION;
         let check = |quantity: &'static str, length: Option<usize>| match length {
             Some(length) if length != count => Err(LengthMismatch {
-                quantity,
+                quantity: quantity.into(),
                 poses: count,
                 length,
             }),

@@ -8,7 +8,7 @@ use crate::any::ClosureOver;
 use crate::failure::SolveError;
 use crate::mechanism::{Description, First, Lent, Second, Sizes};
 use crate::number::{Number, at_constant_rate, series::Series};
-use crate::quantity::Dimension;
+use crate::quantity::{Dimension, Name, NameKind};
 
 /// The shortest step along the curve, as a part of the way or of the unit.
 pub(crate) const SHORTEST: f64 = 1e-13;
@@ -29,7 +29,7 @@ pub(crate) struct WayPoint<'s> {
 /// about 1.
 pub(crate) struct Way<'w> {
     pub(crate) mechanism: &'w dyn CurveFunctions,
-    pub(crate) description: &'w Description,
+    pub(crate) description: &'w Description<'w>,
     parameters: &'w [f64],
     from: &'w [f64],
     to: &'w [f64],
@@ -107,9 +107,9 @@ impl<'w> Way<'w> {
         (way, scratch)
     }
 
-    /// The names of the unknowns of a block.
-    pub(crate) fn block(&self, block: usize) -> &'static str {
-        self.description.blocks.get(block).map_or("", |block| block.unknowns)
+    /// The name of a block in errors.
+    pub(crate) fn block(&self, block: usize) -> Name {
+        self.mechanism.name(NameKind::Block, block)
     }
 
     /// The number of unknowns, which is also the number of equations.

@@ -15,6 +15,7 @@ use crate::any::{Of, TransmissionOver};
 use crate::extremes::{Answer, At, ExtremeKind, ExtremesError, StationQuantity, named_quantity, pose_quantity};
 use crate::mechanism::Mechanism;
 use crate::picture::TransmissionAngle;
+use crate::quantity::Name;
 
 /// The smallest stroke of a quantity that moves, as a part of its largest value, and the shortest way between its ends, as a part of a turn.
 const STILL: f64 = 1e-12;
@@ -151,7 +152,7 @@ impl<'c, C> CircuitAlong<'c, C> {
         let SearchedCycle { mechanism, line, .. } = self.cycle.cycle;
         let mut all = vec![TransmissionAngle::of("", 0.0, 1.0); mechanism.functions.dyad_count()];
         for station in self.cycle.branch_stations(self.circuit)? {
-            let mut candidate = |block: &'static str, angle: f64, input: f64| {
+            let mut candidate = |block: Name, angle: f64, input: f64| {
                 if worst.is_none_or(|worst| angle < worst.angle) {
                     worst = Some(WorstTransmission {
                         block,

@@ -720,7 +720,7 @@ impl Scalar for Bounds {
         at_corners(choice.operands(), ask);
         match choices {
             Some(choice) if is_told => choice,
-            _ => Err(Failure::NotFinite { quantity: UNDECIDED }),
+            _ => Err(Failure::not_finite(UNDECIDED)),
         }
     }
 
@@ -730,6 +730,6 @@ impl Scalar for Bounds {
         _: [Self; N],
         _: impl FnMut([Self; N]) -> ([Self; N], [[Self; N]; N]),
     ) -> Result<[Self; N], Failure> {
-        Err(Failure::NotFinite { quantity: UNDECIDED })
+        Err(Failure::not_finite(UNDECIDED))
     }
 }

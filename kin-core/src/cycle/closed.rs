@@ -20,6 +20,7 @@ use crate::curve::LimitKind;
 use crate::failure::{Failure, SolveError};
 use crate::number::NumberRow;
 use crate::picture::TransmissionAngle;
+use crate::quantity::Name;
 use crate::quantity::{Dimension, Quantity};
 use crate::track::TrackError;
 
@@ -211,7 +212,7 @@ impl ClosedSearch<'_> {
         if unknowns.iter().any(|unknown| unknown.high - unknown.low > UNBOUNDED) {
             return (None, None);
         }
-        let swings = |(quantity, unknown): (&Quantity, &Bounds)| {
+        let swings = |(quantity, unknown): (&Quantity<'_>, &Bounds)| {
             let swing = (unknown.high - unknown.middle()).max(unknown.middle() - unknown.low);
             quantity.dimension == Dimension::Angle && swing > SWING
         };
@@ -227,13 +228,13 @@ impl ClosedSearch<'_> {
     }
 
     /// The unknowns of the first block about which the bounds are in doubt over an interval.
-    fn doubtful_block(&self, low: f64, high: f64, assembly: usize) -> &'static str {
+    fn doubtful_block(&self, low: f64, high: f64, assembly: usize) -> Name {
         match self.bounds(low, high, assembly) {
             Ok(unknowns) => {
                 let is_doubtful = |member: &usize| unknowns[*member].doubt != Doubt::NONE;
                 let mut blocks = self.mechanism.blocks().iter();
-                let block = blocks.find(|block| block.members.iter().any(is_doubtful));
-                block.map_or("", |block| block.unknowns)
+                let block = blocks.position(|block| block.members.iter().any(is_doubtful));
+                block.map_or(Name::NONE, |block| self.mechanism.block_name(block))
             }
             Err(error) => error.block,
         }
@@ -263,7 +264,7 @@ impl ClosedSearch<'_> {
     }
 
     /// Tells that rounding decides about a block in a range.
-    fn note_rounding(&mut self, block: &'static str, range: [f64; 2]) {
+    fn note_rounding(&mut self, block: Name, range: [f64; 2]) {
         let reason = Incomplete::Rounding {
             block,
             range,
@@ -452,7 +453,7 @@ impl ClosedSearch<'_> {
         self.narrow(assembly, &mut good, &mut bad);
         let choice = PositionChoice::Assembly(assembly);
         let error = self.mechanism.position(&self.line.inputs(bad), choice).err();
-        let block = error.as_ref().map_or("", |error| error.block);
+        let block = error.as_ref().map_or(Name::NONE, |error| error.block);
         let is_domain =
             error.is_some_and(|error| !matches!(error.failure, Failure::OutOfReach { .. } | Failure::Singular { .. }));
         let mut node: BranchNode = BranchNode {
@@ -492,8 +493,8 @@ impl ClosedSearch<'_> {
             });
             let moves = |member: &usize| together.iter().any(|(_, apart)| apart[*member] != 0.0);
             let mut blocks = self.mechanism.blocks().iter();
-            if let Some(first) = blocks.find(|block| block.members.iter().any(moves)) {
-                node.block = first.unknowns;
+            if let Some(first) = blocks.position(|block| block.members.iter().any(moves)) {
+                node.block = self.mechanism.block_name(first);
             }
             (node.kind, node.assemblies) = (EndKind::Limit(LimitKind::ChangePoint), [assembly, assembly]);
             return self.noted(node);
@@ -691,7 +692,7 @@ impl ClosedSearch<'_> {
                 ),
                 Err(_) => {
                     self.undecided(assembly, low, high);
-                    (middle, unknowns, "", assembly)
+                    (middle, unknowns, Name::NONE, assembly)
                 }
             }
         };

@@ -15,7 +15,7 @@ const MOST_MULTIPLES: u32 = 32;
 /// The terms of a closure with their coefficients, where the inputs are `from + direction v`.
 #[derive(Clone, Copy)]
 pub(super) struct ClosureOnLine<'a> {
-    pub(super) terms: &'a [ClosureTerm],
+    pub(super) terms: &'a [ClosureTerm<'a>],
     pub(super) coefficients: &'a [f64],
     pub(super) from: &'a [f64],
     pub(super) direction: &'a [f64],
@@ -138,7 +138,7 @@ impl ClosureOnLine<'_> {
         &self,
         quantities: &Quantities,
         added: Option<(usize, i32)>,
-        term: &ClosureTerm,
+        term: &ClosureTerm<'_>,
     ) -> Option<ClosurePolynomial> {
         let coefficient = term.factor * self.coefficients.get(usize::from(term.coefficient))?;
         if !coefficient.is_finite() {

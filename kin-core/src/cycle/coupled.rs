@@ -14,6 +14,7 @@ use crate::any::PositionChoice;
 use crate::curve::LimitKind;
 use crate::failure::SolveError;
 use crate::number::NumberRow;
+use crate::quantity::Name;
 use crate::track::TrackError;
 
 /// The number of intervals of the first division.
@@ -528,7 +529,7 @@ impl<'a> Search<'a> {
         let range = self.line.high - self.line.low;
         let node = match error {
             TrackError::TooManySteps(halt) | TrackError::Lost(halt) => {
-                self.node(EndKind::Lost, &halt.inputs, &halt.unknowns, "")
+                self.node(EndKind::Lost, &halt.inputs, &halt.unknowns, Name::NONE)
             }
             TrackError::Failed(error) => {
                 let mut inputs = self.line.inputs(s);
@@ -559,7 +560,7 @@ impl<'a> Search<'a> {
         node
     }
 
-    fn node(&mut self, kind: EndKind, inputs: &[f64], unknowns: &[f64], block: &'static str) -> usize {
+    fn node(&mut self, kind: EndKind, inputs: &[f64], unknowns: &[f64], block: Name) -> usize {
         let s = self.line.place(inputs);
         let range = self.line.high - self.line.low;
         let known = self.found.nodes.iter().position(|node| {

@@ -7,6 +7,7 @@ use num_traits::Float;
 
 use super::Incomplete;
 use crate::curve::LimitKind;
+use crate::quantity::Name;
 
 /// The reason why a branch ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,7 +36,7 @@ pub struct End {
     /// The unknowns at this end, with angles on the turns they have along the branch.
     pub unknowns: Vec<f64>,
     /// The unknowns of the block that is singular here, separated by commas; empty if there is none.
-    pub block: &'static str,
+    pub block: Name,
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) node: Option<usize>,
 }

@@ -9,7 +9,7 @@ use super::closed::ClosedSearch;
 use super::interpolation::{CROSSING, around, crosses, interpolated};
 use super::line::MEETING;
 use crate::number::NumberRow;
-use crate::quantity::Dimension;
+use crate::quantity::{Dimension, Name};
 
 /// The largest error of the closure on a way of positions, as a part of the size. The straight line between two other positions that are
 /// [`MEETING`] or more apart leaves the closure by the square of their distance over eight, which is a hundred times as much.
@@ -26,7 +26,7 @@ pub(super) struct Jump {
     /// The unknowns before the place and behind it.
     pub(super) unknowns: [NumberRow; 2],
     /// The unknowns of the block with the free part, separated by commas.
-    pub(super) block: &'static str,
+    pub(super) block: Name,
 }
 
 /// The place at which an assembly jumps, between places on both sides of it.

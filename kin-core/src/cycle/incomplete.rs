@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::quantity::WithUnit;
+use crate::quantity::{Name, WithUnit};
 
 /// A reason why it is not proved that a cycle has all branches.
 ///
@@ -24,7 +24,7 @@ pub enum Incomplete {
     /// point everywhere.
     Rounding {
         /// The unknowns of the block, separated by commas.
-        block: &'static str,
+        block: Name,
         /// The range of the input.
         range: [f64; 2],
         /// Whether the input is an angle.
@@ -53,19 +53,19 @@ pub enum Incomplete {
     /// An unknown of a mechanism with a coupled block has a declared range.
     DeclaredRange {
         /// The unknown.
-        unknown: &'static str,
+        unknown: Name,
     },
     /// An unknown length of a mechanism with a coupled block may grow beyond all bounds.
     Unbounded,
     /// A coupled block is singular in every position.
     AlwaysSingular {
         /// The unknowns of the block, separated by commas.
-        block: &'static str,
+        block: Name,
     },
     /// The limits of a coupled block are solutions of a system with more paths than are followed.
     TooManyPaths {
         /// The unknowns of the block, separated by commas.
-        block: &'static str,
+        block: Name,
         /// The number of paths, or a smaller one that is above the largest too.
         paths: usize,
         /// The largest number that is followed.
@@ -74,7 +74,7 @@ pub enum Incomplete {
     /// Continuation lost a path to a limit of a coupled block.
     PathLost {
         /// The unknowns of the block, separated by commas.
-        block: &'static str,
+        block: Name,
     },
     /// The ends of the branches are not the limits that continuation found.
     Disagreement {

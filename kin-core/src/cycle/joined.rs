@@ -13,6 +13,7 @@ use super::sought::SoughtMechanism;
 use crate::curve::LimitKind;
 use crate::number::NumberRow;
 use crate::quantity::Dimension;
+use crate::quantity::Name;
 
 /// The largest distance from half a period that may be rounding, as a part of it.
 const HALFWAY: f64 = 1e-6;
@@ -83,10 +84,10 @@ pub(super) fn joined_at_the_seam(
         };
         let end = |tip: Tip, (s, unknowns): (f64, NumberRow)| {
             let (kind, block, node) = match tip {
-                _ if is_turning => (EndKind::FullTurn, "", None),
+                _ if is_turning => (EndKind::FullTurn, Name::NONE, None),
                 Tip::Node(node) => (found.nodes[node].kind, found.nodes[node].block, Some(node)),
-                Tip::Seam if period.is_some() => (EndKind::Lost, "", None),
-                Tip::Seam => (EndKind::Range, "", None),
+                Tip::Seam if period.is_some() => (EndKind::Lost, Name::NONE, None),
+                Tip::Seam => (EndKind::Range, Name::NONE, None),
             };
             End {
                 kind,

@@ -13,6 +13,7 @@ use super::polynomial::{ClosureQuantity, Quantities};
 use super::singular::{Singular, singular_positions};
 use super::sought::{CoupledBlocks, SoughtMechanism};
 use crate::quantity::Dimension;
+use crate::quantity::NameKind;
 
 /// A place at which the Jacobian of a block is singular.
 #[derive(Clone, Debug)]
@@ -86,11 +87,12 @@ pub(super) fn limits(
     line: &InputLine,
 ) -> Result<Vec<SingularPlace>, Incomplete> {
     let description = mechanism.description();
-    if let Some(unknown) = description.unknowns.iter().find(|unknown| unknown.has_range) {
-        return Err(Incomplete::DeclaredRange { unknown: unknown.name });
+    if let Some(unknown) = description.unknowns.iter().position(|unknown| unknown.has_range) {
+        let unknown = mechanism.functions.name(NameKind::Unknown, unknown);
+        return Err(Incomplete::DeclaredRange { unknown });
     }
     let along = AlongLine::new(mechanism, functions, line).ok_or(Incomplete::NotAlgebraic)?;
-    let found = singular_positions(&along.closure, description.blocks)?;
+    let found = singular_positions(mechanism, &along.closure)?;
     let period = line.is_angle.then_some(TAU);
     let mut all: Vec<SingularPlace> = found
         .iter()

@@ -5,7 +5,7 @@ use core::fmt;
 
 use crate::any::{OutputsOver, TransmissionOver};
 use crate::extremes::{Extreme, ExtremesError, NamedFunctions};
-use crate::quantity::Digits;
+use crate::quantity::{Digits, Name};
 use crate::sweep::SweptMechanism;
 
 /// A value of a quantity along a circuit, and where.
@@ -49,7 +49,7 @@ impl Stroke {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorstTransmission {
     /// The unknowns of the dyad, separated by commas.
-    pub block: &'static str,
+    pub block: Name,
     /// The smaller of the transmission angle and its supplement, 0 at a limit.
     pub angle: f64,
     /// The input there.

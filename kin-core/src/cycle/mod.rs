@@ -161,7 +161,7 @@ impl<M: Mechanism<Scalar = f64>> FullCycle for M {}
 #[derive(Clone, Debug)]
 pub struct Cycle<M: Mechanism<Scalar = f64>> {
     mechanism: M,
-    searched: SearchedCycle,
+    searched: SearchedCycle<'static>,
 }
 
 impl<M: Mechanism<Scalar = f64>> Deref for Cycle<M> {

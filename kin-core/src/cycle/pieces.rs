@@ -3,6 +3,7 @@
 use alloc::vec::Vec;
 
 use crate::number::NumberRow;
+use crate::quantity::Name;
 
 /// A place at which branches end.
 #[derive(Clone)]
@@ -10,7 +11,7 @@ pub(super) struct BranchNode {
     pub(super) kind: super::EndKind,
     pub(super) s: f64,
     pub(super) unknowns: NumberRow,
-    pub(super) block: &'static str,
+    pub(super) block: Name,
     /// Two numbers that tell apart what only looks the same: the assemblies that meet, if the search knows them.
     pub(super) assemblies: [usize; 2],
 }

@@ -47,14 +47,14 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     }
 }
 
-impl SearchedCycle {
+impl SearchedCycle<'_> {
     pub(crate) fn position_on(&self, branch: usize, input: f64) -> Result<NumberRow, SolveError> {
         let failed = |failure: Failure| {
-            let names = InputValues::new(self.mechanism.inputs(), &self.line.inputs(input));
-            let block = self.mechanism.blocks().first().map_or("", |block| block.unknowns);
+            let names = InputValues::of(self.mechanism.functions.input_names(), &self.line.inputs(input));
+            let block = self.mechanism.block_name(0);
             failure.at(block, names)
         };
-        let none = || failed(Failure::NotFinite { quantity: "branch" });
+        let none = || failed(Failure::not_finite("branch"));
         let own = self.data.branches.get(branch).ok_or_else(none)?;
         let input = self.place_on(own, input).map_err(failed)?;
         let inputs = self.line.inputs(input);
@@ -105,7 +105,7 @@ impl SearchedCycle {
             input + periods * period
         });
         turned.filter(contains).ok_or(Failure::OutOfRange {
-            unknown: "the input of the branch",
+            unknown: "the input of the branch".into(),
             value: input,
             low,
             high,

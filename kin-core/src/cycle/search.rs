@@ -24,9 +24,9 @@ pub(super) fn search(
     range: Option<[f64; 2]>,
 ) -> Result<(InputLine, CycleData), SolveError> {
     let failed = |quantity: &'static str| {
-        let names = InputValues::new(mechanism.inputs(), &from);
-        let block = mechanism.blocks().first().map_or("", |block| block.unknowns);
-        Failure::NotFinite { quantity }.at(block, names)
+        let names = InputValues::of(mechanism.functions.input_names(), &from);
+        let block = mechanism.block_name(0);
+        Failure::not_finite(quantity).at(block, names)
     };
     let unit = LengthUnit::of(mechanism, &from);
     // The search sees lengths in its unit, and the same places of the line.

@@ -10,16 +10,16 @@ use crate::failure::SolveError;
 
 /// All circuits and branches, with the mechanism and the line of inputs.
 #[derive(Clone)]
-pub(crate) struct SearchedCycle {
-    pub(super) mechanism: SoughtMechanism<'static>,
+pub(crate) struct SearchedCycle<'m> {
+    pub(super) mechanism: SoughtMechanism<'m>,
     pub(super) line: InputLine,
     pub(crate) data: CycleData,
 }
 
-impl SearchedCycle {
+impl<'m> SearchedCycle<'m> {
     /// Searches along a line of inputs, which is given by a place and a direction.
     pub(crate) fn new(
-        functions: &'static dyn SearchedFunctions,
+        functions: &'m dyn SearchedFunctions,
         parameters: &[f64],
         line: [&[f64]; 2],
         range: Option<[f64; 2]>,
@@ -33,7 +33,7 @@ impl SearchedCycle {
     }
 }
 
-impl fmt::Debug for SearchedCycle {
+impl fmt::Debug for SearchedCycle<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter
             .debug_struct("SearchedCycle")

@@ -9,8 +9,10 @@ use num_traits::Float;
 use super::Incomplete;
 use super::closure::Closure;
 use super::polynomial::{ClosurePolynomial, ClosureQuantity, Quantities, determinant};
+use super::sought::SoughtMechanism;
 use crate::assemblies::continuation::{BorrowedSystem, BorrowedTerm, real_solutions};
 use crate::mechanism::Block;
+use crate::quantity::Name;
 
 /// The largest number of paths.
 const MOST_PATHS: usize = 1024;
@@ -43,14 +45,18 @@ pub(super) struct Singular {
 ///
 /// # Errors
 /// Says if an unknown may grow beyond all bounds, if there are too many paths, or if one of them was lost.
-pub(super) fn singular_positions(closure: &Closure, blocks: &[Block]) -> Result<Vec<SingularPosition>, Incomplete> {
+pub(super) fn singular_positions(
+    mechanism: &SoughtMechanism<'_>,
+    closure: &Closure,
+) -> Result<Vec<SingularPosition>, Incomplete> {
+    let blocks = mechanism.blocks();
     let quantities = &closure.quantities;
     if !is_bounded(quantities, &closure.equations) {
         return Err(Incomplete::Unbounded);
     }
     let mut all = Vec::new();
     for (block, own) in blocks.iter().enumerate() {
-        let members = own.members;
+        let (name, members) = (mechanism.block_name(block), own.members);
         let mut system = Vec::new();
         let mut involved = match closure.turned {
             Some(_) => Vec::new(),
@@ -66,7 +72,7 @@ pub(super) fn singular_positions(closure: &Closure, blocks: &[Block]) -> Result<
         let paths = paths(closure, &system, &involved);
         if paths > MOST_PATHS {
             return Err(Incomplete::TooManyPaths {
-                block: own.unknowns,
+                block: name,
                 paths,
                 most: MOST_PATHS,
             });
@@ -80,7 +86,7 @@ pub(super) fn singular_positions(closure: &Closure, blocks: &[Block]) -> Result<
         let matrix: Vec<Vec<ClosurePolynomial>> = own.equations.iter().map(row).collect();
         let singular = determinant(&matrix);
         if singular.is_zero() {
-            return Err(Incomplete::AlwaysSingular { block: own.unknowns });
+            return Err(Incomplete::AlwaysSingular { block: name });
         }
         if singular.degree() == 0 {
             continue;
@@ -90,7 +96,7 @@ pub(super) fn singular_positions(closure: &Closure, blocks: &[Block]) -> Result<
         if closure.turned.is_some_and(|turned| !involved.contains(&turned)) {
             continue;
         }
-        for (at, is_multiple) in solutions(closure, &system, &involved, own.unknowns)? {
+        for (at, is_multiple) in solutions(closure, &system, &involved, name)? {
             let mut variables = quantities.variables(&at);
             if let Some(turned) = closure.turned {
                 let first = usize::from(quantities.first(turned));
@@ -198,7 +204,7 @@ fn kernel(mut matrix: Vec<Vec<f64>>) -> Vec<f64> {
 }
 
 /// The blocks on which a block depends, itself included, in the order of solution.
-fn needed(closure: &Closure, blocks: &[Block], block: usize) -> Vec<usize> {
+fn needed(closure: &Closure, blocks: &[Block<'_>], block: usize) -> Vec<usize> {
     let mut needed = vec![false; block + 1];
     needed[block] = true;
     for own in (0..=block).rev() {
@@ -270,7 +276,7 @@ fn solutions(
     closure: &Closure,
     system: &[ClosurePolynomial],
     involved: &[usize],
-    block: &'static str,
+    block: Name,
 ) -> Result<Vec<SingularSolution>, Incomplete> {
     let lost = Incomplete::PathLost { block };
     let quantities = &closure.quantities;

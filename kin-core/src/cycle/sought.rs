@@ -12,7 +12,7 @@ use crate::curve::CurveFunctions;
 use crate::failure::SolveError;
 use crate::mechanism::{Block, Description, Mechanism};
 use crate::number::NumberRow;
-use crate::quantity::{Dimension, Quantity};
+use crate::quantity::{Dimension, Name, NameKind, Quantity};
 use crate::track::{TrackError, track_between};
 
 /// What every search needs of a mechanism.
@@ -62,28 +62,33 @@ pub(super) struct SoughtMechanism<'f> {
     pub(super) parameters: NumberRow,
 }
 
-impl SoughtMechanism<'_> {
-    pub(super) fn description(&self) -> &'static Description {
+impl<'f> SoughtMechanism<'f> {
+    pub(super) fn description(&self) -> &'f Description<'f> {
         self.functions.description()
     }
 
-    pub(super) fn inputs(&self) -> &'static [Quantity] {
+    pub(super) fn inputs(&self) -> &'f [Quantity<'f>] {
         self.description().inputs
     }
 
-    pub(super) fn unknowns(&self) -> &'static [Quantity] {
+    pub(super) fn unknowns(&self) -> &'f [Quantity<'f>] {
         self.description().unknowns
     }
 
-    pub(super) fn blocks(&self) -> &'static [Block] {
+    pub(super) fn blocks(&self) -> &'f [Block<'f>] {
         self.description().blocks
     }
 
-    /// The names of the block of an unknown.
-    pub(super) fn block_of(&self, unknown: usize) -> &'static str {
+    /// The name of a block in errors.
+    pub(super) fn block_name(&self, block: usize) -> Name {
+        self.functions.name(NameKind::Block, block)
+    }
+
+    /// The name in errors of the block of an unknown.
+    pub(super) fn block_of(&self, unknown: usize) -> Name {
         let mut blocks = self.blocks().iter();
-        let block = blocks.find(|block| block.members.contains(&unknown));
-        block.map_or("", |block| block.unknowns)
+        let block = blocks.position(|block| block.members.contains(&unknown));
+        block.map_or(Name::NONE, |block| self.block_name(block))
     }
 
     /// The indices of all assemblies.
@@ -166,7 +171,7 @@ impl SoughtMechanism<'_> {
 }
 
 /// The sum of those values that are lengths.
-pub(super) fn sum_of_lengths(quantities: &[Quantity], values: &[f64]) -> f64 {
+pub(super) fn sum_of_lengths(quantities: &[Quantity<'_>], values: &[f64]) -> f64 {
     let named = quantities.iter().zip(values);
     named
         .filter(|(quantity, _)| quantity.dimension == Dimension::Length)

@@ -16,15 +16,15 @@ use crate::sweep::{AnyCourse, Footing, Walk};
 const NEAR_END: f64 = 1e-6;
 
 /// A pose inside of a branch, with angles that have come from the branches before it.
-pub(super) struct BranchStation {
+pub(super) struct BranchStation<'c> {
     pub(super) branch: usize,
-    footing: Footing,
+    footing: Footing<'c>,
 }
 
 /// The branches of a cycle, with the functions that quantities along them need.
 #[derive(Clone, Copy)]
 pub(crate) struct MeasuredCycle<'c> {
-    pub(crate) cycle: &'c SearchedCycle,
+    pub(crate) cycle: &'c SearchedCycle<'c>,
     pub(crate) functions: &'c dyn MeasuredFunctions,
 }
 
@@ -44,8 +44,8 @@ impl<'c> MeasuredCycle<'c> {
     }
 
     /// A pose inside of each branch of a circuit.
-    pub(super) fn branch_stations(&self, circuit: usize) -> Result<Vec<BranchStation>, MeasureError> {
-        let mut stations: Vec<BranchStation> = Vec::new();
+    pub(super) fn branch_stations(&self, circuit: usize) -> Result<Vec<BranchStation<'c>>, MeasureError> {
+        let mut stations: Vec<BranchStation<'c>> = Vec::new();
         for branch in self.circuit(circuit)? {
             let Some((at, unknowns)) = self.inside(*branch) else {
                 continue;
@@ -75,7 +75,7 @@ impl<'c> MeasuredCycle<'c> {
     }
 
     /// The sweep over a branch.
-    fn course(&self, station: &BranchStation) -> AnyCourse<'c> {
+    fn course(&self, station: &BranchStation<'c>) -> AnyCourse<'c> {
         let branch = self.branch(station.branch);
         let [low, high] = branch.ends.each_ref().map(|end| end.input);
         let near = || AssemblyChoice::Near(station.footing.unknowns().to_vec());
@@ -92,7 +92,7 @@ impl<'c> MeasuredCycle<'c> {
     }
 
     /// The sweep over a branch, with its ends.
-    pub(super) fn sweep(&self, station: &BranchStation) -> KnownSweep<'c> {
+    pub(super) fn sweep(&self, station: &BranchStation<'c>) -> KnownSweep<'c> {
         KnownSweep {
             course: self.course(station),
             drive: &self.cycle.line,
@@ -101,7 +101,7 @@ impl<'c> MeasuredCycle<'c> {
     }
 
     /// What is known of the sweep over a branch.
-    fn known(&self, station: &BranchStation) -> KnownStretch {
+    fn known(&self, station: &BranchStation<'c>) -> KnownStretch<'c> {
         let branch = self.branch(station.branch);
         KnownStretch {
             limits: branch.ends.each_ref().map(End::limit),
@@ -122,7 +122,7 @@ impl<'c> MeasuredCycle<'c> {
     }
 
     /// A pose of a branch. A quantity that depends on the turn of an angle follows it.
-    fn station(&self, branch: usize, at: f64, unknowns: &[f64]) -> BranchStation {
+    fn station(&self, branch: usize, at: f64, unknowns: &[f64]) -> BranchStation<'c> {
         let (mechanism, inputs) = (&self.cycle.mechanism, self.cycle.line.inputs(at));
         let description = mechanism.description();
         let mut outputs = NumberRow::splat(description.outputs.len(), 0.0);
@@ -136,13 +136,13 @@ impl<'c> MeasuredCycle<'c> {
         }
     }
 
-    fn walked(&self, station: &BranchStation, at: f64) -> Option<Footing> {
+    fn walked(&self, station: &BranchStation<'c>, at: f64) -> Option<Footing<'c>> {
         let mut walk = self.known(station).inside;
         let course = self.course(station);
         walk.step(&course, at, &course.motions(at)).ok().cloned()
     }
 
-    fn near_end(&self, station: &BranchStation, end: usize) -> Option<Footing> {
+    fn near_end(&self, station: &BranchStation<'c>, end: usize) -> Option<Footing<'c>> {
         let ends = self.branch(station.branch).ends.each_ref().map(|end| end.input);
         let (end, other) = (ends[end], ends[1 - end]);
         self.walked(station, end + NEAR_END * (other - end))
@@ -159,7 +159,7 @@ impl<'c> MeasuredCycle<'c> {
 }
 
 /// Values whose angles are moved by the whole turns between two others.
-fn moved_by_turns(quantities: &[Quantity], to: &[f64], from: &[f64], values: &[f64]) -> NumberRow {
+fn moved_by_turns(quantities: &[Quantity<'_>], to: &[f64], from: &[f64], values: &[f64]) -> NumberRow {
     NumberRow::from_fn(values.len(), |index| match quantities[index].dimension {
         Dimension::Angle => values[index] + whole_turns(to[index] - from[index]),
         _ => values[index],

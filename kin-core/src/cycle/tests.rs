@@ -208,7 +208,7 @@ fn a_link_turns_freely() {
                 let tolerance = 16.0 * f64::EPSILON / 0.01;
                 assert_eq!(
                     (end.kind, end.block),
-                    (EndKind::Limit(LimitKind::ChangePoint), "phi, slide")
+                    (EndKind::Limit(LimitKind::ChangePoint), "phi, slide".into())
                 );
                 assert!((end.input.abs() - PI).abs() < tolerance, "{end:?}");
                 let [phi, slide] = end.unknowns[..] else { panic!() };

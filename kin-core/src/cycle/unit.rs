@@ -37,7 +37,7 @@ impl LengthUnit {
     /// enlarged.
     pub(super) fn of(mechanism: &SoughtMechanism<'_>, from: &[f64]) -> Self {
         let description = mechanism.description();
-        let lengths = |quantities: &'static [Quantity], values: &[f64]| {
+        let lengths = |quantities: &[Quantity<'_>], values: &[f64]| {
             let named = quantities.iter().zip(values);
             named
                 .filter(|(quantity, _)| quantity.dimension == Dimension::Length)
@@ -61,7 +61,7 @@ impl LengthUnit {
     }
 
     /// Lengths of the search, other quantities as they are.
-    pub(super) fn row(self, quantities: &[Quantity], values: &[f64]) -> NumberRow {
+    pub(super) fn row(self, quantities: &[Quantity<'_>], values: &[f64]) -> NumberRow {
         NumberRow::from_fn(values.len(), |index| match quantities[index].dimension {
             Dimension::Length => values[index] * self.0,
             _ => values[index],

@@ -482,7 +482,7 @@ impl CircuitCurve<'_> {
 impl Source for CircuitCurve<'_> {
     type Near = Point;
 
-    fn columns(&self) -> Vec<Quantity> {
+    fn columns(&self) -> Vec<Quantity<'_>> {
         let description = self.way.description;
         let inputs = self.moving.iter().map(|input| description.inputs[*input]);
         inputs.chain(description.unknowns.iter().copied()).collect()
@@ -580,7 +580,7 @@ impl<M: Mechanism<Scalar = f64>> Course<M, StraightLine> {
         let start = unknowns.iter().zip(curve.way.sizes).map(|(value, size)| value / size);
         let stations = curve.around(&start.chain([0.0]).collect::<Vec<f64>>())?;
         let frame = Frame {
-            name: M::DESCRIPTION.name,
+            name: M::DESCRIPTION.name.to_string(),
             parameter: ("arc".to_string(), Dimension::Scalar),
             order,
             may_close: true,

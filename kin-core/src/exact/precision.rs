@@ -46,7 +46,7 @@ impl Precision {
     }
 
     /// The order of the tables of a mechanism.
-    pub(super) fn order_of(&self, description: &Description) -> Result<usize, ExactTableError> {
+    pub(super) fn order_of(&self, description: &Description<'_>) -> Result<usize, ExactTableError> {
         match description.order.min(self.order) {
             0 => Err(ExactTableError::Order { asked: self.order }),
             order => Ok(order),

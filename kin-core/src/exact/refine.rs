@@ -35,7 +35,7 @@ pub(super) trait Source {
     type Near: Clone;
 
     /// The columns.
-    fn columns(&self) -> Vec<Quantity>;
+    fn columns(&self) -> Vec<Quantity<'_>>;
 
     /// The numbers at a place, found from those at another one. Where two pieces of a law meet, `side` selects one.
     fn station(&self, at: f64, side: Side, from: &Station<Self::Near>) -> Result<Station<Self::Near>, ExactTableError>;
@@ -53,7 +53,7 @@ struct Cell<N> {
 
 /// What makes a table of rows.
 pub(super) struct Frame {
-    pub(super) name: &'static str,
+    pub(super) name: String,
     pub(super) parameter: (String, Dimension),
     pub(super) order: usize,
     /// Whether the parameter may repeat itself.
@@ -184,7 +184,7 @@ struct Magnitudes {
 }
 
 impl Magnitudes {
-    fn new<N>(columns: &[Quantity], count: usize, first: &[[Station<N>; 2]]) -> Self {
+    fn new<N>(columns: &[Quantity<'_>], count: usize, first: &[[Station<N>; 2]]) -> Self {
         let places = || first.iter().flatten().map(|station| station.at);
         let [low, high] = [
             places().fold(f64::INFINITY, f64::min),
@@ -252,7 +252,7 @@ impl Magnitudes {
 }
 
 fn table<N: Clone>(
-    columns: &[Quantity],
+    columns: &[Quantity<'_>],
     frame: Frame,
     cells: &[Cell<N>],
     sizes: &Magnitudes,
@@ -274,7 +274,7 @@ fn table<N: Clone>(
     }
     let turns = frame.may_close.then(|| turns(columns, count, &rows, sizes)).flatten();
     let parts = ExactParts {
-        name: frame.name.to_string(),
+        name: frame.name,
         parameter: frame.parameter,
         order: frame.order,
         is_closed: turns.is_some(),
@@ -308,7 +308,7 @@ fn table<N: Clone>(
 }
 
 /// The change of each column over the range, if the motion repeats itself: whole turns of angles, and nothing else.
-fn turns<N>(columns: &[Quantity], count: usize, rows: &[&Station<N>], sizes: &Magnitudes) -> Option<Vec<f64>> {
+fn turns<N>(columns: &[Quantity<'_>], count: usize, rows: &[&Station<N>], sizes: &Magnitudes) -> Option<Vec<f64>> {
     let (first, last) = (rows.first()?, rows.last()?);
     let mut turns = Vec::with_capacity(columns.len());
     for (index, (start, end)) in first.numbers.iter().zip(&last.numbers).enumerate() {

@@ -31,7 +31,7 @@ struct Swept<'c> {
     count: usize,
 }
 
-impl Swept<'_> {
+impl<'c> Swept<'c> {
     /// The inputs that move and are not the parameter themselves.
     fn inputs(&self) -> impl Iterator<Item = usize> {
         let variable = self.course.drive.variable();
@@ -40,7 +40,12 @@ impl Swept<'_> {
             .filter(move |input| !is_own(*input) && self.course.drive.same(*input, 0).is_none())
     }
 
-    fn found(&self, at: f64, side: Side, from: Option<&Station<Walk>>) -> Result<Station<Walk>, ExactTableError> {
+    fn found(
+        &self,
+        at: f64,
+        side: Side,
+        from: Option<&Station<Walk<'c>>>,
+    ) -> Result<Station<Walk<'c>>, ExactTableError> {
         let (course, orders) = (&self.course, self.course.orders());
         let inputs = course.description.inputs.len();
         let mut derivatives = vec![0.0; inputs * READ];
@@ -70,10 +75,10 @@ impl Swept<'_> {
     }
 }
 
-impl Source for Swept<'_> {
-    type Near = Walk;
+impl<'c> Source for Swept<'c> {
+    type Near = Walk<'c>;
 
-    fn columns(&self) -> Vec<Quantity> {
+    fn columns(&self) -> Vec<Quantity<'_>> {
         let description = self.course.description;
         let inputs = self.inputs().map(|input| description.inputs[input]);
         inputs
@@ -82,7 +87,7 @@ impl Source for Swept<'_> {
             .collect()
     }
 
-    fn station(&self, at: f64, side: Side, from: &Station<Walk>) -> Result<Station<Walk>, ExactTableError> {
+    fn station(&self, at: f64, side: Side, from: &Station<Walk<'c>>) -> Result<Station<Walk<'c>>, ExactTableError> {
         self.found(at, side, Some(from))
     }
 }
@@ -138,7 +143,7 @@ pub(crate) fn exact_table(
     swept.table(precision)
 }
 
-impl Swept<'_> {
+impl<'c> Swept<'c> {
     fn table(mut self, precision: Precision) -> Result<ExactTable, ExactTableError> {
         self.course.check()?;
         let [from, to] = [self.course.from, self.course.to];
@@ -169,7 +174,7 @@ impl Swept<'_> {
         if !runs_up {
             places.reverse();
         }
-        let seen_at = |place: f64, side: Side, from: Option<&Station<Walk>>| {
+        let seen_at = |place: f64, side: Side, from: Option<&Station<Walk<'c>>>| {
             let found = self.found(near(place, &beside_ends).unwrap_or(place), side, from);
             found.map(|station| Station { at: place, ..station })
         };
@@ -187,7 +192,7 @@ impl Swept<'_> {
         }
         let quantity = self.course.variable();
         let frame = Frame {
-            name: self.course.description.name,
+            name: self.course.description.name.to_string(),
             parameter: (quantity.name.to_string(), quantity.dimension),
             order,
             may_close: quantity.dimension == Dimension::Angle && is_turn(high - low),

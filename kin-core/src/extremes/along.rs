@@ -107,7 +107,7 @@ impl ByJacobian {
     fn value(
         &self,
         functions: &dyn ChangedFunctions,
-        station: &SweepStation,
+        station: &SweepStation<'_>,
         parameters: &[Local],
     ) -> Result<Local, ExtremesError> {
         let at = station.variable.real();
@@ -123,12 +123,17 @@ impl<S: QuantitySource> AskedQuantity<S> for ByJacobian {
         self.rows().map(|_| ())
     }
 
-    fn at(&self, sweep: &S, station: &SweepStation) -> Result<Local, ExtremesError> {
+    fn at(&self, sweep: &S, station: &SweepStation<'_>) -> Result<Local, ExtremesError> {
         let parameters: Vec<Local> = station.parameters.iter().copied().map(Local::constant).collect();
         self.value(sweep.changed(), station, &parameters)
     }
 
-    fn by_dimension(&self, sweep: &S, station: &SweepStation, dimension: usize) -> Result<ByDimension, ExtremesError> {
+    fn by_dimension(
+        &self,
+        sweep: &S,
+        station: &SweepStation<'_>,
+        dimension: usize,
+    ) -> Result<ByDimension, ExtremesError> {
         ByDimension::of_expression(station, dimension, |station, changed| {
             self.value(sweep.changed(), station, changed)
         })
@@ -153,7 +158,7 @@ pub trait AskedQuantity<S> {
 
     /// Its value at a place of a sweep.
     #[doc(hidden)]
-    fn at(&self, sweep: &S, station: &SweepStation) -> Result<Local, ExtremesError>;
+    fn at(&self, sweep: &S, station: &SweepStation<'_>) -> Result<Local, ExtremesError>;
 
     /// The derivative that it is, if it is one.
     #[doc(hidden)]
@@ -163,7 +168,12 @@ pub trait AskedQuantity<S> {
 
     /// How its value and its slope at a place of a sweep change with a dimension.
     #[doc(hidden)]
-    fn by_dimension(&self, sweep: &S, station: &SweepStation, dimension: usize) -> Result<ByDimension, ExtremesError>;
+    fn by_dimension(
+        &self,
+        sweep: &S,
+        station: &SweepStation<'_>,
+        dimension: usize,
+    ) -> Result<ByDimension, ExtremesError>;
 }
 
 impl<S: QuantitySource> AskedQuantity<S> for ByName<'_> {
@@ -174,7 +184,7 @@ impl<S: QuantitySource> AskedQuantity<S> for ByName<'_> {
         Ok(())
     }
 
-    fn at(&self, sweep: &S, station: &SweepStation) -> Result<Local, ExtremesError> {
+    fn at(&self, sweep: &S, station: &SweepStation<'_>) -> Result<Local, ExtremesError> {
         self.named()?.at(sweep.named(), station)
     }
 
@@ -182,7 +192,12 @@ impl<S: QuantitySource> AskedQuantity<S> for ByName<'_> {
         self.named().ok()
     }
 
-    fn by_dimension(&self, sweep: &S, station: &SweepStation, dimension: usize) -> Result<ByDimension, ExtremesError> {
+    fn by_dimension(
+        &self,
+        sweep: &S,
+        station: &SweepStation<'_>,
+        dimension: usize,
+    ) -> Result<ByDimension, ExtremesError> {
         self.named()?.by_dimension(sweep.changed(), station, dimension)
     }
 }
@@ -196,11 +211,16 @@ impl<S: QuantitySource> AskedQuantity<S> for ByDyad {
         Ok(())
     }
 
-    fn at(&self, sweep: &S, station: &SweepStation) -> Result<Local, ExtremesError> {
+    fn at(&self, sweep: &S, station: &SweepStation<'_>) -> Result<Local, ExtremesError> {
         transmission_angle(station.margins(sweep.named()), station, self.0).map(|angle| angle.folded())
     }
 
-    fn by_dimension(&self, sweep: &S, station: &SweepStation, dimension: usize) -> Result<ByDimension, ExtremesError> {
+    fn by_dimension(
+        &self,
+        sweep: &S,
+        station: &SweepStation<'_>,
+        dimension: usize,
+    ) -> Result<ByDimension, ExtremesError> {
         ByDimension::of_expression(station, dimension, |station, changed| {
             let margins = station.changed_margins(sweep.named(), changed);
             transmission_angle(margins, station, self.0).map(|angle| angle.folded())
@@ -218,14 +238,14 @@ where
         Ok(())
     }
 
-    fn at(&self, _: &Course<M, D>, station: &SweepStation) -> Result<Local, ExtremesError> {
+    fn at(&self, _: &Course<M, D>, station: &SweepStation<'_>) -> Result<Local, ExtremesError> {
         pose_quantity(station, None, &self.0)
     }
 
     fn by_dimension(
         &self,
         _: &Course<M, D>,
-        station: &SweepStation,
+        station: &SweepStation<'_>,
         dimension: usize,
     ) -> Result<ByDimension, ExtremesError> {
         ByDimension::of_expression(station, dimension, |station, changed| {
@@ -497,7 +517,7 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
         let order = self.sweep.course().description.order;
         self.quantity.check(self.sweep, order)?;
         let by_dimension =
-            |station: &SweepStation, dimension: usize| self.quantity.by_dimension(self.sweep, station, dimension);
+            |station: &SweepStation<'_>, dimension: usize| self.quantity.by_dimension(self.sweep, station, dimension);
         self.ask(|asked| asked.sensitivities(&by_dimension))
     }
 
@@ -506,7 +526,7 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
         question: impl FnOnce(&QuantityOfSweep<'_>) -> Result<T, ExtremesError>,
     ) -> Result<T, ExtremesError> {
         self.quantity.check(self.sweep, HIGHEST)?;
-        let answer = |station: &SweepStation| self.quantity.at(self.sweep, station);
+        let answer = |station: &SweepStation<'_>| self.quantity.at(self.sweep, station);
         let tell = |part: f64| {
             if let Some(progress) = &self.progress {
                 progress.reach(part);
@@ -532,7 +552,7 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
 
 /// The value of an expression of the typed pose.
 pub(crate) fn pose_quantity<M: Mechanism<Scalar = f64>, A: Answer>(
-    station: &SweepStation,
+    station: &SweepStation<'_>,
     changed: Option<&[Local]>,
     quantity: impl Fn(&At<M>) -> A,
 ) -> Result<Local, ExtremesError> {

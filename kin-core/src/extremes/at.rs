@@ -72,7 +72,7 @@ impl<M: Mechanism> Deref for At<M> {
 impl<M: Mechanism<Scalar = f64>> At<M> {
     /// The typed pose at a place of a sweep, as the solvers of a mechanism find it: with the dimensions of the sweep, or with others that
     /// change with the variable.
-    pub(super) fn of(station: &SweepStation, changed: Option<&[Local]>) -> Result<Self, SolveError> {
+    pub(super) fn of(station: &SweepStation<'_>, changed: Option<&[Local]>) -> Result<Self, SolveError> {
         let mechanism = M::With::<Local>::from_parameters(match changed {
             Some(changed) => row(changed),
             None => Row::from_fn(|parameter| Local::constant(station.parameters[parameter])),
@@ -95,7 +95,7 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
     }
 
     /// The station of which this is the pose, if its dimensions are those of the sweep.
-    fn station(&self) -> Option<SweepStation> {
+    fn station(&self) -> Option<SweepStation<'_>> {
         let source = self.source?;
         let mut inputs = vec![0.0; M::DESCRIPTION.inputs.len() * READ];
         write(source.inputs.as_ref(), &mut inputs);

@@ -14,16 +14,16 @@ use crate::curve::LimitKind;
 use crate::sweep::{AnyCourse, SmoothDrive, Walk};
 
 /// The ends of a sweep on which the mechanism closes throughout, and a pose inside of it.
-pub(crate) struct KnownStretch {
+pub(crate) struct KnownStretch<'c> {
     /// The limits at both ends, `None` where the curve would go on.
     pub(crate) limits: [Option<LimitKind>; 2],
     /// Whether the end is the pose of the beginning.
     pub(crate) is_full_turn: bool,
-    pub(crate) inside: Walk,
+    pub(crate) inside: Walk<'c>,
 }
 
-impl KnownStretch {
-    pub(super) fn ends(&self) -> ([StretchEnd; 2], Mark) {
+impl<'c> KnownStretch<'c> {
+    pub(super) fn ends(&self) -> ([StretchEnd; 2], Mark<'c>) {
         let end = |limit: Option<LimitKind>| limit.map_or(StretchEnd::Sweep, StretchEnd::Limit);
         (self.limits.map(end), Mark::new(self.inside.clone()))
     }
@@ -45,7 +45,7 @@ pub(crate) fn named_quantity<'q>(
 pub(crate) struct KnownSweep<'c> {
     pub(crate) course: AnyCourse<'c>,
     pub(crate) drive: &'c dyn SmoothDrive,
-    pub(crate) stretch: KnownStretch,
+    pub(crate) stretch: KnownStretch<'c>,
 }
 
 impl KnownSweep<'_> {
@@ -55,7 +55,7 @@ impl KnownSweep<'_> {
         functions: &dyn NamedFunctions,
         dyad: usize,
     ) -> Result<Vec<Extreme>, ExtremesError> {
-        self.extremes_of(&|station: &SweepStation| {
+        self.extremes_of(&|station: &SweepStation<'_>| {
             transmission_angle(station.margins(functions), station, dyad).map(|transmission| transmission.angle)
         })
     }

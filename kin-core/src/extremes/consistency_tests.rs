@@ -295,7 +295,7 @@ fn all_answers_about_random_linkages_agree() {
 
 /// A mechanism of random dimensions along a random line of its inputs, in one of its positions.
 fn hold_random<M: Mechanism<Scalar = f64, Pose: PoseOf<M>>>(random: &mut Random, rows: usize) -> bool {
-    let mut value = |quantity: &Quantity| match quantity.dimension {
+    let mut value = |quantity: &Quantity<'_>| match quantity.dimension {
         Dimension::Length => random.between(1.0, 10.0),
         Dimension::Angle => random.between(0.2, 1.4),
         Dimension::Scalar => random.between(0.5, 2.0),

@@ -64,14 +64,14 @@ impl StretchEnd {
 /// `scale` s². At a change point, where branches cross, it is smooth in the variable itself, and its rates jump. The closer to either of
 /// them, the more rounding errors of a pose are magnified, so a stretch ends short of it, and its series goes on.
 #[derive(Clone)]
-pub(super) struct Stretch {
+pub(super) struct Stretch<'a> {
     /// The parameters at both ends, in the order of the sweep.
     pub(super) parameters: [f64; 2],
     pub(super) ends: [StretchEnd; 2],
     /// The limit at which the stretch begins or ends.
     pub(super) edge: Option<Edge>,
     /// A pose close to its start.
-    pub(super) mark: Mark,
+    pub(super) mark: Mark<'a>,
     /// Whether the sweep runs upwards.
     pub(super) runs_up: bool,
 }
@@ -89,7 +89,7 @@ pub(super) struct Edge {
     pub(super) nearest: f64,
 }
 
-impl Stretch {
+impl Stretch<'_> {
     /// The variable as a series in the parameter.
     pub(super) fn variable(&self, parameter: f64) -> Local {
         let coefficients = match self.edge {
@@ -137,17 +137,17 @@ fn resolution(ends: [f64; 2]) -> f64 {
 
 /// A place on the curve.
 #[derive(Clone)]
-pub(super) struct CurveNode {
+pub(super) struct CurveNode<'a> {
     pub(super) parameter: f64,
     /// The variable of the sweep.
     pub(super) at: f64,
     /// The quantity as a series in the parameter.
     pub(super) value: Local,
-    pub(super) mark: Mark,
+    pub(super) mark: Mark<'a>,
 }
 
 /// A part of the sweep on which the mechanism closes: its ends with their kinds, and a pose.
-type ClosedPart = ([f64; 2], [StretchEnd; 2], Mark);
+type ClosedPart<'a> = ([f64; 2], [StretchEnd; 2], Mark<'a>);
 
 /// A quantity over a sweep.
 pub(super) struct Curve<'c> {
@@ -160,7 +160,7 @@ pub(super) struct Curve<'c> {
     /// The edge that a question has met.
     met: Cell<Option<(f64, LimitKind)>>,
     /// The walk to the node before, from which the next one is often closest.
-    cursor: RefCell<Option<Mark>>,
+    cursor: RefCell<Option<Mark<'c>>>,
     /// The size of the quantity in all stretches, as far as it has been seen.
     pub(super) size: Cell<f64>,
 }
@@ -223,7 +223,7 @@ impl<'c> Curve<'c> {
     }
 
     /// The change point or the pole between two nodes, if there is one.
-    pub(super) fn edge_between(&self, left: &CurveNode, right: &CurveNode) -> Option<(f64, LimitKind)> {
+    pub(super) fn edge_between(&self, left: &CurveNode<'c>, right: &CurveNode<'c>) -> Option<(f64, LimitKind)> {
         if !self.extent.has_assemblies {
             // a track from row to row has ended there
             return None;
@@ -272,7 +272,12 @@ impl<'c> Curve<'c> {
     }
 
     /// The place with a parameter, found from a pose nearby.
-    pub(super) fn node(&self, stretch: &Stretch, parameter: f64, near: &Mark) -> Result<CurveNode, ExtremesError> {
+    pub(super) fn node(
+        &self,
+        stretch: &Stretch<'c>,
+        parameter: f64,
+        near: &Mark<'c>,
+    ) -> Result<CurveNode<'c>, ExtremesError> {
         let variable = stretch.variable(parameter);
         let at = variable.real();
         // At the end of a stretch its own piece of the law counts.
@@ -293,10 +298,10 @@ impl<'c> Curve<'c> {
     }
 
     /// The closer of two walks to a place of a stretch: the given one, or that to the node before if it is in the same stretch.
-    fn closest(&self, stretch: &Stretch, at: f64, given: &Mark) -> Mark {
+    fn closest(&self, stretch: &Stretch<'c>, at: f64, given: &Mark<'c>) -> Mark<'c> {
         let [one, other] = stretch.parameters.map(|parameter| stretch.variable(parameter).real());
         let is_inside = |place: f64| one.min(other) <= place && place <= one.max(other);
-        let distance = |mark: &Mark| mark.at.map_or(f64::INFINITY, |last| (last - at).abs());
+        let distance = |mark: &Mark<'c>| mark.at.map_or(f64::INFINITY, |last| (last - at).abs());
         match &*self.cursor.borrow() {
             Some(cursor) if cursor.at.is_some_and(is_inside) && distance(cursor) < distance(given) => cursor.clone(),
             _ => given.clone(),
@@ -304,7 +309,7 @@ impl<'c> Curve<'c> {
     }
 
     /// The stretches, in the order of the sweep.
-    pub(super) fn stretches(&self) -> Result<Vec<Stretch>, ExtremesError> {
+    pub(super) fn stretches(&self) -> Result<Vec<Stretch<'c>>, ExtremesError> {
         self.quantity.check()?;
         let circuits = match self.quantity.known() {
             Some((ends, mark)) => alloc::vec![([self.extent.from, self.extent.to], ends, mark)],
@@ -328,7 +333,7 @@ impl<'c> Curve<'c> {
     }
 
     /// The parts of the sweep on which the mechanism closes, each with a pose.
-    fn circuits(&self) -> Result<Vec<ClosedPart>, ExtremesError> {
+    fn circuits(&self) -> Result<Vec<ClosedPart<'c>>, ExtremesError> {
         let mut places = self.places();
         let mut seen = self.circuits_at(&places);
         if !matches!(seen, Ok((_, None))) {
@@ -352,12 +357,12 @@ impl<'c> Curve<'c> {
     }
 
     /// The parts on which the mechanism closes, as some places tell, and the error at the first place at which it does not.
-    fn circuits_at(&self, places: &[f64]) -> Result<(Vec<ClosedPart>, Option<SolveError>), ExtremesError> {
-        let mut circuits: Vec<ClosedPart> = Vec::new();
+    fn circuits_at(&self, places: &[f64]) -> Result<(Vec<ClosedPart<'c>>, Option<SolveError>), ExtremesError> {
+        let mut circuits: Vec<ClosedPart<'c>> = Vec::new();
         let mut mark = Mark::new(Walk::BEGINNING);
         let mut first_error = None;
         // the row before: its place, its mark, and whether it closed
-        let mut before: Option<(f64, Mark, bool)> = None;
+        let mut before: Option<(f64, Mark<'c>, bool)> = None;
         for at in places.iter().copied() {
             let result;
             (mark, result) = self.quantity.step(&mark, at);
@@ -390,7 +395,7 @@ impl<'c> Curve<'c> {
     }
 
     /// Looks for turning points close beyond the ends of the sweep, where no polynomial follows the curve.
-    fn shorten(&self, circuits: &mut [ClosedPart]) {
+    fn shorten(&self, circuits: &mut [ClosedPart<'c>]) {
         let SweepExtent { from, to, .. } = self.extent;
         if let Some((ends, kinds, mark)) = circuits.first_mut()
             && (ends[0], kinds[0]) == (from, StretchEnd::Sweep)
@@ -405,7 +410,7 @@ impl<'c> Curve<'c> {
     }
 
     /// The turning point at which the curve ends close beyond the first of two places.
-    fn turning_point_beyond(&self, [end, other]: [f64; 2], mark: &Mark) -> Option<StretchEnd> {
+    fn turning_point_beyond(&self, [end, other]: [f64; 2], mark: &Mark<'c>) -> Option<StretchEnd> {
         let way = end - other;
         let beyond = end + BEYOND * way;
         if way == 0.0 || self.quantity.step(mark, beyond).1.is_ok() {
@@ -428,7 +433,7 @@ impl<'c> Curve<'c> {
     }
 
     /// Where the mechanism does not close at a single place only, the curve has a kink there and goes on.
-    fn join(&self, circuits: &mut [ClosedPart]) {
+    fn join(&self, circuits: &mut [ClosedPart<'c>]) {
         let nearest = resolution([self.extent.from, self.extent.to]);
         let end = StretchEnd::Limit(LimitKind::End);
         for index in 1..circuits.len() {
@@ -462,7 +467,7 @@ impl<'c> Curve<'c> {
     }
 
     /// The limit between a place that closes and one that does not, with its kind.
-    fn limit(&self, closed: f64, mark: &Mark, open: f64) -> Result<(f64, LimitKind), ExtremesError> {
+    fn limit(&self, closed: f64, mark: &Mark<'c>, open: f64) -> Result<(f64, LimitKind), ExtremesError> {
         let told = |limit: Limit| (limit.at, limit.kind);
         if let Some(limit) = self.quantity.limit(closed, mark, open) {
             return Ok(told(limit));
@@ -485,7 +490,7 @@ impl<'c> Curve<'c> {
 
     /// Adds the stretches between two ends: two if it is bounded by limits on both sides. The end of a range or domain is taken for a turning
     /// point, as the mechanism may be one there, and a curve that is none is smooth in the root of the distance as well.
-    fn add(&self, stretches: &mut Vec<Stretch>, [start, end]: [(f64, StretchEnd); 2], mark: &Mark) {
+    fn add(&self, stretches: &mut Vec<Stretch<'c>>, [start, end]: [(f64, StretchEnd); 2], mark: &Mark<'c>) {
         if start.0 == end.0 {
             return;
         }

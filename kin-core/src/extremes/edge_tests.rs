@@ -181,7 +181,7 @@ fn a_branch_ends_at_a_pole() {
         };
         for (branch, range) in [(one, [-1.0, 1.0]), (other, [1.0, 3.0])] {
             for (end, place) in branch.ends().iter().zip(range) {
-                assert_eq!((end.kind, end.block), (EndKind::Limit(LimitKind::Pole), "y"));
+                assert_eq!((end.kind, end.block), (EndKind::Limit(LimitKind::Pole), "y".into()));
                 assert!(
                     (end.input - place * FRAC_PI_2).abs() <= 4.0 * f64::EPSILON,
                     "{branch:?}"

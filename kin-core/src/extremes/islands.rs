@@ -4,6 +4,7 @@ use alloc::vec::Vec;
 
 use super::curve::Curve;
 use super::swept::MissingLength;
+use crate::quantity::Name;
 
 /// The distance at which a missing length is compared with itself, as a part of the sweep.
 const BESIDE: f64 = 1e-7;
@@ -47,7 +48,7 @@ impl Curve<'_> {
 
     /// The first place on the way from one place to another at which a block closes, by Newton's method for the missing length. A step that
     /// leads to where more is missing again, or that closes after a long way, may have gone too far, and is halved.
-    fn closing(&self, [from, to]: [f64; 2], block: &'static str) -> Option<f64> {
+    fn closing(&self, [from, to]: [f64; 2], block: Name) -> Option<f64> {
         let beside = BESIDE * (to - from);
         // a place with its step
         let seen = |at: f64| {
@@ -80,7 +81,7 @@ impl Curve<'_> {
 
     /// A place between two others at which the mechanism closes, by a search for the least missing length of a block. (J. Kiefer, Sequential
     /// minimax search for a maximum, Proceedings of the American Mathematical Society 4, 1953, 502-506: golden sections.)
-    fn island(&self, [mut low, mut high]: [f64; 2], block: &'static str) -> Option<f64> {
+    fn island(&self, [mut low, mut high]: [f64; 2], block: Name) -> Option<f64> {
         let part = 0.5 * (num_traits::Float::sqrt(5.0_f64) - 1.0);
         let missing = |at: f64| match self.quantity.missing(at) {
             None => Err(at),

@@ -334,7 +334,7 @@ fn mistakes_are_told() {
     let JacobianError::MixedDimensions { one, other } = *error else {
         panic!("{error:?}");
     };
-    assert_eq!((one.name, other.name), ("hand.x", "phi"));
+    assert_eq!((one.as_str(), other.as_str()), ("hand.x", "phi"));
     let error = way.of_jacobian(&[], ConditionNumber).lowest().unwrap_err();
     assert_eq!(error, ExtremesError::Jacobian(JacobianError::Empty.into()));
     let of_expression = way.of_expression(|at| at.jacobian_of(&["phi", "hand"]).map(|own| own.condition_number()));

@@ -11,7 +11,7 @@ use crate::failure::SolveError;
 use crate::mechanism::{Block, BlockForm, Description};
 use crate::number::Number;
 use crate::picture::TransmissionAngle;
-use crate::quantity::Dimension;
+use crate::quantity::{Dimension, NameKind};
 use crate::sweep::Local;
 
 /// What margins and transmission angles need of a mechanism.
@@ -22,7 +22,7 @@ impl<F: AnyMechanism + ClosureOver<Local> + TransmissionOver<Local> + FormsOver<
 /// A position in series, from which margins and transmission angles are found.
 pub(super) struct Margins<'f> {
     pub(super) functions: &'f dyn DyadFunctions,
-    pub(super) description: &'static Description,
+    pub(super) description: &'f Description<'f>,
     pub(super) parameters: Vec<Local>,
     pub(super) inputs: Vec<Local>,
     pub(super) unknowns: Vec<Local>,
@@ -50,11 +50,14 @@ impl Margins<'_> {
         self.functions
             .block_forms(&self.parameters, &mut |form| forms.push(form));
         // a slider along an axis is a block of its own behind that of its link
-        let mut own = self.description.blocks.iter().zip(&forms).filter(|(block, _)| {
-            let mut unknowns = transmission.block.split(", ");
-            transmission.block == block.unknowns || unknowns.any(|unknown| unknown == block.unknowns)
-        });
-        own.find_map(|(block, form)| match form {
+        let name = transmission.block;
+        let is_own = |index: usize, block: &Block<'_>| match (name.text(), name.index()) {
+            (Some(text), _) => name == block.unknowns || text.split(", ").any(|unknown| unknown == block.unknowns),
+            (None, own) => own == Some((NameKind::Block, index)),
+        };
+        let mut blocks = self.description.blocks.iter().zip(&forms).enumerate();
+        blocks.find_map(|(index, (block, form))| match form {
+            _ if !is_own(index, block) => None,
             BlockForm::TwoLinks { lengths } if lengths.iter().any(Option::is_none) => self.slack(block),
             BlockForm::LinkAndSlider { length: None } => margin_of(
                 &BlockForm::LinkAndSlider {
@@ -67,7 +70,7 @@ impl Margins<'_> {
     }
 
     /// What the equations of a block have left if some of its angles are turned.
-    fn turned(&self, block: &Block, angles: &[(usize, f64)]) -> [Local; 2] {
+    fn turned(&self, block: &Block<'_>, angles: &[(usize, f64)]) -> [Local; 2] {
         let mut unknowns = self.unknowns.clone();
         for (unknown, angle) in angles {
             unknowns[*unknown] = unknowns[*unknown] + Local::constant(*angle);
@@ -87,7 +90,7 @@ impl Margins<'_> {
     ///
     /// A link that is turned by half a turn changes the closure by twice its vector. One angle, the other one and both turn the links one by one
     /// or together, which side ever belongs to which: an angle may be that of a link against the other link.
-    fn slack(&self, block: &Block) -> Option<Local> {
+    fn slack(&self, block: &Block<'_>) -> Option<Local> {
         let &[one, other] = block.members else { return None };
         let [one, other] = [one, other].map(|unknown| (unknown, PI));
         let here = self.turned(block, &[]);
@@ -106,7 +109,7 @@ impl Margins<'_> {
     ///
     /// One equation of the slider on an axis tells the component of the link along the other axis. The other component is that of the link
     /// turned by a right angle.
-    fn link(&self, block: &Block) -> Option<Local> {
+    fn link(&self, block: &Block<'_>) -> Option<Local> {
         let is_angle = |unknown: &usize| self.description.unknowns[*unknown].dimension == Dimension::Angle;
         let angle = block.members.iter().copied().find(is_angle)?;
         let [here, opposite, left, right] =
@@ -133,7 +136,7 @@ impl Margins<'_> {
 /// The transmission angle of a dyad at a place of a sweep.
 pub(super) fn transmission_angle(
     margins: Result<Margins<'_>, SolveError>,
-    station: &SweepStation,
+    station: &SweepStation<'_>,
     dyad: usize,
 ) -> Result<TransmissionAngle<Local>, ExtremesError> {
     let angle = margins.ok().and_then(|margins| margins.transmission_angle(dyad));

@@ -50,7 +50,7 @@ impl Integral {
     }
 }
 
-impl Curve<'_> {
+impl<'c> Curve<'c> {
     /// The mean of a power of the quantity: 1, or 2 for the mean square.
     pub(super) fn mean(&self, over: Over, power: i32) -> Result<Mean, ExtremesError> {
         let stretches = self.stretches()?;
@@ -94,8 +94,8 @@ impl Curve<'_> {
     }
 
     /// The part of the sweep that stretches cover.
-    fn covered(&self, stretches: &[Stretch]) -> f64 {
-        let length = |stretch: &Stretch| {
+    fn covered(&self, stretches: &[Stretch<'c>]) -> f64 {
+        let length = |stretch: &Stretch<'c>| {
             let [start, end] = stretch.parameters.map(|parameter| stretch.place(parameter));
             (end - start).abs()
         };
@@ -106,7 +106,13 @@ impl Curve<'_> {
     }
 
     /// The quantity with its weight, for the rate of the variable with respect to the parameter.
-    fn integrand(&self, stretch: &Stretch, parameter: f64, over: Over, power: i32) -> Result<Integral, ExtremesError> {
+    fn integrand(
+        &self,
+        stretch: &Stretch<'c>,
+        parameter: f64,
+        over: Over,
+        power: i32,
+    ) -> Result<Integral, ExtremesError> {
         let node = self.node(stretch, parameter, &stretch.mark)?;
         let value = Number::powi(node.value.real(), power);
         let rate = stretch.variable(parameter).coefficients()[1].abs();
@@ -128,7 +134,7 @@ impl Curve<'_> {
 
     fn gauss(
         &self,
-        stretch: &Stretch,
+        stretch: &Stretch<'c>,
         [from, to]: [f64; 2],
         over: Over,
         power: i32,
@@ -147,7 +153,7 @@ impl Curve<'_> {
     #[expect(clippy::too_many_arguments, reason = "a recursion hands everything down")]
     fn halved(
         &self,
-        stretch: &Stretch,
+        stretch: &Stretch<'c>,
         [from, to]: [f64; 2],
         whole: Integral,
         scale: f64,
@@ -171,7 +177,13 @@ impl Curve<'_> {
     }
 
     /// The part next to a turning point, from the Taylor series at the nearest place.
-    fn beside_limit(&self, stretch: &Stretch, edge: Edge, over: Over, power: i32) -> Result<Integral, ExtremesError> {
+    fn beside_limit(
+        &self,
+        stretch: &Stretch<'c>,
+        edge: Edge,
+        over: Over,
+        power: i32,
+    ) -> Result<Integral, ExtremesError> {
         if edge.nearest == edge.end.1 {
             // the pieces reach to the end
             return Ok(Integral::default());
@@ -216,7 +228,7 @@ impl Curve<'_> {
 
     /// The mean over a full turn by the trapezoid rule, whose error falls faster than any power of the number of points.
     /// (L. N. Trefethen and J. A. C. Weideman, The exponentially convergent trapezoidal rule, SIAM Review 56, 2014, 385-458.)
-    fn over_turn(&self, stretch: &Stretch, power: i32) -> Result<Option<Mean>, ExtremesError> {
+    fn over_turn(&self, stretch: &Stretch<'c>, power: i32) -> Result<Option<Mean>, ExtremesError> {
         let [from, to] = stretch.parameters;
         let (mut points, mut sum, mut size) = (16_u32, 0.0, 0.0);
         let mut last = f64::NAN;

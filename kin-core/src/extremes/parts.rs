@@ -44,18 +44,18 @@ pub(super) enum CurvePart {
 }
 
 /// Called with every part and the nodes at its ends.
-type VisitPart<'v> = dyn FnMut(&CurvePart, [&CurveNode; 2]) -> Result<(), ExtremesError> + 'v;
+type VisitPart<'v, 'c> = dyn FnMut(&CurvePart, [&CurveNode<'c>; 2]) -> Result<(), ExtremesError> + 'v;
 
-impl Curve<'_> {
+impl<'c> Curve<'c> {
     /// Divides a stretch into parts, and passes on each with its ends. It returns the nodes at both ends of the stretch.
     ///
     /// If the stretch is a full turn, its end is its beginning, so that an extreme on the seam is found once.
     pub(super) fn parts(
         &self,
-        stretch: &Stretch,
+        stretch: &Stretch<'c>,
         is_turn: bool,
-        visit: &mut VisitPart<'_>,
-    ) -> Result<[CurveNode; 2], ExtremesError> {
+        visit: &mut VisitPart<'_, 'c>,
+    ) -> Result<[CurveNode<'c>; 2], ExtremesError> {
         let [from, to] = stretch.parameters;
         let way = (stretch.variable(to).real() - stretch.variable(from).real()).abs();
         let unit = if self.extent.is_angle {
@@ -99,7 +99,7 @@ impl Curve<'_> {
 
     /// Looks at the size of the quantity in all stretches: where it should be zero on one of them, it is made of rounding errors, whose size
     /// others tell.
-    pub(super) fn see_size(&self, stretches: &[Stretch]) -> Result<(), ExtremesError> {
+    pub(super) fn see_size(&self, stretches: &[Stretch<'c>]) -> Result<(), ExtremesError> {
         let mut size: f64 = 0.0;
         // a single stretch tells its size itself
         for stretch in stretches.iter().filter(|_| stretches.len() > 1) {
@@ -118,12 +118,12 @@ impl Curve<'_> {
 
     fn divide(
         &self,
-        stretch: &Stretch,
-        [left, right]: [&CurveNode; 2],
+        stretch: &Stretch<'c>,
+        [left, right]: [&CurveNode<'c>; 2],
         depth: usize,
         size: f64,
         budget: &mut usize,
-        visit: &mut VisitPart<'_>,
+        visit: &mut VisitPart<'_, 'c>,
     ) -> Result<(), ExtremesError> {
         let ends = [left.parameter, right.parameter];
         let piece = Piece::new(ends, [left.value, right.value]);
@@ -154,7 +154,7 @@ impl Curve<'_> {
             None => 1.0,
         };
         let tolerance = AGREEMENT * (high - low) + ROUNDING * (own * growth).max(size);
-        let apart = |node: &CurveNode| (piece.at(node.parameter).real() - node.value.real()).abs();
+        let apart = |node: &CurveNode<'c>| (piece.at(node.parameter).real() - node.value.real()).abs();
         let mut apart_most = apart(&middle);
         // the node that is furthest from the piece
         let mut furthest = None;
@@ -201,7 +201,7 @@ impl Curve<'_> {
     }
 
     /// Whether the quantity grows beyond all bounds between two neighbouring places: on one side it grows from distance to distance.
-    fn is_pole(&self, stretch: &Stretch, [left, right]: [&CurveNode; 2]) -> Result<bool, ExtremesError> {
+    fn is_pole(&self, stretch: &Stretch<'c>, [left, right]: [&CurveNode<'c>; 2]) -> Result<bool, ExtremesError> {
         let [low, high] = [
             stretch.parameters[0].min(stretch.parameters[1]),
             stretch.parameters[0].max(stretch.parameters[1]),
@@ -227,7 +227,7 @@ impl Curve<'_> {
     /// The rounding error of the quantity, as places that are close together show it: the difference between poses and the Taylor series
     /// of a pose beside them. On one side of a jump the series holds, so the smaller difference of both sides counts. An end of a stretch
     /// has one side, and none is known there.
-    fn rounding(&self, stretch: &Stretch, node: &CurveNode, step: f64) -> Result<f64, ExtremesError> {
+    fn rounding(&self, stretch: &Stretch<'c>, node: &CurveNode<'c>, step: f64) -> Result<f64, ExtremesError> {
         if stretch.parameters.contains(&node.parameter) {
             return Ok(0.0);
         }
@@ -250,11 +250,11 @@ impl Curve<'_> {
     /// slope.
     pub(super) fn refined(
         &self,
-        stretch: &Stretch,
-        [left, right]: [&CurveNode; 2],
+        stretch: &Stretch<'c>,
+        [left, right]: [&CurveNode<'c>; 2],
         start: f64,
         function: impl Fn(Local) -> (f64, f64),
-    ) -> Result<CurveNode, ExtremesError> {
+    ) -> Result<CurveNode<'c>, ExtremesError> {
         let (low, high) = (left.parameter.min(right.parameter), left.parameter.max(right.parameter));
         let mut node = self.node(stretch, start, &left.mark)?;
         let mut last = f64::INFINITY;

@@ -40,15 +40,13 @@ impl Named {
             (Kind::Unknown, description.unknowns),
             (Kind::Output, description.outputs),
         ];
-        let quantities = all
-            .into_iter()
-            .flat_map(|(kind, quantities): (Kind, &'static [Quantity])| {
-                quantities
-                    .iter()
-                    .enumerate()
-                    .map(move |(index, quantity)| (kind, index, *quantity))
-            });
-        let named: Vec<(Self, Label)> = quantities
+        let quantities = all.into_iter().flat_map(|(kind, quantities): (Kind, &[Quantity<'_>])| {
+            quantities
+                .iter()
+                .enumerate()
+                .map(move |(index, quantity)| (kind, index, *quantity))
+        });
+        let named: Vec<(Self, Label<'_>)> = quantities
             .flat_map(|(kind, index, quantity)| {
                 (0..=highest).map(move |order| (Self { kind, index, order }, Label::new(quantity, order)))
             })
@@ -78,7 +76,7 @@ impl Named {
     }
 
     /// Its value at a place of a sweep, from the position alone.
-    pub(super) fn at(self, functions: &dyn NamedFunctions, station: &SweepStation) -> Result<Local, ExtremesError> {
+    pub(super) fn at(self, functions: &dyn NamedFunctions, station: &SweepStation<'_>) -> Result<Local, ExtremesError> {
         let value = match (self.result(), self.kind) {
             (Some(result), _) => station.result(functions, result, self.order),
             (None, Kind::Margin) => station.margins(functions).map(|margins| smallest(&margins)),
@@ -91,7 +89,7 @@ impl Named {
     pub(super) fn by_dimension(
         self,
         functions: &dyn ChangedFunctions,
-        station: &SweepStation,
+        station: &SweepStation<'_>,
         dimension: usize,
     ) -> Result<ByDimension, ExtremesError> {
         match (self.result(), self.kind) {
@@ -119,7 +117,7 @@ impl Named {
     }
 }
 
-fn gap(station: &SweepStation) -> ExtremesError {
+fn gap(station: &SweepStation<'_>) -> ExtremesError {
     ExtremesError::Gap {
         at: station.variable.real(),
     }

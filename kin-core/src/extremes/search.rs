@@ -24,12 +24,12 @@ pub(super) struct FoundExtremes {
     pub(super) first: Option<Extreme>,
 }
 
-impl Curve<'_> {
+impl<'c> Curve<'c> {
     pub(super) fn extremes(&self) -> Result<FoundExtremes, ExtremesError> {
         let stretches = self.stretches()?;
         let mut extremes: Vec<Extreme> = Vec::new();
         // the end of the stretch before, with its kind
-        let mut before: Option<(CurveNode, bool, StretchEnd)> = None;
+        let mut before: Option<(CurveNode<'c>, bool, StretchEnd)> = None;
         let is_turn = self.extent.is_full_turn && self.is_periodic(&stretches)?;
         let mut first = None;
         for stretch in &stretches {
@@ -97,7 +97,7 @@ impl Curve<'_> {
     }
 
     /// The extremes at a joint of laws where a lower rate jumps.
-    fn impulse(&self, joint: &CurveNode) -> Result<impl Iterator<Item = Extreme> + use<>, ExtremesError> {
+    fn impulse(&self, joint: &CurveNode<'c>) -> Result<impl Iterator<Item = Extreme> + use<>, ExtremesError> {
         let (at, [up, down]) = (joint.at, self.quantity.impulse(joint)?);
         let unbounded = move |is_maximum: bool| Extreme {
             at,
@@ -132,8 +132,8 @@ impl Curve<'_> {
     }
 
     /// The extreme near a turn of a piece. If the slope does not vanish there, the quantity has a kink.
-    fn turn(&self, stretch: &Stretch, nodes: [&CurveNode; 2], place: f64) -> Result<Extreme, ExtremesError> {
-        let slope = |node: &CurveNode| node.value.coefficients()[1];
+    fn turn(&self, stretch: &Stretch<'c>, nodes: [&CurveNode<'c>; 2], place: f64) -> Result<Extreme, ExtremesError> {
+        let slope = |node: &CurveNode<'c>| node.value.coefficients()[1];
         let node = self.refined(stretch, nodes, place, |value| {
             let [_, slope, bend, ..] = value.coefficients();
             (slope, 2.0 * bend)
@@ -159,7 +159,7 @@ impl Curve<'_> {
     }
 
     /// Whether the quantity is the same at both ends of a full turn.
-    pub(super) fn is_periodic(&self, stretches: &[Stretch]) -> Result<bool, ExtremesError> {
+    pub(super) fn is_periodic(&self, stretches: &[Stretch<'c>]) -> Result<bool, ExtremesError> {
         let (Some(first), Some(last)) = (stretches.first(), stretches.last()) else {
             return Ok(false);
         };
@@ -175,7 +175,7 @@ impl Curve<'_> {
     }
 
     /// The extreme at a turning point: the curve ends there.
-    fn at_limit(&self, stretch: &Stretch, nearest: &CurveNode) -> Result<Extreme, ExtremesError> {
+    fn at_limit(&self, stretch: &Stretch<'c>, nearest: &CurveNode<'c>) -> Result<Extreme, ExtremesError> {
         let Some(limit) = stretch.edge else {
             return Ok(edge(nearest, ExtremeKind::End, true));
         };
@@ -198,7 +198,7 @@ impl Curve<'_> {
     }
 
     /// The extreme at the end of a sweep short of a turning point.
-    fn short_of_limit(&self, stretch: &Stretch, nearest: &CurveNode) -> Result<Extreme, ExtremesError> {
+    fn short_of_limit(&self, stretch: &Stretch<'c>, nearest: &CurveNode<'c>) -> Result<Extreme, ExtremesError> {
         let end = match stretch.edge {
             Some(Edge {
                 end: (at, parameter), ..
@@ -217,12 +217,12 @@ impl Curve<'_> {
         Ok(edge(&end, ExtremeKind::End, is_maximum))
     }
 
-    fn is_unbounded(&self, stretch: &Stretch, nearest: &CurveNode) -> Result<bool, ExtremesError> {
+    fn is_unbounded(&self, stretch: &Stretch<'c>, nearest: &CurveNode<'c>) -> Result<bool, ExtremesError> {
         Ok(self.growth(stretch, nearest)? > GROWTH)
     }
 
     /// The growth of a quantity from a place near a turning point to another one twice as near, in the parameter.
-    pub(super) fn growth(&self, stretch: &Stretch, nearest: &CurveNode) -> Result<f64, ExtremesError> {
+    pub(super) fn growth(&self, stretch: &Stretch<'c>, nearest: &CurveNode<'c>) -> Result<f64, ExtremesError> {
         let [near, far] = NEAR.map(|parameter| self.node(stretch, parameter, &nearest.mark));
         let (near, far) = (near?.value.real(), far?.value.real());
         Ok(if near == 0.0 { 0.0 } else { near.abs() / far.abs() })
@@ -233,7 +233,7 @@ impl Curve<'_> {
         finite("level", level)?;
         let mut crossings = Vec::new();
         // the end of the stretch before
-        let mut before: Option<CurveNode> = None;
+        let mut before: Option<CurveNode<'c>> = None;
         for stretch in &self.stretches()? {
             let mut inner = Vec::new();
             let [begin, end] = self.crossings_of(stretch, level, &mut |node| {
@@ -262,10 +262,10 @@ impl Curve<'_> {
     /// Passes on the places inside of a stretch where the quantity crosses a level, and returns the nodes at both ends of the stretch.
     fn crossings_of(
         &self,
-        stretch: &Stretch,
+        stretch: &Stretch<'c>,
         level: f64,
-        found: &mut dyn FnMut(&CurveNode),
-    ) -> Result<[CurveNode; 2], ExtremesError> {
+        found: &mut dyn FnMut(&CurveNode<'c>),
+    ) -> Result<[CurveNode<'c>; 2], ExtremesError> {
         self.parts(stretch, false, &mut |part, nodes| {
             match part {
                 CurvePart::Piece(piece) => {
@@ -388,13 +388,13 @@ fn finite(argument: &'static str, value: f64) -> Result<(), ExtremesError> {
 
 /// Whether the quantity rises in the direction of the sweep. A slope of zero counts as one that rises with the parameter, as
 /// [`Piece::turns`](crate::hermite::Piece::turns) counts it.
-fn rises(stretch: &Stretch, node: &CurveNode) -> bool {
+fn rises(stretch: &Stretch<'_>, node: &CurveNode<'_>) -> bool {
     let [from, to] = stretch.parameters;
     (node.value.coefficients()[1] >= 0.0) == (to >= from)
 }
 
 /// The node at the end of a stretch. Next to a limit the series goes on to the limit itself.
-fn reached(stretch: &Stretch, end: StretchEnd, nearest: &CurveNode) -> CurveNode {
+fn reached<'c>(stretch: &Stretch<'_>, end: StretchEnd, nearest: &CurveNode<'c>) -> CurveNode<'c> {
     match (end, stretch.edge) {
         (StretchEnd::Limit(_), Some(edge)) => CurveNode {
             at: edge.at,
@@ -406,7 +406,7 @@ fn reached(stretch: &Stretch, end: StretchEnd, nearest: &CurveNode) -> CurveNode
 }
 
 /// The extreme at a place that has only one side, or only one value.
-fn edge(node: &CurveNode, kind: ExtremeKind, is_maximum: bool) -> Extreme {
+fn edge(node: &CurveNode<'_>, kind: ExtremeKind, is_maximum: bool) -> Extreme {
     Extreme {
         at: node.at,
         value: Some(node.value.real()),
@@ -417,7 +417,7 @@ fn edge(node: &CurveNode, kind: ExtremeKind, is_maximum: bool) -> Extreme {
 
 /// The extremes at an edge with two sides, where the quantity rises or falls on each. A jump between them has an extreme on each side
 /// from which the quantity does not go on in the same direction.
-fn joint(nodes: [&CurveNode; 2], rises: [bool; 2], kind: ExtremeKind) -> [Option<Extreme>; 2] {
+fn joint(nodes: [&CurveNode<'_>; 2], rises: [bool; 2], kind: ExtremeKind) -> [Option<Extreme>; 2] {
     let [left, right] = nodes.map(|node| node.value.real());
     let jump = right - left;
     if jump.abs() <= JUMP * left.abs().max(right.abs()) {

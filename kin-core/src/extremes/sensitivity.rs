@@ -38,7 +38,7 @@ pub struct PeakSensitivities {
 }
 
 /// A quantity at the place of a peak, whose variable has the slope 1.
-pub(super) type PeakQuantity<'q> = dyn Fn(&SweepStation, usize) -> Result<ByDimension, ExtremesError> + 'q;
+pub(super) type PeakQuantity<'q> = dyn Fn(&SweepStation<'_>, usize) -> Result<ByDimension, ExtremesError> + 'q;
 
 /// The derivatives of a quantity with respect to a dimension.
 #[derive(Clone, Copy, Debug)]
@@ -52,9 +52,9 @@ pub struct ByDimension {
 impl ByDimension {
     /// The derivatives of an expression, from its series for a series of all dimensions.
     pub(super) fn of_expression(
-        station: &SweepStation,
+        station: &SweepStation<'_>,
         dimension: usize,
-        expression: impl Fn(&SweepStation, &[Local]) -> Result<Local, ExtremesError>,
+        expression: impl Fn(&SweepStation<'_>, &[Local]) -> Result<Local, ExtremesError>,
     ) -> Result<Self, ExtremesError> {
         let own = station.parameters[dimension];
         // a change of the size of the dimension keeps both second-order terms alike
@@ -100,7 +100,7 @@ impl QuantityOfSweep<'_> {
             }
         };
         let stretches = curve.stretches()?;
-        let contains = |stretch: &&Stretch| {
+        let contains = |stretch: &&Stretch<'_>| {
             let [one, other] = stretch.parameters.map(|parameter| stretch.variable(parameter).real());
             one.min(other) <= peak.at && peak.at <= one.max(other)
         };

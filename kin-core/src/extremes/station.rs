@@ -80,8 +80,8 @@ impl<const N: usize> SeriesNumber for Changing<Series<N>> {
 
 /// A pose of a sweep with unwrapped angles, and the motion of the inputs there.
 #[derive(Clone)]
-pub struct SweepStation {
-    pub(super) description: &'static Description,
+pub struct SweepStation<'s> {
+    pub(super) description: &'s Description<'s>,
     pub(super) parameters: NumberRow,
     /// The inputs, each with its derivatives with respect to the variable.
     pub(super) inputs: Vec<f64>,
@@ -122,7 +122,7 @@ pub(super) enum ResultIndex {
     Output(usize),
 }
 
-impl SweepStation {
+impl SweepStation<'_> {
     /// The value of a quantity, which must be finite.
     pub(super) fn finite(&self, value: Local) -> Result<Local, ExtremesError> {
         if Number::is_finite(value) {
@@ -176,7 +176,7 @@ impl SweepStation {
     }
 
     /// The margins and the transmission angles of all dyads.
-    pub(super) fn margins<'f>(&self, functions: &'f dyn NamedFunctions) -> Result<Margins<'f>, SolveError> {
+    pub(super) fn margins<'f>(&'f self, functions: &'f dyn NamedFunctions) -> Result<Margins<'f>, SolveError> {
         let position = self.position::<Series<UP_TO_SNAP>>(functions, |_, value| Series::constant(value))?;
         let inputs = 0..self.description.inputs.len();
         let unknowns = position.unknowns().iter();
@@ -223,7 +223,7 @@ impl SweepStation {
 
     /// [`margins`](Self::margins) of dimensions that change with the parameter in which the variable is a series.
     pub(super) fn changed_margins<'f>(
-        &self,
+        &'f self,
         functions: &'f dyn NamedFunctions,
         changed: &[Local],
     ) -> Result<Margins<'f>, SolveError> {
@@ -324,7 +324,7 @@ fn shorter(series: Series<UP_TO_SNAP>) -> Local {
 }
 
 /// A value on the turn nearest to another one, if it is an angle.
-fn unwrapped<T: Scalar>(quantity: Quantity, value: T, near: f64) -> T {
+fn unwrapped<T: Scalar>(quantity: Quantity<'_>, value: T, near: f64) -> T {
     match quantity.dimension {
         Dimension::Angle => nearest_turn(value, T::constant(near)),
         _ => value,

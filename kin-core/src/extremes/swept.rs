@@ -17,7 +17,7 @@ use super::{Crossing, DwellRange, ExtremesError, Mean, Over, Peak};
 use crate::failure::{Failure, SolveError};
 use crate::law::Side;
 use crate::number::{Number, NumberRow};
-use crate::quantity::Dimension;
+use crate::quantity::{Dimension, Name};
 use crate::sweep::{
     AnyCourse, Limit, Local, READ, SmoothDrive, SweepError, Variable, Walk, by_time, joints, limit_between,
 };
@@ -26,7 +26,7 @@ use crate::sweep::{
 pub(super) const JUMP: f64 = 1e-9;
 
 /// A quantity of a pose.
-pub(crate) type PoseQuantity<'q> = dyn Fn(&SweepStation) -> Result<Local, ExtremesError> + 'q;
+pub(crate) type PoseQuantity<'q> = dyn Fn(&SweepStation<'_>) -> Result<Local, ExtremesError> + 'q;
 
 /// What a search knows of a sweep.
 #[derive(Clone, Copy)]
@@ -47,20 +47,20 @@ pub(super) struct SweepExtent {
 /// The length by which the links of a block do not reach, infinite if the block fails for another reason.
 #[derive(Clone, Copy)]
 pub(super) struct MissingLength {
-    pub(super) block: &'static str,
+    pub(super) block: Name,
     pub(super) length: f64,
 }
 
 /// A pose of the walk along a sweep.
 #[derive(Clone)]
-pub(super) struct Mark {
+pub(super) struct Mark<'c> {
     /// The variable of the sweep at the last pose, if there is one.
     pub(super) at: Option<f64>,
-    walk: Rc<Walk>,
+    walk: Rc<Walk<'c>>,
 }
 
-impl Mark {
-    pub(super) fn new(walk: Walk) -> Self {
+impl<'c> Mark<'c> {
+    pub(super) fn new(walk: Walk<'c>) -> Self {
         Self {
             at: walk.last.as_ref().map(|last| last.at),
             walk: Rc::new(walk),
@@ -80,7 +80,7 @@ pub(super) struct QuantityOfSweep<'c> {
     pub(super) drive: &'c dyn SmoothDrive,
     pub(super) quantity: &'c PoseQuantity<'c>,
     pub(super) rate: Option<RateOfQuantity<'c>>,
-    pub(super) known: Option<KnownStretch>,
+    pub(super) known: Option<KnownStretch<'c>>,
     /// Told the part of the sweep that has been searched.
     pub(super) progress: Option<&'c dyn Fn(f64)>,
 }
@@ -145,14 +145,14 @@ impl QuantityOfSweep<'_> {
 }
 
 /// What a search asks.
-impl QuantityOfSweep<'_> {
+impl<'c> QuantityOfSweep<'c> {
     /// The pose where the variable has a series, found from a pose nearby.
     pub(super) fn station(
         &self,
-        near: &Mark,
+        near: &Mark<'c>,
         variable: Local,
         side: Side,
-    ) -> Result<(SweepStation, Mark), ExtremesError> {
+    ) -> Result<(SweepStation<'c>, Mark<'c>), ExtremesError> {
         let (course, at, rate) = (&self.course, variable.real(), self.course.drive.rate());
         let mut inputs = vec![0.0; course.description.inputs.len() * READ];
         self.drive.derivatives(at, side, &mut inputs);
@@ -239,7 +239,7 @@ impl QuantityOfSweep<'_> {
 
     /// The directions in which the quantity has no bound at a joint, upwards and downwards: a rate below it jumps there. One above a jump
     /// has the direction of the jump, and those above that have both. Another input's jump need not be one of the quantity.
-    pub(super) fn impulse(&self, joint: &CurveNode) -> Result<[bool; 2], ExtremesError> {
+    pub(super) fn impulse(&self, joint: &CurveNode<'_>) -> Result<[bool; 2], ExtremesError> {
         let (Some(rate), Some(jump)) = (&self.rate, self.drive.jump(joint.at)) else {
             return Ok([false; 2]);
         };
@@ -263,18 +263,23 @@ impl QuantityOfSweep<'_> {
     }
 
     /// The ends of the sweep and a pose inside of it, if it is known that the mechanism closes throughout.
-    pub(super) fn known(&self) -> Option<([StretchEnd; 2], Mark)> {
+    pub(super) fn known(&self) -> Option<([StretchEnd; 2], Mark<'c>)> {
         self.known.as_ref().map(KnownStretch::ends)
     }
 
     /// The walk on to another place, and whether the mechanism closes there.
-    pub(super) fn step(&self, near: &Mark, at: f64) -> (Mark, Result<(), SolveError>) {
+    pub(super) fn step(&self, near: &Mark<'c>, at: f64) -> (Mark<'c>, Result<(), SolveError>) {
         let (walk, result) = near.walk.stepped(&self.course, at, &self.course.motions(at));
         (Mark::new(walk), result)
     }
 
     /// The quantity where the variable has a series, found from a pose nearby.
-    pub(super) fn value(&self, near: &Mark, variable: Local, side: Side) -> Result<(Local, Mark), ExtremesError> {
+    pub(super) fn value(
+        &self,
+        near: &Mark<'c>,
+        variable: Local,
+        side: Side,
+    ) -> Result<(Local, Mark<'c>), ExtremesError> {
         let (station, mark) = self.station(near, variable, side)?;
         Ok((station.finite((self.quantity)(&station)?)?, mark))
     }
@@ -293,7 +298,7 @@ impl QuantityOfSweep<'_> {
     }
 
     /// The limit on the way from a pose to another place.
-    pub(super) fn limit(&self, closed: f64, near: &Mark, other: f64) -> Option<Limit> {
+    pub(super) fn limit(&self, closed: f64, near: &Mark<'_>, other: f64) -> Option<Limit> {
         limit_between(&self.course, closed, &near.walk.last.as_ref()?.unknowns(), other)
     }
 

@@ -4,7 +4,7 @@ use core::error::Error;
 use core::fmt;
 
 use crate::failure::InputValues;
-use crate::quantity::{Digits, WithUnit};
+use crate::quantity::{Digits, Name, WithUnit};
 
 /// The reason why a solver found no position.
 ///
@@ -27,7 +27,7 @@ pub enum Failure {
     /// A solution exists, but it lies outside the range declared for the unknown.
     OutOfRange {
         /// The name of the unknown.
-        unknown: &'static str,
+        unknown: Name,
         /// The solution nearest to the range.
         value: f64,
         /// The lower end of the range.
@@ -40,7 +40,7 @@ pub enum Failure {
     /// Both solutions lie in the range declared for the unknown.
     Ambiguous {
         /// The name of the unknown.
-        unknown: &'static str,
+        unknown: Name,
         /// One solution.
         first: f64,
         /// The other solution.
@@ -68,7 +68,7 @@ pub enum Failure {
     /// that size is a solution.
     TooManyTurns {
         /// The name of the unknown.
-        unknown: &'static str,
+        unknown: Name,
         /// The guess near which the unknown was to be solved.
         guess: f64,
         /// The distance between neighbouring numbers of this size.
@@ -77,7 +77,7 @@ pub enum Failure {
     /// A parameter, an input or a result is not finite: NaN, infinite, or beyond the range of the number type.
     NotFinite {
         /// The quantity that is not finite, in a few words.
-        quantity: &'static str,
+        quantity: Name,
     },
 }
 
@@ -86,11 +86,18 @@ impl Failure {
     /// the solver.
     #[cold]
     #[must_use]
-    pub fn at(self, block: &'static str, inputs: InputValues) -> SolveError {
+    pub fn at(self, block: impl Into<Name>, inputs: InputValues) -> SolveError {
         SolveError {
             failure: self,
-            block,
+            block: block.into(),
             inputs,
+        }
+    }
+
+    /// The failure of a quantity that is not finite, in a few words.
+    pub(crate) fn not_finite(quantity: impl Into<Name>) -> Self {
+        Self::NotFinite {
+            quantity: quantity.into(),
         }
     }
 
@@ -104,7 +111,7 @@ impl Failure {
     /// assert_eq!(failure.traced(&[("r1", 90.0), ("r2", 30.0)]), failure);
     /// assert_eq!(
     ///     failure.traced(&[("r1", 90.0), ("r2", f64::INFINITY)]),
-    ///     Failure::NotFinite { quantity: "r2" }
+    ///     Failure::NotFinite { quantity: "r2".into() }
     /// );
     /// ```
     #[cold]
@@ -113,7 +120,7 @@ impl Failure {
         quantities
             .iter()
             .find(|(_, value)| !value.is_finite())
-            .map_or(self, |(quantity, _)| Self::NotFinite { quantity })
+            .map_or(self, |(quantity, _)| Self::not_finite(*quantity))
     }
 }
 
@@ -227,7 +234,7 @@ pub struct SolveError {
     /// The reason.
     pub failure: Failure,
     /// The unknowns of the block, separated by commas.
-    pub block: &'static str,
+    pub block: Name,
     /// The inputs of the solver.
     pub inputs: InputValues,
 }
@@ -279,7 +286,7 @@ mod tests {
 
     #[test]
     fn messages_say_what_where_and_what_to_do() {
-        const INPUTS: [Quantity; 2] = [Quantity::angle("theta2", ""), Quantity::length("x", "")];
+        const INPUTS: [Quantity<'_>; 2] = [Quantity::angle("theta2", ""), Quantity::length("x", "")];
         let inputs = InputValues::new(&INPUTS, &[1.954, 3.0]);
         for (failure, message) in [
             (
@@ -290,7 +297,7 @@ mod tests {
             ),
             (
                 Failure::OutOfRange {
-                    unknown: "theta3",
+                    unknown: "theta3".into(),
                     value: 4.0,
                     low: 0.0,
                     high: core::f64::consts::PI,
@@ -301,7 +308,7 @@ mod tests {
             ),
             (
                 Failure::Ambiguous {
-                    unknown: "theta3",
+                    unknown: "theta3".into(),
                     first: -1.0,
                     second: 1.0,
                     is_angle: false,
@@ -329,7 +336,7 @@ mod tests {
             ),
             (
                 Failure::TooManyTurns {
-                    unknown: "theta3",
+                    unknown: "theta3".into(),
                     guess: 1e15,
                     spacing: 0.125,
                 },
@@ -337,7 +344,7 @@ mod tests {
                  numbers are 0.125 rad (7.2°) apart and define no direction; subtract whole turns from the guess",
             ),
             (
-                Failure::NotFinite { quantity: "r1" },
+                Failure::not_finite("r1"),
                 "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: r1: not finite, that is NaN, infinite, or too large \
                  or too small for the number type; check parameters and inputs",
             ),

@@ -2,7 +2,8 @@
 
 use core::fmt;
 
-use crate::quantity::{Quantity, WithUnit};
+use crate::failure::InputNames;
+use crate::quantity::{Name, Quantity};
 
 /// The first few inputs of a mechanism with their names and units. They tell where an error occurred.
 ///
@@ -12,12 +13,13 @@ use crate::quantity::{Quantity, WithUnit};
 /// const INPUTS: [Quantity; 2] = [Quantity::angle("theta2", "crank"), Quantity::length("x", "slide")];
 /// let inputs = InputValues::new(&INPUTS, &[1.954, 3.0]);
 /// assert_eq!(inputs.to_string(), "theta2 = 1.954 rad (112.0°), x = 3");
-/// assert_eq!(inputs.iter().nth(1), Some(("x", 3.0)));
+/// let (name, value) = inputs.iter().nth(1).unwrap();
+/// assert!(name == "x" && value == 3.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InputValues {
     // Cut to the number of values.
-    quantities: &'static [Quantity],
+    names: InputNames,
     values: [f64; Self::CAPACITY],
 }
 
@@ -28,7 +30,7 @@ impl InputValues {
 
     /// No inputs.
     pub const NONE: Self = Self {
-        quantities: &[],
+        names: InputNames::Declared(&[]),
         values: [0.0; Self::CAPACITY],
     };
 
@@ -36,42 +38,37 @@ impl InputValues {
     /// beyond the [capacity](Self::CAPACITY) are left out.
     #[inline]
     #[must_use]
-    pub fn new(quantities: &'static [Quantity], values: &[f64]) -> Self {
-        let count = quantities.len().min(values.len()).min(Self::CAPACITY);
+    pub fn new(quantities: &'static [Quantity<'static>], values: &[f64]) -> Self {
+        Self::of(InputNames::Declared(quantities), values)
+    }
+
+    /// The inputs with these names.
+    #[inline]
+    #[must_use]
+    pub fn of(names: InputNames, values: &[f64]) -> Self {
+        let count = values.len().min(Self::CAPACITY);
         let mut kept = [0.0; Self::CAPACITY];
         for (place, value) in kept.iter_mut().zip(values).take(count) {
             *place = *value;
         }
         Self {
-            quantities: quantities.get(..count).unwrap_or(&[]),
+            names: names.first(count),
             values: kept,
         }
     }
 
     /// An iterator over each name and its value, in the unit of the input: radians for an angle.
-    pub fn iter(&self) -> impl Iterator<Item = (&'static str, f64)> + '_ {
-        self.told().map(|(quantity, value)| (quantity.name, value))
-    }
-
-    fn told(&self) -> impl Iterator<Item = (&'static Quantity, f64)> + '_ {
-        self.quantities.iter().zip(self.values)
+    pub fn iter(&self) -> impl Iterator<Item = (Name, f64)> {
+        self.names
+            .iter()
+            .zip(self.values)
+            .map(|((name, _), value)| (name, value))
     }
 }
 
 impl fmt::Display for InputValues {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (index, (quantity, value)) in self.told().enumerate() {
-            if index > 0 {
-                formatter.write_str(", ")?;
-            }
-            write!(
-                formatter,
-                "{} = {}",
-                quantity.name,
-                WithUnit::new(value, quantity.dimension)
-            )?;
-        }
-        Ok(())
+        self.names.write(&self.values, formatter)
     }
 }
 
@@ -83,8 +80,8 @@ mod tests {
 
     #[test]
     fn any_number_of_names_and_values_will_do() {
-        const NINE: &[Quantity] = &[Quantity::length("a", ""); 9];
-        const ONE: &[Quantity] = &[Quantity::angle("a", "")];
+        const NINE: &[Quantity<'_>] = &[Quantity::length("a", ""); 9];
+        const ONE: &[Quantity<'_>] = &[Quantity::angle("a", "")];
         assert_eq!(InputValues::new(NINE, &[1.0; 9]).iter().count(), InputValues::CAPACITY);
         assert_eq!(InputValues::new(NINE, &[1.0]).to_string(), "a = 1");
         assert_eq!(InputValues::new(ONE, &[1.0, 2.0]).to_string(), "a = 1 rad (57.3°)");

@@ -12,12 +12,12 @@ use crate::failure::SolveError;
 ///
 /// It has all methods of [`CycleData`].
 #[derive(Clone)]
-pub struct AnyCycle {
-    functions: &'static dyn LinkageFunctions,
-    searched: SearchedCycle,
+pub struct AnyCycle<'m> {
+    functions: &'m dyn LinkageFunctions,
+    searched: SearchedCycle<'m>,
 }
 
-impl Deref for AnyCycle {
+impl Deref for AnyCycle<'_> {
     type Target = CycleData;
 
     fn deref(&self) -> &CycleData {
@@ -25,19 +25,19 @@ impl Deref for AnyCycle {
     }
 }
 
-impl fmt::Debug for AnyCycle {
+impl fmt::Debug for AnyCycle<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.searched.fmt(formatter)
     }
 }
 
-impl AnyLinkage {
+impl<'m> AnyLinkage<'m> {
     /// All circuits and branches along a line in the space of the inputs: see
     /// [`FullCycle::cycle_along`](crate::cycle::FullCycle::cycle_along).
     ///
     /// # Errors
     /// As there.
-    pub fn cycle_along(&self, from: &[f64], direction: &[f64]) -> Result<AnyCycle, SolveError> {
+    pub fn cycle_along(&self, from: &[f64], direction: &[f64]) -> Result<AnyCycle<'m>, SolveError> {
         Ok(AnyCycle {
             functions: self.functions,
             searched: SearchedCycle::new(self.functions, &self.parameters, [from, direction], None)?,
@@ -45,7 +45,7 @@ impl AnyLinkage {
     }
 }
 
-impl AnyCycle {
+impl AnyCycle<'_> {
     /// The unknowns of a branch at an input of its range: see [`Cycle::position_on`](crate::cycle::Cycle::position_on).
     ///
     /// # Errors

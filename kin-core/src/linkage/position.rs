@@ -38,12 +38,12 @@ impl<M: Mechanism<Scalar = f64>> LinkageFunctions for Of<M> {}
 ///
 /// All slices have the lengths that the [`Description`] tells. A shorter slice is an error of the program, which panics.
 #[derive(Clone)]
-pub struct AnyLinkage {
-    pub(super) functions: &'static dyn LinkageFunctions,
+pub struct AnyLinkage<'m> {
+    pub(super) functions: &'m dyn LinkageFunctions,
     pub(super) parameters: NumberRow,
 }
 
-impl fmt::Debug for AnyLinkage {
+impl fmt::Debug for AnyLinkage<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter
             .debug_struct(self.description().name)
@@ -52,7 +52,7 @@ impl fmt::Debug for AnyLinkage {
     }
 }
 
-impl AnyLinkage {
+impl<'m> AnyLinkage<'m> {
     /// A declared mechanism.
     pub fn of<M: Mechanism<Scalar = f64>>(mechanism: &M) -> Self {
         Self::new(Of::<M>::FUNCTIONS, mechanism.parameters().as_ref())
@@ -60,7 +60,7 @@ impl AnyLinkage {
 
     /// A mechanism by its functions, with scalar parameters in the order of the declaration.
     #[must_use]
-    pub fn new(functions: &'static dyn LinkageFunctions, parameters: &[f64]) -> Self {
+    pub fn new(functions: &'m dyn LinkageFunctions, parameters: &[f64]) -> Self {
         Self {
             functions,
             parameters: parameters.into(),
@@ -69,7 +69,7 @@ impl AnyLinkage {
 
     /// The names, dimensions and equations.
     #[must_use]
-    pub fn description(&self) -> &'static Description {
+    pub fn description(&self) -> &'m Description<'m> {
         self.functions.description()
     }
 

@@ -19,25 +19,25 @@ use crate::sweep::{
 /// A linkage in an assembly, of which a sweep is wanted.
 #[derive(Clone, Debug)]
 #[must_use = "say how the inputs move, as in `between`"]
-pub struct AnyAssembled {
-    linkage: AnyLinkage,
+pub struct AnyAssembled<'m> {
+    linkage: AnyLinkage<'m>,
     assembly: AssemblyChoice,
 }
 
 /// A sweep of a linkage, whose inputs move.
 #[derive(Clone, Debug)]
 #[must_use = "read its `rows` or ask for a quantity of it"]
-pub struct AnySweep<D> {
-    linkage: AnyLinkage,
+pub struct AnySweep<'m, D> {
+    linkage: AnyLinkage<'m>,
     assembly: AssemblyChoice,
     drive: D,
     range: [f64; 2],
     count: usize,
 }
 
-impl AnyLinkage {
+impl<'m> AnyLinkage<'m> {
     /// A sweep in an assembly. The next word says how its inputs move.
-    pub fn sweep(&self, assembly: AssemblyChoice) -> AnyAssembled {
+    pub fn sweep(&self, assembly: AssemblyChoice) -> AnyAssembled<'m> {
         AnyAssembled {
             linkage: self.clone(),
             assembly,
@@ -45,8 +45,8 @@ impl AnyLinkage {
     }
 }
 
-impl AnyAssembled {
-    fn sweep<D>(self, drive: D, range: [f64; 2], count: usize) -> AnySweep<D> {
+impl<'m> AnyAssembled<'m> {
+    fn sweep<D>(self, drive: D, range: [f64; 2], count: usize) -> AnySweep<'m, D> {
         AnySweep {
             linkage: self.linkage,
             assembly: self.assembly,
@@ -57,7 +57,7 @@ impl AnyAssembled {
     }
 
     /// Over the straight line between two places in the space of the inputs: see [`between`](crate::sweep::Assembled::between).
-    pub fn between(self, from: &[f64], to: &[f64], rows: usize) -> AnySweep<StraightLine> {
+    pub fn between(self, from: &[f64], to: &[f64], rows: usize) -> AnySweep<'m, StraightLine> {
         let line = StraightLine::new(from, to);
         let range = line.range();
         self.sweep(line, range, rows)
@@ -69,13 +69,13 @@ impl AnyAssembled {
         laws: &[&'l dyn Piecewise<f64>],
         range: impl ClosedRange,
         rows: usize,
-    ) -> AnySweep<Laws<'l>> {
-        let laws = Laws::new(laws, self.linkage.description());
+    ) -> AnySweep<'m, Laws<'l>> {
+        let laws = Laws::new(laws, self.linkage.functions.input_names());
         self.sweep(laws, range.ends(), rows)
     }
 }
 
-impl AnySweep<StraightLine> {
+impl AnySweep<'_, StraightLine> {
     /// The speed of the first input that moves, in the direction of the range: see [`speed`](crate::sweep::Course::speed).
     pub fn speed(mut self, speed: f64) -> Self {
         self.drive = self.drive.at_speed(speed);
@@ -83,7 +83,7 @@ impl AnySweep<StraightLine> {
     }
 }
 
-impl<D: SmoothDrive> AnySweep<D> {
+impl<D: SmoothDrive> AnySweep<'_, D> {
     /// The number of rows.
     #[must_use]
     pub fn count(&self) -> usize {
@@ -121,7 +121,7 @@ impl<D: SmoothDrive> AnySweep<D> {
 
     /// The poses of all rows, each with the value of the variable: see [`rows`](crate::sweep::Course::rows).
     #[must_use]
-    pub fn rows(&self) -> Vec<(f64, Result<AnyPose, SolveError>)> {
+    pub fn rows(&self) -> Vec<(f64, Result<AnyPose<'_>, SolveError>)> {
         let course = self.course();
         let mut walk = Walk::BEGINNING;
         let row = |row: usize| {
@@ -164,7 +164,7 @@ impl<D: SmoothDrive> AnySweep<D> {
     }
 }
 
-impl<D: SmoothDrive> QuantitySource for AnySweep<D> {
+impl<D: SmoothDrive> QuantitySource for AnySweep<'_, D> {
     fn course(&self) -> AnyCourse<'_> {
         let [from, to] = self.range;
         AnyCourse {
@@ -194,15 +194,15 @@ impl<D: SmoothDrive> QuantitySource for AnySweep<D> {
 
 /// A pose of a sweep, with unwrapped angles.
 #[derive(Clone)]
-pub struct AnyPose(Footing);
+pub struct AnyPose<'m>(Footing<'m>);
 
-impl fmt::Debug for AnyPose {
+impl fmt::Debug for AnyPose<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.debug_list().entries(self.0.results()).finish()
     }
 }
 
-impl AnyPose {
+impl AnyPose<'_> {
     /// The values of the inputs.
     #[must_use]
     pub fn inputs(&self) -> Vec<f64> {

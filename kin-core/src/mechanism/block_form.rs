@@ -1,6 +1,7 @@
 //! The form of a block, with the lengths of its links as values.
 
 use crate::number::Number;
+use crate::quantity::Name;
 
 /// The form of a block and the lengths that belong to it, as [`Mechanism::block_forms`](crate::Mechanism::block_forms)
 /// returns them.
@@ -31,7 +32,7 @@ pub enum BlockForm<T = f64> {
     /// Two links (RRR dyad) on a crank and on the ground: the circles of the two links meet.
     FourBar {
         /// The angle of the crank.
-        driver: &'static str,
+        driver: Name,
         /// The distance of the two fixed pivots.
         ground: T,
         /// The link that turns with the driver.
@@ -49,7 +50,7 @@ pub enum BlockForm<T = f64> {
     /// A link and a slider (RRP dyad) on a crank, with the slider's line on the ground.
     SliderCrank {
         /// The angle of the crank.
-        driver: &'static str,
+        driver: Name,
         /// The link that turns with the driver.
         crank: T,
         /// The link between crank and slider.
@@ -65,7 +66,7 @@ pub enum BlockForm<T = f64> {
     /// A slider on a link that turns about a fixed pivot (RPR dyad), carried by a crank.
     InvertedSliderCrank {
         /// The angle of the crank.
-        driver: &'static str,
+        driver: Name,
         /// The distance of the two fixed pivots.
         ground: T,
         /// The link that turns with the driver.
@@ -104,7 +105,7 @@ impl<T: Number> BlockForm<T> {
     pub fn four_bar(driver: &'static str, lengths: [T; 4]) -> Self {
         let [ground, crank, coupler, rocker] = lengths.map(positive);
         Self::FourBar {
-            driver,
+            driver: driver.into(),
             ground,
             crank,
             coupler,
@@ -123,7 +124,7 @@ impl<T: Number> BlockForm<T> {
     pub fn slider_crank(driver: &'static str, lengths: [T; 3]) -> Self {
         let [crank, coupler, offset] = lengths.map(positive);
         Self::SliderCrank {
-            driver,
+            driver: driver.into(),
             crank,
             coupler,
             offset,
@@ -141,7 +142,7 @@ impl<T: Number> BlockForm<T> {
     pub fn inverted_slider_crank(driver: &'static str, lengths: [T; 3]) -> Self {
         let [ground, crank, offset] = lengths.map(positive);
         Self::InvertedSliderCrank {
-            driver,
+            driver: driver.into(),
             ground,
             crank,
             offset,

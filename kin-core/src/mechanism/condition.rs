@@ -96,7 +96,7 @@ pub(crate) fn condition<M: Mechanism>(
 ) -> f64 {
     let description = M::DESCRIPTION;
     let parameters = mechanism.parameters();
-    let lengths = |quantities: &'static [Quantity], values: &[M::Scalar]| {
+    let lengths = |quantities: &'static [Quantity<'static>], values: &[M::Scalar]| {
         let lengths = quantities.iter().zip(values);
         lengths
             .filter(|(quantity, _)| quantity.dimension == Dimension::Length)

@@ -1,48 +1,48 @@
 //! The description of a mechanism.
 
 use crate::number::Operations;
-use crate::quantity::Quantity;
+use crate::quantity::{NameKind, Quantity};
 
 /// The description of a mechanism: its quantities, equations, blocks and costs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
-pub struct Description {
+pub struct Description<'d> {
     /// The name of the structure.
-    pub name: &'static str,
+    pub name: &'d str,
     /// The scalar parameters; a point counts as its coordinates.
-    pub parameters: &'static [Quantity],
+    pub parameters: &'d [Quantity<'d>],
     /// The inputs.
-    pub inputs: &'static [Quantity],
+    pub inputs: &'d [Quantity<'d>],
     /// The unknowns.
-    pub unknowns: &'static [Quantity],
+    pub unknowns: &'d [Quantity<'d>],
     /// The scalar outputs; a point counts as its coordinates.
-    pub outputs: &'static [Quantity],
+    pub outputs: &'d [Quantity<'d>],
     /// The equations as declared.
-    pub equations: &'static [&'static str],
+    pub equations: &'d [&'d str],
     /// The blocks in the order in which they are solved.
-    pub blocks: &'static [Block],
+    pub blocks: &'d [Block<'d>],
     /// The highest time derivative.
     pub order: usize,
     /// The cost of each order, position first, in the most expensive assembly.
-    pub operations: &'static [Operations],
+    pub operations: &'d [Operations],
 }
 
-impl Description {
+impl<'d> Description<'d> {
     /// The description that generated code makes.
     #[doc(hidden)]
     #[expect(clippy::too_many_arguments, reason = "one for each field, in their order")]
     #[must_use]
     pub const fn __new(
-        name: &'static str,
-        parameters: &'static [Quantity],
-        inputs: &'static [Quantity],
-        unknowns: &'static [Quantity],
-        outputs: &'static [Quantity],
-        equations: &'static [&'static str],
-        blocks: &'static [Block],
+        name: &'d str,
+        parameters: &'d [Quantity<'d>],
+        inputs: &'d [Quantity<'d>],
+        unknowns: &'d [Quantity<'d>],
+        outputs: &'d [Quantity<'d>],
+        equations: &'d [&'d str],
+        blocks: &'d [Block<'d>],
         order: usize,
-        operations: &'static [Operations],
+        operations: &'d [Operations],
     ) -> Self {
         Self {
             name,
@@ -56,34 +56,41 @@ impl Description {
             operations,
         }
     }
+
+    /// The name at an index.
+    pub(crate) fn name_of(&self, of: NameKind, index: usize) -> Option<&'d str> {
+        let quantities = match of {
+            NameKind::Parameter => self.parameters,
+            NameKind::Input => self.inputs,
+            NameKind::Unknown => self.unknowns,
+            NameKind::Output => self.outputs,
+            NameKind::Block => return self.blocks.get(index).map(|block| block.unknowns),
+        };
+        quantities.get(index).map(|quantity| quantity.name)
+    }
 }
 
 /// A block: unknowns that are solved together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
-pub struct Block {
+pub struct Block<'d> {
     /// The names of the unknowns, separated by commas.
-    pub unknowns: &'static str,
+    pub unknowns: &'d str,
     /// The method of solution: the closed form, or Newton's method.
-    pub solution: &'static str,
+    pub solution: &'d str,
     /// The indices of these unknowns among the unknowns of the mechanism, in ascending order.
-    pub members: &'static [usize],
+    pub members: &'d [usize],
     /// The indices of the scalar equations that determine them, in ascending order. There are as many equations as
     /// unknowns.
-    pub equations: &'static [usize],
+    pub equations: &'d [usize],
 }
 
-impl Block {
+impl<'d> Block<'d> {
     /// The block that generated code makes.
     #[doc(hidden)]
     #[must_use]
-    pub const fn __new(
-        unknowns: &'static str,
-        solution: &'static str,
-        members: &'static [usize],
-        equations: &'static [usize],
-    ) -> Self {
+    pub const fn __new(unknowns: &'d str, solution: &'d str, members: &'d [usize], equations: &'d [usize]) -> Self {
         Self {
             unknowns,
             solution,

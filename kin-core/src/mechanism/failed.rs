@@ -36,7 +36,7 @@ fn failed_alone<M: Mechanism>(
     let failure = quantities
         .zip(values)
         .find(|(_, value)| !value.real().is_finite())
-        .map_or(failure, |(quantity, _)| Failure::NotFinite { quantity });
+        .map_or(failure, |(quantity, _)| Failure::not_finite(quantity));
     let mut kept = [0.0; InputValues::CAPACITY];
     for (place, value) in kept.iter_mut().zip(inputs.as_ref()) {
         *place = value.real();
@@ -58,5 +58,5 @@ pub fn culprit<const RESULTS: usize, const INPUTS: usize>(
     };
     let result = first(&results).unwrap_or_default();
     let quantity = first(&inputs).unwrap_or(result);
-    failed(Failure::NotFinite { quantity }, result)
+    failed(Failure::not_finite(quantity), result)
 }

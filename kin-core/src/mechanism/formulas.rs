@@ -5,13 +5,13 @@ use core::fmt::{self, Display, Formatter};
 /// A formula, or several below each other, in three forms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub struct Formula {
+pub struct Formula<'d> {
     /// Text in Unicode, one formula on each line.
-    pub text: &'static str,
+    pub text: &'d str,
     /// MathML, which browsers show: a `<math>` element with a table.
-    pub mathml: &'static str,
+    pub mathml: &'d str,
     /// LaTeX for the mathematical mode: an `aligned` environment of the package `amsmath`.
-    pub latex: &'static str,
+    pub latex: &'d str,
 }
 
 /// The equations of a mechanism and their solution, in the notation of textbooks.
@@ -33,40 +33,40 @@ pub struct Formula {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub struct Formulas {
+pub struct Formulas<'d> {
     /// The abbreviations that the equations use, the equations, and the ranges of the unknowns.
-    pub closure: Formula,
+    pub closure: Formula<'d>,
     /// The solution of each block of [`Description::blocks`](crate::Description::blocks). For a block that Newton's
     /// method solves, these are the linear equations of a step Δ.
-    pub position: &'static [Formula],
+    pub position: &'d [Formula<'d>],
     /// The linear equations of each block's velocities. The rates of the block's unknowns are on the left.
-    pub velocity: &'static [Formula],
+    pub velocity: &'d [Formula<'d>],
     /// The linear equations of all higher orders, where **A** ẋ = **b** are those of a block's velocities. Each order has
     /// the same matrix **A**.
-    pub rates: Formula,
+    pub rates: Formula<'d>,
     /// The abbreviations that the outputs use, and the outputs.
-    pub outputs: Formula,
+    pub outputs: Formula<'d>,
 }
 
-impl Formula {
+impl<'d> Formula<'d> {
     /// The formula in its three forms.
     #[doc(hidden)]
     #[must_use]
-    pub const fn new(text: &'static str, mathml: &'static str, latex: &'static str) -> Self {
+    pub const fn new(text: &'d str, mathml: &'d str, latex: &'d str) -> Self {
         Self { text, mathml, latex }
     }
 }
 
-impl Formulas {
+impl<'d> Formulas<'d> {
     /// The formulas of a mechanism, part by part.
     #[doc(hidden)]
     #[must_use]
     pub const fn new(
-        closure: Formula,
-        position: &'static [Formula],
-        velocity: &'static [Formula],
-        rates: Formula,
-        outputs: Formula,
+        closure: Formula<'d>,
+        position: &'d [Formula<'d>],
+        velocity: &'d [Formula<'d>],
+        rates: Formula<'d>,
+        outputs: Formula<'d>,
     ) -> Self {
         Self {
             closure,
@@ -79,7 +79,7 @@ impl Formulas {
 }
 
 /// Writes the text.
-impl Display for Formula {
+impl Display for Formula<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         f.write_str(self.text)
     }

@@ -152,16 +152,16 @@ pub enum JacobianError {
         /// The name.
         name: String,
         /// The names of all unknowns and outputs.
-        results: Vec<&'static str>,
+        results: Vec<String>,
     },
     /// There is no result, or no input.
     Empty,
     /// Two results, or two inputs, have different dimensions.
     MixedDimensions {
         /// A result or an input.
-        one: Quantity,
+        one: String,
         /// Another one, of another dimension.
-        other: Quantity,
+        other: String,
     },
     /// The pose is not one of the mechanism, or is too close to a singular position.
     Position(SolveError),
@@ -178,9 +178,8 @@ impl fmt::Display for JacobianError {
             Self::Empty => formatter.write_str("a Jacobian needs a result and an input: name an unknown or an output"),
             Self::MixedDimensions { one, other } => write!(
                 formatter,
-                "`{}` and `{}` have different dimensions, so that singular values would depend on the units: choose results of one \
-                 dimension, or divide the rows of lengths by a length and make a `Jacobian::from_rows`",
-                one.name, other.name
+                "`{one}` and `{other}` have different dimensions, so that singular values would depend on the units: choose results of one \
+                 dimension, or divide the rows of lengths by a length and make a `Jacobian::from_rows`"
             ),
             Self::Position(error) => write!(formatter, "{error}"),
         }
@@ -205,7 +204,7 @@ impl From<SolveError> for JacobianError {
 }
 
 /// The rows of a pose's Jacobian that belong to results of these names: one for a scalar, and those of all coordinates for a point.
-pub(crate) fn rows_of(description: &Description, names: &[&str]) -> Result<Vec<usize>, JacobianError> {
+pub(crate) fn rows_of(description: &Description<'_>, names: &[&str]) -> Result<Vec<usize>, JacobianError> {
     let results = || description.unknowns.iter().chain(description.outputs);
     let mut rows = Vec::new();
     for name in names {
@@ -219,7 +218,7 @@ pub(crate) fn rows_of(description: &Description, names: &[&str]) -> Result<Vec<u
         if rows.len() == before {
             return Err(JacobianError::NoSuchResult {
                 name: name.to_string(),
-                results: results().map(|own| own.name).collect(),
+                results: results().map(|own| own.name.to_string()).collect(),
             });
         }
     }
@@ -229,10 +228,13 @@ pub(crate) fn rows_of(description: &Description, names: &[&str]) -> Result<Vec<u
 }
 
 /// Whether there are quantities, and all have one dimension.
-fn check_dimension(mut quantities: impl Iterator<Item = Quantity>) -> Result<(), JacobianError> {
+fn check_dimension<'d>(mut quantities: impl Iterator<Item = Quantity<'d>>) -> Result<(), JacobianError> {
     let one = quantities.next().ok_or(JacobianError::Empty)?;
     match quantities.find(|other| other.dimension != one.dimension) {
-        Some(other) => Err(JacobianError::MixedDimensions { one, other }),
+        Some(other) => Err(JacobianError::MixedDimensions {
+            one: one.name.to_string(),
+            other: other.name.to_string(),
+        }),
         None => Ok(()),
     }
 }

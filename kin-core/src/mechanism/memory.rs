@@ -74,7 +74,7 @@ pub(crate) struct HeapMemory {
 
 #[cfg(feature = "alloc")]
 impl HeapMemory {
-    pub(crate) fn new(description: &Description, parameters: usize) -> Self {
+    pub(crate) fn new(description: &Description<'_>, parameters: usize) -> Self {
         let memory = Memory {
             parameters,
             inputs: description.inputs.len(),

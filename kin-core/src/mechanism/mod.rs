@@ -11,6 +11,7 @@ pub mod guessed;
 #[cfg(feature = "alloc")]
 mod jacobian;
 mod memory;
+mod named;
 mod one_input;
 mod pose_of;
 mod position_search;
@@ -35,6 +36,7 @@ pub use jacobian::{Jacobian, JacobianError, JacobianMeasure, JacobianNumber};
 pub(crate) use memory::HeapMemory;
 #[doc(hidden)]
 pub use memory::{First, Lent, Memory, Second};
+pub use named::Named;
 pub use one_input::OneInput;
 pub use pose_of::PoseOf;
 pub use position_search::PositionSearch;
@@ -119,13 +121,13 @@ pub trait Mechanism: Copy + Debug + 'static {
     type Places: PointArray<Point: PlaneOrSpace<Scalar = Self::Scalar>>;
 
     /// The names, dimensions and equations, and the methods that solve them.
-    const DESCRIPTION: Description;
+    const DESCRIPTION: Description<'static>;
     /// The equations and their solution in the notation of textbooks, as text, MathML and LaTeX.
-    const FORMULAS: Formulas;
+    const FORMULAS: Formulas<'static>;
     /// The number of assemblies, or zero if it depends on the dimensions.
     const ASSEMBLY_COUNT: usize;
     /// Which joints of the skeleton belong together, [`Outline::NONE`] if nothing can be drawn.
-    const OUTLINE: Outline;
+    const OUTLINE: Outline<'static>;
 
     /// The assembly with a given index, if the index is below [`ASSEMBLY_COUNT`](Self::ASSEMBLY_COUNT).
     fn assembly(index: usize) -> Option<Self::Assembly>;
@@ -203,7 +205,7 @@ pub trait Mechanism: Copy + Debug + 'static {
     ///
     /// Only a mechanism with a coupled block has them, if its closure is algebraic: then angles occur in sines and cosines only, and
     /// nothing that moves stands in a denominator. Otherwise `found` is not called.
-    fn closure_terms(&self, found: impl FnOnce(&'static [ClosureTerm], &[Self::Scalar])) {
+    fn closure_terms(&self, found: impl FnOnce(&'static [ClosureTerm<'static>], &[Self::Scalar])) {
         let _ = found;
     }
 
@@ -228,7 +230,7 @@ pub trait Mechanism: Copy + Debug + 'static {
     ) -> <Self::Pose as Pose>::Outputs<Self::Scalar>;
 
     /// The skeleton of a pose of any order, as the inherent `skeleton` gives it.
-    fn skeleton(&self, pose: &impl PoseOf<Self>) -> Skeleton<Self::Places> {
+    fn skeleton(&self, pose: &impl PoseOf<Self>) -> Skeleton<'static, Self::Places> {
         let (inputs, unknowns) = pose.values();
         Skeleton::new(&Self::OUTLINE, self.places(inputs, unknowns))
     }

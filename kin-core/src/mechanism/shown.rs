@@ -87,7 +87,7 @@ pub fn fmt_pose<M: Mechanism>(formatter: &mut fmt::Formatter<'_>, fields: &[&dyn
     fmt_fields(formatter, &M::DESCRIPTION, fields)
 }
 
-fn fmt_fields(formatter: &mut fmt::Formatter<'_>, description: &Description, fields: &[&dyn Shown]) -> fmt::Result {
+fn fmt_fields(formatter: &mut fmt::Formatter<'_>, description: &Description<'_>, fields: &[&dyn Shown]) -> fmt::Result {
     let quantities = description.inputs.iter().chain(description.unknowns);
     let mut quantities = quantities.chain(description.outputs);
     for (index, field) in fields.iter().enumerate() {
@@ -103,7 +103,7 @@ fn fmt_fields(formatter: &mut fmt::Formatter<'_>, description: &Description, fie
     Ok(())
 }
 
-fn fmt_field(formatter: &mut fmt::Formatter<'_>, quantity: &Quantity, field: &dyn Shown) -> fmt::Result {
+fn fmt_field(formatter: &mut fmt::Formatter<'_>, quantity: &Quantity<'_>, field: &dyn Shown) -> fmt::Result {
     let is_point = field.coordinates() > 1;
     let name = if is_point {
         quantity.name.trim_end_matches(".x")

@@ -13,7 +13,7 @@ pub(crate) struct Sizes {
 }
 
 impl Sizes {
-    pub(crate) fn of(description: &Description, parameters: &[f64]) -> Self {
+    pub(crate) fn of(description: &Description<'_>, parameters: &[f64]) -> Self {
         let lengths = description.parameters.iter().zip(parameters);
         let longest = lengths
             .filter(|(quantity, _)| quantity.dimension == Dimension::Length)

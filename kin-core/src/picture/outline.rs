@@ -2,18 +2,18 @@
 
 /// Which joints belong together, whatever the position. Joints are named by their numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Outline {
+pub struct Outline<'d> {
     /// The joints that stand still. Those that a body shares are its fixed pivots.
-    pub ground: &'static [usize],
+    pub ground: &'d [usize],
     /// The rigid bodies that move.
-    pub bodies: &'static [Body],
+    pub bodies: &'d [Body<'d>],
     /// The joints that are guided along a line.
-    pub slides: &'static [Slide],
+    pub slides: &'d [Slide],
     /// The marked points, each with the number of its joint.
-    pub points: &'static [(&'static str, usize)],
+    pub points: &'d [(&'d str, usize)],
 }
 
-impl Outline {
+impl Outline<'_> {
     /// The outline of a mechanism of which nothing can be drawn.
     pub const NONE: Self = Self {
         ground: &[],
@@ -25,17 +25,17 @@ impl Outline {
 
 /// A rigid body that moves: its joints keep their distances.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Body {
+pub struct Body<'d> {
     /// The name as it was declared, or the length that the body is known by.
-    pub name: &'static str,
+    pub name: &'d str,
     /// The numbers of its joints.
-    pub joints: &'static [usize],
+    pub joints: &'d [usize],
 }
 
-impl Body {
+impl<'d> Body<'d> {
     /// The body with these joints.
     #[must_use]
-    pub const fn new(name: &'static str, joints: &'static [usize]) -> Self {
+    pub const fn new(name: &'d str, joints: &'d [usize]) -> Self {
         Self { name, joints }
     }
 }

@@ -32,20 +32,20 @@ use super::{Outline, PlaneOrSpace, PointArray, Slide};
 /// # Ok::<(), SolveError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Skeleton<P> {
-    outline: &'static Outline,
+pub struct Skeleton<'d, P> {
+    outline: &'d Outline<'d>,
     places: P,
 }
 
-impl<P: PointArray> Skeleton<P> {
+impl<'d, P: PointArray> Skeleton<'d, P> {
     /// From the outline, and the joints with the directions of the slides behind them.
     #[doc(hidden)]
-    pub const fn new(outline: &'static Outline, places: P) -> Self {
+    pub const fn new(outline: &'d Outline<'d>, places: P) -> Self {
         Self { outline, places }
     }
 
     /// Which joints belong together.
-    pub fn outline(&self) -> &'static Outline {
+    pub fn outline(&self) -> &'d Outline<'d> {
         self.outline
     }
 
@@ -62,13 +62,13 @@ impl<P: PointArray> Skeleton<P> {
     }
 
     /// The bodies that move, each with its name and its joints.
-    pub fn bodies(&self) -> impl Iterator<Item = (&'static str, impl Iterator<Item = P::Point>)> {
+    pub fn bodies(&self) -> impl Iterator<Item = (&'d str, impl Iterator<Item = P::Point>)> {
         let bodies = self.outline.bodies.iter();
         bodies.map(|body| (body.name, self.joints_of(body.joints)))
     }
 
     /// The slides, each with the place of its joint and the direction of its line. The direction may have any length but zero.
-    pub fn slides(&self) -> impl Iterator<Item = (&'static Slide, [P::Point; 2])> {
+    pub fn slides(&self) -> impl Iterator<Item = (&'d Slide, [P::Point; 2])> {
         let joints = self.joints();
         let directions = self.places.as_slice().iter().skip(joints.len());
         let slides = self.outline.slides.iter().zip(directions);
@@ -76,7 +76,7 @@ impl<P: PointArray> Skeleton<P> {
     }
 
     /// The outputs that are points, with their names, in the order in which they were declared.
-    pub fn points(&self) -> impl Iterator<Item = (&'static str, P::Point)> {
+    pub fn points(&self) -> impl Iterator<Item = (&'d str, P::Point)> {
         let joints = self.joints();
         let points = self.outline.points.iter();
         points.filter_map(|&(name, joint)| Some((name, *joints.get(joint)?)))
@@ -87,7 +87,7 @@ impl<P: PointArray> Skeleton<P> {
         P::Point::IS_PLANE
     }
 
-    fn joints_of(&self, numbers: &'static [usize]) -> impl Iterator<Item = P::Point> {
+    fn joints_of(&self, numbers: &'d [usize]) -> impl Iterator<Item = P::Point> {
         let joints = self.joints();
         numbers.iter().filter_map(|&number| joints.get(number).copied())
     }
@@ -100,7 +100,7 @@ mod tests {
     use crate::geometry::Plane;
     use std::vec::Vec;
 
-    static OUTLINE: Outline = Outline {
+    static OUTLINE: Outline<'static> = Outline {
         ground: &[0],
         bodies: &[Body::new("crank", &[0, 1]), Body::new("rod", &[1, 2])],
         slides: &[Slide::on_ground(2)],

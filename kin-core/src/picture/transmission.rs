@@ -1,6 +1,7 @@
 //! How well a dyad passes on force.
 
 use crate::number::Number;
+use crate::quantity::Name;
 
 /// The transmission angle of a dyad: the angle at which its two links meet.
 ///
@@ -41,7 +42,7 @@ use crate::number::Number;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TransmissionAngle<T = f64> {
     /// The unknowns of the dyad, separated by commas.
-    pub block: &'static str,
+    pub block: Name,
     /// The angle, 0 ..= π.
     pub angle: T,
 }
@@ -54,7 +55,7 @@ impl<T: Number> TransmissionAngle<T> {
     pub fn of(block: &'static str, across: T, along: T) -> Self {
         let across = if across.real() < 0.0 { -across } else { across };
         Self {
-            block,
+            block: block.into(),
             angle: across.atan2(along),
         }
     }

@@ -1,11 +1,13 @@
 //! Named quantities, and their values in messages.
 
 mod digits;
+mod name;
 #[cfg(feature = "alloc")]
 mod small_letters;
 mod with_unit;
 
 pub(crate) use digits::Digits;
+pub use name::{Name, NameKind};
 #[cfg(feature = "alloc")]
 pub use small_letters::in_small_letters;
 pub(crate) use with_unit::WithUnit;
@@ -30,22 +32,22 @@ pub const RATES: [&str; 12] = [
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
-pub struct Quantity {
+pub struct Quantity<'d> {
     /// The name of the quantity; the parts of a point `p` are `p.x`, `p.y` and, in space, `p.z`.
-    pub name: &'static str,
+    pub name: &'d str,
     /// The dimension of the quantity.
     pub dimension: Dimension,
     /// The first paragraph of its documentation, or an empty string.
-    pub description: &'static str,
+    pub description: &'d str,
     /// Whether the declaration gives a range for it, in which the unknown is found.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "core::ops::Not::not"))]
     pub has_range: bool,
 }
 
-impl Quantity {
+impl<'d> Quantity<'d> {
     /// A length.
     #[must_use]
-    pub const fn length(name: &'static str, description: &'static str) -> Self {
+    pub const fn length(name: &'d str, description: &'d str) -> Self {
         Self {
             name,
             dimension: Dimension::Length,
@@ -56,7 +58,7 @@ impl Quantity {
 
     /// An angle.
     #[must_use]
-    pub const fn angle(name: &'static str, description: &'static str) -> Self {
+    pub const fn angle(name: &'d str, description: &'d str) -> Self {
         Self {
             name,
             dimension: Dimension::Angle,
@@ -67,7 +69,7 @@ impl Quantity {
 
     /// A plain number.
     #[must_use]
-    pub const fn scalar(name: &'static str, description: &'static str) -> Self {
+    pub const fn scalar(name: &'d str, description: &'d str) -> Self {
         Self {
             name,
             dimension: Dimension::Scalar,

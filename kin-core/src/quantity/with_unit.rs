@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::{Digits, Dimension};
+use super::Digits;
 
 /// The largest number of degrees that is told beside radians. Beyond it, people think in turns.
 const MOST_DEGREES: f64 = 1e4;
@@ -14,15 +14,6 @@ const MOST_DEGREES: f64 = 1e4;
 pub(crate) struct WithUnit {
     pub(crate) value: f64,
     pub(crate) is_angle: bool,
-}
-
-impl WithUnit {
-    pub(crate) fn new(value: f64, dimension: Dimension) -> Self {
-        Self {
-            value,
-            is_angle: dimension == Dimension::Angle,
-        }
-    }
 }
 
 impl fmt::Display for WithUnit {
@@ -48,11 +39,9 @@ mod tests {
     use std::{format, string::ToString};
 
     use super::WithUnit;
-    use crate::quantity::Dimension;
-
     #[test]
     fn angles_are_told_in_degrees_too() {
-        let angle = |value| WithUnit::new(value, Dimension::Angle).to_string();
+        let angle = |value| WithUnit { value, is_angle: true }.to_string();
         assert_eq!(angle(0.855_211_333), "0.8552113 rad (49.0°)");
         assert_eq!(angle(-core::f64::consts::PI), "-3.141593 rad (-180.0°)");
         assert_eq!(angle(0.0), "0 rad (0.0°)");
@@ -60,10 +49,19 @@ mod tests {
         assert_eq!(angle(f64::INFINITY), "inf rad");
         assert_eq!(angle(f64::NAN), "NaN rad");
         assert_eq!(
-            format!("{:.2}", WithUnit::new(0.855_211_333, Dimension::Angle)),
+            format!(
+                "{:.2}",
+                WithUnit {
+                    value: 0.855_211_333,
+                    is_angle: true
+                }
+            ),
             "0.86 rad (49.0°)"
         );
-        assert_eq!(WithUnit::new(0.25, Dimension::Length).to_string(), "0.25");
-        assert_eq!(WithUnit::new(0.25, Dimension::Scalar).to_string(), "0.25");
+        let length = WithUnit {
+            value: 0.25,
+            is_angle: false,
+        };
+        assert_eq!(length.to_string(), "0.25");
     }
 }

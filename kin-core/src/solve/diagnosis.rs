@@ -34,13 +34,13 @@ pub(super) fn root(x: f64) -> f64 {
 /// zero up to rounding. `quantity` names the quantity that must be finite.
 pub(super) fn refusal(margin: f64, scale: f64, epsilon: f64, determinant: f64, quantity: &'static str) -> Failure {
     if !margin.is_finite() || !scale.is_finite() {
-        Failure::NotFinite { quantity }
+        Failure::not_finite(quantity)
     } else if margin.abs() <= 8.0 * epsilon * scale {
         Failure::Singular { determinant }
     } else if margin < 0.0 {
         Failure::OutOfReach { margin }
     } else {
         // The links reach, but the squares exceed the range of the number type.
-        Failure::NotFinite { quantity }
+        Failure::not_finite(quantity)
     }
 }

@@ -74,7 +74,7 @@ pub(super) fn factor_here<T: Scalar, const N: usize>(
     epsilon: f64,
 ) -> Result<Factors<T, N>, Failure> {
     if !entries.iter().flatten().all(|entry| entry.is_finite()) {
-        return Err(Failure::NotFinite { quantity: QUANTITY });
+        return Err(Failure::not_finite(QUANTITY));
     }
     let (mut row_exponents, mut column_exponents, mut origins) = ([0; N], [0; N], [0; N]);
     level(&mut entries, &mut row_exponents, &mut column_exponents);
@@ -93,7 +93,7 @@ pub(super) fn factor_here<T: Scalar, const N: usize>(
         return Err(if determinant.is_finite() {
             Failure::Singular { determinant }
         } else {
-            Failure::NotFinite { quantity: QUANTITY }
+            Failure::not_finite(QUANTITY)
         });
     }
     Ok(factors)

@@ -76,7 +76,7 @@ pub(crate) fn damped_root<T: Scalar, const N: usize>(
     if solution.iter().all(|entry| entry.is_finite()) {
         Ok(solution)
     } else {
-        Err(Failure::NotFinite { quantity: SOLUTION })
+        Err(Failure::not_finite(SOLUTION))
     }
 }
 
@@ -120,7 +120,7 @@ fn real_root<T: Scalar, const N: usize>(
     sizes: [f64; N],
     evaluate: &mut impl FnMut([T; N]) -> ([T; N], [[T; N]; N]),
 ) -> Result<[T; N], Failure> {
-    let nothing = Failure::NotFinite { quantity: QUANTITY };
+    let nothing = Failure::not_finite(QUANTITY);
     if !sizes.iter().all(|size| *size > 0.0 && size.is_finite()) {
         return Err(nothing);
     }
@@ -234,7 +234,7 @@ fn distinct<T, const N: usize>(
     Err(if determinant.is_finite() {
         Failure::Singular { determinant }
     } else {
-        Failure::NotFinite { quantity: SOLUTION }
+        Failure::not_finite(SOLUTION)
     })
 }
 

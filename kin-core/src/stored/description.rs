@@ -60,9 +60,9 @@ pub struct BlockRecord {
     pub equations: Vec<usize>,
 }
 
-impl From<Description> for DescriptionRecord {
-    fn from(description: Description) -> Self {
-        let quantities = |quantities: &[Quantity]| quantities.iter().copied().map(QuantityRecord::from).collect();
+impl From<Description<'_>> for DescriptionRecord {
+    fn from(description: Description<'_>) -> Self {
+        let quantities = |quantities: &[Quantity<'_>]| quantities.iter().copied().map(QuantityRecord::from).collect();
         Self {
             name: description.name.into(),
             parameters: quantities(description.parameters),
@@ -77,8 +77,8 @@ impl From<Description> for DescriptionRecord {
     }
 }
 
-impl From<Quantity> for QuantityRecord {
-    fn from(quantity: Quantity) -> Self {
+impl From<Quantity<'_>> for QuantityRecord {
+    fn from(quantity: Quantity<'_>) -> Self {
         Self {
             name: quantity.name.into(),
             dimension: quantity.dimension,
@@ -87,8 +87,8 @@ impl From<Quantity> for QuantityRecord {
     }
 }
 
-impl From<Block> for BlockRecord {
-    fn from(block: Block) -> Self {
+impl From<Block<'_>> for BlockRecord {
+    fn from(block: Block<'_>) -> Self {
         Self {
             unknowns: block.unknowns.into(),
             solution: block.solution.into(),

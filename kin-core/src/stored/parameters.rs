@@ -41,12 +41,12 @@ struct Member {
 }
 
 /// The name of a vector whose coordinate has this name.
-fn vector(quantity: &Quantity) -> Option<&'static str> {
+fn vector(quantity: &Quantity<'static>) -> Option<&'static str> {
     quantity.name.split_once('.').map(|(vector, _)| vector)
 }
 
 /// The parameters, in the order in which they were declared.
-fn members(quantities: &'static [Quantity]) -> impl Iterator<Item = Member> + Clone {
+fn members(quantities: &'static [Quantity<'static>]) -> impl Iterator<Item = Member> + Clone {
     let begins = move |place: &usize| {
         let before = place.checked_sub(1).and_then(|before| vector(&quantities[before]));
         before.is_none() || vector(&quantities[*place]) != before
@@ -64,7 +64,7 @@ fn members(quantities: &'static [Quantity]) -> impl Iterator<Item = Member> + Cl
 }
 
 struct Form<'a, T> {
-    quantities: &'static [Quantity],
+    quantities: &'static [Quantity<'static>],
     values: &'a [T],
 }
 

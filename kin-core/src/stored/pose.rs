@@ -135,7 +135,7 @@ pub fn motion<T, const LENGTH: usize>(held: &impl PoseEntry<T, LENGTH>, value: T
 
 /// Named motions.
 struct Motions<'a, T, const LENGTH: usize> {
-    quantities: &'static [Quantity],
+    quantities: &'static [Quantity<'static>],
     motions: &'a [Motion<T, LENGTH>],
 }
 
@@ -291,7 +291,7 @@ impl<M: Mechanism> Visitor<'_> for NameOf<M> {
 /// One of the groups of motions, and the names in it.
 struct GroupName {
     name: &'static str,
-    quantities: fn(&Description) -> &'static [Quantity],
+    quantities: fn(&Description<'static>) -> &'static [Quantity<'static>],
 }
 
 const INPUTS: GroupName = GroupName {
@@ -320,7 +320,7 @@ impl GroupName {
 /// The motions of inputs, unknowns or outputs, to be read by name in any order.
 struct Group<R, V> {
     name: &'static str,
-    quantities: &'static [Quantity],
+    quantities: &'static [Quantity<'static>],
     row: PhantomData<(R, V)>,
 }
 

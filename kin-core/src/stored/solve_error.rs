@@ -6,8 +6,9 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use super::lenient::{self, Lenient};
 use crate::failure::{Failure, InputValues, SolveError};
+use crate::quantity::Name;
 
-/// A [`Failure`] that owns its names: the text `S` is `String` when it is read, and `&'static str` when it is made of a failure.
+/// A [`Failure`] that owns its names: the text `S` is `String` when it is read, and [`Name`] when it is made of a failure.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 #[non_exhaustive]
 #[allow(missing_docs, reason = "the fields are those of the failure")]
@@ -68,7 +69,7 @@ pub enum FailureRecord<S> {
     NotFinite { quantity: S },
 }
 
-impl<S: From<&'static str>> From<Failure> for FailureRecord<S> {
+impl<S: From<Name>> From<Failure> for FailureRecord<S> {
     fn from(failure: Failure) -> Self {
         match failure {
             Failure::OutOfReach { margin } => Self::OutOfReach { margin },
@@ -98,7 +99,7 @@ impl<S: From<&'static str>> From<Failure> for FailureRecord<S> {
                 is_angle,
             },
             Failure::OutsideDomain { function, argument } => Self::OutsideDomain {
-                function: function.into(),
+                function: Name::new(function).into(),
                 argument,
             },
             Failure::NotConverged {
@@ -128,7 +129,7 @@ impl<S: From<&'static str>> From<Failure> for FailureRecord<S> {
 
 impl Serialize for Failure {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        FailureRecord::<&str>::from(*self).serialize(serializer)
+        FailureRecord::<Name>::from(*self).serialize(serializer)
     }
 }
 
@@ -137,7 +138,7 @@ impl Serialize for InputValues {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(Some(self.iter().count()))?;
         for (name, value) in self.iter() {
-            map.serialize_entry(name, &Lenient(value))?;
+            map.serialize_entry(&name, &Lenient(value))?;
         }
         map.end()
     }
@@ -159,7 +160,7 @@ impl Serialize for SolveError {
         #[serde(rename = "SolveError")]
         struct Form<'a> {
             failure: Failure,
-            block: &'static str,
+            block: Name,
             inputs: &'a InputValues,
             message: Message<&'a SolveError>,
         }

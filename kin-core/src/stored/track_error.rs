@@ -7,6 +7,7 @@ use serde::ser::{Serialize, Serializer};
 use super::lenient::{self, Lenient};
 use super::solve_error::Message;
 use crate::failure::SolveError;
+use crate::quantity::Name;
 use crate::track::{Halt, Obstacle, TrackError};
 
 /// The values of a row, of which the unknowns near a pole may overflow.
@@ -21,7 +22,7 @@ impl Serialize for Values<'_> {
 #[derive(serde::Serialize)]
 #[serde(rename = "Obstacle")]
 struct ObstacleForm<'a> {
-    block: &'static str,
+    block: Name,
     #[serde(serialize_with = "lenient::serialize")]
     fraction: f64,
     inputs: Values<'a>,

@@ -4,7 +4,7 @@ use alloc::rc::Rc;
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::columns::Label;
+use super::columns::Heading;
 use super::course::AnyCourse;
 use super::drive::Drive;
 use super::error::SweepError;
@@ -25,9 +25,9 @@ const PROBES: usize = 16;
 
 /// A row that has been solved.
 #[derive(Clone)]
-struct Sample {
+struct Sample<'c> {
     at: f64,
-    walk: Rc<Walk>,
+    walk: Rc<Walk<'c>>,
     outcome: Outcome,
     /// Its place among the samples.
     place: usize,
@@ -126,7 +126,7 @@ impl AnyCourse<'_> {
             rows: self.count,
             most: most_rows,
         };
-        let mut given: Vec<Sample> = Vec::with_capacity(self.count);
+        let mut given: Vec<Sample<'_>> = Vec::with_capacity(self.count);
         for row in 0..self.count {
             let beginning = Rc::new(Walk::BEGINNING);
             let walk = given.last().map_or(beginning, |before| Rc::clone(&before.walk));
@@ -136,15 +136,15 @@ impl AnyCourse<'_> {
         let ranges = samples.ranges(&given);
         // The rounding errors of a column that stays the same are no curve. They count against the largest number of its kind, as a column
         // that stays at zero has nothing else.
-        let size = |label: &Label| {
-            let alike = |other: &Label| {
-                (other.order, other.quantity.dimension) == (label.order, label.quantity.dimension) && !other.is_variable
+        let size = |label: &Heading| {
+            let alike = |other: &Heading| {
+                (other.order, other.dimension) == (label.order, label.dimension) && !other.is_variable
             };
             let own = empty.labels.iter().zip(&ranges).filter(|(other, _)| alike(other));
             own.fold(0.0, |size: f64, (_, [low, high])| size.max(low.abs()).max(high.abs()))
         };
         let columns = empty.labels.iter().zip(&ranges).enumerate();
-        let scale = |(column, (label, [low, high])): (usize, (&Label, &[f64; 2]))| {
+        let scale = |(column, (label, [low, high])): (usize, (&Heading, &[f64; 2]))| {
             let is_read = column >= first && label.order <= order;
             let range = high - low;
             if is_read && range > 1e-9 * size(label) {
@@ -173,9 +173,9 @@ impl AnyCourse<'_> {
     }
 }
 
-impl Samples<'_> {
+impl<'c> Samples<'c> {
     /// The next sample behind a walk.
-    fn solve(&mut self, walk: &Walk, at: f64) -> Sample {
+    fn solve(&mut self, walk: &Walk<'c>, at: f64) -> Sample<'c> {
         let motions = self.course.motions(at);
         let (walk, result) = walk.stepped(self.course, at, &motions);
         let start = self.data.len();
@@ -194,7 +194,7 @@ impl Samples<'_> {
 
     /// The lowest and the highest value of each column, at the rows of the sweep and at places between them: a few rows may all lie where a
     /// column has the same value.
-    fn ranges(&mut self, given: &[Sample]) -> Vec<[f64; 2]> {
+    fn ranges(&mut self, given: &[Sample<'c>]) -> Vec<[f64; 2]> {
         let mut ranges = vec![[f64::INFINITY, f64::NEG_INFINITY]; self.width];
         // numbers of rows that do not close are NaN, which both leave out
         let see = |ranges: &mut [[f64; 2]], row: &[f64]| {
@@ -219,17 +219,17 @@ impl Samples<'_> {
     }
 
     /// A sample between two others, found from the left one.
-    fn middle(&mut self, left: &Sample, part: f64, right: &Sample) -> Sample {
+    fn middle(&mut self, left: &Sample<'c>, part: f64, right: &Sample<'c>) -> Sample<'c> {
         self.solve(&left.walk, left.at + part * (right.at - left.at))
     }
 
     /// Adds the rows that are needed between two samples.
     fn refine(
         &mut self,
-        left: &Sample,
-        right: &Sample,
+        left: &Sample<'c>,
+        right: &Sample<'c>,
         tolerance: f64,
-        kept: &mut Vec<Sample>,
+        kept: &mut Vec<Sample<'c>>,
         table: &Table,
     ) -> Result<(), SweepError> {
         let start = self.data.len();
@@ -275,18 +275,17 @@ impl Samples<'_> {
         let Some(worst) = worst else {
             return SweepError::TooManyRowsAtLimit { most, at };
         };
-        let label = table.labels[worst.column];
         SweepError::TooManyRows {
             most,
             at,
-            column: label.quantity.name,
-            order: label.order,
+            column: self.course.name_of(worst.column - table.first_input()),
+            order: table.labels[worst.column].order,
             deviation: worst.part,
         }
     }
 
-    fn deviation(&self, left: &Sample, part: f64, between: &Sample, right: &Sample) -> Deviation {
-        let row = |sample: &Sample| &self.data[sample.place * self.width..(sample.place + 1) * self.width];
+    fn deviation(&self, left: &Sample<'_>, part: f64, between: &Sample<'_>, right: &Sample<'_>) -> Deviation {
+        let row = |sample: &Sample<'_>| &self.data[sample.place * self.width..(sample.place + 1) * self.width];
         let (left, between, right) = (row(left), row(between), row(right));
         let mut worst = Deviation { part: 0.0, column: 0 };
         for (column, scale) in self.scales.iter().enumerate() {

@@ -1,5 +1,6 @@
 //! The columns of a table: what each of them is.
 
+use alloc::string::{String, ToString};
 use core::fmt;
 
 use super::Variable;
@@ -8,21 +9,25 @@ use crate::quantity::{Dimension, Quantity, RATES};
 
 /// What a column holds: a quantity, and the order of its derivative with respect to time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Label {
-    /// The quantity.
-    pub quantity: Quantity,
+#[non_exhaustive]
+pub struct Label<'q> {
+    /// The name of the quantity.
+    pub name: &'q str,
+    /// The dimension of the quantity.
+    pub dimension: Dimension,
     /// The order of the derivative, 0 for the value itself.
     pub order: usize,
     /// The variable of the sweep itself, which has no orders, if it is no input.
     pub(super) is_variable: bool,
 }
 
-impl Label {
+impl<'q> Label<'q> {
     /// The column of a derivative.
     #[must_use]
-    pub const fn new(quantity: Quantity, order: usize) -> Self {
+    pub const fn new(quantity: Quantity<'q>, order: usize) -> Self {
         Self {
-            quantity,
+            name: quantity.name,
+            dimension: quantity.dimension,
             order,
             is_variable: false,
         }
@@ -31,7 +36,7 @@ impl Label {
     /// Whether this is the name of the column: that of the quantity, followed by the order, as in `theta4_velocity`.
     #[must_use]
     pub fn is(&self, name: &str) -> bool {
-        let Some(rest) = name.strip_prefix(self.quantity.name) else {
+        let Some(rest) = name.strip_prefix(self.name) else {
             return false;
         };
         match self.order.checked_sub(1) {
@@ -42,9 +47,9 @@ impl Label {
 }
 
 /// The name of the column.
-impl fmt::Display for Label {
+impl fmt::Display for Label<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(self.quantity.name)?;
+        formatter.write_str(self.name)?;
         match self.order.checked_sub(1) {
             None => Ok(()),
             Some(rate) => write!(formatter, "_{}", RATES.get(rate).unwrap_or(&"derivative")),
@@ -103,7 +108,7 @@ impl fmt::Display for Unit<'_> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ColumnOf<'t> {
     /// What it holds; its `Display` is the name of the column.
-    pub label: Label,
+    pub label: Label<'t>,
     /// Its unit.
     pub unit: Unit<'t>,
     /// A number for each row, NaN where the mechanism does not close.
@@ -122,14 +127,44 @@ impl fmt::Display for ColumnOf<'_> {
     }
 }
 
+/// A label that has its name by itself.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Heading {
+    name: String,
+    pub(super) dimension: Dimension,
+    pub(super) order: usize,
+    pub(super) is_variable: bool,
+}
+
+impl From<Label<'_>> for Heading {
+    fn from(label: Label<'_>) -> Self {
+        Self {
+            name: label.name.to_string(),
+            dimension: label.dimension,
+            order: label.order,
+            is_variable: label.is_variable,
+        }
+    }
+}
+
+impl Heading {
+    pub(super) fn label(&self) -> Label<'_> {
+        Label {
+            name: &self.name,
+            dimension: self.dimension,
+            order: self.order,
+            is_variable: self.is_variable,
+        }
+    }
+}
+
 /// The labels of all columns of a mechanism: the variable unless it is an input, then inputs, unknowns and outputs, each in all orders.
-pub(super) fn labels(description: &'static Description, variable: Variable) -> impl Iterator<Item = Label> {
+pub(super) fn labels<'d>(description: &'d Description<'d>, variable: Variable) -> impl Iterator<Item = Label<'d>> {
     let own = match variable {
         Variable::Input(_) => None,
         _ => Some(Label {
-            quantity: variable.of(description),
-            order: 0,
             is_variable: true,
+            ..Label::new(variable.of(description), 0)
         }),
     };
     let quantities = [description.inputs, description.unknowns, description.outputs];

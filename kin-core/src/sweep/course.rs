@@ -4,16 +4,16 @@
 
 use alloc::vec::Vec;
 
-use super::columns::labels;
+use super::columns::{Heading, labels};
 use super::drive::{Drive, SmoothDrive, Variable};
 use super::table::Table;
 use super::{Course, SweepError, row_at};
-use crate::any::{AssemblyChoice, AssemblyMotionOver, Of, PositionChoice};
+use crate::any::{AssemblyChoice, AssemblyMotionOver, Of, PositionChoice, description};
 use crate::curve::CurveFunctions;
 use crate::failure::SolveError;
 use crate::mechanism::{Description, Mechanism};
 use crate::number::NumberRow;
-use crate::quantity::{Dimension, Quantity};
+use crate::quantity::{Dimension, Name, NameKind, Quantity};
 
 /// The halvings that find the edge of a gap. Angles there differ from those at the limit by some 10⁻⁵.
 const EDGE: usize = 32;
@@ -38,7 +38,7 @@ pub(crate) fn joints(drive: &dyn SmoothDrive, ends: [f64; 2]) -> Vec<f64> {
 #[derive(Clone)]
 pub struct AnyCourse<'c> {
     pub(crate) mechanism: &'c dyn SweptMechanism,
-    pub(crate) description: &'static Description,
+    pub(crate) description: &'c Description<'c>,
     pub(crate) parameters: NumberRow,
     pub(crate) assembly: AssemblyChoice,
     pub(crate) drive: &'c dyn Drive,
@@ -52,7 +52,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive> Course<M, D> {
     pub(crate) fn any(&self) -> AnyCourse<'_> {
         AnyCourse {
             mechanism: Of::<M>::FUNCTIONS,
-            description: const { &M::DESCRIPTION },
+            description: description::<M>(),
             parameters: self.mechanism.parameters().as_ref().into(),
             assembly: AssemblyChoice::of::<M>(self.assembly),
             drive: &self.drive,
@@ -63,7 +63,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive> Course<M, D> {
     }
 }
 
-impl AnyCourse<'_> {
+impl<'c> AnyCourse<'c> {
     /// The number of orders of a motion, that of the value included.
     pub(crate) fn orders(&self) -> usize {
         self.description.order + 1
@@ -180,17 +180,39 @@ impl AnyCourse<'_> {
             Variable::Input(input) => input * self.orders(),
             _ => 0,
         };
-        Table::new(labels(self.description, variable).collect(), count, column)
+        let labels = labels(self.description, variable).map(Heading::from);
+        Table::new(labels.collect(), count, column)
     }
 
     /// The name and the dimension of the variable.
-    pub(crate) fn variable(&self) -> Quantity {
+    pub(crate) fn variable(&self) -> Quantity<'c> {
         self.drive.variable().of(self.description)
+    }
+
+    /// The name of the variable in errors.
+    pub(crate) fn variable_name(&self) -> Name {
+        match self.drive.variable() {
+            Variable::Input(input) => self.mechanism.name(NameKind::Input, input),
+            Variable::Time => "time".into(),
+            Variable::Row => "row".into(),
+        }
+    }
+
+    /// The name in errors of the quantity to which a column belongs, counted from the first input.
+    pub(super) fn name_of(&self, column: usize) -> Name {
+        let Description { inputs, unknowns, .. } = self.description;
+        let (of, index) = match column / self.orders() {
+            input if input < inputs.len() => (NameKind::Input, input),
+            index if index - inputs.len() < unknowns.len() => (NameKind::Unknown, index - inputs.len()),
+            index => (NameKind::Output, index - inputs.len() - unknowns.len()),
+        };
+        self.mechanism.name(of, index)
     }
 }
 
 /// The indices of the quantities that are angles.
-pub(super) fn angles(quantities: &[Quantity]) -> impl Iterator<Item = usize> + '_ {
-    let is_angle = |(index, quantity): (usize, &Quantity)| (quantity.dimension == Dimension::Angle).then_some(index);
+pub(super) fn angles(quantities: &[Quantity<'_>]) -> impl Iterator<Item = usize> {
+    let is_angle =
+        |(index, quantity): (usize, &Quantity<'_>)| (quantity.dimension == Dimension::Angle).then_some(index);
     quantities.iter().enumerate().filter_map(is_angle)
 }

@@ -6,14 +6,15 @@ use core::fmt;
 
 use num_traits::Float;
 
-use crate::any::write;
+use crate::any::{description, write};
 use crate::batch::{Column, LengthMismatch};
+use crate::failure::InputNames;
 pub(crate) use crate::hermite::TERMS;
 use crate::law::{Law, LawJoint, Piecewise, Side, approached};
 use crate::mechanism::{Description, Mechanism};
 use crate::motion::Motion;
 use crate::number::{NumberRow, series::Series};
-use crate::quantity::{Dimension, Quantity, RATES};
+use crate::quantity::{Name, Quantity, RATES};
 use crate::sweep::SweepError;
 
 /// A value that carries its first four derivatives with respect to the variable of a sweep.
@@ -45,11 +46,11 @@ pub enum Variable {
 impl Variable {
     /// The name and the dimension of the variable.
     #[must_use]
-    pub fn quantity<M: Mechanism>(self) -> Quantity {
-        self.of(&M::DESCRIPTION)
+    pub fn quantity<M: Mechanism>(self) -> Quantity<'static> {
+        self.of(description::<M>())
     }
 
-    pub(crate) fn of(self, description: &Description) -> Quantity {
+    pub(crate) fn of<'d>(self, description: &Description<'d>) -> Quantity<'d> {
         match self {
             Self::Input(index) => description.inputs[index],
             Self::Time => Quantity::scalar("time", "The time."),
@@ -327,14 +328,14 @@ impl SmoothDrive for ByFormula<'_> {
 #[derive(Clone)]
 pub struct Laws<'l> {
     laws: Vec<&'l dyn Piecewise<f64>>,
-    inputs: &'static [Quantity],
+    inputs: InputNames,
 }
 
 impl<'l> Laws<'l> {
-    pub(crate) fn new(laws: &[&'l dyn Piecewise<f64>], description: &Description) -> Self {
+    pub(crate) fn new(laws: &[&'l dyn Piecewise<f64>], inputs: InputNames) -> Self {
         Self {
             laws: laws.to_vec(),
-            inputs: description.inputs,
+            inputs,
         }
     }
 }
@@ -353,19 +354,18 @@ impl Drive for Laws<'_> {
 
     /// A mechanism does not jump.
     fn check(&self, range: [f64; 2], _: usize) -> Result<(), SweepError> {
-        for (law, quantity) in self.laws.iter().zip(self.inputs) {
+        for (law, (input, is_angle)) in self.laws.iter().zip(self.inputs.iter()) {
             let period = law.repeats().then(|| law.duration());
             let jump = law.joints::<1>().find_map(|joint| {
                 let by = joint.jump().value();
-                (first_jump(&joint, quantity.dimension) == Some(0))
+                (first_jump(&joint, is_angle) == Some(0))
                     .then(|| within(joint.time, period, range))?
                     .map(|at| (at, by))
             });
             if let Some((at, by)) = jump {
-                let (input, dimension) = (quantity.name, quantity.dimension);
                 return Err(SweepError::Jump {
                     input,
-                    dimension,
+                    is_angle,
                     at,
                     by,
                 });
@@ -376,9 +376,9 @@ impl Drive for Laws<'_> {
 }
 
 /// The lowest order that jumps at a joint. A jump of an angle by whole turns is none: a crank starts a new turn at zero.
-fn first_jump<const N: usize>(joint: &LawJoint<f64, N>, dimension: Dimension) -> Option<usize> {
+fn first_jump<const N: usize>(joint: &LawJoint<f64, N>, is_angle: bool) -> Option<usize> {
     let turns = joint.jump().value() / core::f64::consts::TAU;
-    let is_whole = dimension == Dimension::Angle && (turns - Float::round(turns)).abs() < WHOLE;
+    let is_whole = is_angle && (turns - Float::round(turns)).abs() < WHOLE;
     joint.first_jump_from(usize::from(is_whole))
 }
 
@@ -433,23 +433,27 @@ impl SmoothDrive for Laws<'_> {
 
     fn jump(&self, joint: f64) -> Option<usize> {
         const ORDERS: usize = RATES.len() + 1;
-        let jumps = self.laws.iter().zip(self.inputs).filter_map(|(law, quantity)| {
-            let duration = law.duration();
-            // times are rounded, and the end of a law that repeats is its beginning
-            let turns = |time: f64| {
-                if law.repeats() {
-                    Float::round(time / duration)
-                } else {
-                    0.0
-                }
-            };
-            let is_here = |time: f64| {
-                let distance = joint - time;
-                (distance - turns(distance) * duration).abs() <= 16.0 * f64::EPSILON * joint.abs().max(duration)
-            };
-            let mut joints = law.joints::<ORDERS>().filter(|own| is_here(own.time));
-            joints.find_map(|own| first_jump(&own, quantity.dimension))
-        });
+        let jumps = self
+            .laws
+            .iter()
+            .zip(self.inputs.iter())
+            .filter_map(|(law, (_, is_angle))| {
+                let duration = law.duration();
+                // times are rounded, and the end of a law that repeats is its beginning
+                let turns = |time: f64| {
+                    if law.repeats() {
+                        Float::round(time / duration)
+                    } else {
+                        0.0
+                    }
+                };
+                let is_here = |time: f64| {
+                    let distance = joint - time;
+                    (distance - turns(distance) * duration).abs() <= 16.0 * f64::EPSILON * joint.abs().max(duration)
+                };
+                let mut joints = law.joints::<ORDERS>().filter(|own| is_here(own.time));
+                joints.find_map(|own| first_jump(&own, is_angle))
+            });
         jumps.min()
     }
 }
@@ -459,7 +463,7 @@ impl SmoothDrive for Laws<'_> {
 pub struct Along<'c> {
     columns: Vec<Column<'c>>,
     orders: usize,
-    inputs: &'static [Quantity],
+    inputs: &'static [Quantity<'static>],
 }
 
 impl<'c> Along<'c> {
@@ -479,11 +483,11 @@ impl<'c> Along<'c> {
     }
 
     /// The lengths of columns that have one, each with the name of the input.
-    fn lengths(&self) -> impl Iterator<Item = (&'static str, usize)> + '_ {
+    fn lengths(&self) -> impl Iterator<Item = (Name, usize)> {
         let columns = self.columns.iter().enumerate();
         columns.filter_map(|(index, column)| match column {
             Column::Same(_) => None,
-            Column::Each(values) => Some((self.inputs[index / self.orders].name, values.len())),
+            Column::Each(values) => Some((self.inputs[index / self.orders].name.into(), values.len())),
         })
     }
 }
@@ -580,7 +584,7 @@ mod tests {
     #[test]
     fn the_series_of_laws_fit_together() {
         let rise = Rise::new(Shape::Cycloidal, 0.0, 2.0, 0.5).unwrap();
-        let drive = Laws::new(&[&rise], &FourBar::<f64>::DESCRIPTION);
+        let drive = Laws::new(&[&rise], InputNames::Declared(FourBar::<f64>::DESCRIPTION.inputs));
         let mut motion = [0.0; READ];
         drive.derivatives(0.2, Side::Right, &mut motion);
         let series: [Local; 5] = core::array::from_fn(|order| by_time(&motion, order, 1.0));
@@ -605,12 +609,18 @@ mod tests {
             places
         };
         assert_eq!(
-            joints(&Laws::new(&[&laws], &FourBar::<f64>::DESCRIPTION)),
+            joints(&Laws::new(
+                &[&laws],
+                InputNames::Declared(FourBar::<f64>::DESCRIPTION.inputs)
+            )),
             [0.0, 0.5, 0.75]
         );
         let cam = laws.repeated();
         assert_eq!(
-            joints(&Laws::new(&[&cam], &FourBar::<f64>::DESCRIPTION)),
+            joints(&Laws::new(
+                &[&cam],
+                InputNames::Declared(FourBar::<f64>::DESCRIPTION.inputs)
+            )),
             [0.0, 0.5, 0.75, 1.25, 1.5]
         );
     }

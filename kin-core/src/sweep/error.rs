@@ -4,7 +4,7 @@ use core::error::Error;
 use core::fmt;
 
 use crate::batch::LengthMismatch;
-use crate::quantity::{Digits, Dimension, WithUnit};
+use crate::quantity::{Digits, Name, WithUnit};
 
 /// The reason why there is no table.
 ///
@@ -29,9 +29,9 @@ pub enum SweepError {
     /// The value of a motion law jumps inside of the sweep.
     Jump {
         /// The input.
-        input: &'static str,
-        /// Its dimension.
-        dimension: Dimension,
+        input: Name,
+        /// Whether it is an angle.
+        is_angle: bool,
         /// The time.
         at: f64,
         /// The jump of the value.
@@ -62,7 +62,7 @@ pub enum SweepError {
         /// The place where the next row was needed.
         at: f64,
         /// The column that deviates most there.
-        column: &'static str,
+        column: Name,
         /// The order of that column.
         order: usize,
         /// The deviation of the straight line there, as a part of the column's range.
@@ -92,10 +92,10 @@ impl fmt::Display for SweepError {
             Self::NoSpeed => formatter.write_str(
                 "the speed of the sweep is zero, with which the inputs do not move: give a positive or negative one, or none for 1",
             ),
-            Self::Jump { input, dimension, at, by } => write!(
+            Self::Jump { input, is_angle, at, by } => write!(
                 formatter,
                 "the law of {input} jumps by {} at the time {}, and no mechanism does: let each law begin where the one before ends",
-                WithUnit::new(*by, *dimension),
+                WithUnit { value: *by, is_angle: *is_angle },
                 Digits(*at)
             ),
             Self::NoRows => formatter.write_str("the sweep has no rows: give two or more"),

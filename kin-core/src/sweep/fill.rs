@@ -275,7 +275,13 @@ impl AnyCourse<'_> {
     }
 
     /// Passes on the numbers of a row of a table, each with its column. Without a pose, those of unknowns and outputs are NaN.
-    pub(super) fn write(&self, at: f64, motions: &[f64], reached: Option<&Footing>, mut put: impl FnMut(usize, f64)) {
+    pub(super) fn write(
+        &self,
+        at: f64,
+        motions: &[f64],
+        reached: Option<&Footing<'_>>,
+        mut put: impl FnMut(usize, f64),
+    ) {
         let own = match self.drive.variable() {
             Variable::Input(_) => 0,
             Variable::Time | Variable::Row => 1,

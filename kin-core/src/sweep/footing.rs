@@ -25,7 +25,7 @@ const AMBIGUOUS: f64 = 1e-6;
 
 /// The pose at a place of a sweep, from which a walk goes on.
 #[derive(Clone)]
-pub(crate) struct Footing {
+pub(crate) struct Footing<'c> {
     /// The variable of the sweep.
     pub(crate) at: f64,
     /// The motions of inputs, unknowns and outputs, one after the other, each with the same number of orders.
@@ -33,16 +33,16 @@ pub(crate) struct Footing {
     pub(super) orders: usize,
     /// The time for each unit of the variable, not a number if the rates are not known.
     pub(super) time: f64,
-    pub(super) description: &'static Description,
+    pub(super) description: &'c Description<'c>,
     /// The values of the unknowns near which the pose has been found, unless it is that of the assembly itself.
     pub(super) near: Option<Vec<f64>>,
     /// Whether an angle has changed in a way that its rates do not tell, although the steps were as short as can be.
     pub(super) has_jumped: bool,
 }
 
-impl Footing {
+impl<'c> Footing<'c> {
     /// A pose with the angles that it returns.
-    pub(super) fn new(course: &AnyCourse<'_>, at: f64, numbers: Vec<f64>) -> Self {
+    pub(super) fn new(course: &AnyCourse<'c>, at: f64, numbers: Vec<f64>) -> Self {
         let orders = course.orders();
         // Exact tables give rates by the variable itself, others those by time: so it is the motion of the variable that tells, and not the
         // speed of the sweep.
@@ -63,7 +63,7 @@ impl Footing {
 
     /// A position, whose rates are not known.
     pub(crate) fn of_position(
-        description: &'static Description,
+        description: &'c Description<'c>,
         at: f64,
         [inputs, unknowns, outputs]: [&[f64]; 3],
     ) -> Self {
@@ -126,12 +126,12 @@ impl Footing {
     }
 
     /// The indices of the unknowns that are angles, among all quantities.
-    fn unknown_angles(&self) -> impl Iterator<Item = usize> + use<> {
+    fn unknown_angles(&self) -> impl Iterator<Item = usize> + use<'c> {
         let [first, _] = self.firsts();
         angles(self.description.unknowns).map(move |unknown| first + unknown)
     }
 
-    fn output_angles(&self) -> impl Iterator<Item = usize> + use<> {
+    fn output_angles(&self) -> impl Iterator<Item = usize> + use<'c> {
         let [_, first] = self.firsts();
         angles(self.description.outputs).map(move |output| first + output)
     }
@@ -145,21 +145,21 @@ impl Footing {
     }
 
     /// Moves the angles of the unknowns to the turns that follow from another footing.
-    pub(super) fn unwrap_unknowns(&mut self, from: &Self) -> Unwrapping {
+    pub(super) fn unwrap_unknowns(&mut self, from: &Footing<'_>) -> Unwrapping {
         self.unwrap_all(from, self.unknown_angles())
     }
 
-    pub(super) fn unwrap_outputs(&mut self, from: &Self) -> Unwrapping {
+    pub(super) fn unwrap_outputs(&mut self, from: &Footing<'_>) -> Unwrapping {
         self.unwrap_all(from, self.output_angles())
     }
 
     /// Moves all angles to the turns that follow from another footing. It returns whether the step from there is short enough for that.
-    pub(super) fn unwrap(&mut self, from: &Self) -> bool {
+    pub(super) fn unwrap(&mut self, from: &Footing<'_>) -> bool {
         let [unknowns, outputs] = [self.unwrap_unknowns(from), self.unwrap_outputs(from)];
         unknowns.follows && outputs.follows && self.inputs_follow(from)
     }
 
-    fn unwrap_all(&mut self, from: &Self, angles: impl Iterator<Item = usize>) -> Unwrapping {
+    fn unwrap_all(&mut self, from: &Footing<'_>, angles: impl Iterator<Item = usize>) -> Unwrapping {
         let step = self.at - from.at;
         let mut unwrapping = Unwrapping {
             has_moved: false,
@@ -180,7 +180,7 @@ impl Footing {
 
     /// The unknowns, with predicted angles for those that do not follow from another footing by whole turns: a gear of half the speed is
     /// half a turn away.
-    pub(super) fn near(&self, from: &Self) -> Vec<f64> {
+    pub(super) fn near(&self, from: &Footing<'_>) -> Vec<f64> {
         let step = self.at - from.at;
         let [first, _] = self.firsts();
         let mut near = self.unknowns().to_vec();
@@ -200,14 +200,14 @@ impl Footing {
     }
 
     /// Whether the turns of the unknowns are certain.
-    pub(super) fn unknowns_follow(&self, from: &Self) -> bool {
+    pub(super) fn unknowns_follow(&self, from: &Footing<'_>) -> bool {
         let step = self.at - from.at;
         self.unknown_angles()
             .all(|index| self.angle(index).follows(from.angle(index), step))
     }
 
     /// Whether the step from another footing is short enough for the angles among the inputs.
-    pub(super) fn inputs_follow(&self, from: &Self) -> bool {
+    pub(super) fn inputs_follow(&self, from: &Footing<'_>) -> bool {
         from.is_near(&self.numbers, self.orders)
     }
 

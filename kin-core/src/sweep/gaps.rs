@@ -58,7 +58,7 @@ pub(super) fn suspects(course: &AnyCourse<'_>, table: &Table) -> Vec<usize> {
         (table.values(column + 1), table.values(column + 2))
     };
     // All unknowns of a block are roots at the ends of a gap, so that one of them is enough.
-    let of_block = |block: &Block| {
+    let of_block = |block: &Block<'_>| {
         let name = block.unknowns.split(", ").next();
         description
             .unknowns
@@ -94,7 +94,7 @@ pub(super) fn suspects(course: &AnyCourse<'_>, table: &Table) -> Vec<usize> {
 ///
 /// The rates of the only input turn those of the unknowns into derivatives with respect to the input, unless the input stands still. All other
 /// pairs are solved again. An angle that moves by more than half a turn does not say in which direction.
-fn may_part(description: &Description, table: &Table, row: usize) -> bool {
+fn may_part(description: &Description<'_>, table: &Table, row: usize) -> bool {
     let orders = description.order + 1;
     let pair = |quantity: usize, order: usize| {
         let column = table.values(1 + quantity * orders + order);

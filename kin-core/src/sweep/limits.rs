@@ -11,7 +11,7 @@ use super::table::Table;
 use crate::any::AssemblyOver;
 use crate::curve::LimitKind;
 use crate::number::NumberRow;
-use crate::quantity::Digits;
+use crate::quantity::{Digits, Name};
 use crate::track::{TrackError, track_between};
 
 /// A place where a sweep begins or ceases to close.
@@ -26,14 +26,14 @@ pub struct Limit {
     /// Whether the mechanism closes before the limit; otherwise it closes behind it.
     pub closes_before: bool,
     /// The unknowns of the block that does not close, separated by commas.
-    pub block: &'static str,
+    pub block: Name,
     /// The inputs there.
     pub inputs: Vec<f64>,
     /// The unknowns there, with angles on the turns they have reached. At an end of a range they are those just inside of it, by a part of
     /// up to 10⁻⁶ of the way from the row that closes; they are NaN if the mechanism does not close there.
     pub unknowns: Vec<f64>,
     /// The name of the variable.
-    pub(super) variable: &'static str,
+    pub(super) variable: Name,
 }
 
 impl fmt::Display for Limit {
@@ -62,7 +62,7 @@ pub(crate) fn between(course: &AnyCourse<'_>, closed: f64, unknowns: &[f64], ope
         block,
         inputs: place.to_vec(),
         unknowns,
-        variable: course.variable().name,
+        variable: course.variable_name(),
     };
     if let TrackError::Failed(failure) = error {
         // the first place beyond: found by the inputs that the error keeps

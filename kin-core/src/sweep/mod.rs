@@ -79,6 +79,7 @@ pub use table::{RowOf, Table};
 pub(crate) use walk::Walk;
 
 use crate::batch::Column;
+use crate::failure::InputNames;
 use crate::law::Piecewise;
 use crate::mechanism::{Mechanism, OneInput};
 use crate::number::{ClosedRange, Row};
@@ -233,7 +234,11 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
         range: impl ClosedRange,
         rows: usize,
     ) -> Course<M, Laws<'_>> {
-        self.course(Laws::new(laws.as_ref(), &M::DESCRIPTION), range, rows)
+        self.course(
+            Laws::new(laws.as_ref(), InputNames::Declared(M::DESCRIPTION.inputs)),
+            range,
+            rows,
+        )
     }
 
     /// Along columns: one for each order of each input, as `solve_batch` takes them. The number of rows is the length of the first column

@@ -15,7 +15,7 @@ use crate::mechanism::{Mechanism, Pose};
 pub struct Rows<'s, M: Mechanism<Scalar = f64>, D> {
     typed: &'s Course<M, D>,
     course: AnyCourse<'s>,
-    walk: Walk,
+    walk: Walk<'s>,
     /// The motions of the inputs in the row, whose memory is used again.
     given: Vec<f64>,
     next: usize,

@@ -3,7 +3,7 @@
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
-use super::columns::{ColumnOf, Label, Unit};
+use super::columns::{ColumnOf, Heading, Unit};
 use super::limits::Limit;
 use super::names::NoSuchColumn;
 use crate::batch::Outcome;
@@ -41,7 +41,7 @@ use crate::quantity::Dimension;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
-    pub(super) labels: Vec<Label>,
+    pub(super) labels: Vec<Heading>,
     pub(super) count: usize,
     /// Column after column.
     pub(super) data: Vec<f64>,
@@ -55,7 +55,7 @@ pub struct Table {
 }
 
 impl Table {
-    pub(super) fn new(labels: Vec<Label>, count: usize, variable: usize) -> Self {
+    pub(super) fn new(labels: Vec<Heading>, count: usize, variable: usize) -> Self {
         Self {
             data: alloc::vec![0.0; labels.len() * count],
             labels,
@@ -149,7 +149,7 @@ impl Table {
             return self;
         }
         self.in_degrees = true;
-        let is_angle = |label: &Label| label.quantity.dimension == Dimension::Angle;
+        let is_angle = |label: &Heading| label.dimension == Dimension::Angle;
         for (index, label) in self.labels.iter().enumerate() {
             if is_angle(label) {
                 for value in &mut self.data[index * self.count..(index + 1) * self.count] {
@@ -186,7 +186,7 @@ impl Table {
     }
 
     /// The column of the first unknown: columns follow in the order of inputs and unknowns, each in all orders.
-    pub(super) fn first_unknown(&self, description: &Description) -> usize {
+    pub(super) fn first_unknown(&self, description: &Description<'_>) -> usize {
         self.first_input() + description.inputs.len() * (description.order + 1)
     }
 
@@ -196,11 +196,11 @@ impl Table {
     }
 
     pub(super) fn find(&self, name: &str) -> Result<usize, NoSuchColumn> {
-        let found = self.labels.iter().position(|label| label.is(name));
+        let found = self.labels.iter().position(|label| label.label().is(name));
         let headed = || self.columns().position(|column| column.to_string() == name);
         found
             .or_else(headed)
-            .ok_or_else(|| NoSuchColumn::new(name, self.labels.iter()))
+            .ok_or_else(|| NoSuchColumn::new(name, self.labels.iter().map(Heading::label)))
     }
 
     pub(super) fn values(&self, column: usize) -> &[f64] {
@@ -208,13 +208,13 @@ impl Table {
     }
 
     fn column_at(&self, index: usize) -> ColumnOf<'_> {
-        let label = self.labels[index];
+        let label = self.labels[index].label();
         ColumnOf {
             label,
             unit: Unit {
-                dimension: label.quantity.dimension,
+                dimension: label.dimension,
                 order: label.order,
-                is_time: label.is_variable && label.quantity.name == "time",
+                is_time: label.is_variable && label.name == "time",
                 in_degrees: self.in_degrees,
                 length: &self.length,
                 time: &self.time,

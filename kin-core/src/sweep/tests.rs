@@ -16,7 +16,6 @@ use crate::load::{Loaded, Loads};
 use crate::mechanism::{Mechanism, OneInput};
 use crate::motion::Motion;
 use crate::number::{Number, samples};
-use crate::quantity::Dimension;
 
 /// The table and the iterator hold the same poses, up to the rounding of lanes and whole turns.
 #[test]
@@ -694,8 +693,8 @@ fn laws_that_jump_are_refused() {
     let laws = Sequence::new([&first, &second]).unwrap();
     let under = |from: f64, to: f64| CRANK_ROCKER.sweep(Assembly::Open).under_laws([&laws], from..=to, 21);
     let jump = SweepError::Jump {
-        input: "theta2",
-        dimension: Dimension::Angle,
+        input: "theta2".into(),
+        is_angle: true,
         at: 1.0,
         by: 1.0,
     };

@@ -33,7 +33,7 @@ pub(super) fn unwrap(course: &AnyCourse<'_>, table: &mut Table) -> Vec<usize> {
         return Vec::new();
     }
     let mut jumps = Vec::new();
-    let mut last: Option<Footing> = None;
+    let mut last: Option<Footing<'_>> = None;
     let mut open = None;
     let mut turned = Turned(Vec::new());
     for row in 0..table.count {
@@ -74,13 +74,13 @@ pub(super) fn unwrap(course: &AnyCourse<'_>, table: &mut Table) -> Vec<usize> {
 struct Turned(Vec<(NumberRow, bool)>);
 
 impl Turned {
-    fn turns(solved: &Footing, unwrapped: &Footing) -> NumberRow {
+    fn turns(solved: &Footing<'_>, unwrapped: &Footing<'_>) -> NumberRow {
         let (from, to) = (solved.unknowns(), unwrapped.unknowns());
         NumberRow::from_fn(to.len(), |unknown| Float::round((to[unknown] - from[unknown]) / TAU))
     }
 
     /// Whether other numbers depend on the turns of a row, if it is known.
-    fn depends(&self, solved: &Footing, unwrapped: &Footing) -> Option<bool> {
+    fn depends(&self, solved: &Footing<'_>, unwrapped: &Footing<'_>) -> Option<bool> {
         let turns = Self::turns(solved, unwrapped);
         if angles(solved.description.unknowns).all(|unknown| turns[unknown] == 0.0) {
             return Some(false);
@@ -89,8 +89,8 @@ impl Turned {
     }
 
     /// Compares a row with the pose on the turns that its angles have reached.
-    fn sees(&mut self, solved: &Footing, reached: &Footing) -> bool {
-        let is_whole = |quantities: &[Quantity], one: &[f64], other: &[f64]| {
+    fn sees(&mut self, solved: &Footing<'_>, reached: &Footing<'_>) -> bool {
+        let is_whole = |quantities: &[Quantity<'_>], one: &[f64], other: &[f64]| {
             let is_angle = |index: usize| angles(quantities).any(|angle| angle == index);
             one.iter().zip(other).enumerate().all(|(index, (one, other))| {
                 let (difference, size) = if is_angle(index) {
@@ -113,8 +113,8 @@ impl Turned {
 }
 
 /// The columns of a table that hold inputs, unknowns and outputs.
-struct AngleColumns {
-    description: &'static Description,
+struct AngleColumns<'c> {
+    description: &'c Description<'c>,
     first_input: usize,
     first_unknown: usize,
     orders: usize,
@@ -122,9 +122,9 @@ struct AngleColumns {
     time: f64,
 }
 
-impl AngleColumns {
+impl<'c> AngleColumns<'c> {
     /// The columns of the values of all unknowns and outputs that are angles.
-    fn results(&self) -> impl Iterator<Item = usize> + use<> {
+    fn results(&self) -> impl Iterator<Item = usize> + use<'c> {
         let Description { unknowns, outputs, .. } = self.description;
         let (first, orders) = (self.first_unknown, self.orders);
         let outputs = angles(outputs).map(|output| unknowns.len() + output);
@@ -156,7 +156,7 @@ impl AngleColumns {
     }
 
     /// The values and rates of a row.
-    fn footing(&self, table: &Table, row: usize) -> Footing {
+    fn footing(&self, table: &Table, row: usize) -> Footing<'c> {
         let columns = table.data.chunks_exact(table.count).skip(self.first_input);
         let values_and_rates = columns.enumerate().filter(|(index, _)| index % self.orders < 2);
         Footing {
@@ -171,7 +171,7 @@ impl AngleColumns {
     }
 
     /// Writes the angles of a row.
-    fn write(&self, table: &mut Table, row: usize, footing: &Footing) {
+    fn write(&self, table: &mut Table, row: usize, footing: &Footing<'_>) {
         let count = table.count;
         for column in self.results() {
             let index = (column - self.first_input) / self.orders;

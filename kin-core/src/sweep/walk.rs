@@ -14,6 +14,7 @@ use super::course::{AnyCourse, angles};
 use super::footing::{Footing, LONGEST};
 use crate::failure::{Failure, InputValues, SolveError};
 use crate::number::NumberRow;
+use crate::quantity::{Name, NameKind};
 use crate::track::{TrackError, track_between};
 
 /// The halvings that one step may take.
@@ -21,7 +22,7 @@ const MOST: usize = 256;
 
 /// The end of a circuit of a coupled block, or the place where it was lost.
 pub(crate) struct Gap {
-    block: &'static str,
+    block: Name,
     inputs: NumberRow,
     /// The failure of the rows beyond, if the block may close there: the tracker gave up, and its place is no limit.
     lost: Option<Failure>,
@@ -29,8 +30,8 @@ pub(crate) struct Gap {
 
 /// A place on the way: the last pose, and the end of the circuit if it has been passed.
 #[derive(Clone)]
-pub(crate) struct Walk {
-    pub(crate) last: Option<Footing>,
+pub(crate) struct Walk<'c> {
+    pub(crate) last: Option<Footing<'c>>,
     /// A place behind the last pose at which the mechanism does not close.
     pub(super) open: Option<f64>,
     pub(super) gap: Option<Rc<Gap>>,
@@ -40,7 +41,7 @@ pub(crate) struct Walk {
     pub(super) spare: Vec<f64>,
 }
 
-impl Walk {
+impl<'c> Walk<'c> {
     pub(crate) const BEGINNING: Self = Self {
         last: None,
         open: None,
@@ -50,7 +51,7 @@ impl Walk {
     };
 
     /// A walk that goes on from a pose.
-    pub(crate) fn from(last: Footing) -> Self {
+    pub(crate) fn from(last: Footing<'c>) -> Self {
         Self {
             last: Some(last),
             ..Self::BEGINNING
@@ -60,7 +61,12 @@ impl Walk {
     /// The pose at a value of the variable, whose inputs have the given motions. A place that does not close leaves the walk where it was.
     ///
     /// Where an input turns far, the walk looks for gaps on the way.
-    pub(crate) fn step(&mut self, course: &AnyCourse<'_>, at: f64, motions: &[f64]) -> Result<&Footing, SolveError> {
+    pub(crate) fn step(
+        &mut self,
+        course: &AnyCourse<'c>,
+        at: f64,
+        motions: &[f64],
+    ) -> Result<&Footing<'c>, SolveError> {
         let (from, steps) = self.steps(course, motions);
         let mut step = 1.0;
         while step < steps {
@@ -72,7 +78,7 @@ impl Walk {
     }
 
     /// The walk that is one [`step`](Self::step) further, and whether the mechanism closes there.
-    pub(crate) fn stepped(&self, course: &AnyCourse<'_>, at: f64, motions: &[f64]) -> (Self, Result<(), SolveError>) {
+    pub(crate) fn stepped(&self, course: &AnyCourse<'c>, at: f64, motions: &[f64]) -> (Self, Result<(), SolveError>) {
         if self.steps(course, motions).1 > 1.0 {
             let mut walk = self.clone();
             let result = walk.step(course, at, motions).map(|_| ());
@@ -97,7 +103,7 @@ impl Walk {
     }
 
     /// Where the walk has come, whether or not the mechanism closes there, and the number of steps in which no input turns far.
-    fn steps(&self, course: &AnyCourse<'_>, motions: &[f64]) -> (f64, f64) {
+    fn steps(&self, course: &AnyCourse<'c>, motions: &[f64]) -> (f64, f64) {
         let from = match (self.open, &self.last) {
             (None, None) => return (0.0, 1.0),
             (None, Some(last)) if last.is_near(motions, course.orders()) => return (last.at, 1.0),
@@ -108,7 +114,7 @@ impl Walk {
         (from, Float::ceil(way / LONGEST))
     }
 
-    fn hop(&mut self, course: &AnyCourse<'_>, at: f64, motions: &[f64]) -> Result<&Footing, SolveError> {
+    fn hop(&mut self, course: &AnyCourse<'c>, at: f64, motions: &[f64]) -> Result<&Footing<'c>, SolveError> {
         let last = self.last.take();
         match self.reach(course, last.as_ref(), at, motions) {
             Ok(reached) => {
@@ -125,11 +131,11 @@ impl Walk {
 
     fn reach(
         &mut self,
-        course: &AnyCourse<'_>,
-        last: Option<&Footing>,
+        course: &AnyCourse<'c>,
+        last: Option<&Footing<'c>>,
         at: f64,
         motions: &[f64],
-    ) -> Result<Footing, SolveError> {
+    ) -> Result<Footing<'c>, SolveError> {
         let Some(last) = last else {
             return self.begin(course, at, motions);
         };
@@ -141,7 +147,7 @@ impl Walk {
     }
 
     /// The pose in the assembly of the sweep, with the angles that it returns.
-    fn solved(&mut self, course: &AnyCourse<'_>, at: f64, motions: &[f64]) -> Result<Footing, SolveError> {
+    fn solved(&mut self, course: &AnyCourse<'c>, at: f64, motions: &[f64]) -> Result<Footing<'c>, SolveError> {
         let numbers = match self.known.take_if(|(known, _)| *known == at) {
             Some((_, numbers)) => numbers,
             None => course.solved(motions, take(&mut self.spare))?,
@@ -150,7 +156,7 @@ impl Walk {
     }
 
     /// The first pose. If the mechanism did not close before, its angles follow from those where it begins to close.
-    fn begin(&mut self, course: &AnyCourse<'_>, at: f64, motions: &[f64]) -> Result<Footing, SolveError> {
+    fn begin(&mut self, course: &AnyCourse<'c>, at: f64, motions: &[f64]) -> Result<Footing<'c>, SolveError> {
         let reached = self.solved(course, at, motions)?;
         let Some(open) = self.open.filter(|_| course.has_assemblies()) else {
             return Ok(reached);
@@ -164,13 +170,13 @@ impl Walk {
     /// The pose behind a gap. Each angle at the far edge of the gap is on the turn nearest to that at its near edge.
     fn across(
         &mut self,
-        course: &AnyCourse<'_>,
-        from: &Footing,
+        course: &AnyCourse<'c>,
+        from: &Footing<'c>,
         open: f64,
         at: f64,
         motions: &[f64],
         budget: &mut usize,
-    ) -> Result<Footing, SolveError> {
+    ) -> Result<Footing<'c>, SolveError> {
         // the most likely failure first
         self.solved(course, at, motions)?;
         let near = course.edge(from.at, open);
@@ -186,12 +192,12 @@ impl Walk {
     /// The pose that follows from another one, by steps short enough to unwrap every angle.
     fn advance(
         &mut self,
-        course: &AnyCourse<'_>,
-        from: &Footing,
+        course: &AnyCourse<'c>,
+        from: &Footing<'c>,
         at: f64,
         motions: &[f64],
         budget: &mut usize,
-    ) -> Result<Footing, SolveError> {
+    ) -> Result<Footing<'c>, SolveError> {
         let (mut reached, follows) = self.leap(course, from, at, motions)?;
         let middle = f64::midpoint(from.at, at);
         if follows && reached.inputs_follow(from) {
@@ -216,11 +222,11 @@ impl Walk {
     /// The pose that follows from another one by a single step, and whether the angles of its results do.
     fn leap(
         &mut self,
-        course: &AnyCourse<'_>,
-        from: &Footing,
+        course: &AnyCourse<'c>,
+        from: &Footing<'c>,
         at: f64,
         motions: &[f64],
-    ) -> Result<(Footing, bool), SolveError> {
+    ) -> Result<(Footing<'c>, bool), SolveError> {
         if course.has_assemblies() {
             let reached = self.solved(course, at, motions)?;
             return Ok(unwrapped(course, reached, motions, from));
@@ -247,7 +253,12 @@ impl Walk {
 }
 
 /// The same pose with the angles that follow from those of another one, and whether the turns of all of them are certain.
-fn unwrapped(course: &AnyCourse<'_>, mut reached: Footing, motions: &[f64], from: &Footing) -> (Footing, bool) {
+fn unwrapped<'c>(
+    course: &AnyCourse<'c>,
+    mut reached: Footing<'c>,
+    motions: &[f64],
+    from: &Footing<'c>,
+) -> (Footing<'c>, bool) {
     let mut unknowns = reached.unwrap_unknowns(from);
     if unknowns.has_moved {
         // What depends on an angle itself, as the position of a rack does, depends on its turn.
@@ -286,7 +297,7 @@ fn stopped(
     from: NumberRow,
     inputs: &[f64],
 ) -> (Gap, SolveError) {
-    let blocks = course.description.blocks;
+    let last = course.description.blocks.len().saturating_sub(1);
     match error {
         TrackError::TurningPoint(obstacle) | TrackError::ChangePoint(obstacle) | TrackError::Pole(obstacle) => {
             let gap = Gap {
@@ -304,7 +315,7 @@ fn stopped(
                 .residuals(&course.parameters, inputs, &halt.unknowns, &mut residuals);
             let largest = |largest: f64, residual: &f64| largest.max(residual.abs());
             let gap = Gap {
-                block: blocks.last().map_or("", |block| block.unknowns),
+                block: course.mechanism.name(NameKind::Block, last),
                 inputs: halt.inputs.as_slice().into(),
                 lost: Some(Failure::NotConverged {
                     residual: residuals.iter().fold(0.0, largest),
@@ -336,5 +347,5 @@ fn beyond(course: &AnyCourse<'_>, gap: &Gap, inputs: &[f64]) -> SolveError {
     let ways = inputs.iter().zip(gap.inputs.iter());
     let distance = ways.fold(0.0, |distance: f64, (input, end)| distance.max((input - end).abs()));
     let failure = gap.lost.unwrap_or(Failure::OutOfReach { margin: -distance });
-    failure.at(gap.block, InputValues::new(course.description.inputs, inputs))
+    failure.at(gap.block, InputValues::of(course.mechanism.input_names(), inputs))
 }

@@ -3,6 +3,7 @@
 use std::vec;
 use std::vec::Vec;
 
+use crate::quantity::Name;
 use crate::tape::recorder::{Event, Noted, Recorder};
 use crate::tape::{
     Argument, Condition, LinearSolution, NewtonSearch, Role, System, Tape, TapeCheck, TapeNode, TapeStep, Value,
@@ -120,7 +121,7 @@ fn is_step(node: TapeNode) -> bool {
 }
 
 /// Fills the tape from the record. `block` is the block of a check.
-pub(super) fn arrange(recorder: &Recorder, tape: &mut Tape, block: impl Fn(&Noted) -> &'static str) {
+pub(super) fn arrange(recorder: &Recorder, tape: &mut Tape, block: impl Fn(&Noted) -> Name) {
     let (orders, searches) = dependences(recorder, &tape.arguments);
     let order_of = |check: &Noted| match check.condition {
         _ if check.is_of_position => 0,

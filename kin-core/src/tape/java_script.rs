@@ -442,7 +442,7 @@ impl<'a> JavaScriptModule<'a> {
             text.extend([format!(
                 "  {{ check: {}, block: {} }},\n",
                 quoted(check.name),
-                quoted(check.block)
+                quoted(&check.block.to_string())
             )]);
         }
         text.push_str("];\n");

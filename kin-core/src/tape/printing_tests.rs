@@ -215,7 +215,7 @@ impl Maker {
         self.steps.push(TapeStep::Check(self.checks.len()));
         self.checks.push(TapeCheck {
             name,
-            block: ["x, y", "z"][self.checks.len() % 2],
+            block: ["x, y", "z"][self.checks.len() % 2].into(),
             order: 0,
             condition,
             cold,

@@ -434,7 +434,11 @@ impl<'a> PythonModule<'a> {
             "#: The checks on the way to a pose: the subject of each, and the unknowns of its block.\nCHECKS = (\n",
         );
         for check in &tape.checks {
-            text.extend([format!("    ({}, {}),\n", quoted(check.name), quoted(check.block))]);
+            text.extend([format!(
+                "    ({}, {}),\n",
+                quoted(check.name),
+                quoted(&check.block.to_string())
+            )]);
         }
         text.push_str(")\n");
         text.push_str(&self.documentation());

@@ -12,7 +12,7 @@ use crate::failure::{Failure, InputValues, SolveError};
 use crate::mechanism::{Description, Mechanism, Partials, Pose, Sensitive};
 use crate::number::{Number, Row};
 use crate::picture::{Outline, PlaneOrSpace, PointArray};
-use crate::quantity::{Dimension, Quantity};
+use crate::quantity::{Dimension, Name, Quantity};
 use crate::solve::Scalar;
 use crate::tape::arrange::arrange;
 use sealed::Sealed as _;
@@ -98,7 +98,7 @@ pub enum RecordError {
     /// The solver fails whatever its numbers are.
     NeverSolved {
         /// The block that fails.
-        block: &'static str,
+        block: Name,
     },
     /// The number of dimensions that are to be constants is not that of the mechanism.
     WrongDimensions {
@@ -204,7 +204,7 @@ where
 }
 
 /// All orders of a quantity.
-fn orders<F>(own: ResultOf, name: &str, quantity: &Quantity, motion: &[Recorded<F>]) -> Vec<TapeResult> {
+fn orders<F>(own: ResultOf, name: &str, quantity: &Quantity<'static>, motion: &[Recorded<F>]) -> Vec<TapeResult> {
     let outcome = |(order, number): (usize, &Recorded<F>)| TapeResult {
         quantity: own,
         order,
@@ -235,10 +235,10 @@ struct Run {
 /// A solver in numbers that record, without the type of its mechanism.
 pub trait RecordedSolver<F> {
     /// The names, dimensions and equations.
-    fn description(&self) -> &'static Description;
+    fn description(&self) -> &'static Description<'static>;
 
     /// Which joints belong together.
-    fn outline(&self) -> Outline;
+    fn outline(&self) -> Outline<'static>;
 
     /// The names of the choices, or `None` if the assembly depends on the dimensions.
     fn choices(&self) -> Option<Vec<String>>;
@@ -288,17 +288,17 @@ impl<M: Mechanism<Scalar: Plain>> RecordedMechanism<M> {
     fn assembly(index: usize) -> Result<<In<M> as Mechanism>::Assembly, SolveError> {
         In::<M>::assembly(index).ok_or_else(|| {
             let none = InputValues::new(&[], &[0.0; InputValues::CAPACITY]);
-            Failure::NotFinite { quantity: "assembly" }.at("", none)
+            Failure::not_finite("assembly").at("", none)
         })
     }
 }
 
 impl<M: Mechanism<Scalar: Plain>> RecordedSolver<M::Scalar> for RecordedMechanism<M> {
-    fn description(&self) -> &'static Description {
+    fn description(&self) -> &'static Description<'static> {
         const { &M::DESCRIPTION }
     }
 
-    fn outline(&self) -> Outline {
+    fn outline(&self) -> Outline<'static> {
         M::OUTLINE
     }
 
@@ -454,13 +454,16 @@ fn recorded<F: Scalar>(
     };
     arrange(&recorder, &mut tape, |check| {
         if !at.is_empty() {
-            return "";
+            return Name::NONE;
         }
         let probe = RunOptions {
             fails: Some(check.number),
             ..RunOptions::default()
         };
-        run(&sources, probe).results.err().map_or("", |error| error.block)
+        run(&sources, probe)
+            .results
+            .err()
+            .map_or(Name::NONE, |error| error.block)
     });
     Ok(tape)
 }

@@ -280,7 +280,7 @@ impl<F: Number> Scalar for Recorded<F> {
                 let holds = recording::holds(name, condition, margin.value, recording::count());
                 if !holds {
                     return Err(Failure::NotFinite {
-                        quantity: choice.name(),
+                        quantity: choice.name().into(),
                     });
                 }
             }
@@ -308,7 +308,7 @@ impl<F: Number> Scalar for Recorded<F> {
         };
         let search = recording::searched(&mut sought_with);
         if !recording::is_found(search) {
-            return Err(Failure::NotFinite { quantity: "root" });
+            return Err(Failure::not_finite("root"));
         }
         Ok(core::array::from_fn(|index| put(TapeNode::Root { search, index })))
     }
@@ -320,7 +320,7 @@ impl<F: Number> Scalar for Recorded<F> {
             let system = u32::try_from(system).unwrap_or(u32::MAX);
             Ok(Factors::standing_for(Self::at(Value(system))))
         } else {
-            Err(Failure::NotFinite { quantity: "matrix" })
+            Err(Failure::not_finite("matrix"))
         }
     }
 

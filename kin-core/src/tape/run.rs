@@ -8,6 +8,7 @@ use std::vec::Vec;
 use num_traits::Float;
 
 use crate::number::Number;
+use crate::quantity::Name;
 use crate::solve;
 use crate::tape::{Condition, Function, Operator, Plain, Tape, TapeNode, TapeStep, Value};
 
@@ -20,7 +21,7 @@ pub struct Stop {
     /// The subject of the check, in a few words.
     pub name: &'static str,
     /// The unknowns of the block in which it was made, separated by commas.
-    pub block: &'static str,
+    pub block: Name,
     /// The distance from passing; see [`TapeCheck::margin`](crate::tape::TapeCheck::margin).
     pub margin: f64,
 }

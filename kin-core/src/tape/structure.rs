@@ -6,7 +6,7 @@ use std::vec::Vec;
 
 use crate::mechanism::Description;
 use crate::picture::Outline;
-use crate::quantity::Dimension;
+use crate::quantity::{Dimension, Name};
 use crate::tape::{TapeNode, Value};
 
 /// A solver as straight-line code: arguments, operations, checks, results.
@@ -17,9 +17,9 @@ use crate::tape::{TapeNode, Value};
 #[non_exhaustive]
 pub struct Tape {
     /// The description of the mechanism: its name, equations and blocks.
-    pub description: Description,
+    pub description: Description<'static>,
     /// Which of the joints among the results belong together. It is [`Outline::NONE`] unless the skeleton was asked for.
-    pub outline: Outline,
+    pub outline: Outline<'static>,
     /// The number type for which the tape was recorded. Its ε and its smallest number are in the constants.
     pub precision: NumberType,
     /// The highest time derivative among the results.
@@ -190,7 +190,7 @@ pub struct TapeCheck {
     /// The subject of the check, in a few words.
     pub name: &'static str,
     /// The unknowns of the block in which it is made, separated by commas, as in the error of `solve`.
-    pub block: &'static str,
+    pub block: Name,
     /// The lowest order that needs it: 0 if the position does.
     pub order: usize,
     /// What must hold.

@@ -126,7 +126,7 @@ fn pole(way: &TrackLine<'_>, here: &TrackPoint<'_>, scratch: &mut LentRows<'_>) 
         fraction: (travel / way.length).min(1.0),
         inputs: (),
         unknowns: (),
-        names: way.description.inputs,
+        names: way.mechanism.input_names(),
     })
 }
 
@@ -134,7 +134,7 @@ fn pole(way: &TrackLine<'_>, here: &TrackPoint<'_>, scratch: &mut LentRows<'_>) 
 fn end_of_domain(way: &Way<'_>, here: &TrackPoint<'_>, scratch: &mut LentRows<'_>) -> Option<SolveError> {
     let is_outside = |error: &SolveError| matches!(error.failure, Failure::OutsideDomain { .. });
     let blocks = &way.description.blocks;
-    let is_of_a_block = |error: &SolveError| blocks.iter().any(|block| block.unknowns == error.block);
+    let is_of_a_block = |error: &SolveError| blocks.iter().any(|block| error.block == block.unknowns);
     let (travel, error) = first_failure(way, here, scratch, is_outside)?;
     if is_of_a_block(&error) {
         return Some(error);
@@ -202,7 +202,7 @@ fn end_of_closure(way: &Way<'_>, here: &TrackPoint<'_>, scratch: &mut LentRows<'
         }
         let error = way.motions_near(travel, unknowns, &mut scope).err()?;
         let failure = Failure::NotFinite {
-            quantity: "closure ahead, where the domain of a function of the unknowns ends",
+            quantity: "closure ahead, where the domain of a function of the unknowns ends".into(),
         };
         Some(failure.at(error.block, error.inputs))
     })
@@ -280,7 +280,7 @@ pub(super) fn obstacle(
         fraction: (point.travel / way.length).clamp(0.0, 1.0),
         inputs: (),
         unknowns: (),
-        names: way.description.inputs,
+        names: way.mechanism.input_names(),
     }
 }
 
@@ -298,7 +298,7 @@ pub(super) fn halt(
         inputs: (),
         unknowns: (),
         rounding: blur(way, point, scratch),
-        names: way.description.inputs,
+        names: way.mechanism.input_names(),
     }
 }
 
@@ -348,7 +348,7 @@ mod tests {
     #[test]
     fn an_error_that_nothing_explains_is_told_as_it_is() {
         let start = LINKAGE.solve_position([0.5], Assembly::Open).unwrap();
-        let failure = Failure::NotFinite { quantity: "something" };
+        let failure = Failure::not_finite("something");
         let error = failure.at(
             "theta3, theta4",
             InputValues::new(FourBar::<f64>::DESCRIPTION.inputs, &[0.5]),

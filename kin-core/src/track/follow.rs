@@ -180,7 +180,7 @@ pub(super) fn follow(
         // The solver reports best which input is wrong.
         solved(to, start, scratch.lend(start.len()))?;
         let quantity = "way of the inputs";
-        return Err(TrackError::Failed(lost(&way, 0, Failure::NotFinite { quantity })));
+        return Err(TrackError::Failed(lost(&way, 0, Failure::not_finite(quantity))));
     }
     if way.length == 0.0 {
         return Ok(());
@@ -190,7 +190,7 @@ pub(super) fn follow(
         Missing::Unsolved(error) => error,
         Missing::Elsewhere => {
             let quantity = "closure at the beginning";
-            lost(&way, 0, Failure::NotFinite { quantity })
+            lost(&way, 0, Failure::not_finite(quantity))
         }
     })?;
     let beginning = start.sides;

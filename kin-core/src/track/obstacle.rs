@@ -4,8 +4,8 @@ use core::error::Error;
 use core::fmt::{self, Debug};
 
 use crate::curve::LimitKind;
-use crate::failure::SolveError;
-use crate::quantity::{Digits, Quantity, WithUnit};
+use crate::failure::{InputNames, SolveError};
+use crate::quantity::{Digits, Name};
 
 /// The largest effect of rounding errors on the unknowns. Beyond it, nothing is certain about the neighbourhood.
 pub(super) const FIRM: f64 = 1e-3;
@@ -17,15 +17,14 @@ pub(super) const FIRM: f64 = 1e-3;
 #[non_exhaustive]
 pub struct Obstacle<I, U> {
     /// The unknowns of the singular block, separated by commas.
-    pub block: &'static str,
+    pub block: Name,
     /// The part of the track that has been covered, from 0 to 1.
     pub fraction: f64,
     /// The inputs at this position: radians for angles, the mechanism's own unit for lengths.
     pub inputs: I,
     /// The unknowns at this position.
     pub unknowns: U,
-    /// The quantities of the inputs.
-    pub(super) names: &'static [Quantity],
+    pub(super) names: InputNames,
 }
 
 /// The place where tracking stopped without a known obstacle.
@@ -45,8 +44,7 @@ pub struct Halt<I, U> {
     /// The effect of rounding errors on the unknowns there: in radians for an angle, relative to its size for a length
     /// or a number.
     pub rounding: f64,
-    /// The quantities of the inputs.
-    pub(super) names: &'static [Quantity],
+    pub(super) names: InputNames,
 }
 
 /// The reason why a track ended before the inputs reached their target.
@@ -141,33 +139,18 @@ impl<I, U> From<SolveError> for TrackError<I, U> {
 
 /// The place of an event, for use after its description.
 struct Location<'a> {
-    names: &'static [Quantity],
+    names: InputNames,
     inputs: &'a [f64],
     fraction: f64,
 }
 
 impl fmt::Display for Location<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (index, (name, value)) in self.names.iter().zip(self.inputs).enumerate() {
-            let before = if index == 0 { " at " } else { ", " };
-            write!(
-                formatter,
-                "{before}{} = {}",
-                name.name,
-                WithUnit::new(*value, name.dimension)
-            )?;
+        if !self.inputs.is_empty() {
+            formatter.write_str(" at ")?;
+            self.names.write(self.inputs, formatter)?;
         }
         write!(formatter, ", after {} of the way", Digits(self.fraction))
-    }
-}
-
-/// The unknowns of a block as subject, and their verb.
-struct Reaching(&'static str);
-
-impl fmt::Display for Reaching {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let verb = if self.0.contains(',') { "reach" } else { "reaches" };
-        write!(formatter, "{} {verb}", self.0)
     }
 }
 
@@ -196,16 +179,16 @@ impl<I: AsRef<[f64]>, U> fmt::Display for TrackError<I, U> {
         match self {
             Self::TurningPoint(limit) => write!(
                 formatter,
-                "{} a limit position{}: two assemblies meet there and neither continues; stop short of it, or \
+                "limit position of {}{}: two assemblies meet there and neither continues; stop short of it, or \
                  drive the mechanism by another input",
-                Reaching(limit.block),
+                limit.block,
                 limit.place()
             ),
             Self::ChangePoint(point) => write!(
                 formatter,
-                "{} a change point{}: two assemblies cross there and geometry does not determine which one the \
+                "change point of {}{}: two assemblies cross there and geometry does not determine which one the \
                  mechanism follows; stop short of it, change the dimensions a little, or start again on the other side",
-                Reaching(point.block),
+                point.block,
                 point.place()
             ),
             Self::Pole(pole) => write!(

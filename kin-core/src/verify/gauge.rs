@@ -63,7 +63,7 @@ impl Gauge {
             .chain(description.unknowns.iter().zip(&values(unknowns.as_ref())))
             .filter(|(quantity, _)| quantity.dimension == Dimension::Length)
             .fold(0.0_f64, |largest, (_, value)| largest.max(value.abs()));
-        let fastest = |quantities: &[Quantity], motions: &[M::Motion<f64>]| {
+        let fastest = |quantities: &[Quantity<'_>], motions: &[M::Motion<f64>]| {
             quantities
                 .iter()
                 .zip(motions)
@@ -144,7 +144,7 @@ impl Gauge {
     /// The unit of error of an output's n-th derivative, given its motion. If an output changes faster than the inputs,
     /// its error is larger by the same factor.
     #[must_use]
-    pub fn output(&self, quantity: &Quantity, motion: &[f64], order: usize) -> f64 {
+    pub fn output(&self, quantity: &Quantity<'_>, motion: &[f64], order: usize) -> f64 {
         let own_size = motion.first().copied().unwrap_or(0.0).abs();
         let size = natural(self.length, quantity, motion).max(own_size);
         let own = frequency(motion, size);
@@ -197,7 +197,7 @@ fn bends<M: Mechanism<Scalar = f64>>(mechanism: &M, inputs: &[f64], unknowns: &[
 }
 
 /// The natural size of a quantity: for a length that of the mechanism, for an angle or a number at least one.
-fn natural(length: f64, quantity: &Quantity, motion: &[f64]) -> f64 {
+fn natural(length: f64, quantity: &Quantity<'_>, motion: &[f64]) -> f64 {
     if quantity.dimension == Dimension::Length {
         length
     } else {

@@ -130,7 +130,7 @@ fn assemblies<M: Mechanism<Scalar = f64>>(mechanism: &M, inputs: &Inputs<M>, ran
 }
 
 /// A random value for a quantity of any kind.
-fn any(random: &mut Random, quantity: &Quantity, length: f64) -> f64 {
+fn any(random: &mut Random, quantity: &Quantity<'_>, length: f64) -> f64 {
     match quantity.dimension {
         Dimension::Length => length * random.signed_size(),
         Dimension::Angle => random.between(-PI, PI),

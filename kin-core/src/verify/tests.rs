@@ -17,7 +17,7 @@ use crate::quantity::Quantity;
 use crate::solve::Scalar;
 
 /// The tests read no formulas.
-const NO_FORMULA: Formula = Formula::new("", "", "");
+const NO_FORMULA: Formula<'static> = Formula::new("", "", "");
 /// One more than the order of the [`Hyperbola`].
 const LENGTH: usize = 7;
 /// The order of a wrong derivative if nothing is wrong.
@@ -51,7 +51,7 @@ impl<T: Scalar> Pose for HyperbolaPose<T> {
     }
 }
 
-const fn quantity(name: &'static str) -> Quantity {
+const fn quantity(name: &'static str) -> Quantity<'static> {
     Quantity::length(name, "")
 }
 
@@ -110,7 +110,7 @@ impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Mechanism for Hyperbo
 
     crate::__lent! { 1 1 1 1 LENGTH }
 
-    const DESCRIPTION: Description = Description {
+    const DESCRIPTION: Description<'static> = Description {
         name: "Hyperbola",
         parameters: &[quantity("a")],
         inputs: &[quantity("x")],
@@ -126,9 +126,9 @@ impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Mechanism for Hyperbo
         order: LENGTH - 1,
         operations: &[Operations::NONE; LENGTH],
     };
-    const FORMULAS: Formulas = Formulas::new(NO_FORMULA, &[], &[], NO_FORMULA, NO_FORMULA);
+    const FORMULAS: Formulas<'static> = Formulas::new(NO_FORMULA, &[], &[], NO_FORMULA, NO_FORMULA);
     const ASSEMBLY_COUNT: usize = 0;
-    const OUTLINE: Outline = Outline::NONE;
+    const OUTLINE: Outline<'static> = Outline::NONE;
 
     fn assembly(_: usize) -> Option<Near<1>> {
         None

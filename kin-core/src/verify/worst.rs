@@ -226,7 +226,7 @@ impl fmt::Display for Worst {
 /// The place of a motion, with every number to the last digit.
 fn place<M: Mechanism<Scalar = f64>>(mechanism: &M, inputs: &Inputs<M>, assembly: M::Assembly) -> String {
     let description = M::DESCRIPTION;
-    let named = |quantity: &Quantity, value: String| format!("{} = {value}", quantity.name);
+    let named = |quantity: &Quantity<'_>, value: String| format!("{} = {value}", quantity.name);
     let parameters = mechanism.parameters();
     let mut parts: Vec<String> = description
         .parameters

@@ -43,8 +43,8 @@ impl FoldedNumber {
     /// The derivative of this order of the input, the unknown or the output with this name, if the mechanism has it. Order
     /// 0 is the position.
     #[must_use]
-    pub fn named(description: &Description, name: &str, order: usize) -> Option<Self> {
-        let index_in = |quantities: &[Quantity]| quantities.iter().position(|quantity| quantity.name == name);
+    pub fn named(description: &Description<'_>, name: &str, order: usize) -> Option<Self> {
+        let index_in = |quantities: &[Quantity<'_>]| quantities.iter().position(|quantity| quantity.name == name);
         let place = if let Some(input) = index_in(description.inputs) {
             Place::Input(input, order)
         } else if let Some(unknown) = index_in(description.unknowns) {

@@ -262,7 +262,7 @@ fn a_number_that_is_not_there_is_named() {
     let inputs = crank(Column::Each(&[0.1; 4]));
     let result = fold::<FourBar>(5, same(LINKAGE), inputs, Assembly::Open, &mut [], vectors);
     let mismatch = LengthMismatch {
-        quantity: "theta2",
+        quantity: "theta2".into(),
         poses: 5,
         length: 4,
     };

@@ -353,7 +353,7 @@ impl<const W: usize, const FUSED: bool, E: Element> Scalar for Lanes<W, FUSED, E
     /// Nobody reads the failure: the verdicts say what fails.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn refused(_: impl FnOnce() -> Failure) -> Failure {
-        Failure::NotFinite { quantity: "lanes" }
+        Failure::not_finite("lanes")
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -387,7 +387,7 @@ impl<const W: usize, const FUSED: bool, E: Element> Scalar for Lanes<W, FUSED, E
         let first = choice.choose(real_parts(Self::at(&operands, 0)))?;
         for lane in 1..W {
             if choice.choose(real_parts(Self::at(&operands, lane)))? != first {
-                return Err(Failure::NotFinite { quantity: "lanes" });
+                return Err(Failure::not_finite("lanes"));
             }
         }
         Ok(first)

@@ -4,6 +4,7 @@ use core::f64::consts::TAU;
 
 use crate::assembly::Assembly;
 use crate::failure::Failure;
+use crate::quantity::Name;
 use crate::solve::Scalar;
 use crate::solve::check::{Check, Choose, Real, TurnsInto, Validity};
 use crate::solve::doubt::{is_told_from, size, smaller};
@@ -12,7 +13,9 @@ use crate::solve::doubt::{is_told_from, size, smaller};
 const TOLERANCE: f64 = 8.0;
 
 /// The failure of a choice that several poses must leave to the solver for one pose.
-const IN_DOUBT: Failure = Failure::NotFinite { quantity: "lanes" };
+const IN_DOUBT: Failure = Failure::NotFinite {
+    quantity: Name::new("lanes"),
+};
 
 /// A range. It contains its ends, and also values that lie beyond them by no more than rounding.
 #[derive(Clone, Copy)]
@@ -357,7 +360,7 @@ fn choose(
     is_angle: bool,
 ) -> Result<Assembly, Failure> {
     if !(first.is_finite() && second.is_finite()) {
-        return Err(Failure::NotFinite { quantity: unknown });
+        return Err(Failure::not_finite(unknown));
     }
     if (first - second).abs() <= span.tolerance && span.holds(first) && span.holds(second) {
         return Ok(Assembly::Open);
@@ -369,7 +372,7 @@ fn choose(
             (false, true) => return Ok(Assembly::Crossed),
             (true, true) => {
                 return Err(Failure::Ambiguous {
-                    unknown,
+                    unknown: unknown.into(),
                     first,
                     second,
                     is_angle,
@@ -395,7 +398,7 @@ pub(in crate::solve) fn out_of_range(
     is_angle: bool,
 ) -> Failure {
     Failure::OutOfRange {
-        unknown,
+        unknown: unknown.into(),
         value,
         low,
         high,

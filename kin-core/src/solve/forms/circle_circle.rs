@@ -218,7 +218,7 @@ fn lengths_do_not_close(a: f64, b: f64, c: Plane, epsilon: f64) -> Failure {
 #[inline(never)]
 fn squares_do_not_close(a2: f64, b2: f64, c: Plane, epsilon: f64) -> Failure {
     if !(a2 + b2).is_finite() {
-        return Failure::NotFinite { quantity: QUANTITY };
+        return Failure::not_finite(QUANTITY);
     }
     let least = a2.min(b2);
     if least < 0.0 {

@@ -216,7 +216,7 @@ fn diagnose(a2: f64, direction: Plane, c: Plane, epsilon: f64) -> Failure {
     let radius = root(a2.abs());
     let scale = radius + length(c.x, c.y);
     if !(scale.is_finite() && norm.is_finite()) {
-        return Failure::NotFinite { quantity: QUANTITY };
+        return Failure::not_finite(QUANTITY);
     }
     if norm == 0.0 {
         return Failure::Singular { determinant: 0.0 };

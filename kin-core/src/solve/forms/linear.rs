@@ -110,7 +110,7 @@ fn no_solution(determinant: f64, rest_is_finite: bool) -> Failure {
     if determinant.is_finite() && rest_is_finite {
         Failure::Singular { determinant }
     } else {
-        Failure::NotFinite { quantity: QUANTITY }
+        Failure::not_finite(QUANTITY)
     }
 }
 

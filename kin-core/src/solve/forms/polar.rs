@@ -156,7 +156,7 @@ fn no_length(x: f64, y: f64) -> Failure {
     if determinant.is_finite() && determinant < 1.0 {
         Failure::Singular { determinant }
     } else {
-        Failure::NotFinite { quantity: QUANTITY }
+        Failure::not_finite(QUANTITY)
     }
 }
 
@@ -166,7 +166,7 @@ fn does_not_pass(offset: Plane, c: Plane, epsilon: f64) -> Failure {
     let d = length(c.x, c.y);
     let across = offset.y.abs();
     if !offset.x.is_finite() {
-        return Failure::NotFinite { quantity: QUANTITY };
+        return Failure::not_finite(QUANTITY);
     }
     refusal(d - across, d + across, epsilon, 0.0, QUANTITY)
 }

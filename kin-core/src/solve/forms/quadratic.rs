@@ -123,7 +123,7 @@ impl<T: Scalar> Check<T, 2, 1> for IsSum<T> {
 #[inline(never)]
 fn no_root(a: f64, b: f64, c: f64, epsilon: f64) -> Failure {
     if !(a.is_finite() && b.is_finite() && c.is_finite()) {
-        return Failure::NotFinite { quantity: QUANTITY };
+        return Failure::not_finite(QUANTITY);
     }
     if a == 0.0 {
         return Failure::Singular { determinant: 0.0 };
@@ -137,7 +137,7 @@ fn no_root(a: f64, b: f64, c: f64, epsilon: f64) -> Failure {
             margin: -root(-q2) / a.abs(),
         }
     } else {
-        Failure::NotFinite { quantity: QUANTITY }
+        Failure::not_finite(QUANTITY)
     }
 }
 

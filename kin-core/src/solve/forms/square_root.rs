@@ -58,7 +58,7 @@ impl<T: Scalar> Check<T, 1, 2> for Positive<T> {
 fn no_root(w: f64) -> Failure {
     if !w.is_finite() {
         Failure::NotFinite {
-            quantity: "square of the unknown",
+            quantity: "square of the unknown".into(),
         }
     } else if w < 0.0 {
         Failure::OutOfReach { margin: -root(-w) }

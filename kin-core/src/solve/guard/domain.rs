@@ -139,7 +139,7 @@ fn outside(inside: bool, argument: f64, function: &'static str) -> Failure {
         Failure::OutsideDomain { function, argument }
     } else {
         Failure::NotFinite {
-            quantity: "argument of a function, its value, or the rate of its value",
+            quantity: "argument of a function, its value, or the rate of its value".into(),
         }
     }
 }

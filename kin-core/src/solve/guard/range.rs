@@ -50,7 +50,7 @@ pub fn check_value<T: Scalar>(unknown: &'static str, value: T, low: f64, high: f
         if real.is_finite() {
             out_of_range(unknown, real, low, high, false)
         } else {
-            Failure::NotFinite { quantity: unknown }
+            Failure::not_finite(unknown)
         }
     })
 }
@@ -75,7 +75,7 @@ pub fn check_angle<T: Scalar>(unknown: &'static str, value: T, low: f64, high: f
             let nearest = Span::new(low, high, real, T::EPSILON).representative(real);
             out_of_range(unknown, nearest, low, high, true)
         } else {
-            Failure::NotFinite { quantity: unknown }
+            Failure::not_finite(unknown)
         });
     };
     Ok(turned(value, range(value).turns()))
@@ -107,7 +107,7 @@ mod tests {
         assert_eq!(
             choose(1.0, 2.0),
             Err(Failure::Ambiguous {
-                unknown: "e",
+                unknown: "e".into(),
                 first: 1.0,
                 second: 2.0,
                 is_angle: false
@@ -116,14 +116,14 @@ mod tests {
         assert_eq!(
             choose(-3.0, 11.0),
             Err(Failure::OutOfRange {
-                unknown: "e",
+                unknown: "e".into(),
                 value: 11.0,
                 low: 0.0,
                 high: 10.0,
                 is_angle: false
             })
         );
-        assert_eq!(choose(1.0, f64::NAN), Err(Failure::NotFinite { quantity: "e" }));
+        assert_eq!(choose(1.0, f64::NAN), Err(Failure::not_finite("e")));
     }
 
     #[test]
@@ -146,7 +146,7 @@ mod tests {
         assert_eq!(
             choose_in(f64::NEG_INFINITY, -1.0, -3.0, -0.1),
             Err(Failure::Ambiguous {
-                unknown: "gamma",
+                unknown: "gamma".into(),
                 first: -3.0,
                 second: -0.1 - TAU,
                 is_angle: true
@@ -167,15 +167,15 @@ mod tests {
         assert_eq!(choose([1.0, 2.0], [-1.0, 1.0]), Ok(Assembly::Crossed));
         assert!(matches!(
             choose([-1.0, -2.0], [1.0, -1.0]),
-            Err(Failure::OutOfRange { unknown: "a", .. })
+            Err(Failure::OutOfRange { unknown, .. }) if unknown == "a"
         ));
         assert!(matches!(
             choose([1.0, 2.0], [-1.0, -2.0]),
-            Err(Failure::OutOfRange { unknown: "b", .. })
+            Err(Failure::OutOfRange { unknown, .. }) if unknown == "b"
         ));
         assert!(matches!(
             choose([1.0, 2.0], [3.0, 4.0]),
-            Err(Failure::Ambiguous { unknown: "b", .. })
+            Err(Failure::Ambiguous { unknown, .. }) if unknown == "b"
         ));
     }
 
@@ -186,7 +186,7 @@ mod tests {
         assert_eq!(
             check_value("s", -1.0, 0.0, f64::INFINITY),
             Err(Failure::OutOfRange {
-                unknown: "s",
+                unknown: "s".into(),
                 value: -1.0,
                 low: 0.0,
                 high: f64::INFINITY,
@@ -196,7 +196,7 @@ mod tests {
         for value in [f64::NAN, f64::INFINITY] {
             assert_eq!(
                 check_value("s", value, 0.0, f64::INFINITY),
-                Err(Failure::NotFinite { quantity: "s" })
+                Err(Failure::not_finite("s"))
             );
         }
     }

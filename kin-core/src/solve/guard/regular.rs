@@ -33,7 +33,7 @@ pub fn regular<T: Scalar>(determinant: T) -> Result<T, Failure> {
 /// use kin_core::{Failure, solve};
 ///
 /// assert_eq!(solve::finite("r1", 90.0), Ok(90.0));
-/// let error = Failure::NotFinite { quantity: "r1" };
+/// let error = Failure::not_finite("r1");
 /// assert_eq!(solve::finite("r1", f64::NAN), Err(error));
 /// ```
 #[cfg_attr(not(debug_assertions), inline(always))]
@@ -41,7 +41,7 @@ pub fn finite<T: Scalar>(quantity: &'static str, value: T) -> Result<T, Failure>
     if value.is_finite() {
         Ok(value)
     } else {
-        Err(Failure::NotFinite { quantity })
+        Err(Failure::not_finite(quantity))
     }
 }
 
@@ -52,7 +52,7 @@ fn irregular(determinant: f64) -> Failure {
         Failure::Singular { determinant }
     } else {
         Failure::NotFinite {
-            quantity: "determinant",
+            quantity: "determinant".into(),
         }
     }
 }
@@ -82,7 +82,7 @@ mod tests {
             assert_eq!(
                 regular(determinant),
                 Err(Failure::NotFinite {
-                    quantity: "determinant"
+                    quantity: "determinant".into()
                 })
             );
         }
@@ -93,7 +93,7 @@ mod tests {
         assert!(finite("x", Series::from_coefficients([1.0, 2.0])).is_ok());
         assert_eq!(
             finite("x", Series::from_coefficients([1.0, f64::NAN])),
-            Err(Failure::NotFinite { quantity: "x" })
+            Err(Failure::not_finite("x"))
         );
     }
 }

@@ -51,7 +51,7 @@ pub fn on_turn<T: Scalar, const N: usize>(angle: T, near: Option<[T; N]>, index:
 /// let crank = [("theta", 0)];
 /// assert_eq!(solve::within_turns([1e9, 1e20], crank), Ok([1e9, 1e20]));
 /// let failure = solve::within_turns([1e15, 0.0], crank).unwrap_err();
-/// assert_eq!(failure, Failure::TooManyTurns { unknown: "theta", guess: 1e15, spacing: 0.125 });
+/// assert_eq!(failure, Failure::TooManyTurns { unknown: "theta".into(), guess: 1e15, spacing: 0.125 });
 /// ```
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub fn within_turns<T: Scalar, const N: usize, const K: usize>(
@@ -83,7 +83,7 @@ fn each_within<T: Scalar, const N: usize>(
         if guess.is_finite() && guess.abs() > limit {
             let spacing = guess.abs().next_up() - guess.abs();
             return Err(Failure::TooManyTurns {
-                unknown,
+                unknown: (*unknown).into(),
                 guess,
                 spacing: spacing * (T::EPSILON / f64::EPSILON),
             });
@@ -162,21 +162,24 @@ mod tests {
         };
         assert_eq!(
             within_turns([1e15, 0.0, 1.0], angles),
-            Err(refused("second", 1e15, 0.125))
+            Err(refused("second".into(), 1e15, 0.125))
         );
         assert_eq!(
             within_turns([1.0, 0.0, -1e16], angles),
-            Err(refused("first", -1e16, 2.0))
+            Err(refused("first".into(), -1e16, 2.0))
         );
         assert_eq!(
             within_turns([1e15, 0.0, 1e16], angles),
-            Err(refused("first", 1e16, 2.0))
+            Err(refused("first".into(), 1e16, 2.0))
         );
         let [kept, ..] = within_turns([1.0, 0.0, f64::NAN], angles).unwrap();
         assert_eq!(kept, 1.0);
         // Numbers in single precision reach this spacing much earlier.
         let spacing = f64::from(1e6_f32.next_up() - 1e6);
-        assert_eq!(within_turns([1e6_f32], [("x", 0)]), Err(refused("x", 1e6, spacing)));
+        assert_eq!(
+            within_turns([1e6_f32], [("x", 0)]),
+            Err(refused("x".into(), 1e6, spacing))
+        );
     }
 
     /// Only poses in the assembly of the first one continue.
