@@ -174,7 +174,7 @@ pub use picture::{PlaneOrSpace, PointArray, Slide, TransmissionAngle};
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 pub use quantity::in_small_letters;
-pub use quantity::{Dimension, RATES};
+pub use quantity::{Dimension, Name, NameKind, RATES};
 pub use solve::Scalar;
 pub use track::{Halt, MOST_TRACK_STEPS, Obstacle, TrackError, TrackErrorOf, track};
 

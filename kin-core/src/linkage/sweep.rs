@@ -11,7 +11,7 @@ use crate::extremes::{ByDyad, ByJacobian, ByName, ChangedFunctions, NamedFunctio
 use crate::failure::SolveError;
 use crate::law::{Piecewise, Side};
 use crate::mechanism::JacobianMeasure;
-use crate::number::ClosedRange;
+use crate::number::{ClosedRange, NumberRow};
 use crate::sweep::{
     AnyCourse, Footing, Laws, READ, SmoothDrive, StraightLine, SweepError, Table, TabledMechanism, Walk,
 };
@@ -121,13 +121,13 @@ impl<D: SmoothDrive> AnySweep<'_, D> {
 
     /// The poses of all rows, each with the value of the variable: see [`rows`](crate::sweep::Course::rows).
     #[must_use]
-    pub fn rows(&self) -> Vec<(f64, Result<AnyPose<'_>, SolveError>)> {
+    pub fn rows(&self) -> Vec<(f64, Result<AnyPose, SolveError>)> {
         let course = self.course();
         let mut walk = Walk::BEGINNING;
         let row = |row: usize| {
             let at = course.at(row);
-            let reached = walk.step(&course, at, &course.motions(at)).cloned();
-            (at, reached.map(AnyPose))
+            let reached = walk.step(&course, at, &course.motions(at));
+            (at, reached.map(AnyPose::new))
         };
         (0..self.count).map(row).collect()
     }
@@ -194,29 +194,44 @@ impl<D: SmoothDrive> QuantitySource for AnySweep<'_, D> {
 
 /// A pose of a sweep, with unwrapped angles.
 #[derive(Clone)]
-pub struct AnyPose<'m>(Footing<'m>);
+pub struct AnyPose {
+    inputs: NumberRow,
+    unknowns: NumberRow,
+    /// The motions of unknowns and outputs.
+    results: Vec<f64>,
+    orders: usize,
+}
 
-impl fmt::Debug for AnyPose<'_> {
+impl fmt::Debug for AnyPose {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.debug_list().entries(self.0.results()).finish()
+        formatter.debug_list().entries(self.results()).finish()
     }
 }
 
-impl AnyPose<'_> {
+impl AnyPose {
+    fn new(footing: &Footing<'_>) -> Self {
+        Self {
+            inputs: footing.inputs(),
+            unknowns: footing.unknowns(),
+            results: footing.results().flatten().copied().collect(),
+            orders: footing.motion(0).len(),
+        }
+    }
+
     /// The values of the inputs.
     #[must_use]
-    pub fn inputs(&self) -> Vec<f64> {
-        self.0.inputs().to_vec()
+    pub fn inputs(&self) -> &[f64] {
+        &self.inputs
     }
 
     /// The values of the unknowns.
     #[must_use]
-    pub fn unknowns(&self) -> Vec<f64> {
-        self.0.unknowns().to_vec()
+    pub fn unknowns(&self) -> &[f64] {
+        &self.unknowns
     }
 
     /// The motions of unknowns and outputs, one after the other, each with all its orders.
     pub fn results(&self) -> impl Iterator<Item = &[f64]> {
-        self.0.results()
+        self.results.chunks_exact(self.orders)
     }
 }

@@ -191,7 +191,7 @@ fn of_exact_table(error: ExactTableError) -> Fault {
 }
 
 /// The lowest and the highest value, and the root of the mean square.
-fn extent_of<D: SmoothDrive>(course: &AnySweep<D>, name: &str) -> Result<Extent, Fault> {
+fn extent_of<D: SmoothDrive>(course: &AnySweep<'static, D>, name: &str) -> Result<Extent, Fault> {
     let quantity = course.of(name);
     let all = quantity.extremes().map_err(of_extremes)?;
     let reached = || {
@@ -268,7 +268,7 @@ impl Subject {
         self.functions.assembly_names()
     }
 
-    fn linkage(&self, parameters: &[f64]) -> AnyLinkage {
+    fn linkage(&self, parameters: &[f64]) -> AnyLinkage<'static> {
         AnyLinkage::new(self.functions, parameters)
     }
 
@@ -278,7 +278,7 @@ impl Subject {
         assembly_at(&case.assembly, &linkage, &case.ends()[0])
     }
 
-    fn line(&self, case: &Case, rows: usize) -> Result<AnySweep<StraightLine>, Fault> {
+    fn line(&self, case: &Case, rows: usize) -> Result<AnySweep<'static, StraightLine>, Fault> {
         let [from, to] = case.ends();
         let sweep = self.linkage(&case.parameters).sweep(self.assembly(case)?);
         Ok(sweep.between(&from, &to, rows).speed(case.speed()))
@@ -290,7 +290,7 @@ impl Subject {
         case: &Case,
         duration: f64,
         rows: usize,
-        then: impl FnOnce(AnySweep<Laws<'_>>) -> R,
+        then: impl FnOnce(AnySweep<'static, Laws<'_>>) -> R,
     ) -> Result<R, Fault> {
         let laws = laws_of(case, duration)?;
         let laws: Vec<&dyn Piecewise<f64>> = laws.iter().map(|law| &**law).collect();
@@ -346,7 +346,7 @@ impl Subject {
     }
 
     /// The full cycle over the leading input.
-    pub(crate) fn cycle(&self, case: &Case) -> Result<AnyCycle, Fault> {
+    pub(crate) fn cycle(&self, case: &Case) -> Result<AnyCycle<'static>, Fault> {
         let [mut from, _] = case.ends();
         let mut direction = vec![0.0; from.len()];
         (from[case.lead], direction[case.lead]) = (0.0, 1.0);
@@ -473,7 +473,7 @@ fn laws_of(case: &Case, duration: f64) -> Result<Vec<Box<dyn Piecewise<f64>>>, F
     laws.map_err(Fault::wrong)
 }
 
-fn assembly_at(wanted: &Wanted, linkage: &AnyLinkage, start: &[f64]) -> Result<AssemblyChoice, Fault> {
+fn assembly_at(wanted: &Wanted, linkage: &AnyLinkage<'static>, start: &[f64]) -> Result<AssemblyChoice, Fault> {
     match wanted {
         Wanted::Named(index) if *index < linkage.assembly_count() => Ok(AssemblyChoice::Index(*index)),
         Wanted::Named(_) => Err(Fault::wrong("there is no assembly of this number")),

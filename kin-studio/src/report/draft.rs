@@ -26,7 +26,7 @@ pub struct Draft<'l, M: Mechanism<Scalar = f64>> {
 #[derive(Clone, Debug)]
 pub(crate) struct Wishes<'l> {
     pub(crate) functions: &'static dyn ReportFunctions,
-    pub(crate) linkage: AnyLinkage,
+    pub(crate) linkage: AnyLinkage<'static>,
     pub(crate) assembly: Option<AssemblyChoice>,
     pub(crate) way: WayWished<'l>,
     /// Where the inputs stand that do not move.

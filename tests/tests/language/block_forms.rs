@@ -2,7 +2,7 @@
 
 use kin_core::library::{FiveBar, FourBar, InvertedSliderCrank, OffsetSliderCrank, SliderCrank};
 use kin_core::prelude::*;
-use kin_core::{BlockForm, PositionSearch};
+use kin_core::{BlockForm, Name, PositionSearch};
 use kin_tests::mechanisms::cases::{self, Case, ThroughSnap, Visitor};
 use kin_tests::mechanisms::coupled::{Kepler, Triad};
 use kin_tests::mechanisms::multi_loop::{StephensonSixBar, WattSixBar};
@@ -10,7 +10,7 @@ use kin_tests::mechanisms::slider_crank_typings::{SliderCrankDrivenAtSlider, Sli
 use kin_tests::random::Random;
 
 /// The four-bar forms of a mechanism with its lengths divided by the ground.
-fn four_bars<M: ThroughSnap>(mechanism: &M) -> Vec<(&'static str, [f64; 3])> {
+fn four_bars<M: ThroughSnap>(mechanism: &M) -> Vec<(Name, [f64; 3])> {
     let forms = mechanism.block_forms();
     let found = forms.as_ref().iter().filter_map(|form| match *form {
         BlockForm::FourBar {
@@ -68,7 +68,7 @@ fn forms_of_the_library() {
         r4: 45.0,
     };
     let expected = BlockForm::FourBar {
-        driver: "theta2",
+        driver: "theta2".into(),
         ground: 90.0,
         crank: 30.0,
         coupler: 60.0,
@@ -82,7 +82,7 @@ fn forms_of_the_library() {
         h: -0.25,
     };
     let expected = BlockForm::SliderCrank {
-        driver: "theta",
+        driver: "theta".into(),
         crank: 1.0,
         coupler: 3.0,
         offset: 0.25,
@@ -90,7 +90,7 @@ fn forms_of_the_library() {
     assert_eq!(engine.block_forms(), [expected, BlockForm::Linear]);
     let engine = SliderCrank { r: 1.0, l: 3.0 };
     let expected = BlockForm::SliderCrank {
-        driver: "theta",
+        driver: "theta".into(),
         crank: 1.0,
         coupler: 3.0,
         offset: 0.0,
@@ -144,7 +144,7 @@ fn sliders_in_other_typings() {
 #[test]
 fn loops_after_loops() {
     let watt = WattSixBar::<f64>::from_parameters([4.0, 1.0, 3.0, 2.5, 2.0, 1.0, 7.0, 0.5, 3.0, 2.5]);
-    let drivers: Vec<&str> = four_bars(&watt).into_iter().map(|(driver, _)| driver).collect();
+    let drivers: Vec<Name> = four_bars(&watt).into_iter().map(|(driver, _)| driver).collect();
     assert_eq!(drivers.len(), 2, "{:?}", watt.block_forms());
     let stephenson = StephensonSixBar::<f64>::from_parameters([4.0, 1.0, 3.0, 2.5, 1.5, 1.0, 5.0, 3.0, 3.0, 2.5]);
     assert_eq!(four_bars(&stephenson).len(), 1, "{:?}", stephenson.block_forms());
@@ -216,5 +216,5 @@ fn numbers_that_are_not_finite_are_an_error() {
         r4: 45.0,
     };
     let error = linkage.positions_at([0.6], |_, _| {}).expect_err("a length is NaN");
-    assert_eq!(error.failure, kin_core::Failure::NotFinite { quantity: "r3" });
+    assert_eq!(error.failure, kin_core::Failure::NotFinite { quantity: "r3".into() });
 }

@@ -569,7 +569,7 @@ fn columns_of_unit_vectors() {
         .solve_batch(theta2, Assembly::Open, &mut all, &mut outcomes)
         .expect_err("too short");
     let expected = LengthMismatch {
-        quantity: "theta4",
+        quantity: "theta4".into(),
         poses: 41,
         length: 40,
     };

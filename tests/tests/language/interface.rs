@@ -439,21 +439,34 @@ fn errors() {
     // both inputs are told, and the culprit of two
     let linkage = FiveBar::<f64>::from_parameters([20.0, 1.0, 2.0, 1.8, 1.1]);
     let error = linkage.position(0.3, 0.4, Assembly::Open).expect_err("out of reach");
-    assert_eq!(error.inputs.iter().collect::<Vec<_>>(), [("alpha", 0.3), ("beta", 0.4)]);
+    assert_eq!(
+        error.inputs.iter().collect::<Vec<_>>(),
+        [("alpha".into(), 0.3), ("beta".into(), 0.4)]
+    );
     let near = FiveBar::<f64>::from_parameters([2.0, 1.0, 2.0, 1.8, 1.1]);
     let error = near.position(0.3, f64::NAN, Assembly::Open).expect_err("not a number");
-    assert_eq!(error.failure, Failure::NotFinite { quantity: "beta" });
+    assert_eq!(
+        error.failure,
+        Failure::NotFinite {
+            quantity: "beta".into()
+        }
+    );
     let motions = [Motion::new(MOTION), Motion::new([0.4, 0.0, f64::INFINITY, 0.0, 0.0])];
     let error = near
         .solve(motions[0], motions[1], Assembly::Open)
         .expect_err("infinite");
-    assert_eq!(error.failure, Failure::NotFinite { quantity: "beta" });
+    assert_eq!(
+        error.failure,
+        Failure::NotFinite {
+            quantity: "beta".into()
+        }
+    );
     // so it is where a block fails that the culprit does not enter by itself
     let series = FourBarsInSeries::<f64>::from_parameters([4.0, 1.0, 3.0, 2.5, 4.0, f64::NAN, 3.0]);
     let error = series
         .position(1.0, FourBarsInSeries::ASSEMBLIES[0])
         .expect_err("not a number");
-    assert_eq!(error.failure, Failure::NotFinite { quantity: "s3" });
+    assert_eq!(error.failure, Failure::NotFinite { quantity: "s3".into() });
 }
 
 mechanism! {

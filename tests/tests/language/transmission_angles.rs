@@ -162,7 +162,7 @@ fn sliders_on_the_axes_are_dyads_as_well() {
         let theta = TAU * f64::from(step) / 12.0;
         let pose = press.position(theta).unwrap();
         let [first, second] = press.transmission_angles(&pose);
-        assert_eq!((first.block, second.block), ("phi, x", "psi, y"));
+        assert_eq!((first.block, second.block), ("phi, x".into(), "psi, y".into()));
         // from each slider to the pin, and from the normal to the left of its movement as x grows, as y grows
         let expected = [
             (PI - pose.phi.value() - FRAC_PI_2).cos().acos(),

@@ -7,7 +7,7 @@ use kin_core::library::{
 };
 use kin_core::prelude::*;
 use kin_core::series::Series;
-use kin_core::{TrackError, track};
+use kin_core::{Name, TrackError, track};
 use kin_tests::mechanisms::multi_loop::{FourBarsInSeries, GearedYoke, WattSixBar, Whitworth};
 use kin_tests::random::Random;
 use kin_tests::samples;
@@ -74,7 +74,7 @@ fn limit_of<M: Mechanism<Scalar = f64>>(
     assembly: M::Assembly,
     from: f64,
     to: f64,
-) -> (&'static str, f64, M::Unknowns<f64>) {
+) -> (Name, f64, M::Unknowns<f64>) {
     let start = mechanism
         .solve_position(M::Inputs::from_fn(|_| from), assembly)
         .unwrap();

@@ -277,11 +277,11 @@ fn turns_on_which_angles_tell_no_direction() {
         let far = [near[0], near[1] - turns * TAU];
         let error = LINKAGE.position_near(1.0, far).expect_err("no angle is a solution");
         let expected = Failure::TooManyTurns {
-            unknown: "theta4",
+            unknown: "theta4".into(),
             guess: far[1],
             spacing,
         };
-        assert_eq!((error.failure, error.block), (expected, "theta3, theta4"));
+        assert_eq!((error.failure, error.block), (expected, "theta3, theta4".into()));
         assert_eq!(LINKAGE.solve_near(Motion::at_constant_speed(1.0, 2.0), far), Err(error));
     }
     // NaN is no guess, and guesses in single precision are lost sooner.
@@ -292,7 +292,7 @@ fn turns_on_which_angles_tell_no_direction() {
         .position_near(1.0, [2e5, 0.0])
         .expect_err("no angle is a solution");
     let expected = Failure::TooManyTurns {
-        unknown: "theta3",
+        unknown: "theta3".into(),
         guess: 2e5,
         spacing: 0.015_625,
     };

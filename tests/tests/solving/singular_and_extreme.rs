@@ -122,7 +122,7 @@ fn aligned_links_are_singular() {
             let error = linkage.position(angle, assembly).expect_err("the links are aligned");
             assert!(matches!(error.failure, Failure::Singular { .. }), "{error}");
             assert_eq!(error.block, "theta3, theta4");
-            assert_eq!(error.inputs.iter().next(), Some(("theta2", angle)));
+            assert_eq!(error.inputs.iter().next(), Some(("theta2".into(), angle)));
         }
     }
 }

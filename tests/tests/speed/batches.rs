@@ -408,7 +408,7 @@ fn columns_of_other_lengths_are_named() {
         .solve_batch(theta2(4), Assembly::Open, &mut poses, &mut outcomes)
         .expect_err("too short");
     let expected = LengthMismatch {
-        quantity: "theta2",
+        quantity: "theta2".into(),
         poses: 5,
         length: 4,
     };
@@ -421,6 +421,6 @@ fn columns_of_other_lengths_are_named() {
     let error = linkage()
         .solve_batch(theta2(5), Assembly::Open, &mut poses, &mut outcomes)
         .expect_err("too long");
-    assert_eq!((error.quantity, error.length), ("theta4", 6));
+    assert_eq!((error.quantity, error.length), ("theta4".into(), 6));
     assert_eq!(outcomes, [Outcome::Unsolved; 5]);
 }

@@ -2,7 +2,7 @@
 
 use kin_core::cycle::{End, EndKind};
 use kin_core::linkage::AnyCycle;
-use kin_core::{Dimension, Quantity};
+use kin_core::{Dimension, Name, Quantity};
 
 use super::place::Own;
 use crate::report::model;
@@ -11,7 +11,7 @@ use crate::report::model;
 const SAMPLES: usize = 91;
 
 /// The cycle as data.
-pub(super) fn of(cycle: &AnyCycle, own: &Own, moving: Quantity, range: [f64; 2]) -> model::Cycle {
+pub(super) fn of(cycle: &AnyCycle<'static>, own: &Own, moving: Quantity, range: [f64; 2]) -> model::Cycle {
     let circuits = cycle.circuits().iter().map(|circuit| model::Circuit {
         branches: circuit.branches().to_vec(),
         closed: circuit.is_closed(),
@@ -29,7 +29,7 @@ pub(super) fn of(cycle: &AnyCycle, own: &Own, moving: Quantity, range: [f64; 2])
                     .limit()
                     .map_or_else(|| format!("{:?}", end.kind), |kind| format!("{kind:?}")),
                 input: end.input,
-                block: end.block.to_owned(),
+                block: end.block.to_string(),
                 text: text(end, moving),
             }),
             samples: samples(branch.samples()),
@@ -65,7 +65,7 @@ fn text(end: &End, quantity: Quantity) -> String {
         Dimension::Angle => format!("{:.4}°", end.input.to_degrees()),
         _ => format!("{:.6}", end.input),
     };
-    let of = if end.block.is_empty() {
+    let of = if end.block == Name::NONE {
         String::new()
     } else {
         format!(" of {}", end.block)

@@ -31,14 +31,14 @@ type Inputs = Vec<Vec<f64>>;
 
 /// A drive over a range.
 struct Read<'s, D> {
-    sweep: &'s AnySweep<D>,
+    sweep: &'s AnySweep<'static, D>,
     description: &'static Description,
     shown: usize,
 }
 
 /// The drive of a sweep over a range.
 pub(super) fn of<D: SmoothDrive>(
-    sweep: &AnySweep<D>,
+    sweep: &AnySweep<'static, D>,
     description: &'static Description,
     variable: Variable,
     range: [f64; 2],

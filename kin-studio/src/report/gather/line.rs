@@ -82,10 +82,10 @@ impl Line {
     /// The sweep from one place to another.
     pub(super) fn sweep(
         &self,
-        linkage: &AnyLinkage,
+        linkage: &AnyLinkage<'static>,
         assembly: &AssemblyChoice,
         [from, to]: [f64; 2],
-    ) -> AnySweep<StraightLine> {
+    ) -> AnySweep<'static, StraightLine> {
         let ends = [from, to].map(|place| self.inputs_at(place));
         let sweep = linkage.sweep(assembly.clone()).between(&ends[0], &ends[1], ROWS);
         // a sweep downwards has a positive speed downwards
@@ -93,7 +93,7 @@ impl Line {
     }
 
     /// All circuits and branches. Their input is the variable of the line.
-    pub(super) fn cycle(&self, linkage: &AnyLinkage) -> Result<AnyCycle, SolveError> {
+    pub(super) fn cycle(&self, linkage: &AnyLinkage<'static>) -> Result<AnyCycle<'static>, SolveError> {
         linkage.cycle_along(&self.inputs_at(0.0), &self.direction)
     }
 }

@@ -262,7 +262,7 @@ fn comes_back(description: &Description, [from, to]: [f64; 2], period: Option<f6
     let Some(all) = all else { return false };
     let is_one = period.is_some_and(|period| (to - from - period).abs() < 1e-9 * period);
     match all.as_slice() {
-        [first, .., last] if is_one => place::distance(description, &first.unknowns(), &last.unknowns()) < 1e-6,
+        [first, .., last] if is_one => place::distance(description, first.unknowns(), last.unknowns()) < 1e-6,
         _ => true,
     }
 }
@@ -279,7 +279,7 @@ fn not_closed(poses: &[way::At]) -> Option<NotClosed> {
     let (at, error) = failed.min_by(|(_, one), (_, other)| least(one).total_cmp(&least(other)))?;
     Some(NotClosed {
         text: error.to_string(),
-        unknowns: error.block.to_owned(),
+        unknowns: error.block.to_string(),
         margin: margin(error),
         at,
     })

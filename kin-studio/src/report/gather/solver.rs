@@ -65,7 +65,7 @@ pub(super) fn frames(wishes: &Wishes<'_>, poses: &[At]) -> Vec<Frame> {
                 slides: Vec::new(),
             };
         };
-        let places = functions.places(parameters, &pose.inputs(), &pose.unknowns());
+        let places = functions.places(parameters, pose.inputs(), pose.unknowns());
         let points: Vec<Vec<f64>> = places.iter().map(|point| shortened(point)).collect();
         let (joints, slides) = points.split_at(points.len().saturating_sub(slides));
         Frame {

@@ -13,9 +13,9 @@ pub(super) fn of<D: SmoothDrive>(wishes: &Wishes<'_>, way: &Way<D>, poses: &[At]
     let mut samples = Vec::new();
     for (input, pose) in poses {
         let Ok(pose) = pose else { continue };
-        let angles = linkage.transmission_angles(&pose.inputs(), &pose.unknowns());
+        let angles = linkage.transmission_angles(pose.inputs(), pose.unknowns());
         if dyads.is_empty() {
-            dyads = angles.iter().map(|angle| angle.block.to_owned()).collect();
+            dyads = angles.iter().map(|angle| angle.block.to_string()).collect();
         }
         samples.push(Angles {
             input: super::short(*input),

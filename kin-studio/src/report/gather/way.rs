@@ -17,13 +17,13 @@ pub(super) type At = (f64, Result<AnyPose, SolveError>);
 /// The sweeps over the range. Closed forms and laws need one. Along a line, coupled blocks are followed from a position to both ends.
 pub(super) struct Way<D> {
     /// The sweep downwards comes first, if there are two.
-    pub(super) courses: Vec<AnySweep<D>>,
+    pub(super) courses: Vec<AnySweep<'static, D>>,
     /// The places on the range where the assembly closes, as the branches tell.
     closes: Vec<[f64; 2]>,
 }
 
 impl<'l> Way<Laws<'l>> {
-    pub(super) fn under_laws(course: AnySweep<Laws<'l>>) -> Self {
+    pub(super) fn under_laws(course: AnySweep<'static, Laws<'l>>) -> Self {
         Self {
             courses: vec![course],
             closes: Vec::new(),
@@ -33,10 +33,10 @@ impl<'l> Way<Laws<'l>> {
 
 impl Way<StraightLine> {
     pub(super) fn along(
-        linkage: &AnyLinkage,
+        linkage: &AnyLinkage<'static>,
         line: &Line,
         range: [f64; 2],
-        cycle: &AnyCycle,
+        cycle: &AnyCycle<'static>,
         own: &Own,
     ) -> Result<Self, ReportError> {
         let [low, high] = range;
