@@ -23,6 +23,8 @@
 //! ```
 
 mod cycle;
+#[cfg(test)]
+mod made_tests;
 mod position;
 mod sweep;
 #[cfg(test)]

@@ -391,7 +391,7 @@ fn messages_say_where_and_what_to_do() {
     let error = track(&DOUBLE_ROCKER, [0.5], start, [3.0]).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "theta3, theta4 reach a limit position at theta2 = 1.955193 rad (112.0°), after 0.5820772 of the way: two assemblies meet there \
+        "limit position of theta3, theta4 at theta2 = 1.955193 rad (112.0°), after 0.5820772 of the way: two assemblies meet there \
          and neither continues; stop short of it, or drive the mechanism by another input"
     );
 }
@@ -465,7 +465,7 @@ fn both_cranks<M: Mechanism<Scalar = f64, Assembly = Assembly>>(mechanism: &M) {
         let span = (10.0 + 3.0 * (right.cos() - left.cos())).hypot(3.0 * (right.sin() - left.sin()));
         assert!((span - 8.0).abs() <= 16.0 * f64::EPSILON * 16.0, "{span}");
         assert!(
-            message.starts_with("alpha, beta reach a limit position at left = "),
+            message.starts_with("limit position of alpha, beta at left = "),
             "{message}"
         );
         assert!(message.contains(", right = "), "{message}");
