@@ -1,32 +1,17 @@
 //! Declarations with too large or too small numbers, or that are too deep or too long. Each ends in an expansion or in
 //! a reported mistake, never in a panic.
 
-use proc_macro2::{Literal, TokenStream, TokenTree};
+use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::expand::expand;
 
 /// The mistakes that an expansion reports.
 fn mistakes(declaration: TokenStream) -> Vec<String> {
-    let mut found = Vec::new();
-    let mut open = vec![expand(declaration).into_iter()];
-    let mut is_error = false;
-    while let Some(innermost) = open.last_mut() {
-        match innermost.next() {
-            None => drop(open.pop()),
-            Some(TokenTree::Group(group)) => open.push(group.stream().into_iter()),
-            // the first mistake is repeated in a type
-            Some(TokenTree::Ident(word)) if word == "unexpanded" => drop(innermost.nth(1)),
-            Some(TokenTree::Ident(word)) => is_error = word == "compile_error",
-            Some(TokenTree::Literal(text)) if is_error => {
-                let text: syn::LitStr = syn::parse2(TokenTree::from(text).into()).expect("messages are text");
-                found.push(text.value());
-                is_error = false;
-            }
-            Some(_) => {}
-        }
-    }
-    found
+    super::told::told(declaration)
+        .into_iter()
+        .map(|told| told.message)
+        .collect()
 }
 
 /// Constants that do not fit an `f64`, as typed, after folding, or as a consequence of the solution.

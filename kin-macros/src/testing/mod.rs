@@ -8,7 +8,9 @@ mod fuzz;
 mod growth;
 pub(crate) mod library;
 mod limits;
+mod mistakes;
 mod optimiser;
+mod told;
 
 use proc_macro2::TokenStream;
 

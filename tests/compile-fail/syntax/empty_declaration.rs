@@ -1,5 +1,0 @@
-use kin_core::mechanism;
-
-mechanism! {}
-
-fn main() {}
