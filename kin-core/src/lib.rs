@@ -175,6 +175,9 @@ pub use picture::{Body, Outline, PlaneOrSpace, PointArray, Skeleton, Slide, Tran
 pub use quantity::in_small_letters;
 pub use quantity::{Dimension, Quantity, RATES};
 pub use solve::Scalar;
+#[cfg(feature = "alloc")]
+#[doc(hidden)]
+pub use track::track_between;
 pub use track::{Halt, MOST_TRACK_STEPS, Obstacle, TrackError, TrackErrorOf, track};
 
 /// Declares a mechanism by its loop closure, and generates solvers for its position and all time derivatives up to snap
