@@ -184,6 +184,29 @@ pub trait MotionNearOver<T> {
     ) -> Result<(), SolveError>;
 }
 
+/// Positions with all time derivatives, chosen in both ways, as [`PositionOver`] chooses positions.
+pub trait MotionOver<T>: AssemblyMotionOver<T> + MotionNearOver<T> {
+    /// Writes the motions of unknowns and outputs as [`AssemblyMotionOver`] does.
+    ///
+    /// # Errors
+    /// Those of [`Mechanism::solve_motion`] and [`Mechanism::solve_motion_near`].
+    fn motion(
+        &self,
+        parameters: &[T],
+        inputs: &[T],
+        choice: PositionChoice<'_, T>,
+        unknowns: &mut [T],
+        outputs: &mut [T],
+    ) -> Result<(), SolveError> {
+        match choice {
+            PositionChoice::Assembly(index) => self.motion_of_assembly(parameters, inputs, index, unknowns, outputs),
+            PositionChoice::Near(near) => self.motion_near(parameters, inputs, near, unknowns, outputs),
+        }
+    }
+}
+
+impl<T, F: AssemblyMotionOver<T> + MotionNearOver<T>> MotionOver<T> for F {}
+
 /// The transmission angles of all dyads in numbers of one type.
 pub trait TransmissionOver<T> {
     /// Writes the transmission angle of every dyad, in the order in which the dyads are solved.

@@ -176,6 +176,9 @@ pub use picture::{PlaneOrSpace, PointArray, Slide, TransmissionAngle};
 pub use quantity::in_small_letters;
 pub use quantity::{Dimension, Name, NameKind, RATES};
 pub use solve::Scalar;
+#[cfg(feature = "alloc")]
+#[doc(hidden)]
+pub use track::track_between;
 pub use track::{Halt, MOST_TRACK_STEPS, Obstacle, TrackError, TrackErrorOf, track};
 
 /// Declares a mechanism by its loop closure, and generates solvers for its position and all time derivatives up to snap

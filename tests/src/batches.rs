@@ -1,6 +1,7 @@
 //! Batches of any mechanism, with dimensions and inputs of its own for each pose.
 
-use kin_core::batch::{self, Column, Columns, Element, Outcome, Place, Summary, Vectors, Visitor};
+use kin_core::Description;
+use kin_core::batch::{self, Column, Columns, Element, Outcome, Place, Summary, Vectors, Visitor, WantedColumns};
 use kin_core::prelude::*;
 
 use crate::mechanisms::cases::ThroughSnap;
@@ -35,15 +36,24 @@ impl<E: Element> Table<E> {
             && sines.all(|sine| sine.real().is_nan() || sine.real() == UNTOUCHED)
     }
 
-    fn new<M: Mechanism>(poses: usize) -> Self {
+    /// Columns that no batch has touched.
+    #[must_use]
+    pub fn new(description: &Description, poses: usize) -> Self {
         let untouched = || vec![E::constant(UNTOUCHED); poses];
-        let columns = |count: usize| vec![vec![untouched(); M::DESCRIPTION.order + 1]; count];
+        let columns = |count: usize| vec![vec![untouched(); description.order + 1]; count];
         Self {
-            inputs: columns(M::DESCRIPTION.inputs.len()),
-            unknowns: columns(M::DESCRIPTION.unknowns.len()),
-            sines: vec![untouched(); M::DESCRIPTION.unknowns.len()],
-            outputs: columns(M::DESCRIPTION.outputs.len()),
+            inputs: columns(description.inputs.len()),
+            unknowns: columns(description.unknowns.len()),
+            sines: vec![untouched(); description.unknowns.len()],
+            outputs: columns(description.outputs.len()),
         }
+    }
+
+    /// Whether an unknown is a direction, of which a batch has found the sines.
+    #[must_use]
+    pub fn is_direction(&self, unknown: usize) -> bool {
+        let mut sines = self.sines[unknown].iter().map(|sine| sine.real());
+        sines.any(|sine| sine != UNTOUCHED && !sine.is_nan())
     }
 
     /// The numbers of a pose, bit by bit.
@@ -58,6 +68,23 @@ impl<E: Element> Table<E> {
             // The sign of NaN says nothing.
             .map(|number| if number.is_nan() { f64::NAN } else { number }.to_bits())
             .collect()
+    }
+}
+
+impl Table {
+    /// All columns, for a batch of a mechanism without its type.
+    pub fn wanted(&mut self) -> WantedColumns<'_> {
+        struct All<'w>(Vec<(Place, &'w mut [f64])>);
+
+        impl<'w> Visitor<'w, Vec<f64>> for All<'w> {
+            fn visit(&mut self, place: Place, column: &'w mut Vec<f64>) {
+                self.0.push((place, column));
+            }
+        }
+
+        let mut all = All(Vec::new());
+        self.each(&mut all);
+        WantedColumns::new(all.0)
     }
 }
 
@@ -183,7 +210,7 @@ impl<M: Mechanism<Scalar: Element>> Poses<M> {
 
     fn places(&self) -> (Table<M::Scalar>, Vec<Outcome>) {
         let count = self.mechanisms.len();
-        (Table::new::<M>(count), vec![Outcome::Unsolved; count])
+        (Table::new(&M::DESCRIPTION, count), vec![Outcome::Unsolved; count])
     }
 
     fn numbers(&self) -> Numbers<M::Scalar> {

@@ -4,7 +4,7 @@ use core::fmt;
 
 /// The kind of a limit: a place up to which a mechanism closes, or at which it has several ways to go on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum LimitKind {
     /// A limit position: two assemblies meet, and neither goes on. The inputs can only turn back.

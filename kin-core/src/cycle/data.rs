@@ -11,7 +11,7 @@ use crate::quantity::Name;
 
 /// The reason why a branch ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum EndKind {
     /// A limit. At a limit position the input turns back, and the branch meets another one of its circuit; at a change point branches cross.
@@ -115,7 +115,7 @@ impl Branch {
 
 /// A circuit: branches that are connected by limits and change points.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Circuit {
     pub(super) branches: Vec<usize>,
     pub(super) input_turns: Option<i32>,

@@ -8,7 +8,7 @@ use super::columns::{Heading, labels};
 use super::drive::{Drive, SmoothDrive, Variable};
 use super::table::Table;
 use super::{Course, SweepError, row_at};
-use crate::any::{AssemblyChoice, AssemblyMotionOver, Of, PositionChoice, description};
+use crate::any::{AssemblyChoice, MotionOver, Of, PositionChoice, description};
 use crate::curve::CurveFunctions;
 use crate::failure::SolveError;
 use crate::mechanism::{Description, Mechanism};
@@ -19,7 +19,7 @@ use crate::quantity::{Dimension, Name, NameKind, Quantity};
 const EDGE: usize = 32;
 
 /// What a sweep needs of its mechanism.
-pub trait SweptMechanism: CurveFunctions + AssemblyMotionOver<f64> {}
+pub trait SweptMechanism: CurveFunctions + MotionOver<f64> {}
 
 impl<M: Mechanism<Scalar = f64>> SweptMechanism for Of<M> {}
 
@@ -122,13 +122,8 @@ impl<'c> AnyCourse<'c> {
         let (inputs, results) = numbers.split_at_mut(motions.len());
         inputs.copy_from_slice(motions);
         let (unknowns, outputs) = results.split_at_mut(unknowns.len() * self.orders());
-        let (mechanism, parameters) = (self.mechanism, &self.parameters);
-        match choice {
-            PositionChoice::Assembly(index) => {
-                mechanism.motion_of_assembly(parameters, motions, index, unknowns, outputs)
-            }
-            PositionChoice::Near(near) => mechanism.motion_near(parameters, motions, near, unknowns, outputs),
-        }?;
+        self.mechanism
+            .motion(&self.parameters, motions, choice, unknowns, outputs)?;
         Ok(numbers)
     }
 

@@ -9,7 +9,10 @@ use crate::curve::CurveFunctions;
 use crate::mechanism::HeapMemory;
 
 /// [`track`](crate::track()) between two places.
-pub(crate) fn track_between(
+///
+/// # Errors
+/// As for `track`.
+pub fn track_between(
     mechanism: &dyn CurveFunctions,
     parameters: &[f64],
     from: &[f64],

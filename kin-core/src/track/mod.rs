@@ -12,7 +12,7 @@ mod tests;
 mod turning;
 
 #[cfg(feature = "alloc")]
-pub(crate) use between::track_between;
+pub use between::track_between;
 pub use obstacle::{Halt, Obstacle, TrackError};
 pub use steps::MOST_TRACK_STEPS;
 

@@ -58,7 +58,7 @@ export function reportOf(changes = {}) {
   const range = changes.range ?? [0, 2 * Math.PI];
   const quantity = (name, text, dimension, value) => ({ name, key: name, text, documentation: "", dimension, ...(value === undefined ? {} : { value }) });
   return {
-    format: 2,
+    format: 3,
     kin: "0.1.0",
     title: "Slider-crank",
     name: "SliderCrank",

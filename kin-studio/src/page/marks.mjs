@@ -38,9 +38,9 @@ export function marksOf(model, sweep, assembly, given) {
 }
 
 /** Why a branch ends, with the names as they are printed. */
-function reasonOf(model, { kind, block, text }) {
-  const words = { TurningPoint: "limit position of", ChangePoint: "branches cross in" };
-  return words[kind] && block ? `${words[kind]} ${blockText(model, block)}` : (text ?? "");
+function reasonOf(model, kind, block) {
+  const words = { TurningPoint: "limit position of", ChangePoint: "branches cross in", Pole: "pole of", End: "end of a domain or range of" };
+  return words[kind] && block ? `${words[kind]} ${blockText(model, block)}` : "";
 }
 
 /** Whether a mark is at a place, up to the accuracy with which the page finds ends itself. */
@@ -57,9 +57,10 @@ function exactMarks(model, assembly) {
     }
     for (const end of branch.ends) {
       const x = intoRange(model, end.input);
-      const known = end.kind === "FullTurn" || end.kind === "Range" || x === null;
-      if (!known && !marks.some((mark) => Math.abs(mark.x - x) < 1e-9 && mark.kind === end.kind)) {
-        marks.push({ x, kind: end.kind, text: reasonOf(model, end), own: false });
+      const kind = end.kind.Limit ?? end.kind;
+      const known = kind === "FullTurn" || kind === "Range" || x === null;
+      if (!known && !marks.some((mark) => Math.abs(mark.x - x) < 1e-9 && mark.kind === kind)) {
+        marks.push({ x, kind, text: reasonOf(model, kind, end.block), own: false });
       }
     }
   }

@@ -2,7 +2,7 @@
 import { driveOf, motionOf, pieceAt } from "./drive.mjs";
 
 /** The newest form of a report that this page reads. */
-export const FORMAT = 2;
+export const FORMAT = 3;
 
 /**
  * Dimensions, places of the inputs that stand, and the change of the variable for each unit of time.

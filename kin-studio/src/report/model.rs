@@ -2,11 +2,13 @@
 //!
 //! Angles are in radians, lengths in the mechanism's own unit, rates per unit of time.
 
-use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
+use kin_core::cycle::{Circuit, EndKind};
+use serde::{Deserialize, Serialize};
+
 /// The version of the format that this crate writes.
-pub const FORMAT: u32 = 2;
+pub const FORMAT: u32 = 3;
 
 /// A mechanism with its motion, its limits, its peaks and its equations: all that a page shows.
 ///
@@ -205,12 +207,12 @@ pub enum Argument {
 }
 
 /// All circuits and branches.
+///
+/// This is what a report keeps of a [`CycleData`](kin_core::cycle::CycleData). That can be written but not read again, because it borrows the
+/// names of unknowns from the mechanism. A page needs no positions along branches, and has assemblies of its own.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Cycle {
-    /// Whether it is proved that there is no other branch.
-    pub complete: bool,
-    /// The reasons why there may be other branches, each a clause.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    /// The reasons why there may be other branches, each a clause; none if it is proved that there is no other one.
     pub incomplete: Vec<String>,
     /// The circuits.
     pub circuits: Vec<Circuit>,
@@ -218,45 +220,26 @@ pub struct Cycle {
     pub branches: Vec<Branch>,
 }
 
-/// A circuit: branches that are connected by limits.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Circuit {
-    /// The indices of its branches.
-    pub branches: Vec<usize>,
-    /// Whether the mechanism comes back to its start along the circuit.
-    pub closed: bool,
-    /// The turns of the input, once around a closed circuit.
-    pub input_turns: Option<i32>,
-}
-
 /// A branch: a part of a circuit over which the input moves in one direction.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Branch {
     /// The index of its circuit.
     pub circuit: usize,
-    /// The index of its assembly; none if it lies beyond the range.
+    /// The index of its assembly among those of the report; none if it lies beyond the range.
     pub assembly: Option<usize>,
-    /// The smallest and the largest input.
-    pub range: [f64; 2],
-    /// Whether the input turns without an end.
-    pub full_turn: bool,
-    /// Its two ends.
+    /// The ends with the smallest and the largest input.
     pub ends: [End; 2],
-    /// Some positions: the input, then the unknowns, to nine figures.
-    pub samples: Vec<Vec<f64>>,
 }
 
 /// An end of a branch.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct End {
-    /// `TurningPoint`, `ChangePoint`, `Pole`, `End`, `Range`, `Lost` or `FullTurn`.
-    pub kind: String,
+    /// The reason why the branch ends there.
+    pub kind: EndKind,
     /// The input there.
     pub input: f64,
-    /// The unknowns of the block that is singular there.
+    /// The unknowns of the block that is singular there; empty if there is none.
     pub block: String,
-    /// The end in a few words.
-    pub text: String,
 }
 
 /// A highest or a lowest value.

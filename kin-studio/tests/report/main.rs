@@ -4,12 +4,11 @@ mod motions;
 
 use std::f64::consts::TAU;
 
-use kin_core::cycle::FullCycle as _;
+use kin_core::cycle::{EndKind, FullCycle as _};
 use kin_core::extremes::Over;
 use kin_core::library::{ClassThreeTriad, FiveBar, FourBar, Rssr};
-use kin_core::mechanism;
 use kin_core::prelude::*;
-use kin_core::track;
+use kin_core::{LimitKind, mechanism, track};
 use kin_studio::report::{Argument, FORMAT, Place, Report, ReportError, Side};
 
 const CRANK_ROCKER: FourBar = FourBar {
@@ -179,16 +178,21 @@ fn limits_are_those_of_the_cycle() {
     let report = kin_studio::report(&DOUBLE_ROCKER).report().expect("it closes at zero");
     let cycle = DOUBLE_ROCKER.cycle().expect("the numbers are finite");
     let told = report.cycle.as_ref().expect("there is one");
-    assert!(told.complete);
+    assert!(told.incomplete.is_empty());
+    assert_eq!(told.circuits, cycle.circuits());
     assert_eq!(told.branches.len(), cycle.branches().len());
     for (index, (told, own)) in told.branches.iter().zip(cycle.branches()).enumerate() {
-        assert_eq!(told.range, own.ends().map(|end| end.input));
+        assert_eq!(
+            told.ends.each_ref().map(|end| end.input),
+            own.ends().map(|end| end.input)
+        );
         assert_eq!(told.circuit, own.circuit());
         let Argument::One(sign) = report.assemblies[told.assembly.unwrap()].argument else {
             panic!("a four-bar has one choice");
         };
         assert_eq!(cycle.assembly_of(index), Some(Assembly::from_sign(sign)));
-        assert!(told.ends.iter().all(|end| end.kind == "TurningPoint"));
+        let limit = EndKind::Limit(LimitKind::TurningPoint);
+        assert!(told.ends.iter().all(|end| end.kind == limit));
     }
     let [low, high] = cycle.branches()[0].ends().map(|end| end.input);
     assert!(report.range[0] < low && report.range[1] > high);

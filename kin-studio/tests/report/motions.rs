@@ -9,7 +9,7 @@ use kin_core::law::{
 use kin_core::library::{FiveBar, FourBar, SliderCrank};
 use kin_core::prelude::*;
 use kin_core::sweep::{SweepError, Table};
-use kin_studio::report::{Drive, Report, ReportError, Side, Variable};
+use kin_studio::report::{Drive, FORMAT, Report, ReportError, Side, Variable};
 
 use super::{CRANK_ROCKER, triad};
 
@@ -406,7 +406,7 @@ fn mistakes_say_what_to_do() {
     let older = r#"{"format":1}"#;
     let error = Report::from_json(older).unwrap_err();
     assert!(
-        matches!(error, ReportError::OlderFormat { found: 1, known: 2 }),
+        matches!(error, ReportError::OlderFormat { found: 1, known } if known == FORMAT),
         "{error}"
     );
 }

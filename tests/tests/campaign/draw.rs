@@ -4,9 +4,9 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use kin_core::{Dimension, Quantity};
 
-use super::engine::{Engine, Problem, Rates};
 use super::linear::least_norm;
 use super::taylor::{TERMS, Taylor};
+use super::topology::{Problem, Rates, Topology};
 use kin_tests::random::Random;
 
 /// Where the numbers come from.
@@ -68,8 +68,8 @@ const SPECIALS: [f64; 14] = [
 ];
 
 /// Draws a problem for a mechanism.
-pub(crate) fn draw(engine: &dyn Engine, family: Family, random: &mut Random) -> Draw {
-    let description = engine.description();
+pub(crate) fn draw(topology: &Topology, family: Family, random: &mut Random) -> Draw {
+    let description = topology.description();
     let decades = [1.0, 2.0, 4.0, 8.0][choice(random, 4)];
     let mut values = |quantities: &[Quantity]| -> Vec<f64> {
         quantities
@@ -82,7 +82,7 @@ pub(crate) fn draw(engine: &dyn Engine, family: Family, random: &mut Random) -> 
     let mut near = values(description.unknowns);
     let mut is_closed = false;
     if family != Family::Aligned
-        && let Some(closed) = closed(engine, &parameters, &inputs, &near)
+        && let Some(closed) = closed(topology, &parameters, &inputs, &near)
     {
         (parameters, near) = closed;
         is_closed = true;
@@ -211,9 +211,9 @@ fn turn<'a>(quantities: &[Quantity], values: impl Iterator<Item = &'a mut f64>, 
 }
 
 /// Dimensions and unknowns that close, as near to the given ones as Newton's method with steps of least norm leads.
-fn closed(engine: &dyn Engine, parameters: &[f64], inputs: &[f64], unknowns: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
+fn closed(topology: &Topology, parameters: &[f64], inputs: &[f64], unknowns: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
     const STEPS: usize = 40;
-    let description = engine.description();
+    let description = topology.description();
     let quantities: Vec<Quantity> = description
         .parameters
         .iter()
@@ -230,7 +230,7 @@ fn closed(engine: &dyn Engine, parameters: &[f64], inputs: &[f64], unknowns: &[f
     for _ in 0..STEPS {
         let closure = |values: &[Taylor]| {
             let (parameters, unknowns) = values.split_at(parameters.len());
-            engine.closure(parameters, &inputs, unknowns)
+            (topology.closure)(parameters, &inputs, unknowns)
         };
         let rows = closure(&values);
         if rows.iter().all(|row| row.value[0].abs() <= f64::EPSILON * row.error[0]) {

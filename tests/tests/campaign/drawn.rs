@@ -3,7 +3,7 @@
 use kin_core::mechanism;
 
 use crate::taylor::Taylor;
-use crate::topology::{Flat, Spatial, polar};
+use crate::vectors::{Flat, Spatial, polar};
 
 mechanism! {
     /// [Slider, Gear, Gear, Lever].

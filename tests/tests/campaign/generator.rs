@@ -322,7 +322,7 @@ fn text() -> String {
 use kin_core::mechanism;
 
 use crate::taylor::Taylor;
-use crate::topology::{Flat, Spatial, polar};
+use crate::vectors::{Flat, Spatial, polar};
 ",
     );
     for number in 0..TREES {

@@ -13,7 +13,6 @@ mod checks;
 mod draw;
 #[rustfmt::skip]
 mod drawn;
-mod engine;
 mod generator;
 mod linear;
 mod tally;
@@ -23,32 +22,19 @@ mod topology;
 mod trees;
 mod unit;
 mod units;
+mod vectors;
 
 use checks::{Size, run};
-use engine::Of;
 use kin_tests::samples;
 use tally::Report;
-use topology::{Topology, Visitor};
-
-struct Campaign {
-    size: Size,
-    report: Report,
-}
-
-impl Visitor for Campaign {
-    fn visit<T: Topology>(&mut self) {
-        run(&Of::<T>::default(), self.size, &mut self.report);
-    }
-}
 
 fn campaign(size: Size) {
-    let mut campaign = Campaign {
-        size,
-        report: Report::default(),
-    };
-    topologies::each(&mut campaign);
-    println!("{}", campaign.report);
-    campaign.report.assert();
+    let mut report = Report::default();
+    for topology in topologies::ALL {
+        run(topology, size, &mut report);
+    }
+    println!("{report}");
+    report.assert();
 }
 
 #[test]

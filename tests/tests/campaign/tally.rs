@@ -3,11 +3,12 @@
 use std::fmt;
 use std::fmt::Write as _;
 
-use kin_core::{Failure, SolveError};
+use kin_core::any::AssemblyChoice;
+use kin_core::{Failure, SolveError, TrackError};
 use kin_tests::counting::Calls;
 
-use super::engine::{Ending, Guide, Problem};
 use super::taylor::TERMS;
+use super::topology::{Ending, Problem};
 
 /// Kinds of refusals, as the table names them.
 const REFUSALS: [&str; 8] = [
@@ -72,12 +73,12 @@ impl Tally {
     /// Counts the end of a track.
     pub(super) fn end(&mut self, ending: &Ending, steps: Calls) {
         let kind = match ending {
-            Ending::Arrived(_) => 0,
-            Ending::Limit(_) => 1,
-            Ending::ChangePoint(_) => 2,
-            Ending::Unbounded(_) => 3,
-            Ending::Failed(_) => 4,
-            Ending::Lost(_) | Ending::Endless => 5,
+            Ok(_) => 0,
+            Err(TrackError::TurningPoint(_)) => 1,
+            Err(TrackError::ChangePoint(_)) => 2,
+            Err(TrackError::Pole(_)) => 3,
+            Err(TrackError::Failed(_)) => 4,
+            Err(_) => 5,
         };
         self.tracks[kind] += 1;
         self.widen(steps);
@@ -121,7 +122,7 @@ pub(crate) struct Finding {
     /// Dimensions and inputs.
     pub(crate) problem: Problem,
     /// The assembly, or the values near by.
-    pub(crate) guide: Guide,
+    pub(crate) assembly: AssemblyChoice,
 }
 
 impl fmt::Display for Finding {
@@ -131,12 +132,12 @@ impl fmt::Display for Finding {
             check,
             what,
             problem,
-            guide,
+            assembly,
         } = self;
         writeln!(formatter, "{check}: {name}: {what}")?;
         // every digit, so that the numbers can be given again
         writeln!(formatter, "    parameters {:?}", problem.parameters)?;
-        write!(formatter, "    inputs {:?}, {guide:?}", problem.inputs)
+        write!(formatter, "    inputs {:?}, {assembly:?}", problem.inputs)
     }
 }
 

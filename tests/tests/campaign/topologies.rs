@@ -1,17 +1,17 @@
 //! The topologies of the campaign, each with its closure written by hand.
 
 use kin_core::Mechanism;
-use kin_core::batch::Vectors;
+use kin_core::any::Of;
 use kin_core::library::{
     FourBar, GearedFiveBar, GeometricFourBar, OffsetSliderCrank, Rssr, SphericalFourBar, StephensonIII, WattI,
 };
 
-use super::engine::Batch;
 use super::taylor::Taylor;
-use super::topology::{Flat, Spatial, Topology, Visitor, polar};
+use super::topology::{Topology, poses};
+use super::vectors::{Flat, Spatial, polar};
 use crate::drawn::{self, Drawn0, Drawn1, Drawn2};
 use crate::trees::{TreeOfAllKinds, TreeOfDyads};
-use kin_tests::batches::Poses;
+use kin_tests::counting::Counting;
 use kin_tests::mechanisms::chains::Chain4;
 use kin_tests::mechanisms::coupled::{GearedPair, Kepler, StephensonThree, Triad};
 use kin_tests::mechanisms::directions::DirectedRack;
@@ -32,39 +32,18 @@ fn pi() -> Taylor {
     Taylor::rounded(std::f64::consts::PI)
 }
 
-/// Implements [`Topology`] for types of this module, each named after its mechanism, and leads a visitor through them.
+/// All topologies, each by its mechanism and its closure over parameters, inputs and unknowns.
 macro_rules! topologies {
     ($($mechanism:ident: |$p:ident, $q:ident, $u:ident| $closure:expr;)+) => {
-        mod tags {
-            $(
-                #[doc = concat!("That of `", stringify!($mechanism), "`.")]
-                #[derive(Clone, Copy, Debug)]
-                pub(crate) struct $mechanism;
-            )+
-        }
-
-        $(
-            impl Topology for tags::$mechanism {
-                type Mechanism = $mechanism;
-
-                fn closure($p: &[Taylor], $q: &[Taylor], $u: &[Taylor]) -> Vec<Taylor> {
-                    $closure
-                }
-
-                fn solve_in_parallel(
-                    poses: &Poses<$mechanism>,
-                    assembly: Option<<$mechanism as Mechanism>::Assembly>,
-                    vectors: Vectors,
-                ) -> Batch {
-                    poses.solve_in_parallel(assembly, vectors)
-                }
-            }
-        )+
-
-        /// Leads a visitor through all topologies.
-        pub(crate) fn each(visitor: &mut impl Visitor) {
-            $(visitor.visit::<tags::$mechanism>();)+
-        }
+        pub(crate) const ALL: &[Topology] = &[$(Topology {
+            solvers: Of::<$mechanism>::FUNCTIONS,
+            counted: Of::<Counting<$mechanism>>::FUNCTIONS,
+            closure: |$p, $q, $u| $closure,
+            in_parallel: |problems, assemblies, vectors| {
+                let assembly = assemblies[0].index().and_then(<$mechanism as Mechanism>::assembly);
+                poses::<$mechanism>(problems, assemblies).solve_in_parallel(assembly, vectors)
+            },
+        }),+];
     };
 }
 

@@ -2,9 +2,9 @@
 
 use kin_core::{Description, Dimension};
 
-use super::engine::{Engine, Problem, Rates};
 use super::linear::{Matrix, determinant, inverse};
 use super::taylor::{FACTORIAL, TERMS, Taylor};
+use super::topology::{Problem, Rates, Topology};
 
 /// The facts that are known of a pose.
 ///
@@ -30,16 +30,16 @@ pub(crate) struct Units {
 }
 
 /// How the error of a pose of given motions can be measured; `None` where a number on the way is not finite, as in a singular position.
-pub(crate) fn units(engine: &dyn Engine, problem: &Problem, unknowns: &[Rates]) -> Option<Units> {
-    let description = engine.description();
-    let jacobian = jacobian(engine, problem, unknowns);
+pub(crate) fn units(topology: &Topology, problem: &Problem, unknowns: &[Rates]) -> Option<Units> {
+    let description = topology.description();
+    let jacobian = jacobian(topology, problem, unknowns);
     let inverse = inverse(&jacobian);
-    let mut leaves = Leaves::new(&description, problem, unknowns);
-    let spread = spread(&description, problem);
+    let mut leaves = Leaves::new(description, problem, unknowns);
+    let spread = spread(description, problem);
     let mut conditions = vec![[0.0; TERMS]; unknowns.len()];
     let mut corrections = conditions.clone();
     for order in 0..TERMS {
-        let rows = leaves.closure(engine);
+        let rows = leaves.closure(topology);
         for (place, row) in inverse.iter().enumerate() {
             let (mut error, mut correction) = (0.0, 0.0);
             for (entry, left) in row.iter().zip(&rows) {
@@ -56,22 +56,22 @@ pub(crate) fn units(engine: &dyn Engine, problem: &Problem, unknowns: &[Rates]) 
     if !all.into_iter().all(|value| value.is_finite()) {
         return None;
     }
-    let sizes = sizes(&description, problem, unknowns);
+    let sizes = sizes(description, problem, unknowns);
     let relative = conditions.iter().zip(sizes).map(|(own, size)| own[0] / size);
     Some(Units {
         condition: relative.fold(0.0, f64::max),
-        determinants: determinants(engine, problem, unknowns),
+        determinants: determinants(topology, problem, unknowns),
         conditions,
         corrections,
     })
 }
 
 /// The determinants of the blocks at a position, as [`Units::determinants`].
-pub(crate) fn determinants(engine: &dyn Engine, problem: &Problem, unknowns: &[Rates]) -> Vec<f64> {
-    let description = engine.description();
-    let mut jacobian = jacobian(engine, problem, unknowns);
-    let terms = Leaves::new(&description, problem, unknowns).closure(engine);
-    let sizes = sizes(&description, problem, unknowns);
+pub(crate) fn determinants(topology: &Topology, problem: &Problem, unknowns: &[Rates]) -> Vec<f64> {
+    let description = topology.description();
+    let mut jacobian = jacobian(topology, problem, unknowns);
+    let terms = Leaves::new(description, problem, unknowns).closure(topology);
+    let sizes = sizes(description, problem, unknowns);
     for (row, terms) in jacobian.iter_mut().zip(terms) {
         for (entry, size) in row.iter_mut().zip(&sizes) {
             *entry *= size / terms.error[0];
@@ -109,8 +109,8 @@ impl Leaves {
         }
     }
 
-    fn closure(&self, engine: &dyn Engine) -> Vec<Taylor> {
-        engine.closure(&self.parameters, &self.inputs, &self.unknowns)
+    fn closure(&self, topology: &Topology) -> Vec<Taylor> {
+        (topology.closure)(&self.parameters, &self.inputs, &self.unknowns)
     }
 }
 
@@ -164,14 +164,14 @@ fn lengths(description: &Description, problem: &Problem) -> Vec<f64> {
 }
 
 /// The derivatives of the rows of the closure by the unknowns.
-fn jacobian(engine: &dyn Engine, problem: &Problem, unknowns: &[Rates]) -> Matrix {
+fn jacobian(topology: &Topology, problem: &Problem, unknowns: &[Rates]) -> Matrix {
     let parameters: Vec<Taylor> = problem.parameters.iter().copied().map(Taylor::constant).collect();
     let inputs: Vec<Taylor> = problem.inputs.iter().map(|rates| Taylor::constant(rates[0])).collect();
     let mut leaves: Vec<Taylor> = unknowns.iter().map(|rates| Taylor::constant(rates[0])).collect();
-    let mut rows = vec![Vec::new(); engine.closure(&parameters, &inputs, &leaves).len()];
+    let mut rows = vec![Vec::new(); (topology.closure)(&parameters, &inputs, &leaves).len()];
     for place in 0..leaves.len() {
         leaves[place].value[1] = 1.0;
-        for (row, left) in rows.iter_mut().zip(engine.closure(&parameters, &inputs, &leaves)) {
+        for (row, left) in rows.iter_mut().zip((topology.closure)(&parameters, &inputs, &leaves)) {
             row.push(left.value[1]);
         }
         leaves[place].value[1] = 0.0;

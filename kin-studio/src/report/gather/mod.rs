@@ -59,7 +59,6 @@ fn along_line(wishes: &Wishes<'_>, solver: Solver) -> Result<Report, ReportError
         None => own.range(&cycle, line.place)?,
     };
     let way = Way::along(linkage, &line, range, &cycle, &own)?;
-    let input = linkage.description().inputs[line.lead];
     let known = Known {
         drive: drive::of(
             &line.sweep(linkage, &own.assembly, range),
@@ -71,7 +70,7 @@ fn along_line(wishes: &Wishes<'_>, solver: Solver) -> Result<Report, ReportError
         speed: line.speed,
         assemblies: assemblies::on_line(&solver, &cycle, &own, range),
         period: cycle.period(),
-        cycle: Some(circuits::of(&cycle, &own, input, range)),
+        cycle: Some(circuits::of(&cycle, &own, range)),
     };
     moved(wishes, solver, &way, known)
 }

@@ -1,21 +1,23 @@
 //! A pose is of the assembly that it was asked for, and two assemblies lie on different sides of a singular position.
 
-use super::{Campaign, Pose, Solved};
-use crate::engine::{Guide, Problem};
+use kin_core::any::AssemblyChoice;
 
-impl Campaign<'_> {
+use super::{Campaign, Pose, Solved};
+use crate::topology::Problem;
+
+impl Campaign {
     /// The values of the unknowns tell the assembly.
-    pub(super) fn is_of_its_assembly(&mut self, problem: &Problem, guide: &Guide, pose: &Pose) {
-        let Guide::Assembly(asked) = guide else {
+    pub(super) fn is_of_its_assembly(&mut self, problem: &Problem, assembly: &AssemblyChoice, pose: &Pose) {
+        let AssemblyChoice::Index(asked) = assembly else {
             return;
         };
         if pose.known(f64::EPSILON).is_none() {
             return;
         }
-        let told = self.engine.assembly_near(problem, &pose.found.position());
+        let told = self.topology.assembly_near(problem, &pose.found.position());
         if told != Some(*asked) {
             let what = format!("{:?} is told to be of assembly {told:?}", pose.found.position());
-            self.find("assembly", what, problem, guide);
+            self.find("assembly", what, problem, assembly);
         }
     }
 
@@ -27,27 +29,20 @@ impl Campaign<'_> {
         let (Some(units), Some(other_units)) = (first.known(f64::EPSILON), second.known(f64::EPSILON)) else {
             return;
         };
-        let description = self.engine.description();
-        let differs = |place: &usize| {
-            first.found.columns[*place][0] != second.found.columns[*place][0]
-                || first.found.sines[*place] != second.found.sines[*place]
-        };
-        let Some(block) = description
-            .blocks
-            .iter()
-            .position(|block| block.members.iter().any(differs))
-        else {
-            let what = format!("the same as {:?}: {:?}", other.guide, first.found.position());
-            self.find("apart", what, &one.problem, &one.guide);
+        let differs = |place: &usize| first.found.unknowns[*place][0] != second.found.unknowns[*place][0];
+        let mut blocks = self.topology.description().blocks.iter();
+        let Some(block) = blocks.position(|block| block.members.iter().any(differs)) else {
+            let what = format!("the same as {:?}: {:?}", other.assembly, first.found.position());
+            self.find("apart", what, &one.problem, &one.assembly);
             return;
         };
         let (own, others) = (units.determinants[block], other_units.determinants[block]);
         if own * others >= 0.0 {
             let what = format!(
                 "not apart from {:?} in block {block}: determinants {own:e}, {others:e}",
-                other.guide
+                other.assembly
             );
-            self.find("apart", what, &one.problem, &one.guide);
+            self.find("apart", what, &one.problem, &one.assembly);
         }
     }
 }

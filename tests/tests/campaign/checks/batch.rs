@@ -1,10 +1,11 @@
 //! Batches find what single poses find, in every kind of vectors, and on all cores to the last bit.
 
+use kin_core::any::AssemblyChoice;
 use kin_core::batch::{Outcome, Vectors};
 
 use super::pose::ALLOWED;
 use super::{Campaign, Pose, Size, Solved};
-use crate::engine::{Guide, Problem, Rates};
+use crate::topology::{Problem, Rates};
 use crate::unit::units;
 use kin_tests::batches::{Table, vectors};
 
@@ -20,15 +21,15 @@ fn lengths(problem: &Problem) -> f64 {
     problem.parameters.iter().chain(inputs).map(|number| number.abs()).sum()
 }
 
-impl Campaign<'_> {
+impl Campaign {
     /// Everything that was solved once more in batches, those of an assembly together.
     pub(super) fn batches(&mut self, all: &[Solved], size: Size) {
-        let mut kinds: Vec<Option<usize>> = all.iter().map(|solved| assembly(&solved.guide)).collect();
+        let mut kinds: Vec<Option<usize>> = all.iter().map(|solved| solved.assembly.index()).collect();
         kinds.sort_unstable();
         kinds.dedup();
         let mut largest = Vec::new();
         for kind in kinds {
-            let together: Vec<&Solved> = all.iter().filter(|solved| assembly(&solved.guide) == kind).collect();
+            let together: Vec<&Solved> = all.iter().filter(|solved| solved.assembly.index() == kind).collect();
             for vectors in vectors() {
                 self.batch(&together, vectors);
             }
@@ -37,18 +38,18 @@ impl Campaign<'_> {
             }
         }
         if let Some(first) = largest.first() {
-            self.current = (first.problem.clone(), first.guide.clone());
+            self.current = (first.problem.clone(), first.assembly.clone());
             self.in_parallel(&largest, size.parallel);
         }
     }
 
     fn batch(&mut self, together: &[&Solved], vectors: Vectors) {
-        let (problems, guides): (Vec<Problem>, Vec<Guide>) = together
+        let (problems, assemblies): (Vec<Problem>, Vec<AssemblyChoice>) = together
             .iter()
-            .map(|solved| (solved.problem.clone(), solved.guide.clone()))
+            .map(|solved| (solved.problem.clone(), solved.assembly.clone()))
             .unzip();
-        self.current = (problems[0].clone(), guides[0].clone());
-        let (table, outcomes, summary) = self.engine.batch(&problems, &guides, vectors);
+        self.current = (problems[0].clone(), assemblies[0].clone());
+        let (table, outcomes, summary) = self.topology.batch(&problems, &assemblies, vectors);
         let mut solved_ones = 0;
         for (index, (solved, outcome)) in together.iter().zip(&outcomes).enumerate() {
             solved_ones += usize::from(outcome.is_solved());
@@ -60,7 +61,7 @@ impl Campaign<'_> {
                     continue;
                 }
                 let what = format!("{vectors:?} says {outcome:?}, solve {expected:?}; condition {condition:e}");
-                self.find("outcome", what, &solved.problem, &solved.guide);
+                self.find("outcome", what, &solved.problem, &solved.assembly);
                 continue;
             }
             match &solved.result {
@@ -70,7 +71,7 @@ impl Campaign<'_> {
         }
         if summary.solved != solved_ones || summary.failed != outcomes.len() - solved_ones {
             let what = format!("{vectors:?}: {summary:?}, and {solved_ones} are solved");
-            self.find("summary", what, &problems[0], &guides[0]);
+            self.find("summary", what, &problems[0], &assemblies[0]);
         }
     }
 
@@ -89,8 +90,8 @@ impl Campaign<'_> {
     fn margin_condition(&self, solved: &Solved, margin: f64) -> f64 {
         let change = |problem: &Problem| {
             let outcome = self
-                .engine
-                .solve(problem, &solved.guide)
+                .topology
+                .solve(problem, &solved.assembly)
                 .as_ref()
                 .map_or_else(Outcome::from, |_| Outcome::Solved);
             let moved = outcome.margin().unwrap_or(margin);
@@ -118,12 +119,16 @@ impl Campaign<'_> {
         let own = if let Ok(pose) = &solved.result {
             pose.units.as_ref().map(|units| units.condition)
         } else {
-            let unknowns: Vec<Rates> = table
-                .unknowns
-                .iter()
-                .map(|columns| std::array::from_fn(|order| columns.get(order).map_or(0.0, |column| column[index])))
+            let unknowns: Vec<Rates> = (0..table.unknowns.len())
+                .map(|place| {
+                    let mut rates = Rates::from(std::array::from_fn(|order| table.unknowns[place][order][index]));
+                    if table.is_direction(place) {
+                        rates[0] = table.sines[place][index].atan2(rates[0]);
+                    }
+                    rates
+                })
                 .collect();
-            units(self.engine, &solved.problem, &unknowns).map(|units| units.condition)
+            units(self.topology, &solved.problem, &unknowns).map(|units| units.condition)
         };
         own.unwrap_or(f64::NAN)
     }
@@ -142,17 +147,22 @@ impl Campaign<'_> {
                 "batch",
                 format!("{vectors:?}: not finite"),
                 &solved.problem,
-                &solved.guide,
+                &solved.assembly,
             );
         }
         let Some(units) = pose.known(f64::EPSILON) else {
             return;
         };
         for (place, columns) in table.unknowns.iter().enumerate() {
-            let sine = pose.found.sines[place].map(|sine| (0, table.sines[place][index], sine));
-            let rates = (0..)
-                .zip(columns)
-                .map(|(order, column)| (order, column[index], pose.found.columns[place][order]));
+            let mut expected = pose.found.unknowns[place];
+            let (sine, cosine) = expected[0].sin_cos();
+            let is_direction = table.is_direction(place);
+            if is_direction {
+                expected[0] = cosine;
+            }
+            let rates = (0..).zip(columns.iter().zip(expected));
+            let rates = rates.map(|(order, (column, expected))| (order, column[index], expected));
+            let sine = is_direction.then(|| (0, table.sines[place][index], sine));
             for (order, found, expected) in rates.chain(sine) {
                 // Cosine and sine move by no more than the angle, and are rounded themselves.
                 let unit = f64::EPSILON * units.conditions[place][order] + f64::MIN_POSITIVE;
@@ -160,12 +170,12 @@ impl Campaign<'_> {
                 self.tally.values += 1;
                 self.tally.batch = self.tally.batch.max(error);
                 if error > ALLOWED {
-                    let name = self.engine.description().unknowns[place].name;
+                    let name = self.topology.description().unknowns[place].name;
                     let what = format!(
                         "{vectors:?}: order {order} of {name} is {found:e} for {expected:e}, {error:.1} units; condition {:e}",
                         units.condition
                     );
-                    self.find("batch", what, &solved.problem, &solved.guide);
+                    self.find("batch", what, &solved.problem, &solved.assembly);
                 }
             }
         }
@@ -179,25 +189,30 @@ impl Campaign<'_> {
                 "batch",
                 format!("{vectors:?}: numbers of no pose"),
                 &solved.problem,
-                &solved.guide,
+                &solved.assembly,
             );
         }
     }
 
     /// All cores together come to the same bits as one.
     fn in_parallel(&mut self, together: &[&Solved], count: usize) {
-        let (problems, guides): (Vec<Problem>, Vec<Guide>) = together
+        let (problems, assemblies): (Vec<Problem>, Vec<AssemblyChoice>) = together
             .iter()
             .cycle()
             .take(count)
-            .map(|solved| (solved.problem.clone(), solved.guide.clone()))
+            .map(|solved| (solved.problem.clone(), solved.assembly.clone()))
             .unzip();
         let widest = Vectors::widest();
-        let (table, outcomes, summary) = self.engine.batch(&problems, &guides, widest);
-        let (other, other_outcomes, other_summary) = self.engine.batch_in_parallel(&problems, &guides, widest);
+        let (table, outcomes, summary) = self.topology.batch(&problems, &assemblies, widest);
+        let (other, other_outcomes, other_summary) = (self.topology.in_parallel)(&problems, &assemblies, widest);
         for index in 0..problems.len() {
             if table.bits(index) != other.bits(index) || outcomes[index] != other_outcomes[index] {
-                self.find("parallel", format!("pose {index}"), &problems[index], &guides[index]);
+                self.find(
+                    "parallel",
+                    format!("pose {index}"),
+                    &problems[index],
+                    &assemblies[index],
+                );
             }
         }
         let same = (summary.solved, summary.failed) == (other_summary.solved, other_summary.failed)
@@ -207,15 +222,8 @@ impl Campaign<'_> {
                 "parallel",
                 format!("{summary:?} {other_summary:?}"),
                 &problems[0],
-                &guides[0],
+                &assemblies[0],
             );
         }
-    }
-}
-
-fn assembly(guide: &Guide) -> Option<usize> {
-    match guide {
-        Guide::Assembly(index) => Some(*index),
-        Guide::Near(_) => None,
     }
 }

@@ -4,28 +4,28 @@ use kin_core::Dimension;
 
 use super::{Campaign, Solved};
 use crate::draw::choice;
-use crate::engine::Problem;
+use crate::topology::Problem;
 use kin_tests::random::Random;
 
 /// Halvings until two numbers are neighbours, and some more.
 const HALVINGS: usize = 80;
 
-impl Campaign<'_> {
+impl Campaign {
     /// Poses within a few units in the last place of an input where the mechanism ceases to close, if there is such a place.
     pub(super) fn edges(&mut self, solved: &Solved, random: &mut Random) -> Vec<Solved> {
         let (Ok(_), false) = (&solved.result, solved.problem.inputs.is_empty()) else {
             return Vec::new();
         };
-        let (engine, guide) = (self.engine, solved.guide.clone());
+        let (topology, assembly) = (self.topology, solved.assembly.clone());
         let place = choice(random, solved.problem.inputs.len());
         let with = |value: f64| {
             let mut problem = solved.problem.clone();
             problem.inputs[place][0] = value;
             problem
         };
-        let closes = |value: f64| engine.position(&with(value), &guide).is_ok();
+        let closes = |value: f64| topology.position(&with(value), &assembly).is_ok();
         let mut inside = solved.problem.inputs[place][0];
-        let is_angle = engine.description().inputs[place].dimension == Dimension::Angle;
+        let is_angle = topology.description().inputs[place].dimension == Dimension::Angle;
         let beyond = (0..8)
             .map(|_| {
                 if is_angle {
@@ -58,7 +58,7 @@ impl Campaign<'_> {
         .collect();
         problems
             .iter()
-            .map(|problem| self.solve(problem, guide.clone()))
+            .map(|problem| self.solve(problem, assembly.clone()))
             .collect()
     }
 }

@@ -10,10 +10,11 @@ mod tracks;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use kin_core::SolveError;
+use kin_core::any::AssemblyChoice;
 
 use super::draw::{Draw, Family, choice, draw};
-use super::engine::{Engine, Found, Guide, Problem};
 use super::tally::{Finding, Report, Tally};
+use super::topology::{Found, Problem, Topology};
 use super::unit::Units;
 use kin_tests::random::Random;
 
@@ -35,7 +36,7 @@ pub(crate) struct Size {
 /// A problem with what became of it.
 struct Solved {
     problem: Problem,
-    guide: Guide,
+    assembly: AssemblyChoice,
     result: Result<Pose, SolveError>,
 }
 
@@ -61,30 +62,24 @@ impl Pose {
 }
 
 /// The campaign through one topology.
-struct Campaign<'e> {
-    engine: &'e dyn Engine,
+struct Campaign {
+    topology: &'static Topology,
     tally: Tally,
     findings: Vec<Finding>,
     /// The case under test, to be reported after a panic.
-    current: (Problem, Guide),
+    current: (Problem, AssemblyChoice),
 }
 
 /// Runs the campaign through a topology, and enters it into the report.
-pub(crate) fn run(engine: &dyn Engine, size: Size, report: &mut Report) {
+pub(crate) fn run(topology: &'static Topology, size: Size, report: &mut Report) {
     let mut campaign = Campaign {
-        engine,
+        topology,
         tally: Tally {
-            name: engine.description().name,
+            name: topology.description().name,
             ..Tally::default()
         },
         findings: Vec::new(),
-        current: (
-            Problem {
-                parameters: Vec::new(),
-                inputs: Vec::new(),
-            },
-            Guide::Near(Vec::new()),
-        ),
+        current: (Problem::default(), AssemblyChoice::Near(Vec::new())),
     };
     let mut all = Vec::new();
     for (number, family) in (0_u64..).zip(Family::ALL) {
@@ -98,15 +93,15 @@ pub(crate) fn run(engine: &dyn Engine, size: Size, report: &mut Report) {
     report.findings.append(&mut campaign.findings);
 }
 
-impl Campaign<'_> {
+impl Campaign {
     /// Notes that something is wrong.
-    fn find(&mut self, check: &'static str, what: String, problem: &Problem, guide: &Guide) {
+    fn find(&mut self, check: &'static str, what: String, problem: &Problem, assembly: &AssemblyChoice) {
         self.findings.push(Finding {
             name: self.tally.name,
             check,
             what,
             problem: problem.clone(),
-            guide: guide.clone(),
+            assembly: assembly.clone(),
         });
     }
 
@@ -117,8 +112,8 @@ impl Campaign<'_> {
                 .downcast_ref::<String>()
                 .cloned()
                 .or_else(|| payload.downcast_ref::<&str>().map(ToString::to_string));
-            let (problem, guide) = self.current.clone();
-            self.find("panic", message.unwrap_or_default(), &problem, &guide);
+            let (problem, assembly) = self.current.clone();
+            self.find("panic", message.unwrap_or_default(), &problem, &assembly);
         }
     }
 
@@ -128,9 +123,9 @@ impl Campaign<'_> {
             problem,
             near,
             is_closed,
-        } = draw(self.engine, family, random);
-        let guides: Vec<Guide> = match self.engine.assembly_count() {
-            0 => vec![Guide::Near(near.clone())],
+        } = draw(self.topology, family, random);
+        let assemblies: Vec<AssemblyChoice> = match self.topology.solvers.assembly_count() {
+            0 => vec![AssemblyChoice::Near(near.clone())],
             // Four of them at most, lest the batches of each be small.
             count => {
                 let mut some = || choice(random, 4) * (count - 1) / 3;
@@ -140,10 +135,13 @@ impl Campaign<'_> {
                 } else {
                     vec![first, second]
                 };
-                both.into_iter().map(Guide::Assembly).collect()
+                both.into_iter().map(AssemblyChoice::Index).collect()
             }
         };
-        let solved: Vec<Solved> = guides.into_iter().map(|guide| self.solve(&problem, guide)).collect();
+        let solved: Vec<Solved> = assemblies
+            .into_iter()
+            .map(|assembly| self.solve(&problem, assembly))
+            .collect();
         if is_closed {
             self.is_not_missed(&problem, &near);
         }

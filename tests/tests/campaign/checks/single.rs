@@ -3,11 +3,12 @@
 use std::f64::consts::TAU;
 
 use kin_core::Dimension;
+use kin_core::any::AssemblyChoice;
 
 use super::pose::ALLOWED;
 use super::{Campaign, Solved};
 use crate::draw::Family;
-use crate::engine::{Guide, Problem, Rates};
+use crate::topology::{Problem, Rates};
 
 /// The ε of single precision.
 const EPSILON: f64 = f32::EPSILON as f64;
@@ -21,7 +22,7 @@ fn rounded_rates(rates: Rates) -> Rates {
     rates.map(rounded)
 }
 
-impl Campaign<'_> {
+impl Campaign {
     /// Solves a pose once more in both precisions.
     pub(super) fn in_single_precision(&mut self, solved: &Solved, family: Family) {
         if !matches!(family, Family::Ordinary | Family::Scaled | Family::Aligned) || solved.result.is_err() {
@@ -31,33 +32,33 @@ impl Campaign<'_> {
             parameters: solved.problem.parameters.iter().copied().map(rounded).collect(),
             inputs: solved.problem.inputs.iter().copied().map(rounded_rates).collect(),
         };
-        let guide = match &solved.guide {
-            Guide::Near(near) => Guide::Near(near.iter().copied().map(rounded).collect()),
-            Guide::Assembly(index) => Guide::Assembly(*index),
+        let assembly = match &solved.assembly {
+            AssemblyChoice::Near(near) => AssemblyChoice::Near(near.iter().copied().map(rounded).collect()),
+            AssemblyChoice::Index(index) => AssemblyChoice::Index(*index),
         };
-        let wide = self.solve(&problem, guide);
+        let wide = self.solve(&problem, assembly);
         let Ok(pose) = &wide.result else {
             return;
         };
         let Some(units) = pose.known(EPSILON) else {
             return;
         };
-        let found = match self.engine.solve_single(&problem, &wide.guide) {
+        let found = match self.topology.solve_single(&problem, &wide.assembly) {
             Ok(found) => found,
             Err(error) => {
                 // The range of single precision ends where powers of scaled lengths begin.
                 if family == Family::Ordinary {
                     let what = format!("refused: {error}; condition {:e}", units.condition);
-                    self.find("single", what, &problem, &wide.guide);
+                    self.find("single", what, &problem, &wide.assembly);
                 }
                 return;
             }
         };
         self.tally.singles += 1;
         if !found.is_finite() {
-            self.find("single", format!("not finite: {found:?}"), &problem, &wide.guide);
+            self.find("single", format!("not finite: {found:?}"), &problem, &wide.assembly);
         }
-        let description = self.engine.description();
+        let description = self.topology.description();
         for (place, (narrow, wide_rates)) in found.unknowns.iter().zip(&pose.found.unknowns).enumerate() {
             for order in 0..narrow.len() {
                 let mut difference = narrow[order] - wide_rates[order];
@@ -73,7 +74,7 @@ impl Campaign<'_> {
                         "order {order} of {} is {} for {}, {error:.1} units; condition {:e}",
                         description.unknowns[place].name, narrow[order], wide_rates[order], units.condition
                     );
-                    self.find("single", what, &problem, &wide.guide);
+                    self.find("single", what, &problem, &wide.assembly);
                 }
             }
         }

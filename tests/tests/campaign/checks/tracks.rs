@@ -2,13 +2,14 @@
 
 use std::f64::consts::TAU;
 
-use kin_core::{Dimension, Failure};
+use kin_core::any::AssemblyChoice;
+use kin_core::{Dimension, Failure, Obstacle, TrackError};
 use kin_tests::counting::Calls;
 
 use super::pose::ALLOWED;
 use super::{Campaign, Solved, most_condition};
 use crate::draw::Family;
-use crate::engine::{Ending, Guide, Place, at_rest};
+use crate::topology::at_rest;
 use crate::unit::{determinants, units};
 use kin_tests::random::Random;
 
@@ -28,13 +29,13 @@ const FAR: f64 = 1e3;
 /// of ε there.
 const SINGULAR: f64 = 1e-5;
 
-impl Campaign<'_> {
+impl Campaign {
     /// Tracks a pose to inputs at random.
     pub(super) fn track(&mut self, solved: &Solved, family: Family, random: &mut Random) {
         let Ok(pose) = &solved.result else {
             return;
         };
-        let description = self.engine.description();
+        let description = self.topology.description();
         let start = pose.found.position();
         let mut to: Vec<f64> = solved.problem.values();
         for (value, quantity) in to.iter_mut().zip(description.inputs) {
@@ -44,23 +45,17 @@ impl Campaign<'_> {
                 *value *= random.between(0.5, 1.5);
             }
         }
-        self.current = (solved.problem.clone(), solved.guide.clone());
-        let (ending, steps) = self.engine.track(&solved.problem, &start, &to);
+        self.current = (solved.problem.clone(), solved.assembly.clone());
+        let (ending, steps) = self.topology.track(&solved.problem, &start, &to);
         self.tally.end(&ending, steps);
         if steps.solutions > MOST.solutions || steps.closures > MOST.closures {
             self.find_track("steps", &format!("{steps:?}"), solved, &to);
         }
         match &ending {
-            Ending::Arrived(end) => self.has_arrived(solved, &to, end),
-            Ending::Limit(place) | Ending::ChangePoint(place) => {
-                let inputs = solved.problem.values();
-                let there: Vec<f64> = inputs
-                    .iter()
-                    .zip(&to)
-                    .map(|(from, to)| from + place.fraction * (to - from))
-                    .collect();
+            Ok(end) => self.has_arrived(solved, &to, end),
+            Err(TrackError::TurningPoint(place) | TrackError::ChangePoint(place)) => {
                 let rates: Vec<_> = place.unknowns.iter().copied().map(at_rest).collect();
-                let determinants = determinants(self.engine, &solved.problem.at(&there), &rates);
+                let determinants = determinants(self.topology, &solved.problem.at(&place.inputs), &rates);
                 let is_singular = determinants.iter().any(|determinant| determinant.abs() <= SINGULAR);
                 if !is_on_the_way(place) || (!is_singular && family != Family::Spread) {
                     self.find_track(
@@ -71,29 +66,29 @@ impl Campaign<'_> {
                     );
                 }
             }
-            Ending::Unbounded(place) => {
+            Err(TrackError::Pole(place)) => {
                 let is_far = |(before, after): (&f64, &f64)| after.abs() > FAR * before.abs();
                 if !is_on_the_way(place) || !start.iter().zip(&place.unknowns).any(is_far) {
                     self.find_track("pole", &format!("{ending:?}"), solved, &to);
                 }
             }
             // The domain of a function, or the range of an unknown, may end on the way.
-            Ending::Failed(error)
+            Err(TrackError::Failed(error))
                 if matches!(
                     error.failure,
                     Failure::OutsideDomain { .. } | Failure::OutOfRange { .. }
                 ) => {}
-            Ending::Failed(error) => {
+            Err(TrackError::Failed(error)) => {
                 if family == Family::Ordinary {
                     self.find_track("track failed", &error.to_string(), solved, &to);
                 }
             }
-            Ending::Lost(there) => {
-                if family == Family::Ordinary && !self.jumps(solved, there, &to) {
+            Err(TrackError::Lost(halt)) => {
+                if family == Family::Ordinary && !self.jumps(solved, &halt.inputs, &to) {
                     self.find_track("track lost", &format!("{ending:?}"), solved, &to);
                 }
             }
-            Ending::Endless => self.find_track("steps", &format!("{ending:?}"), solved, &to),
+            Err(_) => self.find_track("steps", &format!("{ending:?}"), solved, &to),
         }
     }
 
@@ -103,7 +98,9 @@ impl Campaign<'_> {
         let position = |step: f64| {
             let way = there.iter().zip(from.iter().zip(to));
             let inputs: Vec<f64> = way.map(|(there, (from, to))| there + step * (to - from)).collect();
-            self.engine.position(&solved.problem.at(&inputs), &solved.guide).ok()
+            self.topology
+                .position(&solved.problem.at(&inputs), &solved.assembly)
+                .ok()
         };
         let (Some(before), Some(after)) = (position(-ASIDE), position(ASIDE)) else {
             return false;
@@ -118,7 +115,7 @@ impl Campaign<'_> {
         let problem = solved.problem.at(to);
         let rates: Vec<_> = end.iter().copied().map(at_rest).collect();
         let units =
-            units(self.engine, &problem, &rates).filter(|units| units.condition <= most_condition(f64::EPSILON));
+            units(self.topology, &problem, &rates).filter(|units| units.condition <= most_condition(f64::EPSILON));
         let Some(units) = units else {
             return;
         };
@@ -132,20 +129,20 @@ impl Campaign<'_> {
                 );
             }
         }
-        match &solved.guide {
-            Guide::Assembly(_) => match self.engine.position(&problem, &solved.guide) {
+        match &solved.assembly {
+            AssemblyChoice::Index(_) => match self.topology.position(&problem, &solved.assembly) {
                 Ok(direct) => {
                     // Carried round by whole turns; what depends on the turn, as a rack or a gear does, is elsewhere then, and
                     // nothing but the assembly is known.
-                    let quantities = self.engine.description().unknowns;
+                    let quantities = self.topology.description().unknowns;
                     let pairs = || end.iter().zip(&direct).zip(quantities);
                     let turned = |own: f64, other: f64| TAU * ((own - other) / TAU).round();
                     let is_turned = pairs().any(|((own, other), quantity)| {
                         quantity.dimension == Dimension::Angle && turned(*own, *other) != 0.0
                     });
                     if is_turned {
-                        let told = self.engine.assembly_near(&problem, end);
-                        if solved.guide != told.map_or(Guide::Near(Vec::new()), Guide::Assembly) {
+                        let told = self.topology.assembly_near(&problem, end);
+                        if solved.assembly != told.map_or(AssemblyChoice::Near(Vec::new()), AssemblyChoice::Index) {
                             self.find_track("track", &format!("{end:?} is of assembly {told:?}"), solved, to);
                         }
                         return;
@@ -160,11 +157,11 @@ impl Campaign<'_> {
                 }
                 Err(error) => self.find_track("track", &format!("{end:?}, where solve says {error}"), solved, to),
             },
-            Guide::Near(_) => {
+            AssemblyChoice::Near(_) => {
                 let Ok(pose) = &solved.result else {
                     return;
                 };
-                let before = determinants(self.engine, &solved.problem, &pose.found.unknowns);
+                let before = determinants(self.topology, &solved.problem, &pose.found.unknowns);
                 for (before, after) in before.iter().zip(&units.determinants) {
                     if before * after < 0.0 {
                         let what = format!("{end:?}: a determinant of {before:e} becomes {after:e}");
@@ -182,10 +179,10 @@ impl Campaign<'_> {
             .map(|pose| pose.found.position())
             .unwrap_or_default();
         let what = format!("from {start:?} to inputs {to:?}: {what}");
-        self.find(check, what, &solved.problem, &solved.guide);
+        self.find(check, what, &solved.problem, &solved.assembly);
     }
 }
 
-fn is_on_the_way(place: &Place) -> bool {
+fn is_on_the_way(place: &Obstacle<Vec<f64>, Vec<f64>>) -> bool {
     (0.0..=1.0).contains(&place.fraction) && place.unknowns.iter().all(|value| value.is_finite())
 }
