@@ -1,9 +1,10 @@
 //! The names of functions, of their arguments and of the fields of their results.
 
-use kin_core::{Dimension, Quantity, RATES};
+use kin_core::any::Quantity;
+use kin_core::{Dimension, RATES};
 
 /// A quantity's name as a name of SQL: `tracer.x` becomes `tracer_x`.
-pub(crate) fn plain(quantity: &Quantity) -> String {
+pub(crate) fn plain(quantity: &Quantity<'_>) -> String {
     quantity.name.replace('.', "_").to_lowercase()
 }
 

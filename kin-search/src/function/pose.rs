@@ -10,6 +10,7 @@ use datafusion::common::{Result, ScalarValue, exec_datafusion_err, plan_err};
 use datafusion::logical_expr::{
     ColumnarValue, DocSection, Documentation, ReturnFieldArgs, ScalarFunctionArgs, ScalarUDFImpl, Signature, Volatility,
 };
+use kin_core::any::Quantity;
 use kin_core::batch::{Column, ColumnChoice, GivenColumns, Outcome, Place, Vectors, WantedColumns};
 use kin_core::{Dimension, in_small_letters};
 
@@ -72,7 +73,7 @@ struct Layout {
 
 /// The dimensions of a mechanism as arguments.
 pub(crate) fn dimensions(solver: &dyn Solver) -> Vec<Argument> {
-    let meaning = |quantity: &kin_core::Quantity| format!("{} ({})", quantity.description, unit(quantity.dimension, 0));
+    let meaning = |quantity: &Quantity<'_>| format!("{} ({})", quantity.description, unit(quantity.dimension, 0));
     let parameters = solver.description().parameters.iter();
     parameters
         .map(|quantity| Argument::number(plain(quantity), meaning(quantity)))
@@ -83,7 +84,7 @@ pub(crate) fn dimensions(solver: &dyn Solver) -> Vec<Argument> {
 pub(crate) fn choice(solver: &dyn Solver, assemblies: &[String]) -> Vec<Argument> {
     match assemblies {
         [] => {
-            let near = |quantity: &kin_core::Quantity| {
+            let near = |quantity: &Quantity<'_>| {
                 Argument::number(
                     format!("near_{}", plain(quantity)),
                     format!(
@@ -351,8 +352,8 @@ pub(crate) fn constant_or_column(args: &[ColumnarValue], array: ArrayRef) -> Res
 
 fn documentation(name: &str, solver: &dyn Solver, arguments: &[Argument]) -> Documentation {
     let description = solver.description();
-    let listed = |quantities: &[kin_core::Quantity]| {
-        let one = |quantity: &kin_core::Quantity| {
+    let listed = |quantities: &[Quantity<'_>]| {
+        let one = |quantity: &Quantity<'_>| {
             format!(
                 "{} ({}; {})",
                 plain(quantity),

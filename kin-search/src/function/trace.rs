@@ -1,7 +1,7 @@
 //! The path of a mechanism's point over the poses of a candidate.
 
 use datafusion::common::{Result, exec_datafusion_err};
-use kin_core::Description;
+use kin_core::any::Description;
 use kin_core::batch::{Column, Outcome, Place, Vectors, WantedColumns};
 
 use super::arguments::FEWEST_ROWS;
@@ -9,7 +9,7 @@ use super::search::Candidate;
 use super::solver::Solver;
 
 /// The index of the first output of a mechanism that is a point of the plane: that of its x.
-pub(crate) fn point_of(description: &Description) -> Option<usize> {
+pub(crate) fn point_of(description: &Description<'_>) -> Option<usize> {
     let outputs = description.outputs;
     (0..outputs.len()).find(|index| {
         let part = |offset: usize, end: &str| {
