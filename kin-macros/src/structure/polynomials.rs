@@ -145,6 +145,15 @@ fn degree(polynomial: &TrigonometricPolynomial) -> usize {
 }
 
 impl PolynomialSystem {
+    /// The number of values in as many solutions as there are paths.
+    pub(crate) fn room(&self) -> usize {
+        let of_variable = |variable: &PolynomialVariable| match variable {
+            PolynomialVariable::Turning(_) => 2,
+            PolynomialVariable::Plain(_) => 1,
+        };
+        self.paths * self.variables.iter().map(of_variable).sum::<usize>()
+    }
+
     /// Adds the terms of an equation.
     fn equation(
         &mut self,
