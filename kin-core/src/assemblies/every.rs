@@ -7,7 +7,7 @@ use num_traits::Float;
 
 use crate::assemblies::{
     Positions,
-    continuation::{PolynomialSystem, real_solutions},
+    continuation::AllSolutions,
 };
 use crate::assembly::{Assembly, Near};
 use crate::failure::{Failure, SolveError};
@@ -130,7 +130,7 @@ impl<const ROOM: usize> Choices<ROOM> {
     /// Fails if there is no solution.
     pub fn solution<const M: usize, const PATHS: usize>(
         &mut self,
-        system: &PolynomialSystem<M>,
+        system: &impl AllSolutions<M>,
         coefficients: &[f64],
     ) -> Result<[f64; M], Failure> {
         let first = self.taken;
@@ -140,7 +140,7 @@ impl<const ROOM: usize> Choices<ROOM> {
         } else {
             let room = self.solutions.get_mut(first..self.taken).unwrap_or(&mut []);
             let (mut count, mut places) = (0, room.as_chunks_mut::<M>().0.iter_mut());
-            let outcome = real_solutions::<M, PATHS>(system, coefficients, |solution| {
+            let outcome = system.real_solutions::<PATHS>(coefficients, |solution| {
                 if let Some(place) = places.next() {
                     *place = solution.values;
                     count += 1;

@@ -21,6 +21,8 @@ use super::system::BorrowedSystem;
 /// - For an equation that has half of its degree in the coordinates c + i s of circles, and half in c - i s, half of the forms take the
 ///   first and half the second, each with 1 and random coefficients.
 /// - For any other equation of degree d, there are d forms of all its variables and 1, with random coefficients.
+///
+/// If a [known](Known) system of the same family is given, G is that system instead.
 #[derive(Clone, Debug)]
 pub(super) struct Homotopy<'a, const M: usize> {
     system: &'a BorrowedSystem<'a, M>,
@@ -32,6 +34,15 @@ pub(super) struct Homotopy<'a, const M: usize> {
     number: u64,
     /// The forms of the equation of the highest degree.
     drawn: DrawnForms<M>,
+    known: Option<Known<'a, M>>,
+}
+
+/// A system with the same terms as the one to be solved, and general coefficients, whose solutions are known.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Known<'a, const M: usize> {
+    pub(super) coefficients: &'a [Complex],
+    /// The coordinates X₁ ... and X₀ of the solutions to a few digits, up to a factor.
+    pub(super) points: &'a [([Complex; M], Complex)],
 }
 
 /// The linear forms of the start system for one equation, drawn once.
@@ -130,9 +141,9 @@ impl<const M: usize> Slopes<M> {
 
     /// Adds the slopes of a term along its variables, times the given power of X₀. Returns the term without that power.
     #[inline]
-    fn add_term(&mut self, powers: &[(u16, u8)], coefficient: f64, x: &[Complex; M], lift: Complex) -> Complex {
+    fn add_term(&mut self, powers: &[(u16, u8)], coefficient: Complex, x: &[Complex; M], lift: Complex) -> Complex {
         // The products of the factors before each one.
-        let mut before = [Complex::real(coefficient); FACTORS + 1];
+        let mut before = [coefficient; FACTORS + 1];
         for (place, &(variable, power)) in powers.iter().enumerate() {
             before[place + 1] = before[place] * x[usize::from(variable)].power(power);
         }
@@ -151,19 +162,25 @@ impl<const M: usize> Slopes<M> {
 
     /// [`add_term`](Self::add_term) for any number of variables.
     #[cold]
-    fn add_long_term(&mut self, powers: &[(u16, u8)], coefficient: f64, x: &[Complex; M], lift: Complex) -> Complex {
+    fn add_long_term(
+        &mut self,
+        powers: &[(u16, u8)],
+        coefficient: Complex,
+        x: &[Complex; M],
+        lift: Complex,
+    ) -> Complex {
         let value = |(variable, power): (u16, u8)| x[usize::from(variable)].power(power);
         for (place, &(variable, power)) in powers.iter().enumerate() {
             let less = x[usize::from(variable)].power(power - 1);
             let others = powers.iter().enumerate().filter(|(other, _)| *other != place);
-            let slope = others.fold(lift.scale(coefficient) * less, |slope, (_, &factor)| {
+            let slope = others.fold(lift * coefficient * less, |slope, (_, &factor)| {
                 slope * value(factor)
             });
             self.along[usize::from(variable)] += slope.scale(f64::from(power));
         }
         powers
             .iter()
-            .fold(Complex::real(coefficient), |product, &factor| product * value(factor))
+            .fold(coefficient, |product, &factor| product * value(factor))
     }
 }
 
@@ -305,6 +322,7 @@ impl<'a, const M: usize> Homotopy<'a, M> {
         degrees: &[u8; M],
         scales: &Scales<M>,
         coordinates: Coordinates<M>,
+        known: Option<Known<'a, M>>,
         number: u64,
     ) -> Self {
         let mut random = FixedSequence::new(number);
@@ -369,6 +387,7 @@ impl<'a, const M: usize> Homotopy<'a, M> {
             equations,
             number: random.next(),
             drawn,
+            known,
         }
     }
 
@@ -378,16 +397,23 @@ impl<'a, const M: usize> Homotopy<'a, M> {
         self.coordinates.free
     }
 
-    /// The number of ways to choose one factor of each equation.
+    /// The number of known solutions, or of ways to choose one factor of each equation.
     pub(super) fn choices(&self) -> usize {
+        if let Some(known) = &self.known {
+            return known.points.len();
+        }
         self.equations[..self.free()].iter().fold(1, |choices, equation| {
             choices.saturating_mul(usize::from(equation.degree))
         })
     }
 
-    /// The known solution at which one chosen factor of each equation is zero, if it exists and is finite.
+    /// The known solution with a number. Without a known system, it is the one at which one chosen factor of each equation
+    /// is zero, if it exists and is finite.
     pub(super) fn start(&mut self, choice: usize, at: &mut Linearised<M>) -> Option<[Complex; M]> {
         let free = self.free();
+        if let Some(known) = &self.known {
+            return Some(self.coordinates.of(known.points.get(choice)?));
+        }
         let mut rest = choice;
         for (row, equation) in self.equations[..free].iter().enumerate() {
             let degree = usize::from(equation.degree);
@@ -488,7 +514,8 @@ impl<'a, const M: usize> Homotopy<'a, M> {
         let rest = Complex::ONE - t;
         for (row, equation) in self.equations[..self.free()].iter().enumerate() {
             let mut slopes = Slopes::ZERO;
-            self.add_target(equation, &x, infinity, &mut slopes);
+            let own = |coefficient: usize| Complex::real(self.coefficients[coefficient] * equation.scale);
+            self.add_terms(equation, own, &x, infinity, &mut slopes);
             let target = slopes.value;
             let support = &equation.support[..equation.occurring];
             slopes.value = rest * target;
@@ -497,7 +524,16 @@ impl<'a, const M: usize> Homotopy<'a, M> {
                 slopes.along[variable] = rest * slopes.along[variable];
             }
             let times = t * equation.turn;
-            let start = if row == self.drawn.row {
+            let start = if let Some(known) = &self.known {
+                let mut start = Slopes::ZERO;
+                self.add_terms(equation, |place| known.coefficients[place], &x, infinity, &mut start);
+                slopes.value += times * start.value;
+                slopes.infinity += times * start.infinity;
+                for &variable in support {
+                    slopes.along[variable] += times * start.along[variable];
+                }
+                start.value
+            } else if row == self.drawn.row {
                 let forms = &self.drawn.forms[..usize::from(equation.degree)];
                 equation.add_drawn(forms, &x, infinity, times, &mut slopes)
             } else {
@@ -510,13 +546,20 @@ impl<'a, const M: usize> Homotopy<'a, M> {
         }
     }
 
-    /// Adds F of one equation, and its slopes.
+    /// Adds the terms of one equation, with the coefficients at their places, and their slopes.
     #[inline]
-    fn add_target(&self, equation: &NonlinearEquation<M>, x: &[Complex; M], infinity: Complex, slopes: &mut Slopes<M>) {
+    fn add_terms(
+        &self,
+        equation: &NonlinearEquation<M>,
+        coefficient: impl Fn(usize) -> Complex,
+        x: &[Complex; M],
+        infinity: Complex,
+        slopes: &mut Slopes<M>,
+    ) {
         let [first, end] = equation.terms;
         for term in &self.system.terms()[first..end] {
-            let coefficient = self.coefficients[usize::from(term.coefficient)] * equation.scale;
-            if coefficient == 0.0 {
+            let coefficient = coefficient(usize::from(term.coefficient));
+            if coefficient == Complex::ZERO {
                 continue;
             }
             let degree = term.powers.iter().fold(0, |sum, &(_, power)| sum + power);

@@ -1,0 +1,316 @@
+//! All poses of a body in space that six equations hold.
+//!
+//! The Study coordinates x and y of a pose, two quaternions, give its rotation as that of the quaternion x, and its
+//! position as 2 y x̄ / |x|². They fulfil x·y = 0, and common factors do not matter. An equation
+//! c p·p + u·p + v·Rᵀp + Σ wᵢⱼ Rᵢⱼ + k = 0, times |x|², is
+//!
+//! 4 c y·y + 2 u·(y x̄) + 2 v·(x̄ y) + Σ wᵢⱼ |x|² Rᵢⱼ(x) + k |x|² = 0,
+//!
+//! of second degree. The seven equations have 40 solutions with x ≠ 0 if their coefficients are general, whatever u, v and
+//! w are (M. Husty, *An algorithm for solving the direct kinematics of general Stewart-Gough platforms*, Mechanism and
+//! Machine Theory 31 (1996) 365-380; C. W. Wampler, *Forward displacement analysis of general six-in-parallel SPS
+//! (Stewart) platform manipulators using soma coordinates*, the same 31 (1996) 331-337). So the start system is a known
+//! member of this family with its 40 solutions, and no path leads to the other solutions, x = 0.
+
+use core::ops::Neg;
+
+use num_traits::Float;
+
+use super::complex::Complex;
+use super::homotopy::Known;
+use super::known_poses::POSES;
+use super::outcome::{PathCounts, Solution, Unsuitable};
+use super::scaling::Scales;
+use super::sequence;
+use super::system::{PolynomialSystem, Term};
+use super::{AllSolutions, solutions};
+
+/// The number of equations of a body.
+const EQUATIONS: usize = 6;
+/// The number of coefficients of an equation: c, u, v, w and k.
+const COEFFICIENTS: usize = 17;
+/// The number of Study coordinates.
+const COORDINATES: usize = 8;
+/// The number of independent coefficients of the terms of an equation.
+const MONOMIALS: usize = 17;
+/// The number of coefficients in the table for one equation: six occur with both signs.
+const TABLED: usize = MONOMIALS + 6;
+/// The number of the pseudorandom coefficients of the known body. Of the first eleven it is the one whose poses are
+/// determined best.
+const KNOWN: u64 = 8;
+/// The numbers of its equations among those coefficients.
+const KNOWN_FORMS: [u8; EQUATIONS] = [0, 1, 2, 3, 4, 5];
+/// The coefficients of the form of x that is equal to one. No rotation in use is orthogonal to it.
+const PATCH: [f64; 4] = [0.743_1, 0.376_4, -0.478_9, 0.281_7];
+
+/// The monomials of an equation, and the places of their coefficients. The last six coefficients are those of the places 1
+/// to 6 with the other sign.
+const OF_EQUATION: [(&[(u16, u8)], u16); 26] = [
+    (&[(4, 2)], 0),
+    (&[(5, 2)], 0),
+    (&[(6, 2)], 0),
+    (&[(7, 2)], 0),
+    // The vector x₀ y - y₀ x.
+    (&[(0, 1), (5, 1)], 1),
+    (&[(0, 1), (6, 1)], 2),
+    (&[(0, 1), (7, 1)], 3),
+    (&[(1, 1), (4, 1)], 17),
+    (&[(2, 1), (4, 1)], 18),
+    (&[(3, 1), (4, 1)], 19),
+    // The vector x × y.
+    (&[(2, 1), (7, 1)], 4),
+    (&[(3, 1), (5, 1)], 5),
+    (&[(1, 1), (6, 1)], 6),
+    (&[(3, 1), (6, 1)], 20),
+    (&[(1, 1), (7, 1)], 21),
+    (&[(2, 1), (5, 1)], 22),
+    (&[(0, 2)], 7),
+    (&[(0, 1), (1, 1)], 8),
+    (&[(0, 1), (2, 1)], 9),
+    (&[(0, 1), (3, 1)], 10),
+    (&[(1, 2)], 11),
+    (&[(1, 1), (2, 1)], 12),
+    (&[(1, 1), (3, 1)], 13),
+    (&[(2, 2)], 14),
+    (&[(2, 1), (3, 1)], 15),
+    (&[(3, 2)], 16),
+];
+/// The terms of x·y = 0 and of the form that is one, with the places of their [constants](CONSTANTS).
+const FURTHER: [(u16, &[(u16, u8)], u16); 9] = [
+    (6, &[(0, 1), (4, 1)], 0),
+    (6, &[(1, 1), (5, 1)], 0),
+    (6, &[(2, 1), (6, 1)], 0),
+    (6, &[(3, 1), (7, 1)], 0),
+    (7, &[(0, 1)], 1),
+    (7, &[(1, 1)], 2),
+    (7, &[(2, 1)], 3),
+    (7, &[(3, 1)], 4),
+    (7, &[], 5),
+];
+/// The coefficients of the further terms.
+const CONSTANTS: [f64; 6] = [1.0, PATCH[0], PATCH[1], PATCH[2], PATCH[3], -1.0];
+/// The terms of all equations.
+const TERMS: [Term; EQUATIONS * OF_EQUATION.len() + FURTHER.len()] = {
+    let mut terms = [Term::new(0, 0, &[]); EQUATIONS * OF_EQUATION.len() + FURTHER.len()];
+    let (mut place, mut equation) = (0, 0_u16);
+    while equation < EQUATIONS as u16 {
+        let mut own = 0;
+        while own < OF_EQUATION.len() {
+            let (powers, coefficient) = OF_EQUATION[own];
+            terms[place] = Term::new(equation, equation * TABLED as u16 + coefficient, powers);
+            (place, own) = (place + 1, own + 1);
+        }
+        equation += 1;
+    }
+    let mut further = 0;
+    while further < FURTHER.len() {
+        let (own, powers, coefficient) = FURTHER[further];
+        terms[place] = Term::new(own, equation * TABLED as u16 + coefficient, powers);
+        (place, further) = (place + 1, further + 1);
+    }
+    terms
+};
+const SYSTEM: PolynomialSystem<COORDINATES> = PolynomialSystem::new(&TERMS);
+
+/// The equations of a body in space, whose unknowns are three coordinates and the three angles of a product of elementary
+/// rotations.
+///
+/// Six equations c p·p + u·p + v·Rᵀp + Σ wᵢⱼ Rᵢⱼ + k = 0 determine the position p and the rotation R. Their coefficients
+/// are given one equation after another, in the order c, u, v, w row by row, k.
+///
+/// The variables of a solution are p, and then cosine and sine of each angle in the order of the product. Each of up to 40
+/// poses is passed on with both of its triples of angles.
+#[derive(Clone, Copy, Debug)]
+pub struct BodySystem {
+    axes: [usize; 3],
+}
+
+impl BodySystem {
+    /// The system with rotations about these axes, the first factor of the product first: 0 for x, 1 for y, 2 for z.
+    /// No axis follows itself.
+    #[must_use]
+    pub const fn new(axes: [usize; 3]) -> Self {
+        Self { axes }
+    }
+
+    /// Cosines and sines of the angles of a rotation, in both triples that give it.
+    fn angles(&self, rotation: &[[f64; 3]; 3]) -> [[[f64; 2]; 3]; 2] {
+        let [first, middle, last] = self.axes;
+        let (beside_first, beside_last) = (3 - first - middle, 3 - middle - last);
+        let [turn, last_turn] = [[first, middle], [middle, last]].map(|[before, after]| {
+            if (before + 1) % 3 == after { 1.0 } else { -1.0 }
+        });
+        // The rotation about the first axis brings the last axis into the plane that is normal to the middle axis.
+        let across = [turn * rotation[beside_first][last], -rotation[middle][last]];
+        let length = Float::hypot(across[0], across[1]);
+        [1.0, -1.0].map(|side: f64| {
+            // If the last axis is along the first, any first angle will do.
+            let [cosine, sine] = if length == 0.0 {
+                [1.0, 0.0]
+            } else {
+                across.map(|part| side * part / length)
+            };
+            // The product of the other two factors.
+            let mut rest = *rotation;
+            for column in 0..3 {
+                let [along, beside] = [middle, beside_first].map(|row| rotation[row][column]);
+                rest[middle][column] = cosine * along + turn * sine * beside;
+                rest[beside_first][column] = cosine * beside - turn * sine * along;
+            }
+            [
+                [cosine, sine],
+                [rest[last][last], last_turn * rest[beside_last][last]],
+                [rest[middle][middle], last_turn * rest[middle][beside_last]],
+            ]
+        })
+    }
+}
+
+impl AllSolutions<9> for BodySystem {
+    /// Passes on each of up to 40 poses with both of its triples of angles. The 40 paths take about 0.1 s and 20 kB of the
+    /// stack.
+    fn real_solutions<const PATHS: usize>(
+        &self,
+        coefficients: &[f64],
+        mut found: impl FnMut(Solution<9>),
+    ) -> Result<PathCounts, Unsuitable> {
+        let (given, []) = coefficients.as_chunks::<COEFFICIENTS>() else {
+            return Err(Unsuitable::Table);
+        };
+        let given: &[[f64; COEFFICIENTS]; EQUATIONS] = given.try_into().map_err(|_| Unsuitable::Table)?;
+        if let Some(coefficient) = coefficients.iter().position(|value| !value.is_finite()) {
+            return Err(Unsuitable::NotFinite { coefficient });
+        }
+        let unit = unit(given);
+        let mut equations = [[0.0; MONOMIALS]; EQUATIONS];
+        for (equation, (own, given)) in equations.iter_mut().zip(given).enumerate() {
+            *own = scaled(given, unit).ok_or(Unsuitable::NoVariable { equation })?;
+        }
+        let known_equations: [[Complex; MONOMIALS]; EQUATIONS] = KNOWN_FORMS
+            .map(|form| core::array::from_fn(|place| sequence::entry(KNOWN, form, place)));
+        let known = Known {
+            coefficients: &tabled(&known_equations, Complex::real),
+            points: &POSES.map(|pose| {
+                let entry = |place: usize| Complex::new(f64::from(pose[2 * place]), f64::from(pose[2 * place + 1]));
+                let x: [Complex; COORDINATES] = core::array::from_fn(entry);
+                let parts = PATCH.iter().zip(&x);
+                (x, parts.fold(Complex::ZERO, |sum, (share, x)| sum + x.scale(*share)))
+            }),
+        };
+        let scales = Scales {
+            variables: [1.0; COORDINATES],
+            equations: [1.0; COORDINATES],
+        };
+        solutions::<COORDINATES, { POSES.len() }>(
+            &SYSTEM,
+            &tabled(&equations, |value| value),
+            &[2, 2, 2, 2, 2, 2, 2, 1],
+            &scales,
+            Some(known),
+            |solution| {
+                let (position, rotation) = pose(&solution.values);
+                let [x, y, z] = position.map(|part| part * unit);
+                for [[c1, s1], [c2, s2], [c3, s3]] in self.angles(&rotation) {
+                    found(Solution {
+                        values: [x, y, z, c1, s1, c2, s2, c3, s3],
+                        multiplicity: solution.multiplicity,
+                        condition: solution.condition,
+                    });
+                }
+            },
+        )
+    }
+}
+
+/// The position and the rotation of a pose.
+fn pose(&[x0, x1, x2, x3, y0, y1, y2, y3]: &[f64; COORDINATES]) -> ([f64; 3], [[f64; 3]; 3]) {
+    let inverse = 1.0 / (x0 * x0 + x1 * x1 + x2 * x2 + x3 * x3);
+    let position = [
+        x0 * y1 - y0 * x1 + x2 * y3 - x3 * y2,
+        x0 * y2 - y0 * x2 + x3 * y1 - x1 * y3,
+        x0 * y3 - y0 * x3 + x1 * y2 - x2 * y1,
+    ];
+    let rotation = [
+        [
+            0.5 * (x0 * x0 + x1 * x1 - x2 * x2 - x3 * x3),
+            x1 * x2 - x0 * x3,
+            x1 * x3 + x0 * x2,
+        ],
+        [
+            x1 * x2 + x0 * x3,
+            0.5 * (x0 * x0 - x1 * x1 + x2 * x2 - x3 * x3),
+            x2 * x3 - x0 * x1,
+        ],
+        [
+            x1 * x3 - x0 * x2,
+            x2 * x3 + x0 * x1,
+            0.5 * (x0 * x0 - x1 * x1 - x2 * x2 + x3 * x3),
+        ],
+    ];
+    (
+        position.map(|part| 2.0 * inverse * part),
+        rotation.map(|row| row.map(|element| 2.0 * inverse * element)),
+    )
+}
+
+/// A power of two of about the size of the lengths.
+fn unit(equations: &[[f64; COEFFICIENTS]; EQUATIONS]) -> f64 {
+    let largest = |range: core::ops::Range<usize>| {
+        equations
+            .iter()
+            .flat_map(|equation| &equation[range.clone()])
+            .fold(0.0_f64, |most, value| most.max(value.abs()))
+    };
+    // In this order the coefficients belong to powers of the position, from the second down.
+    let [squares, lengths, constants] = [largest(0..1), largest(1..7), largest(7..COEFFICIENTS)];
+    let of_squares = Float::sqrt(constants / squares).max(lengths / squares);
+    let unit = if squares > 0.0 { of_squares } else { constants / lengths };
+    if unit > 0.0 && unit.is_finite() {
+        Float::exp2(Float::round(Float::log2(unit)))
+    } else {
+        1.0
+    }
+}
+
+/// The coefficients of the monomials of an equation, divided by the largest; `None` if all are zero.
+fn scaled(
+    &[c, u0, u1, u2, v0, v1, v2, w00, w01, w02, w10, w11, w12, w20, w21, w22, k]: &[f64; COEFFICIENTS],
+    unit: f64,
+) -> Option<[f64; MONOMIALS]> {
+    let length = 2.0 * unit;
+    let own = [
+        length * length * c,
+        length * (u0 + v0),
+        length * (u1 + v1),
+        length * (u2 + v2),
+        length * (u0 - v0),
+        length * (u1 - v1),
+        length * (u2 - v2),
+        k + w00 + w11 + w22,
+        2.0 * (w21 - w12),
+        2.0 * (w02 - w20),
+        2.0 * (w10 - w01),
+        k + w00 - w11 - w22,
+        2.0 * (w01 + w10),
+        2.0 * (w02 + w20),
+        k - w00 + w11 - w22,
+        2.0 * (w12 + w21),
+        k - w00 - w11 + w22,
+    ];
+    let largest = own.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    (largest > 0.0).then(|| own.map(|value| value / largest))
+}
+
+/// The coefficients of the table: those of each equation, of which six occur with both signs, and the constants.
+fn tabled<C: Copy + Neg<Output = C>>(
+    equations: &[[C; MONOMIALS]; EQUATIONS],
+    constant: impl Fn(f64) -> C,
+) -> [C; EQUATIONS * TABLED + CONSTANTS.len()] {
+    core::array::from_fn(|place| {
+        let (equation, coefficient) = (place / TABLED, place % TABLED);
+        let Some(own) = equations.get(equation) else {
+            return constant(CONSTANTS[place - EQUATIONS * TABLED]);
+        };
+        own.get(coefficient).copied().unwrap_or_else(|| -own[coefficient - MONOMIALS + 1])
+    })
+}
