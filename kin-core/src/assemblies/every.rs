@@ -5,10 +5,7 @@ use core::ops::Deref;
 
 use num_traits::Float;
 
-use crate::assemblies::{
-    Positions,
-    continuation::AllSolutions,
-};
+use crate::assemblies::{Positions, continuation::AllSolutions};
 use crate::assembly::{Assembly, Near};
 use crate::failure::{Failure, SolveError};
 use crate::mechanism::{Mechanism, PositionSearch};

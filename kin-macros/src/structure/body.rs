@@ -212,7 +212,10 @@ impl Rotation {
             .iter()
             .map(|element| {
                 let number = |monomial| element.0.get(monomial).and_then(|&value| graph.as_number(value));
-                monomials.iter().map(|monomial| number(monomial).unwrap_or(0.0)).collect()
+                monomials
+                    .iter()
+                    .map(|monomial| number(monomial).unwrap_or(0.0))
+                    .collect()
             })
             .collect();
         let pivots = pivots(&elements);
@@ -224,11 +227,7 @@ impl Rotation {
     }
 
     /// The coefficients of the elements in a combination of them, and what it has besides; `None` if it is none.
-    fn combination(
-        &self,
-        graph: &mut Graph,
-        polynomial: &TrigonometricPolynomial,
-    ) -> Option<([Node; ELEMENTS], Node)> {
+    fn combination(&self, graph: &mut Graph, polynomial: &TrigonometricPolynomial) -> Option<([Node; ELEMENTS], Node)> {
         let is_known = |monomial: &Monomial| *monomial == Monomial::one() || self.monomials.contains(monomial);
         if !polynomial.0.keys().all(is_known) {
             return None;
@@ -244,11 +243,20 @@ impl Rotation {
                 .map(|(monomial, shares)| (values[*monomial], shares[element]))
                 .collect();
             let coefficient = graph.linear(0.0, &terms);
-            if graph.vanishes(coefficient) { graph.zero() } else { coefficient }
+            if graph.vanishes(coefficient) {
+                graph.zero()
+            } else {
+                coefficient
+            }
         });
         for (place, &value) in values.iter().enumerate() {
             let mut terms = vec![(value, -1.0)];
-            terms.extend(elements.iter().zip(&self.elements).map(|(&node, element)| (node, element[place])));
+            terms.extend(
+                elements
+                    .iter()
+                    .zip(&self.elements)
+                    .map(|(&node, element)| (node, element[place])),
+            );
             let rest = graph.linear(0.0, &terms);
             if !graph.vanishes(rest) {
                 return None;
@@ -264,7 +272,12 @@ fn pivots(elements: &[Vec<f64>]) -> Vec<(usize, [f64; ELEMENTS])> {
     let mut rows: Vec<(Vec<f64>, [f64; ELEMENTS])> = elements
         .iter()
         .enumerate()
-        .map(|(element, row)| (row.clone(), core::array::from_fn(|other| f64::from(u8::from(other == element)))))
+        .map(|(element, row)| {
+            (
+                row.clone(),
+                core::array::from_fn(|other| f64::from(u8::from(other == element))),
+            )
+        })
         .collect();
     let mut pivots = Vec::new();
     for place in 0..rows.len() {
@@ -286,5 +299,8 @@ fn pivots(elements: &[Vec<f64>]) -> Vec<(usize, [f64; ELEMENTS])> {
         }
         rows[place] = own;
     }
-    pivots.into_iter().zip(rows.into_iter().map(|(_, shares)| shares)).collect()
+    pivots
+        .into_iter()
+        .zip(rows.into_iter().map(|(_, shares)| shares))
+        .collect()
 }

@@ -5,9 +5,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{ClosedForm, body};
 use super::tear::Whole;
-use crate::algebra::{Angle, Expansion, Graph, Harmonic, Monomial, Node, Symbol, TrigonometricPolynomial, Variables};
+use super::{ClosedForm, body};
+use crate::algebra::{
+    Angle, Expansion, Function, Graph, Harmonic, Monomial, Node, NodeKind, Symbol, TrigonometricPolynomial, Variables,
+};
 
 /// The largest number of paths that are followed.
 const LARGEST: usize = 1024;
@@ -63,7 +65,12 @@ pub(super) fn system(graph: &mut Graph, whole: Whole) -> Option<PolynomialSystem
     let mut polynomials: Vec<TrigonometricPolynomial> = whole
         .equations
         .iter()
-        .map(|&equation| Expansion::new(graph, Variables::Unknowns(&unknowns)).equation(equation))
+        .map(|&equation| {
+            let polynomial = Expansion::new(graph, Variables::Unknowns(&unknowns)).equation(equation);
+            squared(graph, &polynomial)
+                .map(|square| Expansion::new(graph, Variables::Unknowns(&unknowns)).equation(square))
+                .unwrap_or(polynomial)
+        })
         .collect();
     let (mut turning, mut plain) = (BTreeSet::new(), BTreeSet::new());
     for monomial in polynomials.iter().flat_map(|polynomial| polynomial.0.keys()) {
@@ -162,6 +169,32 @@ fn of_body(
         relations: Vec::new(),
         paths: OF_BODY,
     })
+}
+
+/// The equation s - g |g| == 0 for √s == g, where g is known, such as the length of a leg. Where g is negative, it has no
+/// real solution with a positive s either.
+fn squared(graph: &mut Graph, polynomial: &TrigonometricPolynomial) -> Option<Node> {
+    let mut others = polynomial
+        .0
+        .iter()
+        .filter(|(monomial, _)| **monomial != Monomial::one());
+    let (Some((monomial, &coefficient)), None) = (others.next(), others.next()) else {
+        return None;
+    };
+    let powers: Vec<(&Node, &i32)> = monomial.powers.iter().collect();
+    let (Harmonic::One, &[(&root, 1)]) = (&monomial.harmonic, powers.as_slice()) else {
+        return None;
+    };
+    let NodeKind::Call(Function::Sqrt, arguments) = graph.kind(root).clone() else {
+        return None;
+    };
+    let free = polynomial.free_term(graph);
+    let quotient = graph.divide(free, coefficient);
+    let known = graph.negate(quotient);
+    let square = graph.multiply(known, known);
+    let modulus = graph.call(Function::Sqrt, &[square]);
+    let product = graph.multiply(known, modulus);
+    Some(graph.subtract(arguments[0], product))
 }
 
 /// Replaces equations by their differences with multiples of others where this lowers their degree: the difference of

@@ -137,9 +137,8 @@ impl BodySystem {
     fn angles(&self, rotation: &[[f64; 3]; 3]) -> [[[f64; 2]; 3]; 2] {
         let [first, middle, last] = self.axes;
         let (beside_first, beside_last) = (3 - first - middle, 3 - middle - last);
-        let [turn, last_turn] = [[first, middle], [middle, last]].map(|[before, after]| {
-            if (before + 1) % 3 == after { 1.0 } else { -1.0 }
-        });
+        let [turn, last_turn] =
+            [[first, middle], [middle, last]].map(|[before, after]| if (before + 1) % 3 == after { 1.0 } else { -1.0 });
         // The rotation about the first axis brings the last axis into the plane that is normal to the middle axis.
         let across = [turn * rotation[beside_first][last], -rotation[middle][last]];
         let length = Float::hypot(across[0], across[1]);
@@ -186,8 +185,8 @@ impl AllSolutions<9> for BodySystem {
         for (equation, (own, given)) in equations.iter_mut().zip(given).enumerate() {
             *own = scaled(given, unit).ok_or(Unsuitable::NoVariable { equation })?;
         }
-        let known_equations: [[Complex; MONOMIALS]; EQUATIONS] = KNOWN_FORMS
-            .map(|form| core::array::from_fn(|place| sequence::entry(KNOWN, form, place)));
+        let known_equations: [[Complex; MONOMIALS]; EQUATIONS] =
+            KNOWN_FORMS.map(|form| core::array::from_fn(|place| sequence::entry(KNOWN, form, place)));
         let known = Known {
             coefficients: &tabled(&known_equations, Complex::real),
             points: &POSES.map(|pose| {
@@ -274,7 +273,25 @@ fn unit(equations: &[[f64; COEFFICIENTS]; EQUATIONS]) -> f64 {
 
 /// The coefficients of the monomials of an equation, divided by the largest; `None` if all are zero.
 fn scaled(
-    &[c, u0, u1, u2, v0, v1, v2, w00, w01, w02, w10, w11, w12, w20, w21, w22, k]: &[f64; COEFFICIENTS],
+    &[
+        c,
+        u0,
+        u1,
+        u2,
+        v0,
+        v1,
+        v2,
+        w00,
+        w01,
+        w02,
+        w10,
+        w11,
+        w12,
+        w20,
+        w21,
+        w22,
+        k,
+    ]: &[f64; COEFFICIENTS],
     unit: f64,
 ) -> Option<[f64; MONOMIALS]> {
     let length = 2.0 * unit;
@@ -311,6 +328,179 @@ fn tabled<C: Copy + Neg<Output = C>>(
         let Some(own) = equations.get(equation) else {
             return constant(CONSTANTS[place - EQUATIONS * TABLED]);
         };
-        own.get(coefficient).copied().unwrap_or_else(|| -own[coefficient - MONOMIALS + 1])
+        own.get(coefficient)
+            .copied()
+            .unwrap_or_else(|| -own[coefficient - MONOMIALS + 1])
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::vec::Vec;
+
+    use super::super::sequence::FixedSequence;
+    use super::super::{AllSolutions, PathCounts, real_solutions};
+    use super::{BodySystem, COEFFICIENTS, EQUATIONS, SYSTEM, scaled, tabled, unit};
+
+    type Matrix = [[f64; 3]; 3];
+
+    /// General coefficients, not those of legs.
+    fn general(random: &mut FixedSequence) -> [[f64; COEFFICIENTS]; EQUATIONS] {
+        [(); EQUATIONS].map(|()| [(); COEFFICIENTS].map(|()| 2.0 * random.fraction() - 1.0))
+    }
+
+    fn sequences() -> impl Iterator<Item = [usize; 3]> {
+        (0..27)
+            .map(|number| [number / 9, number / 3 % 3, number % 3])
+            .filter(|[first, middle, last]| first != middle && middle != last)
+    }
+
+    /// The product of elementary rotations with the given cosines and sines.
+    fn rotation(axes: [usize; 3], angles: &[[f64; 2]; 3]) -> Matrix {
+        let mut product = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        for (axis, [cosine, sine]) in axes.into_iter().zip(angles) {
+            let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+            for row in &mut product {
+                [row[next], row[last]] = [
+                    cosine * row[next] + sine * row[last],
+                    cosine * row[last] - sine * row[next],
+                ];
+            }
+        }
+        product
+    }
+
+    /// The value of an equation of a pose, and the sum of the moduli of its terms.
+    fn value(equation: &[f64; COEFFICIENTS], position: [f64; 3], rotation: &Matrix) -> [f64; 2] {
+        let turned = |column: usize| (0..3).map(|row| rotation[row][column] * position[row]).sum::<f64>();
+        let square = position.iter().map(|part| part * part).sum();
+        let factors = [square]
+            .into_iter()
+            .chain(position)
+            .chain((0..3).map(turned))
+            .chain(rotation.iter().flatten().copied())
+            .chain([1.0]);
+        let terms = equation
+            .iter()
+            .zip(factors)
+            .map(|(coefficient, factor)| coefficient * factor);
+        terms.fold([0.0; 2], |[sum, size], term| [sum + term, size + term.abs()])
+    }
+
+    /// The product of the degrees is 128. Of these paths, as many as there are known poses do not lead to x = 0.
+    #[test]
+    fn there_are_as_many_solutions_as_known_poses() {
+        let equations = general(&mut FixedSequence::new(7));
+        let unit = unit(&equations);
+        let scaled = equations.map(|equation| scaled(&equation, unit).expect("it is not zero"));
+        let mut real = 0;
+        let every = real_solutions::<8, 128>(&SYSTEM, &tabled(&scaled, |value| value), |_| real += 1);
+        let own = BodySystem::new([2, 1, 0]).real_solutions::<80>(equations.as_flattened(), |_| {});
+        let expected = PathCounts {
+            paths: 128,
+            regular: 40,
+            real,
+            at_infinity: 88,
+            ..PathCounts::default()
+        };
+        assert_eq!(every, Ok(expected));
+        assert!(real > 0);
+        let (paths, at_infinity) = (40, 0);
+        assert_eq!(
+            own,
+            Ok(PathCounts {
+                paths,
+                at_infinity,
+                ..expected
+            })
+        );
+    }
+
+    /// Every pose fulfils the equations in any unit of length, and is given by two triples of angles.
+    #[test]
+    fn poses_fulfil_the_equations() {
+        let mut random = FixedSequence::new(9);
+        let mut all = 0;
+        for (axes, length) in [([2, 1, 0], 1.0), ([0, 2, 0], 1e3), ([1, 2, 0], 1e-6)] {
+            let mut equations = general(&mut random);
+            for equation in &mut equations {
+                equation[0] /= length * length;
+                equation[1..7].iter_mut().for_each(|value| *value /= length);
+            }
+            let mut found = Vec::new();
+            let counts = BodySystem::new(axes)
+                .real_solutions::<80>(equations.as_flattened(), |solution| found.push(solution))
+                .expect("it is a system");
+            assert_eq!((counts.regular, counts.is_complete()), (40, true));
+            assert_eq!(found.len(), 2 * counts.real);
+            for solution in found {
+                let [x, y, z, c1, s1, c2, s2, c3, s3] = solution.values;
+                let rotation = rotation(axes, &[[c1, s1], [c2, s2], [c3, s3]]);
+                for equation in &equations {
+                    let [sum, size] = value(equation, [x, y, z], &rotation);
+                    // Rounding is magnified by the condition, and by a few operations.
+                    let bound = 16.0 * f64::EPSILON * solution.condition * size;
+                    assert!(sum.abs() <= bound, "{axes:?}: {sum:e} above {bound:e}");
+                }
+                all += 1;
+            }
+        }
+        assert!(all > 8, "{all} are too few to tell");
+    }
+
+    /// Both triples give the rotation for every sequence of axes, also where only the sum or the difference of the first
+    /// and the last angle is determined.
+    #[test]
+    fn a_rotation_has_two_triples_of_angles() {
+        let mut random = FixedSequence::new(3);
+        for axes in sequences() {
+            let locked = usize::from(axes[0] != axes[2]);
+            for middle in [None, Some(0.0), Some(core::f64::consts::FRAC_PI_2), Some(1e-9)] {
+                let mut angles = [(); 3].map(|()| 6.0 * random.fraction() - 3.0);
+                angles[1] = middle.unwrap_or(angles[1]);
+                let given = angles.map(|angle| [angle.cos(), angle.sin()]);
+                let expected = rotation(axes, &given);
+                let triples = BodySystem::new(axes).angles(&expected);
+                for triple in &triples {
+                    let own = rotation(axes, triple);
+                    for (own, expected) in own.as_flattened().iter().zip(expected.as_flattened()) {
+                        assert!((own - expected).abs() <= 8.0 * f64::EPSILON, "{axes:?}: {angles:?}");
+                    }
+                }
+                if middle.is_none() {
+                    let is_given = |triple: &[[f64; 2]; 3]| {
+                        let parts = triple.as_flattened().iter().zip(given.as_flattened());
+                        parts.map(|(own, given)| (own - given).abs()).fold(0.0, f64::max)
+                    };
+                    let distances = triples.each_ref().map(is_given);
+                    // The middle angle is far from where the triples meet.
+                    assert!(given[1][1 - locked].abs() > 0.02, "{angles:?}");
+                    assert!(
+                        distances.iter().any(|distance| *distance < 1e-12),
+                        "{axes:?}: {angles:?}"
+                    );
+                    assert!(
+                        distances.iter().any(|distance| *distance > 0.01),
+                        "{axes:?}: {angles:?}"
+                    );
+                }
+            }
+        }
+    }
+
+    /// Coefficients that are too few, not finite or all zero are refused.
+    #[test]
+    fn what_is_no_body_is_refused() {
+        use super::Unsuitable::{NoVariable, NotFinite, Table};
+
+        let system = BodySystem::new([2, 1, 0]);
+        let refused = |coefficients: &[f64]| system.real_solutions::<80>(coefficients, |_| {}).unwrap_err();
+        let mut equations = general(&mut FixedSequence::new(1));
+        assert_eq!(refused(equations[1..].as_flattened()), Table);
+        assert_eq!(refused(&equations.as_flattened()[1..]), Table);
+        equations[4] = [0.0; COEFFICIENTS];
+        assert_eq!(refused(equations.as_flattened()), NoVariable { equation: 4 });
+        equations[1][3] = f64::INFINITY;
+        assert_eq!(refused(equations.as_flattened()), NotFinite { coefficient: 20 });
+    }
 }

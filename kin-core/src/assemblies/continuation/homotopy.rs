@@ -173,9 +173,7 @@ impl<const M: usize> Slopes<M> {
         for (place, &(variable, power)) in powers.iter().enumerate() {
             let less = x[usize::from(variable)].power(power - 1);
             let others = powers.iter().enumerate().filter(|(other, _)| *other != place);
-            let slope = others.fold(lift * coefficient * less, |slope, (_, &factor)| {
-                slope * value(factor)
-            });
+            let slope = others.fold(lift * coefficient * less, |slope, (_, &factor)| slope * value(factor));
             self.along[usize::from(variable)] += slope.scale(f64::from(power));
         }
         powers

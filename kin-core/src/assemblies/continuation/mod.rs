@@ -190,7 +190,15 @@ fn solutions<const M: usize, const PATHS: usize>(
         .map_err(|equation| Unsuitable::Dependent { equation })?;
     let mut attempt = 0;
     let paths: Positions<FollowedPath<M>, PATHS> = loop {
-        let homotopy = Homotopy::new(system, coefficients, degrees, scales, coordinates.clone(), known, attempt);
+        let homotopy = Homotopy::new(
+            system,
+            coefficients,
+            degrees,
+            scales,
+            coordinates.clone(),
+            known,
+            attempt,
+        );
         let paths: Positions<FollowedPath<M>, PATHS> = follow_all(&homotopy);
         if paths.missed() > 0 {
             return Err(Unsuitable::TooManyPaths {

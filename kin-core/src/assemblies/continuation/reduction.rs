@@ -44,7 +44,9 @@ impl<const M: usize> Coordinates<M> {
         let sum = |share: &dyn Fn(usize) -> f64, of_infinity: f64| {
             x.iter()
                 .enumerate()
-                .fold(infinity.scale(of_infinity), |sum, (variable, x)| sum + x.scale(share(variable)))
+                .fold(infinity.scale(of_infinity), |sum, (variable, x)| {
+                    sum + x.scale(share(variable))
+                })
         };
         let inverse = sum(&|variable| self.pinned[variable], self.infinity_pinned).inverse();
         core::array::from_fn(|place| sum(&|variable| self.basis[variable][place], self.infinity[place]) * inverse)

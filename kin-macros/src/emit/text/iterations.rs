@@ -107,7 +107,10 @@ impl ProgramText<'_> {
         let (kind, value) = match &all.form {
             SystemForm::Terms(terms) => {
                 let terms = table(runtime, terms);
-                (quote!(PolynomialSystem<#size>), quote!(PolynomialSystem::new(&[#(#terms),*])))
+                (
+                    quote!(PolynomialSystem<#size>),
+                    quote!(PolynomialSystem::new(&[#(#terms),*])),
+                )
             }
             SystemForm::Body { axes } => {
                 let axes = axes.map(Literal::usize_unsuffixed);
