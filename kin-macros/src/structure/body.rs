@@ -304,3 +304,157 @@ fn pivots(elements: &[Vec<f64>]) -> Vec<(usize, [f64; ELEMENTS])> {
         .zip(rows.into_iter().map(|(_, shares)| shares))
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Body, body, sequences};
+    use crate::algebra::{Expansion, Graph, Node, Symbol, TrigonometricPolynomial, Variables};
+
+    type Vector = [Node; 3];
+
+    /// A vector turned about an axis.
+    fn turned(graph: &mut Graph, axis: usize, angle: Node, vector: Vector) -> Vector {
+        let (cosine, sine) = (graph.cosine(angle), graph.sine(angle));
+        let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+        let mut result = vector;
+        for (place, own, other, sign) in [(next, next, last, -1.0), (last, last, next, 1.0)] {
+            let along = graph.multiply(cosine, vector[own]);
+            let across = graph.multiply(sine, vector[other]);
+            result[place] = graph.linear(0.0, &[(along, 1.0), (across, sign)]);
+        }
+        result
+    }
+
+    /// The unknowns are x, y and z in the order `coordinates`, and angles in the order `angles`. Five points of the body have
+    /// a given distance from points of the ground, and one lies on a plane.
+    fn equations(
+        graph: &mut Graph,
+        coordinates: [usize; 3],
+        angles: [usize; 3],
+        axes: [usize; 3],
+    ) -> Vec<TrigonometricPolynomial> {
+        let unknowns = [0, 1, 2, 3, 4, 5];
+        (0..6)
+            .map(|leg| {
+                let [on_body, on_ground] =
+                    [0, 3].map(|first| [0, 1, 2].map(|part| graph.symbol(Symbol::Parameter(7 * leg + first + part))));
+                let length = graph.symbol(Symbol::Parameter(7 * leg + 6));
+                let mut point = on_body;
+                for (angle, axis) in angles.into_iter().zip(axes).rev() {
+                    let angle = graph.symbol(Symbol::Unknown(angle));
+                    point = turned(graph, axis, angle, point);
+                }
+                let mut sum = vec![];
+                for part in 0..3 {
+                    let coordinate = graph.symbol(Symbol::Unknown(coordinates[part]));
+                    let along = graph.linear(0.0, &[(coordinate, 1.0), (point[part], 1.0)]);
+                    sum.push(if leg == 5 {
+                        graph.multiply(on_ground[part], along)
+                    } else {
+                        let difference = graph.subtract(along, on_ground[part]);
+                        graph.power(difference, 2)
+                    });
+                }
+                let distance = graph.power(length, 2);
+                let whole = graph.sum(&sum);
+                let equation = graph.subtract(whole, distance);
+                Expansion::new(graph, Variables::Unknowns(&unknowns)).equation(equation)
+            })
+            .collect()
+    }
+
+    /// For every sequence of axes, the coefficients give the values of the equations. The axes may have other names than in
+    /// the equations.
+    #[test]
+    fn the_coefficients_are_those_of_the_equations() {
+        for (number, axes) in sequences().enumerate() {
+            let mut graph = Graph::new();
+            let (coordinates, angles) = (
+                [[0, 4, 2], [4, 2, 0]][number % 2],
+                [[1, 3, 5], [5, 1, 3]][number / 2 % 2],
+            );
+            let polynomials = equations(&mut graph, coordinates, angles, axes);
+            let body = body(&mut graph, &polynomials, [0, 2, 4], [1, 3, 5]).expect("it is a body");
+            assert_values(&mut graph, &polynomials, &body);
+        }
+    }
+
+    fn assert_values(graph: &mut Graph, polynomials: &[TrigonometricPolynomial], body: &Body) {
+        let symbols = |symbol: Symbol| match symbol {
+            Symbol::Unknown(unknown) => [0.3, -0.7, 1.1, 2.1, -0.4, 0.9][unknown],
+            Symbol::Parameter(number) => (f64::from(u8::try_from(number).unwrap()) * 0.77).sin(),
+            _ => panic!("there are no other symbols"),
+        };
+        let position = body.coordinates.map(|unknown| symbols(Symbol::Unknown(unknown)));
+        let column = |graph: &mut Graph, column: usize| -> [f64; 3] {
+            let (zero, one) = (graph.zero(), graph.one());
+            let mut vector = [zero; 3];
+            vector[column] = one;
+            for (angle, axis) in body.angles.into_iter().zip(body.axes).rev() {
+                let angle = graph.symbol(Symbol::Unknown(angle));
+                vector = turned(graph, axis, angle, vector);
+            }
+            vector.map(|part| graph.evaluate(part, &symbols))
+        };
+        let columns = [0, 1, 2].map(|place| column(graph, place));
+        let dot = |a: [f64; 3], b: [f64; 3]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
+        let mut factors = vec![dot(position, position)];
+        factors.extend(position);
+        factors.extend(columns.map(|column| dot(column, position)));
+        factors.extend([0, 1, 2].iter().flat_map(|&row| columns.map(|column| column[row])));
+        factors.push(1.0);
+        for (polynomial, coefficients) in polynomials.iter().zip(body.coefficients.chunks(factors.len())) {
+            let equation = polynomial.node(graph);
+            let expected = graph.evaluate(equation, &symbols);
+            let terms = coefficients.iter().zip(&factors);
+            let sum: f64 = terms
+                .map(|(&coefficient, factor)| graph.evaluate(coefficient, &symbols) * factor)
+                .sum();
+            // a hundred terms of about one
+            assert!(
+                (sum - expected).abs() < 100.0 * f64::EPSILON,
+                "{:?}: {sum} and not {expected}",
+                body.axes
+            );
+        }
+    }
+
+    /// A coordinate that is counted backwards, squares that differ and an angle that turns twice as far are no body.
+    #[test]
+    fn other_equations_are_none() {
+        let mut graph = Graph::new();
+        let polynomials = equations(&mut graph, [0, 2, 4], [1, 3, 5], [2, 1, 0]);
+        let mut is_body = |change: &dyn Fn(&mut Graph, usize, Node) -> Node| {
+            let mut replacements = std::collections::BTreeMap::new();
+            for unknown in 0..6 {
+                let own = graph.symbol(Symbol::Unknown(unknown));
+                replacements.insert(own, change(&mut graph, unknown, own));
+            }
+            let changed: Vec<TrigonometricPolynomial> = polynomials
+                .iter()
+                .map(|polynomial| {
+                    let equation = polynomial.node(&mut graph);
+                    let equation = graph.substitute(equation, &mut replacements);
+                    Expansion::new(&mut graph, Variables::Unknowns(&[0, 1, 2, 3, 4, 5])).equation(equation)
+                })
+                .collect();
+            body(&mut graph, &changed, [0, 2, 4], [1, 3, 5]).is_some()
+        };
+        assert!(is_body(&|_, _, own| own));
+        assert!(!is_body(&|graph, unknown, own| if unknown == 2 {
+            graph.negate(own)
+        } else {
+            own
+        }));
+        assert!(!is_body(&|graph, unknown, own| if unknown == 2 {
+            graph.scale(2.0, own)
+        } else {
+            own
+        }));
+        assert!(!is_body(&|graph, unknown, own| if unknown == 3 {
+            graph.scale(2.0, own)
+        } else {
+            own
+        }));
+    }
+}
