@@ -26,7 +26,10 @@ use super::system::{PolynomialSystem, Term};
 use super::{AllSolutions, solutions};
 
 /// The number of equations of a body.
-const EQUATIONS: usize = 6;
+const EQUATIONS: usize = STUDY as usize;
+/// The numbers of the equation x·y = 0 and of the form that is one, after those of the body.
+const STUDY: u16 = 6;
+const FORM: u16 = 7;
 /// The number of coefficients of an equation: c, u, v, w and k.
 const COEFFICIENTS: usize = 17;
 /// The number of Study coordinates.
@@ -34,78 +37,82 @@ const COORDINATES: usize = 8;
 /// The number of independent coefficients of the terms of an equation.
 const MONOMIALS: usize = 17;
 /// The number of coefficients in the table for one equation: six occur with both signs.
-const TABLED: usize = MONOMIALS + 6;
+const TABLED: u16 = 23;
+/// The place of the [constants](CONSTANTS), after the coefficients of all equations.
+const CONSTANT: u16 = STUDY * TABLED;
 /// The number of the pseudorandom coefficients of the known body. Of the first eleven it is the one whose poses are
 /// determined best.
 const KNOWN: u64 = 8;
 /// The numbers of its equations among those coefficients.
 const KNOWN_FORMS: [u8; EQUATIONS] = [0, 1, 2, 3, 4, 5];
-/// The coefficients of the form of x that is equal to one. No rotation in use is orthogonal to it.
+/// The coefficients of the form of x that is equal to one. A rotation orthogonal to it would count as infinite, so they are
+/// none of the numbers that rotations have in use.
 const PATCH: [f64; 4] = [0.743_1, 0.376_4, -0.478_9, 0.281_7];
 
-/// The monomials of an equation, and the places of their coefficients. The last six coefficients are those of the places 1
-/// to 6 with the other sign.
-const OF_EQUATION: [(&[(u16, u8)], u16); 26] = [
-    (&[(4, 2)], 0),
-    (&[(5, 2)], 0),
-    (&[(6, 2)], 0),
-    (&[(7, 2)], 0),
+/// The terms of an equation, with the places of their coefficients. The last six coefficients are those of the places 1 to
+/// 6 with the other sign.
+const OF_EQUATION: [Term; 26] = [
+    Term::new(0, 0, &[(4, 2)]),
+    Term::new(0, 0, &[(5, 2)]),
+    Term::new(0, 0, &[(6, 2)]),
+    Term::new(0, 0, &[(7, 2)]),
     // The vector x₀ y - y₀ x.
-    (&[(0, 1), (5, 1)], 1),
-    (&[(0, 1), (6, 1)], 2),
-    (&[(0, 1), (7, 1)], 3),
-    (&[(1, 1), (4, 1)], 17),
-    (&[(2, 1), (4, 1)], 18),
-    (&[(3, 1), (4, 1)], 19),
+    Term::new(0, 1, &[(0, 1), (5, 1)]),
+    Term::new(0, 2, &[(0, 1), (6, 1)]),
+    Term::new(0, 3, &[(0, 1), (7, 1)]),
+    Term::new(0, 17, &[(1, 1), (4, 1)]),
+    Term::new(0, 18, &[(2, 1), (4, 1)]),
+    Term::new(0, 19, &[(3, 1), (4, 1)]),
     // The vector x × y.
-    (&[(2, 1), (7, 1)], 4),
-    (&[(3, 1), (5, 1)], 5),
-    (&[(1, 1), (6, 1)], 6),
-    (&[(3, 1), (6, 1)], 20),
-    (&[(1, 1), (7, 1)], 21),
-    (&[(2, 1), (5, 1)], 22),
-    (&[(0, 2)], 7),
-    (&[(0, 1), (1, 1)], 8),
-    (&[(0, 1), (2, 1)], 9),
-    (&[(0, 1), (3, 1)], 10),
-    (&[(1, 2)], 11),
-    (&[(1, 1), (2, 1)], 12),
-    (&[(1, 1), (3, 1)], 13),
-    (&[(2, 2)], 14),
-    (&[(2, 1), (3, 1)], 15),
-    (&[(3, 2)], 16),
+    Term::new(0, 4, &[(2, 1), (7, 1)]),
+    Term::new(0, 5, &[(3, 1), (5, 1)]),
+    Term::new(0, 6, &[(1, 1), (6, 1)]),
+    Term::new(0, 20, &[(3, 1), (6, 1)]),
+    Term::new(0, 21, &[(1, 1), (7, 1)]),
+    Term::new(0, 22, &[(2, 1), (5, 1)]),
+    Term::new(0, 7, &[(0, 2)]),
+    Term::new(0, 8, &[(0, 1), (1, 1)]),
+    Term::new(0, 9, &[(0, 1), (2, 1)]),
+    Term::new(0, 10, &[(0, 1), (3, 1)]),
+    Term::new(0, 11, &[(1, 2)]),
+    Term::new(0, 12, &[(1, 1), (2, 1)]),
+    Term::new(0, 13, &[(1, 1), (3, 1)]),
+    Term::new(0, 14, &[(2, 2)]),
+    Term::new(0, 15, &[(2, 1), (3, 1)]),
+    Term::new(0, 16, &[(3, 2)]),
 ];
-/// The terms of x·y = 0 and of the form that is one, with the places of their [constants](CONSTANTS).
-const FURTHER: [(u16, &[(u16, u8)], u16); 9] = [
-    (6, &[(0, 1), (4, 1)], 0),
-    (6, &[(1, 1), (5, 1)], 0),
-    (6, &[(2, 1), (6, 1)], 0),
-    (6, &[(3, 1), (7, 1)], 0),
-    (7, &[(0, 1)], 1),
-    (7, &[(1, 1)], 2),
-    (7, &[(2, 1)], 3),
-    (7, &[(3, 1)], 4),
-    (7, &[], 5),
+/// The terms of the other equations.
+const FURTHER: [Term; 9] = [
+    Term::new(STUDY, CONSTANT, &[(0, 1), (4, 1)]),
+    Term::new(STUDY, CONSTANT, &[(1, 1), (5, 1)]),
+    Term::new(STUDY, CONSTANT, &[(2, 1), (6, 1)]),
+    Term::new(STUDY, CONSTANT, &[(3, 1), (7, 1)]),
+    Term::new(FORM, CONSTANT + 1, &[(0, 1)]),
+    Term::new(FORM, CONSTANT + 2, &[(1, 1)]),
+    Term::new(FORM, CONSTANT + 3, &[(2, 1)]),
+    Term::new(FORM, CONSTANT + 4, &[(3, 1)]),
+    Term::new(FORM, CONSTANT + 5, &[]),
 ];
-/// The coefficients of the further terms.
+/// The coefficients of the other equations.
 const CONSTANTS: [f64; 6] = [1.0, PATCH[0], PATCH[1], PATCH[2], PATCH[3], -1.0];
 /// The terms of all equations.
 const TERMS: [Term; EQUATIONS * OF_EQUATION.len() + FURTHER.len()] = {
-    let mut terms = [Term::new(0, 0, &[]); EQUATIONS * OF_EQUATION.len() + FURTHER.len()];
-    let (mut place, mut equation) = (0, 0_u16);
-    while equation < EQUATIONS as u16 {
+    let mut terms = [FURTHER[0]; EQUATIONS * OF_EQUATION.len() + FURTHER.len()];
+    let (mut place, mut equation) = (0, 0);
+    while equation < STUDY {
         let mut own = 0;
         while own < OF_EQUATION.len() {
-            let (powers, coefficient) = OF_EQUATION[own];
-            terms[place] = Term::new(equation, equation * TABLED as u16 + coefficient, powers);
+            let Term {
+                coefficient, powers, ..
+            } = OF_EQUATION[own];
+            terms[place] = Term::new(equation, equation * TABLED + coefficient, powers);
             (place, own) = (place + 1, own + 1);
         }
         equation += 1;
     }
     let mut further = 0;
     while further < FURTHER.len() {
-        let (own, powers, coefficient) = FURTHER[further];
-        terms[place] = Term::new(own, equation * TABLED as u16 + coefficient, powers);
+        terms[place] = FURTHER[further];
         (place, further) = (place + 1, further + 1);
     }
     terms
@@ -127,7 +134,7 @@ pub struct BodySystem {
 
 impl BodySystem {
     /// The system with rotations about these axes, the first factor of the product first: 0 for x, 1 for y, 2 for z.
-    /// No axis follows itself.
+    /// No axis follows itself; such a system is [unsuitable](Unsuitable::Table).
     #[must_use]
     pub const fn new(axes: [usize; 3]) -> Self {
         Self { axes }
@@ -166,17 +173,20 @@ impl BodySystem {
 }
 
 impl AllSolutions<9> for BodySystem {
-    /// Passes on each of up to 40 poses with both of its triples of angles. The 40 paths take about 0.1 s and 20 kB of the
-    /// stack.
+    /// Passes on each of up to 40 poses with both of its triples of angles. The 40 paths take about 0.05 s. There is always
+    /// room for them: they need about 40 kB of the stack, whatever `PATHS` is.
     fn real_solutions<const PATHS: usize>(
         &self,
         coefficients: &[f64],
         mut found: impl FnMut(Solution<9>),
     ) -> Result<PathCounts, Unsuitable> {
-        let (given, []) = coefficients.as_chunks::<COEFFICIENTS>() else {
-            return Err(Unsuitable::Table);
-        };
+        let [first, middle, last] = self.axes;
+        let gives_all_rotations = first != middle && middle != last && self.axes.iter().all(|axis| *axis < 3);
+        let (given, rest) = coefficients.as_chunks::<COEFFICIENTS>();
         let given: &[[f64; COEFFICIENTS]; EQUATIONS] = given.try_into().map_err(|_| Unsuitable::Table)?;
+        if !gives_all_rotations || !rest.is_empty() {
+            return Err(Unsuitable::Table);
+        }
         if let Some(coefficient) = coefficients.iter().position(|value| !value.is_finite()) {
             return Err(Unsuitable::NotFinite { coefficient });
         }
@@ -322,15 +332,14 @@ fn scaled(
 fn tabled<C: Copy + Neg<Output = C>>(
     equations: &[[C; MONOMIALS]; EQUATIONS],
     constant: impl Fn(f64) -> C,
-) -> [C; EQUATIONS * TABLED + CONSTANTS.len()] {
+) -> [C; CONSTANT as usize + CONSTANTS.len()] {
     core::array::from_fn(|place| {
-        let (equation, coefficient) = (place / TABLED, place % TABLED);
+        let (equation, coefficient) = (place / usize::from(TABLED), place % usize::from(TABLED));
         let Some(own) = equations.get(equation) else {
-            return constant(CONSTANTS[place - EQUATIONS * TABLED]);
+            return constant(CONSTANTS[place - usize::from(CONSTANT)]);
         };
-        own.get(coefficient)
-            .copied()
-            .unwrap_or_else(|| -own[coefficient - MONOMIALS + 1])
+        let other_sign = || -own[coefficient + 1 - MONOMIALS];
+        own.get(coefficient).copied().unwrap_or_else(other_sign)
     })
 }
 
@@ -498,6 +507,10 @@ mod tests {
         let mut equations = general(&mut FixedSequence::new(1));
         assert_eq!(refused(equations[1..].as_flattened()), Table);
         assert_eq!(refused(&equations.as_flattened()[1..]), Table);
+        for axes in [[0, 0, 1], [0, 1, 1], [0, 1, 3]] {
+            let solved = BodySystem::new(axes).real_solutions::<80>(equations.as_flattened(), |_| {});
+            assert_eq!(solved, Err(Table));
+        }
         equations[4] = [0.0; COEFFICIENTS];
         assert_eq!(refused(equations.as_flattened()), NoVariable { equation: 4 });
         equations[1][3] = f64::INFINITY;

@@ -37,7 +37,8 @@ pub(super) struct Homotopy<'a, const M: usize> {
     known: Option<Known<'a, M>>,
 }
 
-/// A system with the same terms as the one to be solved, and general coefficients, whose solutions are known.
+/// A system with the same terms as the one to be solved, and general coefficients, whose solutions are known. All terms of
+/// the equations that are not of first degree are of second degree.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Known<'a, const M: usize> {
     pub(super) coefficients: &'a [Complex],
@@ -141,9 +142,9 @@ impl<const M: usize> Slopes<M> {
 
     /// Adds the slopes of a term along its variables, times the given power of X₀. Returns the term without that power.
     #[inline]
-    fn add_term(&mut self, powers: &[(u16, u8)], coefficient: Complex, x: &[Complex; M], lift: Complex) -> Complex {
+    fn add_term(&mut self, powers: &[(u16, u8)], coefficient: f64, x: &[Complex; M], lift: Complex) -> Complex {
         // The products of the factors before each one.
-        let mut before = [coefficient; FACTORS + 1];
+        let mut before = [Complex::real(coefficient); FACTORS + 1];
         for (place, &(variable, power)) in powers.iter().enumerate() {
             before[place + 1] = before[place] * x[usize::from(variable)].power(power);
         }
@@ -162,23 +163,19 @@ impl<const M: usize> Slopes<M> {
 
     /// [`add_term`](Self::add_term) for any number of variables.
     #[cold]
-    fn add_long_term(
-        &mut self,
-        powers: &[(u16, u8)],
-        coefficient: Complex,
-        x: &[Complex; M],
-        lift: Complex,
-    ) -> Complex {
+    fn add_long_term(&mut self, powers: &[(u16, u8)], coefficient: f64, x: &[Complex; M], lift: Complex) -> Complex {
         let value = |(variable, power): (u16, u8)| x[usize::from(variable)].power(power);
         for (place, &(variable, power)) in powers.iter().enumerate() {
             let less = x[usize::from(variable)].power(power - 1);
             let others = powers.iter().enumerate().filter(|(other, _)| *other != place);
-            let slope = others.fold(lift * coefficient * less, |slope, (_, &factor)| slope * value(factor));
+            let slope = others.fold(lift.scale(coefficient) * less, |slope, (_, &factor)| {
+                slope * value(factor)
+            });
             self.along[usize::from(variable)] += slope.scale(f64::from(power));
         }
         powers
             .iter()
-            .fold(coefficient, |product, &factor| product * value(factor))
+            .fold(Complex::real(coefficient), |product, &factor| product * value(factor))
     }
 }
 
@@ -512,30 +509,25 @@ impl<'a, const M: usize> Homotopy<'a, M> {
         let rest = Complex::ONE - t;
         for (row, equation) in self.equations[..self.free()].iter().enumerate() {
             let mut slopes = Slopes::ZERO;
-            let own = |coefficient: usize| Complex::real(self.coefficients[coefficient] * equation.scale);
-            self.add_terms(equation, own, &x, infinity, &mut slopes);
-            let target = slopes.value;
             let support = &equation.support[..equation.occurring];
-            slopes.value = rest * target;
-            slopes.infinity = rest * slopes.infinity;
-            for &variable in support {
-                slopes.along[variable] = rest * slopes.along[variable];
-            }
             let times = t * equation.turn;
-            let start = if let Some(known) = &self.known {
-                let mut start = Slopes::ZERO;
-                self.add_terms(equation, |place| known.coefficients[place], &x, infinity, &mut start);
-                slopes.value += times * start.value;
-                slopes.infinity += times * start.infinity;
-                for &variable in support {
-                    slopes.along[variable] += times * start.along[variable];
-                }
-                start.value
-            } else if row == self.drawn.row {
-                let forms = &self.drawn.forms[..usize::from(equation.degree)];
-                equation.add_drawn(forms, &x, infinity, times, &mut slopes)
+            let [target, start] = if let Some(known) = &self.known {
+                self.add_quadrics(known, equation, &x, [rest, times], &mut slopes)
             } else {
-                equation.add_start(&x, infinity, times, &mut slopes)
+                self.add_target(equation, &x, infinity, &mut slopes);
+                let target = slopes.value;
+                slopes.value = rest * target;
+                slopes.infinity = rest * slopes.infinity;
+                for &variable in support {
+                    slopes.along[variable] = rest * slopes.along[variable];
+                }
+                let start = if row == self.drawn.row {
+                    let forms = &self.drawn.forms[..usize::from(equation.degree)];
+                    equation.add_drawn(forms, &x, infinity, times, &mut slopes)
+                } else {
+                    equation.add_start(&x, infinity, times, &mut slopes)
+                };
+                [target, start]
             };
             at.value[row] = slopes.value;
             at.rate[row] = equation.turn * start - target;
@@ -544,20 +536,42 @@ impl<'a, const M: usize> Homotopy<'a, M> {
         }
     }
 
-    /// Adds the terms of one equation, with the coefficients at their places, and their slopes.
+    /// Adds F and G of one equation, each times a factor, and their slopes. Returns F and G.
     #[inline]
-    fn add_terms(
+    fn add_quadrics(
         &self,
+        known: &Known<'_, M>,
         equation: &NonlinearEquation<M>,
-        coefficient: impl Fn(usize) -> Complex,
         x: &[Complex; M],
-        infinity: Complex,
+        [rest, times]: [Complex; 2],
         slopes: &mut Slopes<M>,
-    ) {
+    ) -> [Complex; 2] {
+        let [first, end] = equation.terms;
+        let [mut target, mut start] = [Complex::ZERO; 2];
+        for term in &self.system.terms()[first..end] {
+            let (Some(&(one, _)), Some(&(other, _))) = (term.powers.first(), term.powers.last()) else {
+                continue;
+            };
+            let [one, other, place] = [one, other, term.coefficient].map(usize::from);
+            let (own, of_known) = (self.coefficients[place] * equation.scale, known.coefficients[place]);
+            let product = x[one] * x[other];
+            target += product.scale(own);
+            start += product * of_known;
+            let coefficient = rest.scale(own) + times * of_known;
+            slopes.along[one] += coefficient * x[other];
+            slopes.along[other] += coefficient * x[one];
+        }
+        slopes.value += rest * target + times * start;
+        [target, start]
+    }
+
+    /// Adds F of one equation, and its slopes.
+    #[inline]
+    fn add_target(&self, equation: &NonlinearEquation<M>, x: &[Complex; M], infinity: Complex, slopes: &mut Slopes<M>) {
         let [first, end] = equation.terms;
         for term in &self.system.terms()[first..end] {
-            let coefficient = coefficient(usize::from(term.coefficient));
-            if coefficient == Complex::ZERO {
+            let coefficient = self.coefficients[usize::from(term.coefficient)] * equation.scale;
+            if coefficient == 0.0 {
                 continue;
             }
             let degree = term.powers.iter().fold(0, |sum, &(_, power)| sum + power);
