@@ -14,7 +14,7 @@ use crate::algebra::{Expansion, Graph, Harmonic, Monomial, Node, Symbol, Trigono
 const ELEMENTS: usize = 9;
 
 /// A body, and the coefficients of its equations.
-pub(super) struct Body {
+pub(super) struct MovingBody {
     /// The unknown coordinates along x, y and z.
     pub(super) coordinates: [usize; 3],
     /// The unknown angles, in the order of the product, and the axes of their rotations.
@@ -30,17 +30,17 @@ pub(super) fn body(
     polynomials: &[TrigonometricPolynomial],
     coordinates: [usize; 3],
     angles: [usize; 3],
-) -> Option<Body> {
-    let equations: Vec<Equation> = polynomials
+) -> Option<MovingBody> {
+    let equations: Vec<PoseEquation> = polynomials
         .iter()
-        .map(|polynomial| Equation::of(graph, polynomial, coordinates))
+        .map(|polynomial| PoseEquation::of(graph, polynomial, coordinates))
         .collect::<Option<_>>()?;
     let orders = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
     for angles in orders.map(|order| order.map(|place| angles[place])) {
         for axes in sequences() {
-            let rotation = Rotation::new(graph, angles, axes);
+            let rotation = RotationElements::new(graph, angles, axes);
             if let Some((coordinates, coefficients)) = coefficients(graph, &equations, &rotation, coordinates) {
-                return Some(Body {
+                return Some(MovingBody {
                     coordinates,
                     angles,
                     axes,
@@ -63,8 +63,8 @@ fn sequences() -> impl Iterator<Item = [usize; 3]> {
 /// given rotation.
 fn coefficients(
     graph: &mut Graph,
-    equations: &[Equation],
-    rotation: &Rotation,
+    equations: &[PoseEquation],
+    rotation: &RotationElements,
     coordinates: [usize; 3],
 ) -> Option<([usize; 3], Vec<Node>)> {
     let zero = graph.zero();
@@ -115,7 +115,7 @@ fn coefficients(
 }
 
 /// An equation, sorted by the powers of the coordinates.
-struct Equation {
+struct PoseEquation {
     /// The coefficient of p·p.
     square: Node,
     /// The coefficients of the three coordinates.
@@ -124,7 +124,7 @@ struct Equation {
     constant: TrigonometricPolynomial,
 }
 
-impl Equation {
+impl PoseEquation {
     fn of(graph: &mut Graph, polynomial: &TrigonometricPolynomial, coordinates: [usize; 3]) -> Option<Self> {
         let mut squares = [graph.zero(); 3];
         let mut along: [TrigonometricPolynomial; 3] = Default::default();
@@ -165,7 +165,7 @@ impl Equation {
 }
 
 /// The elements of a rotation matrix as trigonometric polynomials of its angles.
-struct Rotation {
+struct RotationElements {
     /// The monomials that occur in them.
     monomials: Vec<Monomial>,
     /// The coefficients of these monomials in each element, row by row.
@@ -175,7 +175,7 @@ struct Rotation {
     pivots: Vec<(usize, [f64; ELEMENTS])>,
 }
 
-impl Rotation {
+impl RotationElements {
     fn new(graph: &mut Graph, angles: [usize; 3], axes: [usize; 3]) -> Self {
         let (zero, one) = (graph.zero(), graph.one());
         let mut product: Option<Vec<Node>> = None;
@@ -307,7 +307,7 @@ fn pivots(elements: &[Vec<f64>]) -> Vec<(usize, [f64; ELEMENTS])> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Body, body, sequences};
+    use super::{MovingBody, body, sequences};
     use crate::algebra::{Expansion, Graph, Node, Symbol, TrigonometricPolynomial, Variables};
 
     type Vector = [Node; 3];
@@ -379,7 +379,7 @@ mod tests {
         }
     }
 
-    fn assert_values(graph: &mut Graph, polynomials: &[TrigonometricPolynomial], body: &Body) {
+    fn assert_values(graph: &mut Graph, polynomials: &[TrigonometricPolynomial], body: &MovingBody) {
         let symbols = |symbol: Symbol| match symbol {
             Symbol::Unknown(unknown) => [0.3, -0.7, 1.1, 2.1, -0.4, 0.9][unknown],
             Symbol::Parameter(number) => (f64::from(u8::try_from(number).unwrap()) * 0.77).sin(),

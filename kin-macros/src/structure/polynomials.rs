@@ -16,7 +16,7 @@ const LARGEST: usize = 1024;
 /// The moduli of coefficients by which other equations are reduced.
 const PIVOTS: [f64; 5] = [1.0, 2.0, 0.5, 4.0, 0.25];
 
-/// The largest number of solutions of the equations of a [`Body`](body): 40 poses, each by two triples of angles.
+/// The largest number of solutions of the equations of a [`MovingBody`](body::MovingBody): 40 poses, each by two triples of angles.
 const OF_BODY: usize = 80;
 
 /// Polynomial equations for the unknowns of a block.
@@ -123,7 +123,7 @@ pub(super) fn system(graph: &mut Graph, whole: Whole) -> Option<PolynomialSystem
     if !(1..=LARGEST).contains(&paths) {
         return None;
     }
-    let mut table = Table::default();
+    let mut table = TermTable::default();
     let mut equations = 0;
     for polynomial in &polynomials {
         table.equation(graph, equations, polynomial, &places);
@@ -275,12 +275,12 @@ impl PolynomialSystem {
 
 /// The terms of a system, and their coefficients.
 #[derive(Default)]
-struct Table {
+struct TermTable {
     terms: Vec<PolynomialTerm>,
     coefficients: Vec<Node>,
 }
 
-impl Table {
+impl TermTable {
     /// Adds the terms of an equation.
     fn equation(
         &mut self,

@@ -17,7 +17,7 @@ use core::ops::Neg;
 use num_traits::Float;
 
 use super::complex::Complex;
-use super::homotopy::Known;
+use super::homotopy::KnownSystem;
 use super::known_poses::POSES;
 use super::outcome::{PathCounts, Solution, Unsuitable};
 use super::scaling::Scales;
@@ -197,7 +197,7 @@ impl AllSolutions<9> for BodySystem {
         }
         let known_equations: [[Complex; MONOMIALS]; EQUATIONS] =
             KNOWN_FORMS.map(|form| core::array::from_fn(|place| sequence::entry(KNOWN, form, place)));
-        let known = Known {
+        let known = KnownSystem {
             coefficients: &tabled(&known_equations, Complex::real),
             points: &POSES.map(|pose| {
                 let entry = |place: usize| Complex::new(f64::from(pose[2 * place]), f64::from(pose[2 * place + 1]));

@@ -22,7 +22,7 @@ use super::system::BorrowedSystem;
 ///   first and half the second, each with 1 and random coefficients.
 /// - For any other equation of degree d, there are d forms of all its variables and 1, with random coefficients.
 ///
-/// If a [known](Known) system of the same family is given, G is that system instead.
+/// If a [known](KnownSystem) system of the same family is given, G is that system instead.
 #[derive(Clone, Debug)]
 pub(super) struct Homotopy<'a, const M: usize> {
     system: &'a BorrowedSystem<'a, M>,
@@ -34,13 +34,13 @@ pub(super) struct Homotopy<'a, const M: usize> {
     number: u64,
     /// The forms of the equation of the highest degree.
     drawn: DrawnForms<M>,
-    known: Option<Known<'a, M>>,
+    known: Option<KnownSystem<'a, M>>,
 }
 
 /// A system with the same terms as the one to be solved, and general coefficients, whose solutions are known. All terms of
 /// the equations that are not of first degree are of second degree.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Known<'a, const M: usize> {
+pub(super) struct KnownSystem<'a, const M: usize> {
     pub(super) coefficients: &'a [Complex],
     /// The coordinates X₁ ... and X₀ of the solutions to a few digits, up to a factor.
     pub(super) points: &'a [([Complex; M], Complex)],
@@ -317,7 +317,7 @@ impl<'a, const M: usize> Homotopy<'a, M> {
         degrees: &[u8; M],
         scales: &Scales<M>,
         coordinates: Coordinates<M>,
-        known: Option<Known<'a, M>>,
+        known: Option<KnownSystem<'a, M>>,
         number: u64,
     ) -> Self {
         let mut random = FixedSequence::new(number);
@@ -540,7 +540,7 @@ impl<'a, const M: usize> Homotopy<'a, M> {
     #[inline]
     fn add_quadrics(
         &self,
-        known: &Known<'_, M>,
+        known: &KnownSystem<'_, M>,
         equation: &NonlinearEquation<M>,
         x: &[Complex; M],
         [rest, times]: [Complex; 2],

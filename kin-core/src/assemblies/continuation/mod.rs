@@ -120,7 +120,7 @@ pub use system::{BorrowedSystem, BorrowedTerm, PolynomialSystem, Term};
 
 use crate::assemblies::Positions;
 use ending::PathEndKind;
-use homotopy::{Homotopy, Known};
+use homotopy::{Homotopy, KnownSystem};
 use paths::{FollowedPath, follow_all};
 use scaling::Scales;
 
@@ -186,7 +186,7 @@ fn solutions<const M: usize, const PATHS: usize>(
     coefficients: &[f64],
     degrees: &[u8; M],
     scales: &Scales<M>,
-    known: Option<Known<'_, M>>,
+    known: Option<KnownSystem<'_, M>>,
     mut found: impl FnMut(Solution<M>),
 ) -> Result<PathCounts, Unsuitable> {
     let coordinates = reduction::reduce(system, coefficients, degrees, scales)
