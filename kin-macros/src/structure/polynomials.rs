@@ -16,7 +16,8 @@ const LARGEST: usize = 1024;
 /// The moduli of coefficients by which other equations are reduced.
 const PIVOTS: [f64; 5] = [1.0, 2.0, 0.5, 4.0, 0.25];
 
-/// The largest number of solutions of the equations of a [`MovingBody`](body::MovingBody): 40 poses, each by two triples of angles.
+/// The largest number of solutions of the equations of a [body](body::MovingBody): 40 poses, each by two triples of
+/// angles.
 const OF_BODY: usize = 80;
 
 /// Polynomial equations for the unknowns of a block.

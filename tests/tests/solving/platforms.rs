@@ -1,5 +1,6 @@
 //! All positions of a platform on six legs, the Stewart-Gough platform, by the angles and by the joints of its body.
 
+use core::f64::consts::{FRAC_PI_2, PI};
 use std::time::Instant;
 
 use kin_core::mechanism;
@@ -67,117 +68,75 @@ mechanism! {
     norm(vec3(x3 - x1, y3 - y1, z3 - z1)) == d31;
 }
 
-type Vector = Space<f64>;
 type Pose = [f64; 6];
 
-impl Platform {
-    fn new([a1, a2, a3, a4, a5, a6]: [Vector; 6], [b1, b2, b3, b4, b5, b6]: [Vector; 6]) -> Self {
-        Self {
-            a1,
-            a2,
-            a3,
-            a4,
-            a5,
-            a6,
-            b1,
-            b2,
-            b3,
-            b4,
-            b5,
-            b6,
-        }
-    }
+/// The joints of a platform: three coordinates each, first those on the ground.
+type Joints = [[[f64; 3]; 6]; 2];
 
-    fn joints(&self) -> [(Vector, Vector); 6] {
-        let Self {
-            a1,
-            a2,
-            a3,
-            a4,
-            a5,
-            a6,
-            b1,
-            b2,
-            b3,
-            b4,
-            b5,
-            b6,
-        } = *self;
-        [(a1, b1), (a2, b2), (a3, b3), (a4, b4), (a5, b5), (a6, b6)]
-    }
+fn platform(joints: &Joints) -> Platform {
+    let coordinates = joints.as_flattened().as_flattened();
+    Platform::from_parameters(coordinates.try_into().expect("there are 36"))
+}
 
-    /// The lengths of the legs.
-    fn lengths(&self, &[x, y, z, roll, pitch, yaw]: &Pose) -> [f64; 6] {
-        self.joints().map(|(a, b)| {
-            let turn = |[u, v]: [f64; 2], angle: f64| {
-                let (sine, cosine) = angle.sin_cos();
-                [cosine * u - sine * v, sine * u + cosine * v]
-            };
-            let [y1, z1] = turn([b.y, b.z], roll);
-            let [z2, x2] = turn([z1, b.x], pitch);
-            let [x3, y3] = turn([x2, y1], yaw);
-            (Space::new(x + x3, y + y3, z + z2) - a).norm()
-        })
-    }
+/// The lengths of the legs.
+fn lengths([ground, body]: &Joints, &[x, y, z, roll, pitch, yaw]: &Pose) -> [f64; 6] {
+    let turn = |[u, v]: [f64; 2], angle: f64| {
+        let (sine, cosine) = angle.sin_cos();
+        [cosine * u - sine * v, sine * u + cosine * v]
+    };
+    core::array::from_fn(|leg| {
+        let ([ax, ay, az], [bx, by, bz]) = (ground[leg], body[leg]);
+        let [by, bz] = turn([by, bz], roll);
+        let [bz, bx] = turn([bz, bx], pitch);
+        let [bx, by] = turn([bx, by], yaw);
+        Space::new(x + bx - ax, y + by - ay, z + bz - az).norm()
+    })
+}
 
-    /// All positions with legs of these lengths, each of which has them.
-    fn all(&self, lengths: [f64; 6]) -> Vec<Pose> {
-        let [l1, l2, l3, l4, l5, l6] = lengths;
-        let start = Instant::now();
-        let all = self
-            .assemblies_at(l1, l2, l3, l4, l5, l6)
-            .expect("the lengths are finite");
-        println!("{} positions by angles in {:?}", all.len(), start.elapsed());
-        assert!(all.is_complete());
-        assert_eq!(all.singular(), 0);
-        for Near(pose) in &all {
-            for (own, expected) in self.lengths(pose).into_iter().zip(lengths) {
-                // a few operations with lengths below 4
-                assert!(
-                    (own - expected).abs() < 1e-13,
-                    "{own} instead of {expected} at {pose:?}"
-                );
-            }
-            // the same rotation by other angles
-            let &[x, y, z, roll, pitch, yaw] = pose;
-            let other = [
-                x,
-                y,
-                z,
-                roll + core::f64::consts::PI,
-                core::f64::consts::PI - pitch,
-                yaw + core::f64::consts::PI,
-            ];
+/// All positions at inputs, and how many singular ones there are besides.
+fn all<M: Mechanism<Scalar = f64, Inputs<f64> = [f64; 6]>>(
+    mechanism: &M,
+    lengths: [f64; 6],
+) -> (Vec<M::Unknowns<f64>>, usize) {
+    let (start, mut all) = (Instant::now(), Vec::new());
+    let search = mechanism
+        .positions_at(lengths, |_, position| all.push(position))
+        .expect("the lengths are finite");
+    println!("{}: {} in {:?}", M::DESCRIPTION.name, all.len(), start.elapsed());
+    assert!(search.is_complete);
+    (all, search.singular)
+}
+
+/// All positions by roll, pitch and yaw, each of which has the given lengths.
+fn all_by_angles(joints: &Joints, legs: [f64; 6]) -> Vec<Pose> {
+    let (all, singular) = all(&platform(joints), legs);
+    assert_eq!(singular, 0);
+    for &[x, y, z, roll, pitch, yaw] in &all {
+        let pose = [x, y, z, roll, pitch, yaw];
+        for (own, expected) in lengths(joints, &pose).into_iter().zip(legs) {
+            // a few operations with lengths below 4
             assert!(
-                all.iter().any(|Near(known)| is_same(known, &other)),
-                "{other:?} is missing"
+                (own - expected).abs() < 1e-13,
+                "{own} instead of {expected} at {pose:?}"
             );
         }
-        all.iter().map(|Near(pose)| *pose).collect()
+        let other = [x, y, z, roll + PI, PI - pitch, yaw + PI];
+        assert!(contains(&all, &other), "{other:?} gives the same rotation");
     }
+    all
 }
 
-/// Whether the coordinates agree, and the angles up to whole turns.
-fn is_same(a: &Pose, b: &Pose) -> bool {
-    let differences = a.iter().zip(b).enumerate().map(|(place, (a, b))| {
-        let difference = a - b;
-        if place < 3 {
-            difference
-        } else {
-            (0.5 * difference).sin()
-        }
-    });
-    differences.map(f64::abs).fold(0.0, f64::max) < 1e-9
-}
-
-fn vectors(random: &mut Random) -> [Vector; 6] {
-    [(); 6].map(|()| {
-        Space::new(
-            random.between(-1.0, 1.0),
-            random.between(-1.0, 1.0),
-            random.between(-1.0, 1.0),
-        )
+/// Whether the coordinates of a known position agree, and the angles up to whole turns.
+fn contains(all: &[Pose], pose: &Pose) -> bool {
+    all.iter().any(|known| {
+        let differences = known.iter().zip(pose).map(|(known, own)| known - own).enumerate();
+        let difference = differences.map(|(place, own)| if place < 3 { own } else { (0.5 * own).sin() });
+        difference.map(f64::abs).fold(0.0, f64::max) < 1e-9
     })
+}
+
+fn joints(random: &mut Random) -> Joints {
+    [(); 2].map(|()| [(); 6].map(|()| [(); 3].map(|()| random.between(-1.0, 1.0))))
 }
 
 fn pose(random: &mut Random) -> Pose {
@@ -189,25 +148,24 @@ fn pose(random: &mut Random) -> Pose {
 #[test]
 fn a_platform_with_forty_postures() {
     let ground = [
-        Space::new(0.0, 0.0, 0.0),
-        Space::new(1.107_915, 0.0, 0.0),
-        Space::new(0.549_094, 0.756_063, 0.0),
-        Space::new(0.735_077, -0.223_935, 0.525_991),
-        Space::new(0.514_188, -0.526_063, -0.368_418),
-        Space::new(0.590_473, 0.094_733, -0.205_018),
+        [0.0, 0.0, 0.0],
+        [1.107_915, 0.0, 0.0],
+        [0.549_094, 0.756_063, 0.0],
+        [0.735_077, -0.223_935, 0.525_991],
+        [0.514_188, -0.526_063, -0.368_418],
+        [0.590_473, 0.094_733, -0.205_018],
     ];
-    let platform = [
-        Space::new(0.0, 0.0, 0.0),
-        Space::new(0.542_805, 0.0, 0.0),
-        Space::new(0.956_919, -0.528_915, 0.0),
-        Space::new(0.665_885, -0.353_482, 1.402_538),
-        Space::new(0.478_359, 1.158_742, 0.107_672),
-        Space::new(-0.137_087, -0.235_121, 0.353_913),
+    let body = [
+        [0.0, 0.0, 0.0],
+        [0.542_805, 0.0, 0.0],
+        [0.956_919, -0.528_915, 0.0],
+        [0.665_885, -0.353_482, 1.402_538],
+        [0.478_359, 1.158_742, 0.107_672],
+        [-0.137_087, -0.235_121, 0.353_913],
     ];
-    let lengths = [1.0, 0.645_275, 1.086_284, 1.503_439, 1.281_933, 0.771_071];
-    let all = Platform::new(ground, platform).all(lengths);
+    let legs = [1.0, 0.645_275, 1.086_284, 1.503_439, 1.281_933, 0.771_071];
     // each by two triples of angles
-    assert_eq!(all.len(), 80);
+    assert_eq!(all_by_angles(&[ground, body], legs).len(), 80);
 }
 
 /// A drawn position is among those that are found, and there are as many by other angles.
@@ -215,52 +173,18 @@ fn a_platform_with_forty_postures() {
 fn a_drawn_position_is_found() {
     let mut random = Random::new(11);
     for number in 0..4 {
-        let (mut ground, mut body) = (vectors(&mut random), vectors(&mut random));
+        let mut joints = joints(&mut random);
         if number % 2 == 1 {
-            // joints in a plane, as most platforms have them
-            ground.iter_mut().for_each(|joint| joint.z = 0.0);
-            body.iter_mut().for_each(|joint| joint.z = 0.0);
+            // all in one plane, as most platforms have them
+            joints.as_flattened_mut().iter_mut().for_each(|joint| joint[2] = 0.0);
         }
-        let platform = Platform::new(ground, body);
         let drawn = pose(&mut random);
-        let lengths = platform.lengths(&drawn);
-        let all = platform.all(lengths);
-        assert!(all.iter().any(|known| is_same(known, &drawn)), "{drawn:?} is missing");
-
-        let Platform {
-            a1,
-            a2,
-            a3,
-            a4,
-            a5,
-            a6,
-            b1,
-            b2,
-            b3,
-            b4,
-            b5,
-            b6,
-        } = platform;
-        let euler = EulerPlatform {
-            a1,
-            a2,
-            a3,
-            a4,
-            a5,
-            a6,
-            b1,
-            b2,
-            b3,
-            b4,
-            b5,
-            b6,
-        };
-        let [l1, l2, l3, l4, l5, l6] = lengths;
-        let others = euler
-            .assemblies_at(l1, l2, l3, l4, l5, l6)
-            .expect("the lengths are finite");
-        assert!(others.is_complete());
-        assert_eq!(others.len(), all.len());
+        let legs = lengths(&joints, &drawn);
+        let by_angles = all_by_angles(&joints, legs);
+        assert!(contains(&by_angles, &drawn), "{drawn:?} is missing");
+        let euler = EulerPlatform::from_parameters(platform(&joints).parameters());
+        let (others, singular) = all(&euler, legs);
+        assert_eq!((others.len(), singular), (by_angles.len(), 0));
     }
 }
 
@@ -269,31 +193,37 @@ fn a_drawn_position_is_found() {
 fn as_many_by_joints() {
     let mut random = Random::new(12);
     for _ in 0..4 {
-        let [a1, a2, a3, a4, a5, a6] = vectors(&mut random);
-        let [b1, b2, b3, ..] = vectors(&mut random);
-        let platform = Platform::new([a1, a2, a3, a4, a5, a6], [b1, b1, b2, b2, b3, b3]);
-        let lengths = platform.lengths(&pose(&mut random));
-        let by_angles = platform.all(lengths);
-        let [d12, d23, d31] = [b1 - b2, b2 - b3, b3 - b1].map(Space::norm);
-        let joints = PlatformByJoints {
+        let [ground, [b1, b2, b3, ..]] = joints(&mut random);
+        let joints = [ground, [b1, b1, b2, b2, b3, b3]];
+        let legs = lengths(&joints, &pose(&mut random));
+        let Platform {
             a1,
             a2,
             a3,
             a4,
             a5,
             a6,
-            d12,
-            d23,
-            d31,
-        };
-        let [l1, l2, l3, l4, l5, l6] = lengths;
-        let start = Instant::now();
-        let by_joints = joints
-            .assemblies_at(l1, l2, l3, l4, l5, l6)
-            .expect("the lengths are finite");
-        println!("{} positions by joints in {:?}", by_joints.len(), start.elapsed());
-        assert!(by_joints.is_complete());
-        assert_eq!(2 * by_joints.len(), by_angles.len());
+            b1,
+            b3,
+            b5,
+            ..
+        } = platform(&joints);
+        let [d12, d23, d31] = [b1 - b3, b3 - b5, b5 - b1].map(Space::norm);
+        let (by_joints, _) = all(
+            &PlatformByJoints {
+                a1,
+                a2,
+                a3,
+                a4,
+                a5,
+                a6,
+                d12,
+                d23,
+                d31,
+            },
+            legs,
+        );
+        assert_eq!(2 * by_joints.len(), all_by_angles(&joints, legs).len());
     }
 }
 
@@ -302,65 +232,22 @@ fn as_many_by_joints() {
 #[test]
 fn locked_angles_are_singular() {
     let mut random = Random::new(13);
-    let platform = Platform::new(vectors(&mut random), vectors(&mut random));
-    let mut drawn = pose(&mut random);
-    drawn[4] = core::f64::consts::FRAC_PI_2;
-    let [l1, l2, l3, l4, l5, l6] = platform.lengths(&drawn);
-    let all = platform
-        .assemblies_at(l1, l2, l3, l4, l5, l6)
-        .expect("the lengths are finite");
-    let Platform {
-        a1,
-        a2,
-        a3,
-        a4,
-        a5,
-        a6,
-        b1,
-        b2,
-        b3,
-        b4,
-        b5,
-        b6,
-    } = platform;
-    let euler = EulerPlatform {
-        a1,
-        a2,
-        a3,
-        a4,
-        a5,
-        a6,
-        b1,
-        b2,
-        b3,
-        b4,
-        b5,
-        b6,
-    };
-    let others = euler
-        .assemblies_at(l1, l2, l3, l4, l5, l6)
-        .expect("the lengths are finite");
-    assert!(all.is_complete() && others.is_complete());
-    println!(
-        "{} {} {} {}",
-        all.len(),
-        all.singular(),
-        others.len(),
-        others.singular()
-    );
-    assert_eq!((all.singular(), others.singular()), (2, 0));
-    assert_eq!(all.len() + 2, others.len());
+    let (joints, mut drawn) = (joints(&mut random), pose(&mut random));
+    drawn[4] = FRAC_PI_2;
+    let (platform, legs) = (platform(&joints), lengths(&joints, &drawn));
+    let (regular, singular) = all(&platform, legs);
+    let (others, no_other) = all(&EulerPlatform::from_parameters(platform.parameters()), legs);
+    assert_eq!((singular, no_other), (2, 0));
+    assert_eq!(regular.len() + 2, others.len());
 }
 
 /// A leg cannot be shorter than nothing.
 #[test]
 fn a_negative_length_has_no_position() {
     let mut random = Random::new(14);
-    let platform = Platform::new(vectors(&mut random), vectors(&mut random));
-    let [l1, l2, l3, l4, l5, l6] = platform.lengths(&pose(&mut random));
-    let all = platform
-        .assemblies_at(-l1, l2, l3, l4, l5, l6)
-        .expect("the lengths are finite");
-    assert!(all.is_complete());
-    assert_eq!((all.len(), all.singular()), (0, 0));
+    let (joints, drawn) = (joints(&mut random), pose(&mut random));
+    let mut legs = lengths(&joints, &drawn);
+    legs[0] = -legs[0];
+    let (regular, singular) = all(&platform(&joints), legs);
+    assert_eq!((regular.len(), singular), (0, 0));
 }

@@ -1,6 +1,6 @@
 //! The solutions of the known body, from which those of all other bodies are continued.
 
-/// All poses of the [known body](super::body::known): real and imaginary parts of x₀ ... x₃ and y₀ ... y₃, up to a factor.
+/// All poses of the [known body](super::body): real and imaginary parts of x₀ ... x₃ and y₀ ... y₃, up to a factor.
 /// They were found by Newton's method from random starts and along random loops of bodies, which led to no further pose.
 #[rustfmt::skip]
 pub(super) const POSES: [[i16; 16]; 40] = [
