@@ -40,6 +40,8 @@ const MONOMIALS: usize = 17;
 const TABLED: u16 = 23;
 /// The place of the [constants](CONSTANTS), after the coefficients of all equations.
 const CONSTANT: u16 = STUDY * TABLED;
+/// The part of an equation that is rounding if the other equations leave no more of it.
+const SAME: f64 = 1e-10;
 /// The number of the pseudorandom coefficients of the known body. Of the first eleven it is the one whose poses are
 /// determined best.
 const KNOWN: u64 = 8;
@@ -195,6 +197,7 @@ impl AllSolutions<9> for BodySystem {
         for (equation, (own, given)) in equations.iter_mut().zip(given).enumerate() {
             *own = scaled(given, unit).ok_or(Unsuitable::NoVariable { equation })?;
         }
+        separate(&mut equations);
         let known_equations: [[Complex; MONOMIALS]; EQUATIONS] =
             KNOWN_FORMS.map(|form| core::array::from_fn(|place| sequence::entry(KNOWN, form, place)));
         let known = KnownSystem {
@@ -326,6 +329,30 @@ fn scaled(
     ];
     let largest = own.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
     (largest > 0.0).then(|| own.map(|value| value / largest))
+}
+
+/// Replaces equations by their differences with multiples of those before: the equations of long legs are nearly the same,
+/// their differences are not. Equations that follow from others stay as they are.
+fn separate(equations: &mut [[f64; MONOMIALS]; EQUATIONS]) {
+    for place in 0..EQUATIONS {
+        let (before, own) = equations.split_at_mut(place);
+        let own = &mut own[0];
+        let dot = |a: &[f64; MONOMIALS], b: &[f64; MONOMIALS]| a.iter().zip(b).fold(0.0, |sum, (a, b)| sum + a * b);
+        let mut rest = *own;
+        // Once loses digits.
+        for _ in 0..2 {
+            for unit in &*before {
+                let along = dot(&rest, unit) / dot(unit, unit);
+                rest.iter_mut()
+                    .zip(unit)
+                    .for_each(|(value, unit)| *value -= along * unit);
+            }
+        }
+        let (length, whole) = (Float::sqrt(dot(&rest, &rest)), Float::sqrt(dot(own, own)));
+        if length > SAME * whole {
+            *own = rest.map(|value| value / length);
+        }
+    }
 }
 
 /// The coefficients of the table: those of each equation, of which six occur with both signs, and the constants.
