@@ -399,7 +399,7 @@ mod tests {
     use std::collections::BTreeMap;
 
     use super::{NumericPolynomial, PolynomialVariable, SystemForm, system, turned};
-    use crate::algebra::{Angle, Graph, Symbol};
+    use crate::algebra::{Angle, Function, Graph, Symbol};
     use crate::structure::tear::Whole;
 
     /// The polynomials of cosine and sine of a sum of multiples of angles have the right values at any angles.
@@ -500,5 +500,36 @@ mod tests {
             assert!((sum - expected).abs() < 20.0 * f64::EPSILON, "{sum} and not {expected}");
         }
         assert!(sums[3].abs() < 4.0 * f64::EPSILON, "cos² + sin² - 1 = {}", sums[3]);
+    }
+
+    /// Two circles are one circle and a line, also where the radius of one is a square root, and where a coefficient is not
+    /// a number. What a circle has in common with a curve of the same degree but other terms stays.
+    #[test]
+    fn differences_lower_the_degree() {
+        let mut graph = Graph::new();
+        let [x, y] = [0, 1].map(|unknown| graph.symbol(Symbol::Unknown(unknown)));
+        let [p, q] = [0, 1].map(|number| graph.symbol(Symbol::Parameter(number)));
+        let squares = [x, y].map(|own| graph.power(own, 2));
+        let [about_origin, moved] = [0.0, 1.0].map(|place| {
+            let along = graph.linear(-place, &[(x, 1.0)]);
+            let square = graph.power(along, 2);
+            graph.add(square, squares[1])
+        });
+        let circle = graph.subtract(about_origin, p);
+        let root = graph.call(Function::Sqrt, &[moved]);
+        let by_root = graph.subtract(root, q);
+        let multiple = graph.multiply(p, moved);
+        let multiple = graph.subtract(multiple, q);
+        let hyperbola = graph.linear(-1.0, &[(squares[0], 1.0), (squares[1], -1.0)]);
+        for (second, paths) in [(by_root, 2), (multiple, 2), (hyperbola, 4)] {
+            let whole = Whole {
+                equations: vec![circle, second],
+                unknowns: vec![0, 1],
+                relations: Vec::new(),
+            };
+            let system = system(&mut graph, whole).expect("it is algebraic");
+            assert_eq!(system.paths, paths);
+            assert_eq!(system.room(), 2 * paths);
+        }
     }
 }
