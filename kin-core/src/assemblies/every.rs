@@ -5,10 +5,7 @@ use core::ops::Deref;
 
 use num_traits::Float;
 
-use crate::assemblies::{
-    Positions,
-    continuation::{PolynomialSystem, Solution, real_solutions},
-};
+use crate::assemblies::{Positions, continuation::AllSolutions};
 use crate::assembly::{Assembly, Near};
 use crate::failure::{Failure, SolveError};
 use crate::mechanism::{Mechanism, PositionSearch};
@@ -17,6 +14,9 @@ use crate::number::{Number, Row};
 /// The distance within which positions are the same, in radians or relative to their lengths. Regular positions lie
 /// further apart.
 const SAME: f64 = 1e-7;
+
+/// The number of choices on one path. A mechanism with more blocks has too many assemblies to try all.
+const DEPTH: usize = 64;
 
 /// All positions of a mechanism at given inputs, which identify its assemblies. It dereferences to a slice.
 ///
@@ -61,46 +61,54 @@ impl<'a, const N: usize, const CAPACITY: usize> IntoIterator for &'a Assemblies<
 }
 
 /// The choices on the path to a position, block by block. The paths are tried one after another.
-#[derive(Clone, Copy, Debug)]
-pub struct Choices {
+///
+/// There is room for `ROOM` numbers: the solutions of all blocks without a closed form.
+#[derive(Debug)]
+pub struct Choices<const ROOM: usize> {
     /// For each choice on the path, the chosen index and the number of options.
-    way: [(usize, usize); Self::DEPTH],
+    way: [(usize, usize); DEPTH],
     depth: usize,
+    /// The number of choices, from the first on, that have the same options as on the path before.
+    kept: usize,
+    /// The solutions of the blocks without a closed form on this path, each with room for all of its solutions.
+    solutions: [f64; ROOM],
+    /// The room that is taken by the blocks so far.
+    taken: usize,
     lost: usize,
 }
 
-impl Choices {
-    /// The number of choices on one path. A mechanism with more blocks has too many assemblies to try all.
-    const DEPTH: usize = 64;
-
+impl<const ROOM: usize> Choices<ROOM> {
     const fn new() -> Self {
         Self {
-            way: [(0, 1); Self::DEPTH],
+            way: [(0, 1); DEPTH],
             depth: 0,
+            kept: 0,
+            solutions: [0.0; ROOM],
+            taken: 0,
             lost: 0,
         }
     }
 
-    /// The chosen one of `count` options, and whether this choice is made for the first time.
-    fn one_of(&mut self, count: usize) -> (usize, bool) {
+    /// The index of the chosen one of `count` options.
+    fn one_of(&mut self, count: usize) -> usize {
         let place = self.depth;
         self.depth += 1;
-        let Some(choice) = self.way.get_mut(place) else {
-            return (0, false);
-        };
-        choice.1 = count;
-        (choice.0, choice.0 == 0)
+        self.way.get_mut(place).map_or(0, |choice| {
+            choice.1 = count;
+            choice.0
+        })
     }
 
     /// Moves on to the next path; returns false if there is none.
     fn advance(&mut self) -> bool {
-        let mut place = self.depth.min(Self::DEPTH);
-        self.depth = 0;
+        let mut place = self.depth.min(DEPTH);
+        (self.depth, self.taken) = (0, 0);
         while place > 0 {
             place -= 1;
             let (which, count) = self.way[place];
             if which + 1 < count {
                 self.way[place].0 = which + 1;
+                self.kept = place + 1;
                 return true;
             }
             self.way[place] = (0, 1);
@@ -110,30 +118,38 @@ impl Choices {
 
     /// The assembly of a block with a closed form.
     pub fn assembly(&mut self) -> Assembly {
-        Assembly::BOTH[self.one_of(2).0]
+        Assembly::BOTH[self.one_of(2)]
     }
 
-    /// A solution of a block without a closed form.
+    /// A solution of a block without a closed form. The block is solved once for all paths that differ later.
     ///
     /// # Errors
     /// Fails if there is no solution.
     pub fn solution<const M: usize, const PATHS: usize>(
         &mut self,
-        system: &PolynomialSystem<M>,
+        system: &impl AllSolutions<M>,
         coefficients: &[f64],
     ) -> Result<[f64; M], Failure> {
-        let mut solutions = Positions::<Solution<M>, PATHS>::new();
-        let outcome = real_solutions::<M, PATHS>(system, coefficients, |solution| {
-            solutions.push(solution);
-        });
-        let (which, is_first) = self.one_of(solutions.len());
-        if is_first {
+        let first = self.taken;
+        self.taken += PATHS * M;
+        let count = if self.depth < self.kept {
+            self.way[self.depth].1
+        } else {
+            let room = self.solutions.get_mut(first..self.taken).unwrap_or(&mut []);
+            let (mut count, mut places) = (0, room.as_chunks_mut::<M>().0.iter_mut());
+            let outcome = system.real_solutions::<PATHS>(coefficients, |solution| {
+                if let Some(place) = places.next() {
+                    *place = solution.values;
+                    count += 1;
+                }
+            });
             self.lost += outcome.map_or(1, |outcome| outcome.lost);
-        }
-        solutions
-            .get(which)
-            .map(|solution| solution.values)
-            .ok_or(Failure::Singular { determinant: 0.0 })
+            count
+        };
+        let which = self.one_of(count);
+        let (known, _) = self.solutions[first.min(ROOM)..].as_chunks::<M>();
+        let known = known.get(which).filter(|_| which < count);
+        known.copied().ok_or(Failure::Singular { determinant: 0.0 })
     }
 }
 
@@ -143,8 +159,8 @@ impl Choices {
 ///
 /// # Errors
 /// [`Failure::NotFinite`] if a parameter or an input is not finite.
-pub fn every<const N: usize, const CAPACITY: usize>(
-    mut position: impl FnMut(&mut Choices) -> Result<[f64; N], SolveError>,
+pub fn every<const N: usize, const CAPACITY: usize, const ROOM: usize>(
+    mut position: impl FnMut(&mut Choices<ROOM>) -> Result<[f64; N], SolveError>,
     refined: impl Fn([f64; N]) -> Result<[f64; N], SolveError>,
 ) -> Result<Assemblies<N, CAPACITY>, SolveError> {
     let mut choices = Choices::new();

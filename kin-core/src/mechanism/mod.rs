@@ -269,8 +269,8 @@ pub trait Mechanism: Copy + Debug + 'static {
     /// Where every block has a closed form, these are the assemblies in which the mechanism closes. Otherwise they are the
     /// positions that the inherent method `assemblies_at` finds, in double precision, each refined in the mechanism's own
     /// numbers. There is no such method where the coupled equations are not algebraic in the unknowns, their sines and
-    /// cosines, or where the product of their degrees is above 1024, as for the angles of many platforms in space. Then
-    /// nothing is found, and the search is not complete.
+    /// cosines, or where the product of their degrees is above 1024, as for the angles of several bodies in space. Then
+    /// nothing is found, and the search is not complete. A single body on six legs has the method.
     ///
     /// # Errors
     /// Returns an error if a parameter or an input is not finite.

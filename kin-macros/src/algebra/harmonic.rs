@@ -136,7 +136,8 @@ impl TrigonometricPolynomial {
         }
     }
 
-    fn add(&mut self, graph: &mut Graph, other: &Self, factor: Node) {
+    /// Adds another polynomial times a factor that is free of the variables.
+    pub(crate) fn add(&mut self, graph: &mut Graph, other: &Self, factor: Node) {
         for (monomial, &coefficient) in &other.0 {
             let scaled = graph.multiply(factor, coefficient);
             self.accumulate(graph, monomial.clone(), scaled);

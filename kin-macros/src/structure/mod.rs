@@ -5,6 +5,7 @@
 //! into parts, of which Newton's method solves as few as possible.
 
 mod arm;
+mod body;
 mod closed_form;
 mod closure;
 mod complex;
@@ -26,7 +27,7 @@ pub(crate) use complex::ComplexNode;
 pub(crate) use dyads::{Dyad, dyads};
 pub(crate) use form::{BlockKind, block_forms};
 pub(crate) use growth::CoefficientMagnitudes;
-pub(crate) use polynomials::{PolynomialSystem, PolynomialVariable};
+pub(crate) use polynomials::{PolynomialSystem, PolynomialTerm, PolynomialVariable, SystemForm};
 
 use crate::algebra::{Expansion, Graph, Misfit, Node, Probe, Symbol, Variables};
 

@@ -5,25 +5,40 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::ClosedForm;
 use super::tear::Whole;
-use crate::algebra::{Angle, Expansion, Graph, Harmonic, Monomial, Node, Symbol, TrigonometricPolynomial, Variables};
+use super::{ClosedForm, body};
+use crate::algebra::{
+    Angle, Expansion, Function, Graph, Harmonic, Monomial, Node, NodeKind, Symbol, TrigonometricPolynomial, Variables,
+};
 
 /// The largest number of paths that are followed.
 const LARGEST: usize = 1024;
+/// The moduli of coefficients by which other equations are reduced.
+const PIVOTS: [f64; 5] = [1.0, 2.0, 0.5, 4.0, 0.25];
+
+/// The largest number of solutions of the equations of a [body](body::MovingBody): 40 poses, each by two triples of
+/// angles.
+const OF_BODY: usize = 80;
 
 /// Polynomial equations for the unknowns of a block.
 pub(crate) struct PolynomialSystem {
     /// The meaning of the variables.
     pub(crate) variables: Vec<PolynomialVariable>,
-    /// The terms, equation by equation.
-    pub(crate) terms: Vec<PolynomialTerm>,
-    /// Their coefficients, free of the block's unknowns.
+    pub(crate) form: SystemForm,
+    /// The coefficients of the terms, free of the block's unknowns.
     pub(crate) coefficients: Vec<Node>,
     /// The relations that give the other unknowns of the block linearly.
     pub(crate) relations: Vec<ClosedForm>,
-    /// The product of the equations' degrees.
+    /// The largest number of solutions.
     pub(crate) paths: usize,
+}
+
+/// The form of a system.
+pub(crate) enum SystemForm {
+    /// The terms, equation by equation. There are at most as many solutions as the product of the degrees.
+    Terms(Vec<PolynomialTerm>),
+    /// The equations of a body, and the axes of its rotations.
+    Body { axes: [usize; 3] },
 }
 
 /// The meaning of one variable, or of two.
@@ -48,10 +63,15 @@ type Powers = BTreeMap<usize, u32>;
 /// The system of a block, if the block is algebraic and not too large.
 pub(super) fn system(graph: &mut Graph, whole: Whole) -> Option<PolynomialSystem> {
     let unknowns = whole.unknowns.clone();
-    let polynomials: Vec<TrigonometricPolynomial> = whole
+    let mut polynomials: Vec<TrigonometricPolynomial> = whole
         .equations
         .iter()
-        .map(|&equation| Expansion::new(graph, Variables::Unknowns(&unknowns)).equation(equation))
+        .map(|&equation| {
+            let polynomial = Expansion::new(graph, Variables::Unknowns(&unknowns)).equation(equation);
+            squared(graph, &polynomial)
+                .map(|square| Expansion::new(graph, Variables::Unknowns(&unknowns)).equation(square))
+                .unwrap_or(polynomial)
+        })
         .collect();
     let (mut turning, mut plain) = (BTreeSet::new(), BTreeSet::new());
     for monomial in polynomials.iter().flat_map(|polynomial| polynomial.0.keys()) {
@@ -74,6 +94,12 @@ pub(super) fn system(graph: &mut Graph, whole: Whole) -> Option<PolynomialSystem
     if !turning.is_disjoint(&plain) {
         return None;
     }
+    if let Some(system) = of_body(graph, &polynomials, &turning, &plain) {
+        return Some(PolynomialSystem {
+            relations: whole.relations,
+            ..system
+        });
+    }
     let mut places = BTreeMap::new();
     let mut variables = Vec::new();
     let mut count = 0;
@@ -87,6 +113,7 @@ pub(super) fn system(graph: &mut Graph, whole: Whole) -> Option<PolynomialSystem
             count += 1;
         }
     }
+    lower(graph, &mut polynomials);
     // each unknown angle adds an equation of the second degree
     let circles = turning.iter().map(|_| 2);
     let paths = polynomials
@@ -97,16 +124,10 @@ pub(super) fn system(graph: &mut Graph, whole: Whole) -> Option<PolynomialSystem
     if !(1..=LARGEST).contains(&paths) {
         return None;
     }
-    let mut system = PolynomialSystem {
-        variables,
-        terms: Vec::new(),
-        coefficients: Vec::new(),
-        relations: whole.relations,
-        paths,
-    };
+    let mut table = TermTable::default();
     let mut equations = 0;
     for polynomial in &polynomials {
-        system.equation(graph, equations, polynomial, &places);
+        table.equation(graph, equations, polynomial, &places);
         equations += 1;
     }
     let one = graph.one();
@@ -114,37 +135,153 @@ pub(super) fn system(graph: &mut Graph, whole: Whole) -> Option<PolynomialSystem
     for unknown in turning {
         let place = places[&unknown];
         for square in [place, place + 1] {
-            system.term(equations, one, Powers::from([(square, 2)]));
+            table.term(equations, one, Powers::from([(square, 2)]));
         }
-        system.term(equations, minus_one, Powers::new());
+        table.term(equations, minus_one, Powers::new());
         equations += 1;
     }
-    Some(system)
+    Some(PolynomialSystem {
+        variables,
+        form: SystemForm::Terms(table.terms),
+        coefficients: table.coefficients,
+        relations: whole.relations,
+        paths,
+    })
+}
+
+/// The system of a block that is the pose of a body.
+fn of_body(
+    graph: &mut Graph,
+    polynomials: &[TrigonometricPolynomial],
+    turning: &BTreeSet<usize>,
+    plain: &BTreeSet<usize>,
+) -> Option<PolynomialSystem> {
+    let three = |unknowns: &BTreeSet<usize>| unknowns.iter().copied().collect::<Vec<_>>().try_into().ok();
+    if polynomials.len() != 6 {
+        return None;
+    }
+    let body = body::body(graph, polynomials, three(plain)?, three(turning)?)?;
+    let coordinates = body.coordinates.map(PolynomialVariable::Plain);
+    let angles = body.angles.map(PolynomialVariable::Turning);
+    Some(PolynomialSystem {
+        variables: coordinates.into_iter().chain(angles).collect(),
+        form: SystemForm::Body { axes: body.axes },
+        coefficients: body.coefficients,
+        relations: Vec::new(),
+        paths: OF_BODY,
+    })
+}
+
+/// The equation s - g |g| == 0 for √s == g, where g is known, such as the length of a leg. Where g is negative, it has no
+/// real solution with a positive s either.
+fn squared(graph: &mut Graph, polynomial: &TrigonometricPolynomial) -> Option<Node> {
+    let mut others = polynomial
+        .0
+        .iter()
+        .filter(|(monomial, _)| **monomial != Monomial::one());
+    let (Some((monomial, &coefficient)), None) = (others.next(), others.next()) else {
+        return None;
+    };
+    let powers: Vec<(&Node, &i32)> = monomial.powers.iter().collect();
+    let (Harmonic::One, &[(&root, 1)]) = (&monomial.harmonic, powers.as_slice()) else {
+        return None;
+    };
+    let NodeKind::Call(Function::Sqrt, arguments) = graph.kind(root).clone() else {
+        return None;
+    };
+    let free = polynomial.free_term(graph);
+    let quotient = graph.divide(free, coefficient);
+    let known = graph.negate(quotient);
+    let square = graph.multiply(known, known);
+    let modulus = graph.call(Function::Sqrt, &[square]);
+    let product = graph.multiply(known, modulus);
+    Some(graph.subtract(arguments[0], product))
+}
+
+/// Replaces equations by their differences with multiples of others where this lowers their degree: the difference of
+/// two spheres is a plane.
+///
+/// In each round, an equation of the degree in question whose coefficient of some monomial of this degree is one of the
+/// `PIVOTS` clears this monomial out of the others. Multiples of these are exact, so what cancels leaves no rounding.
+fn lower(graph: &mut Graph, polynomials: &mut [TrigonometricPolynomial]) {
+    let highest = polynomials.iter().map(degree).max().unwrap_or(0);
+    for level in (2..=highest).rev() {
+        let mut left: Vec<(usize, TrigonometricPolynomial)> = polynomials
+            .iter()
+            .cloned()
+            .enumerate()
+            .filter(|(_, polynomial)| degree(polynomial) == level)
+            .collect();
+        let pivot = |graph: &Graph, polynomial: &TrigonometricPolynomial| {
+            let mut terms = polynomial.0.iter().filter(|(monomial, _)| degree_of(monomial) == level);
+            terms.find_map(|(monomial, &coefficient)| {
+                let number = graph.as_number(coefficient)?;
+                PIVOTS.contains(&number.abs()).then(|| (monomial.clone(), number))
+            })
+        };
+        while let Some((place, (monomial, number))) = left
+            .iter()
+            .enumerate()
+            .find_map(|(place, (_, polynomial))| Some((place, pivot(graph, polynomial)?)))
+        {
+            let (_, cleared) = left.remove(place);
+            for (equation, polynomial) in &mut left {
+                let coefficient = polynomial.coefficient(graph, &monomial);
+                let factor = graph.scale(-1.0 / number, coefficient);
+                if !graph.is_zero(factor) {
+                    polynomial.add(graph, &cleared, factor);
+                    if degree(polynomial) < level {
+                        polynomials[*equation] = polynomial.clone();
+                    }
+                }
+            }
+            left.retain(|(_, polynomial)| degree(polynomial) == level);
+        }
+    }
 }
 
 /// The degree of an equation in the variables. Terms with different harmonics are independent, so no term of the
 /// highest degree cancels.
 fn degree(polynomial: &TrigonometricPolynomial) -> usize {
-    let of_monomial = |monomial: &Monomial| -> usize {
-        let powers: usize = monomial
-            .powers
-            .values()
-            .map(|power| power.unsigned_abs() as usize)
-            .sum();
-        let harmonic: usize = match &monomial.harmonic {
-            Harmonic::One => 0,
-            Harmonic::Cosine(angle) | Harmonic::Sine(angle) => angle
-                .0
-                .iter()
-                .map(|&(_, multiple)| multiple.unsigned_abs() as usize)
-                .sum(),
-        };
-        powers + harmonic
+    polynomial.0.keys().map(degree_of).max().unwrap_or(0)
+}
+
+fn degree_of(monomial: &Monomial) -> usize {
+    let powers: usize = monomial
+        .powers
+        .values()
+        .map(|power| power.unsigned_abs() as usize)
+        .sum();
+    let harmonic: usize = match &monomial.harmonic {
+        Harmonic::One => 0,
+        Harmonic::Cosine(angle) | Harmonic::Sine(angle) => angle
+            .0
+            .iter()
+            .map(|&(_, multiple)| multiple.unsigned_abs() as usize)
+            .sum(),
     };
-    polynomial.0.keys().map(of_monomial).max().unwrap_or(0)
+    powers + harmonic
 }
 
 impl PolynomialSystem {
+    /// The number of values in as many solutions as there are paths.
+    pub(crate) fn room(&self) -> usize {
+        let of_variable = |variable: &PolynomialVariable| match variable {
+            PolynomialVariable::Turning(_) => 2,
+            PolynomialVariable::Plain(_) => 1,
+        };
+        self.paths * self.variables.iter().map(of_variable).sum::<usize>()
+    }
+}
+
+/// The terms of a system, and their coefficients.
+#[derive(Default)]
+struct TermTable {
+    terms: Vec<PolynomialTerm>,
+    coefficients: Vec<Node>,
+}
+
+impl TermTable {
     /// Adds the terms of an equation.
     fn equation(
         &mut self,
@@ -261,8 +398,8 @@ fn sum(left: &NumericPolynomial, right: &NumericPolynomial) -> NumericPolynomial
 mod tests {
     use std::collections::BTreeMap;
 
-    use super::{NumericPolynomial, PolynomialVariable, system, turned};
-    use crate::algebra::{Angle, Graph, Symbol};
+    use super::{NumericPolynomial, PolynomialVariable, SystemForm, system, turned};
+    use crate::algebra::{Angle, Function, Graph, Symbol};
     use crate::structure::tear::Whole;
 
     /// The polynomials of cosine and sine of a sum of multiples of angles have the right values at any angles.
@@ -346,7 +483,10 @@ mod tests {
         };
         let variables = [values[0], values[1].cos(), values[1].sin(), values[2]];
         let mut sums = [0.0; 4];
-        for term in &system.terms {
+        let SystemForm::Terms(terms) = &system.form else {
+            panic!("it is no body");
+        };
+        for term in terms {
             let powers = term
                 .powers
                 .iter()
@@ -360,5 +500,36 @@ mod tests {
             assert!((sum - expected).abs() < 20.0 * f64::EPSILON, "{sum} and not {expected}");
         }
         assert!(sums[3].abs() < 4.0 * f64::EPSILON, "cos² + sin² - 1 = {}", sums[3]);
+    }
+
+    /// Two circles are one circle and a line, also where the radius of one is a square root, and where a coefficient is not
+    /// a number. What a circle has in common with a curve of the same degree but other terms stays.
+    #[test]
+    fn differences_lower_the_degree() {
+        let mut graph = Graph::new();
+        let [x, y] = [0, 1].map(|unknown| graph.symbol(Symbol::Unknown(unknown)));
+        let [p, q] = [0, 1].map(|number| graph.symbol(Symbol::Parameter(number)));
+        let squares = [x, y].map(|own| graph.power(own, 2));
+        let [about_origin, moved] = [0.0, 1.0].map(|place| {
+            let along = graph.linear(-place, &[(x, 1.0)]);
+            let square = graph.power(along, 2);
+            graph.add(square, squares[1])
+        });
+        let circle = graph.subtract(about_origin, p);
+        let root = graph.call(Function::Sqrt, &[moved]);
+        let by_root = graph.subtract(root, q);
+        let multiple = graph.multiply(p, moved);
+        let multiple = graph.subtract(multiple, q);
+        let hyperbola = graph.linear(-1.0, &[(squares[0], 1.0), (squares[1], -1.0)]);
+        for (second, paths) in [(by_root, 2), (multiple, 2), (hyperbola, 4)] {
+            let whole = Whole {
+                equations: vec![circle, second],
+                unknowns: vec![0, 1],
+                relations: Vec::new(),
+            };
+            let system = system(&mut graph, whole).expect("it is algebraic");
+            assert_eq!(system.paths, paths);
+            assert_eq!(system.room(), 2 * paths);
+        }
     }
 }

@@ -8,6 +8,7 @@ mod hyperbolic;
 mod kinds_of_drive;
 mod known_motions;
 mod not_finite;
+mod platforms;
 mod scalar_equations;
 mod singular_and_extreme;
 mod space;

@@ -21,6 +21,8 @@ use super::system::BorrowedSystem;
 /// - For an equation that has half of its degree in the coordinates c + i s of circles, and half in c - i s, half of the forms take the
 ///   first and half the second, each with 1 and random coefficients.
 /// - For any other equation of degree d, there are d forms of all its variables and 1, with random coefficients.
+///
+/// If a [known](KnownSystem) system of the same family is given, G is that system instead.
 #[derive(Clone, Debug)]
 pub(super) struct Homotopy<'a, const M: usize> {
     system: &'a BorrowedSystem<'a, M>,
@@ -32,6 +34,16 @@ pub(super) struct Homotopy<'a, const M: usize> {
     number: u64,
     /// The forms of the equation of the highest degree.
     drawn: DrawnForms<M>,
+    known: Option<KnownSystem<'a, M>>,
+}
+
+/// A system with the same terms as the one to be solved, and general coefficients, whose solutions are known. All terms of
+/// the equations that are not of first degree are of second degree.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct KnownSystem<'a, const M: usize> {
+    pub(super) coefficients: &'a [Complex],
+    /// The coordinates X₁ ... and X₀ of the solutions to a few digits, up to a factor.
+    pub(super) points: &'a [([Complex; M], Complex)],
 }
 
 /// The linear forms of the start system for one equation, drawn once.
@@ -305,6 +317,7 @@ impl<'a, const M: usize> Homotopy<'a, M> {
         degrees: &[u8; M],
         scales: &Scales<M>,
         coordinates: Coordinates<M>,
+        known: Option<KnownSystem<'a, M>>,
         number: u64,
     ) -> Self {
         let mut random = FixedSequence::new(number);
@@ -369,6 +382,7 @@ impl<'a, const M: usize> Homotopy<'a, M> {
             equations,
             number: random.next(),
             drawn,
+            known,
         }
     }
 
@@ -378,16 +392,23 @@ impl<'a, const M: usize> Homotopy<'a, M> {
         self.coordinates.free
     }
 
-    /// The number of ways to choose one factor of each equation.
+    /// The number of known solutions, or of ways to choose one factor of each equation.
     pub(super) fn choices(&self) -> usize {
+        if let Some(known) = &self.known {
+            return known.points.len();
+        }
         self.equations[..self.free()].iter().fold(1, |choices, equation| {
             choices.saturating_mul(usize::from(equation.degree))
         })
     }
 
-    /// The known solution at which one chosen factor of each equation is zero, if it exists and is finite.
+    /// The known solution with a number. Without a known system, it is the one at which one chosen factor of each equation
+    /// is zero, if it exists and is finite.
     pub(super) fn start(&mut self, choice: usize, at: &mut Linearised<M>) -> Option<[Complex; M]> {
         let free = self.free();
+        if let Some(known) = &self.known {
+            return Some(self.coordinates.of(known.points.get(choice)?));
+        }
         let mut rest = choice;
         for (row, equation) in self.equations[..free].iter().enumerate() {
             let degree = usize::from(equation.degree);
@@ -488,26 +509,60 @@ impl<'a, const M: usize> Homotopy<'a, M> {
         let rest = Complex::ONE - t;
         for (row, equation) in self.equations[..self.free()].iter().enumerate() {
             let mut slopes = Slopes::ZERO;
-            self.add_target(equation, &x, infinity, &mut slopes);
-            let target = slopes.value;
             let support = &equation.support[..equation.occurring];
-            slopes.value = rest * target;
-            slopes.infinity = rest * slopes.infinity;
-            for &variable in support {
-                slopes.along[variable] = rest * slopes.along[variable];
-            }
             let times = t * equation.turn;
-            let start = if row == self.drawn.row {
-                let forms = &self.drawn.forms[..usize::from(equation.degree)];
-                equation.add_drawn(forms, &x, infinity, times, &mut slopes)
+            let [target, start] = if let Some(known) = &self.known {
+                self.add_quadrics(known, equation, &x, [rest, times], &mut slopes)
             } else {
-                equation.add_start(&x, infinity, times, &mut slopes)
+                self.add_target(equation, &x, infinity, &mut slopes);
+                let target = slopes.value;
+                slopes.value = rest * target;
+                slopes.infinity = rest * slopes.infinity;
+                for &variable in support {
+                    slopes.along[variable] = rest * slopes.along[variable];
+                }
+                let start = if row == self.drawn.row {
+                    let forms = &self.drawn.forms[..usize::from(equation.degree)];
+                    equation.add_drawn(forms, &x, infinity, times, &mut slopes)
+                } else {
+                    equation.add_start(&x, infinity, times, &mut slopes)
+                };
+                [target, start]
             };
             at.value[row] = slopes.value;
             at.rate[row] = equation.turn * start - target;
             self.coordinates
                 .restrict(support, &slopes.along, slopes.infinity, &mut at.factors.rows[row]);
         }
+    }
+
+    /// Adds F and G of one equation, each times a factor, and their slopes. Returns F and G.
+    #[inline]
+    fn add_quadrics(
+        &self,
+        known: &KnownSystem<'_, M>,
+        equation: &NonlinearEquation<M>,
+        x: &[Complex; M],
+        [rest, times]: [Complex; 2],
+        slopes: &mut Slopes<M>,
+    ) -> [Complex; 2] {
+        let [first, end] = equation.terms;
+        let [mut target, mut start] = [Complex::ZERO; 2];
+        for term in &self.system.terms()[first..end] {
+            let (Some(&(one, _)), Some(&(other, _))) = (term.powers.first(), term.powers.last()) else {
+                continue;
+            };
+            let [one, other, place] = [one, other, term.coefficient].map(usize::from);
+            let (own, of_known) = (self.coefficients[place] * equation.scale, known.coefficients[place]);
+            let product = x[one] * x[other];
+            target += product.scale(own);
+            start += product * of_known;
+            let coefficient = rest.scale(own) + times * of_known;
+            slopes.along[one] += coefficient * x[other];
+            slopes.along[other] += coefficient * x[one];
+        }
+        slopes.value += rest * target + times * start;
+        [target, start]
     }
 
     /// Adds F of one equation, and its slopes.

@@ -25,6 +25,9 @@
 //! So n / 2 loops with n angles have at most n! / (n/2)!² paths: 2 for a four-bar linkage, 6 for the class III triad,
 //! 20 for three loops. In general these are the numbers of real and complex solutions, and no path leads to infinity.
 //!
+//! A body in space that six equations hold, such as a platform on six legs, has [a system of its own](BodySystem). It starts
+//! from the 40 poses of a known body, so that no path leads to infinity unless the body is special.
+//!
 //! # Guarantees
 //!
 //! In exact arithmetic, with probability one, every isolated complex solution is the end of a path, and so is every
@@ -94,10 +97,12 @@
 //! # Ok::<(), kin_core::continuation::Unsuitable>(())
 //! ```
 
+mod body;
 mod complex;
 mod ending;
 mod factors;
 mod homotopy;
+mod known_poses;
 mod outcome;
 mod paths;
 mod reduction;
@@ -109,13 +114,15 @@ mod traveller;
 #[cfg(test)]
 mod tests;
 
+pub use body::BodySystem;
 pub use outcome::{PathCounts, Solution, Unsuitable};
 pub use system::{BorrowedSystem, BorrowedTerm, PolynomialSystem, Term};
 
 use crate::assemblies::Positions;
 use ending::PathEndKind;
-use homotopy::Homotopy;
+use homotopy::{Homotopy, KnownSystem};
 use paths::{FollowedPath, follow_all};
+use scaling::Scales;
 
 /// The number of start systems tried before paths are reported as lost.
 const ATTEMPTS: u64 = 3;
@@ -134,9 +141,78 @@ const ATTEMPTS: u64 = 3;
 pub fn real_solutions<const M: usize, const PATHS: usize>(
     system: &BorrowedSystem<'_, M>,
     coefficients: &[f64],
+    found: impl FnMut(Solution<M>),
+) -> Result<PathCounts, Unsuitable> {
+    if !system.fits(coefficients.len()) {
+        return Err(Unsuitable::Table);
+    }
+    if let Some(coefficient) = coefficients.iter().position(|value| !value.is_finite()) {
+        return Err(Unsuitable::NotFinite { coefficient });
+    }
+    let degrees = system.degrees(coefficients);
+    if let Some(equation) = degrees.iter().position(|&degree| degree == 0) {
+        return Err(Unsuitable::NoVariable { equation });
+    }
+    let scales = scaling::scales(system, coefficients);
+    solutions::<M, PATHS>(system, coefficients, &degrees, &scales, None, found)
+}
+
+/// Systems of which all real solutions can be found, with `M` values each.
+pub trait AllSolutions<const M: usize> {
+    /// Passes each real solution to `found`, and returns the counts of all paths, for which there is room for `PATHS`.
+    ///
+    /// # Errors
+    /// [`Unsuitable`], if the coefficients do not allow a start.
+    fn real_solutions<const PATHS: usize>(
+        &self,
+        coefficients: &[f64],
+        found: impl FnMut(Solution<M>),
+    ) -> Result<PathCounts, Unsuitable>;
+}
+
+impl<const M: usize> AllSolutions<M> for BorrowedSystem<'_, M> {
+    fn real_solutions<const PATHS: usize>(
+        &self,
+        coefficients: &[f64],
+        found: impl FnMut(Solution<M>),
+    ) -> Result<PathCounts, Unsuitable> {
+        real_solutions::<M, PATHS>(self, coefficients, found)
+    }
+}
+
+/// The real solutions of a system in units of its own, from those of a known system if one is given.
+fn solutions<const M: usize, const PATHS: usize>(
+    system: &BorrowedSystem<'_, M>,
+    coefficients: &[f64],
+    degrees: &[u8; M],
+    scales: &Scales<M>,
+    known: Option<KnownSystem<'_, M>>,
     mut found: impl FnMut(Solution<M>),
 ) -> Result<PathCounts, Unsuitable> {
-    let paths = all_paths::<M, PATHS>(system, coefficients)?;
+    let coordinates = reduction::reduce(system, coefficients, degrees, scales)
+        .map_err(|equation| Unsuitable::Dependent { equation })?;
+    let mut attempt = 0;
+    let paths: Positions<FollowedPath<M>, PATHS> = loop {
+        let homotopy = Homotopy::new(
+            system,
+            coefficients,
+            degrees,
+            scales,
+            coordinates.clone(),
+            known,
+            attempt,
+        );
+        let paths: Positions<FollowedPath<M>, PATHS> = follow_all(&homotopy);
+        if paths.missed() > 0 {
+            return Err(Unsuitable::TooManyPaths {
+                paths: paths.len() + paths.missed(),
+            });
+        }
+        attempt += 1;
+        if attempt == ATTEMPTS || paths.iter().all(|path| path.end.kind != PathEndKind::Lost) {
+            break paths;
+        }
+    };
     let mut outcome = PathCounts {
         paths: paths.len(),
         ..PathCounts::default()
@@ -171,37 +247,4 @@ pub fn real_solutions<const M: usize, const PATHS: usize>(
         });
     }
     Ok(outcome)
-}
-
-fn all_paths<const M: usize, const PATHS: usize>(
-    system: &BorrowedSystem<'_, M>,
-    coefficients: &[f64],
-) -> Result<Positions<FollowedPath<M>, PATHS>, Unsuitable> {
-    if !system.fits(coefficients.len()) {
-        return Err(Unsuitable::Table);
-    }
-    if let Some(coefficient) = coefficients.iter().position(|value| !value.is_finite()) {
-        return Err(Unsuitable::NotFinite { coefficient });
-    }
-    let degrees = system.degrees(coefficients);
-    if let Some(equation) = degrees.iter().position(|&degree| degree == 0) {
-        return Err(Unsuitable::NoVariable { equation });
-    }
-    let scales = scaling::scales(system, coefficients);
-    let coordinates = reduction::reduce(system, coefficients, &degrees, &scales)
-        .map_err(|equation| Unsuitable::Dependent { equation })?;
-    let mut attempt = 0;
-    loop {
-        let homotopy = Homotopy::new(system, coefficients, &degrees, &scales, coordinates.clone(), attempt);
-        let paths: Positions<FollowedPath<M>, PATHS> = follow_all(&homotopy);
-        if paths.missed() > 0 {
-            return Err(Unsuitable::TooManyPaths {
-                paths: paths.len() + paths.missed(),
-            });
-        }
-        attempt += 1;
-        if attempt == ATTEMPTS || paths.iter().all(|path| path.end.kind != PathEndKind::Lost) {
-            return Ok(paths);
-        }
-    }
 }

@@ -39,6 +39,19 @@ impl<const M: usize> Coordinates<M> {
         core::mem::swap(&mut self.infinity[place], &mut self.infinity_pinned);
     }
 
+    /// The free coordinates of a point X₁ ... and X₀ that fulfils the equations of degree one, for units of one.
+    pub(super) fn of(&self, (x, infinity): &([Complex; M], Complex)) -> [Complex; M] {
+        let sum = |share: &dyn Fn(usize) -> f64, of_infinity: f64| {
+            x.iter()
+                .enumerate()
+                .fold(infinity.scale(of_infinity), |sum, (variable, x)| {
+                    sum + x.scale(share(variable))
+                })
+        };
+        let inverse = sum(&|variable| self.pinned[variable], self.infinity_pinned).inverse();
+        core::array::from_fn(|place| sum(&|variable| self.basis[variable][place], self.infinity[place]) * inverse)
+    }
+
     /// Converts a linear form of X₀ and some of X₁ ... into a form of the free coordinates and the pinned one. Returns
     /// the coefficient of the pinned coordinate.
     #[inline]

@@ -8,6 +8,7 @@ use crate::emit::compiled::{Compiled, local};
 use crate::emit::items::internal::Internal;
 use crate::emit::text::ProgramText;
 use crate::program::{Expression, Program};
+use crate::structure::PolynomialSystem;
 
 /// The largest number of assemblies that are all found. A mechanism with more is assembled from a guess.
 const LARGEST: usize = 4096;
@@ -126,13 +127,20 @@ pub(in crate::emit) fn internal(mechanism: &Compiled<'_>) -> Option<Internal> {
     let body = text.position_steps(stage);
     let unknowns = (0..mechanism.model.unknowns.len()).map(|index| mechanism.name_of(Symbol::Unknown(index)));
     let way = mechanism.own("choices");
+    let room: usize = mechanism
+        .blocks
+        .iter()
+        .filter_map(|block| block.all.as_ref())
+        .map(PolynomialSystem::room)
+        .sum();
+    let room = Literal::usize_unsuffixed(room);
     Some(Internal {
         attributes: TokenStream::new(),
         signature: quote! {
             fn __one_of_all(
                 &self,
                 #(#inputs: ::core::primitive::f64,)*
-                #way: &mut #runtime::Choices,
+                #way: &mut #runtime::Choices<#room>,
             ) -> ::core::result::Result<[::core::primitive::f64; #count], #runtime::SolveError>
         },
         body: quote! {

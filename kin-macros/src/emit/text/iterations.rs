@@ -8,7 +8,7 @@ use crate::algebra::Symbol;
 use crate::emit::compiled::local;
 use crate::model::Dimension;
 use crate::program::{Expression, Step};
-use crate::structure::PolynomialSystem;
+use crate::structure::{PolynomialTerm, SystemForm};
 
 impl ProgramText<'_> {
     /// Newton's method, started from the guess.
@@ -104,20 +104,31 @@ impl ProgramText<'_> {
             Literal::usize_unsuffixed(results.len()),
             Literal::usize_unsuffixed(all.paths),
         );
-        let terms = terms(runtime, all);
+        let (kind, value) = match &all.form {
+            SystemForm::Terms(terms) => {
+                let terms = table(runtime, terms);
+                (
+                    quote!(PolynomialSystem<#size>),
+                    quote!(PolynomialSystem::new(&[#(#terms),*])),
+                )
+            }
+            SystemForm::Body { axes } => {
+                let axes = axes.map(Literal::usize_unsuffixed);
+                (quote!(BodySystem), quote!(BodySystem::new([#(#axes),*])))
+            }
+        };
         let results = results.iter().map(|&symbol| self.name(symbol));
         let coefficients = self.expressions(coefficients);
         let failed = self.mechanism.failed(part);
         quote! {
-            const #system: #runtime::continuation::PolynomialSystem<#size> =
-                #runtime::continuation::PolynomialSystem::new(&[#(#terms),*]);
+            const #system: #runtime::continuation::#kind = #runtime::continuation::#value;
             let [#(#results),*] = #way.solution::<#size, #paths>(&#system, &[#(#coefficients),*]) #failed;
         }
     }
 }
 
-fn terms<'a>(runtime: &'a TokenStream, system: &'a PolynomialSystem) -> impl Iterator<Item = TokenStream> + 'a {
-    system.terms.iter().map(move |term| {
+fn table<'a>(runtime: &'a TokenStream, terms: &'a [PolynomialTerm]) -> impl Iterator<Item = TokenStream> + 'a {
+    terms.iter().map(move |term| {
         let (equation, coefficient) = (
             Literal::usize_unsuffixed(term.equation),
             Literal::usize_unsuffixed(term.coefficient),
