@@ -246,7 +246,7 @@ pub trait Described {
     /// The names of the inputs in an error.
     #[doc(hidden)]
     fn input_names(&self) -> InputNames {
-        InputNames::counted(self.description().inputs)
+        InputNames::by_index(self.description().inputs)
     }
 
     /// The number of assemblies, or zero if it depends on the dimensions.
