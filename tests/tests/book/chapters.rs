@@ -129,7 +129,7 @@ fn bare(code: &str) -> String {
 /// Compares the generated code that a chapter shows with the snapshot of the expansion.
 fn assert_excerpts(chapter: &str, expansion: &str) {
     let snapshot = bare(&read(&format!(
-        "kin-macros/src/testing/snapshots/kin_macros__testing__expansion__{expansion}_expansion.snap"
+        "kin-compiler/src/testing/snapshots/kin_compiler__testing__expansion__{expansion}_expansion.snap"
     )));
     let mut count = 0;
     for (language, lines) in blocks(&read(chapter)) {

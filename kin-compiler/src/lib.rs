@@ -1,0 +1,43 @@
+//! The compiler of kin, from the declaration of a mechanism to its solvers.
+//!
+//! The macro `kin_core::mechanism!` is a shell around this library. A program that holds a declaration as text compiles it by
+//! [`Declaration::parse`], without rustc (feature `text`).
+//!
+//! `docs/grammar.md` in the repository has the grammar, and `docs/architecture.md` shows how the passes below follow each
+//! other.
+
+mod algebra;
+mod assemble;
+mod bug;
+mod derive;
+mod editor;
+mod emit;
+mod expand;
+mod fallback;
+mod formulas;
+mod mistakes;
+mod model;
+mod passes;
+mod plan;
+mod precedence;
+mod program;
+mod refuse;
+mod room;
+mod schedule;
+mod structure;
+mod syntax;
+#[cfg(test)]
+mod testing;
+#[cfg(feature = "text")]
+mod text;
+mod translate;
+mod work;
+
+#[doc(hidden)]
+pub use bug::expand_or_tell;
+#[cfg(feature = "text")]
+pub use text::{Declaration, Mistake, Position};
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

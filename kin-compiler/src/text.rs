@@ -1,0 +1,179 @@
+//! Declarations from text.
+
+use std::fmt;
+use std::ops::Range;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use proc_macro2::{LineColumn, Span, TokenStream};
+
+use crate::bug::bug;
+use crate::expand::{expand, solvers};
+use crate::mistakes::Mistakes;
+use crate::room::with_room;
+use crate::syntax;
+
+/// A declaration that has been compiled.
+///
+/// ```
+/// use kin_compiler::Declaration;
+///
+/// let slider_crank = "
+///     /// A crank, a rod, and a slide.
+///     struct SliderCrank { r: Length, l: Length }
+///     input theta: Angle;
+///     unknown phi: Angle, s: Length;
+///     r * cis(theta) + l * cis(phi) == vec2(s, 0);
+/// ";
+/// let compiled = Declaration::parse(slider_crank).expect("there is no mistake");
+/// assert_eq!(compiled.name(), "SliderCrank");
+/// // the steps of each order, with their costs
+/// assert!(compiled.printout().contains("velocity: "));
+///
+/// let mistakes = Declaration::parse(&slider_crank.replace("cis(phi)", "cis(psi)")).unwrap_err();
+/// assert_eq!(mistakes[0].to_string(), "6:30: no parameter, input, unknown or `let` is called `psi`; did you mean `phi`?");
+/// assert_eq!(&slider_crank[mistakes[0].bytes.clone()], "phi");
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Declaration {
+    name: String,
+    printout: String,
+    rust: String,
+}
+
+/// A mistake in a declaration.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Mistake {
+    /// What is wrong, and then what to do about it.
+    pub message: String,
+    /// The first letter of the tokens at fault.
+    pub start: Position,
+    /// The place behind their last letter.
+    pub end: Position,
+    /// The bytes of these tokens in the text.
+    pub bytes: Range<usize>,
+}
+
+/// A place in a text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Position {
+    /// The number of the line, from 1.
+    pub line: usize,
+    /// The number of the letter in the line, from 1.
+    pub column: usize,
+}
+
+impl Declaration {
+    /// Compiles the declaration of a mechanism, which is the text between the braces of `mechanism! { … }`. Nothing is kept of the text
+    /// that the result does not hold.
+    ///
+    /// # Errors
+    /// Every mistake of the declaration, in the order of the text.
+    pub fn parse(text: &str) -> Result<Self, Vec<Mistake>> {
+        // Places are kept by thread for every text that is read. They go with the thread of this one.
+        with_room(|| {
+            catch_unwind(AssertUnwindSafe(|| compile(text))).unwrap_or_else(|panic| {
+                let start = Position { line: 1, column: 1 };
+                Err(vec![Mistake {
+                    message: bug(&*panic),
+                    start,
+                    end: start,
+                    bytes: 0..0,
+                }])
+            })
+        })
+    }
+
+    /// The name of the mechanism.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The program of its solvers: the ways that were compared, and the steps of each order with their costs.
+    #[must_use]
+    pub fn printout(&self) -> &str {
+        &self.printout
+    }
+
+    /// The code that the macro writes for it, in which `kin_core` stands for the library.
+    #[must_use]
+    pub fn rust(&self) -> &str {
+        &self.rust
+    }
+}
+
+fn compile(text: &str) -> Result<Declaration, Vec<Mistake>> {
+    let tokens: TokenStream = text.parse().map_err(|error: proc_macro2::LexError| {
+        let message = "this is no text of Rust: close each bracket, quote and comment, and write letters, digits and operators alone";
+        vec![Mistake::at(error.span(), message.to_owned())]
+    })?;
+    let mut mistakes = Mistakes::new();
+    let declaration = syntax::parse(tokens.clone(), &mut mistakes);
+    let solved = declaration.as_ref().and_then(|declaration| {
+        let is_readable = !declaration.holds_prose;
+        is_readable.then(|| solvers(declaration, &mut mistakes)).flatten()
+    });
+    let mut mistakes: Vec<Mistake> = mistakes
+        .into_errors()
+        .map(|error| Mistake::at(error.span(), error.to_string()))
+        .collect();
+    mistakes.sort_by_key(|mistake| (mistake.start, mistake.end));
+    match (declaration, solved) {
+        (Some(declaration), Some((_, _, solvers))) if mistakes.is_empty() => Ok(Declaration {
+            name: declaration.name.to_string(),
+            printout: solvers.to_string(),
+            rust: expand(quote::quote!((::kin_core) #tokens)).to_string(),
+        }),
+        _ => Err(mistakes),
+    }
+}
+
+impl Mistake {
+    fn at(span: Span, message: String) -> Self {
+        let position = |LineColumn { line, column }| Position {
+            line,
+            column: column + 1,
+        };
+        Self {
+            message,
+            start: position(span.start()),
+            end: position(span.end()),
+            bytes: span.byte_range(),
+        }
+    }
+}
+
+impl fmt::Display for Mistake {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Position { line, column } = self.start;
+        write!(formatter, "{line}:{column}: {}", self.message)
+    }
+}
+
+impl std::error::Error for Mistake {}
+
+#[cfg(test)]
+mod tests {
+    use super::Declaration;
+
+    /// Places are kept nowhere: the bytes of each text count from its own beginning.
+    #[test]
+    fn texts_do_not_add_up() {
+        for _ in 0..3 {
+            let mistakes =
+                Declaration::parse("struct Crank { r: Lenght } input theta: Angle; unknown x: Length; x == r;")
+                    .expect_err("`Lenght` is no dimension");
+            assert_eq!(mistakes[0].bytes, 18..24, "{mistakes:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_text_of_rust() {
+        for text in ["struct Crank { r: Length", "x == \"", "r · cos(θ)"] {
+            let mistakes = Declaration::parse(text).expect_err("it cannot be read");
+            assert!(!mistakes.is_empty() && mistakes[0].start.line == 1, "{mistakes:?}");
+        }
+        assert_eq!(Declaration::parse("").expect_err("it is empty").len(), 1);
+    }
+}
