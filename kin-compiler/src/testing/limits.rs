@@ -4,14 +4,18 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use crate::expand::expand;
+use crate::expand::{expand, solvers};
+use crate::mistakes::Mistakes;
+use crate::syntax;
 
-/// The mistakes that an expansion reports.
+/// The mistakes of a declaration. One without mistakes is expanded.
 fn mistakes(declaration: TokenStream) -> Vec<String> {
-    super::told::told(declaration)
-        .into_iter()
-        .map(|told| told.message)
-        .collect()
+    let mut mistakes = Mistakes::new();
+    let read = syntax::parse(declaration.clone(), &mut mistakes);
+    if read.and_then(|read| solvers(&read, &mut mistakes)).is_some() {
+        let _ = expand(declaration);
+    }
+    mistakes.into_messages()
 }
 
 /// Constants that do not fit an `f64`, as typed, after folding, or as a consequence of the solution.

@@ -10,7 +10,6 @@ pub(crate) mod library;
 mod limits;
 mod mistakes;
 mod optimiser;
-mod told;
 
 use proc_macro2::TokenStream;
 

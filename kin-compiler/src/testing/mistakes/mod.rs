@@ -11,7 +11,7 @@ use std::fs;
 use std::iter::once;
 use std::path::Path;
 
-use super::told::{Told, told};
+use crate::text::{Declaration, Mistake};
 
 #[test]
 fn mistakes_are_told_where_they_are_made() {
@@ -45,11 +45,9 @@ fn annotated(case: &str) -> String {
     let lines: Vec<&str> = case.lines().filter(|line| !line.starts_with("//")).collect();
     let (title, declaration) = lines.split_first().expect("a case has a title");
     assert!(!title.starts_with(' '), "{title}: a case begins here, without a title");
-    let tokens = declaration.join("\n").parse();
-    let mut mistakes = told(tokens.unwrap_or_else(|error| panic!("{title}: {error}")));
-    assert!(!mistakes.is_empty(), "{title}: the declaration has no mistake");
-    mistakes.sort_by_key(|told| (told.place.start(), told.place.end()));
-    let annotations: Vec<(usize, String)> = mistakes.iter().map(|told| annotation(title, told)).collect();
+    let parsed = Declaration::parse(&declaration.join("\n"));
+    let mistakes = parsed.expect_err("the declaration has no mistake");
+    let annotations: Vec<(usize, String)> = mistakes.iter().map(|mistake| annotation(title, mistake)).collect();
     let annotated = lines.into_iter().enumerate().flat_map(|(number, line)| {
         let below = annotations.iter().filter(move |(above, _)| *above == number);
         once(line).chain(below.map(|(_, annotation)| annotation.as_str()))
@@ -58,17 +56,17 @@ fn annotated(case: &str) -> String {
 }
 
 /// The number of the line at fault, from the title on, and the line below it.
-fn annotation(title: &str, Told { message, place }: &Told) -> (usize, String) {
-    if place.byte_range().is_empty() {
+fn annotation(title: &str, mistake: &Mistake) -> (usize, String) {
+    let (start, end, message) = (mistake.start, mistake.end, &mistake.message);
+    if mistake.bytes.is_empty() {
         return (0, format!("// {message}"));
     }
-    let (start, end) = (place.start(), place.end());
     assert_eq!(
         start.line, end.line,
         "{title}: what is at fault stands on several lines, which cannot be marked"
     );
     let (before, marks) = (
-        " ".repeat(start.column - "//".len()),
+        " ".repeat(start.column - 1 - "//".len()),
         "^".repeat(end.column - start.column),
     );
     (start.line, format!("//{before}{marks} {message}"))
