@@ -172,6 +172,10 @@ fn run_library(all: &[Entry], arguments: &[OsString]) -> Result<ExitCode, Fault>
         Some(("completions", matches)) => completions(&mut command, "kin", matches),
         Some(("list", _)) => tasks::list(all).map(|()| ExitCode::SUCCESS),
         Some(("run", own)) => run_file(own),
+        Some(("check", own)) => {
+            let path = own.get_one::<PathBuf>("file").cloned().unwrap_or_default();
+            tasks::print(&file::check(&path, own.get_flag("steps"))?).map(|()| ExitCode::SUCCESS)
+        }
         Some(("cache", _)) => {
             let folder = cache::clear()?;
             eprintln!("{} is empty", folder.display());
@@ -251,6 +255,19 @@ fn of_files(command: Command) -> Command {
                     "Examples:\n  kin run pump.kin report\n  kin run pump.kin serve\n  kin run pump.kin sweep --set rod=70mm --csv\n  \
                      kin run --fetch pump.kin peaks",
                 ),
+        )
+        .subcommand(
+            Command::new("check")
+                .about("Find the mistakes of a .kin file, without building it")
+                .arg(Arg::new("steps").long("steps").action(ArgAction::SetTrue).help("Print the steps of the solvers with their costs"))
+                .arg(
+                    Arg::new("file")
+                        .required(true)
+                        .value_name("FILE.kin")
+                        .value_parser(clap::value_parser!(PathBuf))
+                        .help("The file"),
+                )
+                .after_help("Examples:\n  kin check pump.kin\n  kin check pump.kin --steps"),
         )
         .subcommand(
             Command::new("cache")

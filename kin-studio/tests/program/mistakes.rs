@@ -118,6 +118,23 @@ fn mistakes_in_kin_files_have_places() {
         typed_in(&folder, "kin run wiper.kin report")
     });
     assert_snapshot!("mistakes in kin files", all.join("\n"));
+    // a declaration is compiled without being built
+    folder.write("wiper.kin", right);
+    let sound = typed_in(&folder, "kin check wiper.kin");
+    assert!(
+        sound.contains("\nwiper.kin: Wiper has no mistakes\n-- code 0"),
+        "{sound}"
+    );
+    let (wrong, other) = (
+        ("rod * cis(phi)", "rood * cis(fi)"),
+        ("input theta: Angle", "input theta: Angel"),
+    );
+    folder.write(
+        "wiper.kin",
+        &right.replacen(wrong.0, wrong.1, 1).replacen(other.0, other.1, 1),
+    );
+    let told = ["check wiper.kin", "run wiper.kin report"].map(|words| typed_in(&folder, &format!("kin {words}")));
+    assert_snapshot!("mistakes in the declaration of a kin file", told.join("\n"));
     // without any of them, the first line is told
     folder.write("wiper.kin", &right.replace(';', ""));
     let told = typed_in(&folder, "kin run wiper.kin report");
