@@ -35,8 +35,9 @@ mod work;
 
 #[doc(hidden)]
 pub use bug::expand_or_tell;
+pub use syntax::Dimension;
 #[cfg(feature = "text")]
-pub use text::{Declaration, Mistake, Position};
+pub use text::{Declaration, Mistake, Position, Quantity};
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -4,13 +4,14 @@ use std::fmt;
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use proc_macro2::{LineColumn, Span, TokenStream};
+use proc_macro2::{Ident, LineColumn, Span, TokenStream};
+use syn::{Attribute, Expr, ExprLit, Lit};
 
 use crate::bug::bug;
 use crate::expand::{expand, solvers};
 use crate::mistakes::Mistakes;
 use crate::room::with_room;
-use crate::syntax;
+use crate::syntax::{self, Dimension, QuantityItem, Statement};
 
 /// A declaration that has been compiled.
 ///
@@ -25,7 +26,8 @@ use crate::syntax;
 ///     r * cis(theta) + l * cis(phi) == vec2(s, 0);
 /// ";
 /// let compiled = Declaration::parse(slider_crank).expect("there is no mistake");
-/// assert_eq!(compiled.name(), "SliderCrank");
+/// assert_eq!((compiled.name(), compiled.documentation()), ("SliderCrank", "A crank, a rod, and a slide."));
+/// assert_eq!(compiled.inputs()[0].name, "theta");
 /// // the steps of each order, with their costs
 /// assert!(compiled.printout().contains("velocity: "));
 ///
@@ -36,8 +38,25 @@ use crate::syntax;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Declaration {
     name: String,
+    documentation: String,
+    parameters: Vec<Quantity>,
+    inputs: Vec<Quantity>,
+    unknowns: Vec<Quantity>,
+    outputs: Vec<Quantity>,
     printout: String,
     rust: String,
+}
+
+/// A declared quantity.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Quantity {
+    /// Its name.
+    pub name: String,
+    /// Its dimension.
+    pub dimension: Dimension,
+    /// The lines of its documentation.
+    pub documentation: String,
 }
 
 /// A mistake in a declaration.
@@ -90,6 +109,36 @@ impl Declaration {
         &self.name
     }
 
+    /// The lines of its documentation.
+    #[must_use]
+    pub fn documentation(&self) -> &str {
+        &self.documentation
+    }
+
+    /// The parameters.
+    #[must_use]
+    pub fn parameters(&self) -> &[Quantity] {
+        &self.parameters
+    }
+
+    /// The inputs.
+    #[must_use]
+    pub fn inputs(&self) -> &[Quantity] {
+        &self.inputs
+    }
+
+    /// The unknowns.
+    #[must_use]
+    pub fn unknowns(&self) -> &[Quantity] {
+        &self.unknowns
+    }
+
+    /// The outputs.
+    #[must_use]
+    pub fn outputs(&self) -> &[Quantity] {
+        &self.outputs
+    }
+
     /// The program of its solvers: the ways that were compared, and the steps of each order with their costs.
     #[must_use]
     pub fn printout(&self) -> &str {
@@ -120,13 +169,69 @@ fn compile(text: &str) -> Result<Declaration, Vec<Mistake>> {
         .collect();
     mistakes.sort_by_key(|mistake| (mistake.start, mistake.end));
     match (declaration, solved) {
-        (Some(declaration), Some((_, _, solvers))) if mistakes.is_empty() => Ok(Declaration {
-            name: declaration.name.to_string(),
-            printout: solvers.to_string(),
-            rust: expand(quote::quote!((::kin_core) #tokens)).to_string(),
-        }),
+        (Some(declaration), Some((_, _, solvers))) if mistakes.is_empty() => {
+            let rust = expand(quote::quote!((::kin_core) #tokens)).to_string();
+            Ok(Declaration::new(&declaration, solvers.to_string(), rust))
+        }
         _ => Err(mistakes),
     }
+}
+
+impl Declaration {
+    fn new(declaration: &syntax::Declaration, printout: String, rust: String) -> Self {
+        let parameters = declaration.parameters.iter().filter_map(|field| {
+            let dimension = field.dimension?;
+            Some(Quantity::new(&field.name, dimension, &field.attributes))
+        });
+        let mut compiled = Self {
+            name: declaration.name.to_string(),
+            documentation: documentation(&declaration.attributes),
+            parameters: parameters.collect(),
+            inputs: Vec::new(),
+            unknowns: Vec::new(),
+            outputs: Vec::new(),
+            printout,
+            rust,
+        };
+        let quantity = |item: &QuantityItem| Quantity::new(&item.name, item.dimension, &item.documentation);
+        for statement in &declaration.statements {
+            match statement {
+                Statement::Inputs(items) => compiled.inputs.extend(items.iter().map(quantity)),
+                Statement::Unknowns(items) => {
+                    let quantities = items.iter().map(|item| quantity(&item.quantity));
+                    compiled.unknowns.extend(quantities);
+                }
+                Statement::Output(output) => {
+                    let output = Quantity::new(&output.name, output.dimension, &output.documentation);
+                    compiled.outputs.push(output);
+                }
+                _ => {}
+            }
+        }
+        compiled
+    }
+}
+
+impl Quantity {
+    fn new(name: &Ident, dimension: Dimension, attributes: &[Attribute]) -> Self {
+        Self {
+            name: name.to_string(),
+            dimension,
+            documentation: documentation(attributes),
+        }
+    }
+}
+
+/// The lines of doc comments.
+fn documentation(attributes: &[Attribute]) -> String {
+    let line = |attribute: &Attribute| match &attribute.meta.require_name_value().ok()?.value {
+        Expr::Lit(ExprLit {
+            lit: Lit::Str(text), ..
+        }) => attribute.path().is_ident("doc").then(|| text.value()),
+        _ => None,
+    };
+    let lines = attributes.iter().filter_map(line);
+    lines.map(|line| line.trim().to_owned()).collect::<Vec<_>>().join("\n")
 }
 
 impl Mistake {

@@ -11,15 +11,22 @@ use crate::syntax::elsewhere::instead_of_dimension;
 
 /// The declared dimension of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Dimension {
+pub enum Dimension {
+    /// A length.
     Length,
+    /// An angle, in radians.
     Angle,
     /// An angle that is returned as a unit vector. Only unknowns have this dimension.
     Direction,
+    /// A plain number.
     Scalar,
+    /// A point of the plane.
     Point,
+    /// A vector of the plane, of lengths.
     Vector,
+    /// A point of space.
     Point3,
+    /// A vector of space, of lengths.
     Vector3,
 }
 

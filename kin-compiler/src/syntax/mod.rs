@@ -28,7 +28,8 @@ use crate::algebra::Function;
 use crate::mistakes::{Extent, Mistakes};
 
 pub(crate) use callee::{form, function_names, is_function};
-pub(crate) use dimension::{Dimension, ValueShape};
+pub use dimension::Dimension;
+pub(crate) use dimension::ValueShape;
 pub(crate) use elsewhere::instead_of_request;
 pub(crate) use name::keyword as is_keyword;
 pub(crate) use request::Request;

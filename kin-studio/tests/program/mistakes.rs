@@ -146,7 +146,7 @@ fn mistakes_in_kin_files_have_places() {
     folder.write("wiper.kin", &format!("kin 1\n//{}", "a".repeat(70_000)));
     let told = typed_in(&folder, "kin run wiper.kin report");
     assert!(
-        told.contains("there is no declaration") && told.ends_with("code 3\n"),
+        told.contains("an empty declaration describes no mechanism") && told.ends_with("code 3\n"),
         "{told}"
     );
 }

@@ -10,12 +10,10 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use kin_compiler::Declaration;
 use serde::{Deserialize, Serialize};
 
 use super::fault::Fault;
 use build::Builder;
-use place::Mistake;
 use read::KinFile;
 pub(super) use watch::watch;
 
@@ -36,8 +34,8 @@ pub(super) struct Told {
     pub(super) declaration: String,
 }
 
-/// A file with its text, and its declaration, compiled. So mistakes are found before anything is built.
-fn compiled(path: &Path) -> Result<(KinFile, String, Declaration), Fault> {
+/// A file with its text. Its mistakes are found before anything is built.
+fn read(path: &Path) -> Result<(KinFile, String), Fault> {
     let shown = path.display().to_string();
     let text = std::fs::read_to_string(path).map_err(|error| {
         Fault::wrong(match error.kind() {
@@ -48,22 +46,18 @@ fn compiled(path: &Path) -> Result<(KinFile, String, Declaration), Fault> {
     })?;
     // a byte order mark, and line ends of other systems
     let text = text.trim_start_matches('\u{feff}').replace("\r\n", "\n");
-    let file = KinFile::read(&text).map_err(|mistake| Fault::build(mistake.shown(&shown, &text)))?;
-    let declaration = Declaration::parse(&file.rust).map_err(|mistakes| {
-        let mistakes = mistakes
-            .into_iter()
-            .map(|mistake| Mistake::new(mistake.message, mistake.bytes));
-        let shown: Vec<String> = mistakes.map(|mistake| mistake.shown(&shown, &text)).collect();
+    let file = KinFile::read(&text).map_err(|mistakes| {
+        let shown: Vec<String> = mistakes.iter().map(|mistake| mistake.shown(&shown, &text)).collect();
         Fault::build(shown.join("\n\n"))
     })?;
-    Ok((file, text, declaration))
+    Ok((file, text))
 }
 
 /// What is said of a file without mistakes: its mechanism, and the steps of its solvers where they are wanted.
 pub(super) fn check(path: &Path, steps: bool) -> Result<String, Fault> {
-    let (_, _, declaration) = compiled(path)?;
-    let said = format!("{}: {} has no mistakes\n", path.display(), declaration.name());
-    let steps = if steps { declaration.printout() } else { "" };
+    let (file, _) = read(path)?;
+    let said = format!("{}: {} has no mistakes\n", path.display(), file.name);
+    let steps = if steps { file.compiled.printout() } else { "" };
     Ok(said + steps)
 }
 
@@ -86,7 +80,7 @@ impl Run {
     /// The command of the built program, to which the arguments of the person are added.
     pub(super) fn command(&self) -> Result<Command, Fault> {
         let shown = self.path.display().to_string();
-        let (file, text, _) = compiled(&self.path)?;
+        let (file, text) = read(&self.path)?;
         let program = self.builder.program(&file, &shown, &text)?;
         let told = Told {
             program: format!("kin run {shown}"),
