@@ -5,7 +5,7 @@ use std::format;
 use std::string::{String, ToString as _};
 use std::vec::Vec;
 
-use crate::quantity::in_small_letters;
+use crate::quantity::{RATES, in_small_letters};
 
 /// Names that are told apart, none of which is a word of the language.
 pub(crate) struct DistinctNames {
@@ -140,13 +140,11 @@ pub(super) fn lines(text: &str, width: usize) -> Vec<String> {
 
 /// The name of a time derivative: `theta3`, `theta3_velocity` and so on.
 pub(super) fn of_order(name: &str, order: usize) -> String {
-    match order {
-        0 => name.to_string(),
-        1 => format!("{name}_velocity"),
-        2 => format!("{name}_acceleration"),
-        3 => format!("{name}_jerk"),
-        4 => format!("{name}_snap"),
-        _ => format!("{name}_order{order}"),
+    match order.checked_sub(1) {
+        None => name.to_string(),
+        Some(rate) => RATES
+            .get(rate)
+            .map_or_else(|| format!("{name}_derivative_{order}"), |rate| format!("{name}_{rate}")),
     }
 }
 

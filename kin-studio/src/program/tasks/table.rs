@@ -1,7 +1,7 @@
 //! `kin table`: a table that is exact between its rows.
 
 use kin_core::exact::Precision;
-use kin_core::in_small_letters;
+use kin_core::{RATES, in_small_letters};
 
 use super::super::command::{ExactTable, Form};
 use super::super::fault::Fault;
@@ -37,8 +37,8 @@ pub(super) fn run(subject: &Subject, options: &ExactTable, told: &Told) -> Resul
         "column",
         table.columns().map(|column| column.name().to_owned()).collect(),
     )];
-    let orders = ["value", "velocity", "acceleration", "jerk", "snap"];
-    for (order, name) in orders.into_iter().enumerate().take(table.order() + 1) {
+    let orders = std::iter::once("value").chain(RATES);
+    for (order, name) in orders.enumerate().take(table.order() + 1) {
         let errors = table.columns().map(|column| match column.errors().nth(order) {
             Some(error) => format!("{error:.1e}"),
             None => "-".to_owned(),
