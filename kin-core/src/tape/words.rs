@@ -5,7 +5,7 @@ use std::format;
 use std::string::{String, ToString as _};
 use std::vec::Vec;
 
-use crate::quantity::{RATES, in_small_letters};
+use crate::quantity::{GREEK, RATES, in_small_letters};
 
 /// Names that are told apart, none of which is a word of the language.
 pub(crate) struct DistinctNames {
@@ -46,34 +46,6 @@ impl DistinctNames {
 /// The beginnings of the names of a printer's own variables.
 const ARRAYS: [&str; 10] = [
     "guess", "sizes", "given", "block", "roots", "found", "factors", "regular", "right", "solution",
-];
-
-/// The letters of the Greek alphabet as words, as people call them.
-const GREEK: [(char, &str); 24] = [
-    ('α', "alpha"),
-    ('β', "beta"),
-    ('γ', "gamma"),
-    ('δ', "delta"),
-    ('ε', "epsilon"),
-    ('ζ', "zeta"),
-    ('η', "eta"),
-    ('θ', "theta"),
-    ('ι', "iota"),
-    ('κ', "kappa"),
-    ('λ', "lambda"),
-    ('μ', "mu"),
-    ('ν', "nu"),
-    ('ξ', "xi"),
-    ('ο', "omicron"),
-    ('π', "pi"),
-    ('ρ', "rho"),
-    ('σ', "sigma"),
-    ('τ', "tau"),
-    ('υ', "upsilon"),
-    ('φ', "phi"),
-    ('χ', "chi"),
-    ('ψ', "psi"),
-    ('ω', "omega"),
 ];
 
 /// A name in letters, digits and underscores that begins with a letter.
