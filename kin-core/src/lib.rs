@@ -171,6 +171,8 @@ pub use motion::{Contains, Direction, IntoMotion, LinkMotion, Motion, rpm};
 pub use number::count;
 pub use number::{Changing, ClosedRange, Number, Operations, Row, series};
 pub use picture::{PlaneOrSpace, PointArray, Slide, TransmissionAngle};
+#[doc(hidden)]
+pub use quantity::GREEK;
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 pub use quantity::in_small_letters;

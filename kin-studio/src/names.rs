@@ -1,40 +1,6 @@
 //! Names as they are printed: `theta2` is θ₂. The rule is that of [`FORMULAS`](kin_core::Mechanism::FORMULAS).
 
-/// Greek letters by their names. π is a number, so `pi` stays a word.
-const GREEK: [(&str, char); 32] = [
-    ("alpha", 'α'),
-    ("beta", 'β'),
-    ("gamma", 'γ'),
-    ("delta", 'δ'),
-    ("epsilon", 'ε'),
-    ("zeta", 'ζ'),
-    ("eta", 'η'),
-    ("theta", 'θ'),
-    ("iota", 'ι'),
-    ("kappa", 'κ'),
-    ("lambda", 'λ'),
-    ("mu", 'μ'),
-    ("nu", 'ν'),
-    ("xi", 'ξ'),
-    ("rho", 'ρ'),
-    ("sigma", 'σ'),
-    ("tau", 'τ'),
-    ("upsilon", 'υ'),
-    ("phi", 'φ'),
-    ("chi", 'χ'),
-    ("psi", 'ψ'),
-    ("omega", 'ω'),
-    ("Gamma", 'Γ'),
-    ("Delta", 'Δ'),
-    ("Theta", 'Θ'),
-    ("Lambda", 'Λ'),
-    ("Xi", 'Ξ'),
-    ("Pi", 'Π'),
-    ("Sigma", 'Σ'),
-    ("Phi", 'Φ'),
-    ("Psi", 'Ψ'),
-    ("Omega", 'Ω'),
-];
+use kin_core::GREEK;
 
 /// A name as it is printed; the coordinates of a point keep their dot: `hand.x`.
 pub(crate) fn symbol(name: &str) -> String {
@@ -70,9 +36,24 @@ fn of_identifier(name: &str) -> String {
     text
 }
 
+/// The letters that take the place of their names. π is a number, and the other letters look like Latin ones.
+const NAMED: &str = "αβγδεζηθικλμνξρστυφχψωΓΔΘΛΞΠΣΦΨΩ";
+
 fn greek(word: &str) -> String {
-    let letter = GREEK.iter().find(|(name, _)| *name == word);
-    letter.map_or_else(|| word.to_owned(), |(_, letter)| letter.to_string())
+    let is_capital = word.starts_with(char::is_uppercase);
+    let is_name = !word.chars().skip(1).any(char::is_uppercase);
+    let name = word.to_lowercase();
+    let found = GREEK.iter().find(|(_, own)| is_name && *own == name);
+    let letter = found.map(|(letter, _)| {
+        if is_capital {
+            letter.to_uppercase().to_string()
+        } else {
+            letter.to_string()
+        }
+    });
+    letter
+        .filter(|letter| NAMED.contains(letter.as_str()))
+        .unwrap_or_else(|| word.to_owned())
 }
 
 fn below_the_line(digit: char) -> char {
@@ -98,6 +79,10 @@ mod tests {
             ("hand.x", "hand.x"),
             ("p1.y", "p₁.y"),
             ("pi", "pi"),
+            ("Omega1", "Ω₁"),
+            ("Alpha", "Alpha"),
+            ("OMEGA", "OMEGA"),
+            ("omicron", "omicron"),
         ] {
             assert_eq!(symbol(name), text);
         }

@@ -6,7 +6,7 @@ use core::marker::PhantomData;
 use super::piecewise::{Piecewise, of_piece};
 use crate::motion::Motion;
 use crate::number::Number;
-use crate::quantity::Digits;
+use crate::quantity::{Digits, RATES};
 
 /// Jumps of this many roundings of a piece's own size are none. The formulas of the pieces take some tens of roundings each.
 const ROUNDINGS: f64 = 256.0;
@@ -75,9 +75,11 @@ impl<T: Number, const N: usize> fmt::Display for LawJoint<T, N> {
             let size = size.real();
             if size.abs() > rounding {
                 formatter.write_str(separator)?;
-                match NAMES.get(order) {
-                    Some(name) => formatter.write_str(name)?,
-                    None => write!(formatter, "derivative {order}")?,
+                match order {
+                    0 => formatter.write_str("value")?,
+                    // those that have names
+                    1..=6 => formatter.write_str(RATES[order - 1])?,
+                    _ => write!(formatter, "derivative {order}")?,
                 }
                 write!(formatter, " jumps by {}", Digits(size))?;
                 separator = ", ";
@@ -86,8 +88,6 @@ impl<T: Number, const N: usize> fmt::Display for LawJoint<T, N> {
         Ok(())
     }
 }
-
-const NAMES: [&str; 7] = ["value", "velocity", "acceleration", "jerk", "snap", "crackle", "pop"];
 
 /// The joints of a law in the order of their times: [`Law::joints`](super::Law::joints).
 #[derive(Debug)]

@@ -57,9 +57,7 @@ use crate::solve::Scalar;
 
 /// A declared mechanism.
 ///
-/// Only [`mechanism!`](crate::mechanism!) implements it. A new version may add items.
-///
-/// Only the macro implements this trait. It may grow: a new version of this crate may add items without a default.
+/// Only [`mechanism!`](crate::mechanism!) implements this trait. A new version may add items without a default.
 ///
 /// The associated rows are arrays. Their lengths are the numbers of scalar parameters, inputs, unknowns and scalar
 /// equations. A point in the plane counts as two scalars, x and y, a point in space as three.

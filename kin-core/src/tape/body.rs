@@ -157,8 +157,8 @@ impl<'a, L: Language> FunctionBody<'a, L> {
         let check = &self.tape.checks[index];
         let (fails, detail) = match check.condition {
             Condition::Holds(truth) => {
-                let truth = self.writer.value(truth);
-                (self.writer.dialect.not(&truth).text, L::NAN.to_string())
+                let fails = TapeNode::Not(truth).written(L::TARGET, |truth| self.writer.value(truth));
+                (fails.text, L::NAN.to_string())
             }
             Condition::Found(search) => L::is_lost(search).into(),
             Condition::Regular(system) => L::is_singular(system).into(),

@@ -3,8 +3,6 @@
 use std::format;
 use std::string::String;
 
-use crate::tape::Comparison;
-
 /// How tightly an operator binds, from the loosest to the tightest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Binding {
@@ -68,16 +66,16 @@ impl Code {
         Self::of(Binding::Sign, format!("-{}", self.within(Binding::Whole)))
     }
 
-    pub(super) fn call(function: &str, arguments: &[&Self]) -> Self {
+    pub(super) fn call(function: &str, arguments: &[Self]) -> Self {
         let arguments: std::vec::Vec<&str> = arguments.iter().map(|own| own.text.as_str()).collect();
         Self::whole(format!("{function}({})", arguments.join(", ")))
     }
 
-    pub(super) fn compared(&self, comparison: Comparison, other: &Self) -> Self {
-        let (sign, binding) = match comparison {
-            Comparison::AtLeast => (">=", Binding::Relation),
-            Comparison::Exceeds => (">", Binding::Relation),
-            Comparison::Equals => ("==", Binding::Equality),
+    pub(super) fn compared(&self, sign: &str, other: &Self) -> Self {
+        let binding = if sign == "==" {
+            Binding::Equality
+        } else {
+            Binding::Relation
         };
         // Compilers warn of comparisons of comparisons, which never occur.
         self.infix(binding, sign, other, [Binding::Sum; 2])
@@ -105,7 +103,7 @@ impl Code {
 #[cfg(test)]
 mod tests {
     use super::Code;
-    use crate::tape::{Comparison, Constant, NumberType};
+    use crate::tape::{Constant, NumberType};
 
     fn name(own: &str) -> Code {
         Code::whole(own)
@@ -129,18 +127,14 @@ mod tests {
             (a.sum("+", &b).negated(), "-(a + b)"),
             (a.product("*", &minus(-2.0)), "a * -2.0"),
             (minus(-0.0).negated(), "-(-0.0)"),
-            (a.compared(Comparison::AtLeast, &b.sum("+", &c)), "a >= b + c"),
-            (a.compared(Comparison::Equals, &b).not(), "!(a == b)"),
-            (
-                a.compared(Comparison::Exceeds, &b)
-                    .both(&b.compared(Comparison::Exceeds, &c)),
-                "a > b && b > c",
-            ),
+            (a.compared(">=", &b.sum("+", &c)), "a >= b + c"),
+            (a.compared("==", &b).not(), "!(a == b)"),
+            (a.compared(">", &b).both(&b.compared(">", &c)), "a > b && b > c"),
             (a.both(&b).either(&c), "(a && b) || c"),
             (a.both(&b).both(&c), "(a && b) && c"),
             (a.select(&b, &c).sum("+", &a), "(a ? b : c) + a"),
             (a.select(&b.select(&a, &c), &c), "a ? (b ? a : c) : c"),
-            (Code::call("f", &[&a.sum("+", &b), &c]), "f(a + b, c)"),
+            (Code::call("f", &[a.sum("+", &b), c]), "f(a + b, c)"),
         ];
         for (own, expected) in cases {
             assert_eq!(own.text, expected);

@@ -8,6 +8,7 @@ use crate::tape::body::{FunctionBody, Language};
 use crate::tape::expression::Code;
 use crate::tape::runtime::{self, RuntimeParts};
 use crate::tape::signature::{Signature, SignatureEntry, head};
+use crate::tape::spelling::Target;
 use crate::tape::words::{lines, quoted};
 use crate::tape::writer::Dialect;
 use crate::tape::{Function, Tape, TapeNode, Value};
@@ -112,6 +113,8 @@ const TAKEN: &[&str] = &[
 pub(super) struct JavaScript;
 
 impl Dialect for JavaScript {
+    const TARGET: Target = Target::JavaScript;
+
     fn number(&self, value: f64) -> Code {
         let size = value.abs();
         if value.is_nan() {
@@ -127,38 +130,6 @@ impl Dialect for JavaScript {
 
     fn truth(&self, holds: bool) -> Code {
         Code::whole(holds.to_string())
-    }
-
-    fn call(&self, function: Function, argument: &Code) -> Code {
-        let name = match function {
-            Function::Negate => return argument.negated(),
-            Function::Magnitude => "Math.abs",
-            Function::SquareRoot => "Math.sqrt",
-            Function::Sine => "Math.sin",
-            Function::Cosine => "Math.cos",
-            Function::ArcSine => "Math.asin",
-            Function::ArcCosine => "Math.acos",
-            Function::ArcTangent => "Math.atan",
-            Function::HyperbolicSine => "Math.sinh",
-            Function::HyperbolicCosine => "Math.cosh",
-            Function::HyperbolicTangent => "Math.tanh",
-            Function::AreaHyperbolicSine => "Math.asinh",
-            Function::AreaHyperbolicCosine => "Math.acosh",
-            Function::AreaHyperbolicTangent => "Math.atanh",
-            Function::Exponential => "Math.exp",
-            Function::Logarithm => "Math.log",
-            Function::Round => "kinRound",
-            Function::Raise => "Math.ceil",
-        };
-        Code::call(name, &[argument])
-    }
-
-    fn angle(&self, y: &Code, x: &Code) -> Code {
-        Code::call("kinAtan2", &[y, x])
-    }
-
-    fn is_finite(&self, number: &Code) -> Code {
-        Code::call("Number.isFinite", &[number])
     }
 }
 

@@ -30,6 +30,7 @@ mod recording;
 mod run;
 mod runtime;
 mod signature;
+mod spelling;
 mod stages;
 mod structure;
 pub(crate) mod words;

@@ -8,6 +8,7 @@ use crate::tape::body::{FunctionBody, Language};
 use crate::tape::expression::Code;
 use crate::tape::runtime::{self, RuntimeParts};
 use crate::tape::signature::{Signature, SignatureEntry, head};
+use crate::tape::spelling::Target;
 use crate::tape::words::{lines, quoted};
 use crate::tape::writer::Dialect;
 use crate::tape::{Function, Tape, TapeNode, Value};
@@ -82,6 +83,8 @@ const TAKEN: &[&str] = &[
 pub(super) struct Python;
 
 impl Dialect for Python {
+    const TARGET: Target = Target::Python;
+
     fn number(&self, value: f64) -> Code {
         let size = value.abs();
         if value.is_nan() {
@@ -97,59 +100,6 @@ impl Dialect for Python {
 
     fn truth(&self, holds: bool) -> Code {
         Code::whole(if holds { "np.True_" } else { "np.False_" })
-    }
-
-    fn call(&self, function: Function, argument: &Code) -> Code {
-        let name = match function {
-            Function::Negate => return argument.negated(),
-            Function::Magnitude => "np.abs",
-            Function::SquareRoot => "np.sqrt",
-            Function::Sine => "np.sin",
-            Function::Cosine => "np.cos",
-            Function::ArcSine => "np.arcsin",
-            Function::ArcCosine => "np.arccos",
-            Function::ArcTangent => "np.arctan",
-            Function::HyperbolicSine => "np.sinh",
-            Function::HyperbolicCosine => "np.cosh",
-            Function::HyperbolicTangent => "np.tanh",
-            Function::AreaHyperbolicSine => "np.arcsinh",
-            Function::AreaHyperbolicCosine => "np.arccosh",
-            Function::AreaHyperbolicTangent => "np.arctanh",
-            Function::Exponential => "np.exp",
-            Function::Logarithm => "np.log",
-            Function::Round => "_round",
-            Function::Raise => "np.ceil",
-        };
-        Code::call(name, &[argument])
-    }
-
-    fn angle(&self, y: &Code, x: &Code) -> Code {
-        Code::call("_atan2", &[y, x])
-    }
-
-    /// Python's own numbers, which constants are, refuse to be divided by zero.
-    fn quotient(&self, one: &Code, other: &Code) -> Code {
-        Code::call("np.divide", &[one, other])
-    }
-
-    fn is_finite(&self, number: &Code) -> Code {
-        Code::call("np.isfinite", &[number])
-    }
-
-    fn select(&self, truth: &Code, one: &Code, other: &Code) -> Code {
-        Code::call("np.where", &[truth, one, other])
-    }
-
-    fn both(&self, one: &Code, other: &Code) -> Code {
-        Code::call("np.logical_and", &[one, other])
-    }
-
-    fn either(&self, one: &Code, other: &Code) -> Code {
-        Code::call("np.logical_or", &[one, other])
-    }
-
-    fn not(&self, truth: &Code) -> Code {
-        Code::call("np.logical_not", &[truth])
     }
 }
 

@@ -5,7 +5,7 @@ use std::format;
 use std::string::{String, ToString as _};
 use std::vec::Vec;
 
-use crate::quantity::in_small_letters;
+use crate::quantity::{GREEK, RATES, in_small_letters};
 
 /// Names that are told apart, none of which is a word of the language.
 pub(crate) struct DistinctNames {
@@ -46,34 +46,6 @@ impl DistinctNames {
 /// The beginnings of the names of a printer's own variables.
 const ARRAYS: [&str; 10] = [
     "guess", "sizes", "given", "block", "roots", "found", "factors", "regular", "right", "solution",
-];
-
-/// The letters of the Greek alphabet as words, as people call them.
-const GREEK: [(char, &str); 24] = [
-    ('α', "alpha"),
-    ('β', "beta"),
-    ('γ', "gamma"),
-    ('δ', "delta"),
-    ('ε', "epsilon"),
-    ('ζ', "zeta"),
-    ('η', "eta"),
-    ('θ', "theta"),
-    ('ι', "iota"),
-    ('κ', "kappa"),
-    ('λ', "lambda"),
-    ('μ', "mu"),
-    ('ν', "nu"),
-    ('ξ', "xi"),
-    ('ο', "omicron"),
-    ('π', "pi"),
-    ('ρ', "rho"),
-    ('σ', "sigma"),
-    ('τ', "tau"),
-    ('υ', "upsilon"),
-    ('φ', "phi"),
-    ('χ', "chi"),
-    ('ψ', "psi"),
-    ('ω', "omega"),
 ];
 
 /// A name in letters, digits and underscores that begins with a letter.
@@ -140,13 +112,11 @@ pub(super) fn lines(text: &str, width: usize) -> Vec<String> {
 
 /// The name of a time derivative: `theta3`, `theta3_velocity` and so on.
 pub(super) fn of_order(name: &str, order: usize) -> String {
-    match order {
-        0 => name.to_string(),
-        1 => format!("{name}_velocity"),
-        2 => format!("{name}_acceleration"),
-        3 => format!("{name}_jerk"),
-        4 => format!("{name}_snap"),
-        _ => format!("{name}_order{order}"),
+    match order.checked_sub(1) {
+        None => name.to_string(),
+        Some(rate) => RATES
+            .get(rate)
+            .map_or_else(|| format!("{name}_derivative_{order}"), |rate| format!("{name}_{rate}")),
     }
 }
 

@@ -1,54 +1,23 @@
 //! The nodes of a tape as expressions of a language, shared by JavaScript and Python.
 
-use std::string::{String, ToString as _};
+use std::string::String;
 use std::vec;
 use std::vec::Vec;
 
 use crate::tape::expression::Code;
-use crate::tape::{Function, Operator, Tape, TapeNode, TapeStep, Value};
+use crate::tape::spelling::Target;
+use crate::tape::{Function, Tape, TapeNode, TapeStep, Value};
 
-/// The ways in which a language writes operations.
+/// The ways in which a language writes operands.
 pub(super) trait Dialect {
+    /// The language.
+    const TARGET: Target;
+
     /// A number that is read as itself.
     fn number(&self, value: f64) -> Code;
 
     /// A truth.
     fn truth(&self, holds: bool) -> Code;
-
-    /// A function of one number. The change of sign is none of them, and neither are sine and cosine, which are found
-    /// together.
-    fn call(&self, function: Function, argument: &Code) -> Code;
-
-    /// The angle from the x axis to the point (x, y).
-    fn angle(&self, y: &Code, x: &Code) -> Code;
-
-    /// One number over another.
-    fn quotient(&self, one: &Code, other: &Code) -> Code {
-        one.product("/", other)
-    }
-
-    /// Whether a number is finite.
-    fn is_finite(&self, number: &Code) -> Code;
-
-    /// One of two numbers.
-    fn select(&self, truth: &Code, one: &Code, other: &Code) -> Code {
-        truth.select(one, other)
-    }
-
-    /// Whether both truths hold.
-    fn both(&self, one: &Code, other: &Code) -> Code {
-        one.both(other)
-    }
-
-    /// Whether at least one truth holds.
-    fn either(&self, one: &Code, other: &Code) -> Code {
-        one.either(other)
-    }
-
-    /// Whether a truth does not hold.
-    fn not(&self, truth: &Code) -> Code {
-        truth.not()
-    }
 }
 
 impl TapeStep {
@@ -64,7 +33,7 @@ impl TapeStep {
 /// The nodes of a tape as expressions: names where a node has one, otherwise the operation.
 pub(super) struct Writer<'a, D> {
     tape: &'a Tape,
-    pub(super) dialect: D,
+    dialect: D,
     names: Vec<Option<String>>,
     uses: Vec<usize>,
 }
@@ -161,30 +130,10 @@ impl<'a, D: Dialect> Writer<'a, D> {
 
     /// The operation of a node.
     pub(super) fn operation(&self, value: Value) -> Code {
-        let of = |operand: Value| self.value(operand);
-        let dialect = &self.dialect;
-        match self.tape.nodes[value.index()] {
-            TapeNode::Constant(constant) => dialect.number(constant.value()),
-            TapeNode::Certain(holds) => dialect.truth(holds),
-            TapeNode::Call(Function::Negate, one) => of(one).negated(),
-            TapeNode::Call(function, one) => dialect.call(function, &of(one)),
-            TapeNode::Binary(Operator::Add, one, other) => of(one).sum("+", &of(other)),
-            TapeNode::Binary(Operator::Subtract, one, other) => of(one).sum("-", &of(other)),
-            TapeNode::Binary(Operator::Multiply, one, other) => of(one).product("*", &of(other)),
-            TapeNode::Binary(Operator::Divide, one, other) => dialect.quotient(&of(one), &of(other)),
-            TapeNode::Binary(Operator::ArcTangent, y, x) => dialect.angle(&of(y), &of(x)),
-            TapeNode::PlusProduct(sum, one, other) => of(sum).sum("+", &of(one).product("*", &of(other))),
-            TapeNode::MinusProduct(sum, one, other) => of(sum).sum("-", &of(one).product("*", &of(other))),
-            TapeNode::Select(truth, one, other) => dialect.select(&of(truth), &of(one), &of(other)),
-            TapeNode::Compare(comparison, one, other) => of(one).compared(comparison, &of(other)),
-            TapeNode::IsFinite(one) => dialect.is_finite(&of(one)),
-            TapeNode::Both(one, other) => dialect.both(&of(one), &of(other)),
-            TapeNode::Either(one, other) => dialect.either(&of(one), &of(other)),
-            TapeNode::Not(one) => dialect.not(&of(one)),
-            // These have names in every language.
-            TapeNode::Argument(_) | TapeNode::Unknown { .. } | TapeNode::Root { .. } | TapeNode::Solution { .. } => {
-                Code::whole(value.to_string())
-            }
+        match &self.tape.nodes[value.index()] {
+            TapeNode::Constant(constant) => self.dialect.number(constant.value()),
+            TapeNode::Certain(holds) => self.dialect.truth(*holds),
+            node => node.written(D::TARGET, |operand| self.value(operand)),
         }
     }
 }

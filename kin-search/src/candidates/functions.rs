@@ -11,7 +11,7 @@ use datafusion::logical_expr::{
     Volatility,
 };
 
-use crate::function::accepted;
+use crate::function::arguments::accepted;
 
 use super::sequence::{MOST_DIMENSIONS, Sequence, at};
 

@@ -14,7 +14,7 @@
 //!
 //! [`Functions`] is a list of them. The library's are there from the beginning, and a program adds its own mechanisms.
 
-mod arguments;
+pub(crate) mod arguments;
 mod assembly;
 mod line;
 mod list;
@@ -30,7 +30,6 @@ mod trace;
 mod turn;
 pub(crate) mod used;
 
-pub(crate) use arguments::accepted;
 pub use list::{Functions, functions, register};
 pub(crate) use path::ENDING;
 pub(crate) use points::{Points, text_of};

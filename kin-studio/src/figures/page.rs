@@ -3,9 +3,9 @@
 use std::error::Error;
 use std::f64::consts::TAU;
 
-use kin_core::Plane;
 use kin_core::library::FourBar;
 use kin_core::prelude::*;
+use kin_core::{Plane, RATES};
 
 use super::Figure;
 use crate::drawing::{Canvas, DRIVE, GREY, PATH, Scene, Style, canvas};
@@ -56,17 +56,9 @@ fn plots(page: &mut Canvas, linkage: &FourBar) -> Result<(), Box<dyn Error>> {
     let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 181).speed(10.0);
     let table = turn.table()?;
     let cranks = table.column("theta2")?;
-    let orders = [
-        ("position", ""),
-        ("velocity", "_velocity"),
-        ("acceleration", "_acceleration"),
-        ("jerk", "_jerk"),
-        ("snap", "_snap"),
-    ];
-    for ((name, rate), top) in orders
-        .into_iter()
-        .zip([0.0, 1.0, 2.0, 3.0, 4.0].map(|row| CORNER.y + STEP * row))
-    {
+    let rates = RATES.map(|rate| (rate, format!("_{rate}")));
+    let orders = std::iter::once(("position", String::new())).chain(rates);
+    for ((name, rate), top) in orders.zip([0.0, 1.0, 2.0, 3.0, 4.0].map(|row| CORNER.y + STEP * row)) {
         let curves = [
             (table.column(&format!("theta3{rate}"))?, PATH),
             (table.column(&format!("theta4{rate}"))?, DRIVE),

@@ -292,11 +292,6 @@ fn run_file(matches: &clap::ArgMatches) -> Result<ExitCode, Fault> {
     }
 }
 
-/// `FourBar` as `four_bar`.
-fn snake(name: &str) -> String {
-    in_small_letters(name, '_')
-}
-
 fn find<'s>(all: &'s [Entry], wanted: &str) -> Result<&'s Subject, Fault> {
     let plain = |name: &str| name.replace(['_', '-', ' '], "").to_lowercase();
     let found = all
@@ -305,7 +300,10 @@ fn find<'s>(all: &'s [Entry], wanted: &str) -> Result<&'s Subject, Fault> {
     if let Some(found) = found {
         return Ok(&found.0);
     }
-    let names: Vec<String> = all.iter().map(|entry| snake(entry.0.description().name)).collect();
+    let names = all
+        .iter()
+        .map(|entry| in_small_letters(entry.0.description().name, '_'));
+    let names: Vec<String> = names.collect();
     let close = similar(wanted, names.iter().map(String::as_str));
     let hint = if close.starts_with("did you mean") {
         close

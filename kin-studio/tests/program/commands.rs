@@ -243,6 +243,25 @@ fn fit_with_an_open_row() {
     assert!(told.contains("closes in no row"), "{told}");
 }
 
+/// A comma between quotation marks ends no cell.
+#[test]
+fn fit_with_quoted_cells() {
+    let folder = Folder::new("fit-quoted");
+    folder.write("plain.csv", "theta2 [deg],theta4 [deg]\n65,110\n170,150\n");
+    let quoted =
+        "\"outcome\",\"theta2 [deg]\",\"theta4 [deg]\"\n\"typed, then \"\"checked\"\"\",65,110\n\ntyped,170,150\n";
+    folder.write("quoted.csv", quoted);
+    let [plain, quoted] = ["plain", "quoted"].map(|name| {
+        let line = "kin fit four_bar --set r3=60 --set r4=45 --vary r4 --within r4=40..50";
+        typed_in(&folder, &format!("{line} --data {name}.csv"))
+    });
+    assert!(plain.contains("does not close in 1 of 2 rows"), "{plain}");
+    assert_eq!(
+        plain.split_once('\n').map(|(_, told)| told),
+        quoted.split_once('\n').map(|(_, told)| told)
+    );
+}
+
 /// Where the data have every input, the range of a length is not asked for.
 #[test]
 fn fit_without_a_range() {

@@ -1,17 +1,16 @@
 //! The errors of the crates: `?` in a `main` and `unwrap` print `Debug`, so `Debug` prints the sentence of `Display`.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 
 use proc_macro2::TokenTree;
 
-use crate::imports::sources;
+use crate::source::Source;
 
-/// The errors of a crate, each with whether `__debug_by_display` writes its `Debug`, and the file that implements `Error`.
-pub(crate) fn errors(src: &Path) -> BTreeMap<String, (bool, String)> {
+/// The errors of a crate, each with whether `__debug_by_display` writes its `Debug`, and its file.
+pub(crate) fn errors(sources: Vec<Source>) -> BTreeMap<String, (bool, String)> {
     let mut errors = BTreeMap::new();
-    for source in sources(src) {
-        let tokens: Vec<TokenTree> = source.tokens.clone().into_iter().collect();
+    for source in sources {
+        let tokens: Vec<TokenTree> = source.tokens.into_iter().collect();
         let mut printed = Vec::new();
         let mut found = Vec::new();
         for (place, token) in tokens.iter().enumerate() {

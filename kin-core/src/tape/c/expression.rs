@@ -4,7 +4,7 @@ use std::format;
 use std::string::{String, ToString as _};
 
 use crate::tape::expression::{Binding, Code};
-use crate::tape::{Constant, Function, NumberType, Operator};
+use crate::tape::{Constant, NumberType};
 
 impl Code {
     /// A number that is read as the same number.
@@ -29,45 +29,6 @@ impl Code {
             Self::whole(text).negated()
         } else {
             Self::whole(text)
-        }
-    }
-
-    /// An operation on two numbers.
-    pub(in crate::tape) fn binary(&self, operator: Operator, other: &Self) -> Self {
-        match operator {
-            Operator::Add => self.sum("+", other),
-            Operator::Subtract => self.sum("-", other),
-            Operator::Multiply => self.product("*", other),
-            Operator::Divide => self.product("/", other),
-            Operator::ArcTangent => Self::call("kin_atan2", &[self, other]),
-        }
-    }
-
-    /// A function of `<math.h>`. Sine and cosine are found together, and elsewhere.
-    pub(in crate::tape) fn called(&self, function: Function, precision: NumberType) -> Self {
-        let name = match function {
-            Function::Negate => return self.negated(),
-            Function::Magnitude => "fabs",
-            Function::SquareRoot => "sqrt",
-            Function::Sine => "sin",
-            Function::Cosine => "cos",
-            Function::ArcSine => "asin",
-            Function::ArcCosine => "acos",
-            Function::ArcTangent => "atan",
-            Function::HyperbolicSine => "sinh",
-            Function::HyperbolicCosine => "cosh",
-            Function::HyperbolicTangent => "tanh",
-            Function::AreaHyperbolicSine => "asinh",
-            Function::AreaHyperbolicCosine => "acosh",
-            Function::AreaHyperbolicTangent => "atanh",
-            Function::Exponential => "exp",
-            Function::Logarithm => "log",
-            Function::Round => "round",
-            Function::Raise => "ceil",
-        };
-        match precision {
-            NumberType::Single => Self::call(&format!("{name}f"), &[self]),
-            NumberType::Double => Self::call(name, &[self]),
         }
     }
 }

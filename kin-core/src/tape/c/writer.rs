@@ -9,8 +9,9 @@ use std::vec::Vec;
 use crate::tape::c::source::{Inherited, taken};
 use crate::tape::c::{Text, comment};
 use crate::tape::expression::Code;
+use crate::tape::spelling::Target;
 use crate::tape::stages::Stages;
-use crate::tape::{Condition, Constant, Function, TapeNode, TapeStep, Value};
+use crate::tape::{Condition, Constant, Function, NumberType, TapeNode, TapeStep, Value};
 
 /// Writes the body of a function.
 pub(super) struct CWriter<'a> {
@@ -286,54 +287,19 @@ impl<'a> CWriter<'a> {
     }
 
     fn written(&mut self, node: TapeNode) -> Code {
-        let precision = self.text.tape.precision;
+        let is_single = self.text.tape.precision == NumberType::Single;
         match node {
-            TapeNode::Call(function, one) => self.expression(one).called(function, precision),
-            TapeNode::Binary(operator, one, other) => {
-                let one = self.expression(one);
-                one.binary(operator, &self.expression(other))
-            }
-            TapeNode::PlusProduct(sum, one, other) => {
-                let product = self.expression(one).product("*", &self.expression(other));
-                self.expression(sum).sum("+", &product)
-            }
-            TapeNode::MinusProduct(sum, one, other) => {
-                let product = self.expression(one).product("*", &self.expression(other));
-                self.expression(sum).sum("-", &product)
-            }
-            TapeNode::Select(truth, one, other) => {
-                let (truth, one) = (self.expression(truth), self.expression(one));
-                truth.select(&one, &self.expression(other))
-            }
-            TapeNode::Compare(comparison, one, other) => {
-                let one = self.expression(one);
-                one.compared(comparison, &self.expression(other))
+            // The function of `<math.h>` for `float`.
+            TapeNode::Call(function, one) if is_single && function != Function::Negate => {
+                let name = format!("{}f", node.spelling(Target::C));
+                Code::call(&name, &[self.expression(one)])
             }
             TapeNode::IsFinite(one) => {
-                let largest = if self.text.number == "float" {
-                    "FLT_MAX"
-                } else {
-                    "DBL_MAX"
-                };
-                let size = self.expression(one).called(Function::Magnitude, precision);
-                Code::whole(largest).compared(crate::tape::Comparison::AtLeast, &size)
+                let largest = if is_single { "FLT_MAX" } else { "DBL_MAX" };
+                let size = self.written(TapeNode::Call(Function::Magnitude, one));
+                Code::whole(largest).compared(">=", &size)
             }
-            TapeNode::Both(one, other) => {
-                let one = self.expression(one);
-                one.both(&self.expression(other))
-            }
-            TapeNode::Either(one, other) => {
-                let one = self.expression(one);
-                one.either(&self.expression(other))
-            }
-            TapeNode::Not(one) => self.expression(one).not(),
-            // These have been written where they are used.
-            TapeNode::Argument(_)
-            | TapeNode::Constant(_)
-            | TapeNode::Certain(_)
-            | TapeNode::Unknown { .. }
-            | TapeNode::Root { .. }
-            | TapeNode::Solution { .. } => Code::whole("0"),
+            node => node.written(Target::C, |operand| self.expression(operand)),
         }
     }
 

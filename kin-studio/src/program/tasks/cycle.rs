@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use kin_core::cycle::{BlockClass, Branch, EndKind};
+use kin_core::in_small_letters;
 
 use super::super::command::Setup;
 use super::super::fault::Fault;
@@ -165,5 +166,5 @@ fn class_in_words(class: BlockClass) -> String {
 
 /// `CrankRocker` as `crank rocker`.
 fn words(name: &str) -> String {
-    super::super::snake(name).replace('_', " ")
+    in_small_letters(name, ' ')
 }

@@ -96,15 +96,22 @@ fn read(subject: &Subject, options: &Fit, lengths: &mut Lengths) -> Result<Data,
         .map_err(|error| Fault::wrong(format!("{path} cannot be read: {error}")))?;
     let description = subject.description();
     let names: Vec<&Quantity> = quantities(description);
-    let mut lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
-    let Some((_, head)) = lines.next() else {
+    let mut reader = csv::ReaderBuilder::new()
+        .has_headers(false)
+        .flexible(true)
+        .trim(csv::Trim::All)
+        .from_reader(text.trim_start_matches('\u{feff}').as_bytes());
+    let mut records = reader
+        .records()
+        .filter(|record| !record.as_ref().is_ok_and(|record| record.iter().all(str::is_empty)));
+    let unread = |error: csv::Error| Fault::wrong(format!("{path} cannot be read: {error}"));
+    let Some(head) = records.next().transpose().map_err(unread)? else {
         return Err(Fault::wrong(format!(
             "{path} is empty: its first line names the columns"
         )));
     };
     let mut columns = Vec::new();
-    for cell in head.trim_start_matches('\u{feff}').split(',') {
-        let cell = cell.trim().trim_matches('"');
+    for cell in &head {
         let (name, unit) = match cell.split_once('[') {
             Some((name, unit)) => (name.trim(), unit.trim_end_matches(']').trim()),
             None => (cell, ""),
@@ -157,18 +164,19 @@ fn read(subject: &Subject, options: &Fit, lengths: &mut Lengths) -> Result<Data,
             "{path} has no column of an unknown or an output, such as `{first}`"
         )));
     }
-    for (number, line) in lines {
+    for record in records {
+        let record = record.map_err(unread)?;
+        let line = record.position().map_or(0, csv::Position::line);
         let (mut inputs, mut values) = (vec![None; description.inputs.len()], Vec::new());
-        for (cell, column) in line.split(',').chain(std::iter::repeat("")).zip(&columns) {
+        for (cell, column) in record.iter().chain(std::iter::repeat("")).zip(&columns) {
             let Some(((is_input, index, dimension), unit)) = column else {
                 continue;
             };
-            let cell = cell.trim();
             let number = if cell.is_empty() {
                 None
             } else {
                 let value = value::quantity(*dimension, &format!("{cell}{unit}"), lengths)
-                    .map_err(|message| Fault::wrong(format!("{path}, line {}: {message}", number + 1)))?;
+                    .map_err(|message| Fault::wrong(format!("{path}, line {line}: {message}")))?;
                 Some(value)
             };
             if *is_input {

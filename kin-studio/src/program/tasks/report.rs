@@ -2,11 +2,12 @@
 
 use std::path::Path;
 
+use kin_core::in_small_letters;
+
 use super::super::command::Report;
 use super::super::fault::Fault;
 use super::super::file::Told;
 use super::super::progress::watched;
-use super::super::snake;
 use super::super::subject::{PageWishes, Subject};
 use super::write;
 
@@ -16,7 +17,7 @@ pub(super) fn run(subject: &Subject, options: &Report, told: &Told) -> Result<()
     }
     let page = page(subject, options, told)?;
     let path = options.output.clone().unwrap_or_else(|| {
-        let name = snake(subject.description().name);
+        let name = in_small_letters(subject.description().name, '_');
         format!("{name}.html").into()
     });
     write(&path, &page)?;

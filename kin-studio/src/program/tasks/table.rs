@@ -1,12 +1,12 @@
 //! `kin table`: a table that is exact between its rows.
 
 use kin_core::exact::Precision;
+use kin_core::{RATES, in_small_letters};
 
 use super::super::command::{ExactTable, Form};
 use super::super::fault::Fault;
 use super::super::file::Told;
 use super::super::progress::watched;
-use super::super::snake;
 use super::super::subject::Subject;
 use super::super::text::{self, Column};
 use super::print;
@@ -26,7 +26,7 @@ pub(super) fn run(subject: &Subject, options: &ExactTable, told: &Told) -> Resul
     let path = options
         .output
         .clone()
-        .unwrap_or_else(|| format!("{}.{ending}", snake(subject.description().name)).into());
+        .unwrap_or_else(|| format!("{}.{ending}", in_small_letters(subject.description().name, '_')).into());
     let bytes = match options.form {
         Form::Binary => table.as_bytes().to_vec(),
         Form::Json => table.to_json().into_bytes(),
@@ -37,8 +37,8 @@ pub(super) fn run(subject: &Subject, options: &ExactTable, told: &Told) -> Resul
         "column",
         table.columns().map(|column| column.name().to_owned()).collect(),
     )];
-    let orders = ["value", "velocity", "acceleration", "jerk", "snap"];
-    for (order, name) in orders.into_iter().enumerate().take(table.order() + 1) {
+    let orders = std::iter::once("value").chain(RATES);
+    for (order, name) in orders.enumerate().take(table.order() + 1) {
         let errors = table.columns().map(|column| match column.errors().nth(order) {
             Some(error) => format!("{error:.1e}"),
             None => "-".to_owned(),

@@ -1,29 +1,12 @@
 //! Extremes, means and sensitivities over the range.
 
-use kin_core::Quantity;
 use kin_core::extremes::{self, ExtremeKind, ExtremesError, Over};
 use kin_core::sweep::{Label, SmoothDrive};
+use kin_core::{Quantity, RATES};
 
 use super::way::Way;
 use crate::names::symbol;
 use crate::report::model::{Extreme, Place, RootMeanSquare, Sensitivity, Side, Unanswered};
-
-/// The names of the derivatives.
-const ORDERS: [&str; 13] = [
-    "",
-    " velocity",
-    " acceleration",
-    " jerk",
-    " snap",
-    " crackle",
-    " pop",
-    " derivative 7",
-    " derivative 8",
-    " derivative 9",
-    " derivative 10",
-    " derivative 11",
-    " derivative 12",
-];
 
 /// The answers.
 #[derive(Default)]
@@ -41,11 +24,11 @@ pub(super) fn find<D: SmoothDrive>(way: &Way<D>, quantities: &[Quantity], orders
     let mut found = Found::default();
     for quantity in quantities {
         for order in 0..=orders {
-            let text = format!(
-                "{}{}",
-                symbol(quantity.name),
-                ORDERS.get(order).copied().unwrap_or_default()
-            );
+            let symbol = symbol(quantity.name);
+            let text = match order.checked_sub(1).and_then(|rate| RATES.get(rate)) {
+                Some(rate) => format!("{symbol} {}", rate.replace('_', " ")),
+                None => symbol,
+            };
             let question = Question {
                 name: quantity.name,
                 column: Label::new(*quantity, order).to_string(),
