@@ -2,8 +2,7 @@
 //!
 //! This crate is the macro's machinery. Use it through `kin_core::mechanism!`, which is documented there with examples.
 //!
-//! `docs/grammar.md` in the repository has the grammar, and `docs/architecture.md` shows how the passes below follow each
-//! other.
+//! `docs/grammar.md` in the repository has the grammar, and `docs/macro.md` shows how the passes below follow each other.
 
 mod algebra;
 mod assemble;

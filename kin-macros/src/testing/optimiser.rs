@@ -111,7 +111,7 @@ fn sum(costs: &[Cost]) -> Cost {
 
 /// Asserts that the book contains these lines, or ends of lines.
 fn assert_in_book(lines: &[String]) {
-    let book = include_str!("../../../docs/optimiser.md");
+    let book = include_str!("../../../docs/macro.md");
     let missing: Vec<&str> = lines
         .iter()
         .map(String::as_str)
@@ -119,7 +119,7 @@ fn assert_in_book(lines: &[String]) {
         .collect();
     assert!(
         missing.is_empty(),
-        "docs/optimiser.md should say\n{}",
+        "docs/macro.md should say\n{}",
         missing.join("\n")
     );
 }
