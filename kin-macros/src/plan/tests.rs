@@ -38,10 +38,7 @@ fn the_table_of_link_vectors_is_up_to_date() {
             })
             .collect();
         let row = format!("| {name} | {} |", cells.join(" | "));
-        assert!(
-            book.lines().any(|line| line == row),
-            "docs/macro.md should say\n{row}"
-        );
+        assert!(book.lines().any(|line| line == row), "docs/macro.md should say\n{row}");
     }
 }
 

@@ -98,7 +98,11 @@ pub(crate) fn measure(environment: &Environment, is_for_book: bool) {
     }
     println!("{text}");
     if is_for_book {
-        let is_shown = |line: &&str| line.split('`').nth(1).is_none_or(|name| name == "solve" || SHOWN.contains(&name));
+        let is_shown = |line: &&str| {
+            line.split('`')
+                .nth(1)
+                .is_none_or(|name| name == "solve" || SHOWN.contains(&name))
+        };
         let lines = text.lines().take_while(|line| !line.is_empty()).filter(is_shown);
         let table: Vec<&str> = lines.collect();
         let table = table.join("\n");
