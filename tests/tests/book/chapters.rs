@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use kin_core::Operations;
 use kin_core::library::FourBar;
 use kin_tests::mechanisms::cases::{self, Case, ThroughSnap, Visitor};
 
@@ -148,7 +149,8 @@ fn excerpts_are_what_is_generated() {
     assert_excerpts("docs/coupled.md", "triad");
 }
 
-/// Asserts that the table of the library has a row for each mechanism: its unknowns, and the sum of its operations from an order on.
+/// Asserts that the table of the library has a row for each mechanism: its unknowns, and the sum of its operations from
+/// an order on.
 struct Rows {
     chapter: String,
     from: usize,
@@ -160,7 +162,7 @@ impl Visitor for Rows {
         let unknowns: Vec<&str> = description.unknowns.iter().map(|unknown| unknown.name).collect();
         let start = format!("| `{}` | {} | ", description.name, unknowns.join(", "));
         let orders = &description.operations[self.from..];
-        let sum: usize = orders.iter().map(|order| order.arithmetic()).sum();
+        let sum: usize = orders.iter().map(Operations::arithmetic).sum();
         let end = format!(" | {sum} |");
         assert!(
             self.chapter
