@@ -1,7 +1,7 @@
 //! The passes that only make the generated program cheaper.
 //!
 //! All passes always run. Tests leave out one pass at a time to measure its savings over the whole library: see
-//! `testing/optimiser.rs` and the chapter "The optimiser" of the book.
+//! `testing/optimiser.rs` and the chapter "The macro, pass by pass" of the book.
 
 /// A pass, or a part of one. Without it the same values would be computed at greater cost.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

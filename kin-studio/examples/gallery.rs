@@ -17,7 +17,7 @@ use kin_studio::library::{self, Visitor};
 use kin_studio::report::{ReportError, file_name};
 
 /// The chapter that says what each mechanism is.
-const CHAPTER: &str = include_str!("../../docs/gallery.md");
+const CHAPTER: &str = include_str!("../../docs/library.md");
 
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = PathBuf::from(std::env::args_os().nth(1).unwrap_or_else(|| "target/pages".into()));

@@ -25,11 +25,11 @@ fn the_figures_of_the_book_are_what_is_drawn() {
     }
 }
 
-/// Every `mechanism!` of the library has an entry, and a place on the gallery's page.
+/// Every `mechanism!` of the library has an entry, and a picture in the chapter on the library.
 #[test]
 fn every_mechanism_of_the_library_is_drawn() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let page = fs::read_to_string(root.join("docs/gallery.md")).expect("the page is there");
+    let page = fs::read_to_string(root.join("docs/library.md")).expect("the page is there");
     let entries = gallery().expect("every mechanism closes");
     let mut declared = 0;
     for file in fs::read_dir(root.join("kin-core/src/library")).expect("the library is there") {
@@ -45,7 +45,7 @@ fn every_mechanism_of_the_library_is_drawn() {
             entry.name,
             entry.figure().file
         );
-        assert!(page.contains(&heading), "docs/gallery.md lacks {}", entry.name);
+        assert!(page.contains(&heading), "docs/library.md lacks {}", entry.name);
         let outline = entry.scene.outline;
         assert!(!outline.ground.is_empty(), "{} has no ground", entry.name);
         assert!(!outline.bodies.is_empty(), "{} has no bodies", entry.name);

@@ -19,10 +19,10 @@ fn four_bar(order: usize) -> TokenStream {
     }
 }
 
-/// The table in the chapter on the architecture: the savings of link vectors for the four-bar linkage, order by order.
+/// The table in the chapter on the macro: the savings of link vectors for the four-bar linkage, order by order.
 #[test]
 fn the_table_of_link_vectors_is_up_to_date() {
-    let book = include_str!("../../../docs/architecture.md");
+    let book = include_str!("../../../docs/macro.md");
     for (name, passes) in [
         ("link vectors", Passes::ALL),
         ("Leibniz's rule", Passes::without(Pass::LinkVectors)),
@@ -38,10 +38,7 @@ fn the_table_of_link_vectors_is_up_to_date() {
             })
             .collect();
         let row = format!("| {name} | {} |", cells.join(" | "));
-        assert!(
-            book.lines().any(|line| line == row),
-            "docs/architecture.md should say\n{row}"
-        );
+        assert!(book.lines().any(|line| line == row), "docs/macro.md should say\n{row}");
     }
 }
 

@@ -90,7 +90,7 @@ impl Errors {
             .iter()
             .map(|worst| format!("{:.1}", (worst * 10.0).ceil() / 10.0))
             .collect();
-        format!("| `{}` | {} |", self.name, errors.join(" | "))
+        format!("{} {}", self.name, errors.join(" "))
     }
 }
 

@@ -1,10 +1,9 @@
-//! The library's mechanisms against a reference of 50 digits and more: `docs/accuracy.md` is what is measured here.
+//! The library's mechanisms against a reference of 50 digits and more: `errors.txt` and `docs/accuracy.md`
+//! are what is measured here.
 //!
 //! The worst errors and their places are printed: `cargo test -p kin-tests --test proof high_precision -- --nocapture`.
 
 use std::collections::BTreeMap;
-use std::fs;
-use std::path::Path;
 
 use kin_core::library::FourBar;
 use kin_core::{Assembly, Mechanism, Motion, Pose as _, Row};
@@ -168,24 +167,41 @@ fn in_lanes<M: ThroughSnap>(all: &[Pose<M>]) -> Errors {
     errors
 }
 
-/// The rows of a table of the book, by name.
-fn documented(heading: &str) -> BTreeMap<String, Vec<f64>> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/accuracy.md");
-    let text = fs::read_to_string(path).expect("the chapter is there");
-    text.lines()
+/// The recorded errors of every mechanism, by name.
+fn recorded(heading: &str) -> BTreeMap<String, Vec<f64>> {
+    include_str!("errors.txt")
+        .lines()
         .skip_while(|line| *line != heading)
         .skip(1)
-        .take_while(|line| !line.starts_with("## "))
-        .filter_map(|line| {
-            let (name, errors) = line.strip_prefix("| `")?.split_once("` |")?;
-            let errors = errors.trim_end_matches('|').split('|');
-            let errors = errors.map(|error| error.trim().parse().expect("an error is a number"));
-            Some((name.to_owned(), errors.collect()))
+        .map_while(|line| line.strip_prefix("    ")?.split_once(' '))
+        .map(|(name, errors)| {
+            let errors = errors
+                .split(' ')
+                .map(|error| error.parse().expect("an error is a number"));
+            (name.to_owned(), errors.collect())
         })
         .collect()
 }
 
-/// Measures every mechanism of a group, and compares with a table of the book.
+/// The table of the book has the largest recorded errors.
+#[test]
+fn the_book_has_the_largest_errors() {
+    let book = include_str!("../../../docs/accuracy.md");
+    for heading in ["double precision", "single precision", "single precision in lanes"] {
+        let rows = recorded(heading);
+        let largest: Vec<String> = (0..5)
+            .map(|order| rows.values().map(|row| row[order]).fold(0.0, f64::max))
+            .map(|error| format!("{error:.1}"))
+            .collect();
+        let row = format!("| {heading} | {} |", largest.join(" | "));
+        assert!(
+            book.lines().any(|line| line == row),
+            "docs/accuracy.md should say\n{row}"
+        );
+    }
+}
+
+/// Measures every mechanism of a group, and compares with what is recorded.
 struct Table<F> {
     rows: BTreeMap<String, Vec<f64>>,
     measure: F,
@@ -273,14 +289,14 @@ impl<F: Measure> Visitor for Table<F> {
         let row = self.rows.remove(errors.name).unwrap_or_default();
         if row.len() != errors.worst.len() || !errors.worst.iter().zip(row).all(|(worst, said)| agrees(*worst, said)) {
             self.mistakes
-                .push(format!("docs/accuracy.md should say\n{}", errors.row()));
+                .push(format!("tests/proof/errors.txt should say\n    {}", errors.row()));
         }
     }
 }
 
 fn check(heading: &str, measure: impl Measure) -> BTreeMap<Kind, usize> {
     let mut table = Table {
-        rows: documented(heading),
+        rows: recorded(heading),
         measure,
         kinds: BTreeMap::new(),
         mistakes: Vec::new(),
@@ -299,7 +315,7 @@ fn check(heading: &str, measure: impl Measure) -> BTreeMap<Kind, usize> {
 
 #[test]
 fn double_precision() {
-    let kinds = check("## Double precision", Double);
+    let kinds = check("double precision", Double);
     if cfg!(feature = "every-case") {
         assert_eq!(kinds.len(), 6, "{kinds:?}");
         assert!(kinds.values().all(|count| *count >= 100), "{kinds:?}");
@@ -308,12 +324,12 @@ fn double_precision() {
 
 #[test]
 fn single_precision() {
-    check("## Single precision", Single);
+    check("single precision", Single);
 }
 
 #[test]
 fn single_precision_in_lanes() {
-    check("## Single precision in lanes", SingleInLanes);
+    check("single precision in lanes", SingleInLanes);
 }
 
 /// The reference itself: a parallelogram's rocker moves as its crank does, and its coupler does not turn.

@@ -20,6 +20,18 @@ const CHAPTER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../docs/langua
 const START: &str = "<!-- the table of `kin-peers -- --book` begins -->\n\n";
 const END: &str = "\n<!-- and ends -->";
 
+/// The mechanisms in the chapter: one of each form, and the largest.
+const SHOWN: [&str; 8] = [
+    "AndrewsSqueezer",
+    "ClassThreeTriad",
+    "FourBar",
+    "JansenLeg",
+    "Rssr",
+    "ScotchYoke",
+    "SliderCrank",
+    "StewartGoughLeg",
+];
+
 /// The rows of the table, by mechanism.
 struct Table<'a> {
     environment: &'a Environment,
@@ -86,7 +98,14 @@ pub(crate) fn measure(environment: &Environment, is_for_book: bool) {
     }
     println!("{text}");
     if is_for_book {
-        let table = text.split("\n\n").next().unwrap_or_default();
+        let is_shown = |line: &&str| {
+            line.split('`')
+                .nth(1)
+                .is_none_or(|name| name == "solve" || SHOWN.contains(&name))
+        };
+        let lines = text.lines().take_while(|line| !line.is_empty()).filter(is_shown);
+        let table: Vec<&str> = lines.collect();
+        let table = table.join("\n");
         let chapter = fs::read_to_string(CHAPTER).expect("the chapter is there");
         let (before, rest) = chapter
             .split_once(START)
