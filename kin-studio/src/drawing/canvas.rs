@@ -78,6 +78,40 @@ impl Canvas {
         self.raw("</g>");
     }
 
+    /// Defines a motion through keyframes at equal times, the last of which is the first again, and which begins at a part of its period.
+    ///
+    /// Where a person wants no motion, parts stay where [`Canvas::follow`] puts them.
+    pub fn motion(&mut self, name: &str, keyframes: &[Keyframe], seconds: f64, start: f64) {
+        let mut rules = String::new();
+        let steps = keyframes.len().saturating_sub(1).max(1);
+        for (place, Keyframe { at, degrees }) in keyframes.iter().enumerate() {
+            #[expect(clippy::cast_precision_loss, reason = "some hundred keyframes")]
+            let percent = 100.0 * place as f64 / steps as f64;
+            let [x, y] = [at.x, at.y].map(number);
+            // a String never refuses what is written to it
+            let _ = write!(
+                rules,
+                "{percent:.2}%{{transform:translate({x}px,{y}px) rotate({degrees:.2}deg)}}"
+            );
+        }
+        let delay = -seconds * start;
+        self.raw(&format!(
+            "<style>@keyframes {name}{{{rules}}}\n@media (prefers-reduced-motion:no-preference)\
+             {{.{name}{{animation:{name} {seconds}s linear {delay:.3}s infinite}}}}</style>"
+        ));
+    }
+
+    /// Another picture, drawn about the origin, that follows a motion.
+    pub fn follow(&mut self, name: &str, at_rest: Keyframe, other: &Self) {
+        let [x, y] = [at_rest.at.x, at_rest.at.y].map(number);
+        let degrees = at_rest.degrees;
+        self.raw(&format!(
+            r#"<g class="{name}" transform="translate({x} {y}) rotate({degrees:.2})">"#
+        ));
+        self.elements.push_str(&other.elements);
+        self.raw("</g>");
+    }
+
     /// The whole file: a white card, so that it can be read on dark pages too.
     #[must_use]
     pub fn finish(&self, width: f64, height: f64, title: &str) -> String {
@@ -98,6 +132,15 @@ impl Canvas {
             elements = self.elements,
         )
     }
+}
+
+/// Where a part that moves has its origin, and how far it is turned, clockwise on the page.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Keyframe {
+    /// The origin of the part.
+    pub at: Plane,
+    /// The angle, which counts full turns.
+    pub degrees: f64,
 }
 
 /// The unit vector along another; zero stays zero.

@@ -18,12 +18,14 @@ mod canvas;
 mod drive;
 mod frame;
 mod labels;
+mod moving;
 mod scene;
 mod shapes;
 mod sweep;
 
-pub use canvas::Canvas;
+pub use canvas::{Canvas, Keyframe};
 pub use drive::Drive;
+pub use moving::moving;
 pub use scene::{Note, Scene};
 pub use shapes::{Style, canvas, draw};
 

@@ -54,12 +54,16 @@ pub fn draw(scene: &Scene, style: &Style) -> String {
 /// Draws a scene onto a canvas, which may be placed in a larger one.
 #[must_use]
 pub fn canvas(scene: &Scene, style: &Style) -> Canvas {
-    let mut pen = Pen::new(scene, style);
+    let mut pen = Pen::new(scene, style, &[]);
     pen.ground();
     pen.paths();
-    pen.bodies();
+    for number in 0..scene.outline.bodies.len() {
+        pen.body(number);
+    }
     pen.sliders();
-    pen.pins();
+    for joint in pen.marked() {
+        pen.mark(joint);
+    }
     pen.drives();
     pen.notes();
     pen.labels();
@@ -70,20 +74,21 @@ pub fn canvas(scene: &Scene, style: &Style) -> Canvas {
     pen.canvas
 }
 
-struct Pen<'a> {
+pub(super) struct Pen<'a> {
     scene: &'a Scene,
     style: &'a Style,
-    frame: Frame,
+    pub(super) frame: Frame,
     joints: Vec<Plane>,
     /// The joints between two bodies, or of a body on a slide.
     pins: Vec<usize>,
-    canvas: Canvas,
+    pub(super) canvas: Canvas,
     labels: Labels,
 }
 
 impl<'a> Pen<'a> {
-    fn new(scene: &'a Scene, style: &'a Style) -> Self {
-        let mut seen: Vec<Space> = scene.joints.clone();
+    /// A pen whose picture has room for the scene and for further places.
+    pub(super) fn new(scene: &'a Scene, style: &'a Style, further: &[Space]) -> Self {
+        let mut seen = [&scene.joints, further].concat();
         for joint in scene.traced() {
             seen.extend(scene.path(joint));
         }
@@ -130,7 +135,7 @@ impl<'a> Pen<'a> {
     }
 
     /// Triangles and hatching below fixed pivots, and guides that stand still.
-    fn ground(&mut self) {
+    pub(super) fn ground(&mut self) {
         for number in 0..self.scene.outline.slides.len() {
             if self.scene.outline.slides[number].guide.is_some() {
                 continue;
@@ -162,7 +167,7 @@ impl<'a> Pen<'a> {
         }
     }
 
-    fn paths(&mut self) {
+    pub(super) fn paths(&mut self) {
         for joint in self.scene.traced() {
             let path: Vec<Plane> = self
                 .scene
@@ -204,33 +209,25 @@ impl<'a> Pen<'a> {
         own.guide.is_some() && (!self.scene.is_plane || self.scene.drives.iter().any(driven))
     }
 
-    fn bodies(&mut self) {
-        for number in 0..self.scene.outline.bodies.len() {
-            let corners = self.corners(number);
-            let fill = if self.is_driven(number) { DRIVEN } else { PLAIN };
-            let cylinder = self.scene.outline.slides.iter().enumerate();
-            let is_cylinder = cylinder
-                .clone()
-                .any(|(slide, own)| own.guide == Some(number) && self.is_cylinder(slide));
-            let outer = hull(&corners);
-            for place in 0..outer.len() {
-                self.labels.keep_bar(outer[place], outer[(place + 1) % outer.len()]);
-            }
-            if is_cylinder && outer.len() == 2 {
-                let [from, to] = [corners[0], corners[1]];
-                let middle = from + (to - from).scale(0.6);
-                bar(&mut self.canvas, &[from, to], 1.6, PLAIN);
-                bar(&mut self.canvas, &[from, middle], 6.0, fill);
-            } else if outer.len() > 2 && !self.scene.is_plane {
-                pane(&mut self.canvas, &outer, fill);
-            } else {
-                bar(
-                    &mut self.canvas,
-                    &outer,
-                    if self.style.width < 320.0 { 5.5 } else { BAR },
-                    fill,
-                );
-            }
+    pub(super) fn body(&mut self, number: usize) {
+        let corners = self.corners(number);
+        let fill = if self.is_driven(number) { DRIVEN } else { PLAIN };
+        let mut slides = self.scene.outline.slides.iter().enumerate();
+        let is_cylinder = slides.any(|(slide, own)| own.guide == Some(number) && self.is_cylinder(slide));
+        let outer = hull(&corners);
+        for place in 0..outer.len() {
+            self.labels.keep_bar(outer[place], outer[(place + 1) % outer.len()]);
+        }
+        if is_cylinder && outer.len() == 2 {
+            let [from, to] = [corners[0], corners[1]];
+            let middle = from + (to - from).scale(0.6);
+            bar(&mut self.canvas, &[from, to], 1.6, PLAIN);
+            bar(&mut self.canvas, &[from, middle], 6.0, fill);
+        } else if outer.len() > 2 && !self.scene.is_plane {
+            pane(&mut self.canvas, &outer, fill);
+        } else {
+            let width = if self.style.width < 320.0 { 5.5 } else { BAR };
+            bar(&mut self.canvas, &outer, width, fill);
         }
     }
 
@@ -266,23 +263,27 @@ impl<'a> Pen<'a> {
         }
     }
 
-    fn pins(&mut self) {
-        let open = format!(r##"fill="#ffffff" stroke="{INK}" stroke-width="1.2""##);
-        for joint in self.pins.clone() {
+    /// The pins, and the points that are none.
+    pub(super) fn marked(&self) -> Vec<usize> {
+        let points = self.scene.outline.points.iter().map(|&(_, joint)| joint);
+        let points = points.filter(|joint| !self.pins.contains(joint));
+        self.pins.iter().copied().chain(points).collect()
+    }
+
+    pub(super) fn mark(&mut self, joint: usize) {
+        let at = self.joints[joint];
+        if self.pins.contains(&joint) {
             let radius = if self.is_fixed(joint) { PIN + 0.8 } else { PIN };
-            self.canvas.circle(self.joints[joint], radius, &open);
-            self.labels.keep(self.joints[joint], 5.0);
-        }
-        for &(_, joint) in self.scene.outline.points {
-            if !self.pins.contains(&joint) {
-                self.canvas
-                    .circle(self.joints[joint], 2.6, &format!(r#"fill="{PATH}" stroke="none""#));
-                self.labels.keep(self.joints[joint], 4.0);
-            }
+            let open = format!(r##"fill="#ffffff" stroke="{INK}" stroke-width="1.2""##);
+            self.canvas.circle(at, radius, &open);
+            self.labels.keep(at, 5.0);
+        } else {
+            self.canvas.circle(at, 2.6, &format!(r#"fill="{PATH}" stroke="none""#));
+            self.labels.keep(at, 4.0);
         }
     }
 
-    fn drives(&mut self) {
+    pub(super) fn drives(&mut self) {
         for drive in &self.scene.drives {
             match drive {
                 Drive::Turn { centre, arm, forward } => {

@@ -1,14 +1,13 @@
-//! What a page shows, at a glance: a mechanism, its motion through snap over one turn, and where it closes.
+//! What a page shows, at a glance: a mechanism that moves, and its motion through snap over one turn.
 
 use std::error::Error;
 use std::f64::consts::TAU;
 
-use kin_core::library::FourBar;
 use kin_core::prelude::*;
 use kin_core::{Plane, RATES};
 
 use super::Figure;
-use crate::drawing::{Canvas, DRIVE, GREY, PATH, Scene, Style, canvas};
+use crate::drawing::{Canvas, DRIVE, GREY, Keyframe, PATH, Scene, Style, moving};
 
 /// The size of the whole.
 const SIZE: Plane = Plane { x: 860.0, y: 410.0 };
@@ -18,8 +17,21 @@ const PICTURE: Plane = Plane { x: 470.0, y: 330.0 };
 const CORNER: Plane = Plane { x: 590.0, y: 34.0 };
 const PLOT: Plane = Plane { x: 240.0, y: 50.0 };
 const STEP: f64 = 62.0;
-/// The crank's position.
+/// The crank's position where nothing moves.
 const CRANK: f64 = 65.0;
+/// The time of a turn.
+const SECONDS: f64 = 6.0;
+
+mechanism! {
+    /// The program of the README.
+    struct FourBar { r1: Length, r2: Length, r3: Length, r4: Length }
+    input theta2: Angle;
+    unknown theta3: Angle, theta4: Angle;
+
+    r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+
+    output midpoint: Point = r2 * cis(theta2) + r3 / 2 * cis(theta3);
+}
 
 /// The first picture of the README.
 pub(super) fn page() -> Result<Figure, Box<dyn Error>> {
@@ -34,10 +46,11 @@ pub(super) fn page() -> Result<Figure, Box<dyn Error>> {
         width: PICTURE.x,
         height: PICTURE.y,
         title: String::new(),
-        names: true,
+        names: false,
     };
     let mut page = Canvas::default();
-    page.place(&canvas(&scene, &style), Plane::new(10.0, 20.0));
+    let linkage_moves = moving(&scene, &style, SECONDS).ok_or("the crank does not go round")?;
+    page.place(&linkage_moves, Plane::new(10.0, 20.0));
     plots(&mut page, &linkage)?;
     scrubber(&mut page, &linkage)?;
     Ok(Figure {
@@ -49,6 +62,14 @@ pub(super) fn page() -> Result<Figure, Box<dyn Error>> {
 /// The place of an angle of the crank along the axis of the plots.
 fn along(crank: f64) -> f64 {
     CORNER.x + PLOT.x * crank / TAU
+}
+
+/// A part that goes with the crank from one end of its turn to the other.
+fn carry(page: &mut Canvas, name: &str, part: &Canvas, ends: [Plane; 2]) {
+    let keyframe = |at| Keyframe { at, degrees: 0.0 };
+    let start = CRANK / 360.0;
+    page.motion(name, &ends.map(keyframe), SECONDS, start);
+    page.follow(name, keyframe(ends[0] + (ends[1] - ends[0]).scale(start)), part);
 }
 
 /// Five plots below each other, each with coupler and rocker, and one cursor through all.
@@ -93,12 +114,15 @@ fn plots(page: &mut Canvas, linkage: &FourBar) -> Result<(), Box<dyn Error>> {
             name,
         );
     }
-    let cursor = along(CRANK.to_radians());
-    page.line(
-        Plane::new(cursor, CORNER.y - 6.0),
-        Plane::new(cursor, CORNER.y + 4.0 * STEP + PLOT.y),
-        GREY,
-        1.0,
+    let height = 4.0 * STEP + PLOT.y + 6.0;
+    let mut cursor = Canvas::default();
+    cursor.line(Plane::new(0.0, 0.0), Plane::new(0.0, height), GREY, 1.0);
+    let top = CORNER.y - 6.0;
+    carry(
+        page,
+        "cursor",
+        &cursor,
+        [0.0, TAU].map(|crank| Plane::new(along(crank), top)),
     );
     for (text, colour, x) in [("θ₃", PATH, 0.0), ("θ₄", DRIVE, 26.0)] {
         let at = CORNER + Plane::new(PLOT.x - 44.0 + x, -14.0);
@@ -112,12 +136,10 @@ fn scrubber(page: &mut Canvas, linkage: &FourBar) -> Result<(), Box<dyn Error>> 
     let (left, right, height) = (30.0, SIZE.x - 30.0, SIZE.y - 42.0);
     let place = |crank: f64| Plane::new(left + (right - left) * crank / TAU, height);
     page.line(place(0.0), place(TAU), "#cccccc", 6.0);
-    page.line(place(0.0), place(CRANK.to_radians()), PATH, 6.0);
-    page.circle(
-        place(CRANK.to_radians()),
-        8.0,
-        &format!(r##"fill="#ffffff" stroke="{PATH}" stroke-width="2""##),
-    );
+    let mut knob = Canvas::default();
+    let style = format!(r##"fill="#ffffff" stroke="{PATH}" stroke-width="2""##);
+    knob.circle(Plane::new(0.0, 0.0), 8.0, &style);
+    carry(page, "knob", &knob, [0.0, TAU].map(place));
     for quarter in 0..=4_u8 {
         let at = place(TAU * f64::from(quarter) / 4.0) + Plane::new(0.0, 26.0);
         page.text(at, 11.0, "middle", "", &format!("{}°", 90 * u16::from(quarter)));
