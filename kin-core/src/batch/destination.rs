@@ -5,7 +5,7 @@ use core::ops::Sub;
 
 use super::outcome::LengthMismatch;
 use super::target::{Columns, Place, Target, Visitor};
-use crate::batch::lanes::{Element, Lanes};
+use crate::batch::lanes::{Element, Lanes, for_each_lane};
 use crate::mechanism::{Mechanism, Pose};
 use crate::number::Row;
 use num_traits::Float;
@@ -186,13 +186,9 @@ impl<const W: usize, const FUSED: bool, E: Element> Stored for Lanes<W, FUSED, E
     fn store(self, entries: Entries<'_, E>, start: usize) {
         // A wanted place is always long enough, but the compiler does not know it.
         if let Some(entries) = entries.get(start..start + W) {
-            #[expect(
-                clippy::needless_range_loop,
-                reason = "it stands in thousands of places, and iterators take a compiler longer"
-            )]
-            for lane in 0..W {
+            for_each_lane!(lane in 0..W {
                 entries[lane].set(self.0[lane]);
-            }
+            });
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Errors with the place where they occurred.
 
 use crate::failure::{Failure, InputValues, SolveError};
-use crate::mechanism::Mechanism;
-use crate::number::Number;
+use crate::mechanism::{Description, Mechanism};
+use crate::number::{Number, Row};
 use crate::solve::Scalar;
 
 /// The error of a solver at the given inputs. If a parameter or an input is not finite, the failure names it.
@@ -15,7 +15,8 @@ pub fn failed<M: Mechanism>(
     block: &'static str,
     inputs: M::Inputs<M::Scalar>,
 ) -> SolveError {
-    if M::Scalar::DOUBT > 0.0 {
+    // in a constant, so that the rest is not compiled for several poses
+    if const { M::Scalar::DOUBT > 0.0 } {
         return failure.at(block, InputValues::NONE);
     }
     failed_alone(mechanism, failure, block, inputs)
@@ -30,18 +31,32 @@ fn failed_alone<M: Mechanism>(
     inputs: M::Inputs<M::Scalar>,
 ) -> SolveError {
     let parameters = mechanism.parameters();
-    let quantities = M::DESCRIPTION.parameters.iter().map(|parameter| parameter.name);
-    let quantities = quantities.chain(M::DESCRIPTION.inputs.iter().map(|input| input.name));
-    let values = parameters.as_ref().iter().chain(inputs.as_ref());
+    let parameters = <M::Parameters<f64> as Row<f64>>::from_fn(|index| parameters[index].real());
+    let inputs = <M::Inputs<f64> as Row<f64>>::from_fn(|index| inputs[index].real());
+    placed(&M::DESCRIPTION, failure, block, parameters.as_ref(), inputs.as_ref())
+}
+
+/// Compiled once, in this crate.
+#[cold]
+#[inline(never)]
+fn placed(
+    description: &Description<'static>,
+    failure: Failure,
+    block: &'static str,
+    parameters: &[f64],
+    inputs: &[f64],
+) -> SolveError {
+    let quantities = description.parameters.iter().chain(description.inputs);
+    let values = parameters.iter().chain(inputs);
     let failure = quantities
         .zip(values)
-        .find(|(_, value)| !value.real().is_finite())
-        .map_or(failure, |(quantity, _)| Failure::not_finite(quantity));
+        .find(|(_, value)| !value.is_finite())
+        .map_or(failure, |(quantity, _)| Failure::not_finite(quantity.name));
     let mut kept = [0.0; InputValues::CAPACITY];
-    for (place, value) in kept.iter_mut().zip(inputs.as_ref()) {
-        *place = value.real();
+    for (place, value) in kept.iter_mut().zip(inputs) {
+        *place = *value;
     }
-    failure.at(block, InputValues::new(M::DESCRIPTION.inputs, &kept))
+    failure.at(block, InputValues::new(description.inputs, &kept))
 }
 
 /// The error of the first result that is not finite. It names the first input that is not finite, or else the result.

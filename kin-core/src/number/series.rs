@@ -161,7 +161,7 @@ impl<const N: usize> Neg for Series<N> {
 }
 
 /// The largest number of terms whose products stand where they are used. Longer series share one product, compiled in this crate.
-const SHORT: usize = 9;
+const SHORT: usize = 8;
 
 /// Cauchy's product.
 #[inline(always)]

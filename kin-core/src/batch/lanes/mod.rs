@@ -9,10 +9,22 @@
 //! would decide. The caller must then ask the ordinary solver about these poses, except those for which the check that
 //! failed has left a [verdict](verdicts).
 
-#![expect(
-    clippy::needless_range_loop,
-    reason = "a kernel has thousands of these loops; iterators and closures take a compiler several times as long"
-)]
+/// Runs a block for each lane. A kernel has thousands of these loops. Iterators and closures take a compiler several times as long, and
+/// `for` loops take it longer, because it moves their tests to the end, where this one stands.
+macro_rules! for_each_lane {
+    ($lane:ident in $first:literal..$count:ident $block:block) => {
+        let mut $lane = $first;
+        loop {
+            $block
+            $lane += 1;
+            if $lane == $count {
+                break;
+            }
+        }
+    };
+}
+
+pub(in crate::batch) use for_each_lane;
 
 mod element;
 mod newton;
@@ -39,9 +51,9 @@ impl<const W: usize, const FUSED: bool, E: Element> Lanes<W, FUSED, E> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn from_fn(mut function: impl FnMut(usize) -> E) -> Self {
         let mut lanes = [E::zero(); W];
-        for lane in 0..W {
+        for_each_lane!(lane in 0..W {
             lanes[lane] = function(lane);
-        }
+        });
         Self(lanes)
     }
 
@@ -59,9 +71,9 @@ impl<const W: usize, const FUSED: bool, E: Element> Lanes<W, FUSED, E> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn is_finite_throughout(self) -> bool {
         let mut is_finite = true;
-        for lane in 0..W {
+        for_each_lane!(lane in 0..W {
             is_finite &= Float::is_finite(self.0[lane]);
-        }
+        });
         is_finite
     }
 
@@ -102,7 +114,7 @@ impl<const W: usize, const FUSED: bool, E: Element> Lanes<W, FUSED, E> {
     fn checked<const N: usize, const K: usize>(self, check: impl Check<Self, N, K>) -> (Self, Self, bool) {
         let operands = check.operands();
         let (mut kept, mut failing, mut one_fails) = (self, Self::constant(0.0), false);
-        for lane in 0..W {
+        for_each_lane!(lane in 0..W {
             // One condition after the other: the compiler vectorises a comparison with a selection, but not a
             // conjunction.
             for holds in check.holds(Self::at(&operands, lane)) {
@@ -110,7 +122,7 @@ impl<const W: usize, const FUSED: bool, E: Element> Lanes<W, FUSED, E> {
                 failing.0[lane] = if holds { failing.0[lane] } else { E::nan() };
                 one_fails |= !holds;
             }
-        }
+        });
         (kept, failing, one_fails)
     }
 
@@ -131,9 +143,9 @@ impl<const W: usize, const FUSED: bool, E: Element> Add for Lanes<W, FUSED, E> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn add(self, other: Self) -> Self {
         let mut result = self;
-        for lane in 0..W {
+        for_each_lane!(lane in 0..W {
             result.0[lane] = self.0[lane] + other.0[lane];
-        }
+        });
         result
     }
 }
@@ -144,9 +156,9 @@ impl<const W: usize, const FUSED: bool, E: Element> Sub for Lanes<W, FUSED, E> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn sub(self, other: Self) -> Self {
         let mut result = self;
-        for lane in 0..W {
+        for_each_lane!(lane in 0..W {
             result.0[lane] = self.0[lane] - other.0[lane];
-        }
+        });
         result
     }
 }
@@ -157,9 +169,9 @@ impl<const W: usize, const FUSED: bool, E: Element> Mul for Lanes<W, FUSED, E> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn mul(self, other: Self) -> Self {
         let mut result = self;
-        for lane in 0..W {
+        for_each_lane!(lane in 0..W {
             result.0[lane] = self.0[lane] * other.0[lane];
-        }
+        });
         result
     }
 }
@@ -170,9 +182,9 @@ impl<const W: usize, const FUSED: bool, E: Element> Div for Lanes<W, FUSED, E> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn div(self, other: Self) -> Self {
         let mut result = self;
-        for lane in 0..W {
+        for_each_lane!(lane in 0..W {
             result.0[lane] = self.0[lane] / other.0[lane];
-        }
+        });
         result
     }
 }
@@ -183,9 +195,9 @@ impl<const W: usize, const FUSED: bool, E: Element> Neg for Lanes<W, FUSED, E> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(self) -> Self {
         let mut result = self;
-        for lane in 0..W {
+        for_each_lane!(lane in 0..W {
             result.0[lane] = -self.0[lane];
-        }
+        });
         result
     }
 }
@@ -219,12 +231,12 @@ impl<const W: usize, const FUSED: bool, E: Element> Number for Lanes<W, FUSED, E
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn sin_cos(self) -> (Self, Self) {
         let (mut sine, mut cosine) = (self, self);
-        for lane in 0..W {
+        for_each_lane!(lane in 0..W {
             let angle = self.0[lane];
             // NaN where the polynomials are not valid.
             let angle = if is_near(angle) { angle } else { E::nan() };
             (sine.0[lane], cosine.0[lane]) = near_sine_cosine::<FUSED, FUSED, E>(angle);
-        }
+        });
         (sine, cosine)
     }
 
@@ -295,9 +307,9 @@ impl<const W: usize, const FUSED: bool, E: Element> Number for Lanes<W, FUSED, E
     fn plus_product(self, a: Self, b: Self) -> Self {
         if FUSED {
             let mut result = self;
-            for lane in 0..W {
+            for_each_lane!(lane in 0..W {
                 result.0[lane] = Float::mul_add(a.0[lane], b.0[lane], self.0[lane]);
-            }
+            });
             result
         } else {
             self + a * b
@@ -308,9 +320,9 @@ impl<const W: usize, const FUSED: bool, E: Element> Number for Lanes<W, FUSED, E
     fn minus_product(self, a: Self, b: Self) -> Self {
         if FUSED {
             let mut result = self;
-            for lane in 0..W {
+            for_each_lane!(lane in 0..W {
                 result.0[lane] = Float::mul_add(-a.0[lane], b.0[lane], self.0[lane]);
-            }
+            });
             result
         } else {
             self - a * b
