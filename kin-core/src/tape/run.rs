@@ -58,7 +58,8 @@ impl Tape {
     ///
     /// let tape = tape::record::<FourBar>(&Options::new().up_to(0))?;
     /// let stop = tape.run(&[90.0, 30.0, 20.0, 25.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0]).unwrap_err();
-    /// assert_eq!((stop.name, stop.block), ("reach of two circles", "theta3, theta4"));
+    /// assert_eq!(stop.name, "reach of two circles");
+    /// assert_eq!(stop.block, "theta3, theta4");
     /// assert!(stop.margin < -30.0);
     /// # Ok::<(), tape::RecordError>(())
     /// ```

@@ -33,7 +33,7 @@ pub fn regular<T: Scalar>(determinant: T) -> Result<T, Failure> {
 /// use kin_core::{Failure, solve};
 ///
 /// assert_eq!(solve::finite("r1", 90.0), Ok(90.0));
-/// let error = Failure::not_finite("r1");
+/// let error = Failure::NotFinite { quantity: "r1".into() };
 /// assert_eq!(solve::finite("r1", f64::NAN), Err(error));
 /// ```
 #[cfg_attr(not(debug_assertions), inline(always))]
