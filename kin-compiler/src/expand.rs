@@ -19,15 +19,11 @@ use crate::{editor, emit, fallback, model, refuse, structure, syntax};
 pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
     let (runtime, tokens) = syntax::runtime(tokens);
     let mut mistakes = Mistakes::new();
-    let Some(declaration) = syntax::parse(tokens, &mut mistakes) else {
+    let (declaration, solved) = solved(tokens, &mut mistakes);
+    let Some(declaration) = declaration else {
         return fallback::tokens(None, mistakes, &runtime);
     };
     let editor = editor::tokens(&declaration, &runtime);
-    let solved = if declaration.holds_prose {
-        None
-    } else {
-        solvers(&declaration, &mut mistakes)
-    };
     let Some((model, structure, solvers)) = solved else {
         let fallback = fallback::tokens(Some(&declaration), mistakes, &runtime);
         return quote!(#editor #fallback);
@@ -44,8 +40,19 @@ pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
     quote!(#editor #mechanism)
 }
 
+/// A declaration with what its solvers are made of, and these.
+type Solved = (Model, Structure, Solvers);
+
+/// The passes before text: the declaration, if its structure can be read, and its solvers, if it has no mistakes.
+pub(crate) fn solved(tokens: TokenStream, mistakes: &mut Mistakes) -> (Option<Declaration>, Option<Solved>) {
+    let declaration = syntax::parse(tokens, mistakes);
+    let readable = declaration.as_ref().filter(|declaration| !declaration.holds_prose);
+    let solved = readable.and_then(|declaration| solvers(declaration, mistakes));
+    (declaration, solved)
+}
+
 /// The passes between syntax and text; `None` if the declaration has mistakes.
-pub(crate) fn solvers(declaration: &Declaration, mistakes: &mut Mistakes) -> Option<(Model, Structure, Solvers)> {
+fn solvers(declaration: &Declaration, mistakes: &mut Mistakes) -> Option<Solved> {
     let model = model::build(declaration, mistakes)?;
     let structure = structure(declaration, &model, mistakes)?;
     let task = Task::new(&model, &structure, Passes::ALL);

@@ -5,10 +5,11 @@ use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use proc_macro2::{Ident, LineColumn, Span, TokenStream};
+use quote::quote;
 use syn::{Attribute, Expr, ExprLit, Lit};
 
 use crate::bug::bug;
-use crate::expand::{expand, solvers};
+use crate::expand::{expand, solved};
 use crate::mistakes::Mistakes;
 use crate::room::with_room;
 use crate::syntax::{self, Dimension, QuantityItem, Statement};
@@ -28,6 +29,7 @@ use crate::syntax::{self, Dimension, QuantityItem, Statement};
 /// let compiled = Declaration::parse(slider_crank).expect("there is no mistake");
 /// assert_eq!((compiled.name(), compiled.documentation()), ("SliderCrank", "A crank, a rod, and a slide."));
 /// assert_eq!(compiled.inputs()[0].name, "theta");
+/// assert!(compiled.rust().contains("pub fn velocity"));
 /// // the steps of each order, with their costs
 /// assert!(compiled.printout().contains("velocity: "));
 ///
@@ -44,7 +46,7 @@ pub struct Declaration {
     unknowns: Vec<Quantity>,
     outputs: Vec<Quantity>,
     printout: String,
-    rust: String,
+    text: String,
 }
 
 /// A declared quantity.
@@ -83,8 +85,7 @@ pub struct Position {
 }
 
 impl Declaration {
-    /// Compiles the declaration of a mechanism, which is the text between the braces of `mechanism! { … }`. Nothing is kept of the text
-    /// that the result does not hold.
+    /// Compiles the declaration of a mechanism, which is the text between the braces of `mechanism! { … }`. Its memory ends with the result.
     ///
     /// # Errors
     /// Every mistake of the declaration, in the order of the text.
@@ -147,8 +148,12 @@ impl Declaration {
 
     /// The code that the macro writes for it, in which `kin_core` stands for the library.
     #[must_use]
-    pub fn rust(&self) -> &str {
-        &self.rust
+    pub fn rust(&self) -> String {
+        with_room(|| {
+            // a text that has been read once can be read again
+            let tokens: TokenStream = self.text.parse().unwrap_or_default();
+            expand(quote!((::kin_core) #tokens)).to_string()
+        })
     }
 }
 
@@ -158,11 +163,7 @@ fn compile(text: &str) -> Result<Declaration, Vec<Mistake>> {
         vec![Mistake::at(error.span(), message.to_owned())]
     })?;
     let mut mistakes = Mistakes::new();
-    let declaration = syntax::parse(tokens.clone(), &mut mistakes);
-    let solved = declaration.as_ref().and_then(|declaration| {
-        let is_readable = !declaration.holds_prose;
-        is_readable.then(|| solvers(declaration, &mut mistakes)).flatten()
-    });
+    let (declaration, solved) = solved(tokens, &mut mistakes);
     let mut mistakes: Vec<Mistake> = mistakes
         .into_errors()
         .map(|error| Mistake::at(error.span(), error.to_string()))
@@ -170,15 +171,14 @@ fn compile(text: &str) -> Result<Declaration, Vec<Mistake>> {
     mistakes.sort_by_key(|mistake| (mistake.start, mistake.end));
     match (declaration, solved) {
         (Some(declaration), Some((_, _, solvers))) if mistakes.is_empty() => {
-            let rust = expand(quote::quote!((::kin_core) #tokens)).to_string();
-            Ok(Declaration::new(&declaration, solvers.to_string(), rust))
+            Ok(Declaration::new(&declaration, solvers.to_string(), text.to_owned()))
         }
         _ => Err(mistakes),
     }
 }
 
 impl Declaration {
-    fn new(declaration: &syntax::Declaration, printout: String, rust: String) -> Self {
+    fn new(declaration: &syntax::Declaration, printout: String, text: String) -> Self {
         let parameters = declaration.parameters.iter().filter_map(|field| {
             let dimension = field.dimension?;
             Some(Quantity::new(&field.name, dimension, &field.attributes))
@@ -191,7 +191,7 @@ impl Declaration {
             unknowns: Vec::new(),
             outputs: Vec::new(),
             printout,
-            rust,
+            text,
         };
         let quantity = |item: &QuantityItem| Quantity::new(&item.name, item.dimension, &item.documentation);
         for statement in &declaration.statements {

@@ -4,15 +4,13 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use crate::expand::{expand, solvers};
+use crate::expand::{expand, solved};
 use crate::mistakes::Mistakes;
-use crate::syntax;
 
 /// The mistakes of a declaration. One without mistakes is expanded.
 fn mistakes(declaration: TokenStream) -> Vec<String> {
     let mut mistakes = Mistakes::new();
-    let read = syntax::parse(declaration.clone(), &mut mistakes);
-    if read.and_then(|read| solvers(&read, &mut mistakes)).is_some() {
+    if let (_, Some(_)) = solved(declaration.clone(), &mut mistakes) {
         let _ = expand(declaration);
     }
     mistakes.into_messages()

@@ -5,7 +5,7 @@ use core::ops::Deref;
 
 use super::margin::Margins;
 use super::station::{ResultIndex, SweepStation};
-use crate::any::{Of, motions, row, write};
+use crate::any::{Of, description, motions, row, write};
 use crate::failure::SolveError;
 use crate::load::{Balance, LoadError, Loaded, LoadsOf};
 use crate::mechanism::{Jacobian, JacobianError, Mechanism, Pose, rows_of};
@@ -101,7 +101,7 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
         write(source.inputs.as_ref(), &mut inputs);
         let real = |values: &[Local]| NumberRow::from_fn(values.len(), |index| values[index].real());
         Some(SweepStation {
-            description: const { &M::DESCRIPTION },
+            description: description::<M>(),
             parameters: real(self.mechanism.parameters().as_ref()),
             inputs,
             unknowns: real(self.near.as_ref()),
@@ -297,7 +297,7 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
     fn margins(&self) -> Margins<'static> {
         Margins {
             functions: Of::<M>::FUNCTIONS,
-            description: const { &M::DESCRIPTION },
+            description: description::<M>(),
             parameters: self.mechanism.parameters().as_ref().to_vec(),
             inputs: self.inputs.as_ref().iter().map(|input| input[0]).collect(),
             unknowns: self.near_series().as_ref().to_vec(),

@@ -52,11 +52,7 @@ fn placed(
         .zip(values)
         .find(|(_, value)| !value.is_finite())
         .map_or(failure, |(quantity, _)| Failure::not_finite(quantity.name));
-    let mut kept = [0.0; InputValues::CAPACITY];
-    for (place, value) in kept.iter_mut().zip(inputs) {
-        *place = *value;
-    }
-    failure.at(block, InputValues::new(description.inputs, &kept))
+    failure.at(block, InputValues::new(description.inputs, inputs))
 }
 
 /// The error of the first result that is not finite. It names the first input that is not finite, or else the result.

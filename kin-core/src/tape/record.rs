@@ -6,7 +6,7 @@ use std::format;
 use std::string::{String, ToString as _};
 use std::vec::Vec;
 
-use crate::any::{PositionChoice, motions, row};
+use crate::any::{PositionChoice, description, motions, row};
 use crate::assembly::Assembly;
 use crate::failure::{Failure, InputValues, SolveError};
 use crate::mechanism::{Description, Mechanism, Partials, Pose, Sensitive};
@@ -295,7 +295,7 @@ impl<M: Mechanism<Scalar: Plain>> RecordedMechanism<M> {
 
 impl<M: Mechanism<Scalar: Plain>> RecordedSolver<M::Scalar> for RecordedMechanism<M> {
     fn description(&self) -> &'static Description<'static> {
-        const { &M::DESCRIPTION }
+        description::<M>()
     }
 
     fn outline(&self) -> Outline<'static> {

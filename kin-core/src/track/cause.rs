@@ -133,8 +133,8 @@ fn pole(way: &TrackLine<'_>, here: &TrackPoint<'_>, scratch: &mut LentRows<'_>) 
 /// The error of the first place close ahead that lies outside the domain of a function.
 fn end_of_domain(way: &Way<'_>, here: &TrackPoint<'_>, scratch: &mut LentRows<'_>) -> Option<SolveError> {
     let is_outside = |error: &SolveError| matches!(error.failure, Failure::OutsideDomain { .. });
-    let blocks = &way.description.blocks;
-    let is_of_a_block = |error: &SolveError| blocks.iter().any(|block| error.block == block.unknowns);
+    let blocks = 0..way.description.blocks.len();
+    let is_of_a_block = |error: &SolveError| blocks.clone().any(|block| error.block == way.block(block));
     let (travel, error) = first_failure(way, here, scratch, is_outside)?;
     if is_of_a_block(&error) {
         return Some(error);
