@@ -14,6 +14,7 @@ mod emit;
 mod expand;
 mod fallback;
 mod formulas;
+mod lower;
 mod mistakes;
 mod model;
 mod passes;
@@ -34,6 +35,14 @@ mod work;
 
 #[doc(hidden)]
 pub use bug::expand_or_tell;
+/// Programs as data, for kin-live.
+#[doc(hidden)]
+pub mod lowered {
+    pub use crate::algebra::Symbol;
+    pub use crate::lower::{Argument, Decisive, Label, Range, Selection, Statement, Value};
+    pub use crate::program::Returns;
+    pub use crate::structure::{PolynomialTerm, SystemForm};
+}
 pub use syntax::Dimension;
 #[cfg(feature = "text")]
 pub use text::{Declaration, Mistake, Position, Quantity};

@@ -24,7 +24,7 @@ impl Node {
 
 /// A quantity whose value comes from outside of the graph.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub(crate) enum Symbol {
+pub enum Symbol {
     /// A scalar of the structure of parameters. A point of the plane has two, a point of space three.
     Parameter(usize),
     /// An input's value.

@@ -19,7 +19,8 @@ mod probe;
 mod substitute;
 
 pub(crate) use function::{Calculation, Checked, Function, Gives, Inverse, InverseFunction, Takes, WorkUnit};
-pub(crate) use graph::{FiniteNumber, Graph, Misfit, Node, NodeKind, Symbol, Variables};
+pub use graph::Symbol;
+pub(crate) use graph::{FiniteNumber, Graph, Misfit, Node, NodeKind, Variables};
 pub(crate) use harmonic::{Angle, Expansion, Harmonic, Monomial, TrigonometricPolynomial};
 pub(crate) use hash::HashMap;
 pub(crate) use probe::Probe;

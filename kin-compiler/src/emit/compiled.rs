@@ -285,4 +285,11 @@ impl Compiled<'_> {
         let assembly = self.own("assembly");
         quote!(#assembly)
     }
+
+    /// `.map_err(…)?` with the place of a failure, and the inputs.
+    pub(super) fn failed_at(&self, place: &str) -> TokenStream {
+        let inputs = self.input_names();
+        let failure = self.own("failure");
+        quote!(.map_err(|#failure| self.__failed(#failure, #place, #(#inputs),*))?)
+    }
 }

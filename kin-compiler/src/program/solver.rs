@@ -39,14 +39,22 @@ impl<E> FormArgument<E> {
 
 /// The shape of the results of a closed form.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Returns {
+pub enum Returns {
+    /// A number.
     Scalar,
+    /// Two numbers.
     Pair,
+    /// A vector.
     Plane,
+    /// A root and its square.
     Root,
+    /// A vector, then a root and its square.
     PlaneAndRoot,
+    /// A root and its square, then a number.
     RootAndScalar,
+    /// A vector and a number.
     PlaneAndScalar,
+    /// A number and a vector.
     ScalarAndPlane,
 }
 

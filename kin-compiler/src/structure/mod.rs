@@ -27,7 +27,8 @@ pub(crate) use complex::ComplexNode;
 pub(crate) use dyads::{Dyad, dyads};
 pub(crate) use form::{BlockKind, block_forms};
 pub(crate) use growth::CoefficientMagnitudes;
-pub(crate) use polynomials::{PolynomialSystem, PolynomialTerm, PolynomialVariable, SystemForm};
+pub(crate) use polynomials::{PolynomialSystem, PolynomialVariable};
+pub use polynomials::{PolynomialTerm, SystemForm};
 
 use crate::algebra::{Expansion, Graph, Misfit, Node, Probe, Symbol, Variables};
 

@@ -34,11 +34,15 @@ pub(crate) struct PolynomialSystem {
 }
 
 /// The form of a system.
-pub(crate) enum SystemForm {
+#[derive(Clone, PartialEq, Debug)]
+pub enum SystemForm {
     /// The terms, equation by equation. There are at most as many solutions as the product of the degrees.
     Terms(Vec<PolynomialTerm>),
     /// The equations of a body, and the axes of its rotations.
-    Body { axes: [usize; 3] },
+    Body {
+        /// An axis is 0, 1 or 2 for x, y or z.
+        axes: [usize; 3],
+    },
 }
 
 /// The meaning of one variable, or of two.
@@ -50,11 +54,15 @@ pub(crate) enum PolynomialVariable {
     Plain(usize),
 }
 
-/// A term of an equation: the index of its coefficient, and powers of variables by index.
-pub(crate) struct PolynomialTerm {
-    pub(crate) equation: usize,
-    pub(crate) coefficient: usize,
-    pub(crate) powers: Vec<(usize, u32)>,
+/// A term of an equation.
+#[derive(Clone, PartialEq, Debug)]
+pub struct PolynomialTerm {
+    /// The index of the equation.
+    pub equation: usize,
+    /// The index of the coefficient.
+    pub coefficient: usize,
+    /// Powers of variables, by index.
+    pub powers: Vec<(usize, u32)>,
 }
 
 /// Powers of variables, by index.

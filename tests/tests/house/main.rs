@@ -38,7 +38,7 @@ const COMPILER: Package = Package {
     faces: &["lib"],
     root_items: &[],
     rooms: "work+room mistakes precedence algebra syntax model structure formulas passes program refuse derive \
-            assemble schedule plan translate emit editor fallback expand bug text",
+            assemble schedule plan lower translate emit editor fallback expand bug text",
 };
 
 const STUDIO: Package = Package {

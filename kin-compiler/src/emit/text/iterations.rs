@@ -6,21 +6,25 @@ use quote::quote;
 use super::ProgramText;
 use crate::algebra::Symbol;
 use crate::emit::compiled::local;
-use crate::model::Dimension;
-use crate::program::{Expression, Step};
+use crate::lower::Statement;
 use crate::structure::{PolynomialTerm, SystemForm};
 
 impl ProgramText<'_> {
     /// Newton's method, started from the guess.
-    pub(super) fn newton(
-        &self,
-        part: usize,
-        unknowns: &[usize],
-        body: &[Step<Expression>],
-        residuals: &[Expression],
-        jacobian: &[Vec<Expression>],
-    ) -> TokenStream {
-        let (runtime, model) = (self.mechanism.runtime, self.mechanism.model);
+    pub(super) fn newton(&self, statement: &Statement) -> TokenStream {
+        let Statement::Newton {
+            unknowns,
+            are_lengths,
+            lengths,
+            body,
+            residuals,
+            jacobian,
+            label,
+        } = statement
+        else {
+            return TokenStream::new();
+        };
+        let runtime = self.mechanism.runtime;
         let near = self.mechanism.own("near");
         let names: Vec<_> = unknowns
             .iter()
@@ -30,28 +34,26 @@ impl ProgramText<'_> {
             let place = Literal::usize_unsuffixed(unknown);
             quote!(#near[#place])
         });
-        let is_length = |unknown: &usize| model.unknowns[*unknown].dimension == Dimension::Length;
         let size = self.mechanism.own("size");
-        let sizes = unknowns.iter().map(|unknown| {
-            if is_length(unknown) {
+        let sizes = are_lengths.iter().map(|is_length| {
+            if *is_length {
                 quote!(#size)
             } else {
                 quote!(T::constant(1.0))
             }
         });
-        let largest = unknowns.iter().any(is_length).then(|| {
-            let lengths = self.lengths();
+        let largest = are_lengths.contains(&true).then(|| {
+            let lengths = self.lengths(lengths);
             quote!(let #size = #runtime::solve::largest([#(#lengths),*]);)
         });
         let count = Literal::usize_unsuffixed(unknowns.len());
-        let body: Vec<&Step<Expression>> = body.iter().collect();
-        let body = body.iter().map(|step| self.step(step, Some(part), &body));
-        let residuals = self.expressions(residuals);
+        let body = body.iter().map(|statement| self.statement(statement));
+        let residuals = self.values(residuals);
         let jacobian = jacobian.iter().map(|row| {
-            let row = self.expressions(row);
+            let row = self.values(row);
             quote!([#(#row),*])
         });
-        let failed = self.mechanism.failed(part);
+        let failed = self.failed(label);
         quote! {
             #largest
             let [#(#names),*] = #runtime::solve::newton(
@@ -65,36 +67,31 @@ impl ProgramText<'_> {
         }
     }
 
-    /// The parameters and inputs that are lengths.
-    fn lengths(&self) -> Vec<TokenStream> {
-        let parameters = self
-            .mechanism
-            .scalar_parameters()
-            .into_iter()
-            .filter(|(_, _, dimension, _)| *dimension == Dimension::Length)
-            .map(|(_, value, ..)| value);
-        let inputs = self
-            .mechanism
-            .model
-            .inputs
-            .iter()
-            .filter(|input| input.dimension == Dimension::Length)
-            .map(|input| {
-                let name = local(&input.name.to_string());
+    /// Parameters and inputs, as they were given.
+    fn lengths(&self, lengths: &[Symbol]) -> Vec<TokenStream> {
+        let parameters = self.mechanism.scalar_parameters();
+        let length = |symbol: &Symbol| match *symbol {
+            Symbol::Parameter(index) => parameters[index].1.clone(),
+            Symbol::Input(index) => {
+                let name = local(&self.mechanism.model.inputs[index].name.to_string());
                 quote!(#name)
-            });
-        parameters.chain(inputs).collect()
+            }
+            _ => unreachable!("lengths of a mechanism are parameters and inputs"),
+        };
+        lengths.iter().map(length).collect()
     }
 
     /// The next solution of a block's equations.
-    pub(super) fn every_solution(
-        &self,
-        block: usize,
-        part: usize,
-        coefficients: &[Expression],
-        results: &[Symbol],
-    ) -> TokenStream {
-        let Some(all) = &self.mechanism.blocks[block].all else {
+    pub(super) fn every_solution(&self, statement: &Statement) -> TokenStream {
+        let Statement::Every {
+            block,
+            form,
+            paths,
+            coefficients,
+            results,
+            label,
+        } = statement
+        else {
             return TokenStream::new();
         };
         let runtime = self.mechanism.runtime;
@@ -102,9 +99,9 @@ impl ProgramText<'_> {
         let system = local(&format!("SYSTEM_{}", block + 1));
         let (size, paths) = (
             Literal::usize_unsuffixed(results.len()),
-            Literal::usize_unsuffixed(all.paths),
+            Literal::usize_unsuffixed(*paths),
         );
-        let (kind, value) = match &all.form {
+        let (kind, value) = match form {
             SystemForm::Terms(terms) => {
                 let terms = table(runtime, terms);
                 (
@@ -118,8 +115,8 @@ impl ProgramText<'_> {
             }
         };
         let results = results.iter().map(|&symbol| self.name(symbol));
-        let coefficients = self.expressions(coefficients);
-        let failed = self.mechanism.failed(part);
+        let coefficients = self.values(coefficients);
+        let failed = self.failed(label);
         quote! {
             const #system: #runtime::continuation::#kind = #runtime::continuation::#value;
             let [#(#results),*] = #way.solution::<#size, #paths>(&#system, &[#(#coefficients),*]) #failed;

@@ -1,16 +1,15 @@
 //! A program as text. Symbols become names only here.
 
-mod doubt;
 mod expression;
-mod failures;
 mod iterations;
-mod steps;
+mod statements;
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::compiled::{Compiled, local};
 use crate::algebra::Symbol;
+use crate::lower::Lowering;
 use crate::program::{Component, Expression, Names, Program, Stage, UnitPart, order_name};
 
 /// Writes a program of a mechanism.
@@ -37,6 +36,18 @@ impl<'a> ProgramText<'a> {
         Self {
             goes_through_all: true,
             ..Self::of(mechanism, program)
+        }
+    }
+
+    fn lowering(&self) -> Lowering<'a> {
+        let Compiled {
+            model, blocks, solvers, ..
+        } = *self.mechanism;
+        Lowering {
+            model,
+            blocks,
+            solvers,
+            goes_through_all: self.goes_through_all,
         }
     }
 

@@ -5,44 +5,34 @@
 //! coefficient of a linear equation, a determinant, the argument of a root. Only the expression of such a number tells
 //! how large its terms are.
 
-use proc_macro2::TokenStream;
-use quote::quote;
-
-use super::ProgramText;
+use super::{Decisive, Value};
 use crate::algebra::Symbol;
 use crate::program::{Expression, Step};
 
 /// The largest number of terms of a product of sums that is multiplied out.
 const MOST_TERMS: usize = 12;
 
-/// A decisive number with its terms. They are the terms of its expression, or of the statement among `among` that
-/// defines it.
-pub(super) fn decisive(text: &ProgramText<'_>, value: &Expression, among: &[&Step<Expression>]) -> TokenStream {
-    let (runtime, own) = (text.mechanism.runtime, text.expression(value));
-    let terms = terms(value, among);
-    if terms.len() < 2 {
-        return own;
+/// A decisive number with its terms. They are the terms of its expression, or of the step among `among` that defines it.
+pub(super) fn decisive(value: &Expression, among: &[&Step<Expression>]) -> Decisive {
+    Decisive {
+        value: Value::of(value),
+        terms: at_least(2, &terms(value, among)),
     }
-    let terms = text.expressions(&terms);
-    quote!(#runtime::solve::decisive(#own, || [#(#terms),*]))
 }
 
-/// A vector with its terms. The test that the vector is nonzero decides.
-pub(super) fn decisive_vector(
-    text: &ProgramText<'_>,
-    [x, y]: &[Expression; 2],
-    among: &[&Step<Expression>],
-) -> TokenStream {
-    let runtime = text.mechanism.runtime;
-    let (own_x, own_y) = (text.expression(x), text.expression(y));
-    let own = quote!(#runtime::Plane::new(#own_x, #own_y));
+/// The terms of a vector. The test that the vector is nonzero decides.
+pub(super) fn terms_of_vector([x, y]: &[Expression; 2], among: &[&Step<Expression>]) -> Vec<Value> {
     let mut terms = terms(x, among);
     terms.extend(self::terms(y, among));
-    if terms.len() < 3 {
-        return own;
+    at_least(3, &terms)
+}
+
+/// The terms, if there are enough of them for a sum.
+fn at_least(count: usize, terms: &[Expression]) -> Vec<Value> {
+    if terms.len() < count {
+        return Vec::new();
     }
-    let terms = text.expressions(&terms);
-    quote!(#runtime::solve::decisive_vector(#own, || [#(#terms),*]))
+    Value::all(terms)
 }
 
 fn terms(value: &Expression, among: &[&Step<Expression>]) -> Vec<Expression> {
