@@ -9,6 +9,7 @@ mod algebra;
 mod assemble;
 mod bug;
 mod derive;
+mod describe;
 mod editor;
 mod emit;
 mod expand;
@@ -39,9 +40,13 @@ pub use bug::expand_or_tell;
 #[doc(hidden)]
 pub mod lowered {
     pub use crate::algebra::Symbol;
-    pub use crate::lower::{Argument, Decisive, Label, Range, Selection, Statement, Value};
-    pub use crate::program::Returns;
-    pub use crate::structure::{PolynomialTerm, SystemForm};
+    pub use crate::describe::{DescribedBlock, DescribedQuantity, Description};
+    pub use crate::lower::{
+        Argument, Closure, ClosureTerm, Decisive, EveryPosition, Form, Label, Mechanism, Range, Routine, Selection,
+        Statement, UnitVector, Value,
+    };
+    pub use crate::program::{Component, Returns};
+    pub use crate::structure::{BlockKind, PolynomialTerm, SystemForm};
 }
 pub use syntax::Dimension;
 #[cfg(feature = "text")]

@@ -4,6 +4,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::algebra::Symbol;
+use crate::describe;
 use crate::formulas::Formulas;
 use crate::model::{Dimension, Model, Request, ValueShape};
 use crate::program::{Mode, Names, Solvers, order_name};
@@ -77,11 +78,7 @@ impl Compiled<'_> {
 
     /// The names of unknowns, separated by commas.
     pub(super) fn names(&self, unknowns: &[usize]) -> String {
-        let names: Vec<String> = unknowns
-            .iter()
-            .map(|&unknown| self.model.unknowns[unknown].name.to_string())
-            .collect();
-        names.join(", ")
+        describe::names(self.model, unknowns)
     }
 
     /// The names of a part's unknowns, separated by commas.

@@ -4,10 +4,17 @@
 //! The writer of Rust and the machine of kin-live read only the result, so a program means the same to both.
 
 mod doubt;
+mod mechanism;
 mod statement;
 mod steps;
 mod value;
+#[cfg(feature = "text")]
+mod whole;
 
+pub(crate) use mechanism::most_positions;
+pub use mechanism::{Closure, ClosureTerm, EveryPosition, Form, Mechanism, Routine, UnitVector};
 pub use statement::{Argument, Decisive, Label, Range, Selection, Statement};
 pub(crate) use steps::Lowering;
 pub use value::Value;
+#[cfg(feature = "text")]
+pub(crate) use whole::mechanism;

@@ -58,10 +58,13 @@ pub(crate) struct FormLengths {
 }
 
 /// A component of a length, up to its sign, or a coefficient.
-#[derive(Clone, Copy)]
-pub(crate) enum Component {
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Component {
+    /// A number.
     Number(f64),
+    /// A scalar parameter.
     Parameter(usize),
+    /// A value of the program.
     Value(Symbol),
 }
 

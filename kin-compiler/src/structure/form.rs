@@ -16,7 +16,7 @@ pub(crate) struct BlockForm {
 
 /// The kind of a block.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum BlockKind {
+pub enum BlockKind {
     /// Lengths: ground, crank, coupler, rocker.
     FourBar,
     /// Lengths: both links.
@@ -29,11 +29,17 @@ pub(crate) enum BlockKind {
     InvertedSliderCrank,
     /// Lengths: the offset.
     SliderOnLink,
+    /// A link whose direction is known.
     PlacedLink,
+    /// A linear equation.
     Linear,
+    /// A quadratic equation.
     Quadratic,
+    /// An equation in cosine and sine of one angle.
     CosineSine,
+    /// An elementary function.
     Inverse,
+    /// Coupled equations.
     Coupled,
 }
 

@@ -37,7 +37,7 @@ const COMPILER: Package = Package {
     name: "kin-compiler",
     faces: &["lib"],
     root_items: &[],
-    rooms: "work+room mistakes precedence algebra syntax model structure formulas passes program refuse derive \
+    rooms: "work+room mistakes precedence algebra syntax model structure formulas passes program describe refuse derive \
             assemble schedule plan lower translate emit editor fallback expand bug text",
 };
 

@@ -3,6 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+use crate::describe;
 use crate::emit::compiled::Compiled;
 use crate::program::Cost;
 
@@ -31,16 +32,6 @@ fn operations(mechanism: &Compiled<'_>) -> TokenStream {
 
 /// One cost.
 pub(in crate::emit) fn operations_of(runtime: &TokenStream, cost: Cost) -> TokenStream {
-    let counts = [
-        cost.additions,
-        cost.multiplications,
-        cost.divisions,
-        cost.negations,
-        cost.square_roots,
-        cost.sine_cosines,
-        cost.arc_tangents,
-        cost.others,
-    ]
-    .map(Literal::usize_unsuffixed);
+    let counts = describe::counts(cost).map(Literal::usize_unsuffixed);
     quote!(#runtime::Operations::__of([#(#counts),*]))
 }

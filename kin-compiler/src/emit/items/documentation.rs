@@ -1,6 +1,7 @@
 //! The documentation of generated items: the decisions of the compiler, in the terms of kinematics.
 
 use crate::algebra::Symbol;
+use crate::describe;
 use crate::emit::compiled::Compiled;
 use crate::model::{Dimension, Quantity, Unknown};
 use crate::program::Cost;
@@ -36,26 +37,12 @@ impl Compiled<'_> {
 
     /// The solution of a block, part by part.
     pub(in crate::emit) fn solution(&self, block: &Block) -> String {
-        if let [only] = block.parts.as_slice() {
-            return self.solution_of_part(only);
-        }
-        let parts: Vec<String> = block
-            .parts
-            .iter()
-            .map(|part| format!("{} for {}", self.solution_of_part(part), self.names(&part.unknowns)))
-            .collect();
-        parts.join(", then ")
+        describe::solution(self.model, &self.solvers.graph, block)
     }
 
     /// The solution of a part.
     pub(in crate::emit) fn solution_of_part(&self, part: &Part) -> String {
-        match &part.method {
-            Method::Closed(form) => form.description(&self.solvers.graph),
-            Method::Newton { is_given_up: false, .. } => "Newton's method".to_owned(),
-            Method::Newton { is_given_up: true, .. } => {
-                "Newton's method (the equations are too large to look for a closed form)".to_owned()
-            }
-        }
+        describe::solution_of_part(&self.solvers.graph, part)
     }
 
     /// The meaning of open and crossed for a part.

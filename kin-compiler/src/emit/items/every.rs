@@ -7,23 +7,14 @@ use crate::algebra::Symbol;
 use crate::emit::compiled::{Compiled, local};
 use crate::emit::items::internal::Internal;
 use crate::emit::text::ProgramText;
+use crate::lower::most_positions;
 use crate::program::{Expression, Program};
 use crate::structure::PolynomialSystem;
 
-/// The largest number of assemblies that are all found. A mechanism with more is assembled from a guess.
-const LARGEST: usize = 4096;
-
-/// The program that goes through all positions, and the number of paths; `None` if the equations are not algebraic, or
-/// if there are too many assemblies.
+/// The program that goes through all positions, and the number of paths; `None` if not all positions can be found.
 fn search<'a>(mechanism: &Compiled<'a>) -> Option<(&'a Program<Expression>, usize)> {
-    let program = mechanism.solvers.every.as_ref()?;
-    let paths = mechanism
-        .blocks
-        .iter()
-        .fold(1_usize << mechanism.choices().len().min(20), |product, block| {
-            product.saturating_mul(block.all.as_ref().map_or(1, |system| system.paths))
-        });
-    (paths <= LARGEST).then_some((program, paths))
+    let paths = most_positions(mechanism.blocks, mechanism.solvers)?;
+    Some((mechanism.solvers.every.as_ref()?, paths))
 }
 
 /// Whether the mechanism has the method `assemblies_at`.

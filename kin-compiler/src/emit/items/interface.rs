@@ -2,9 +2,9 @@
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
-use syn::{Attribute, Expr, Lit, Meta};
 
 use super::{assembly, closure, every, forms, jacobian, transmission};
+use crate::describe::{self, DescribedQuantity, Description};
 use crate::emit::compiled::{Compiled, local};
 use crate::model::Dimension;
 use crate::translate::vector_type;
@@ -310,85 +310,52 @@ fn directions(mechanism: &Compiled<'_>) -> TokenStream {
 
 fn description(mechanism: &Compiled<'_>) -> TokenStream {
     let runtime = mechanism.runtime;
-    let model = mechanism.model;
-    let name = model.name.to_string();
-    let parameters = mechanism
-        .scalar_parameters()
-        .into_iter()
-        .map(|(label, _, dimension, index)| quantity(runtime, &label, dimension, &model.parameters[index].attributes));
-    let inputs = model
-        .inputs
-        .iter()
-        .map(|input| quantity(runtime, &input.name.to_string(), input.dimension, &input.documentation));
-    let unknowns = model.unknowns.iter().map(|unknown| {
-        let name = unknown.name.to_string();
-        let quantity = quantity(runtime, &name, unknown.dimension, &unknown.documentation);
-        let range = unknown.range.as_ref().map(|_| quote!(.with_range()));
-        quote!(#quantity #range)
-    });
-    let outputs = model.outputs.iter().flat_map(|output| {
-        let name = output.name.to_string();
-        let labels = output.value.shape().part_names(&name, ".");
-        labels
-            .into_iter()
-            .map(|label| quantity(runtime, &label, output.dimension, &output.documentation))
-            .collect::<Vec<_>>()
-    });
-    let equations = model.equations.iter().map(|equation| &equation.text);
-    let blocks = mechanism.blocks.iter().map(|block| {
-        let (unknowns, solution) = (mechanism.names(&block.unknowns), mechanism.solution(block));
-        let [members, equations] = [&block.unknowns, &block.equations].map(|places| {
-            places
-                .iter()
-                .map(|&place| Literal::usize_unsuffixed(place))
-                .collect::<Vec<_>>()
+    let Description {
+        name,
+        parameters,
+        inputs,
+        unknowns,
+        outputs,
+        equations,
+        blocks,
+        order,
+        ..
+    } = describe::description(mechanism.model, mechanism.blocks, mechanism.solvers);
+    let quantities = |quantities: Vec<DescribedQuantity>| {
+        let quantities = quantities.iter().map(|quantity| {
+            let kind = local(match quantity.dimension {
+                Dimension::Angle => "angle",
+                Dimension::Scalar => "scalar",
+                _ => "length",
+            });
+            let (name, text) = (&quantity.name, &quantity.text);
+            let range = quantity.has_range.then(|| quote!(.with_range()));
+            quote!(#runtime::Quantity::#kind(#name, #text) #range)
         });
-        quote! {
-            #runtime::Block::__new(#unknowns, #solution, &[#(#members),*], &[#(#equations),*])
-        }
+        quote!(&[#(#quantities),*])
+    };
+    let [parameters, inputs, unknowns, outputs] = [parameters, inputs, unknowns, outputs].map(quantities);
+    let blocks = blocks.iter().map(|block| {
+        let (unknowns, solution) = (&block.unknowns, &block.solution);
+        let [members, equations] = [&block.members, &block.equations].map(|places| {
+            let places = places.iter().map(|&place| Literal::usize_unsuffixed(place));
+            quote!(&[#(#places),*])
+        });
+        quote!(#runtime::Block::__new(#unknowns, #solution, #members, #equations))
     });
-    let order = Literal::usize_unsuffixed(mechanism.order());
+    let order = Literal::usize_unsuffixed(order);
     let operations = &mechanism.model.name;
     quote! {
         #runtime::Description::__new(
             #name,
-            &[#(#parameters),*],
-            &[#(#inputs),*],
-            &[#(#unknowns),*],
-            &[#(#outputs),*],
+            #parameters,
+            #inputs,
+            #unknowns,
+            #outputs,
             &[#(#equations),*],
             &[#(#blocks),*],
             #order,
             &#operations::<::core::primitive::f64>::OPERATIONS,
         )
     }
-}
-
-fn quantity(runtime: &TokenStream, name: &str, dimension: Dimension, attributes: &[Attribute]) -> TokenStream {
-    let kind = local(match dimension {
-        Dimension::Length | Dimension::Point | Dimension::Vector | Dimension::Point3 | Dimension::Vector3 => "length",
-        Dimension::Angle | Dimension::Direction => "angle",
-        Dimension::Scalar => "scalar",
-    });
-    let text = first_paragraph(attributes);
-    quote!(#runtime::Quantity::#kind(#name, #text))
-}
-
-/// The first paragraph of a documentation comment, on one line.
-fn first_paragraph(attributes: &[Attribute]) -> String {
-    attributes
-        .iter()
-        .filter_map(|attribute| match &attribute.meta {
-            Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
-                Expr::Lit(literal) => match &literal.lit {
-                    Lit::Str(text) => Some(text.value().trim().to_owned()),
-                    _ => None,
-                },
-                _ => None,
-            },
-            _ => None,
-        })
-        .take_while(|line| !line.is_empty())
-        .collect::<Vec<_>>()
-        .join(" ")
 }
