@@ -4,7 +4,7 @@ use syn::{Attribute, Expr, Lit, Meta};
 
 use crate::algebra::Graph;
 use crate::model::{Dimension, Model};
-use crate::program::{Cost, Solvers};
+use crate::program::{Cost, Mode, Names, Solvers};
 use crate::structure::{Block, Method, Part};
 
 /// The description of a mechanism, as `kin_core::any::Description` has it.
@@ -100,6 +100,28 @@ pub(crate) fn description(model: &Model, blocks: &[Block], solvers: &Solvers) ->
 pub(crate) fn names(model: &Model, unknowns: &[usize]) -> String {
     let names = unknowns.iter().map(|&unknown| model.unknowns[unknown].name.to_string());
     names.collect::<Vec<_>>().join(", ")
+}
+
+/// The indices of the parts that leave a choice to the caller, in order.
+pub(crate) fn choices(solvers: &Solvers) -> Vec<usize> {
+    (0..solvers.choices.len())
+        .filter(|&part| matches!(solvers.choices[part].mode, Mode::Assembly(_)))
+        .collect()
+}
+
+/// The names of these choices: the unknowns of each part, joined.
+pub(crate) fn choice_names(model: &Model, blocks: &[Block], solvers: &Solvers) -> Vec<String> {
+    let parts: Vec<&Part> = blocks.iter().flat_map(|block| &block.parts).collect();
+    let mut names = Names::default();
+    let mut name = |part: usize| {
+        let unknowns = parts[part].unknowns.iter();
+        let unknowns: Vec<String> = unknowns
+            .map(|&unknown| model.unknowns[unknown].name.to_string())
+            .collect();
+        // `a_b` and `c` give the same name as `a` and `b_c`
+        names.unique(&unknowns.join("_"))
+    };
+    choices(solvers).into_iter().map(&mut name).collect()
 }
 
 /// The solution of a block, part by part.

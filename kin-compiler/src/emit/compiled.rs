@@ -7,7 +7,7 @@ use crate::algebra::Symbol;
 use crate::describe;
 use crate::formulas::Formulas;
 use crate::model::{Dimension, Model, Request, ValueShape};
-use crate::program::{Mode, Names, Solvers, order_name};
+use crate::program::{Solvers, order_name};
 use crate::structure::{Block, Part};
 use crate::syntax::Declaration;
 use crate::translate::vector_type;
@@ -71,9 +71,7 @@ impl Compiled<'_> {
 
     /// The indices of the parts that leave a choice to the caller, in order.
     pub(super) fn choices(&self) -> Vec<usize> {
-        (0..self.solvers.choices.len())
-            .filter(|&part| matches!(self.solvers.choices[part].mode, Mode::Assembly(_)))
-            .collect()
+        describe::choices(self.solvers)
     }
 
     /// The names of unknowns, separated by commas.
@@ -223,18 +221,10 @@ impl Compiled<'_> {
 
     /// The fields of that structure: the unknowns of each block, joined.
     pub(super) fn assembly_fields(&self) -> Vec<Ident> {
-        let mut names = Names::default();
-        self.choices()
-            .into_iter()
-            .map(|part| {
-                let unknowns: Vec<String> = self.parts()[part]
-                    .unknowns
-                    .iter()
-                    .map(|&unknown| self.model.unknowns[unknown].name.to_string())
-                    .collect();
-                // `a_b` and `c` give the same name as `a` and `b_c`
-                Ident::new(&names.unique(&unknowns.join("_")), self.model.name.span())
-            })
+        let names = describe::choice_names(self.model, self.blocks, self.solvers);
+        names
+            .iter()
+            .map(|name| Ident::new(name, self.model.name.span()))
             .collect()
     }
 

@@ -2,8 +2,8 @@
 
 use super::Statement;
 use crate::algebra::Symbol;
-use crate::describe::Description;
-use crate::program::{Component, Mode, Solvers};
+use crate::describe::{self, Description};
+use crate::program::{Component, Solvers};
 use crate::structure::{Block, BlockKind};
 
 /// The largest number of assemblies that are all found. A mechanism with more is assembled from a guess.
@@ -20,8 +20,8 @@ pub struct Mechanism {
     pub directions: Vec<Option<UnitVector>>,
     /// The unknowns that are angles.
     pub angles: Vec<usize>,
-    /// The number of choices between two solutions.
-    pub choices: usize,
+    /// The names of the choices between two solutions.
+    pub choices: Vec<String>,
     /// Whether Newton's method solves a part, so that guessed values choose the position.
     pub is_coupled: bool,
     /// The position.
@@ -121,15 +121,9 @@ pub struct ClosureTerm {
 /// if there are too many positions.
 pub(crate) fn most_positions(blocks: &[Block], solvers: &Solvers) -> Option<usize> {
     solvers.every.as_ref()?;
-    let choices = 1_usize << choices(solvers).min(20);
+    let choices = 1_usize << describe::choices(solvers).len().min(20);
     let paths = blocks.iter().fold(choices, |product, block| {
         product.saturating_mul(block.all.as_ref().map_or(1, |system| system.paths))
     });
     (paths <= MOST_ASSEMBLIES).then_some(paths)
-}
-
-/// The number of choices that are left to the caller.
-pub(super) fn choices(solvers: &Solvers) -> usize {
-    let is_left = |mode: Mode| matches!(mode, Mode::Assembly(_));
-    solvers.choices.iter().filter(|choice| is_left(choice.mode)).count()
 }

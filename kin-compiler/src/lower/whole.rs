@@ -1,6 +1,5 @@
 //! From the programs of a mechanism to the mechanism as data.
 
-use super::mechanism::choices;
 use super::{Closure, ClosureTerm, EveryPosition, Form, Lowering, Mechanism, Routine, UnitVector, most_positions};
 use crate::algebra::{Angle, Harmonic, Symbol};
 use crate::describe;
@@ -35,7 +34,7 @@ pub(crate) fn mechanism(model: &Model, blocks: &[Block], solvers: &Solvers) -> M
             .filter(|(_, unknown)| is_angle(unknown.dimension))
             .map(|(index, _)| index)
             .collect(),
-        choices: choices(solvers),
+        choices: describe::choice_names(model, blocks, solvers),
         is_coupled: blocks.iter().any(Block::is_coupled),
         position: lowering.position(position),
         rates: rates.iter().map(|stage| lowering.plain(stage)).collect(),

@@ -26,6 +26,10 @@ pub struct Description<'d> {
     pub order: usize,
     /// The cost of each order, position first, in the most expensive assembly.
     pub operations: &'d [Operations],
+    /// The names of groups of unknowns in errors, see [`NameKind::Group`]. A declared mechanism has none: its errors hold
+    /// texts.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub groups: &'d [&'d str],
 }
 
 impl<'d> Description<'d> {
@@ -54,7 +58,15 @@ impl<'d> Description<'d> {
             blocks,
             order,
             operations,
+            groups: &[],
         }
+    }
+
+    /// The same description with names of groups.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn __with_groups(self, groups: &'d [&'d str]) -> Self {
+        Self { groups, ..self }
     }
 
     /// The name at an index.
@@ -65,6 +77,7 @@ impl<'d> Description<'d> {
             NameKind::Unknown => self.unknowns,
             NameKind::Output => self.outputs,
             NameKind::Block => return self.blocks.get(index).map(|block| block.unknowns),
+            NameKind::Group => return self.groups.get(index).copied(),
         };
         quantities.get(index).map(|quantity| quantity.name)
     }

@@ -39,16 +39,19 @@ pub enum NameKind {
     Output,
     /// A block, whose name consists of its unknowns, separated by commas.
     Block,
+    /// Several unknowns that are not a whole block, or an output of several numbers.
+    Group,
 }
 
 impl NameKind {
     /// All kinds, each with its word.
-    pub(crate) const ALL: [(Self, &'static str); 5] = [
+    pub(crate) const ALL: [(Self, &'static str); 6] = [
         (Self::Parameter, "parameter"),
         (Self::Input, "input"),
         (Self::Unknown, "unknown"),
         (Self::Output, "output"),
         (Self::Block, "block"),
+        (Self::Group, "group"),
     ];
 }
 
