@@ -1,12 +1,17 @@
 //! The triangular factors of a small square matrix.
 
-use super::doubt::decisive;
 use crate::failure::Failure;
 use crate::number::Row;
 use crate::solve::Scalar;
-use crate::solve::check::{LargestSize, Multiplier};
+use crate::solve::check::doubt::{decisive, size};
+use crate::solve::check::{Check, Measure, Real};
 
 const QUANTITY: &str = "Jacobian of a block without closed form";
+
+/// The largest multiplier. One pose has multipliers of at most 1, because each pivot is the largest entry of its
+/// column. A number that holds several poses takes the pivots of one of them; the others follow as long as this costs
+/// them little more than a digit.
+const LARGEST_MULTIPLIER: f64 = 16.0;
 
 /// The triangular factors of a matrix, ready for any number of right-hand sides.
 ///
@@ -377,6 +382,54 @@ pub(super) fn power_of_two<T: Scalar>(exponent: i32) -> T {
 #[expect(clippy::cast_precision_loss, reason = "the number of unknowns of a block is small")]
 const fn number(count: usize) -> f64 {
     count as f64
+}
+
+/// Whether the multiplier of a row is small, that is, whether the pivot is not much smaller than the entry below it.
+#[derive(Clone, Copy)]
+struct Multiplier<T>(T);
+
+impl<T: Scalar> Check<T, 1, 1> for Multiplier<T> {
+    fn name(&self) -> &'static str {
+        "pivot"
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn operands(&self) -> [T; 1] {
+        [self.0]
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn holds<R: Real>(&self, [multiplier]: [R; 1]) -> [R::Truth; 1] {
+        [multiplier.magnitude().is_at_most(R::of(LARGEST_MULTIPLIER))]
+    }
+
+    fn margin(&self) -> T {
+        T::constant(LARGEST_MULTIPLIER) - size(self.0)
+    }
+}
+
+/// The larger of a given size and the magnitude of a number.
+#[derive(Clone, Copy)]
+struct LargestSize<T> {
+    size: T,
+    number: T,
+}
+
+impl<T: Scalar> Measure<T, 2> for LargestSize<T> {
+    fn name(&self) -> &'static str {
+        "largest entry"
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn operands(&self) -> [T; 2] {
+        [self.size, self.number]
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn measure<R: Real>(&self, [largest, number]: [R; 2]) -> R {
+        let size = number.magnitude();
+        R::choose(size.exceeds(largest), || size, || largest)
+    }
 }
 
 #[cfg(test)]

@@ -35,33 +35,26 @@
 //! there is none, the diagnosis is made out of line, in double precision. A result in `Ok` is finite.
 
 mod check;
-mod diagnosis;
 mod direction;
-mod doubt;
 mod factor;
 mod forms;
-mod guard;
 mod lent;
 mod newton;
 mod scalar;
-mod size;
 
 pub use crate::assembly::both;
-pub use check::{Check, Choose, Measure, Negative, Real, SolutionInRange, Validity};
+pub use check::*;
 pub use direction::{direction, directions};
-pub use doubt::{decisive, decisive_vector};
 pub use factor::{Factors, factor};
 #[cfg(feature = "tape")]
 pub(crate) use factor::{exponent_of, range};
 pub use forms::*;
-pub use guard::*;
 pub(crate) use lent::{LentFactors, Orientation, lent_factors_length};
-pub use newton::newton;
 pub(crate) use newton::{FIRST_STEP, LINEAR_STEP};
 #[cfg(feature = "tape")]
 pub(crate) use newton::{ITERATIONS, SMALLEST_PART, TRIALS};
+pub use newton::{largest, newton};
 pub use scalar::Scalar;
-pub use size::largest;
 
 #[cfg(test)]
 mod operation_counts;

@@ -4,6 +4,7 @@ use super::factor::{Factors, factor, factor_to};
 use crate::failure::Failure;
 use crate::number::Number;
 use crate::solve::Scalar;
+use crate::solve::check::{Measure, Real};
 
 const QUANTITY: &str = "guess, size of an unknown, or residual or Jacobian there";
 const SOLUTION: &str = "solution of a block without closed form, or its derivatives";
@@ -58,6 +59,20 @@ pub fn newton<T: Scalar, const N: usize>(
     T::root(guess, sizes, evaluate)
 }
 
+/// The largest magnitude of some lengths, or 1 if all of them are zero. Lengths of the mechanism are compared with it.
+///
+/// ```
+/// use kin_core::solve;
+///
+/// assert_eq!(solve::largest([3.0, -5.0]), 5.0);
+/// assert_eq!(solve::largest::<f64, 0>([]), 1.0);
+/// ```
+#[cfg_attr(not(debug_assertions), inline(always))]
+#[must_use]
+pub fn largest<T: Scalar, const N: usize>(lengths: [T; N]) -> T {
+    T::measured(LargestLength(lengths))
+}
+
 /// [`newton`] for a number that holds one pose.
 pub(crate) fn damped_root<T: Scalar, const N: usize>(
     guess: [T; N],
@@ -108,7 +123,7 @@ impl<T: Scalar, const N: usize> Iterate<T, N> {
 
     fn not_converged(&self, iterations: u32, factors: &Factors<f64, N>) -> Failure {
         Failure::NotConverged {
-            residual: largest(&self.residuals),
+            residual: greatest(&self.residuals),
             iterations,
             condition: factors.condition(),
         }
@@ -133,7 +148,7 @@ fn real_root<T: Scalar, const N: usize>(
 
     for iteration in 0..ITERATIONS {
         let correction = factors.solve(point.residuals).map(|entry| -entry);
-        let length = largest(&correction);
+        let length = greatest(&correction);
         if !length.is_finite() {
             return Err(point.not_converged(iteration, &factors));
         }
@@ -151,7 +166,7 @@ fn real_root<T: Scalar, const N: usize>(
         }
 
         let foreseen = before.map_or(1.0, |(previous, part, expected, _)| {
-            part * previous * largest(&expected) / (distance(&expected, &correction) * length)
+            part * previous * greatest(&expected) / (distance(&expected, &correction) * length)
         });
         // A quotient of zero by zero means a perfect forecast.
         let foreseen = if foreseen < 1.0 {
@@ -166,7 +181,7 @@ fn real_root<T: Scalar, const N: usize>(
             let mut advice = 0.5 * part;
             if let Some(next) = Iterate::new(trial, &sizes, evaluate) {
                 let expected = factors.solve(next.residuals).map(|entry| -entry);
-                let fall = largest(&expected) / length;
+                let fall = greatest(&expected) / length;
                 if fall < 1.0 - 0.25 * part {
                     accepted = Some((next, expected));
                     break;
@@ -243,7 +258,7 @@ fn moved<T: Scalar, const N: usize>(from: &[T; N], correction: &[f64; N], part: 
 }
 
 /// The largest magnitude, or NaN if an entry is NaN.
-fn largest<const N: usize>(vector: &[f64; N]) -> f64 {
+fn greatest<const N: usize>(vector: &[f64; N]) -> f64 {
     vector.iter().fold(0.0, |largest, entry| {
         let size = entry.abs();
         if size <= largest || largest.is_nan() {
@@ -256,7 +271,33 @@ fn largest<const N: usize>(vector: &[f64; N]) -> f64 {
 
 fn distance<const N: usize>(one: &[f64; N], other: &[f64; N]) -> f64 {
     let difference: [f64; N] = core::array::from_fn(|index| one[index] - other[index]);
-    largest(&difference)
+    greatest(&difference)
+}
+
+/// The largest magnitude of some lengths, or 1 if all of them are zero.
+#[derive(Clone, Copy)]
+struct LargestLength<T, const N: usize>([T; N]);
+
+impl<T: Scalar, const N: usize> Measure<T, N> for LargestLength<T, N> {
+    fn name(&self) -> &'static str {
+        "largest length"
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn operands(&self) -> [T; N] {
+        self.0
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn measure<R: Real>(&self, lengths: [R; N]) -> R {
+        let zero = R::of(0.0);
+        let mut largest = zero;
+        for length in lengths {
+            let size = length.magnitude();
+            largest = R::choose(size.exceeds(largest), || size, || largest);
+        }
+        R::choose(largest.exceeds(zero), || largest, || R::of(1.0))
+    }
 }
 
 #[cfg(test)]

@@ -4,34 +4,26 @@
 //! that holds several poses decides for each. A check knows its name, what it compares, and its distance from another
 //! outcome.
 
-mod beyond_doubt;
 mod domain;
-mod finite;
-mod pivot;
+pub(in crate::solve) mod doubt;
+mod range;
 mod real;
-mod regular;
-mod sides;
-mod sign;
-mod size;
-mod span;
+pub(in crate::solve) mod regular;
 mod turns;
 
 #[cfg(test)]
 mod tests;
 
-pub(super) use beyond_doubt::BeyondDoubt;
-pub(super) use domain::{Ends, InDomain};
-pub(super) use finite::Finite;
-pub(super) use pivot::Multiplier;
+pub use domain::{
+    arc_cosine, arc_sine, area_hyperbolic_cosine, area_hyperbolic_tangent, cosine_of_arc, hyperbolic_cosine_of_area,
+    logarithm, sine_of_arc, square_of_root, square_root_of, tangent_of_arc,
+};
+pub use doubt::{decisive, decisive_vector};
+pub use range::{SolutionInRange, check_angle, check_value, choose};
 pub use real::Real;
-pub(super) use regular::Regular;
-pub(super) use sides::SameSides;
-pub use sign::Negative;
-pub(super) use sign::{NotNegative, Zero};
-pub(super) use size::{LargestLength, LargestSize, SumOfSizes};
-pub use span::SolutionInRange;
-pub(super) use span::{AngleInRange, Span, ValueInRange, out_of_range, within};
-pub(super) use turns::{NearestTurns, TellsDirection, TurnsInto};
+pub use regular::{finite, regular};
+pub(super) use turns::SameSides;
+pub use turns::{agreeing, nearest_turn, on_turn, within_turns};
 
 use crate::assembly::Assembly;
 use crate::failure::Failure;
@@ -123,4 +115,44 @@ pub trait Measure<T, const N: usize>: Copy {
 
     /// The constant for one pose with these operands.
     fn measure<R: Real>(&self, operands: [R; N]) -> R;
+}
+
+macro_rules! sign {
+    ($(#[doc = $doc:literal] $visibility:vis $name:ident, $words:literal: |$number:ident| $holds:expr, $margin:expr;)+) => {
+        $(
+            #[doc = $doc]
+            #[derive(Clone, Copy, Debug)]
+            $visibility struct $name<T>(pub T);
+
+            impl<T: Scalar> Check<T, 1, 1> for $name<T> {
+                fn name(&self) -> &'static str {
+                    $words
+                }
+
+                #[cfg_attr(not(debug_assertions), inline(always))]
+                fn operands(&self) -> [T; 1] {
+                    [self.0]
+                }
+
+                #[cfg_attr(not(debug_assertions), inline(always))]
+                fn holds<R: Real>(&self, [$number]: [R; 1]) -> [R::Truth; 1] {
+                    [$holds]
+                }
+
+                fn margin(&self) -> T {
+                    let $number = self.0;
+                    $margin
+                }
+            }
+        )+
+    };
+}
+
+sign! {
+    /// Whether a number is less than zero.
+    pub Negative, "negative number": |number| number.is_below(R::of(0.0)), -number;
+    /// Whether a number is zero or more.
+    pub(in crate::solve) NotNegative, "number that is not negative": |number| number.is_at_least(R::of(0.0)), number;
+    /// Whether a number is zero.
+    pub(in crate::solve) Zero, "zero": |number| number.equals(R::of(0.0)), doubt::size(number) * T::constant(-1.0);
 }

@@ -13,7 +13,8 @@ use crate::batch::lanes::Lanes;
 use crate::failure::Failure;
 use crate::geometry::Plane;
 use crate::number::Number;
-use crate::solve::check::{Regular, SolutionInRange};
+use crate::solve::check::SolutionInRange;
+use crate::solve::check::regular::Regular;
 use crate::solve::{self, Scalar};
 
 /// A double-precision number that records the names and margins of all checks.

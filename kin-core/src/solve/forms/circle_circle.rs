@@ -1,13 +1,14 @@
 //! Two links of known length between two known points: the intersection of two circles.
 
+use super::refusal::{length, refusal, root};
 use super::root::Root;
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::geometry::Plane;
 use crate::solve::Scalar;
-use crate::solve::check::{Check, Real, SumOfSizes};
-use crate::solve::diagnosis::{length, ordinary_from, refusal, root};
-use crate::solve::doubt::{least, size, smaller};
+use crate::solve::check::doubt::{SumOfSizes, least, size, smaller};
+use crate::solve::check::regular::ordinary_from;
+use crate::solve::check::{Check, Real};
 
 const QUANTITY: &str = "link lengths or the distance they span";
 

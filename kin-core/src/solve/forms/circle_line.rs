@@ -1,13 +1,14 @@
 //! A link of known length whose end slides along a line: the intersection of a circle and a line.
 
+use super::refusal::{length, refusal, root};
 use super::root::Root;
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::geometry::Plane;
 use crate::solve::Scalar;
-use crate::solve::check::{Check, Finite, Real, SumOfSizes};
-use crate::solve::diagnosis::{length, ordinary_from, refusal, root};
-use crate::solve::doubt::{divisor, least, size};
+use crate::solve::check::doubt::{SumOfSizes, divisor, least, size};
+use crate::solve::check::regular::{Finite, ordinary_from};
+use crate::solve::check::{Check, Real};
 
 const QUANTITY: &str = "link length, direction of the slide or distance spanned";
 

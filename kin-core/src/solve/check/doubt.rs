@@ -2,7 +2,7 @@
 
 use crate::geometry::Plane;
 use crate::solve::Scalar;
-use crate::solve::check::{BeyondDoubt, Negative, Real, SumOfSizes};
+use crate::solve::check::{Check, Measure, Negative, Real};
 
 /// A number whose sign decides, checked against the terms of which it is the sum. If the number holds several poses,
 /// each pose that is smaller than [a part](Scalar::DOUBT) of its terms becomes NaN. Any other number is returned
@@ -36,13 +36,13 @@ pub fn decisive_vector<T: Scalar, const N: usize>(vector: Plane<T>, terms: impl 
 /// The smallest positive number that decides, if it is a sum of terms of the given size. For one pose this is [the
 /// smallest](Number::SMALLEST) divisor.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn least<T: Scalar>(size: impl FnOnce() -> T) -> T {
+pub(in crate::solve) fn least<T: Scalar>(size: impl FnOnce() -> T) -> T {
     least_from(T::SMALLEST, size)
 }
 
 /// The smallest number above `smallest` that decides, if it is a sum of terms of the given size.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn least_from<T: Scalar>(smallest: f64, size: impl FnOnce() -> T) -> T {
+pub(in crate::solve) fn least_from<T: Scalar>(smallest: f64, size: impl FnOnce() -> T) -> T {
     let smallest = T::constant(smallest);
     if T::DOUBT == 0.0 {
         return smallest;
@@ -52,7 +52,7 @@ pub(super) fn least_from<T: Scalar>(smallest: f64, size: impl FnOnce() -> T) -> 
 
 /// Whether a number differs clearly from one end of its range, where `size` is the size of the rounded numbers.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn is_told_from<T: Scalar, R: Real>(end: f64, number: R, size: R) -> R::Truth {
+pub(in crate::solve) fn is_told_from<T: Scalar, R: Real>(end: f64, number: R, size: R) -> R::Truth {
     if T::DOUBT == 0.0 || end.is_infinite() {
         return R::certainly(true);
     }
@@ -66,21 +66,73 @@ fn kept<T: Scalar>(number: T, judge: T, size: T) -> T {
 
 /// A number that is at least the [smallest](Number::SMALLEST) divisor, otherwise NaN.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn divisor<T: Scalar>(number: T) -> T {
+pub(in crate::solve) fn divisor<T: Scalar>(number: T) -> T {
     let short = Negative(number - T::constant(T::SMALLEST));
     T::either(short, || T::constant(f64::NAN), || number)
 }
 
 /// The magnitude of a number.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn size<T: Scalar>(number: T) -> T {
+pub(in crate::solve) fn size<T: Scalar>(number: T) -> T {
     number.times_sign_of(number)
 }
 
 /// The smaller of two numbers.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn smaller<T: Scalar>(one: T, other: T) -> T {
+pub(in crate::solve) fn smaller<T: Scalar>(one: T, other: T) -> T {
     T::either(Negative(other - one), || other, || one)
+}
+
+/// Whether a sum is larger than [a part](Scalar::DOUBT) of its terms.
+#[derive(Clone, Copy)]
+struct BeyondDoubt<T> {
+    number: T,
+    /// The sum of the magnitudes of the terms.
+    size: T,
+}
+
+impl<T: Scalar> Check<T, 2, 1> for BeyondDoubt<T> {
+    fn name(&self) -> &'static str {
+        "sum beyond doubt"
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn operands(&self) -> [T; 2] {
+        [self.number, self.size]
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn holds<R: Real>(&self, [number, size]: [R; 2]) -> [R::Truth; 1] {
+        [number.magnitude().is_at_least(R::of(T::DOUBT) * size)]
+    }
+
+    fn margin(&self) -> T {
+        size(self.number) - self.size * T::constant(T::DOUBT)
+    }
+}
+
+/// The sum of the magnitudes of some terms.
+#[derive(Clone, Copy)]
+pub(in crate::solve) struct SumOfSizes<T, const N: usize>(pub(in crate::solve) [T; N]);
+
+impl<T: Scalar, const N: usize> Measure<T, N> for SumOfSizes<T, N> {
+    fn name(&self) -> &'static str {
+        "sizes of the terms"
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn operands(&self) -> [T; N] {
+        self.0
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn measure<R: Real>(&self, terms: [R; N]) -> R {
+        let mut sum = R::of(0.0);
+        for term in terms {
+            sum = sum + term.magnitude();
+        }
+        sum
+    }
 }
 
 #[cfg(test)]
