@@ -103,7 +103,7 @@ fn positive<T: Number>(length: T) -> T {
 #[doc(hidden)]
 impl<T: Number> BlockForm<T> {
     #[must_use]
-    pub fn four_bar(driver: &'static str, lengths: [T; 4]) -> Self {
+    pub fn four_bar(driver: impl Into<Name>, lengths: [T; 4]) -> Self {
         let [ground, crank, coupler, rocker] = lengths.map(positive);
         Self::FourBar {
             driver: driver.into(),
@@ -122,7 +122,7 @@ impl<T: Number> BlockForm<T> {
     }
 
     #[must_use]
-    pub fn slider_crank(driver: &'static str, lengths: [T; 3]) -> Self {
+    pub fn slider_crank(driver: impl Into<Name>, lengths: [T; 3]) -> Self {
         let [crank, coupler, offset] = lengths.map(positive);
         Self::SliderCrank {
             driver: driver.into(),
@@ -140,7 +140,7 @@ impl<T: Number> BlockForm<T> {
     }
 
     #[must_use]
-    pub fn inverted_slider_crank(driver: &'static str, lengths: [T; 3]) -> Self {
+    pub fn inverted_slider_crank(driver: impl Into<Name>, lengths: [T; 3]) -> Self {
         let [ground, crank, offset] = lengths.map(positive);
         Self::InvertedSliderCrank {
             driver: driver.into(),

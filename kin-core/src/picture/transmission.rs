@@ -52,7 +52,7 @@ impl<T: Number> TransmissionAngle<T> {
     #[doc(hidden)]
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn of(block: &'static str, across: T, along: T) -> Self {
+    pub fn of(block: impl Into<Name>, across: T, along: T) -> Self {
         let across = if across.real() < 0.0 { -across } else { across };
         Self {
             block: block.into(),

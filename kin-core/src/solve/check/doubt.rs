@@ -2,7 +2,7 @@
 
 use crate::geometry::Plane;
 use crate::solve::Scalar;
-use crate::solve::check::{Check, Measure, Negative, Real};
+use crate::solve::check::{Check, Negative, Real, RowMeasure};
 
 /// A number whose sign decides, checked against the terms of which it is the sum. If the number holds several poses,
 /// each pose that is smaller than [a part](Scalar::DOUBT) of its terms becomes NaN. Any other number is returned
@@ -18,8 +18,17 @@ pub fn decisive<T: Scalar, const N: usize>(number: T, terms: impl FnOnce() -> [T
     if T::DOUBT == 0.0 {
         return number;
     }
-    let size = T::measured(SumOfSizes(terms()));
-    kept(number, number, size)
+    decisive_in(number, &terms())
+}
+
+/// [`decisive`] with terms that are known. Nobody needs them if the [doubt](Scalar::DOUBT) is zero.
+#[doc(hidden)]
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub fn decisive_in<T: Scalar>(number: T, terms: &[T]) -> T {
+    if T::DOUBT == 0.0 {
+        return number;
+    }
+    kept(number, number, sum_of_sizes(terms))
 }
 
 /// [`decisive`] for a vector that decides by being different from zero.
@@ -28,8 +37,17 @@ pub fn decisive_vector<T: Scalar, const N: usize>(vector: Plane<T>, terms: impl 
     if T::DOUBT == 0.0 {
         return vector;
     }
-    let size = T::measured(SumOfSizes(terms()));
-    let own = T::measured(SumOfSizes([vector.x, vector.y]));
+    decisive_vector_in(vector, &terms())
+}
+
+/// [`decisive_vector`] with terms that are known.
+#[doc(hidden)]
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub fn decisive_vector_in<T: Scalar>(vector: Plane<T>, terms: &[T]) -> Plane<T> {
+    if T::DOUBT == 0.0 {
+        return vector;
+    }
+    let (size, own) = (sum_of_sizes(terms), sum_of_sizes(&[vector.x, vector.y]));
     Plane::new(kept(vector.x, own, size), kept(vector.y, own, size))
 }
 
@@ -112,26 +130,24 @@ impl<T: Scalar> Check<T, 2, 1> for BeyondDoubt<T> {
 }
 
 /// The sum of the magnitudes of some terms.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(in crate::solve) fn sum_of_sizes<T: Scalar>(terms: &[T]) -> T {
+    T::measured_over(SumOfSizes, terms.len(), |index| terms[index])
+}
+
+/// The sum of the magnitudes of some terms.
 #[derive(Clone, Copy)]
-pub(in crate::solve) struct SumOfSizes<T, const N: usize>(pub(in crate::solve) [T; N]);
+pub(in crate::solve) struct SumOfSizes;
 
-impl<T: Scalar, const N: usize> Measure<T, N> for SumOfSizes<T, N> {
-    fn name(&self) -> &'static str {
-        "sizes of the terms"
+impl RowMeasure for SumOfSizes {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn start<R: Real>() -> R {
+        R::of(0.0)
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn operands(&self) -> [T; N] {
-        self.0
-    }
-
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn measure<R: Real>(&self, terms: [R; N]) -> R {
-        let mut sum = R::of(0.0);
-        for term in terms {
-            sum = sum + term.magnitude();
-        }
-        sum
+    fn with<R: Real>(sum: R, term: R) -> R {
+        sum + term.magnitude()
     }
 }
 

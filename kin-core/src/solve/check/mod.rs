@@ -18,15 +18,16 @@ pub use domain::{
     arc_cosine, arc_sine, area_hyperbolic_cosine, area_hyperbolic_tangent, cosine_of_arc, hyperbolic_cosine_of_area,
     logarithm, sine_of_arc, square_of_root, square_root_of, tangent_of_arc,
 };
-pub use doubt::{decisive, decisive_vector};
-pub use range::{SolutionInRange, check_angle, check_value, choose};
+pub use doubt::{decisive, decisive_in, decisive_vector, decisive_vector_in};
+pub use range::{SolutionInRange, check_angle, check_value, choose, choose_in};
 pub use real::Real;
 pub use regular::{finite, regular};
-pub(super) use turns::SameSides;
-pub use turns::{agreeing, nearest_turn, on_turn, within_turns};
+pub(super) use turns::SameSide;
+pub use turns::{agreeing, agreeing_in, nearest_turn, on_turn, within_turns, within_turns_in};
 
 use crate::assembly::Assembly;
 use crate::failure::Failure;
+use crate::quantity::Name;
 use crate::solve::Scalar;
 
 /// A check on which the path to a solution depends: `K` conditions on `N` operands, all of which must hold.
@@ -68,8 +69,8 @@ pub trait Check<T, const N: usize, const K: usize>: Copy {
 
 /// A choice between two solutions.
 pub trait Choose<T, const N: usize>: Copy {
-    /// The criterion of the choice, in a few words.
-    fn name(&self) -> &'static str;
+    /// The quantity by which the choice is made.
+    fn name(&self) -> Name;
 
     /// The numbers that the choice compares.
     fn operands(&self) -> [T; N];
@@ -107,14 +108,26 @@ pub struct Validity<R: Real> {
 
 /// A constant that depends on the real parts of numbers, for example a count of whole turns.
 pub trait Measure<T, const N: usize>: Copy {
-    /// The measured quantity, in a few words.
-    fn name(&self) -> &'static str;
-
     /// The numbers on which the constant depends.
     fn operands(&self) -> [T; N];
 
     /// The constant for one pose with these operands.
     fn measure<R: Real>(&self, operands: [R; N]) -> R;
+}
+
+/// A constant that depends on the real parts of any number of numbers, which are taken one after the other.
+pub trait RowMeasure: Copy {
+    /// The constant of no numbers, before its [end](Self::end).
+    fn start<R: Real>() -> R;
+
+    /// The constant with one more number.
+    fn with<R: Real>(own: R, next: R) -> R;
+
+    /// The constant when all numbers are taken.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn end<R: Real>(own: R) -> R {
+        own
+    }
 }
 
 macro_rules! sign {

@@ -40,7 +40,23 @@ const IN_DOUBT: Failure = Failure::NotFinite {
 /// assert_eq!(solve::choose([coupler, rocker]), Ok(Assembly::Crossed));
 /// ```
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub fn choose<T: Scalar, const K: usize>(ranges: [SolutionInRange<T>; K]) -> Result<Assembly, Failure> {
+pub fn choose<T: Scalar, const K: usize>(
+    ranges: [SolutionInRange<T, impl Copy + Into<Name>>; K],
+) -> Result<Assembly, Failure> {
+    const { assert!(K > 0, "a choice has a criterion") };
+    T::first_chosen(&ranges)
+}
+
+/// [`choose`] by any number of ranges.
+///
+/// # Errors
+/// As for [`choose`]. [`Failure::NotFinite`] without a range.
+#[doc(hidden)]
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub fn choose_in<T: Scalar>(ranges: &[SolutionInRange<T, impl Copy + Into<Name>>]) -> Result<Assembly, Failure> {
+    if ranges.is_empty() {
+        return Err(Failure::not_finite("range of a choice"));
+    }
     T::first_chosen(ranges)
 }
 
@@ -56,11 +72,11 @@ pub fn choose<T: Scalar, const K: usize>(ranges: [SolutionInRange<T>; K]) -> Res
 /// assert!(solve::check_value("s", 4.0, 0.0, 3.0).is_err());
 /// ```
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub fn check_value<T: Scalar>(unknown: &'static str, value: T, low: f64, high: f64) -> Result<T, Failure> {
+pub fn check_value<T: Scalar>(unknown: impl Into<Name>, value: T, low: f64, high: f64) -> Result<T, Failure> {
     value.provided(ValueInRange { value, low, high }).ok_or_else(|| {
         let real = value.real();
         if real.is_finite() {
-            out_of_range(unknown, real, low, high, false)
+            out_of_range(unknown.into(), real, low, high, false)
         } else {
             Failure::not_finite(unknown)
         }
@@ -79,13 +95,13 @@ pub fn check_value<T: Scalar>(unknown: &'static str, value: T, low: f64, high: f
 /// assert_eq!(solve::check_angle("theta4", -1.0, 0.0, TAU), Ok(TAU - 1.0));
 /// ```
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub fn check_angle<T: Scalar>(unknown: &'static str, value: T, low: f64, high: f64) -> Result<T, Failure> {
+pub fn check_angle<T: Scalar>(unknown: impl Into<Name>, value: T, low: f64, high: f64) -> Result<T, Failure> {
     let range = |angle: T| AngleInRange { angle, low, high };
     let Some(value) = value.provided(range(value)) else {
         let real = value.real();
         return Err(if real.is_finite() {
             let nearest = Span::new(low, high, real, T::EPSILON).representative(real);
-            out_of_range(unknown, nearest, low, high, true)
+            out_of_range(unknown.into(), nearest, low, high, true)
         } else {
             Failure::not_finite(unknown)
         });
@@ -304,8 +320,8 @@ fn inside<T: Scalar>(value: T, low: f64, high: f64) -> T {
 
 /// Which of two solutions lies in a range: the criterion of [`choose`](crate::solve::choose()).
 #[derive(Clone, Copy, Debug)]
-pub struct SolutionInRange<T> {
-    unknown: &'static str,
+pub struct SolutionInRange<T, N = &'static str> {
+    unknown: N,
     solutions: [T; 2],
     low: f64,
     high: f64,
@@ -313,10 +329,10 @@ pub struct SolutionInRange<T> {
     is_angle: bool,
 }
 
-impl<T> SolutionInRange<T> {
+impl<T, N> SolutionInRange<T, N> {
     /// Two values of an unknown, and its range `low..=high`.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub const fn value(unknown: &'static str, solutions: [T; 2], low: f64, high: f64) -> Self {
+    pub const fn value(unknown: N, solutions: [T; 2], low: f64, high: f64) -> Self {
         Self {
             unknown,
             solutions,
@@ -328,7 +344,7 @@ impl<T> SolutionInRange<T> {
 
     /// Two angles in radians, and their range. An angle lies in it if whole turns can bring it there.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub const fn angle(unknown: &'static str, solutions: [T; 2], low: f64, high: f64) -> Self {
+    pub const fn angle(unknown: N, solutions: [T; 2], low: f64, high: f64) -> Self {
         Self {
             unknown,
             solutions,
@@ -339,9 +355,9 @@ impl<T> SolutionInRange<T> {
     }
 }
 
-impl<T: Scalar> Choose<T, 2> for SolutionInRange<T> {
-    fn name(&self) -> &'static str {
-        self.unknown
+impl<T: Scalar, N: Copy + Into<Name>> Choose<T, 2> for SolutionInRange<T, N> {
+    fn name(&self) -> Name {
+        self.unknown.into()
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -428,8 +444,10 @@ impl<T: Scalar> Choose<T, 2> for SolutionInRange<T> {
     }
 }
 
+/// Out of line: what is not clear at once is rare.
+#[inline(never)]
 fn chosen(
-    unknown: &'static str,
+    unknown: impl Into<Name>,
     first: f64,
     second: f64,
     span: Span<f64>,
@@ -462,13 +480,13 @@ fn chosen(
     } else {
         first
     };
-    Err(out_of_range(unknown, value, span.low, span.high, is_angle))
+    Err(out_of_range(unknown.into(), value, span.low, span.high, is_angle))
 }
 
 #[cold]
-fn out_of_range(unknown: &'static str, value: f64, low: f64, high: f64, is_angle: bool) -> Failure {
+fn out_of_range(unknown: Name, value: f64, low: f64, high: f64, is_angle: bool) -> Failure {
     Failure::OutOfRange {
-        unknown: unknown.into(),
+        unknown,
         value,
         low,
         high,
@@ -485,10 +503,6 @@ struct TurnsInto<T> {
 }
 
 impl<T: Scalar> Measure<T, 1> for TurnsInto<T> {
-    fn name(&self) -> &'static str {
-        "turns into a range"
-    }
-
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 1] {
         [self.angle]
@@ -512,9 +526,10 @@ mod tests {
 
     use proptest::prelude::*;
 
-    use super::{check_angle, check_value, choose};
+    use super::{check_angle, check_value, choose, choose_in};
     use crate::assembly::Assembly;
     use crate::failure::Failure;
+    use crate::quantity::{Name, NameKind};
     use crate::solve::SolutionInRange;
 
     #[test]
@@ -645,6 +660,25 @@ mod tests {
                 Err(other) => prop_assert!(false, "{:?}", other),
             }
         }
+    }
+
+    /// A mechanism that is made while the program runs names its unknowns by their indices.
+    #[test]
+    fn an_unknown_may_be_named_by_its_index() {
+        let unknown = Name::by_index(NameKind::Unknown, 1);
+        let outside = |value, is_angle| Failure::OutOfRange {
+            unknown,
+            value,
+            low: 0.0,
+            high: 1.0,
+            is_angle,
+        };
+        assert_eq!(check_value(unknown, 2.0, 0.0, 1.0), Err(outside(2.0, false)));
+        assert_eq!(check_angle(unknown, 1.5, 0.0, 1.0), Err(outside(1.5, true)));
+        let range = |second| SolutionInRange::value(unknown, [2.0, second], 0.0, 1.0);
+        assert_eq!(choose_in(&[range(3.0)]), Err(outside(2.0, false)));
+        assert_eq!(choose_in(&[range(0.5)]), Ok(Assembly::Crossed));
+        assert!(choose_in::<f64>(&[range(0.5); 0]).is_err());
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Tests that a number can be used further.
 
 use crate::failure::Failure;
+use crate::quantity::Name;
 use crate::solve::Scalar;
 use crate::solve::check::doubt::size;
 use crate::solve::check::{Check, Real};
@@ -38,7 +39,7 @@ pub fn regular<T: Scalar>(determinant: T) -> Result<T, Failure> {
 /// assert_eq!(solve::finite("r1", f64::NAN), Err(error));
 /// ```
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub fn finite<T: Scalar>(quantity: &'static str, value: T) -> Result<T, Failure> {
+pub fn finite<T: Scalar>(quantity: impl Into<Name>, value: T) -> Result<T, Failure> {
     if value.is_finite() {
         Ok(value)
     } else {

@@ -105,7 +105,7 @@ impl Scalar for Recorded {
     }
 
     fn chosen<const N: usize>(choice: impl Choose<Self, N>) -> Result<Assembly, Failure> {
-        note(choice.name(), choice.margin());
+        note(choice.name().text().unwrap(), choice.margin());
         choice.choose(choice.operands().map(Self::real))
     }
 }

@@ -3,8 +3,9 @@
 use core::f64::consts::TAU;
 
 use crate::failure::Failure;
+use crate::quantity::Name;
 use crate::solve::Scalar;
-use crate::solve::check::doubt::{self, SumOfSizes};
+use crate::solve::check::doubt::SumOfSizes;
 use crate::solve::check::{Check, Measure, Real, Zero};
 
 /// The largest useful spacing of numbers, about a degree. Angles with a larger spacing define no direction.
@@ -61,26 +62,35 @@ pub fn within_turns<T: Scalar, const N: usize, const K: usize>(
     near: [T; N],
     angles: [(&'static str, usize); K],
 ) -> Result<[T; N], Failure> {
-    let limit = COARSEST / T::EPSILON;
-    let angle = |(_, place): (_, usize)| near.get(place).copied().unwrap_or_else(|| T::constant(0.0));
-    let size = T::measured(SumOfSizes(angles.map(angle)));
     let mut kept = near;
-    for value in &mut kept {
-        match value.provided(TellsDirection { size, limit }) {
-            Some(own) => *value = own,
-            None => return each_within(near, &angles, limit),
+    within_turns_in(&mut kept, &angles)?;
+    Ok(kept)
+}
+
+/// [`within_turns`] of any number of unknowns. The values stay where they are.
+///
+/// # Errors
+/// [`Failure::TooManyTurns`].
+#[doc(hidden)]
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub fn within_turns_in<T: Scalar>(near: &mut [T], angles: &[(impl Into<Name> + Copy, usize)]) -> Result<(), Failure> {
+    let limit = COARSEST / T::EPSILON;
+    let size = T::measured_over(SumOfSizes, angles.len(), |index| {
+        near.get(angles[index].1).copied().unwrap_or_else(|| T::constant(0.0))
+    });
+    for index in 0..near.len() {
+        match near[index].provided(TellsDirection { size, limit }) {
+            Some(own) => near[index] = own,
+            // the check is the same for each value, so none has changed
+            None => return each_within(near, angles, limit),
         }
     }
-    Ok(kept)
+    Ok(())
 }
 
 #[cold]
 #[inline(never)]
-fn each_within<T: Scalar, const N: usize>(
-    near: [T; N],
-    angles: &[(&'static str, usize)],
-    limit: f64,
-) -> Result<[T; N], Failure> {
+fn each_within<T: Scalar>(near: &[T], angles: &[(impl Into<Name> + Copy, usize)], limit: f64) -> Result<(), Failure> {
     for (unknown, place) in angles {
         let guess = near.get(*place).map_or(0.0, |value| value.real());
         if guess.is_finite() && guess.abs() > limit {
@@ -92,7 +102,7 @@ fn each_within<T: Scalar, const N: usize>(
             });
         }
     }
-    Ok(near)
+    Ok(())
 }
 
 /// The values of unknowns near a position, checked by the orientations that identify the assembly there. If a number
@@ -100,7 +110,16 @@ fn each_within<T: Scalar, const N: usize>(
 /// orientation. Any other number is returned unchanged.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub fn agreeing<T: Scalar, const N: usize, const K: usize>(near: [T; N], orientations: [T; K]) -> [T; N] {
-    T::agreeing(near, orientations)
+    let mut kept = near;
+    agreeing_in(&mut kept, &orientations);
+    kept
+}
+
+/// [`agreeing`] of any number of unknowns, which stay where they are.
+#[doc(hidden)]
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub fn agreeing_in<T: Scalar>(near: &mut [T], orientations: &[T]) {
+    T::agree(near, orientations);
 }
 
 /// An angle plus whole turns, given in radians.
@@ -118,10 +137,6 @@ struct NearestTurns<T> {
 }
 
 impl<T: Scalar> Measure<T, 2> for NearestTurns<T> {
-    fn name(&self) -> &'static str {
-        "turns to a guess"
-    }
-
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 2] {
         [self.angle, self.guess]
@@ -167,41 +182,40 @@ impl<T: Scalar> Check<T, 1, 1> for TellsDirection<T> {
     }
 }
 
-/// Whether the orientations of a pose are certain and equal those of the leading pose.
+/// Whether an orientation of a pose is certain and equals that of the leading pose.
 #[derive(Clone, Copy)]
-pub(in crate::solve) struct SameSides<T, const K: usize> {
-    pub(in crate::solve) orientations: [T; K],
-    /// Whether each orientation of the leading pose is positive or zero.
-    pub(in crate::solve) leading: [bool; K],
+pub(in crate::solve) struct SameSide<T> {
+    pub(in crate::solve) orientation: T,
+    /// Whether the orientation of the leading pose is positive or zero.
+    pub(in crate::solve) leading: bool,
 }
 
-impl<T: Scalar, const K: usize> Check<T, K, 2> for SameSides<T, K> {
+impl<T: Scalar> Check<T, 1, 2> for SameSide<T> {
     fn name(&self) -> &'static str {
         "assembly of the values nearby"
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn operands(&self) -> [T; K] {
-        self.orientations
+    fn operands(&self) -> [T; 1] {
+        [self.orientation]
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn holds<R: Real>(&self, orientations: [R; K]) -> [R::Truth; 2] {
-        let (mut is_told, mut agrees) = (R::certainly(true), R::certainly(true));
-        for (orientation, is_positive) in orientations.into_iter().zip(self.leading) {
-            // NaN does not equal itself.
-            is_told = R::both(is_told, || orientation.equals(orientation));
-            let own = orientation.is_at_least(R::of(0.0));
-            agrees = R::both(agrees, || if is_positive { own } else { R::not(own) });
-        }
-        [is_told, agrees]
+    fn holds<R: Real>(&self, [orientation]: [R; 1]) -> [R::Truth; 2] {
+        let own = orientation.is_at_least(R::of(0.0));
+        // NaN does not equal itself.
+        [
+            orientation.equals(orientation),
+            if self.leading { own } else { R::not(own) },
+        ]
     }
 
-    /// The smallest orientation.
     fn margin(&self) -> T {
-        let own = self.orientations.into_iter().zip(self.leading);
-        let own = own.map(|(orientation, is_positive)| if is_positive { orientation } else { -orientation });
-        own.reduce(doubt::smaller).unwrap_or_else(|| T::constant(f64::INFINITY))
+        if self.leading {
+            self.orientation
+        } else {
+            -self.orientation
+        }
     }
 }
 
@@ -211,9 +225,10 @@ mod tests {
 
     use proptest::prelude::*;
 
-    use super::{agreeing, nearest_turn, on_turn, within_turns};
+    use super::{agreeing, nearest_turn, on_turn, within_turns, within_turns_in};
     use crate::batch::lanes::Lanes;
     use crate::failure::Failure;
+    use crate::quantity::{Name, NameKind};
 
     proptest! {
         #[test]
@@ -270,6 +285,13 @@ mod tests {
             within_turns([1e15, 0.0, 1e16], angles),
             Err(refused("first".into(), 1e16, 2.0))
         );
+        let third = Name::by_index(NameKind::Unknown, 2);
+        let mut near = [1.0, 0.0, -1e16];
+        assert_eq!(
+            within_turns_in(&mut near, &[(third, 2)]),
+            Err(refused(third, -1e16, 2.0))
+        );
+        assert_eq!(within_turns_in(&mut near, &[(third, 0)]), Ok(()));
         let [kept, ..] = within_turns([1.0, 0.0, f64::NAN], angles).unwrap();
         assert_eq!(kept, 1.0);
         // Numbers in single precision reach this spacing much earlier.

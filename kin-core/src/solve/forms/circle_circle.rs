@@ -6,7 +6,7 @@ use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::geometry::Plane;
 use crate::solve::Scalar;
-use crate::solve::check::doubt::{SumOfSizes, least, size, smaller};
+use crate::solve::check::doubt::{least, size, smaller, sum_of_sizes};
 use crate::solve::check::regular::ordinary_from;
 use crate::solve::check::{Check, Real};
 
@@ -84,7 +84,7 @@ pub fn circle_circle_squared<T: Scalar>(a2: T, b2: T, c: Plane<T>, assembly: Ass
     let four_q2 = T::constant(4.0) * a2 * d2 - twice_p * twice_p;
     let sizes = || {
         let terms = [T::constant(4.0) * a2 * d2, twice_p * d2, twice_p * a2, twice_p * b2];
-        T::measured(SumOfSizes(terms))
+        sum_of_sizes(&terms)
     };
     let reach = ReachOfSquares {
         squares: [a2, b2],

@@ -6,7 +6,7 @@ use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::geometry::Plane;
 use crate::solve::Scalar;
-use crate::solve::check::doubt::{SumOfSizes, divisor, least, size};
+use crate::solve::check::doubt::{divisor, least, size, sum_of_sizes};
 use crate::solve::check::regular::{Finite, ordinary_from};
 use crate::solve::check::{Check, Real};
 
@@ -47,7 +47,7 @@ pub fn circle_line<T: Scalar>(
     let q2 = a2 * u2 - beside * beside;
     let sizes = || {
         let terms = [a2 * u2, beside * direction.x * c.y, beside * direction.y * c.x];
-        T::measured(SumOfSizes(terms))
+        sum_of_sizes(&terms)
     };
     let reach = Reach {
         q2,
