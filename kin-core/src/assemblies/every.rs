@@ -61,29 +61,27 @@ impl<'a, const N: usize, const CAPACITY: usize> IntoIterator for &'a Assemblies<
 }
 
 /// The choices on the path to a position, block by block. The paths are tried one after another.
-///
-/// There is room for `ROOM` numbers: the solutions of all blocks without a closed form.
 #[derive(Debug)]
-pub struct Choices<const ROOM: usize> {
+pub struct Choices<'m> {
     /// For each choice on the path, the chosen index and the number of options.
     way: [(usize, usize); DEPTH],
     depth: usize,
     /// The number of choices, from the first on, that have the same options as on the path before.
     kept: usize,
     /// The solutions of the blocks without a closed form on this path, each with room for all of its solutions.
-    solutions: [f64; ROOM],
+    solutions: &'m mut [f64],
     /// The room that is taken by the blocks so far.
     taken: usize,
     lost: usize,
 }
 
-impl<const ROOM: usize> Choices<ROOM> {
-    const fn new() -> Self {
+impl<'m> Choices<'m> {
+    const fn new(solutions: &'m mut [f64]) -> Self {
         Self {
             way: [(0, 1); DEPTH],
             depth: 0,
             kept: 0,
-            solutions: [0.0; ROOM],
+            solutions,
             taken: 0,
             lost: 0,
         }
@@ -130,65 +128,102 @@ impl<const ROOM: usize> Choices<ROOM> {
         system: &impl AllSolutions<M>,
         coefficients: &[f64],
     ) -> Result<[f64; M], Failure> {
+        let known = self.solution_in(M, PATHS, |found| {
+            let outcome = system.real_solutions::<PATHS>(coefficients, |solution| found(&solution.values));
+            outcome.map_or(1, |outcome| outcome.lost)
+        })?;
+        let (known, _) = known.as_chunks::<M>();
+        known.first().copied().ok_or(NO_SOLUTION)
+    }
+
+    /// [`solution`](Self::solution) of a system with any number of variables, of which `all` passes on every real
+    /// solution, `paths` of them at most, and returns the number of paths that it lost.
+    ///
+    /// # Errors
+    /// Fails if there is no solution.
+    #[doc(hidden)]
+    pub fn solution_in(
+        &mut self,
+        variables: usize,
+        paths: usize,
+        all: impl FnOnce(&mut dyn FnMut(&[f64])) -> usize,
+    ) -> Result<&[f64], Failure> {
         let first = self.taken;
-        self.taken += PATHS * M;
+        self.taken += paths * variables;
+        let room = self.solutions.get_mut(first..self.taken).unwrap_or(&mut []);
         let count = if self.depth < self.kept {
             self.way[self.depth].1
         } else {
-            let room = self.solutions.get_mut(first..self.taken).unwrap_or(&mut []);
-            let (mut count, mut places) = (0, room.as_chunks_mut::<M>().0.iter_mut());
-            let outcome = system.real_solutions::<PATHS>(coefficients, |solution| {
+            let (mut count, mut places) = (0, room.chunks_exact_mut(variables.max(1)));
+            self.lost += all(&mut |solution| {
                 if let Some(place) = places.next() {
-                    *place = solution.values;
+                    place.copy_from_slice(solution);
                     count += 1;
                 }
             });
-            self.lost += outcome.map_or(1, |outcome| outcome.lost);
             count
         };
         let which = self.one_of(count);
-        let (known, _) = self.solutions[first.min(ROOM)..].as_chunks::<M>();
-        let known = known.get(which).filter(|_| which < count);
-        known.copied().ok_or(Failure::Singular { determinant: 0.0 })
+        let known = self
+            .solutions
+            .get(first..)
+            .unwrap_or(&[])
+            .chunks_exact(variables.max(1));
+        known.take(count).nth(which).ok_or(NO_SOLUTION)
     }
 }
+
+/// The failure of a path without a solution.
+const NO_SOLUTION: Failure = Failure::Singular { determinant: 0.0 };
 
 /// Tries all combinations of choices in `position`, and keeps the resulting positions, `refined` to the last digit.
 ///
 /// There is one path per combination of solutions. The macro calls this function for mechanisms with at most 4096.
+/// There is room for `ROOM` numbers: the solutions of all blocks without a closed form.
 ///
 /// # Errors
 /// [`Failure::NotFinite`] if a parameter or an input is not finite.
 pub fn every<const N: usize, const CAPACITY: usize, const ROOM: usize>(
-    mut position: impl FnMut(&mut Choices<ROOM>) -> Result<[f64; N], SolveError>,
+    mut position: impl FnMut(&mut Choices<'_>) -> Result<[f64; N], SolveError>,
     refined: impl Fn([f64; N]) -> Result<[f64; N], SolveError>,
 ) -> Result<Assemblies<N, CAPACITY>, SolveError> {
-    let mut choices = Choices::new();
     let mut all = Assemblies {
         positions: Positions::new(),
         lost: 0,
         singular: 0,
     };
+    all.lost = every_in(&mut [0.0; ROOM], |choices| {
+        match refined(position(choices)?) {
+            Ok(position) if all.iter().any(|Near(known)| is_same_position(known, &position)) => {}
+            Ok(position) => {
+                all.positions.push(Near(position));
+            }
+            Err(_) => all.singular += 1,
+        }
+        Ok(())
+    })?;
+    Ok(all)
+}
+
+/// Takes all paths, each a combination of choices, and returns the number of solutions that may be lost. `solutions` has
+/// room for the solutions of all blocks without a closed form.
+///
+/// # Errors
+/// The error of a path that says that a parameter or an input is not finite.
+#[doc(hidden)]
+pub fn every_in(
+    solutions: &mut [f64],
+    mut path: impl FnMut(&mut Choices<'_>) -> Result<(), SolveError>,
+) -> Result<usize, SolveError> {
+    let mut choices = Choices::new(solutions);
     loop {
-        match position(&mut choices) {
-            Ok(near) => match refined(near) {
-                Ok(position) if all.iter().any(|Near(known)| is_same(known, &position)) => {}
-                Ok(position) => {
-                    all.positions.push(Near(position));
-                }
-                Err(_) => all.singular += 1,
-            },
-            Err(
-                error @ SolveError {
-                    failure: Failure::NotFinite { .. },
-                    ..
-                },
-            ) => return Err(error),
-            Err(_) => {}
+        if let Err(error) = path(&mut choices)
+            && matches!(error.failure, Failure::NotFinite { .. })
+        {
+            return Err(error);
         }
         if !choices.advance() {
-            all.lost = choices.lost;
-            return Ok(all);
+            return Ok(choices.lost);
         }
     }
 }
@@ -220,7 +255,9 @@ where
 }
 
 /// Whether two positions are the same up to whole turns.
-fn is_same<const N: usize>(a: &[f64; N], b: &[f64; N]) -> bool {
+#[doc(hidden)]
+#[must_use]
+pub fn is_same_position(a: &[f64], b: &[f64]) -> bool {
     a.iter().zip(b).all(|(a, b)| {
         let difference = a - b;
         let turned = difference - TAU * Float::round(difference / TAU);

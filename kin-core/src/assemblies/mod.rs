@@ -4,5 +4,5 @@ pub mod continuation;
 mod every;
 mod list;
 
-pub use every::{Assemblies, Choices, every, positions_near};
+pub use every::{Assemblies, Choices, every, every_in, is_same_position, positions_near};
 pub use list::Positions;

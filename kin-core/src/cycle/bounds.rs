@@ -7,7 +7,7 @@ use num_traits::Float;
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::number::{Number, real_parts};
-use crate::solve::{Check, Choose, Scalar};
+use crate::solve::{Check, Choose, NewtonMemory, Scalar};
 
 /// The bound of a number of which nothing is known.
 pub(super) const HUGE: f64 = 1e150;
@@ -725,11 +725,12 @@ impl Scalar for Bounds {
     }
 
     #[inline]
-    fn root<const N: usize>(
-        _: [Self; N],
-        _: [Self; N],
-        _: impl FnMut([Self; N]) -> ([Self; N], [[Self; N]; N]),
-    ) -> Result<[Self; N], Failure> {
+    fn root(
+        _: &mut [Self],
+        _: &[Self],
+        _: NewtonMemory<'_, Self>,
+        _: impl FnMut(&[Self], &mut [Self], &mut [Self]),
+    ) -> Result<(), Failure> {
         Err(Failure::not_finite(UNDECIDED))
     }
 }

@@ -6,11 +6,12 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::bounds::{Bounds, HUGE, Verdict, product, reciprocal, verdict, widened};
+use super::bounds::{Bounds, HUGE, UNDECIDED, Verdict, product, reciprocal, verdict, widened};
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::number::Number;
-use crate::solve::{Check, Choose, Real, Scalar, Validity};
+use crate::quantity::Name;
+use crate::solve::{Check, Choose, NewtonMemory, Real, Scalar, Validity};
 
 /// All values of a function of one variable t in -1 ..= 1, with its derivative at t = 0 and bounds of its second
 /// derivative.
@@ -340,7 +341,7 @@ impl<C: Check<Curved, N, K>, const N: usize, const K: usize> Check<Bounds, N, K>
 }
 
 impl<C: Choose<Curved, N>, const N: usize> Choose<Bounds, N> for ByBounds<C> {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> Name {
         self.0.name()
     }
 
@@ -386,14 +387,12 @@ impl Scalar for Curved {
         Bounds::chosen(ByBounds(choice))
     }
 
-    fn root<const N: usize>(
-        guess: [Self; N],
-        sizes: [Self; N],
-        _: impl FnMut([Self; N]) -> ([Self; N], [[Self; N]; N]),
-    ) -> Result<[Self; N], Failure> {
-        // bounds find no roots
-        let bounds = |row: [Self; N]| row.map(|own| own.bounds);
-        let nothing = |at: [Bounds; N]| (at, [at; N]);
-        Bounds::root(bounds(guess), bounds(sizes), nothing).map(|row| row.map(Self::flat))
+    fn root(
+        _: &mut [Self],
+        _: &[Self],
+        _: NewtonMemory<'_, Self>,
+        _: impl FnMut(&[Self], &mut [Self], &mut [Self]),
+    ) -> Result<(), Failure> {
+        Err(Failure::not_finite(UNDECIDED))
     }
 }

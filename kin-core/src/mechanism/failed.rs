@@ -1,8 +1,9 @@
 //! Errors with the place where they occurred.
 
-use crate::failure::{Failure, InputValues, SolveError};
+use crate::failure::{Failure, InputNames, InputValues, SolveError};
 use crate::mechanism::{Description, Mechanism};
 use crate::number::{Number, Row};
+use crate::quantity::{Name, NameKind};
 use crate::solve::Scalar;
 
 /// The error of a solver at the given inputs. If a parameter or an input is not finite, the failure names it.
@@ -46,13 +47,36 @@ fn placed(
     parameters: &[f64],
     inputs: &[f64],
 ) -> SolveError {
-    let quantities = description.parameters.iter().chain(description.inputs);
-    let values = parameters.iter().chain(inputs);
-    let failure = quantities
-        .zip(values)
-        .find(|(_, value)| !value.is_finite())
-        .map_or(failure, |(quantity, _)| Failure::not_finite(quantity.name));
-    failure.at(block, InputValues::new(description.inputs, inputs))
+    let name = |kind, index: usize| match kind {
+        NameKind::Parameter => description.parameters[index].name.into(),
+        _ => description.inputs[index].name.into(),
+    };
+    failed_in(
+        failure,
+        block,
+        name,
+        parameters,
+        InputNames::Declared(description.inputs),
+        inputs,
+    )
+}
+
+/// The error of a solver without its type, from the values of its parameters and inputs with their names. If one of
+/// them is not finite, the failure names it.
+#[cold]
+pub fn failed_in(
+    failure: Failure,
+    block: impl Into<Name>,
+    name: impl Fn(NameKind, usize) -> Name,
+    parameters: &[f64],
+    input_names: InputNames,
+    inputs: &[f64],
+) -> SolveError {
+    let first = |values: &[f64]| values.iter().position(|value| !value.is_finite());
+    let parameter = first(parameters).map(|index| name(NameKind::Parameter, index));
+    let quantity = parameter.or_else(|| first(inputs).map(|index| name(NameKind::Input, index)));
+    let failure = quantity.map_or(failure, Failure::not_finite);
+    failure.at(block, InputValues::of(input_names, inputs))
 }
 
 /// The error of the first result that is not finite. It names the first input that is not finite, or else the result.
@@ -63,11 +87,51 @@ pub fn culprit<const RESULTS: usize, const INPUTS: usize>(
     inputs: [(&'static str, bool); INPUTS],
     failed: impl FnOnce(Failure, &'static str) -> SolveError,
 ) -> SolveError {
-    let first = |quantities: &[(&'static str, bool)]| {
+    let (failure, result) = culprit_in(&results, &inputs);
+    failed(failure, result)
+}
+
+/// The failure of the first input that is not finite, or else of the first such result, and the name of that result.
+pub fn culprit_in<N: Copy + Default + Into<Name>>(results: &[(N, bool)], inputs: &[(N, bool)]) -> (Failure, N) {
+    let first = |quantities: &[(N, bool)]| {
         let (name, _) = quantities.iter().find(|(_, is_finite)| !is_finite)?;
         Some(*name)
     };
-    let result = first(&results).unwrap_or_default();
-    let quantity = first(&inputs).unwrap_or(result);
-    failed(Failure::not_finite(quantity), result)
+    let result = first(results).unwrap_or_default();
+    let quantity = first(inputs).unwrap_or(result);
+    (Failure::not_finite(quantity), result)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{culprit_in, failed_in};
+    use crate::failure::{Failure, InputNames};
+    use crate::quantity::{Name, NameKind, Quantity};
+
+    /// A parameter or an input that is not finite is named before everything else, and by its index where names are
+    /// not known.
+    #[test]
+    fn what_is_not_finite_is_named_by_its_index() {
+        let place = |kind| Name::by_index(kind, 1);
+        let (first, block) = (Name::by_index(NameKind::Unknown, 0), place(NameKind::Block));
+        let (failure, result) = culprit_in(&[(first, true), (place(NameKind::Unknown), false)], &[]);
+        assert_eq!(failure, Failure::not_finite(place(NameKind::Unknown)));
+        assert_eq!(result, place(NameKind::Unknown));
+        let inputs = InputNames::by_index(&[Quantity::angle("", ""), Quantity::length("", "")]);
+        let fails =
+            |parameters: &[f64], values: &[f64]| failed_in(failure, block, Name::by_index, parameters, inputs, values);
+        let error = fails(&[1.0, 2.0], &[3.0, 4.0]);
+        assert_eq!((error.failure, error.block), (failure, block));
+        assert!(
+            error
+                .inputs
+                .iter()
+                .eq([(NameKind::Input, 0, 3.0), (NameKind::Input, 1, 4.0)]
+                    .map(|(kind, index, value)| (Name::by_index(kind, index), value)))
+        );
+        let of_input = fails(&[1.0, 2.0], &[3.0, f64::NAN]);
+        assert_eq!(of_input.failure, Failure::not_finite(place(NameKind::Input)));
+        let of_parameter = fails(&[1.0, f64::INFINITY], &[3.0, f64::NAN]);
+        assert_eq!(of_parameter.failure, Failure::not_finite(place(NameKind::Parameter)));
+    }
 }

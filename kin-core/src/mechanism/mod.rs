@@ -26,7 +26,7 @@ pub use block_form::length;
 pub use closure_term::{ClosureHarmonic, ClosureTerm};
 pub use description::{Block, Description};
 #[doc(hidden)]
-pub use failed::{culprit, failed};
+pub use failed::{culprit, culprit_in, failed, failed_in};
 pub use formulas::{Formula, Formulas};
 #[cfg(feature = "alloc")]
 pub(crate) use jacobian::rows_of;

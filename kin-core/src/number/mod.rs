@@ -102,13 +102,13 @@ pub trait Number:
     /// Whether every part of all these numbers is finite.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn are_finite<const N: usize>(numbers: [Self; N]) -> bool {
+    fn are_finite(numbers: &[Self]) -> bool {
         let mut are_finite = true;
         #[expect(
             clippy::needless_range_loop,
             reason = "it stands in thousands of places, and iterators take a compiler longer"
         )]
-        for index in 0..N {
+        for index in 0..numbers.len() {
             are_finite &= numbers[index].is_finite();
         }
         are_finite

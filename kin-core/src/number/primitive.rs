@@ -35,9 +35,9 @@ macro_rules! primitive {
             /// Tests the sum, which is not finite if one of the numbers is not. The numbers themselves are tested only
             /// if the sum is not finite, because the sum alone may overflow.
             #[cfg_attr(not(debug_assertions), inline(always))]
-            fn are_finite<const N: usize>(numbers: [Self; N]) -> bool {
+            fn are_finite(numbers: &[Self]) -> bool {
                 let mut sum = -0.0;
-                for index in 0..N {
+                for index in 0..numbers.len() {
                     sum += numbers[index];
                 }
                 <$float>::is_finite(sum) || numbers.iter().all(|number| number.is_finite())
@@ -163,19 +163,19 @@ mod tests {
 
     #[test]
     fn numbers_are_finite_together_if_each_is() {
-        assert!(f64::are_finite([]) && f64::are_finite([1.0]));
+        assert!(f64::are_finite(&[]) && f64::are_finite(&[1.0]));
         assert!(
-            f64::are_finite([f64::MAX, f64::MAX, -f64::MAX]),
+            f64::are_finite(&[f64::MAX, f64::MAX, -f64::MAX]),
             "though their sum is not"
         );
         for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             for place in 0..4 {
                 let mut numbers = [1.0, f64::MAX, -3.0, 0.0];
                 numbers[place] = wrong;
-                assert!(!f64::are_finite(numbers), "{numbers:?}");
+                assert!(!f64::are_finite(&numbers), "{numbers:?}");
             }
         }
-        assert!(!f64::are_finite([f64::INFINITY, f64::NEG_INFINITY]));
+        assert!(!f64::are_finite(&[f64::INFINITY, f64::NEG_INFINITY]));
     }
 
     #[test]

@@ -93,6 +93,12 @@ impl Name {
     }
 }
 
+impl Default for Name {
+    fn default() -> Self {
+        Self::NONE
+    }
+}
+
 impl From<&'static str> for Name {
     fn from(text: &'static str) -> Self {
         Self::new(text)

@@ -1,12 +1,16 @@
 //! The triangular factors of a small square matrix.
 
-use super::doubt::decisive;
 use crate::failure::Failure;
-use crate::number::Row;
 use crate::solve::Scalar;
-use crate::solve::check::{LargestSize, Multiplier};
+use crate::solve::check::doubt::{decisive_in, size};
+use crate::solve::check::{Check, Real, RowMeasure};
 
 const QUANTITY: &str = "Jacobian of a block without closed form";
+
+/// The largest multiplier. One pose has multipliers of at most 1, because each pivot is the largest entry of its
+/// column. A number that holds several poses takes the pivots of one of them; the others follow as long as this costs
+/// them little more than a digit.
+const LARGEST_MULTIPLIER: f64 = 16.0;
 
 /// The triangular factors of a matrix, ready for any number of right-hand sides.
 ///
@@ -23,16 +27,30 @@ pub struct Factors<T, const N: usize> {
     /// The entries row by row: multipliers below the diagonal, pivots on the diagonal, the remaining entries to the
     /// right.
     entries: [[T; N]; N],
-    /// The row of the matrix from which each row came.
-    origins: [usize; N],
-    /// The powers of two by which the rows of the matrix were multiplied.
-    row_exponents: [i32; N],
-    /// The powers of two by which the columns were multiplied.
-    column_exponents: [i32; N],
+    rows: [FactorRow; N],
+    elimination: Elimination,
+}
+
+/// What was done with a row of a matrix, and with the column of the same number, to find its triangular factors.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FactorRow {
+    /// The row of the matrix from which this row of the factors came.
+    origin: usize,
+    /// The power of two by which this row of the matrix was multiplied.
+    row_exponent: i32,
+    /// The power of two by which this column was multiplied.
+    column_exponent: i32,
+}
+
+/// What an elimination leaves beside the factors.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Elimination {
     /// Whether an odd number of pairs of rows was exchanged.
-    odd: bool,
+    pub(crate) is_odd: bool,
     /// The largest sum of magnitudes along a row of the scaled matrix.
-    norm: f64,
+    pub(super) norm: f64,
 }
 
 /// Factorises a matrix, given row by row, into triangular factors.
@@ -57,159 +75,236 @@ pub struct Factors<T, const N: usize> {
 /// ```
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub fn factor<T: Scalar, const N: usize>(matrix: [[T; N]; N]) -> Result<Factors<T, N>, Failure> {
-    T::factored(matrix)
+    let (mut entries, mut rows) = (matrix, [FactorRow::default(); N]);
+    let elimination = factor_in(entries.as_flattened_mut(), &mut rows)?;
+    Ok(Factors {
+        entries,
+        rows,
+        elimination,
+    })
 }
 
-/// [`factor`] for entries known to a relative error of `epsilon`. Their type may be more precise than that.
-pub(super) fn factor_to<T: Scalar, const N: usize>(
-    entries: [[T; N]; N],
-    epsilon: f64,
-) -> Result<Factors<T, N>, Failure> {
-    factor_here(entries, epsilon)
-}
-
+/// [`factor`] of a matrix of any size, given row by row in `entries`, which the factors replace. `rows` has as many
+/// elements as the matrix has rows.
+///
+/// # Errors
+/// As for [`factor`].
+#[doc(hidden)]
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn factor_here<T: Scalar, const N: usize>(
-    mut entries: [[T; N]; N],
+pub fn factor_in<T: Scalar>(entries: &mut [T], rows: &mut [FactorRow]) -> Result<Elimination, Failure> {
+    T::factored(entries, rows)
+}
+
+/// [`Factors::solve`] with factors that [`factor_in`] has found.
+#[doc(hidden)]
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub fn substitute_in<T: Scalar>(entries: &[T], rows: &[FactorRow], right: &[T], solution: &mut [T]) {
+    T::substituted(entries, rows, right, solution);
+}
+
+/// [`factor_in`] for entries known to a relative error of `epsilon`. Their type may be more precise than that.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn factor_to<T: Scalar>(
+    entries: &mut [T],
+    rows: &mut [FactorRow],
     epsilon: f64,
-) -> Result<Factors<T, N>, Failure> {
-    if !entries.iter().flatten().all(|entry| entry.is_finite()) {
+) -> Result<Elimination, Failure> {
+    if !entries.iter().all(|entry| entry.is_finite()) {
         return Err(Failure::not_finite(QUANTITY));
     }
-    let (mut row_exponents, mut column_exponents, mut origins) = ([0; N], [0; N], [0; N]);
-    level(&mut entries, &mut row_exponents, &mut column_exponents);
-    let norm = row_norm(&entries);
-    let Elimination { odd, singular } = eliminate(&mut entries, &mut origins, epsilon);
-    let factors = Factors {
-        entries,
-        origins,
-        row_exponents,
-        column_exponents,
-        odd,
-        norm,
-    };
-    if singular {
-        let determinant = factors.determinant().leading();
+    level(entries, rows);
+    let norm = row_norm(entries, rows.len());
+    let (is_odd, is_singular) = eliminate(entries, rows, epsilon);
+    if is_singular {
+        let determinant = Determinant::of(entries, rows, is_odd).value().leading();
         return Err(if determinant.is_finite() {
             Failure::Singular { determinant }
         } else {
             Failure::not_finite(QUANTITY)
         });
     }
-    Ok(factors)
+    Ok(Elimination { is_odd, norm })
 }
 
 /// Multiplies rows and then columns by powers of two until the largest entry of each lies between 1 and 2.
-///
-/// This function and those below take `rows.len()` leading columns of each row: the matrix is square.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn level<T: Scalar, R: Row<T>>(rows: &mut [R], row_exponents: &mut [i32], column_exponents: &mut [i32]) {
+fn level<T: Scalar>(entries: &mut [T], rows: &mut [FactorRow]) {
     let count = rows.len();
-    for (row, exponent) in rows.iter_mut().zip(row_exponents) {
-        let entries = &mut row.as_mut()[..count];
-        *exponent = levelling::<T>(entries.iter());
+    for (entries, row) in entries.chunks_exact_mut(count.max(1)).zip(&mut *rows) {
+        row.row_exponent = levelling::<T>(entries.iter());
         for entry in entries {
-            *entry = *entry * power_of_two(*exponent);
+            *entry = *entry * power_of_two(row.row_exponent);
         }
     }
-    for (column, exponent) in column_exponents.iter_mut().enumerate().take(count) {
-        *exponent = levelling::<T>(rows.iter().map(|row| &row[column]));
-        for row in &mut *rows {
-            let entry = &mut row[column];
-            *entry = *entry * power_of_two(*exponent);
+    for (column, row) in rows.iter_mut().enumerate() {
+        let column = || (0..count).map(|row| row * count + column);
+        row.column_exponent = levelling::<T>(column().map(|place| &entries[place]));
+        for place in column() {
+            entries[place] = entries[place] * power_of_two(row.column_exponent);
         }
     }
-}
-
-/// The properties of a matrix that its elimination shows.
-struct Elimination {
-    /// Whether an odd number of pairs of rows was exchanged.
-    odd: bool,
-    /// Whether a pivot is zero up to rounding.
-    singular: bool,
 }
 
 /// Transforms a levelled matrix into its triangular factors, and records the row from which each row came. The
 /// elimination stops at a pivot that is exactly zero.
+///
+/// It returns whether an odd number of pairs of rows was exchanged, and whether a pivot is zero up to rounding.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn eliminate<T: Scalar, R: Row<T>>(rows: &mut [R], origins: &mut [usize], epsilon: f64) -> Elimination {
+fn eliminate<T: Scalar>(entries: &mut [T], rows: &mut [FactorRow], epsilon: f64) -> (bool, bool) {
     let count = rows.len();
-    for (row, origin) in origins.iter_mut().enumerate() {
-        *origin = row;
+    for (number, row) in rows.iter_mut().enumerate() {
+        row.origin = number;
     }
-    let mut largest = largest_of(rows.iter().flat_map(|row| &row.as_ref()[..count]));
+    let mut largest = largest_of(entries.iter());
     // The entries of one pose are levelled. The entries of other poses are levelled only if their dimensions are
     // similar.
     let mut levels = T::constant(0.0);
     if T::DOUBT > 0.0 {
-        for entry in rows.iter().flat_map(|row| &row.as_ref()[..count]) {
-            levels = T::measured(LargestSize {
-                size: levels,
-                number: *entry,
-            });
-        }
+        levels = T::measured_over(LargestSize, entries.len(), |index| entries[index]);
     }
-    let (mut odd, mut singular) = (false, false);
+    let (mut is_odd, mut is_singular) = (false, false);
     for step in 0..count {
-        let best = T::pivot(rows, step);
+        let best = T::pivot(entries, count, step);
         if best != step {
-            rows.swap(best, step);
-            origins.swap(best, step);
-            odd = !odd;
+            for column in 0..count {
+                entries.swap(best * count + column, step * count + column);
+            }
+            (rows[best].origin, rows[step].origin) = (rows[step].origin, rows[best].origin);
+            is_odd = !is_odd;
         }
-        let pivot = decisive(rows[step][step], || [levels]);
-        rows[step][step] = pivot;
-        let pivot_row = rows[step];
-        let pivot_row = &pivot_row.as_ref()[..count];
+        let (above, below) = entries.split_at_mut((step + 1) * count);
+        let pivot_row = &mut above[step * count..];
+        let pivot = decisive_in(pivot_row[step], &[levels]);
+        pivot_row[step] = pivot;
         let size = pivot.leading().abs();
-        singular |= size.is_nan() || size <= 2.0 * number(count) * epsilon * largest;
+        is_singular |= size.is_nan() || size <= 2.0 * number(count) * epsilon * largest;
         if size == 0.0 {
             break;
         }
-        for row in &mut rows[step + 1..] {
-            let entries = &mut row.as_mut()[step..count];
-            let multiplier = entries[0] / pivot;
+        for row in below.chunks_exact_mut(count) {
+            let multiplier = row[step] / pivot;
             let multiplier = multiplier.provided(Multiplier(multiplier)).unwrap_or(multiplier);
-            entries[0] = multiplier;
-            for (entry, above) in entries[1..].iter_mut().zip(&pivot_row[step + 1..]) {
+            row[step] = multiplier;
+            let rest = &mut row[step + 1..];
+            for (entry, above) in rest.iter_mut().zip(&pivot_row[step + 1..]) {
                 *entry = *entry - multiplier * *above;
             }
-            largest = largest.max(largest_of(entries[1..].iter()));
+            largest = largest.max(largest_of(rest.iter()));
         }
     }
-    Elimination { odd, singular }
+    (is_odd, is_singular)
 }
 
-/// The solution for a right-hand side given in the order of the original rows.
+/// The solution for a right-hand side given in the order of the original rows. `scale` is the power of two of an
+/// exponent, or one for the solution of the scaled matrix.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn substitute<T: Scalar, R: Row<T>>(
-    rows: &[R],
-    origins: &[usize],
-    row_exponents: &[i32],
-    column_exponents: &[i32],
+pub(super) fn substitute<T: Scalar>(
+    entries: &[T],
+    rows: &[FactorRow],
+    scale: impl Fn(i32) -> T,
     right: &[T],
     solution: &mut [T],
 ) {
     let count = rows.len();
-    for (row, entries) in rows.iter().enumerate() {
-        let origin = origins[row];
-        let mut sum = right[origin] * power_of_two(row_exponents[origin]);
-        for (factor, known) in entries.as_ref()[..row].iter().zip(&*solution) {
+    let each = || entries.chunks_exact(count.max(1)).enumerate();
+    for (number, entries) in each() {
+        let origin = rows[number].origin;
+        let mut sum = right[origin] * scale(rows[origin].row_exponent);
+        for (factor, known) in entries[..number].iter().zip(&*solution) {
             sum = sum - *factor * *known;
         }
-        solution[row] = sum;
+        solution[number] = sum;
     }
-    for (row, entries) in rows.iter().enumerate().rev() {
-        let entries = &entries.as_ref()[..count];
-        let mut sum = solution[row];
-        for (factor, known) in entries[row + 1..].iter().zip(&solution[row + 1..]) {
+    for (number, entries) in each().rev() {
+        let mut sum = solution[number];
+        for (factor, known) in entries[number + 1..].iter().zip(&solution[number + 1..]) {
             sum = sum - *factor * *known;
         }
-        solution[row] = sum / entries[row];
+        solution[number] = sum / entries[number];
     }
-    for (entry, exponent) in solution.iter_mut().zip(column_exponents).take(count) {
-        *entry = *entry * power_of_two(*exponent);
+    for (entry, row) in solution.iter_mut().zip(rows) {
+        *entry = *entry * scale(row.column_exponent);
     }
+}
+
+/// A determinant as a product of pivots and a power of two, neither of which overflows for a scaled matrix.
+#[derive(Clone, Copy)]
+pub(crate) struct Determinant<T> {
+    /// The product of the pivots with the sign of the row exchanges, which is the determinant of the scaled matrix.
+    pivots: T,
+    exponent: i32,
+}
+
+impl<T: Scalar> Determinant<T> {
+    /// The determinant of the matrix with these factors.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn of(entries: &[T], rows: &[FactorRow], is_odd: bool) -> Self {
+        let (mut pivots, mut exponent) = (T::constant(if is_odd { -1.0 } else { 1.0 }), 0);
+        for (number, row) in rows.iter().enumerate() {
+            pivots = pivots * entries[number * rows.len() + number];
+            exponent -= row.row_exponent + row.column_exponent;
+        }
+        Self { pivots, exponent }
+    }
+
+    /// The determinant. It is infinite or zero if it exceeds the range of the number type.
+    pub(super) fn value(self) -> T {
+        let Self { pivots, mut exponent } = self;
+        let mut product = pivots;
+        // Multiply in steps that the type can represent, so that only a determinant out of range overflows.
+        while exponent != 0 {
+            let step = exponent.clamp(-range::<T>(), range::<T>());
+            product = product * power_of_two(step);
+            exponent -= step;
+        }
+        product
+    }
+
+    /// The determinant divided by that of another matrix, without overflow in between.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn relative_to(self, other: Self) -> T {
+        let exponent = (self.exponent - other.exponent).clamp(-range::<T>(), range::<T>());
+        self.pivots / other.pivots * power_of_two(exponent)
+    }
+}
+
+/// Three vectors of the length of a matrix, for [`condition`] and [`amplification`].
+pub(super) type Scratch<'m> = [&'m mut [f64]; 3];
+
+/// See [`Factors::condition`].
+pub(super) fn condition(entries: &[f64], rows: &[FactorRow], norm: f64, scratch: Scratch<'_>) -> f64 {
+    norm * largest_row_sum(entries, rows, |_| 1.0, |_| 1.0, scratch)
+}
+
+/// Skeel's condition number, the largest row sum of |matrix⁻¹| · |matrix|: the factor by which relative rounding
+/// errors in the terms of each equation are magnified in the solution, in the given units of the unknowns. The
+/// units of the equations do not matter. (R. D. Skeel, Scaling for numerical stability in Gaussian elimination,
+/// Journal of the ACM 26, 1979, 494-526.)
+pub(super) fn amplification(entries: &[f64], rows: &[FactorRow], matrix: &[f64], scratch: Scratch<'_>) -> f64 {
+    let count = rows.len();
+    let size = |row: usize| matrix[row * count..][..count].iter().map(|entry| entry.abs()).sum();
+    largest_row_sum(entries, rows, power_of_two, size, scratch)
+}
+
+/// The largest sum of magnitudes along a row of the inverse, each times the weight of its column.
+fn largest_row_sum(
+    entries: &[f64],
+    rows: &[FactorRow],
+    scale: impl Fn(i32) -> f64,
+    weight: impl Fn(usize) -> f64,
+    [unit, solution, sums]: Scratch<'_>,
+) -> f64 {
+    sums.fill(0.0);
+    for column in 0..rows.len() {
+        unit.fill(0.0);
+        unit[column] = 1.0;
+        substitute(entries, rows, &scale, unit, solution);
+        let weight = weight(column);
+        for (sum, entry) in sums.iter_mut().zip(&*solution) {
+            *sum += entry.abs() * weight;
+        }
+    }
+    sums.iter().copied().fold(0.0, f64::max)
 }
 
 impl<T: Scalar, const N: usize> Factors<T, N> {
@@ -220,55 +315,15 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     #[must_use]
     pub fn solve(&self, right: [T; N]) -> [T; N] {
-        T::substituted(self, right)
-    }
-
-    /// [`solve`](Self::solve) for a number that holds values.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn solve_here(&self, right: [T; N]) -> [T; N] {
         let mut solution = right;
-        substitute(
-            &self.entries,
-            &self.origins,
-            &self.row_exponents,
-            &self.column_exponents,
-            &right,
-            &mut solution,
-        );
+        substitute_in(self.entries.as_flattened(), &self.rows, &right, &mut solution);
         solution
-    }
-
-    /// Factors of a number without a value: every entry stands for the whole matrix.
-    #[cfg(feature = "tape")]
-    pub(crate) fn standing_for(system: T) -> Self {
-        Self {
-            entries: [[system; N]; N],
-            origins: [0; N],
-            row_exponents: [0; N],
-            column_exponents: [0; N],
-            odd: false,
-            norm: 0.0,
-        }
-    }
-
-    /// The number that stands for the whole matrix.
-    #[cfg(feature = "tape")]
-    pub(crate) fn stands_for(&self) -> T {
-        self.entries[0][0]
     }
 
     /// The determinant of the matrix. It is infinite or zero if it exceeds the range of the number type.
     #[must_use]
     pub fn determinant(&self) -> T {
-        let mut exponent = self.exponent();
-        let mut product = self.pivots();
-        // Multiply in steps that the type can represent, so that only a determinant out of range overflows.
-        while exponent != 0 {
-            let step = exponent.clamp(-range::<T>(), range::<T>());
-            product = product * power_of_two(step);
-            exponent -= step;
-        }
-        product
+        Determinant::of(self.entries.as_flattened(), &self.rows, self.elimination.is_odd).value()
     }
 
     /// The condition number of the scaled matrix in the maximum norm: the factor by which a relative change of its
@@ -277,73 +332,19 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
     /// It is computed from the inverse of the real parts, with N³ multiplications.
     #[must_use]
     pub fn condition(&self) -> f64 {
-        let mut sums = [0.0; N];
-        let real = Factors {
-            entries: self.entries.map(|row| row.map(Scalar::leading)),
-            row_exponents: [0; N],
-            column_exponents: [0; N],
-            origins: self.origins,
-            odd: self.odd,
-            norm: self.norm,
-        };
-        for column in 0..N {
-            for (sum, entry) in sums.iter_mut().zip(real.solve(unit(column))) {
-                *sum += entry.abs();
-            }
-        }
-        self.norm * sums.into_iter().fold(0.0, f64::max)
+        let real = self.entries.map(|row| row.map(Scalar::leading));
+        let scratch: Scratch<'_> = [&mut [0.0; N], &mut [0.0; N], &mut [0.0; N]];
+        condition(real.as_flattened(), &self.rows, self.elimination.norm, scratch)
     }
-
-    /// The product of the pivots with the sign of the row exchanges, which is the determinant of the scaled matrix.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn pivots(&self) -> T {
-        let sign = T::constant(if self.odd { -1.0 } else { 1.0 });
-        (0..N).fold(sign, |product, step| product * self.entries[step][step])
-    }
-
-    /// The exponent of the power of two that turns that product into the determinant.
-    fn exponent(&self) -> i32 {
-        -(self.row_exponents.iter().sum::<i32>() + self.column_exponents.iter().sum::<i32>())
-    }
-}
-
-impl<T: Scalar, const N: usize> Factors<T, N> {
-    /// The determinant divided by that of another matrix, without overflow in between.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(crate) fn determinant_relative_to(&self, other: &Self) -> T {
-        let exponent = (self.exponent() - other.exponent()).clamp(-range::<T>(), range::<T>());
-        self.pivots() / other.pivots() * power_of_two(exponent)
-    }
-}
-
-impl<const N: usize> Factors<f64, N> {
-    /// Skeel's condition number, the largest row sum of |matrix⁻¹| · |matrix|: the factor by which relative rounding
-    /// errors in the terms of each equation are magnified in the solution, in the given units of the unknowns. The
-    /// units of the equations do not matter. (R. D. Skeel, Scaling for numerical stability in Gaussian elimination,
-    /// Journal of the ACM 26, 1979, 494-526.)
-    pub(super) fn amplification(&self, matrix: &[[f64; N]; N]) -> f64 {
-        let mut sums = [0.0; N];
-        for (column, row) in matrix.iter().enumerate() {
-            let size: f64 = row.iter().map(|entry| entry.abs()).sum();
-            for (sum, entry) in sums.iter_mut().zip(self.solve(unit(column))) {
-                *sum += entry.abs() * size;
-            }
-        }
-        sums.into_iter().fold(0.0, f64::max)
-    }
-}
-
-fn unit<const N: usize>(index: usize) -> [f64; N] {
-    core::array::from_fn(|place| if place == index { 1.0 } else { 0.0 })
 }
 
 fn largest_of<'a, T: Scalar>(entries: impl Iterator<Item = &'a T>) -> f64 {
     entries.fold(0.0, |largest, entry| entry.leading().abs().max(largest))
 }
 
-fn row_norm<T: Scalar, const N: usize>(matrix: &[[T; N]; N]) -> f64 {
-    matrix
-        .iter()
+fn row_norm<T: Scalar>(entries: &[T], count: usize) -> f64 {
+    entries
+        .chunks_exact(count.max(1))
         .map(|row| row.iter().map(|entry| entry.leading().abs()).sum())
         .fold(0.0, f64::max)
 }
@@ -379,13 +380,54 @@ const fn number(count: usize) -> f64 {
     count as f64
 }
 
+/// Whether the multiplier of a row is small, that is, whether the pivot is not much smaller than the entry below it.
+#[derive(Clone, Copy)]
+struct Multiplier<T>(T);
+
+impl<T: Scalar> Check<T, 1, 1> for Multiplier<T> {
+    fn name(&self) -> &'static str {
+        "pivot"
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn operands(&self) -> [T; 1] {
+        [self.0]
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn holds<R: Real>(&self, [multiplier]: [R; 1]) -> [R::Truth; 1] {
+        [multiplier.magnitude().is_at_most(R::of(LARGEST_MULTIPLIER))]
+    }
+
+    fn margin(&self) -> T {
+        T::constant(LARGEST_MULTIPLIER) - size(self.0)
+    }
+}
+
+/// The largest magnitude of some numbers.
+#[derive(Clone, Copy)]
+struct LargestSize;
+
+impl RowMeasure for LargestSize {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn start<R: Real>() -> R {
+        R::of(0.0)
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn with<R: Real>(largest: R, number: R) -> R {
+        let size = number.magnitude();
+        R::choose(size.exceeds(largest), || size, || largest)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use nalgebra::{SMatrix, SVector};
     use proptest::prelude::*;
     use proptest::test_runner::TestCaseResult;
 
-    use super::factor;
+    use super::{Determinant, factor};
     use crate::failure::Failure;
     use crate::number::{Number, series::Series};
     use crate::solve::strategies::coordinate;
@@ -437,7 +479,7 @@ mod tests {
         let condition = factors.condition();
         prop_assert!(condition >= 1.0);
         // In the scaled unknowns, the two solutions differ by ε times the condition.
-        let scaled = |entry: f64, column: usize| entry * 2.0_f64.powi(-factors.column_exponents[column]);
+        let scaled = |entry: f64, column: usize| entry * 2.0_f64.powi(-factors.rows[column].column_exponent);
         let size = (0..N).map(|column| scaled(x[column], column).abs()).fold(0.0, f64::max);
         let tolerance = 16.0 * f64::EPSILON * super::number(N * N) * condition * size;
         for column in 0..N {
@@ -446,10 +488,15 @@ mod tests {
         }
         // nalgebra does not scale, so compare its determinant on the scaled matrix.
         let levelled = SMatrix::<f64, N, N>::from_fn(|row, column| {
-            a[row][column] * 2.0_f64.powi(factors.row_exponents[row] + factors.column_exponents[column])
+            a[row][column] * 2.0_f64.powi(factors.rows[row].row_exponent + factors.rows[column].column_exponent)
         });
         let lu = levelled.lu();
-        let error = (factors.pivots() - lu.determinant()).abs();
+        let Determinant { pivots, .. } = Determinant::of(
+            factors.entries.as_flattened(),
+            &factors.rows,
+            factors.elimination.is_odd,
+        );
+        let error = (pivots - lu.determinant()).abs();
         prop_assert!(error <= 16.0 * f64::EPSILON * super::number(N * N) * condition * lu.determinant().abs());
         let inverse = lu.try_inverse().expect("it is regular");
         let norm = |matrix: SMatrix<f64, N, N>| matrix.row_iter().map(|row| row.abs().sum()).fold(0.0, f64::max);

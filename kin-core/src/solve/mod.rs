@@ -31,37 +31,34 @@
 //! Unit vectors represent angles by their cosine and sine, so no half-angle goes to infinity and no trigonometric
 //! function of an unknown is evaluated. Where there are two solutions, an [`Assembly`](crate::Assembly) says which one.
 //!
+//! A function with a size in its type takes arrays, and is a shell around the hidden function of the same name with
+//! `_in`, which takes slices in memory of the caller.
+//!
 //! Each closed form decides once whether a solution exists, by the real part of the number under the square root. If
 //! there is none, the diagnosis is made out of line, in double precision. A result in `Ok` is finite.
 
 mod check;
-mod diagnosis;
 mod direction;
-mod doubt;
 mod factor;
 mod forms;
-mod guard;
 mod lent;
 mod newton;
 mod scalar;
-mod size;
 
 pub use crate::assembly::both;
-pub use check::{Check, Choose, Measure, Negative, Real, SolutionInRange, Validity};
+pub use check::*;
 pub use direction::{direction, directions};
-pub use doubt::{decisive, decisive_vector};
-pub use factor::{Factors, factor};
+pub(crate) use factor::Determinant;
+pub use factor::{Elimination, FactorRow, Factors, factor, factor_in, substitute_in};
 #[cfg(feature = "tape")]
 pub(crate) use factor::{exponent_of, range};
 pub use forms::*;
-pub use guard::*;
 pub(crate) use lent::{LentFactors, Orientation, lent_factors_length};
-pub use newton::newton;
 pub(crate) use newton::{FIRST_STEP, LINEAR_STEP};
 #[cfg(feature = "tape")]
 pub(crate) use newton::{ITERATIONS, SMALLEST_PART, TRIALS};
+pub use newton::{NewtonMemory, largest, largest_in, newton, newton_in};
 pub use scalar::Scalar;
-pub use size::largest;
 
 #[cfg(test)]
 mod operation_counts;

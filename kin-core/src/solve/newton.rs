@@ -1,9 +1,13 @@
 //! Newton's method, for unknowns without a closed form.
 
-use super::factor::{Factors, factor, factor_to};
+use core::array;
+
+use super::factor::{
+    Determinant, FactorRow, amplification, condition, factor_in, factor_to, power_of_two, substitute, substitute_in,
+};
 use crate::failure::Failure;
-use crate::number::Number;
 use crate::solve::Scalar;
+use crate::solve::check::{Real, RowMeasure};
 
 const QUANTITY: &str = "guess, size of an unknown, or residual or Jacobian there";
 const SOLUTION: &str = "solution of a block without closed form, or its derivatives";
@@ -53,105 +57,286 @@ pub(crate) const SMALLEST_PART: f64 = 1e-5;
 pub fn newton<T: Scalar, const N: usize>(
     guess: [T; N],
     sizes: [T; N],
-    evaluate: impl FnMut([T; N]) -> ([T; N], [[T; N]; N]),
-) -> Result<[T; N], Failure> {
-    T::root(guess, sizes, evaluate)
-}
-
-/// [`newton`] for a number that holds one pose.
-pub(crate) fn damped_root<T: Scalar, const N: usize>(
-    guess: [T; N],
-    sizes: [T; N],
     mut evaluate: impl FnMut([T; N]) -> ([T; N], [[T; N]; N]),
 ) -> Result<[T; N], Failure> {
-    let mut solution = real_root(guess, sizes.map(T::real), &mut evaluate)?;
+    let mut solution = guess;
+    // any number will do, and a constant of a number that records would be recorded
+    let any = guess.first().copied().unwrap_or_else(|| T::constant(0.0));
+    // an array for each, so that a compiler can keep it in registers
+    let (mut first, mut second) = ([[any; N]; N], [[any; N]; N]);
+    let (mut third, mut fourth, mut fifth) = ([[0.0; N]; N], [[0.0; N]; N], [[0.0; N]; N]);
+    let memory = NewtonMemory {
+        vectors: [
+            &mut [any; N],
+            &mut [any; N],
+            &mut [any; N],
+            &mut [any; N],
+            &mut [any; N],
+            &mut [any; N],
+        ],
+        matrices: [first.as_flattened_mut(), second.as_flattened_mut()],
+        real_vectors: [
+            &mut [0.0; N],
+            &mut [0.0; N],
+            &mut [0.0; N],
+            &mut [0.0; N],
+            &mut [0.0; N],
+            &mut [0.0; N],
+            &mut [0.0; N],
+            &mut [0.0; N],
+            &mut [0.0; N],
+        ],
+        real_matrices: [
+            third.as_flattened_mut(),
+            fourth.as_flattened_mut(),
+            fifth.as_flattened_mut(),
+        ],
+        rows: [&mut [FactorRow::default(); N], &mut [FactorRow::default(); N]],
+    };
+    newton_in(&mut solution, &sizes, memory, |unknowns, residuals, jacobian| {
+        let mut own = guess;
+        own.copy_from_slice(unknowns);
+        let (own_residuals, own_jacobian) = evaluate(own);
+        residuals.copy_from_slice(&own_residuals);
+        jacobian.copy_from_slice(own_jacobian.as_flattened());
+    })?;
+    Ok(solution)
+}
+
+/// [`newton`] for any number of unknowns. `solution` is the guess, and then the root, or nothing of use after an error.
+///
+/// `evaluate` takes the unknowns, and writes the residuals and their Jacobian, row by row.
+///
+/// # Errors
+/// As for [`newton`].
+#[doc(hidden)]
+#[inline]
+pub fn newton_in<T: Scalar>(
+    solution: &mut [T],
+    sizes: &[T],
+    memory: NewtonMemory<'_, T>,
+    evaluate: impl FnMut(&[T], &mut [T], &mut [T]),
+) -> Result<(), Failure> {
+    T::root(solution, sizes, memory, evaluate)
+}
+
+/// Memory that a caller lends to [`newton_in`].
+#[doc(hidden)]
+#[derive(Debug)]
+pub struct NewtonMemory<'m, T> {
+    pub(crate) vectors: [&'m mut [T]; 6],
+    pub(crate) matrices: [&'m mut [T]; 2],
+    real_vectors: [&'m mut [f64]; 9],
+    real_matrices: [&'m mut [f64]; 3],
+    pub(crate) rows: [&'m mut [FactorRow]; 2],
+}
+
+impl<'m, T> NewtonMemory<'m, T> {
+    /// How many numbers, real numbers and rows some unknowns take.
+    #[must_use]
+    pub const fn lengths(unknowns: usize) -> [usize; 3] {
+        let (vector, matrix) = (unknowns, unknowns * unknowns);
+        [6 * vector + 2 * matrix, 9 * vector + 3 * matrix, 2 * vector]
+    }
+
+    /// Memory of these [lengths](Self::lengths) or more, with any content; `None` if it is less.
+    #[must_use]
+    pub fn new(unknowns: usize, numbers: &'m mut [T], reals: &'m mut [f64], rows: &'m mut [FactorRow]) -> Option<Self> {
+        let lengths = Self::lengths(unknowns);
+        if numbers.len() < lengths[0] || reals.len() < lengths[1] || rows.len() < lengths[2] {
+            return None;
+        }
+        let (vector, matrix) = (unknowns, unknowns * unknowns);
+        let (vectors, matrices) = numbers.split_at_mut(6 * vector);
+        let (real_vectors, real_matrices) = reals.split_at_mut(9 * vector);
+        Some(Self {
+            vectors: parts(vectors, vector),
+            matrices: parts(matrices, matrix),
+            real_vectors: parts(real_vectors, vector),
+            real_matrices: parts(real_matrices, matrix),
+            rows: parts(rows, vector),
+        })
+    }
+}
+
+/// The first parts of some memory, each of the same length.
+fn parts<E, const K: usize>(mut memory: &mut [E], length: usize) -> [&mut [E]; K] {
+    array::from_fn(|_| memory.split_off_mut(..length).unwrap_or_default())
+}
+
+/// The largest magnitude of some lengths, or 1 if all of them are zero. Lengths of the mechanism are compared with it.
+///
+/// ```
+/// use kin_core::solve;
+///
+/// assert_eq!(solve::largest([3.0, -5.0]), 5.0);
+/// assert_eq!(solve::largest::<f64, 0>([]), 1.0);
+/// ```
+#[cfg_attr(not(debug_assertions), inline(always))]
+#[must_use]
+pub fn largest<T: Scalar, const N: usize>(lengths: [T; N]) -> T {
+    largest_in(&lengths)
+}
+
+/// [`largest`] of any number of lengths.
+#[doc(hidden)]
+#[cfg_attr(not(debug_assertions), inline(always))]
+#[must_use]
+pub fn largest_in<T: Scalar>(lengths: &[T]) -> T {
+    T::measured_over(LargestLength, lengths.len(), |index| lengths[index])
+}
+
+/// [`newton_in`] for a number that holds one pose.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(crate) fn damped_root<T: Scalar>(
+    solution: &mut [T],
+    sizes: &[T],
+    memory: NewtonMemory<'_, T>,
+    mut evaluate: impl FnMut(&[T], &mut [T], &mut [T]),
+) -> Result<(), Failure> {
+    let [residuals, other, ..] = memory.vectors;
+    let [jacobian, _] = memory.matrices;
+    let [rows, _] = memory.rows;
+    let real = RealMemory {
+        vectors: memory.real_vectors,
+        matrices: memory.real_matrices,
+        rows: &mut *rows,
+    };
+    real_root(solution, sizes, [&mut *residuals, jacobian, other], real, &mut evaluate)?;
     // The loop runs ⌈log₂(order + 1)⌉ times, computed in integers.
     for _ in 0..usize::BITS - T::ORDER.leading_zeros() {
-        let (residuals, jacobian) = evaluate(solution);
-        let correction = factor(jacobian)?.solve(residuals);
-        for (entry, change) in solution.iter_mut().zip(correction) {
-            *entry = *entry - change;
+        evaluate(solution, residuals, jacobian);
+        factor_in(jacobian, rows)?;
+        substitute_in(jacobian, rows, residuals, other);
+        for (entry, change) in solution.iter_mut().zip(&*other) {
+            *entry = *entry - *change;
         }
     }
     if solution.iter().all(|entry| entry.is_finite()) {
-        Ok(solution)
+        Ok(())
     } else {
         Err(Failure::not_finite(SOLUTION))
     }
 }
 
-/// A point on the way, with everything needed to continue from it. All numbers are in sizes of the unknowns.
+/// The memory of a root in real numbers.
+struct RealMemory<'m> {
+    vectors: [&'m mut [f64]; 9],
+    matrices: [&'m mut [f64]; 3],
+    rows: &'m mut [FactorRow],
+}
+
+/// The step before: its length and its damping, and the determinant where it began.
 #[derive(Clone, Copy)]
-struct Iterate<T, const N: usize> {
-    unknowns: [T; N],
-    residuals: [f64; N],
-    jacobian: [[f64; N]; N],
+struct Before {
+    length: f64,
+    part: f64,
+    determinant: Determinant<f64>,
 }
 
-impl<T: Scalar, const N: usize> Iterate<T, N> {
-    /// The point at these unknowns, or `None` if residuals or Jacobian are not finite.
-    fn new(
-        unknowns: [T; N],
-        sizes: &[f64; N],
-        evaluate: &mut impl FnMut([T; N]) -> ([T; N], [[T; N]; N]),
-    ) -> Option<Self> {
-        let (residuals, jacobian) = evaluate(unknowns);
-        let residuals = residuals.map(Number::real);
-        let jacobian = jacobian.map(|row| core::array::from_fn(|column| row[column].real() * sizes[column]));
-        let mut all = residuals.iter().chain(jacobian.iter().flatten());
-        all.all(|entry| entry.is_finite()).then_some(Self {
-            unknowns,
-            residuals,
-            jacobian,
-        })
+/// The root in real numbers. Residuals, Jacobian and corrections are in sizes of the unknowns.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn real_root<T: Scalar>(
+    unknowns: &mut [T],
+    sizes: &[T],
+    [own_residuals, own_jacobian, trial]: [&mut [T]; 3],
+    memory: RealMemory<'_>,
+    evaluate: &mut impl FnMut(&[T], &mut [T], &mut [T]),
+) -> Result<(), Failure> {
+    let RealMemory {
+        vectors,
+        matrices,
+        rows,
+    } = memory;
+    let [
+        units,
+        residuals,
+        next_residuals,
+        correction,
+        expected,
+        before_expected,
+        one,
+        two,
+        three,
+    ] = vectors;
+    let [jacobian, next_jacobian, factors] = matrices;
+    let count = unknowns.len();
+    for (unit, size) in units.iter_mut().zip(sizes) {
+        *unit = size.real();
     }
-
-    fn not_converged(&self, iterations: u32, factors: &Factors<f64, N>) -> Failure {
-        Failure::NotConverged {
-            residual: largest(&self.residuals),
-            iterations,
-            condition: factors.condition(),
-        }
+    if !units.iter().all(|size| *size > 0.0 && size.is_finite()) {
+        return Err(Failure::not_finite(QUANTITY));
     }
-}
-
-fn real_root<T: Scalar, const N: usize>(
-    guess: [T; N],
-    sizes: [f64; N],
-    evaluate: &mut impl FnMut([T; N]) -> ([T; N], [[T; N]; N]),
-) -> Result<[T; N], Failure> {
-    let nothing = Failure::not_finite(QUANTITY);
-    if !sizes.iter().all(|size| *size > 0.0 && size.is_finite()) {
-        return Err(nothing);
+    for entry in &mut *unknowns {
+        *entry = T::constant(entry.real());
     }
-    let start = guess.map(|entry| T::constant(entry.real()));
-    let mut point = Iterate::new(start, &sizes, evaluate).ok_or(nothing)?;
-    let mut factors = factor_to(point.jacobian, T::EPSILON)?;
+    evaluate(unknowns, own_residuals, own_jacobian);
+    if !are_real([own_residuals, own_jacobian], units, residuals, jacobian) {
+        return Err(Failure::not_finite(QUANTITY));
+    }
     let mut limit = FIRST_STEP;
-    // The previous step: its length, its damping, the correction expected after it, and the factors it was taken with.
-    let mut before: Option<(f64, f64, [f64; N], Factors<f64, N>)> = None;
-
-    for iteration in 0..ITERATIONS {
-        let correction = factors.solve(point.residuals).map(|entry| -entry);
-        let length = largest(&correction);
-        if !length.is_finite() {
-            return Err(point.not_converged(iteration, &factors));
+    let mut before: Option<Before> = None;
+    // The determinant where rounding ended the last step, if it did: the unknowns are then the root.
+    let mut ended: Option<Determinant<f64>> = None;
+    let mut iteration = 0;
+    loop {
+        // factored in one place only, as there is much to inline
+        factors.copy_from_slice(jacobian);
+        let elimination = factor_to(factors, rows, T::EPSILON)?;
+        let determinant = Determinant::of(factors, rows, elimination.is_odd);
+        if let Some(previous) = ended {
+            return distinct(Some(previous), determinant);
         }
-        let end = moved(&point.unknowns, &correction, 1.0, &sizes);
+        let not_converged = |residuals: &[f64], factors: &[f64], rows: &[FactorRow], scratch| Failure::NotConverged {
+            residual: greatest(residuals),
+            iterations: iteration,
+            condition: condition(factors, rows, elimination.norm, scratch),
+        };
+        if iteration == ITERATIONS {
+            return Err(not_converged(
+                residuals,
+                factors,
+                rows,
+                [&mut *one, &mut *two, &mut *three],
+            ));
+        }
+        corrected(factors, rows, residuals, correction);
+        let length = greatest(correction);
+        if !length.is_finite() {
+            return Err(not_converged(
+                residuals,
+                factors,
+                rows,
+                [&mut *one, &mut *two, &mut *three],
+            ));
+        }
         let is_lost = |index: usize| {
-            let size = point.unknowns[index].real().abs() / sizes[index];
+            let size = unknowns[index].real().abs() / units[index];
             correction[index].abs() <= T::EPSILON * size.max(1.0)
         };
-        let lost = (0..N).all(is_lost);
-        let stalled = before.is_some_and(|(previous, part, ..)| part == 1.0 && length >= 0.5 * previous)
-            && is_rounding(length, &point, &sizes, &factors);
-        if lost || stalled {
-            let previous = before.map(|(.., factors)| factors);
-            return distinct(if lost { end } else { point.unknowns }, previous.as_ref(), &factors);
+        let is_lost = (0..count).all(is_lost);
+        let mut is_rounding = |unknowns: &[T]| {
+            if length * length <= LINEAR_STEP * T::EPSILON {
+                return true;
+            }
+            let own = unknowns.iter().zip(&*units);
+            let size = own.fold(1.0, |size: f64, (entry, unit)| size.max(entry.real().abs() / unit));
+            let scratch = [&mut *one, &mut *two, &mut *three];
+            length <= 16.0 * T::EPSILON * size * amplification(factors, rows, jacobian, scratch)
+        };
+        let is_stalled =
+            before.is_some_and(|step| step.part == 1.0 && length >= 0.5 * step.length) && is_rounding(unknowns);
+        if is_lost || is_stalled {
+            if is_lost {
+                moved(unknowns, correction, 1.0, units, trial);
+                unknowns.copy_from_slice(trial);
+            }
+            return distinct(before.map(|step| step.determinant), determinant);
         }
 
-        let foreseen = before.map_or(1.0, |(previous, part, expected, _)| {
-            part * previous * largest(&expected) / (distance(&expected, &correction) * length)
+        let foreseen = before.map_or(1.0, |step| {
+            let fall = distance(before_expected.iter().copied(), correction);
+            step.part * step.length * greatest(before_expected) / (fall * length)
         });
         // A quotient of zero by zero means a perfect forecast.
         let foreseen = if foreseen < 1.0 {
@@ -160,24 +345,27 @@ fn real_root<T: Scalar, const N: usize>(
             1.0
         };
         let mut part = foreseen.min(limit / length);
-        let mut accepted = None;
+        let mut is_accepted = false;
         for _ in 0..TRIALS {
-            let trial = moved(&point.unknowns, &correction, part, &sizes);
+            moved(unknowns, correction, part, units, trial);
             let mut advice = 0.5 * part;
-            if let Some(next) = Iterate::new(trial, &sizes, evaluate) {
-                let expected = factors.solve(next.residuals).map(|entry| -entry);
-                let fall = largest(&expected) / length;
+            evaluate(trial, own_residuals, own_jacobian);
+            if are_real([own_residuals, own_jacobian], units, next_residuals, next_jacobian) {
+                corrected(factors, rows, next_residuals, expected);
+                let fall = greatest(expected) / length;
                 if fall < 1.0 - 0.25 * part {
-                    accepted = Some((next, expected));
+                    is_accepted = true;
                     break;
                 }
-                if is_rounding(length, &point, &sizes, &factors) {
-                    let there = factor_to(next.jacobian, T::EPSILON)?;
-                    let root = if fall < 1.0 { trial } else { point.unknowns };
-                    return distinct(root, Some(&factors), &there);
+                if is_rounding(unknowns) {
+                    if fall < 1.0 {
+                        unknowns.copy_from_slice(trial);
+                    }
+                    ended = Some(determinant);
+                    break;
                 }
-                let undamped = correction.map(|entry| (1.0 - part) * entry);
-                let estimate = 0.5 * length * part * part / distance(&expected, &undamped);
+                let undamped = correction.iter().map(|entry| (1.0 - part) * entry);
+                let estimate = 0.5 * length * part * part / distance(undamped, expected);
                 // Shorten to a tenth at most: the estimate is rough if the step was much too long.
                 if estimate < advice {
                     advice = estimate.max(0.1 * part);
@@ -185,52 +373,66 @@ fn real_root<T: Scalar, const N: usize>(
             }
             part = advice;
         }
-        let Some((next, expected)) = accepted else {
-            return Err(point.not_converged(iteration, &factors));
-        };
-        // If the equations are nearly linear over a step, the next step may be longer.
-        let undamped = correction.map(|entry| (1.0 - part) * entry);
-        if distance(&expected, &undamped) <= 0.25 * part * length {
-            limit *= 2.0;
+        if is_accepted {
+            // If the equations are nearly linear over a step, the next step may be longer.
+            let undamped = correction.iter().map(|entry| (1.0 - part) * entry);
+            if distance(undamped, expected) <= 0.25 * part * length {
+                limit *= 2.0;
+            }
+            before = Some(Before {
+                length,
+                part,
+                determinant,
+            });
+            before_expected.copy_from_slice(expected);
+            unknowns.copy_from_slice(trial);
+            residuals.copy_from_slice(next_residuals);
+        } else if ended.is_none() {
+            return Err(not_converged(
+                residuals,
+                factors,
+                rows,
+                [&mut *one, &mut *two, &mut *three],
+            ));
         }
-        before = Some((length, part, expected, factors));
-        point = next;
-        factors = factor_to(point.jacobian, T::EPSILON)?;
+        jacobian.copy_from_slice(next_jacobian);
+        iteration += 1;
     }
-    Err(point.not_converged(ITERATIONS, &factors))
 }
 
-/// Whether rounding may explain a correction that does not fall.
-///
-/// The residuals have errors of a few ε of the contribution of each unknown, and the condition magnifies these errors.
-/// Large terms without unknowns do not appear in the Jacobian. Below a few √ε, however, the equations are linear over
-/// the step, which [`distinct`] ensures, so a correction that does not fall at once can only be due to rounding.
-fn is_rounding<T: Scalar, const N: usize>(
-    length: f64,
-    point: &Iterate<T, N>,
-    sizes: &[f64; N],
-    factors: &Factors<f64, N>,
-) -> bool {
-    if length * length <= LINEAR_STEP * T::EPSILON {
-        return true;
+/// Writes the real parts of residuals and Jacobian, the latter in the units of the unknowns, and returns whether all are
+/// finite.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn are_real<T: Scalar>(own: [&[T]; 2], units: &[f64], residuals: &mut [f64], jacobian: &mut [f64]) -> bool {
+    for (entry, own) in residuals.iter_mut().zip(own[0]) {
+        *entry = own.real();
     }
-    let unknowns = point.unknowns.iter().zip(sizes);
-    let size = unknowns.fold(1.0, |size: f64, (entry, unit)| size.max(entry.real().abs() / unit));
-    length <= 16.0 * T::EPSILON * size * factors.amplification(&point.jacobian)
+    let rows = jacobian.chunks_exact_mut(units.len().max(1));
+    for (row, own) in rows.zip(own[1].chunks_exact(units.len().max(1))) {
+        for ((entry, own), unit) in row.iter_mut().zip(own).zip(units) {
+            *entry = own.real() * unit;
+        }
+    }
+    residuals.iter().chain(&*jacobian).all(|entry| entry.is_finite())
 }
 
-/// The root, unless a change of the size of rounding errors alters the determinant by a quarter of itself. In that case
+/// The correction that removes the residuals.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn corrected(factors: &[f64], rows: &[FactorRow], residuals: &[f64], correction: &mut [f64]) {
+    substitute(factors, rows, power_of_two, residuals, correction);
+    for entry in correction {
+        *entry = -*entry;
+    }
+}
+
+/// Succeeds unless a change of the size of rounding errors alters the determinant by a quarter of itself. In that case
 /// a double root, where the determinant is zero, is too close to be ruled out.
-fn distinct<T, const N: usize>(
-    root: [T; N],
-    previous: Option<&Factors<f64, N>>,
-    factors: &Factors<f64, N>,
-) -> Result<[T; N], Failure> {
-    let ratio = previous.map_or(1.0, |previous| factors.determinant_relative_to(previous));
+fn distinct(previous: Option<Determinant<f64>>, determinant: Determinant<f64>) -> Result<(), Failure> {
+    let ratio = previous.map_or(1.0, |previous| determinant.relative_to(previous));
     if (0.75..=1.25).contains(&ratio) {
-        return Ok(root);
+        return Ok(());
     }
-    let determinant = factors.determinant();
+    let determinant = determinant.value();
     Err(if determinant.is_finite() {
         Failure::Singular { determinant }
     } else {
@@ -238,13 +440,28 @@ fn distinct<T, const N: usize>(
     })
 }
 
-fn moved<T: Scalar, const N: usize>(from: &[T; N], correction: &[f64; N], part: f64, sizes: &[f64; N]) -> [T; N] {
-    core::array::from_fn(|index| T::constant(from[index].real() + part * correction[index] * sizes[index]))
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn moved<T: Scalar>(from: &[T], correction: &[f64], part: f64, units: &[f64], to: &mut [T]) {
+    for (index, entry) in to.iter_mut().enumerate() {
+        *entry = T::constant(from[index].real() + part * correction[index] * units[index]);
+    }
 }
 
 /// The largest magnitude, or NaN if an entry is NaN.
-fn largest<const N: usize>(vector: &[f64; N]) -> f64 {
-    vector.iter().fold(0.0, |largest, entry| {
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn greatest(vector: &[f64]) -> f64 {
+    greatest_of(vector.iter().copied())
+}
+
+/// The largest difference, or NaN if an entry is NaN.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn distance(one: impl Iterator<Item = f64>, other: &[f64]) -> f64 {
+    greatest_of(one.zip(other).map(|(one, other)| one - other))
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn greatest_of(numbers: impl Iterator<Item = f64>) -> f64 {
+    numbers.fold(0.0, |largest, entry| {
         let size = entry.abs();
         if size <= largest || largest.is_nan() {
             largest
@@ -254,9 +471,26 @@ fn largest<const N: usize>(vector: &[f64; N]) -> f64 {
     })
 }
 
-fn distance<const N: usize>(one: &[f64; N], other: &[f64; N]) -> f64 {
-    let difference: [f64; N] = core::array::from_fn(|index| one[index] - other[index]);
-    largest(&difference)
+/// The largest magnitude of some lengths, or 1 if all of them are zero.
+#[derive(Clone, Copy)]
+struct LargestLength;
+
+impl RowMeasure for LargestLength {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn start<R: Real>() -> R {
+        R::of(0.0)
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn with<R: Real>(largest: R, length: R) -> R {
+        let size = length.magnitude();
+        R::choose(size.exceeds(largest), || size, || largest)
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn end<R: Real>(largest: R) -> R {
+        R::choose(largest.exceeds(R::of(0.0)), || largest, || R::of(1.0))
+    }
 }
 
 #[cfg(test)]
@@ -267,8 +501,9 @@ mod tests {
 
     use proptest::prelude::*;
 
-    use super::newton;
+    use super::{FactorRow, NewtonMemory, newton, newton_in};
     use crate::assembly::Assembly;
+    use crate::batch::lanes::Lanes;
     use crate::failure::Failure;
     use crate::geometry::Plane;
     use crate::number::{Number, series::Series};
@@ -465,6 +700,43 @@ mod tests {
         through::<4>();
         through::<5>();
         through::<9>();
+    }
+
+    /// Slices in memory of any content find the bits that arrays do, for every number of poses and orders.
+    #[test]
+    fn slices_find_the_same_root() {
+        fn in_slices<T: Scalar>(guess: [f64; 2]) -> [T; 2] {
+            let [numbers, reals, rows] = NewtonMemory::<T>::lengths(2);
+            let mut numbers = std::vec![T::constant(f64::NAN); numbers];
+            let mut reals = std::vec![f64::NAN; reals];
+            let mut rows = std::vec![FactorRow::default(); rows];
+            assert!(NewtonMemory::new(2, &mut numbers, &mut reals[1..], &mut rows).is_none());
+            let memory = NewtonMemory::new(2, &mut numbers, &mut reals, &mut rows).unwrap();
+            let mut own = four_bar(GRASHOF, T::constant(1.0));
+            let mut found = guess.map(T::constant);
+            newton_in(&mut found, &[T::constant(1.0); 2], memory, |at, residuals, jacobian| {
+                let (own_residuals, own_jacobian) = own([at[0], at[1]]);
+                residuals.copy_from_slice(&own_residuals);
+                jacobian.copy_from_slice(own_jacobian.as_flattened());
+            })
+            .unwrap();
+            found
+        }
+        fn in_arrays<T: Scalar>(guess: [f64; 2]) -> [T; 2] {
+            let (guess, sizes) = (guess.map(T::constant), [T::constant(1.0); 2]);
+            newton(guess, sizes, four_bar(GRASHOF, T::constant(1.0))).unwrap()
+        }
+        for assembly in Assembly::BOTH {
+            let [coupler, rocker] = closed_form(GRASHOF, 1.0, assembly).unwrap();
+            let guess = [coupler + 0.02, rocker - 0.03];
+            assert_eq!(in_slices::<f64>(guess), in_arrays::<f64>(guess));
+            assert_eq!(in_slices::<f32>(guess), in_arrays::<f32>(guess));
+            assert_eq!(in_slices::<Series<4>>(guess), in_arrays::<Series<4>>(guess));
+            let lanes = |[x, y]: [Lanes<4, false>; 2]| [x.0, y.0];
+            let found = lanes(in_slices(guess));
+            assert_eq!(found, lanes(in_arrays(guess)));
+            assert!((found[0][3] - coupler).abs() < 1e-12, "{found:?}");
+        }
     }
 
     /// Rounding splits a double root whose terms have the given size into two roots; their distance is the root of the

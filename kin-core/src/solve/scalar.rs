@@ -3,10 +3,10 @@
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::number::series::Series;
-use crate::number::{Changing, Number, Row, real_parts};
-use crate::solve::check::{Check, Choose, Measure, Negative, SameSides};
-use crate::solve::factor::{Factors, factor_here};
-use crate::solve::newton::damped_root;
+use crate::number::{Changing, Number, real_parts};
+use crate::solve::check::{Check, Choose, Measure, Negative, RowMeasure, SameSide};
+use crate::solve::factor::{Elimination, FactorRow, factor_to, power_of_two, substitute};
+use crate::solve::newton::{NewtonMemory, damped_root};
 
 /// A number with which a mechanism can be solved: a [`Number`] that can also decide.
 ///
@@ -118,11 +118,16 @@ pub trait Scalar: Number {
     }
 
     /// See [`solve::agreeing`](crate::solve::agreeing()). A number that holds one pose always agrees with itself.
-    #[must_use]
+    #[doc(hidden)]
     #[inline(always)]
-    fn agreeing<const N: usize, const K: usize>(near: [Self; N], orientations: [Self; K]) -> [Self; N] {
-        let leading = orientations.map(|orientation| orientation.leading() >= 0.0);
-        near.map(|value| value.provided(SameSides { orientations, leading }).unwrap_or(value))
+    fn agree(near: &mut [Self], orientations: &[Self]) {
+        for value in near {
+            for orientation in orientations {
+                let leading = orientation.leading() >= 0.0;
+                let orientation = *orientation;
+                *value = value.provided(SameSide { orientation, leading }).unwrap_or(*value);
+            }
+        }
     }
 
     /// A constant that depends on the real parts of numbers.
@@ -130,6 +135,18 @@ pub trait Scalar: Number {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn measured<const N: usize>(measure: impl Measure<Self, N>) -> Self {
         Self::constant(measure.measure(real_parts(measure.operands())))
+    }
+
+    /// A constant that depends on the real parts of `count` numbers.
+    #[doc(hidden)]
+    #[must_use]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn measured_over<M: RowMeasure>(_: M, count: usize, operand: impl Fn(usize) -> Self) -> Self {
+        let mut own = M::start();
+        for index in 0..count {
+            own = M::with(own, operand(index).real());
+        }
+        Self::constant(M::end::<f64>(own))
     }
 
     /// A choice for the whole number. A number that holds several poses fails if they do not agree.
@@ -141,19 +158,18 @@ pub trait Scalar: Number {
         choice.choose(real_parts(choice.operands()))
     }
 
-    /// The [choice](Self::chosen) by the first criterion to which not both solutions are valid.
+    /// The [choice](Self::chosen) by the first of one or more criteria to which not both solutions are valid.
     ///
     /// # Errors
     /// Returns the error of that criterion, or of the last one if both solutions are valid to all of them.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn first_chosen<const N: usize, const K: usize>(choices: [impl Choose<Self, N>; K]) -> Result<Assembly, Failure> {
-        const { assert!(K > 0, "a choice has a criterion") };
+    fn first_chosen<const N: usize>(choices: &[impl Choose<Self, N>]) -> Result<Assembly, Failure> {
         let mut number = 0;
         // The function is called in one place only, so that the compiler can inline it.
         loop {
             let chosen = Self::chosen(choices[number]);
             number += 1;
-            if number == K || !matches!(chosen, Err(Failure::Ambiguous { .. })) {
+            if number == choices.len() || !matches!(chosen, Err(Failure::Ambiguous { .. })) {
                 return chosen;
             }
         }
@@ -167,14 +183,14 @@ pub trait Scalar: Number {
         self.real()
     }
 
-    /// The pivot row of one step of the elimination: the row of the largest entry from the diagonal down, or the first
-    /// of several.
+    /// The pivot row of one step of the elimination of a matrix with `count` rows: the row of the largest entry from the
+    /// diagonal down, or the first of several.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn pivot<R: Row<Self>>(rows: &[R], step: usize) -> usize {
-        let (mut best, mut largest) = (step, rows[step][step].leading().abs());
-        for (row, entries) in rows.iter().enumerate().skip(step + 1) {
-            let size = entries[step].leading().abs();
+    fn pivot(entries: &[Self], count: usize, step: usize) -> usize {
+        let (mut best, mut largest) = (step, entries[step * count + step].leading().abs());
+        for row in step + 1..count {
+            let size = entries[row * count + step].leading().abs();
             if size > largest {
                 (best, largest) = (row, size);
             }
@@ -190,34 +206,36 @@ pub trait Scalar: Number {
         Assembly::from_sign(self.real())
     }
 
-    /// The factors that [`solve::factor`](crate::solve::factor()) finds, with the same argument.
+    /// See [`solve::factor_in`](crate::solve::factor_in()).
     ///
     /// # Errors
     /// Returns the errors of that function.
     #[doc(hidden)]
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn factored<const N: usize>(matrix: [[Self; N]; N]) -> Result<Factors<Self, N>, Failure> {
-        factor_here(matrix, Self::EPSILON)
+    fn factored(entries: &mut [Self], rows: &mut [FactorRow]) -> Result<Elimination, Failure> {
+        factor_to(entries, rows, Self::EPSILON)
     }
 
-    /// The solution that [`Factors::solve`] finds.
+    /// See [`solve::substitute_in`](crate::solve::substitute_in()).
     #[doc(hidden)]
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn substituted<const N: usize>(factors: &Factors<Self, N>, right: [Self; N]) -> [Self; N] {
-        factors.solve_here(right)
+    fn substituted(entries: &[Self], rows: &[FactorRow], right: &[Self], solution: &mut [Self]) {
+        substitute(entries, rows, power_of_two, right, solution);
     }
 
-    /// The root that [`solve::newton`](crate::solve::newton()) finds, with the same arguments.
+    /// See [`solve::newton_in`](crate::solve::newton_in()).
     ///
     /// # Errors
-    /// Returns the errors of that method.
-    #[inline]
-    fn root<const N: usize>(
-        guess: [Self; N],
-        sizes: [Self; N],
-        evaluate: impl FnMut([Self; N]) -> ([Self; N], [[Self; N]; N]),
-    ) -> Result<[Self; N], Failure> {
-        damped_root(guess, sizes, evaluate)
+    /// Returns the errors of that function.
+    #[doc(hidden)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn root(
+        solution: &mut [Self],
+        sizes: &[Self],
+        memory: NewtonMemory<'_, Self>,
+        evaluate: impl FnMut(&[Self], &mut [Self], &mut [Self]),
+    ) -> Result<(), Failure> {
+        damped_root(solution, sizes, memory, evaluate)
     }
 }
 

@@ -7,7 +7,7 @@ use std::vec::Vec;
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::number::Number;
-use crate::solve::{Check, Choose, Factors, Measure, Real, Scalar};
+use crate::solve::{Check, Choose, Elimination, FactorRow, Measure, NewtonMemory, Real, RowMeasure, Scalar};
 use crate::tape::recorder::Sought;
 use crate::tape::recording::{self, node};
 use crate::tape::{Comparison, Function, Operator, TapeNode, Value};
@@ -101,11 +101,11 @@ impl<F: Number> Number for Recorded<F> {
     }
 
     fn is_finite(self) -> bool {
-        Self::are_finite([self])
+        Self::are_finite(&[self])
     }
 
-    fn are_finite<const N: usize>(numbers: [Self; N]) -> bool {
-        recording::are_finite(&numbers.map(|number| number.value))
+    fn are_finite(numbers: &[Self]) -> bool {
+        recording::are_finite(&values(numbers))
     }
 
     functions! {
@@ -241,19 +241,21 @@ impl<F: Number> Scalar for Recorded<F> {
         recording::side(is_open)
     }
 
-    fn agreeing<const N: usize, const K: usize>(near: [Self; N], _: [Self; K]) -> [Self; N] {
-        near
-    }
+    fn agree(_: &mut [Self], _: &[Self]) {}
 
     fn measured<const N: usize>(measure: impl Measure<Self, N>) -> Self {
         measure.measure(measure.operands())
     }
 
-    fn chosen<const N: usize>(choice: impl Choose<Self, N>) -> Result<Assembly, Failure> {
-        Self::first_chosen([choice])
+    fn measured_over<M: RowMeasure>(_: M, count: usize, operand: impl Fn(usize) -> Self) -> Self {
+        M::end((0..count).fold(M::start(), |own, index| M::with(own, operand(index))))
     }
 
-    fn first_chosen<const N: usize, const K: usize>(choices: [impl Choose<Self, N>; K]) -> Result<Assembly, Failure> {
+    fn chosen<const N: usize>(choice: impl Choose<Self, N>) -> Result<Assembly, Failure> {
+        Self::first_chosen(&[choice])
+    }
+
+    fn first_chosen<const N: usize>(choices: &[impl Choose<Self, N>]) -> Result<Assembly, Failure> {
         // Whether all criteria before found both solutions valid, and what the last of them that was asked chose.
         let mut is_asked = Self::certainly(true);
         let mut is_first = Self::certainly(true);
@@ -274,14 +276,12 @@ impl<F: Number> Scalar for Recorded<F> {
                 ),
             ];
             // Only the last criterion fails if both solutions are valid.
-            let count = if number + 1 == K { 3 } else { 2 };
+            let count = if number + 1 == choices.len() { 3 } else { 2 };
             for (name, condition, margin) in checks.into_iter().take(count) {
                 let condition = <Self as Real>::either(Self::not(is_asked), || condition);
                 let holds = recording::holds(name, condition, margin.value, recording::count());
                 if !holds {
-                    return Err(Failure::NotFinite {
-                        quantity: choice.name().into(),
-                    });
+                    return Err(Failure::not_finite(choice.name()));
                 }
             }
             let own_first = Self::both(is_asked, || own.is_first);
@@ -291,43 +291,54 @@ impl<F: Number> Scalar for Recorded<F> {
         Ok(recording::side(is_first))
     }
 
-    fn root<const N: usize>(
-        guess: [Self; N],
-        sizes: [Self; N],
-        mut evaluate: impl FnMut([Self; N]) -> ([Self; N], [[Self; N]; N]),
-    ) -> Result<[Self; N], Failure> {
+    fn root(
+        solution: &mut [Self],
+        sizes: &[Self],
+        _: NewtonMemory<'_, Self>,
+        mut evaluate: impl FnMut(&[Self], &mut [Self], &mut [Self]),
+    ) -> Result<(), Failure> {
+        let count = solution.len();
         let mut sought_with = |search: usize| {
-            let (residuals, jacobian) =
-                evaluate(core::array::from_fn(|index| put(TapeNode::Unknown { search, index })));
+            let unknowns: Vec<Self> = (0..count)
+                .map(|index| put(TapeNode::Unknown { search, index }))
+                .collect();
+            let (mut residuals, mut jacobian) = (unknowns.clone(), unknowns.repeat(count));
+            evaluate(&unknowns, &mut residuals, &mut jacobian);
             Sought {
-                guess: values(&guess),
-                sizes: values(&sizes),
+                guess: values(solution),
+                sizes: values(sizes),
                 residuals: values(&residuals),
-                jacobian: jacobian.iter().map(|row| values(row)).collect(),
+                jacobian: jacobian.chunks(count.max(1)).map(values).collect(),
             }
         };
         let search = recording::searched(&mut sought_with);
         if !recording::is_found(search) {
             return Err(Failure::not_finite("root"));
         }
-        Ok(core::array::from_fn(|index| put(TapeNode::Root { search, index })))
+        for (index, entry) in solution.iter_mut().enumerate() {
+            *entry = put(TapeNode::Root { search, index });
+        }
+        Ok(())
     }
 
-    fn factored<const N: usize>(matrix: [[Self; N]; N]) -> Result<Factors<Self, N>, Failure> {
-        let (system, holds) = recording::factored(matrix.iter().map(|row| values(row)).collect());
+    fn factored(entries: &mut [Self], rows: &mut [FactorRow]) -> Result<Elimination, Failure> {
+        let (system, holds) = recording::factored(entries.chunks(rows.len().max(1)).map(values).collect());
         if holds {
-            // The entries stand for the whole system.
+            // Each entry stands for the whole system.
             let system = u32::try_from(system).unwrap_or(u32::MAX);
-            Ok(Factors::standing_for(Self::at(Value(system))))
+            entries.fill(Self::at(Value(system)));
+            Ok(Elimination::default())
         } else {
             Err(Failure::not_finite("matrix"))
         }
     }
 
-    fn substituted<const N: usize>(factors: &Factors<Self, N>, right: [Self; N]) -> [Self; N] {
-        let system = factors.stands_for().value.index();
-        let solution = recording::solved(system, values(&right));
-        core::array::from_fn(|index| put(TapeNode::Solution { solution, index }))
+    fn substituted(entries: &[Self], _: &[FactorRow], right: &[Self], solution: &mut [Self]) {
+        let solved = recording::solved(entries[0].value.index(), values(right));
+        for (index, entry) in solution.iter_mut().enumerate() {
+            let solution = solved;
+            *entry = put(TapeNode::Solution { solution, index });
+        }
     }
 }
 

@@ -58,6 +58,8 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let inputs = mechanism.input_names();
     let count = Literal::usize_unsuffixed(mechanism.model.unknowns.len());
     let capacity = Literal::usize_unsuffixed(paths);
+    let blocks = mechanism.blocks.iter().filter_map(|block| block.all.as_ref());
+    let room = Literal::usize_unsuffixed(blocks.map(PolynomialSystem::room).sum());
     let [way, near] = ["choices", "near"].map(|name| mechanism.own(name));
     let lines = mechanism
         .blocks
@@ -88,7 +90,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
             pub fn assemblies_at(&self, #(#inputs: ::core::primitive::f64),*)
                 -> ::core::result::Result<#runtime::Assemblies<#count, #capacity>, #runtime::SolveError>
             {
-                #runtime::every(
+                #runtime::every::<#count, #capacity, #room>(
                     |#way| self.__one_of_all(#(#inputs,)* #way),
                     |#near| #runtime::Mechanism::solve_position_near(self, [#(#inputs),*], #near),
                 )
@@ -118,20 +120,13 @@ pub(in crate::emit) fn internal(mechanism: &Compiled<'_>) -> Option<Internal> {
     let body = text.position_steps(stage);
     let unknowns = (0..mechanism.model.unknowns.len()).map(|index| mechanism.name_of(Symbol::Unknown(index)));
     let way = mechanism.own("choices");
-    let room: usize = mechanism
-        .blocks
-        .iter()
-        .filter_map(|block| block.all.as_ref())
-        .map(PolynomialSystem::room)
-        .sum();
-    let room = Literal::usize_unsuffixed(room);
     Some(Internal {
         attributes: TokenStream::new(),
         signature: quote! {
             fn __one_of_all(
                 &self,
                 #(#inputs: ::core::primitive::f64,)*
-                #way: &mut #runtime::Choices<#room>,
+                #way: &mut #runtime::Choices<'_>,
             ) -> ::core::result::Result<[::core::primitive::f64; #count], #runtime::SolveError>
         },
         body: quote! {

@@ -101,7 +101,7 @@ pub(in crate::emit) fn internal(mechanism: &Compiled<'_>) -> [Internal; 2] {
         })
         .collect();
     if !telltales.is_empty() {
-        tests.insert(0, quote!(T::are_finite([#(#rates),*])));
+        tests.insert(0, quote!(T::are_finite(&[#(#rates),*])));
     }
     let unknowns = model.unknowns.iter().map(|unknown| &unknown.name);
     let fields: Vec<_> = unknowns

@@ -39,8 +39,8 @@ use num_traits::Float;
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::number::elementary::{is_near, near_sine_cosine, ordinary_arc_tangent, turned_round};
-use crate::number::{Number, Row, real_parts};
-use crate::solve::{Check, Choose, Measure, Scalar};
+use crate::number::{Number, real_parts};
+use crate::solve::{Check, Choose, Measure, NewtonMemory, RowMeasure, Scalar};
 
 /// `W` numbers. If they are `FUSED`, multiply-add is one step where functions ask for it.
 #[derive(Clone, Copy, Debug)]
@@ -394,6 +394,15 @@ impl<const W: usize, const FUSED: bool, E: Element> Scalar for Lanes<W, FUSED, E
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
+    fn measured_over<M: RowMeasure>(_: M, count: usize, operand: impl Fn(usize) -> Self) -> Self {
+        let mut own = Self([M::start(); W]);
+        for index in 0..count {
+            own = own.with(operand(index), M::with);
+        }
+        own.map(M::end)
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn chosen<const N: usize>(choice: impl Choose<Self, N>) -> Result<Assembly, Failure> {
         let operands = choice.operands();
         let first = choice.choose(real_parts(Self::at(&operands, 0)))?;
@@ -408,11 +417,11 @@ impl<const W: usize, const FUSED: bool, E: Element> Scalar for Lanes<W, FUSED, E
     /// The pivot as for one pose. Sizes are computed again instead of kept, which saves one percent of the instructions
     /// of Newton's method.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn pivot<R: Row<Self>>(rows: &[R], step: usize) -> usize {
-        let size_of = |row: &R| row[step].leading().abs();
+    fn pivot(entries: &[Self], count: usize, step: usize) -> usize {
+        let size_of = |row: usize| entries[row * count + step].leading().abs();
         let mut best = step;
-        for row in step + 1..rows.len() {
-            if size_of(&rows[row]) > size_of(&rows[best]) {
+        for row in step + 1..count {
+            if size_of(row) > size_of(best) {
                 best = row;
             }
         }
@@ -426,12 +435,13 @@ impl<const W: usize, const FUSED: bool, E: Element> Scalar for Lanes<W, FUSED, E
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn root<const N: usize>(
-        guess: [Self; N],
-        sizes: [Self; N],
-        evaluate: impl FnMut([Self; N]) -> ([Self; N], [[Self; N]; N]),
-    ) -> Result<[Self; N], Failure> {
-        newton::root(guess, sizes, evaluate)
+    fn root(
+        solution: &mut [Self],
+        sizes: &[Self],
+        memory: NewtonMemory<'_, Self>,
+        evaluate: impl FnMut(&[Self], &mut [Self], &mut [Self]),
+    ) -> Result<(), Failure> {
+        newton::root(solution, sizes, memory, evaluate)
     }
 }
 

@@ -11,61 +11,63 @@ use num_traits::Float;
 use super::{Element, Lanes, verdicts};
 use crate::failure::Failure;
 use crate::number::Number;
-use crate::solve::{FIRST_STEP, Factors, LINEAR_STEP, factor};
+use crate::solve::{Determinant, FIRST_STEP, FactorRow, LINEAR_STEP, NewtonMemory, Scalar, factor_in, substitute_in};
 
 /// The limit of steps. Full steps from a good guess double the digits; a problem that needs more steps should be
 /// damped.
 const ITERATIONS: u32 = 12;
 
-/// A step that has been taken.
-struct NewtonStep<const W: usize, const FUSED: bool, const N: usize, E> {
-    from: [Lanes<W, FUSED, E>; N],
+/// A step that has been taken: its length, and the determinant where it began.
+struct NewtonStep<const W: usize, const FUSED: bool, E> {
     length: Lanes<W, FUSED, E>,
-    factors: Factors<Lanes<W, FUSED, E>, N>,
+    determinant: Determinant<Lanes<W, FUSED, E>>,
 }
 
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn root<const W: usize, const FUSED: bool, const N: usize, E: Element>(
-    guess: [Lanes<W, FUSED, E>; N],
-    sizes: [Lanes<W, FUSED, E>; N],
-    mut evaluate: impl FnMut([Lanes<W, FUSED, E>; N]) -> ([Lanes<W, FUSED, E>; N], [[Lanes<W, FUSED, E>; N]; N]),
-) -> Result<[Lanes<W, FUSED, E>; N], Failure> {
-    let mut point = guess;
-    let mut root = [Lanes([E::nan(); W]); N];
+pub(super) fn root<const W: usize, const FUSED: bool, E: Element>(
+    point: &mut [Lanes<W, FUSED, E>],
+    sizes: &[Lanes<W, FUSED, E>],
+    memory: NewtonMemory<'_, Lanes<W, FUSED, E>>,
+    mut evaluate: impl FnMut(&[Lanes<W, FUSED, E>], &mut [Lanes<W, FUSED, E>], &mut [Lanes<W, FUSED, E>]),
+) -> Result<(), Failure> {
+    let [residuals, correction, end, expected, from, root] = memory.vectors;
+    // The factors of the step before stay, with their rows.
+    let [factors, last_factors] = memory.matrices;
+    let [rows, last_rows] = memory.rows;
+    root.fill(Lanes([E::nan(); W]));
     let mut pending = [true; W];
     // The change of the determinant, as a part of itself, for each unit of length of a step.
     let mut rate = [E::zero(); W];
-    let mut last: Option<NewtonStep<W, FUSED, N, E>> = None;
+    let mut last: Option<NewtonStep<W, FUSED, E>> = None;
     for _ in 0..ITERATIONS {
         // Called in one place only: with two calls it would not be inlined into this function, and so not compiled for
         // the machine's vectors.
-        let (residuals, mut jacobian) = evaluate(point);
-        for row in &mut jacobian {
+        evaluate(point, residuals, factors);
+        for row in factors.chunks_exact_mut(sizes.len().max(1)) {
             for (entry, size) in row.iter_mut().zip(sizes) {
-                *entry = *entry * size;
+                *entry = *entry * *size;
             }
         }
-        let factors = factor(jacobian)?;
-        let correction = negated(factors.solve(residuals));
-        let length = largest(&correction);
-        let mut end = point;
-        for (index, entry) in end.iter_mut().enumerate() {
-            *entry = *entry + correction[index] * sizes[index];
+        let elimination = factor_in(factors, rows)?;
+        let determinant = Determinant::of(factors, rows, elimination.is_odd);
+        corrected(factors, rows, residuals, correction);
+        let length = largest(correction);
+        for index in 0..point.len() {
+            end[index] = point[index] + correction[index] * sizes[index];
         }
         let mut previous = Lanes::constant(f64::INFINITY);
         let mut ratio = Lanes::constant(1.0);
         // The forecast of the length of the next full step is a quotient of these two.
         let mut forecast = [Lanes::constant(1.0), Lanes::constant(0.0)];
         if let Some(step) = &last {
-            let expected = negated(step.factors.solve(residuals));
-            let mut difference = expected;
-            for (entry, correction) in difference.iter_mut().zip(correction) {
-                *entry = *entry - correction;
+            corrected(last_factors, last_rows, residuals, expected);
+            let fall = largest(expected);
+            for (entry, correction) in expected.iter_mut().zip(&*correction) {
+                *entry = *entry - *correction;
             }
-            let fall = largest(&expected);
             previous = step.length;
-            forecast = [previous * fall, largest(&difference) * length];
-            ratio = factors.determinant_relative_to(&step.factors);
+            forecast = [previous * fall, largest(expected) * length];
+            ratio = determinant.relative_to(step.determinant);
             for lane in 0..W {
                 let change = (ratio.0[lane] - E::one()).size() / previous.0[lane];
                 rate[lane] = Float::max(rate[lane], change);
@@ -74,13 +76,13 @@ pub(super) fn root<const W: usize, const FUSED: bool, const N: usize, E: Element
                 // A small correction that does not fall is rounding.
                 let ends = !falls && previous * previous <= E::of(LINEAR_STEP * E::EPSILON);
                 if pending[lane] && ends && is_distinct(ratio.0[lane], rate[lane] * previous) {
-                    arrive(&mut root, if fall < previous { &point } else { &step.from }, lane);
+                    arrive(root, if fall < previous { point } else { from }, lane);
                 }
                 pending[lane] &= falls;
             }
         }
         for lane in 0..W {
-            let lost = (0..N).all(|index| {
+            let lost = (0..point.len()).all(|index| {
                 let size = point[index].0[lane].size() / sizes[index].0[lane];
                 correction[index].0[lane].size() <= E::of(E::EPSILON) * Float::max(size, E::one())
             });
@@ -89,7 +91,7 @@ pub(super) fn root<const W: usize, const FUSED: bool, const N: usize, E: Element
             if pending[lane] && (lost || stalled) {
                 pending[lane] = false;
                 if is_distinct(ratio.0[lane], rate[lane] * length) {
-                    arrive(&mut root, if lost { &end } else { &point }, lane);
+                    arrive(root, if lost { end } else { point }, lane);
                 }
             }
             let is_full = if last.is_some() {
@@ -102,22 +104,25 @@ pub(super) fn root<const W: usize, const FUSED: bool, const N: usize, E: Element
         if !pending.contains(&true) {
             break;
         }
-        let from = point;
+        from.copy_from_slice(point);
         // Lanes that have finished keep their values.
-        for (entry, end) in point.iter_mut().zip(end) {
+        for (entry, end) in point.iter_mut().zip(&*end) {
             for lane in 0..W {
                 if pending[lane] {
                     entry.0[lane] = end.0[lane];
                 }
             }
         }
-        last = Some(NewtonStep { from, length, factors });
+        last_factors.copy_from_slice(factors);
+        last_rows.copy_from_slice(rows);
+        last = Some(NewtonStep { length, determinant });
     }
+    point.copy_from_slice(root);
     let missing = root
         .iter()
         .fold(Lanes::constant(0.0), |sum, entry| sum + *entry * Lanes::constant(0.0));
     verdicts::record(missing);
-    Ok(root)
+    Ok(())
 }
 
 /// Whether rounding errors change the determinant too little for a second root. The ordinary method allows a change of
@@ -132,9 +137,9 @@ fn is_distinct<E: Element>(ratio: E, change: E) -> bool {
 }
 
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn arrive<const W: usize, const FUSED: bool, const N: usize, E: Element>(
-    root: &mut [Lanes<W, FUSED, E>; N],
-    place: &[Lanes<W, FUSED, E>; N],
+fn arrive<const W: usize, const FUSED: bool, E: Element>(
+    root: &mut [Lanes<W, FUSED, E>],
+    place: &[Lanes<W, FUSED, E>],
     lane: usize,
 ) {
     for (root, place) in root.iter_mut().zip(place) {
@@ -142,22 +147,18 @@ fn arrive<const W: usize, const FUSED: bool, const N: usize, E: Element>(
     }
 }
 
+/// The correction that removes the residuals.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn negated<const W: usize, const FUSED: bool, const N: usize, E: Element>(
-    vector: [Lanes<W, FUSED, E>; N],
-) -> [Lanes<W, FUSED, E>; N] {
-    let mut negated = vector;
-    for entry in &mut negated {
+fn corrected<T: Scalar>(factors: &[T], rows: &[FactorRow], residuals: &[T], correction: &mut [T]) {
+    substitute_in(factors, rows, residuals, correction);
+    for entry in correction {
         *entry = -*entry;
     }
-    negated
 }
 
 /// The largest magnitude, or NaN if an entry is NaN.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn largest<const W: usize, const FUSED: bool, const N: usize, E: Element>(
-    vector: &[Lanes<W, FUSED, E>; N],
-) -> Lanes<W, FUSED, E> {
+fn largest<const W: usize, const FUSED: bool, E: Element>(vector: &[Lanes<W, FUSED, E>]) -> Lanes<W, FUSED, E> {
     let mut largest = Lanes::constant(0.0);
     for entry in vector {
         largest = largest.with(*entry, |largest, entry| {
@@ -200,7 +201,7 @@ mod tests {
             let lanes = |of: &dyn Fn(usize) -> f64| Four::from_fn(of);
             let evaluate = system(lanes(&|lane| given[lane][0]), lanes(&|lane| given[lane][1]));
             let guess = [lanes(&|lane| guesses[lane][0]), lanes(&|lane| guesses[lane][1])];
-            let found = root(guess, sizes.map(Four::constant), &evaluate).unwrap();
+            let found = newton(guess, sizes.map(Four::constant), &evaluate).unwrap();
             for lane in 0..4 {
                 let expected = newton(guesses[lane], sizes, system(given[lane][0], given[lane][1])).unwrap();
                 for (found, expected) in found.iter().zip(expected) {
@@ -215,14 +216,14 @@ mod tests {
         // A step as long as the unknown itself is too long.
         let evaluate = system(Four::constant(3.0), Four::constant(8.0));
         let guess = [Lanes([1.001, 40.0, f64::NAN, 1.001]), Lanes([2.001, -3.0, 2.0, 1.999])];
-        let [x, _] = root(guess, [1.0, 2.0].map(Four::constant), &evaluate).unwrap();
+        let [x, _] = newton(guess, [1.0, 2.0].map(Four::constant), &evaluate).unwrap();
         assert_eq!(x.0.map(f64::is_finite), [true, false, false, true], "{x:?}");
     }
 
     #[test]
     fn the_largest_magnitude_is_that_of_each_lane() {
         let row = [Lanes([1.0, -5.0, f64::NAN, 0.0]), Lanes([-2.0, 3.0, 1.0, f64::NAN])];
-        let Lanes(found) = largest::<4, false, 2, f64>(&row);
+        let Lanes(found) = largest::<4, false, f64>(&row);
         assert_eq!(found[..2], [2.0, 5.0]);
         assert!(found[2].is_nan() && found[3].is_nan(), "{found:?}");
     }

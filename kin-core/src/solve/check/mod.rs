@@ -4,37 +4,30 @@
 //! that holds several poses decides for each. A check knows its name, what it compares, and its distance from another
 //! outcome.
 
-mod beyond_doubt;
 mod domain;
-mod finite;
-mod pivot;
+pub(in crate::solve) mod doubt;
+mod range;
 mod real;
-mod regular;
-mod sides;
-mod sign;
-mod size;
-mod span;
+pub(in crate::solve) mod regular;
 mod turns;
 
 #[cfg(test)]
 mod tests;
 
-pub(super) use beyond_doubt::BeyondDoubt;
-pub(super) use domain::{Ends, InDomain};
-pub(super) use finite::Finite;
-pub(super) use pivot::Multiplier;
+pub use domain::{
+    arc_cosine, arc_sine, area_hyperbolic_cosine, area_hyperbolic_tangent, cosine_of_arc, hyperbolic_cosine_of_area,
+    logarithm, sine_of_arc, square_of_root, square_root_of, tangent_of_arc,
+};
+pub use doubt::{decisive, decisive_in, decisive_vector, decisive_vector_in};
+pub use range::{SolutionInRange, check_angle, check_value, choose, choose_in};
 pub use real::Real;
-pub(super) use regular::Regular;
-pub(super) use sides::SameSides;
-pub use sign::Negative;
-pub(super) use sign::{NotNegative, Zero};
-pub(super) use size::{LargestLength, LargestSize, SumOfSizes};
-pub use span::SolutionInRange;
-pub(super) use span::{AngleInRange, Span, ValueInRange, out_of_range, within};
-pub(super) use turns::{NearestTurns, TellsDirection, TurnsInto};
+pub use regular::{finite, regular};
+pub(super) use turns::SameSide;
+pub use turns::{agreeing, agreeing_in, nearest_turn, on_turn, within_turns, within_turns_in};
 
 use crate::assembly::Assembly;
 use crate::failure::Failure;
+use crate::quantity::Name;
 use crate::solve::Scalar;
 
 /// A check on which the path to a solution depends: `K` conditions on `N` operands, all of which must hold.
@@ -76,8 +69,8 @@ pub trait Check<T, const N: usize, const K: usize>: Copy {
 
 /// A choice between two solutions.
 pub trait Choose<T, const N: usize>: Copy {
-    /// The criterion of the choice, in a few words.
-    fn name(&self) -> &'static str;
+    /// The quantity by which the choice is made.
+    fn name(&self) -> Name;
 
     /// The numbers that the choice compares.
     fn operands(&self) -> [T; N];
@@ -115,12 +108,64 @@ pub struct Validity<R: Real> {
 
 /// A constant that depends on the real parts of numbers, for example a count of whole turns.
 pub trait Measure<T, const N: usize>: Copy {
-    /// The measured quantity, in a few words.
-    fn name(&self) -> &'static str;
-
     /// The numbers on which the constant depends.
     fn operands(&self) -> [T; N];
 
     /// The constant for one pose with these operands.
     fn measure<R: Real>(&self, operands: [R; N]) -> R;
+}
+
+/// A constant that depends on the real parts of any number of numbers, which are taken one after the other.
+pub trait RowMeasure: Copy {
+    /// The constant of no numbers, before its [end](Self::end).
+    fn start<R: Real>() -> R;
+
+    /// The constant with one more number.
+    fn with<R: Real>(own: R, next: R) -> R;
+
+    /// The constant when all numbers are taken.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn end<R: Real>(own: R) -> R {
+        own
+    }
+}
+
+macro_rules! sign {
+    ($(#[doc = $doc:literal] $visibility:vis $name:ident, $words:literal: |$number:ident| $holds:expr, $margin:expr;)+) => {
+        $(
+            #[doc = $doc]
+            #[derive(Clone, Copy, Debug)]
+            $visibility struct $name<T>(pub T);
+
+            impl<T: Scalar> Check<T, 1, 1> for $name<T> {
+                fn name(&self) -> &'static str {
+                    $words
+                }
+
+                #[cfg_attr(not(debug_assertions), inline(always))]
+                fn operands(&self) -> [T; 1] {
+                    [self.0]
+                }
+
+                #[cfg_attr(not(debug_assertions), inline(always))]
+                fn holds<R: Real>(&self, [$number]: [R; 1]) -> [R::Truth; 1] {
+                    [$holds]
+                }
+
+                fn margin(&self) -> T {
+                    let $number = self.0;
+                    $margin
+                }
+            }
+        )+
+    };
+}
+
+sign! {
+    /// Whether a number is less than zero.
+    pub Negative, "negative number": |number| number.is_below(R::of(0.0)), -number;
+    /// Whether a number is zero or more.
+    pub(in crate::solve) NotNegative, "number that is not negative": |number| number.is_at_least(R::of(0.0)), number;
+    /// Whether a number is zero.
+    pub(in crate::solve) Zero, "zero": |number| number.equals(R::of(0.0)), doubt::size(number) * T::constant(-1.0);
 }

@@ -13,7 +13,8 @@ use crate::batch::lanes::Lanes;
 use crate::failure::Failure;
 use crate::geometry::Plane;
 use crate::number::Number;
-use crate::solve::check::{Regular, SolutionInRange};
+use crate::solve::check::SolutionInRange;
+use crate::solve::check::regular::Regular;
 use crate::solve::{self, Scalar};
 
 /// A double-precision number that records the names and margins of all checks.
@@ -104,7 +105,7 @@ impl Scalar for Recorded {
     }
 
     fn chosen<const N: usize>(choice: impl Choose<Self, N>) -> Result<Assembly, Failure> {
-        note(choice.name(), choice.margin());
+        note(choice.name().text().unwrap(), choice.margin());
         choice.choose(choice.operands().map(Self::real))
     }
 }

@@ -1,13 +1,14 @@
 //! Two links of known length between two known points: the intersection of two circles.
 
+use super::refusal::{length, refusal, root};
 use super::root::Root;
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::geometry::Plane;
 use crate::solve::Scalar;
-use crate::solve::check::{Check, Real, SumOfSizes};
-use crate::solve::diagnosis::{length, ordinary_from, refusal, root};
-use crate::solve::doubt::{least, size, smaller};
+use crate::solve::check::doubt::{least, size, smaller, sum_of_sizes};
+use crate::solve::check::regular::ordinary_from;
+use crate::solve::check::{Check, Real};
 
 const QUANTITY: &str = "link lengths or the distance they span";
 
@@ -83,7 +84,7 @@ pub fn circle_circle_squared<T: Scalar>(a2: T, b2: T, c: Plane<T>, assembly: Ass
     let four_q2 = T::constant(4.0) * a2 * d2 - twice_p * twice_p;
     let sizes = || {
         let terms = [T::constant(4.0) * a2 * d2, twice_p * d2, twice_p * a2, twice_p * b2];
-        T::measured(SumOfSizes(terms))
+        sum_of_sizes(&terms)
     };
     let reach = ReachOfSquares {
         squares: [a2, b2],

@@ -1,13 +1,14 @@
 //! A link of known length whose end slides along a line: the intersection of a circle and a line.
 
+use super::refusal::{length, refusal, root};
 use super::root::Root;
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::geometry::Plane;
 use crate::solve::Scalar;
-use crate::solve::check::{Check, Finite, Real, SumOfSizes};
-use crate::solve::diagnosis::{length, ordinary_from, refusal, root};
-use crate::solve::doubt::{divisor, least, size};
+use crate::solve::check::doubt::{divisor, least, size, sum_of_sizes};
+use crate::solve::check::regular::{Finite, ordinary_from};
+use crate::solve::check::{Check, Real};
 
 const QUANTITY: &str = "link length, direction of the slide or distance spanned";
 
@@ -46,7 +47,7 @@ pub fn circle_line<T: Scalar>(
     let q2 = a2 * u2 - beside * beside;
     let sizes = || {
         let terms = [a2 * u2, beside * direction.x * c.y, beside * direction.y * c.x];
-        T::measured(SumOfSizes(terms))
+        sum_of_sizes(&terms)
     };
     let reach = Reach {
         q2,

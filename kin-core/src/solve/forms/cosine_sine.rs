@@ -1,12 +1,13 @@
 //! One angle from an equation in its cosine and sine.
 
+use super::refusal::{length, refusal};
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::geometry::Plane;
 use crate::solve::Scalar;
+use crate::solve::check::doubt::{divisor, least_from, size as magnitude};
+use crate::solve::check::regular::ordinary_from;
 use crate::solve::check::{Check, Real};
-use crate::solve::diagnosis::{length, ordinary_from, refusal};
-use crate::solve::doubt::{divisor, least_from, size as magnitude};
 
 const QUANTITY: &str = "coefficients of the cosine and the sine";
 

@@ -1,12 +1,13 @@
 //! One angle from its cosine or its sine.
 
+use super::refusal::refusal;
 use super::root::Root;
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::solve::Scalar;
+use crate::solve::check::doubt::{least, size};
+use crate::solve::check::regular::ordinary_from;
 use crate::solve::check::{Check, Real};
-use crate::solve::diagnosis::{ordinary_from, refusal};
-use crate::solve::doubt::{least, size};
 
 /// The height of a link of the given radius and width: y of (x, y) = `radius` (cos φ, sin φ), given x.
 ///

@@ -1,11 +1,11 @@
 //! One number from its hyperbolic cosine.
 
+use super::refusal::refusal;
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::solve::Scalar;
+use crate::solve::check::doubt::{is_told_from, size};
 use crate::solve::check::{Check, Real};
-use crate::solve::diagnosis::refusal;
-use crate::solve::doubt::{is_told_from, size};
 
 /// The number a with cosh a = `value`. In [`Assembly::Open`] it has the sign of `growth`, in the crossed assembly the
 /// opposite sign.

@@ -2,8 +2,9 @@
 
 use crate::failure::Failure;
 use crate::solve::Scalar;
-use crate::solve::check::{Check, Finite, Real};
-use crate::solve::doubt::{decisive, size};
+use crate::solve::check::doubt::{decisive, size};
+use crate::solve::check::regular::Finite;
+use crate::solve::check::{Check, Real};
 
 const QUANTITY: &str = "coefficients of a linear equation, or its solution";
 

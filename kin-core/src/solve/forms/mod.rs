@@ -8,6 +8,7 @@ mod inverse_hyperbolic;
 mod linear;
 mod polar;
 mod quadratic;
+mod refusal;
 mod root;
 mod square_root;
 

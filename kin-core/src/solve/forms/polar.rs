@@ -1,13 +1,14 @@
 //! A length along an unknown direction: a slide on a link that turns.
 
+use super::refusal::{length, refusal};
 use super::root::Root;
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::geometry::Plane;
 use crate::solve::Scalar;
+use crate::solve::check::doubt::{least, size};
+use crate::solve::check::regular::{ordinary, ordinary_from};
 use crate::solve::check::{Check, Real};
-use crate::solve::diagnosis::{length, ordinary, ordinary_from, refusal};
-use crate::solve::doubt::{least, size};
 
 const QUANTITY: &str = "offset of the slide or distance spanned";
 

@@ -1,11 +1,12 @@
 //! One unknown in a quadratic equation.
 
+use super::refusal::root;
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::solve::Scalar;
-use crate::solve::check::{Check, Finite, NotNegative, Real};
-use crate::solve::diagnosis::{ordinary_from, root};
-use crate::solve::doubt::{least, size, smaller};
+use crate::solve::check::doubt::{least, size, smaller};
+use crate::solve::check::regular::{Finite, ordinary_from};
+use crate::solve::check::{Check, NotNegative, Real};
 
 const QUANTITY: &str = "coefficients of a quadratic equation, or its solution";
 

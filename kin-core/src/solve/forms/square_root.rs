@@ -1,11 +1,11 @@
 //! One unknown from its square.
 
+use super::refusal::root;
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::solve::Scalar;
+use crate::solve::check::doubt::size;
 use crate::solve::check::{Check, Real};
-use crate::solve::diagnosis::root;
-use crate::solve::doubt::size;
 
 /// A root of `x² = w`. [`Assembly::Open`] is the positive one.
 ///

@@ -1,4 +1,4 @@
-//! The range declared for an unknown.
+//! The solution that lies in the range declared for an unknown.
 
 use core::f64::consts::TAU;
 
@@ -6,8 +6,9 @@ use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::quantity::Name;
 use crate::solve::Scalar;
-use crate::solve::check::{Check, Choose, Real, TurnsInto, Validity};
-use crate::solve::doubt::{is_told_from, size, smaller};
+use crate::solve::check::doubt::{is_told_from, size, smaller};
+use crate::solve::check::turns::turned;
+use crate::solve::check::{Check, Choose, Measure, Real, Validity};
 
 /// The tolerance for solutions outside the range, in units of ε times the size of the numbers.
 const TOLERANCE: f64 = 8.0;
@@ -17,17 +18,108 @@ const IN_DOUBT: Failure = Failure::NotFinite {
     quantity: Name::new("lanes"),
 };
 
+/// The choice between two solutions by the ranges `low..=high` of unknowns: [`Assembly::Open`] for the first solution,
+/// [`Assembly::Crossed`] for the second. The first range that does not contain both solutions decides.
+///
+/// A range without an end has an infinite end. Solutions may lie beyond an end by no more than rounding. Two solutions
+/// that coincide count as one, the first. An angle lies in its range if whole turns can bring it there.
+///
+/// # Errors
+/// [`Failure::OutOfRange`] with the solution closest to the range that decides if neither lies in it, [`Failure::Ambiguous`] if
+/// both lie in all ranges, [`Failure::NotFinite`].
+///
+/// ```
+/// use kin_core::Assembly;
+/// use kin_core::solve::{self, SolutionInRange};
+///
+/// let slider = SolutionInRange::value("s", [-2.0, 2.0], 0.0, f64::INFINITY);
+/// assert_eq!(solve::choose([slider]), Ok(Assembly::Crossed));
+///
+/// let coupler = SolutionInRange::angle("theta3", [0.5, -0.5], -1.0, 1.0);
+/// let rocker = SolutionInRange::angle("theta4", [-2.0, 2.0], 0.0, 3.1);
+/// assert_eq!(solve::choose([coupler, rocker]), Ok(Assembly::Crossed));
+/// ```
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub fn choose<T: Scalar, const K: usize>(
+    ranges: [SolutionInRange<T, impl Copy + Into<Name>>; K],
+) -> Result<Assembly, Failure> {
+    const { assert!(K > 0, "a choice has a criterion") };
+    T::first_chosen(&ranges)
+}
+
+/// [`choose`] by any number of ranges.
+///
+/// # Errors
+/// As for [`choose`]. [`Failure::NotFinite`] without a range.
+#[doc(hidden)]
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub fn choose_in<T: Scalar>(ranges: &[SolutionInRange<T, impl Copy + Into<Name>>]) -> Result<Assembly, Failure> {
+    if ranges.is_empty() {
+        return Err(Failure::not_finite("range of a choice"));
+    }
+    T::first_chosen(ranges)
+}
+
+/// The value itself, if it lies in `low..=high` up to rounding.
+///
+/// # Errors
+/// [`Failure::OutOfRange`], [`Failure::NotFinite`].
+///
+/// ```
+/// use kin_core::solve;
+///
+/// assert_eq!(solve::check_value("s", 2.0, 0.0, 3.0), Ok(2.0));
+/// assert!(solve::check_value("s", 4.0, 0.0, 3.0).is_err());
+/// ```
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub fn check_value<T: Scalar>(unknown: impl Into<Name>, value: T, low: f64, high: f64) -> Result<T, Failure> {
+    value.provided(ValueInRange { value, low, high }).ok_or_else(|| {
+        let real = value.real();
+        if real.is_finite() {
+            out_of_range(unknown.into(), real, low, high, false)
+        } else {
+            Failure::not_finite(unknown)
+        }
+    })
+}
+
+/// The angle that lies in `low..=high`, up to rounding, and differs from `value` by as few whole turns as possible.
+///
+/// # Errors
+/// [`Failure::OutOfRange`] with the representative closest to the range, [`Failure::NotFinite`].
+///
+/// ```
+/// use core::f64::consts::TAU;
+/// use kin_core::solve;
+///
+/// assert_eq!(solve::check_angle("theta4", -1.0, 0.0, TAU), Ok(TAU - 1.0));
+/// ```
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub fn check_angle<T: Scalar>(unknown: impl Into<Name>, value: T, low: f64, high: f64) -> Result<T, Failure> {
+    let range = |angle: T| AngleInRange { angle, low, high };
+    let Some(value) = value.provided(range(value)) else {
+        let real = value.real();
+        return Err(if real.is_finite() {
+            let nearest = Span::new(low, high, real, T::EPSILON).representative(real);
+            out_of_range(unknown.into(), nearest, low, high, true)
+        } else {
+            Failure::not_finite(unknown)
+        });
+    };
+    Ok(turned(value, range(value).turns()))
+}
+
 /// A range. It contains its ends, and also values that lie beyond them by no more than rounding.
 #[derive(Clone, Copy)]
-pub(in crate::solve) struct Span<R> {
-    pub(in crate::solve) low: f64,
-    pub(in crate::solve) high: f64,
+struct Span<R> {
+    low: f64,
+    high: f64,
     tolerance: R,
 }
 
 /// Whether a value lies in a range that contains its ends.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(in crate::solve) fn within<R: Real>(value: R, low: f64, high: f64) -> R::Truth {
+fn within<R: Real>(value: R, low: f64, high: f64) -> R::Truth {
     R::both(value.is_at_least(R::of(low)), || value.is_at_most(R::of(high)))
 }
 
@@ -39,7 +131,7 @@ fn larger<R: Real>(one: R, other: R) -> R {
 impl<R: Real> Span<R> {
     /// The range from `low` to `high`. The tolerance suits values of the size of `value`.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(in crate::solve) fn new(low: f64, high: f64, value: R, epsilon: f64) -> Self {
+    fn new(low: f64, high: f64, value: R, epsilon: f64) -> Self {
         let finite = |end: f64| if end.is_finite() { end.abs() } else { 0.0 };
         let ends = R::of(finite(low).max(finite(high)));
         let own = R::choose(value.is_finite(), || value.magnitude(), || R::of(0.0));
@@ -90,7 +182,7 @@ impl<R: Real> Span<R> {
 
     /// The smallest number of turns that brings an angle into the range, or next to it.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(in crate::solve) fn turns(self, angle: R) -> R {
+    fn turns(self, angle: R) -> R {
         let (low, high, zero) = (R::of(self.low), R::of(self.high), R::of(0.0));
         let turns = R::choose(
             angle.is_below(low),
@@ -108,7 +200,7 @@ impl<R: Real> Span<R> {
     }
 
     /// The representative of an angle that lies in the range, or comes closest to it.
-    pub(in crate::solve) fn representative(self, angle: R) -> R {
+    fn representative(self, angle: R) -> R {
         let inside = angle + R::of(TAU) * self.turns(angle);
         // An angle can miss a range of less than a turn on either side.
         let nearest = || {
@@ -124,10 +216,10 @@ impl<R: Real> Span<R> {
 
 /// Whether a value lies in its range, up to rounding.
 #[derive(Clone, Copy)]
-pub(in crate::solve) struct ValueInRange<T> {
-    pub(in crate::solve) value: T,
-    pub(in crate::solve) low: f64,
-    pub(in crate::solve) high: f64,
+struct ValueInRange<T> {
+    value: T,
+    low: f64,
+    high: f64,
 }
 
 impl<T: Scalar> Check<T, 1, 2> for ValueInRange<T> {
@@ -161,10 +253,10 @@ impl<T: Scalar> Check<T, 1, 2> for ValueInRange<T> {
 
 /// Whether an angle lies in its range after whole turns, up to rounding.
 #[derive(Clone, Copy)]
-pub(in crate::solve) struct AngleInRange<T> {
-    pub(in crate::solve) angle: T,
-    pub(in crate::solve) low: f64,
-    pub(in crate::solve) high: f64,
+struct AngleInRange<T> {
+    angle: T,
+    low: f64,
+    high: f64,
 }
 
 impl<T: Scalar> Check<T, 1, 2> for AngleInRange<T> {
@@ -212,7 +304,7 @@ impl<T: Scalar> Check<T, 1, 2> for AngleInRange<T> {
 impl<T: Scalar> AngleInRange<T> {
     /// The turns that bring the angle into the range, in radians.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(in crate::solve) fn turns(&self) -> T {
+    fn turns(&self) -> T {
         T::measured(TurnsInto {
             angle: self.angle,
             low: self.low,
@@ -228,8 +320,8 @@ fn inside<T: Scalar>(value: T, low: f64, high: f64) -> T {
 
 /// Which of two solutions lies in a range: the criterion of [`choose`](crate::solve::choose()).
 #[derive(Clone, Copy, Debug)]
-pub struct SolutionInRange<T> {
-    unknown: &'static str,
+pub struct SolutionInRange<T, N = &'static str> {
+    unknown: N,
     solutions: [T; 2],
     low: f64,
     high: f64,
@@ -237,10 +329,10 @@ pub struct SolutionInRange<T> {
     is_angle: bool,
 }
 
-impl<T> SolutionInRange<T> {
+impl<T, N> SolutionInRange<T, N> {
     /// Two values of an unknown, and its range `low..=high`.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub const fn value(unknown: &'static str, solutions: [T; 2], low: f64, high: f64) -> Self {
+    pub const fn value(unknown: N, solutions: [T; 2], low: f64, high: f64) -> Self {
         Self {
             unknown,
             solutions,
@@ -252,7 +344,7 @@ impl<T> SolutionInRange<T> {
 
     /// Two angles in radians, and their range. An angle lies in it if whole turns can bring it there.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub const fn angle(unknown: &'static str, solutions: [T; 2], low: f64, high: f64) -> Self {
+    pub const fn angle(unknown: N, solutions: [T; 2], low: f64, high: f64) -> Self {
         Self {
             unknown,
             solutions,
@@ -263,9 +355,9 @@ impl<T> SolutionInRange<T> {
     }
 }
 
-impl<T: Scalar> Choose<T, 2> for SolutionInRange<T> {
-    fn name(&self) -> &'static str {
-        self.unknown
+impl<T: Scalar, N: Copy + Into<Name>> Choose<T, 2> for SolutionInRange<T, N> {
+    fn name(&self) -> Name {
+        self.unknown.into()
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -322,7 +414,7 @@ impl<T: Scalar> Choose<T, 2> for SolutionInRange<T> {
             if !(span.tells_angle::<T>(first) && span.tells_angle::<T>(second)) {
                 return Err(IN_DOUBT);
             }
-            return choose(self.unknown, first, second, span, self.is_angle);
+            return chosen(self.unknown, first, second, span, self.is_angle);
         }
         if !(span.tells::<T>(first) && span.tells::<T>(second)) {
             return Err(IN_DOUBT);
@@ -332,7 +424,7 @@ impl<T: Scalar> Choose<T, 2> for SolutionInRange<T> {
         match (first >= least && first <= most, second >= least && second <= most) {
             (true, false) if second.is_finite() => Ok(Assembly::Open),
             (false, true) if first.is_finite() => Ok(Assembly::Crossed),
-            _ => choose(self.unknown, first, second, span, self.is_angle),
+            _ => chosen(self.unknown, first, second, span, self.is_angle),
         }
     }
 
@@ -352,8 +444,10 @@ impl<T: Scalar> Choose<T, 2> for SolutionInRange<T> {
     }
 }
 
-fn choose(
-    unknown: &'static str,
+/// Out of line: what is not clear at once is rare.
+#[inline(never)]
+fn chosen(
+    unknown: impl Into<Name>,
     first: f64,
     second: f64,
     span: Span<f64>,
@@ -386,22 +480,211 @@ fn choose(
     } else {
         first
     };
-    Err(out_of_range(unknown, value, span.low, span.high, is_angle))
+    Err(out_of_range(unknown.into(), value, span.low, span.high, is_angle))
 }
 
 #[cold]
-pub(in crate::solve) fn out_of_range(
-    unknown: &'static str,
-    value: f64,
-    low: f64,
-    high: f64,
-    is_angle: bool,
-) -> Failure {
+fn out_of_range(unknown: Name, value: f64, low: f64, high: f64, is_angle: bool) -> Failure {
     Failure::OutOfRange {
-        unknown: unknown.into(),
+        unknown,
         value,
         low,
         high,
         is_angle,
+    }
+}
+
+/// The turns that bring an angle into a range, in radians.
+#[derive(Clone, Copy)]
+struct TurnsInto<T> {
+    angle: T,
+    low: f64,
+    high: f64,
+}
+
+impl<T: Scalar> Measure<T, 1> for TurnsInto<T> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn operands(&self) -> [T; 1] {
+        [self.angle]
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn measure<R: Real>(&self, [angle]: [R; 1]) -> R {
+        // The tolerance is calculated outside of the range only.
+        let turns = R::choose(
+            within(angle, self.low, self.high),
+            || R::of(0.0),
+            || Span::new(self.low, self.high, angle, T::EPSILON).turns(angle),
+        );
+        turns * R::of(TAU)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use core::f64::consts::{FRAC_PI_2, PI, TAU};
+
+    use proptest::prelude::*;
+
+    use super::{check_angle, check_value, choose, choose_in};
+    use crate::assembly::Assembly;
+    use crate::failure::Failure;
+    use crate::quantity::{Name, NameKind};
+    use crate::solve::SolutionInRange;
+
+    #[test]
+    fn values_are_chosen_by_the_range() {
+        let choose = |first, second| choose::<f64, 1>([SolutionInRange::value("e", [first, second], 0.0, 10.0)]);
+        assert_eq!(choose(1.0, -1.0), Ok(Assembly::Open));
+        assert_eq!(choose(-1.0, 1.0), Ok(Assembly::Crossed));
+        assert_eq!(choose(3.0, 3.0), Ok(Assembly::Open));
+        assert_eq!(choose(0.0, -0.0), Ok(Assembly::Open));
+        assert_eq!(
+            choose(10.0 + 1e-15, -5.0),
+            Ok(Assembly::Open),
+            "rounding at an end is allowed for"
+        );
+        assert_eq!(
+            choose(1.0, 2.0),
+            Err(Failure::Ambiguous {
+                unknown: "e".into(),
+                first: 1.0,
+                second: 2.0,
+                is_angle: false
+            })
+        );
+        assert_eq!(
+            choose(-3.0, 11.0),
+            Err(Failure::OutOfRange {
+                unknown: "e".into(),
+                value: 11.0,
+                low: 0.0,
+                high: 10.0,
+                is_angle: false
+            })
+        );
+        assert_eq!(choose(1.0, f64::NAN), Err(Failure::not_finite("e")));
+    }
+
+    #[test]
+    fn angles_are_chosen_modulo_whole_turns() {
+        let choose_in =
+            |low, high, first, second| choose::<f64, 1>([SolutionInRange::angle("gamma", [first, second], low, high)]);
+        let choose = |first, second| choose_in(0.0, PI, first, second);
+        assert_eq!(choose(0.5, -0.5), Ok(Assembly::Open));
+        assert_eq!(choose(-0.5, 0.5), Ok(Assembly::Crossed));
+        assert_eq!(choose(0.5 - TAU, -0.5 + 3.0 * TAU), Ok(Assembly::Open));
+        assert!(matches!(choose(0.5, 0.6), Err(Failure::Ambiguous { .. })));
+        assert!(matches!(
+            choose(-0.5, -0.6),
+            Err(Failure::OutOfRange { value, .. }) if value == -0.5
+        ));
+        // Two solutions meet at either end of the range.
+        assert_eq!(choose(0.0, -0.0), Ok(Assembly::Open));
+        assert_eq!(choose(-1e-17, 1e-17), Ok(Assembly::Open));
+        assert!(choose(PI, -PI).is_ok());
+        assert_eq!(
+            choose_in(f64::NEG_INFINITY, -1.0, -3.0, -0.1),
+            Err(Failure::Ambiguous {
+                unknown: "gamma".into(),
+                first: -3.0,
+                second: -0.1 - TAU,
+                is_angle: true
+            })
+        );
+    }
+
+    /// The next range decides only where the one before holds both solutions.
+    #[test]
+    fn several_ranges_choose_one_after_the_other() {
+        let choose = |first: [f64; 2], second: [f64; 2]| {
+            choose([
+                SolutionInRange::value("a", first, 0.0, 10.0),
+                SolutionInRange::value("b", second, 0.0, 10.0),
+            ])
+        };
+        assert_eq!(choose([1.0, -1.0], [-1.0, 1.0]), Ok(Assembly::Open));
+        assert_eq!(choose([1.0, 2.0], [-1.0, 1.0]), Ok(Assembly::Crossed));
+        assert!(matches!(
+            choose([-1.0, -2.0], [1.0, -1.0]),
+            Err(Failure::OutOfRange { unknown, .. }) if unknown == "a"
+        ));
+        assert!(matches!(
+            choose([1.0, 2.0], [-1.0, -2.0]),
+            Err(Failure::OutOfRange { unknown, .. }) if unknown == "b"
+        ));
+        assert!(matches!(
+            choose([1.0, 2.0], [3.0, 4.0]),
+            Err(Failure::Ambiguous { unknown, .. }) if unknown == "b"
+        ));
+    }
+
+    #[test]
+    fn values_are_checked() {
+        assert_eq!(check_value("s", 1.0, 0.0, f64::INFINITY), Ok(1.0));
+        assert_eq!(check_value("s", 1.0 + 1e-16, 0.0, 1.0), Ok(1.0 + 1e-16));
+        assert_eq!(
+            check_value("s", -1.0, 0.0, f64::INFINITY),
+            Err(Failure::OutOfRange {
+                unknown: "s".into(),
+                value: -1.0,
+                low: 0.0,
+                high: f64::INFINITY,
+                is_angle: false
+            })
+        );
+        for value in [f64::NAN, f64::INFINITY] {
+            assert_eq!(
+                check_value("s", value, 0.0, f64::INFINITY),
+                Err(Failure::not_finite("s"))
+            );
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn angles_are_brought_into_the_range(angle in -100.0..100.0, low in -20.0..20.0, width in 0.0..10.0) {
+            let high = low + width;
+            match check_angle::<f64>("x", angle, low, high) {
+                Ok(inside) => {
+                    prop_assert!(inside >= low - 1e-12 && inside <= high + 1e-12);
+                    let turns = (inside - angle) / TAU;
+                    prop_assert!((turns - turns.round()).abs() < 1e-12);
+                }
+                Err(Failure::OutOfRange { value, .. }) => {
+                    prop_assert!(width < TAU);
+                    prop_assert!(value < low || value > high);
+                    let distance = (low - value).max(value - high);
+                    prop_assert!(distance <= FRAC_PI_2 * 2.0 + 1e-12);
+                }
+                Err(other) => prop_assert!(false, "{:?}", other),
+            }
+        }
+    }
+
+    /// A mechanism that is made while the program runs names its unknowns by their indices.
+    #[test]
+    fn an_unknown_may_be_named_by_its_index() {
+        let unknown = Name::by_index(NameKind::Unknown, 1);
+        let outside = |value, is_angle| Failure::OutOfRange {
+            unknown,
+            value,
+            low: 0.0,
+            high: 1.0,
+            is_angle,
+        };
+        assert_eq!(check_value(unknown, 2.0, 0.0, 1.0), Err(outside(2.0, false)));
+        assert_eq!(check_angle(unknown, 1.5, 0.0, 1.0), Err(outside(1.5, true)));
+        let range = |second| SolutionInRange::value(unknown, [2.0, second], 0.0, 1.0);
+        assert_eq!(choose_in(&[range(3.0)]), Err(outside(2.0, false)));
+        assert_eq!(choose_in(&[range(0.5)]), Ok(Assembly::Crossed));
+        assert!(choose_in::<f64>(&[range(0.5); 0]).is_err());
+    }
+
+    #[test]
+    fn an_angle_in_the_range_is_left_alone() {
+        assert_eq!(check_angle("x", 7.0, 0.0, 10.0), Ok(7.0));
+        assert_eq!(check_angle("x", -FRAC_PI_2, PI, TAU), Ok(TAU - FRAC_PI_2));
+        assert!(check_angle("x", f64::NAN, 0.0, 10.0).is_err());
     }
 }

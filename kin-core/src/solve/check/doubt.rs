@@ -2,7 +2,7 @@
 
 use crate::geometry::Plane;
 use crate::solve::Scalar;
-use crate::solve::check::{BeyondDoubt, Negative, Real, SumOfSizes};
+use crate::solve::check::{Check, Negative, Real, RowMeasure};
 
 /// A number whose sign decides, checked against the terms of which it is the sum. If the number holds several poses,
 /// each pose that is smaller than [a part](Scalar::DOUBT) of its terms becomes NaN. Any other number is returned
@@ -18,8 +18,17 @@ pub fn decisive<T: Scalar, const N: usize>(number: T, terms: impl FnOnce() -> [T
     if T::DOUBT == 0.0 {
         return number;
     }
-    let size = T::measured(SumOfSizes(terms()));
-    kept(number, number, size)
+    decisive_in(number, &terms())
+}
+
+/// [`decisive`] with terms that are known. Nobody needs them if the [doubt](Scalar::DOUBT) is zero.
+#[doc(hidden)]
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub fn decisive_in<T: Scalar>(number: T, terms: &[T]) -> T {
+    if T::DOUBT == 0.0 {
+        return number;
+    }
+    kept(number, number, sum_of_sizes(terms))
 }
 
 /// [`decisive`] for a vector that decides by being different from zero.
@@ -28,21 +37,30 @@ pub fn decisive_vector<T: Scalar, const N: usize>(vector: Plane<T>, terms: impl 
     if T::DOUBT == 0.0 {
         return vector;
     }
-    let size = T::measured(SumOfSizes(terms()));
-    let own = T::measured(SumOfSizes([vector.x, vector.y]));
+    decisive_vector_in(vector, &terms())
+}
+
+/// [`decisive_vector`] with terms that are known.
+#[doc(hidden)]
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub fn decisive_vector_in<T: Scalar>(vector: Plane<T>, terms: &[T]) -> Plane<T> {
+    if T::DOUBT == 0.0 {
+        return vector;
+    }
+    let (size, own) = (sum_of_sizes(terms), sum_of_sizes(&[vector.x, vector.y]));
     Plane::new(kept(vector.x, own, size), kept(vector.y, own, size))
 }
 
 /// The smallest positive number that decides, if it is a sum of terms of the given size. For one pose this is [the
 /// smallest](Number::SMALLEST) divisor.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn least<T: Scalar>(size: impl FnOnce() -> T) -> T {
+pub(in crate::solve) fn least<T: Scalar>(size: impl FnOnce() -> T) -> T {
     least_from(T::SMALLEST, size)
 }
 
 /// The smallest number above `smallest` that decides, if it is a sum of terms of the given size.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn least_from<T: Scalar>(smallest: f64, size: impl FnOnce() -> T) -> T {
+pub(in crate::solve) fn least_from<T: Scalar>(smallest: f64, size: impl FnOnce() -> T) -> T {
     let smallest = T::constant(smallest);
     if T::DOUBT == 0.0 {
         return smallest;
@@ -52,7 +70,7 @@ pub(super) fn least_from<T: Scalar>(smallest: f64, size: impl FnOnce() -> T) -> 
 
 /// Whether a number differs clearly from one end of its range, where `size` is the size of the rounded numbers.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn is_told_from<T: Scalar, R: Real>(end: f64, number: R, size: R) -> R::Truth {
+pub(in crate::solve) fn is_told_from<T: Scalar, R: Real>(end: f64, number: R, size: R) -> R::Truth {
     if T::DOUBT == 0.0 || end.is_infinite() {
         return R::certainly(true);
     }
@@ -66,21 +84,71 @@ fn kept<T: Scalar>(number: T, judge: T, size: T) -> T {
 
 /// A number that is at least the [smallest](Number::SMALLEST) divisor, otherwise NaN.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn divisor<T: Scalar>(number: T) -> T {
+pub(in crate::solve) fn divisor<T: Scalar>(number: T) -> T {
     let short = Negative(number - T::constant(T::SMALLEST));
     T::either(short, || T::constant(f64::NAN), || number)
 }
 
 /// The magnitude of a number.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn size<T: Scalar>(number: T) -> T {
+pub(in crate::solve) fn size<T: Scalar>(number: T) -> T {
     number.times_sign_of(number)
 }
 
 /// The smaller of two numbers.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn smaller<T: Scalar>(one: T, other: T) -> T {
+pub(in crate::solve) fn smaller<T: Scalar>(one: T, other: T) -> T {
     T::either(Negative(other - one), || other, || one)
+}
+
+/// Whether a sum is larger than [a part](Scalar::DOUBT) of its terms.
+#[derive(Clone, Copy)]
+struct BeyondDoubt<T> {
+    number: T,
+    /// The sum of the magnitudes of the terms.
+    size: T,
+}
+
+impl<T: Scalar> Check<T, 2, 1> for BeyondDoubt<T> {
+    fn name(&self) -> &'static str {
+        "sum beyond doubt"
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn operands(&self) -> [T; 2] {
+        [self.number, self.size]
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn holds<R: Real>(&self, [number, size]: [R; 2]) -> [R::Truth; 1] {
+        [number.magnitude().is_at_least(R::of(T::DOUBT) * size)]
+    }
+
+    fn margin(&self) -> T {
+        size(self.number) - self.size * T::constant(T::DOUBT)
+    }
+}
+
+/// The sum of the magnitudes of some terms.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(in crate::solve) fn sum_of_sizes<T: Scalar>(terms: &[T]) -> T {
+    T::measured_over(SumOfSizes, terms.len(), |index| terms[index])
+}
+
+/// The sum of the magnitudes of some terms.
+#[derive(Clone, Copy)]
+pub(in crate::solve) struct SumOfSizes;
+
+impl RowMeasure for SumOfSizes {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn start<R: Real>() -> R {
+        R::of(0.0)
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn with<R: Real>(sum: R, term: R) -> R {
+        sum + term.magnitude()
+    }
 }
 
 #[cfg(test)]

@@ -1,22 +1,8 @@
-//! The diagnosis of a closed form that has no solution.
+//! The failure of a closed form that has no solution.
 
 use num_traits::Float;
 
 use crate::failure::Failure;
-use crate::solve::check::Real;
-
-/// Whether a number is positive, and whether the number and its reciprocal have full precision: both must hold. NaN
-/// fails. The square root of such a number passes too.
-#[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn ordinary<R: Real>(number: R, smallest: f64) -> [R::Truth; 2] {
-    ordinary_from(number, R::of(smallest), smallest)
-}
-
-/// [`ordinary`] for a number that must also be at least `least`, which is no smaller than `smallest`.
-#[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn ordinary_from<R: Real>(number: R, least: R, smallest: f64) -> [R::Truth; 2] {
-    [number.is_at_least(least), number.is_at_most(R::of(1.0 / smallest))]
-}
 
 /// The length of a vector, computed without overflow.
 pub(super) fn length(x: f64, y: f64) -> f64 {
