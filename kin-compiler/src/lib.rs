@@ -33,10 +33,16 @@ mod translate;
 mod work;
 
 #[doc(hidden)]
+pub use algebra::Function;
+#[doc(hidden)]
 pub use bug::expand_or_tell;
 pub use syntax::Dimension;
+#[doc(hidden)]
+pub use syntax::{Axis, ValueShape};
 #[cfg(feature = "text")]
 pub use text::{Declaration, Mistake, Position, Quantity};
+#[doc(hidden)]
+pub use translate::tree;
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -11,8 +11,11 @@ use syn::{Attribute, Expr, ExprLit, Lit};
 use crate::bug::bug;
 use crate::expand::{expand, solved};
 use crate::mistakes::Mistakes;
+use crate::model::Model;
 use crate::room::with_room;
 use crate::syntax::{self, Dimension, QuantityItem, Statement};
+use crate::translate::sheets;
+use crate::translate::tree::Sheets;
 
 /// A declaration that has been compiled.
 ///
@@ -37,7 +40,7 @@ use crate::syntax::{self, Dimension, QuantityItem, Statement};
 /// assert_eq!(mistakes[0].to_string(), "6:30: no parameter, input, unknown or `let` is called `psi`; did you mean `phi`?");
 /// assert_eq!(&slider_crank[mistakes[0].bytes.clone()], "phi");
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Declaration {
     name: String,
     documentation: String,
@@ -47,6 +50,7 @@ pub struct Declaration {
     outputs: Vec<Quantity>,
     printout: String,
     text: String,
+    sheets: Sheets,
 }
 
 /// A declared quantity.
@@ -146,6 +150,13 @@ impl Declaration {
         &self.printout
     }
 
+    /// The methods of the mechanism that are translated from its syntax tree: they take few bytes beside the printout.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn sheets(&self) -> &Sheets {
+        &self.sheets
+    }
+
     /// The code that the macro writes for it, in which `kin_core` stands for the library.
     #[must_use]
     pub fn rust(&self) -> String {
@@ -170,15 +181,18 @@ fn compile(text: &str) -> Result<Declaration, Vec<Mistake>> {
         .collect();
     mistakes.sort_by_key(|mistake| (mistake.start, mistake.end));
     match (declaration, solved) {
-        (Some(declaration), Some((_, _, solvers))) if mistakes.is_empty() => {
-            Ok(Declaration::new(&declaration, solvers.to_string(), text.to_owned()))
-        }
+        (Some(declaration), Some((model, _, solvers))) if mistakes.is_empty() => Ok(Declaration::new(
+            &declaration,
+            &model,
+            solvers.to_string(),
+            text.to_owned(),
+        )),
         _ => Err(mistakes),
     }
 }
 
 impl Declaration {
-    fn new(declaration: &syntax::Declaration, printout: String, text: String) -> Self {
+    fn new(declaration: &syntax::Declaration, model: &Model, printout: String, text: String) -> Self {
         let parameters = declaration.parameters.iter().filter_map(|field| {
             let dimension = field.dimension?;
             Some(Quantity::new(&field.name, dimension, &field.attributes))
@@ -192,6 +206,7 @@ impl Declaration {
             outputs: Vec::new(),
             printout,
             text,
+            sheets: sheets(declaration, model),
         };
         let quantity = |item: &QuantityItem| Quantity::new(&item.name, item.dimension, &item.documentation);
         for statement in &declaration.statements {
