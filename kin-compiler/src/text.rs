@@ -150,7 +150,8 @@ impl Declaration {
         &self.printout
     }
 
-    /// The methods of the mechanism that are translated from its syntax tree: they take few bytes beside the printout.
+    /// The methods of the mechanism that are translated from its syntax tree. They take about as much memory as the
+    /// printout.
     #[doc(hidden)]
     #[must_use]
     pub fn sheets(&self) -> &Sheets {

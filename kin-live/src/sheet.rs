@@ -9,7 +9,19 @@ use kin_core::Scalar;
 
 use instruction::Instruction;
 
-/// A method: instructions over registers of one number each. A vector takes two or three registers in a row, a rotation nine.
+/// A method: instructions over registers of one number each. A vector takes two or three registers in a row, a rotation
+/// nine.
+///
+/// ```
+/// use kin_live::sheet::SheetCode;
+///
+/// let text = "struct Crank { r: Length } input t: Angle; unknown x: Length; x == r * cos(t);";
+/// let declaration = kin_compiler::Declaration::parse(text).expect("there is no mistake");
+/// let closure = SheetCode::new(&declaration.sheets().closure, 1, 1, 1).expect("there is one of each");
+/// let (mut registers, mut residuals) = (vec![0.0; closure.registers()], [1.0]);
+/// closure.run(&[3.0], &[0.5], &[3.0 * 0.5_f64.cos()], &mut registers, &mut residuals);
+/// assert_eq!(residuals, [0.0]);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct SheetCode {
     /// The numbers of parameters, inputs and unknowns, which stand in the first registers.
@@ -21,8 +33,8 @@ pub struct SheetCode {
 }
 
 impl SheetCode {
-    /// The code of a method, for as many scalar parameters, inputs and unknowns as the mechanism has. `None` if the method uses one that is
-    /// not there; no method of a compiled declaration does.
+    /// The code of a method, for as many scalar parameters, inputs and unknowns as the mechanism has. `None` if the method
+    /// uses one that is not there; no method of a compiled declaration does.
     #[must_use]
     pub fn new(sheet: &Sheet, parameters: usize, inputs: usize, unknowns: usize) -> Option<Self> {
         compile::compiled(sheet, [parameters, inputs, unknowns])

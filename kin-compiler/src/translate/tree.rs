@@ -1,7 +1,7 @@
 //! Formulas as they are calculated, operator by operator.
 //!
-//! Every decision has been taken: which function of a vector is called, where a scalar becomes a vector, what is built upon what.
-//! So a program that follows a tree calculates what generated code calculates, to the last bit.
+//! Every decision has been taken: which function of a vector is called, where a scalar becomes a vector, what is built
+//! upon what. So a program that follows a tree calculates what generated code calculates, to the last bit.
 
 use crate::algebra::Function;
 use crate::syntax::{Axis, ValueShape};
@@ -19,7 +19,8 @@ pub struct Sheets {
     pub outline: Outline,
 }
 
-/// The picture of a mechanism: what `kin_core::Outline` says, with names of its own. Joints are numbered as the places are.
+/// The picture of a mechanism: what `kin_core::Outline` says, with names of its own. Joints are numbered as the places
+/// are.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Outline {
     /// Whether it is drawn in the plane or in space.

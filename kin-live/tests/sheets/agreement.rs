@@ -16,7 +16,8 @@ const SAMPLES: usize = 200;
 /// The numbers of a position: parameters, inputs and unknowns.
 type Numbers<T> = [Vec<T>; 3];
 
-/// Compares all methods of a mechanism with the sheets of its text, in three kinds of numbers. Returns how many results were finite.
+/// Compares all methods of a mechanism with the sheets of its text, in three kinds of numbers. Returns how many results
+/// were finite.
 pub(crate) fn assert_agreement<M: Mechanism<Scalar = f64>>(text: &str) -> usize {
     let declaration = Declaration::parse(text).unwrap_or_else(|mistakes| panic!("{mistakes:?}"));
     assert_eq!(declaration.name(), M::DESCRIPTION.name);

@@ -1,6 +1,8 @@
 //! Declarations that contain every function, operator and statement that a translated method may come from.
 
+use kin_compiler::Declaration;
 use kin_core::mechanism;
+use kin_live::sheet::SheetCode;
 
 use crate::agreement::assert_agreement;
 
@@ -25,12 +27,17 @@ agrees!(functions_of_numbers, Functions, {
     e == tan(half) + sinh(t) * cosh(k) / tanh(t) - (asin(k / 4) + acos(t / 4) * atan(k)) + powi(k, 3) - t.powi(-2) + PI;
     output inverse: Scalar = asinh(t) + acosh(e) - atanh(k / 5) * -exp(k) + ln(e) + sqrt(k) + atan2(t, e);
     output circle: Length = p * sin(t) / (cos(t) - 2) + unused * p;
-    output long: Scalar = t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+
-            t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+
-            t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+
-            t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+
-            t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+t+
-            t+t+t+t+t+t+t+t;
+    output long: Scalar =
+        t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t
+        + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t
+        + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t
+        + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t
+        + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t
+        + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t
+        + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t
+        + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t
+        + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t
+        + t + t + t + t + t + t + t + t + t + t + t + t + t + t + t;
 });
 
 agrees!(vectors_of_the_plane, PlaneVectors, {
@@ -87,3 +94,30 @@ agrees!(statements_of_the_picture, Stated, {
     slide pin along pin - p on lever;
     output piston: Point = vec2(s, 0);
 });
+
+/// A formula about as deep as the compiler takes it, and a long row of abbreviations, fit on the stack of a test.
+#[test]
+fn deep_formulas() {
+    let (opened, closed) = ("sin(-(".repeat(50), " + t) / 2)".repeat(50));
+    let abbreviations: String = (1..500).map(|n| format!("let a{n} = a{} + t;", n - 1)).collect();
+    let head = "struct Deep { k: Scalar } input t: Angle; unknown e: Scalar; let a0 = k;";
+    let text = format!("{head} {abbreviations} e == {opened} a499 {closed};");
+    let declaration = Declaration::parse(&text).unwrap_or_else(|mistakes| panic!("{}", mistakes[0]));
+    let code = SheetCode::new(&declaration.sheets().closure, 1, 1, 1).expect("it uses what is there");
+    let (mut registers, mut found) = (vec![0.0; code.registers()], [0.0]);
+    code.run(&[0.5], &[0.25], &[1.0], &mut registers, &mut found);
+    let innermost = 0.5 + 499.0 * 0.25;
+    let deep = (0..50).fold(innermost, |inner: f64, _| (-(inner + 0.25) / 2.0).sin());
+    assert!((found[0] - (1.0 - deep)).abs() < 1e-12, "{found:?}");
+}
+
+#[test]
+fn what_a_method_uses_has_to_be_there() {
+    let text = "struct Crank { r: Length } input t: Angle; unknown x: Length; x == r * cos(t);";
+    let declaration = Declaration::parse(text).unwrap_or_else(|mistakes| panic!("{}", mistakes[0]));
+    let closure = &declaration.sheets().closure;
+    assert!(SheetCode::new(closure, 1, 1, 1).is_some());
+    for [parameters, inputs, unknowns] in [[0, 1, 1], [1, 0, 1], [1, 1, 0]] {
+        assert_eq!(SheetCode::new(closure, parameters, inputs, unknowns), None);
+    }
+}

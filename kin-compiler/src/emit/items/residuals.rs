@@ -36,7 +36,8 @@ pub(in crate::emit) fn tokens(text: &SheetText<'_>, sheet: &Sheet) -> TokenStrea
 fn documentation(model: &Model) -> Vec<String> {
     let order: Vec<String> = model.unknowns.iter().map(|unknown| unknown.name.to_string()).collect();
     let summary = format!(
-        " The residuals of the equations, left side minus right side, for the unknowns `[{}]`. All are zero at a position of the mechanism.",
+        " The residuals of the equations, left side minus right side, for the unknowns `[{}]`. \
+         All are zero at a position of the mechanism.",
         order.join(", ")
     );
     let mut lines = vec![summary, " ".to_owned()];
