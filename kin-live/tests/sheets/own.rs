@@ -99,9 +99,9 @@ agrees!(statements_of_the_picture, Stated, {
 #[test]
 fn deep_formulas() {
     let (opened, closed) = ("sin(-(".repeat(50), " + t) / 2)".repeat(50));
-    let abbreviations: String = (1..500).map(|n| format!("let a{n} = a{} + t;", n - 1)).collect();
+    let abbreviations: Vec<String> = (1..500).map(|n| format!("let a{n} = a{} + t;", n - 1)).collect();
     let head = "struct Deep { k: Scalar } input t: Angle; unknown e: Scalar; let a0 = k;";
-    let text = format!("{head} {abbreviations} e == {opened} a499 {closed};");
+    let text = format!("{head} {} e == {opened} a499 {closed};", abbreviations.concat());
     let declaration = Declaration::parse(&text).unwrap_or_else(|mistakes| panic!("{}", mistakes[0]));
     let code = SheetCode::new(&declaration.sheets().closure, 1, 1, 1).expect("it uses what is there");
     let (mut registers, mut found) = (vec![0.0; code.registers()], [0.0]);
