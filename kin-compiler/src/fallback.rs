@@ -16,10 +16,10 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 
 use crate::emit;
+use crate::emit::vector_type;
 use crate::mistakes::Mistakes;
 use crate::program::order_name;
 use crate::syntax::{Declaration, Dimension, ParameterField, QuantityItem, Statement, UnknownItem};
-use crate::translate::vector_type;
 
 /// The order of a declaration that states none.
 const ORDER: usize = 4;

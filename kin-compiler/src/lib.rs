@@ -35,6 +35,8 @@ mod translate;
 mod work;
 
 #[doc(hidden)]
+pub use algebra::Function;
+#[doc(hidden)]
 pub use bug::expand_or_tell;
 /// Programs as data, for kin-live.
 #[doc(hidden)]
@@ -49,8 +51,12 @@ pub mod lowered {
     pub use crate::structure::{BlockKind, PolynomialTerm, SystemForm};
 }
 pub use syntax::Dimension;
+#[doc(hidden)]
+pub use syntax::{Axis, ValueShape};
 #[cfg(feature = "text")]
 pub use text::{Declaration, Mistake, Position, Quantity};
+#[doc(hidden)]
+pub use translate::tree;
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -14,6 +14,8 @@ use crate::lower;
 use crate::mistakes::Mistakes;
 use crate::room::with_room;
 use crate::syntax::{self, Dimension, QuantityItem, Statement};
+use crate::translate::sheets;
+use crate::translate::tree::Sheets;
 
 /// A declaration that has been compiled.
 ///
@@ -49,6 +51,7 @@ pub struct Declaration {
     printout: String,
     text: String,
     program: lower::Mechanism,
+    sheets: Sheets,
 }
 
 /// A declared quantity.
@@ -155,6 +158,13 @@ impl Declaration {
         &self.program
     }
 
+    /// The methods of the mechanism that are translated from its syntax tree: they take few bytes beside the printout.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn sheets(&self) -> &Sheets {
+        &self.sheets
+    }
+
     /// The code that the macro writes for it, in which `kin_core` stands for the library.
     #[must_use]
     pub fn rust(&self) -> String {
@@ -181,11 +191,14 @@ fn compile(text: &str) -> Result<Declaration, Vec<Mistake>> {
     match (declaration, solved) {
         (Some(declaration), Some((model, structure, solvers))) if mistakes.is_empty() => {
             let program = lower::mechanism(&model, &structure.blocks, &solvers);
+            let sheets = sheets(&declaration, &model);
+            let printout = solvers.to_string();
             Ok(Declaration::new(
                 &declaration,
-                solvers.to_string(),
+                printout,
                 text.to_owned(),
                 program,
+                sheets,
             ))
         }
         _ => Err(mistakes),
@@ -193,7 +206,13 @@ fn compile(text: &str) -> Result<Declaration, Vec<Mistake>> {
 }
 
 impl Declaration {
-    fn new(declaration: &syntax::Declaration, printout: String, text: String, program: lower::Mechanism) -> Self {
+    fn new(
+        declaration: &syntax::Declaration,
+        printout: String,
+        text: String,
+        program: lower::Mechanism,
+        sheets: Sheets,
+    ) -> Self {
         let parameters = declaration.parameters.iter().filter_map(|field| {
             let dimension = field.dimension?;
             Some(Quantity::new(&field.name, dimension, &field.attributes))
@@ -208,6 +227,7 @@ impl Declaration {
             printout,
             text,
             program,
+            sheets,
         };
         let quantity = |item: &QuantityItem| Quantity::new(&item.name, item.dimension, &item.documentation);
         for statement in &declaration.statements {

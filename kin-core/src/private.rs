@@ -69,12 +69,19 @@ pub mod methods {
 /// the `M` that it supports, and gives the same solutions with room for any number of paths that is enough.
 pub mod live {
     pub use crate::assemblies::{Choices, every_in, is_same_position};
+    #[cfg(feature = "alloc")]
+    pub use crate::cycle::{SearchMethod, SearchedFunctions};
+    #[cfg(feature = "alloc")]
+    pub use crate::extremes::{ChangedFunctions, PositionFunctions};
     pub use crate::failure::InputNames;
     pub use crate::mechanism::{culprit_in, failed_in};
+    pub use crate::number::Changing;
     pub use crate::solve::{
         Elimination, FactorRow, NewtonMemory, SolutionInRange, agreeing_in, choose_in, decisive_in, decisive_vector_in,
         factor_in, largest_in, nearest_turn, newton_in, substitute_in, within_turns_in,
     };
+    #[cfg(feature = "alloc")]
+    pub use crate::sweep::{READ, SweptMechanism};
 }
 
 /// The function as which local names of generated code are imported, so that in patterns they cannot refer to constants

@@ -18,7 +18,8 @@ mod print;
 mod probe;
 mod substitute;
 
-pub(crate) use function::{Calculation, Checked, Function, Gives, Inverse, InverseFunction, Takes, WorkUnit};
+pub use function::Function;
+pub(crate) use function::{Calculation, Checked, Gives, Inverse, InverseFunction, Takes, WorkUnit};
 pub use graph::Symbol;
 pub(crate) use graph::{FiniteNumber, Graph, Misfit, Node, NodeKind, Variables};
 pub(crate) use harmonic::{Angle, Expansion, Harmonic, Monomial, TrigonometricPolynomial};

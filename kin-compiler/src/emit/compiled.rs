@@ -3,19 +3,17 @@
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
+use super::vector_type;
 use crate::algebra::Symbol;
 use crate::describe;
 use crate::formulas::Formulas;
 use crate::model::{Dimension, Model, Request, ValueShape};
 use crate::program::{Solvers, order_name};
 use crate::structure::{Block, Part};
-use crate::syntax::Declaration;
-use crate::translate::vector_type;
 
 /// All facts about a mechanism that generated code needs.
 #[derive(Clone, Copy)]
 pub(super) struct Compiled<'a> {
-    pub(super) declaration: &'a Declaration,
     pub(super) model: &'a Model,
     pub(super) blocks: &'a [Block],
     pub(super) solvers: &'a Solvers,

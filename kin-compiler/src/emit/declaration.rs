@@ -6,8 +6,8 @@ use syn::punctuated::Punctuated;
 use syn::{Attribute, Path, Token, Visibility, parse_quote};
 
 use super::equality::Equality;
+use super::vector_type;
 use crate::model::{Dimension, Model};
-use crate::translate::vector_type;
 
 /// A field: attributes, visibility, name and dimension.
 pub(crate) type Field<'a> = (&'a [Attribute], &'a Visibility, &'a Ident, Option<Dimension>);

@@ -5,23 +5,25 @@ mod compiled;
 pub(crate) mod declaration;
 mod equality;
 mod items;
+mod sheet;
 mod text;
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use crate::formulas::Formulas;
-use crate::model::{Model, Request};
+use crate::model::{Model, Request, ValueShape};
 use crate::program::Solvers;
 use crate::structure::Block;
 use crate::syntax::Declaration;
-use crate::translate::{outputs, skeleton};
+use crate::translate::sheets;
 pub(crate) use compiled::pose_name;
 use compiled::{Compiled, local};
 use items::{
-    assembly, batch, description, every, formulas, interface, internal, page, poses, position, readable, sensitivities,
-    solve, stored, test, track, transmission, values,
+    assembly, batch, description, every, formulas, interface, internal, outputs, page, picture, poses, position,
+    readable, residuals, sensitivities, solve, stored, test, track, transmission, values,
 };
+use sheet::SheetText;
 
 /// The whole expansion of a declaration.
 pub(crate) fn tokens(
@@ -34,7 +36,6 @@ pub(crate) fn tokens(
 ) -> TokenStream {
     let alias = alias(&model.name.to_string());
     let outside = &Compiled {
-        declaration,
         model,
         blocks,
         solvers,
@@ -52,7 +53,11 @@ pub(crate) fn tokens(
         batch::structure(outside),
         sensitivities::structures(outside),
     ];
-    let picture = skeleton::tokens(declaration, model, inside.runtime, &values::argument(inside));
+    let (sheets, text) = (
+        sheets(declaration, model),
+        SheetText::new(declaration, model, inside.runtime),
+    );
+    let picture = picture::tokens(&text, &sheets, &values::argument(inside));
     let constants = [
         assembly::list(inside),
         description::tokens(inside),
@@ -62,6 +67,7 @@ pub(crate) fn tokens(
     ];
     let methods = [
         solve::tokens(inside),
+        residuals::tokens(&text, &sheets.closure),
         position::tokens(inside),
         assembly::tokens(inside),
         track::tokens(inside),
@@ -77,11 +83,7 @@ pub(crate) fn tokens(
     let further = [
         poses::tokens(inside),
         values::tokens(inside),
-        interface::tokens(
-            inside,
-            &picture.items,
-            &outputs::tokens(declaration, model, inside.runtime),
-        ),
+        interface::tokens(inside, &picture.items, &outputs::tokens(&text, &sheets.outputs)),
         sensitivities::tokens(inside),
         batch::tokens(inside),
         stored::tokens(inside),
@@ -123,6 +125,16 @@ pub(crate) fn tokens(
         };
         #test
     }
+}
+
+/// The vector type of a shape; `None` for a scalar or a rotation.
+pub(crate) fn vector_type(shape: ValueShape) -> Option<Ident> {
+    let name = match shape {
+        ValueShape::Plane => "Plane",
+        ValueShape::Space => "Space",
+        ValueShape::Scalar | ValueShape::Rotation => return None,
+    };
+    Some(Ident::new(name, Span::mixed_site()))
 }
 
 /// The name of the runtime within the expansion, different from the name of the mechanism.

@@ -112,9 +112,9 @@ pub struct ClosureTerm {
     /// The index of the coefficient.
     pub coefficient: u16,
     /// Powers of inputs and unknowns.
-    pub powers: Vec<(usize, u8)>,
+    pub powers: Vec<(u16, u8)>,
     /// The angle of a cosine (`false`) or of a sine (`true`), with the multiples in it.
-    pub harmonic: Option<(bool, Vec<(usize, i8)>)>,
+    pub harmonic: Option<(bool, Vec<(u16, i8)>)>,
 }
 
 /// The program that goes through all positions, and the number of paths; `None` if the equations are not algebraic, or

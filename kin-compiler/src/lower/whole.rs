@@ -102,10 +102,13 @@ fn unit_vector(solvers: &Solvers, unknown: usize) -> Option<UnitVector> {
 }
 
 fn closure_term(model: &Model, term: &ClosureMonomial) -> ClosureTerm {
-    let place = |symbol: Symbol| match symbol {
-        Symbol::Input(index) => index,
-        Symbol::Unknown(index) => model.inputs.len() + index,
-        _ => unreachable!("only inputs and unknowns move"),
+    let place = |symbol: Symbol| {
+        let index = match symbol {
+            Symbol::Input(index) => index,
+            Symbol::Unknown(index) => model.inputs.len() + index,
+            _ => unreachable!("only inputs and unknowns move"),
+        };
+        u16::try_from(index).expect("a declaration with so many quantities is refused as too large")
     };
     let angle = |angle: &Angle| {
         let multiples = angle.0.iter().map(|&(symbol, multiple)| {

@@ -32,7 +32,8 @@ pub enum Dimension {
 
 /// The shape of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum ValueShape {
+pub enum ValueShape {
+    /// A single number.
     Scalar,
     /// A vector of the plane.
     Plane,

@@ -28,8 +28,7 @@ use crate::algebra::Function;
 use crate::mistakes::{Extent, Mistakes};
 
 pub(crate) use callee::{form, function_names, is_function};
-pub use dimension::Dimension;
-pub(crate) use dimension::ValueShape;
+pub use dimension::{Dimension, ValueShape};
 pub(crate) use elsewhere::instead_of_request;
 pub(crate) use name::keyword as is_keyword;
 pub(crate) use request::Request;
@@ -246,10 +245,14 @@ pub(crate) enum ArithmeticOperator {
     Divide,
 }
 
+/// An axis along which a vector has a part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Axis {
+pub enum Axis {
+    /// The first.
     X,
+    /// The second.
     Y,
+    /// The third, which only vectors of space have.
     Z,
 }
 

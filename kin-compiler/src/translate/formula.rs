@@ -1,296 +1,187 @@
-//! Formulas of the declaration as Rust, operator by operator.
+//! Formulas of the declaration as trees, operator by operator.
 
-use std::collections::BTreeMap;
-
-use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::{quote, quote_spanned};
-
-use super::vector_type;
+use super::names::Names;
+use super::tree::{Operation, Step, Tree, TreeKind};
 use crate::algebra::{Calculation, Function};
 use crate::model::ValueShape;
-use crate::precedence::Precedence;
 use crate::syntax::{ArithmeticOperator, Callee, FormulaKind, Operand, TypedFormula};
 
-/// The number of operands in a row after which the result gets a name. Each operand nests the formula one level deeper.
+/// The number of operands in a row after which the result gets a name. Each operand nests the text one level deeper.
 const LONGEST: usize = 256;
 
-/// A formula in Rust.
-#[derive(Clone)]
-pub(super) struct Translated {
-    pub(super) shape: ValueShape,
-    pub(super) precedence: Precedence,
-    pub(super) tokens: TokenStream,
-    /// The angle of a unit vector that was typed as `cis(angle)`.
-    angle: Option<TokenStream>,
-}
-
-impl Translated {
-    pub(super) fn new(shape: ValueShape, tokens: TokenStream) -> Self {
-        Self {
-            shape,
-            precedence: Precedence::Atom,
-            tokens,
-            angle: None,
-        }
-    }
-
-    pub(super) fn scalar(tokens: TokenStream) -> Self {
-        Self::new(ValueShape::Scalar, tokens)
-    }
-
-    fn plane(tokens: TokenStream) -> Self {
-        Self::new(ValueShape::Plane, tokens)
-    }
-
-    /// The formula, in parentheses if its operator binds less tightly than its place requires.
-    pub(super) fn within(self, place: Precedence) -> TokenStream {
-        let tokens = self.tokens;
-        if self.precedence.needs_parentheses(place) {
-            quote_spanned!(Span::mixed_site()=> (#tokens))
-        } else {
-            tokens
-        }
-    }
-}
-
-pub(super) struct Translation<'a> {
-    pub(super) names: &'a BTreeMap<String, Translated>,
-    pub(super) runtime: &'a TokenStream,
-}
-
-impl Translation<'_> {
-    pub(super) fn formula(&self, formula: &TypedFormula) -> Translated {
-        let site = Span::mixed_site();
+impl Names {
+    pub(super) fn formula(&self, formula: &TypedFormula) -> Tree {
         match &formula.kind {
-            FormulaKind::Number { value, .. } => Translated::scalar(constant(*value)),
-            FormulaKind::Degrees { value, .. } => Translated::scalar(constant(value / 180.0 * std::f64::consts::PI)),
-            FormulaKind::Pi => Translated::scalar(quote_spanned!(site=> T::constant(::core::f64::consts::PI))),
-            // the model has reported a name that does not exist
-            FormulaKind::Name(name) => self
-                .names
-                .get(&name.to_string())
-                .cloned()
-                .unwrap_or_else(|| Translated::scalar(quote!(#name))),
+            FormulaKind::Number { value, .. } => Tree::number(*value),
+            FormulaKind::Degrees { value, .. } => Tree::number(value / 180.0 * std::f64::consts::PI),
+            FormulaKind::Pi => Tree::scalar(TreeKind::Pi),
+            FormulaKind::Name(name) => self.named(name),
             FormulaKind::Parenthesis(inner) => self.formula(inner),
-            FormulaKind::Negate(of) => {
-                let of = self.formula(of);
-                let shape = of.shape;
-                let operand = of.within(Precedence::Atom);
-                Translated {
-                    shape,
-                    precedence: Precedence::Sign,
-                    tokens: quote_spanned!(site=> -#operand),
-                    angle: None,
-                }
-            }
-            FormulaKind::Sum { first, rest } | FormulaKind::Product { first, rest } => {
-                let mut result = self.formula(first);
-                let mut before = TokenStream::new();
-                for (
-                    place,
-                    Operand {
-                        operator,
-                        formula: operand,
-                        ..
-                    },
-                ) in rest.iter().enumerate()
-                {
-                    if place > 0 && place % LONGEST == 0 {
-                        let (value, tokens) = (Ident::new("value", site), result.tokens);
-                        before.extend(quote_spanned!(site=> let #value = #tokens;));
-                        result = Translated::new(result.shape, quote!(#value));
-                    }
-                    let right = self.formula(operand);
-                    result = match operator {
-                        ArithmeticOperator::Add | ArithmeticOperator::Subtract => self.sum(*operator, result, right),
-                        ArithmeticOperator::Multiply => self.product(result, right),
-                        ArithmeticOperator::Divide => self.quotient(result, right),
-                    };
-                }
-                if before.is_empty() {
-                    return result;
-                }
-                let tokens = result.tokens;
-                Translated::new(result.shape, quote_spanned!(site=> { #before #tokens }))
-            }
+            FormulaKind::Negate(of) => self.formula(of).negated(),
+            FormulaKind::Sum { first, rest } | FormulaKind::Product { first, rest } => self.chain(first, rest),
             FormulaKind::Call { callee, arguments, .. } => self.call(*callee, arguments),
             FormulaKind::Power { base, exponent, .. } => {
-                let base = self.formula(base).within(Precedence::Atom);
-                let exponent = Literal::i32_unsuffixed(*exponent);
-                Translated::scalar(quote_spanned!(site=> #base.powi(#exponent)))
+                Tree::scalar(TreeKind::Power(Box::new(self.formula(base)), *exponent))
             }
-            FormulaKind::Part { of, axis } => {
-                let of = self.formula(of).within(Precedence::Atom);
-                let part = Ident::new(&axis.to_string(), site);
-                Translated::scalar(quote_spanned!(site=> #of.#part))
+            FormulaKind::Part { of, axis } => Tree::scalar(TreeKind::Part(Box::new(self.formula(of)), *axis)),
+        }
+    }
+
+    fn chain(&self, first: &TypedFormula, rest: &[Operand]) -> Tree {
+        let mut chain = Chain::of(self.formula(first));
+        for (place, operand) in rest.iter().enumerate() {
+            if place > 0 && place % LONGEST == 0 {
+                chain.steps.push(Step::Named);
+            }
+            let right = self.formula(&operand.formula);
+            match operand.operator {
+                ArithmeticOperator::Add => chain.add(Step::Plus, right),
+                ArithmeticOperator::Subtract => chain.add(Step::Minus, right),
+                ArithmeticOperator::Multiply => chain.multiply(right),
+                ArithmeticOperator::Divide => chain.divide(right),
             }
         }
+        chain.into_tree()
     }
 
-    /// The formula as a vector; a scalar lies along x.
-    pub(super) fn lifted(&self, of: Translated, shape: ValueShape) -> Translated {
-        if of.shape != ValueShape::Scalar {
-            return of;
-        }
-        let Some(vector) = vector_type(shape) else {
-            return of;
+    fn call(&self, callee: Callee, arguments: &[TypedFormula]) -> Tree {
+        let arguments: Vec<Tree> = arguments.iter().map(|argument| self.formula(argument)).collect();
+        let taken = arguments.first().map_or(ValueShape::Scalar, |first| first.shape);
+        let (shape, operation) = match callee {
+            Callee::Elementary(function) => (ValueShape::Scalar, elementary(function)),
+            Callee::Cis => (ValueShape::Plane, Operation::Cis),
+            Callee::Polar => (ValueShape::Plane, Operation::Polar),
+            Callee::Vec2 => (ValueShape::Plane, Operation::Vector),
+            Callee::Vec3 => (ValueShape::Space, Operation::Vector),
+            Callee::RotX => (ValueShape::Rotation, Operation::AboutX),
+            Callee::RotY => (ValueShape::Rotation, Operation::AboutY),
+            Callee::RotZ => (ValueShape::Rotation, Operation::AboutZ),
+            Callee::Rot => (ValueShape::Rotation, Operation::About),
+            Callee::Dot => (ValueShape::Scalar, Operation::Dot),
+            Callee::Cross if taken == ValueShape::Space => (ValueShape::Space, Operation::Cross),
+            Callee::Cross => (ValueShape::Scalar, Operation::Cross),
+            Callee::Norm => (ValueShape::Scalar, Operation::Norm),
         };
-        let (runtime, x, zero) = (self.runtime, of.tokens, constant(0.0));
-        let zeros = shape.axes().iter().skip(1).map(|_| &zero);
-        Translated::new(
-            shape,
-            quote_spanned!(Span::mixed_site()=> #runtime::#vector::new(#x #(, #zeros)*)),
-        )
+        Tree::call(shape, operation, arguments)
     }
+}
 
-    pub(super) fn sum(&self, operator: ArithmeticOperator, left: Translated, right: Translated) -> Translated {
-        let (left_shape, right_shape) = (left.shape, right.shape);
-        let (left, right) = (self.lifted(left, right_shape), self.lifted(right, left_shape));
-        let shape = left.shape;
-        let (mut tokens, right) = (left.within(Precedence::Sum), right.within(Precedence::Product));
-        let site = Span::mixed_site();
-        // the left side is not copied, because it may be long
-        tokens.extend(if operator == ArithmeticOperator::Subtract {
-            quote_spanned!(site=> - #right)
-        } else {
-            quote_spanned!(site=> + #right)
-        });
-        Translated {
-            shape,
-            precedence: Precedence::Sum,
-            tokens,
-            angle: None,
+/// `left - right`
+pub(super) fn difference(left: Tree, right: Tree) -> Tree {
+    let mut chain = Chain::of(left);
+    chain.add(Step::Minus, right);
+    chain.into_tree()
+}
+
+/// `left + right`
+pub(super) fn sum(left: Tree, right: Tree) -> Tree {
+    let mut chain = Chain::of(left);
+    chain.add(Step::Plus, right);
+    chain.into_tree()
+}
+
+/// `left * right`
+pub(super) fn product(left: Tree, right: Tree) -> Tree {
+    let mut chain = Chain::of(left);
+    chain.multiply(right);
+    chain.into_tree()
+}
+
+/// The formula as a vector; a scalar lies along x.
+pub(super) fn lifted(of: Tree, shape: ValueShape) -> Tree {
+    if of.shape == ValueShape::Scalar && shape != ValueShape::Scalar {
+        Tree::call(shape, Operation::Lifted, vec![of])
+    } else {
+        of
+    }
+}
+
+/// The angle of a unit vector that was typed as `cis(angle)`.
+fn angle(of: &Tree) -> Option<&Tree> {
+    match &of.kind {
+        TreeKind::Call(Operation::Cis, arguments) => arguments.first(),
+        _ => None,
+    }
+}
+
+fn elementary(function: Function) -> Operation {
+    match function.calculation() {
+        Calculation::Sine => Operation::Sine,
+        Calculation::Cosine => Operation::Cosine,
+        Calculation::Tangent => Operation::Tangent,
+        Calculation::Method => Operation::Method(function),
+    }
+}
+
+/// A value that changes step by step.
+struct Chain {
+    shape: ValueShape,
+    first: Tree,
+    steps: Vec<Step>,
+}
+
+impl Chain {
+    fn of(first: Tree) -> Self {
+        Self {
+            shape: first.shape,
+            first,
+            steps: Vec::new(),
         }
     }
 
-    fn product(&self, left: Translated, right: Translated) -> Translated {
-        let runtime = self.runtime;
-        let site = Span::mixed_site();
-        let shapes = (left.shape, right.shape);
-        if shapes == (ValueShape::Scalar, ValueShape::Scalar) {
-            let (mut tokens, factor) = (left.within(Precedence::Product), right.within(Precedence::Sign));
-            tokens.extend(quote_spanned!(site=> * #factor));
-            return Translated {
-                shape: ValueShape::Scalar,
-                precedence: Precedence::Product,
-                tokens,
-                angle: None,
-            };
+    fn into_tree(self) -> Tree {
+        let first = Box::new(self.first);
+        if self.steps.is_empty() {
+            return *first;
         }
-        let scaled = |shape: ValueShape, vector: &TokenStream, factor: &TokenStream| {
-            let kind = vector_type(shape);
-            Translated::new(shape, quote_spanned!(site=> #runtime::#kind::scale(#vector, #factor)))
-        };
-        // r cis(theta) is the vector that a person draws
-        match (&left, &right) {
-            (vector, length) | (length, vector) if length.shape == ValueShape::Scalar => {
-                if let Some(angle) = &vector.angle {
-                    let length = &length.tokens;
-                    return Translated::plane(quote_spanned!(site=> #runtime::Plane::polar(#length, #angle)));
+        let steps = self.steps;
+        Tree::new(self.shape, TreeKind::Chain { first, steps })
+    }
+
+    fn step(&mut self, shape: ValueShape, step: Step) {
+        self.shape = shape;
+        self.steps.push(step);
+    }
+
+    fn add(&mut self, step: fn(Tree) -> Step, right: Tree) {
+        let right = lifted(right, self.shape);
+        if self.shape == ValueShape::Scalar && right.shape != ValueShape::Scalar {
+            self.step(right.shape, Step::Lifted(right.shape));
+        }
+        self.step(self.shape, step(right));
+    }
+
+    fn multiply(&mut self, right: Tree) {
+        use ValueShape::{Plane, Rotation, Scalar};
+        match (self.shape, right.shape) {
+            (Scalar, Scalar) => self.step(Scalar, Step::Times(right)),
+            // r cis(theta) is the vector that a person draws
+            (Plane, Scalar) if self.steps.is_empty() && angle(&self.first).is_some() => {
+                if let TreeKind::Call(operation, arguments) = &mut self.first.kind {
+                    *operation = Operation::Polar;
+                    arguments.insert(0, right);
                 }
             }
-            _ => {}
-        }
-        let (a, b) = (&left.tokens, &right.tokens);
-        match shapes {
-            (shape, ValueShape::Scalar) => scaled(shape, a, b),
-            (ValueShape::Scalar, shape) => scaled(shape, b, a),
-            (ValueShape::Rotation, ValueShape::Rotation) => Translated::new(
-                ValueShape::Rotation,
-                quote_spanned!(site=> #runtime::Rotation::times(#a, #b)),
-            ),
-            (ValueShape::Rotation, shape) => {
-                Translated::new(shape, quote_spanned!(site=> #runtime::Rotation::turn(#a, #b)))
+            (Scalar, Plane) if angle(&right).is_some() => {
+                if let TreeKind::Call(_, arguments) = right.kind {
+                    self.shape = Plane;
+                    self.steps.extend(arguments.into_iter().map(Step::LengthAt));
+                }
             }
-            (_, _) => Translated::plane(quote_spanned!(site=> #runtime::Plane::times(#a, #b))),
+            (shape, Scalar) => self.step(shape, Step::ScaledBy(right)),
+            (Scalar, shape) => self.step(shape, Step::Scaling(right)),
+            (Rotation, Rotation) => self.step(Rotation, Step::RotationTimes(right)),
+            (Rotation, shape) => self.step(shape, Step::Turning(right)),
+            (_, _) => self.step(Plane, Step::ComplexTimes(right)),
         }
     }
 
-    fn quotient(&self, left: Translated, right: Translated) -> Translated {
-        let site = Span::mixed_site();
-        let divisor = right.within(Precedence::Sign);
-        if let Some(vector) = vector_type(left.shape) {
-            let (runtime, dividend, one) = (self.runtime, left.tokens, constant(1.0));
-            return Translated::new(
-                left.shape,
-                quote_spanned!(site=> #runtime::#vector::scale(#dividend, #one / #divisor)),
-            );
-        }
-        let mut tokens = left.within(Precedence::Product);
-        tokens.extend(quote_spanned!(site=> / #divisor));
-        Translated {
-            shape: ValueShape::Scalar,
-            precedence: Precedence::Product,
-            tokens,
-            angle: None,
-        }
-    }
-
-    fn call(&self, callee: Callee, arguments: &[TypedFormula]) -> Translated {
-        let runtime = self.runtime;
-        let site = Span::mixed_site();
-        let translated: Vec<Translated> = arguments.iter().map(|argument| self.formula(argument)).collect();
-        let shape = translated.first().map_or(ValueShape::Scalar, |first| first.shape);
-        let arguments: Vec<TokenStream> = translated.into_iter().map(|argument| argument.tokens).collect();
-        let rotation = |function: &str| {
-            let function = Ident::new(function, site);
-            Translated::new(
-                ValueShape::Rotation,
-                quote_spanned!(site=> #runtime::Rotation::#function(#(#arguments),*)),
-            )
+    fn divide(&mut self, right: Tree) {
+        let step = if self.shape == ValueShape::Scalar {
+            Step::Over
+        } else {
+            Step::ScaledByInverse
         };
-        let method = |result: ValueShape, function: &str| {
-            let (vector, function) = (vector_type(shape), Ident::new(function, site));
-            Translated::new(
-                result,
-                quote_spanned!(site=> #runtime::#vector::#function(#(#arguments),*)),
-            )
-        };
-        match (callee, arguments.as_slice()) {
-            (Callee::Cis, [angle]) => Translated {
-                angle: Some(angle.clone()),
-                ..Translated::plane(quote_spanned!(site=> #runtime::Plane::cis(#angle)))
-            },
-            (Callee::Polar, [length, angle]) => {
-                Translated::plane(quote_spanned!(site=> #runtime::Plane::polar(#length, #angle)))
-            }
-            (Callee::Elementary(function), arguments) => elementary(function, arguments),
-            (Callee::RotX, _) => rotation("about_x"),
-            (Callee::RotY, _) => rotation("about_y"),
-            (Callee::RotZ, _) => rotation("about_z"),
-            (Callee::Rot, _) => rotation("about"),
-            (Callee::Dot, _) => method(ValueShape::Scalar, "dot"),
-            (Callee::Cross, _) if shape == ValueShape::Space => method(ValueShape::Space, "cross"),
-            (Callee::Cross, _) => method(ValueShape::Scalar, "cross"),
-            (Callee::Norm, _) => method(ValueShape::Scalar, "norm"),
-            (Callee::Vec3, arguments) => Translated::new(
-                ValueShape::Space,
-                quote_spanned!(site=> #runtime::Space::new(#(#arguments),*)),
-            ),
-            (_, arguments) => Translated::plane(quote_spanned!(site=> #runtime::Plane::new(#(#arguments),*))),
-        }
+        self.step(self.shape, step(right));
     }
-}
-
-/// A call of an elementary function.
-fn elementary(function: Function, arguments: &[TokenStream]) -> Translated {
-    let site = Span::mixed_site();
-    Translated::scalar(match function.calculation() {
-        Calculation::Sine => quote_spanned!(site=> T::sin_cos(#(#arguments),*).0),
-        Calculation::Cosine => quote_spanned!(site=> T::sin_cos(#(#arguments),*).1),
-        Calculation::Tangent => quote_spanned! {site=> {
-            let (sine, cosine) = T::sin_cos(#(#arguments),*);
-            sine / cosine
-        }},
-        Calculation::Method => {
-            let method = Ident::new(function.name(), site);
-            quote_spanned!(site=> T::#method(#(#arguments),*))
-        }
-    })
-}
-
-/// A number of the type `T`.
-pub(super) fn constant(value: f64) -> TokenStream {
-    let value = Literal::f64_unsuffixed(value);
-    quote_spanned!(Span::mixed_site()=> T::constant(#value))
 }

@@ -4,22 +4,27 @@
 //! algebra that derives the solvers, and the residuals at a solution are an independent check. The skeleton is drawn
 //! from the same vectors, as they were typed.
 
-pub(crate) mod closure;
+mod closure;
 mod formula;
 mod names;
-pub(crate) mod outputs;
-pub(crate) mod skeleton;
+mod outputs;
+mod sheet;
+mod skeleton;
+pub mod tree;
 
-use proc_macro2::{Ident, Span};
+use crate::model::Model;
+use crate::syntax::Declaration;
+use names::Names;
+use tree::Sheets;
 
-use crate::model::ValueShape;
-
-/// The vector type of a shape; `None` for a scalar or a rotation.
-pub(crate) fn vector_type(shape: ValueShape) -> Option<Ident> {
-    let name = match shape {
-        ValueShape::Plane => "Plane",
-        ValueShape::Space => "Space",
-        ValueShape::Scalar | ValueShape::Rotation => return None,
-    };
-    Some(Ident::new(name, Span::mixed_site()))
+/// All translated methods of a declaration.
+pub(crate) fn sheets(declaration: &Declaration, model: &Model) -> Sheets {
+    let names = Names::new(declaration, model);
+    let (outline, places) = skeleton::outline(declaration, model, &names);
+    Sheets {
+        closure: closure::sheet(declaration, &names),
+        outputs: outputs::sheet(declaration, &names),
+        places,
+        outline,
+    }
 }

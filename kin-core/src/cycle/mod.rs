@@ -86,8 +86,8 @@ use crate::failure::SolveError;
 use crate::mechanism::{Mechanism, OneInput};
 use crate::number::{ClosedRange, Row};
 pub use measure::MeasuredFunctions;
-#[cfg(test)]
-pub(crate) use search::SearchMethod;
+#[doc(hidden)]
+pub use search::SearchMethod;
 pub(crate) use searched::SearchedCycle;
 pub use sought::SearchedFunctions;
 pub(crate) use station::MeasuredCycle;

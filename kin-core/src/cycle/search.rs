@@ -12,7 +12,9 @@ use crate::number::NumberRow;
 
 /// The functions of a search: there are other ones for closed forms and for coupled blocks.
 pub enum SearchMethod<'f> {
+    /// Every block has a closed form.
     Closed(&'f dyn ClosedForms),
+    /// A block is coupled.
     Coupled(&'f dyn CoupledBlocks),
 }
 

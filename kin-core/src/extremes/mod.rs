@@ -72,9 +72,8 @@ pub(crate) use branch::{KnownStretch, KnownSweep, StationQuantity, named_quantit
 pub use error::ExtremesError;
 pub use mean::{Mean, Over};
 pub use sensitivity::{PeakSensitivities, PeakSensitivity};
-#[cfg(test)]
-pub(crate) use station::PositionFunctions;
-pub use station::{ChangedFunctions, NamedFunctions};
+#[doc(hidden)]
+pub use station::{ChangedFunctions, NamedFunctions, PositionFunctions};
 
 use core::fmt;
 

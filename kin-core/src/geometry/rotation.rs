@@ -21,14 +21,15 @@ pub struct Rotation<T = f64> {
     rows: [Space<T>; 3],
 }
 
-#[cfg(feature = "serde")]
 impl<T> Rotation<T> {
     /// The rotation with this matrix, which must be one of a rotation.
-    pub(crate) const fn from_rows(rows: [Space<T>; 3]) -> Self {
+    #[doc(hidden)]
+    pub const fn from_rows(rows: [Space<T>; 3]) -> Self {
         Self { rows }
     }
 
     /// The rows of the matrix, for any kind of number.
+    #[cfg(feature = "serde")]
     pub(crate) const fn as_rows(&self) -> &[Space<T>; 3] {
         &self.rows
     }

@@ -24,7 +24,7 @@ pub type Local = Series<TERMS>;
 pub type Instant = Series<READ>;
 
 /// The number of derivatives of an input that are read, with its value: those of the highest order, and those of its series.
-pub(crate) const READ: usize = RATES.len() + TERMS;
+pub const READ: usize = RATES.len() + TERMS;
 
 /// The largest rounding of a number of turns that is whole.
 const WHOLE: f64 = 1e-9;

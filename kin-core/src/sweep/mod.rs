@@ -62,11 +62,15 @@ mod unwrap;
 mod walk;
 
 pub use columns::{ColumnOf, Label, Unit};
-pub(crate) use course::{AnyCourse, SweptMechanism, joints};
+#[doc(hidden)]
+pub use course::SweptMechanism;
+pub(crate) use course::{AnyCourse, joints};
+#[doc(hidden)]
+pub use drive::READ;
 pub use drive::{
     Along, ByFormula, Drive, InputMotions, Instant, Laws, Local, OverTime, SmoothDrive, StraightLine, Variable,
 };
-pub(crate) use drive::{READ, TERMS, by_time, write_steady};
+pub(crate) use drive::{TERMS, by_time, write_steady};
 pub use error::SweepError;
 pub use fill::TabledMechanism;
 pub(crate) use footing::Footing;

@@ -33,8 +33,11 @@ macro_rules! functions {
     ($($variant:ident: $facts:path;)+) => {
         /// An elementary function.
         #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-        pub(crate) enum Function {
-            $($variant,)+
+        pub enum Function {
+            $(
+                #[doc = stringify!($variant)]
+                $variant,
+            )+
         }
 
         impl Function {

@@ -6,8 +6,8 @@ use quote::quote;
 use super::{assembly, closure, every, forms, jacobian, transmission};
 use crate::describe::{self, DescribedQuantity, Description};
 use crate::emit::compiled::{Compiled, local};
+use crate::emit::vector_type;
 use crate::model::Dimension;
-use crate::translate::vector_type;
 
 /// `impl Mechanism` and `impl Pose`. The items of the picture and the outputs are added to the former.
 pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, outputs: &TokenStream) -> TokenStream {

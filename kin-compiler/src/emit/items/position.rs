@@ -7,9 +7,9 @@ use crate::algebra::Symbol;
 use crate::emit::compiled::{Compiled, local};
 use crate::emit::items::internal::Internal;
 use crate::emit::text::ProgramText;
+use crate::emit::vector_type;
 use crate::model::{Dimension, FormulaValue};
 use crate::program::UnitPart;
-use crate::translate::vector_type;
 
 /// `position`, `position_near`, and the solver that both call.
 pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {

@@ -9,9 +9,9 @@ use crate::algebra::Symbol;
 use crate::emit::compiled::{Compiled, attributes, local};
 use crate::emit::equality::Equality;
 use crate::emit::text::ProgramText;
+use crate::emit::vector_type;
 use crate::model::ValueShape;
 use crate::program::order_name;
-use crate::translate::vector_type;
 
 /// `FourBarSensitivities` and `FourBarPartials`.
 pub(in crate::emit) fn structures(mechanism: &Compiled<'_>) -> TokenStream {

@@ -1,4 +1,4 @@
-//! The solution in one call, and the equations themselves.
+//! The solution in one call.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -6,9 +6,8 @@ use quote::quote;
 use crate::emit::compiled::{Compiled, local};
 use crate::emit::items::internal::Internal;
 use crate::program::order_name;
-use crate::translate::closure;
 
-/// `solve`, `solve_near`, and `closure`.
+/// `solve` and `solve_near`.
 pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let runtime = mechanism.runtime;
     let model = mechanism.model;
@@ -27,7 +26,6 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     };
     let positions: Vec<TokenStream> = inputs.iter().map(|input| quote!(#input.position())).collect();
     let motions = quote!(#(let #inputs = #inputs.into_motion();)*);
-    let closure = closure::tokens(mechanism.declaration, model, runtime);
     let summary = format!(
         " Position and all time derivatives to {} in one call.",
         order_name(order)
@@ -66,8 +64,6 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
                 let #position = self.position_near(#(#positions,)* #near)?;
                 self.__complete(#position, #(#inputs),*)
             }
-
-            #closure
     }
 }
 

@@ -7,22 +7,23 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::SkeletonNames;
 use super::groups::Groups;
-use super::outline::{Body, Joint, Outline, Slide};
+use super::outline::{Joint, Picture};
 use super::terms::{LinkTerm, terms};
 use super::turning::{Manner, TurningAngles, manner};
 use crate::model::ValueShape;
 use crate::syntax::{EquationStatement, OutputStatement, TypedFormula};
+use crate::translate::tree::{Body, Outline, Slide, Tree};
 
 /// The origin of all chains.
 const ORIGIN: usize = 0;
 
-/// The outline of some vector equations and the outputs that are points.
-pub(super) fn outline<'a>(
+/// The picture of some vector equations and the outputs that are points.
+pub(super) fn picture<'a>(
     equations: &[&'a EquationStatement],
     points: &[&'a OutputStatement],
     shape: ValueShape,
     names: &SkeletonNames<'a>,
-) -> Outline<'a> {
+) -> Picture<'a> {
     let mut chains = Chains::new(shape, names);
     for equation in equations {
         let [left, right] = sides(equation, names);
@@ -35,7 +36,7 @@ pub(super) fn outline<'a>(
         .map(|output| (output.name.to_string(), chains.point(&output.value)))
         .collect();
     chains.unite_consequences();
-    chains.outline(points)
+    chains.picture(points)
 }
 
 /// The terms of both sides. Of a whole loop that comes to zero, what is subtracted is the other side.
@@ -184,7 +185,7 @@ impl<'a, 'b> Chains<'a, 'b> {
         }
     }
 
-    fn outline(self, points: Vec<(String, usize)>) -> Outline<'a> {
+    fn picture(self, points: Vec<(String, usize)>) -> Picture<'a> {
         let mut parts = Parts::default();
         let ground = parts.at("", ORIGIN);
         for link in &self.links {
@@ -234,35 +235,37 @@ impl<'a, 'b> Chains<'a, 'b> {
             members.find(|&member| self.stands_still(member)).unwrap_or(joint)
         });
         let calculated: Vec<usize> = calculated.collect();
-        Outline {
+        let found = slides.iter().filter_map(|&(joint, guide, link)| {
+            let Manner::Sliding { direction, .. } = &link.manner else {
+                return None;
+            };
+            let slide = Slide {
+                joint: place(joint)?,
+                guide: groups.iter().position(|&group| group == guide),
+            };
+            Some((slide, direction.clone()))
+        });
+        let (slides, directions): (Vec<Slide>, Vec<Tree>) = found.unzip();
+        let bodies = groups.iter().map(|&group| Body {
+            name: self.name(&parts, group),
+            joints: places(group),
+        });
+        let points = points
+            .into_iter()
+            .filter_map(|(name, joint)| Some((name, place(joint)?)));
+        let outline = Outline {
             shape: self.shape,
+            joints: calculated.len(),
             ground: places(ground),
-            bodies: groups
-                .iter()
-                .map(|&group| Body {
-                    name: self.name(&parts, group),
-                    joints: places(group),
-                })
-                .collect(),
-            slides: slides
-                .iter()
-                .filter_map(|&(joint, guide, link)| {
-                    let Manner::Sliding { direction, .. } = &link.manner else {
-                        return None;
-                    };
-                    Some(Slide {
-                        joint: place(joint)?,
-                        guide: groups.iter().position(|&group| group == guide),
-                        direction: direction.clone(),
-                    })
-                })
-                .collect(),
-            points: points
-                .into_iter()
-                .filter_map(|(name, joint)| Some((name, place(joint)?)))
-                .collect(),
+            bodies: bodies.collect(),
+            slides,
+            points: points.collect(),
+        };
+        Picture {
+            outline,
             joints: self.joints,
             shown: calculated,
+            directions,
         }
     }
 

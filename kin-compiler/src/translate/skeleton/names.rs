@@ -2,26 +2,25 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::Ident;
 
 use crate::model::{Dimension, Model, ValueShape};
 use crate::syntax::{Declaration, Statement, TypedFormula};
-use crate::translate::formula::{Translated, Translation};
-use crate::translate::names::{bindings, names};
+use crate::translate::names::Names;
+use crate::translate::tree::Tree;
 
 /// The names of a declaration: which of them move, and what abbreviations stand for.
 pub(super) struct SkeletonNames<'a> {
+    names: &'a Names,
     abbreviations: BTreeMap<String, &'a TypedFormula>,
-    translated: BTreeMap<String, Translated>,
     /// Inputs and unknowns, and abbreviations that contain them.
     varying: BTreeSet<String>,
     /// The parameters that are lengths or vectors.
     lengths: BTreeSet<String>,
-    runtime: &'a TokenStream,
 }
 
 impl<'a> SkeletonNames<'a> {
-    pub(super) fn new(declaration: &'a Declaration, model: &Model, runtime: &'a TokenStream) -> Self {
+    pub(super) fn new(declaration: &'a Declaration, model: &Model, names: &'a Names) -> Self {
         let mut abbreviations = BTreeMap::new();
         let mut varying: BTreeSet<String> = model.inputs.iter().map(|input| input.name.to_string()).collect();
         varying.extend(model.unknowns.iter().map(|unknown| unknown.name.to_string()));
@@ -33,9 +32,6 @@ impl<'a> SkeletonNames<'a> {
                 abbreviations.insert(statement.name.to_string(), &statement.value);
             }
         }
-        let mut translated = names(model);
-        let all = abbreviations.keys().cloned().collect();
-        bindings(declaration, runtime, &all, &mut translated);
         let lengths = model.parameters.iter().filter(|parameter| {
             !matches!(
                 parameter.dimension,
@@ -43,11 +39,10 @@ impl<'a> SkeletonNames<'a> {
             )
         });
         Self {
+            names,
             abbreviations,
-            translated,
             varying,
             lengths: lengths.map(|parameter| parameter.name.to_string()).collect(),
-            runtime,
         }
     }
 
@@ -58,8 +53,8 @@ impl<'a> SkeletonNames<'a> {
 
     /// The formula of an abbreviation of a vector.
     pub(super) fn vector_behind(&self, name: &Ident) -> Option<&'a TypedFormula> {
-        let value = self.translated.get(&name.to_string())?;
-        (value.shape != ValueShape::Scalar).then(|| self.behind(name)).flatten()
+        let is_vector = self.names.named(name).shape != ValueShape::Scalar;
+        is_vector.then(|| self.behind(name)).flatten()
     }
 
     /// Whether a formula contains an input or an unknown.
@@ -67,15 +62,13 @@ impl<'a> SkeletonNames<'a> {
         mentions(formula, &self.varying)
     }
 
-    pub(super) fn shape(&self, formula: &TypedFormula) -> ValueShape {
-        self.translation().formula(formula).shape
+    /// A formula as a tree.
+    pub(super) fn tree(&self, formula: &TypedFormula) -> Tree {
+        self.names.formula(formula)
     }
 
-    pub(super) fn translation(&self) -> Translation<'_> {
-        Translation {
-            names: &self.translated,
-            runtime: self.runtime,
-        }
+    pub(super) fn shape(&self, formula: &TypedFormula) -> ValueShape {
+        self.tree(formula).shape
     }
 
     /// The first length or vector among the parameters in a formula.

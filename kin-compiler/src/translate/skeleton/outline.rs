@@ -1,23 +1,17 @@
-//! The bodies, the ground and the slides of a declaration, and how their joints are calculated.
-
-use proc_macro2::TokenStream;
+//! The picture of a declaration, and how its joints are calculated.
 
 use super::terms::LinkTerm;
-use crate::model::ValueShape;
+use crate::translate::tree::{Outline, Tree};
 
-/// The drawn parts of a declaration.
-pub(super) struct Outline<'a> {
-    /// Whether it is drawn in the plane or in space.
-    pub(super) shape: ValueShape,
+/// The drawn parts of a declaration, with what calculates them.
+pub(super) struct Picture<'a> {
+    pub(super) outline: Outline,
     /// The joints, those that only lead to others among them.
     pub(super) joints: Vec<Joint<'a>>,
-    /// The joints that are shown, by their places among the joints.
+    /// The joints of the outline, by their places among the joints.
     pub(super) shown: Vec<usize>,
-    /// Of the shown joints, like all that follow.
-    pub(super) ground: Vec<usize>,
-    pub(super) bodies: Vec<Body>,
-    pub(super) slides: Vec<Slide>,
-    pub(super) points: Vec<(String, usize)>,
+    /// The directions of the slides.
+    pub(super) directions: Vec<Tree>,
 }
 
 /// The sum of the terms that lead to it.
@@ -26,16 +20,4 @@ pub(super) struct Joint<'a> {
     pub(super) before: Option<usize>,
     /// None for the origin.
     pub(super) term: Option<LinkTerm<'a>>,
-}
-
-pub(super) struct Body {
-    pub(super) name: String,
-    pub(super) joints: Vec<usize>,
-}
-
-pub(super) struct Slide {
-    pub(super) joint: usize,
-    /// The number of the body, `None` for the ground.
-    pub(super) guide: Option<usize>,
-    pub(super) direction: TokenStream,
 }

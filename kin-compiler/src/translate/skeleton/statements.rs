@@ -3,18 +3,19 @@
 use std::collections::BTreeMap;
 
 use super::closures::Chains;
-use super::outline::{Body, Outline, Slide};
+use super::outline::Picture;
 use super::terms::terms;
 use super::{SkeletonNames, in_picture};
 use crate::model::ValueShape;
 use crate::syntax::{Declaration, FormulaKind, OutputStatement, Statement, TypedFormula};
+use crate::translate::tree::{Body, Outline, Slide};
 
-/// The outline of the statements, `None` if there are none. Outputs that are points are marked as well.
-pub(super) fn outline<'a>(
+/// The picture of the statements, `None` if there are none. Outputs that are points are marked as well.
+pub(super) fn picture<'a>(
     declaration: &'a Declaration,
     points: &[&'a OutputStatement],
     names: &SkeletonNames<'a>,
-) -> Option<Outline<'a>> {
+) -> Option<Picture<'a>> {
     let outputs: BTreeMap<String, &TypedFormula> = declaration
         .statements
         .iter()
@@ -48,7 +49,7 @@ pub(super) fn outline<'a>(
             shown.len() - 1
         })
     };
-    let (mut ground, mut bodies, mut slides) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut ground, mut bodies, mut slides, mut directions) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     for statement in &declaration.statements {
         match statement {
             Statement::Body(body) => bodies.push(Body {
@@ -59,12 +60,8 @@ pub(super) fn outline<'a>(
                 ground.extend(statement.points.iter().map(|point| place(behind(point))));
             }
             Statement::Slide(slide) => {
-                let direction = names.translation().formula(&slide.direction);
-                slides.push((
-                    place(behind(&slide.point)),
-                    slide.guide.as_ref(),
-                    in_picture(&names.translation(), direction, shape).tokens,
-                ));
+                slides.push((place(behind(&slide.point)), slide.guide.as_ref()));
+                directions.push(in_picture(names.tree(&slide.direction), shape));
             }
             _ => {}
         }
@@ -74,21 +71,22 @@ pub(super) fn outline<'a>(
         .map(|output| (output.name.to_string(), place(&output.value)))
         .collect();
     let number = |name: &proc_macro2::Ident| bodies.iter().position(|body: &Body| *name == body.name);
-    let slides = slides
-        .into_iter()
-        .map(|(joint, guide, direction)| Slide {
-            joint,
-            guide: guide.and_then(number),
-            direction,
-        })
-        .collect();
-    Some(Outline {
+    let slides = slides.into_iter().map(|(joint, guide)| Slide {
+        joint,
+        guide: guide.and_then(number),
+    });
+    let outline = Outline {
         shape,
+        joints: shown.len(),
+        ground,
+        slides: slides.collect(),
+        bodies,
+        points,
+    };
+    Some(Picture {
+        outline,
         joints: chains.into_joints(),
         shown,
-        ground,
-        bodies,
-        slides,
-        points,
+        directions,
     })
 }

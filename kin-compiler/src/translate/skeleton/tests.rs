@@ -3,9 +3,9 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::outline::Outline;
-use super::{SkeletonNames, outline};
 use crate::mistakes::Mistakes;
+use crate::translate::sheets;
+use crate::translate::tree::{Sheets, Step, Tree, TreeKind};
 use crate::{model, syntax};
 
 /// The outline of a declaration in one line: ground, bodies, slides and points, by the numbers of the joints.
@@ -23,12 +23,10 @@ fn outlined(statements: &TokenStream) -> String {
     let Some(model) = model::build(&declaration, &mut mistakes) else {
         return mistakes.into_messages().join("; ");
     };
-    let runtime = quote!(kin);
-    let names = SkeletonNames::new(&declaration, &model, &runtime);
-    print(&outline(&declaration, &model, &names))
+    print(&sheets(&declaration, &model))
 }
 
-fn print(outline: &Outline<'_>) -> String {
+fn print(Sheets { outline, places, .. }: &Sheets) -> String {
     let mut parts = vec![format!("ground {:?}", outline.ground)];
     parts.extend(
         outline
@@ -36,13 +34,28 @@ fn print(outline: &Outline<'_>) -> String {
             .iter()
             .map(|body| format!("{} {:?}", body.name, body.joints)),
     );
-    parts.extend(outline.slides.iter().map(|slide| {
+    let directions = places.results.iter().skip(outline.joints);
+    parts.extend(outline.slides.iter().zip(directions).map(|(slide, direction)| {
         let guide = slide.guide.map_or("ground", |body| &outline.bodies[body].name);
-        let direction = slide.direction.to_string().replace(' ', "");
-        format!("{} slides on {guide} along {direction}", slide.joint)
+        format!("{} slides on {guide} along {}", slide.joint, printed(direction))
     }));
     parts.extend(outline.points.iter().map(|(name, joint)| format!("{name} is {joint}")));
     parts.join(", ")
+}
+
+fn printed(tree: &Tree) -> String {
+    match &tree.kind {
+        TreeKind::Number(value) => value.to_string(),
+        TreeKind::Call(operation, arguments) => {
+            let arguments: Vec<String> = arguments.iter().map(printed).collect();
+            format!("{operation:?}({})", arguments.join(", "))
+        }
+        TreeKind::Chain { first, steps } => match steps.as_slice() {
+            [Step::Minus(operand)] => format!("{} - {}", printed(first), printed(operand)),
+            steps => format!("{} {steps:?}", printed(first)),
+        },
+        kind => format!("{kind:?}"),
+    }
 }
 
 #[test]
@@ -87,7 +100,7 @@ fn terms_of_variable_length_are_slides() {
     };
     assert_eq!(
         outlined(&on_ground),
-        "ground [0], a [0, 1], b [1, 2], 2 slides on ground along kin::Plane::new(T::constant(1.0),T::constant(0.0))"
+        "ground [0], a [0, 1], b [1, 2], 2 slides on ground along Vector(1, 0)"
     );
     let on_a_lever = quote! {
         unknown u: Angle, s: Length;
@@ -95,7 +108,7 @@ fn terms_of_variable_length_are_slides() {
     };
     assert_eq!(
         outlined(&on_a_lever),
-        "ground [0, 1], a [1, 2], s [0], 2 slides on s along kin::Plane::cis(u)"
+        "ground [0, 1], a [1, 2], s [0], 2 slides on s along Cis(Unknown(0))"
     );
 }
 
@@ -107,8 +120,8 @@ fn a_slide_on_a_slide_has_a_body_between() {
     };
     assert_eq!(
         outlined(&declaration),
-        "ground [0], a [0, 1], s [2], 2 slides on ground along kin::Plane::new(T::constant(1.0),T::constant(0.0)), \
-         1 slides on s along kin::Plane::cis(self.bend)"
+        "ground [0], a [0, 1], s [2], 2 slides on ground along Vector(1, 0), \
+         1 slides on s along Cis(Parameter(5))"
     );
 }
 
@@ -163,8 +176,8 @@ fn statements_replace_what_follows_from_the_equations() {
     assert_eq!(
         outlined(&declaration),
         "ground [0], crank [0, 1], rod [1, 2], lever [3], \
-         2 slides on ground along kin::Plane::new(T::constant(1.0),T::constant(0.0)), \
-         1 slides on lever along pin-self.p, piston is 2"
+         2 slides on ground along Vector(1, 0), \
+         1 slides on lever along Local(Abbreviation(0)) - Parameter(3), piston is 2"
     );
 }
 

@@ -3,13 +3,10 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use proc_macro2::TokenStream;
-use quote::quote;
-
 use crate::model::ValueShape;
 use crate::syntax::{ArithmeticOperator, Axis, Callee, FormulaKind, TypedFormula};
-use crate::translate::formula::{Translated, constant};
-use crate::translate::vector_type;
+use crate::translate::formula::product;
+use crate::translate::tree::{Operation, Tree};
 
 use super::{SkeletonNames, in_picture};
 
@@ -21,10 +18,7 @@ pub(super) enum Manner {
     /// Its length is constant.
     Rigid(TurningAngles),
     /// Its length is not. The direction has any length but zero.
-    Sliding {
-        turning: TurningAngles,
-        direction: TokenStream,
-    },
+    Sliding { turning: TurningAngles, direction: Tree },
     /// Nothing is known of it.
     Free,
 }
@@ -48,11 +42,8 @@ pub(super) fn manner(formula: &TypedFormula, shape: ValueShape, names: &Skeleton
         return Manner::Rigid(turning);
     }
     let direction = match factor.direction {
-        None => axis(Axis::X, shape, names),
-        Some(direction) => {
-            let direction = Translated::new(names.shape(formula), direction);
-            in_picture(&names.translation(), direction, shape).tokens
-        }
+        None => axis(Axis::X, shape),
+        Some(direction) => in_picture(direction, shape),
     };
     Manner::Sliding { turning, direction }
 }
@@ -67,19 +58,19 @@ struct Factor {
     /// Whether a scalar in it varies.
     slides: bool,
     /// The vector in it, without such scalars; none if it is a scalar.
-    direction: Option<TokenStream>,
+    direction: Option<Tree>,
 }
 
 /// `None` if it varies in another way than by turning or by a scalar factor.
 fn factor(formula: &TypedFormula, names: &SkeletonNames<'_>) -> Option<Factor> {
-    let shape = names.shape(formula);
+    let vector = names.tree(formula);
+    let shape = vector.shape;
     if shape == ValueShape::Scalar {
         return Some(Factor {
             slides: names.varies(formula),
             ..Factor::default()
         });
     }
-    let vector = names.translation().formula(formula).tokens;
     if !names.varies(formula) {
         let rotation = (shape == ValueShape::Rotation).then(|| (formula.to_string(), false));
         return Some(Factor {
@@ -93,14 +84,8 @@ fn factor(formula: &TypedFormula, names: &SkeletonNames<'_>) -> Option<Factor> {
         FormulaKind::Name(name) => factor(names.behind(name)?, names),
         FormulaKind::Product { first, rest } => {
             let mut product = factor(first, names)?;
-            let mut before = names.shape(first);
             for operand in rest {
-                let next = factor(&operand.formula, names)?;
-                let after = names.shape(&operand.formula);
-                product.times(next, (before, after), names);
-                if before == ValueShape::Scalar || after != ValueShape::Scalar {
-                    before = after;
-                }
+                product.times(factor(&operand.formula, names)?);
             }
             Some(product)
         }
@@ -109,7 +94,7 @@ fn factor(formula: &TypedFormula, names: &SkeletonNames<'_>) -> Option<Factor> {
     }
 }
 
-fn call(callee: Callee, arguments: &[TypedFormula], vector: TokenStream, names: &SkeletonNames<'_>) -> Option<Factor> {
+fn call(callee: Callee, arguments: &[TypedFormula], vector: Tree, names: &SkeletonNames<'_>) -> Option<Factor> {
     let mut factor = Factor::default();
     match (callee, arguments) {
         (Callee::Cis, [angle]) => {
@@ -119,8 +104,8 @@ fn call(callee: Callee, arguments: &[TypedFormula], vector: TokenStream, names: 
         (Callee::Polar, [length, angle]) => {
             add_angle(angle, 1.0, names, &mut factor.angles);
             factor.slides = names.varies(length);
-            let (angle, runtime) = (names.translation().formula(angle).tokens, names.translation().runtime);
-            factor.direction = Some(quote!(#runtime::Plane::cis(#angle)));
+            let angle = names.tree(angle);
+            factor.direction = Some(Tree::call(ValueShape::Plane, Operation::Cis, vec![angle]));
         }
         (Callee::RotX | Callee::RotY | Callee::RotZ, [angle]) => {
             let mut angles = BTreeMap::new();
@@ -147,7 +132,7 @@ fn call(callee: Callee, arguments: &[TypedFormula], vector: TokenStream, names: 
                 ValueShape::Space
             };
             factor.slides = true;
-            factor.direction = Some(axis(along, shape, names));
+            factor.direction = Some(axis(along, shape));
         }
         _ => return None,
     }
@@ -155,32 +140,24 @@ fn call(callee: Callee, arguments: &[TypedFormula], vector: TokenStream, names: 
 }
 
 impl Factor {
-    fn times(&mut self, other: Self, (before, after): (ValueShape, ValueShape), names: &SkeletonNames<'_>) {
+    fn times(&mut self, other: Self) {
         for (angle, times) in other.angles {
             *self.angles.entry(angle).or_insert(0.0) += times;
         }
         self.rotations.extend(other.rotations);
         self.slides |= other.slides;
-        let runtime = names.translation().runtime;
         self.direction = match (self.direction.take(), other.direction) {
-            (Some(left), Some(right)) => Some(match (before, after) {
-                (ValueShape::Rotation, ValueShape::Rotation) => quote!(#runtime::Rotation::times(#left, #right)),
-                (ValueShape::Rotation, _) => quote!(#runtime::Rotation::turn(#left, #right)),
-                _ => quote!(#runtime::Plane::times(#left, #right)),
-            }),
+            (Some(left), Some(right)) => Some(product(left, right)),
             (left, right) => left.or(right),
         };
     }
 }
 
 /// The unit vector along an axis.
-fn axis(along: Axis, shape: ValueShape, names: &SkeletonNames<'_>) -> TokenStream {
-    let (runtime, vector) = (names.translation().runtime, vector_type(shape));
-    let parts = shape
-        .axes()
-        .iter()
-        .map(|own| constant(if *own == along { 1.0 } else { 0.0 }));
-    quote!(#runtime::#vector::new(#(#parts),*))
+fn axis(along: Axis, shape: ValueShape) -> Tree {
+    let parts = shape.axes().iter();
+    let parts = parts.map(|own| Tree::number(if *own == along { 1.0 } else { 0.0 }));
+    Tree::call(shape, Operation::Vector, parts.collect())
 }
 
 /// An angle as a sum of what varies in it, each so many times.

@@ -18,7 +18,7 @@ use super::place::Mistake;
 const FIRST_LINE: &str = "kin 1";
 
 /// A file that was read.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct KinFile {
     /// The name of the mechanism.
     pub(crate) name: String,

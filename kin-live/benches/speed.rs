@@ -1,0 +1,154 @@
+//! The time of a declaration, and of its solvers beside those that rustc compiled, in one run.
+//!
+//! ```sh
+//! cargo bench -p kin-live
+//! ```
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use kin_core::any::{AssemblyMotionOver, Described, MotionNearOver, Of};
+use kin_core::library::{ClassThreeTriad, FourBar, JansenLeg, SliderCrank, WattI};
+use kin_core::{Mechanism, Plane};
+
+/// The text between the braces of the declaration of a structure.
+fn declaration<'a>(file: &'a str, name: &str) -> &'a str {
+    let mut declarations = file.split("\ncrate::mechanism! {").skip(1);
+    let found = declarations.find(|rest| rest.contains(&format!("pub struct {name} {{")));
+    let rest = found.expect("the file declares it");
+    &rest[..rest.find("\n}\n").expect("it ends")]
+}
+
+/// The shortest time of several runs.
+fn shortest(runs: usize, mut run: impl FnMut()) -> Duration {
+    let mut best = Duration::MAX;
+    for _ in 0..runs {
+        let start = Instant::now();
+        run();
+        best = best.min(start.elapsed());
+    }
+    best
+}
+
+fn milliseconds(time: Duration) -> f64 {
+    time.as_secs_f64() * 1e3
+}
+
+/// The poses of one turn.
+const POSES: usize = 1000;
+
+fn compare<M: Mechanism<Scalar = f64>>(file: &str, mechanism: &M, input: impl Fn(f64) -> f64, near: &[f64]) {
+    let parameters = mechanism.parameters();
+    let parameters = parameters.as_ref();
+    let description = M::DESCRIPTION;
+    let text = declaration(file, description.name);
+    let declared = shortest(5, || {
+        black_box(kin_live::Mechanism::declare(text).expect("it is one of the library"));
+    });
+    let live = kin_live::Mechanism::declare(text).expect("it is one of the library");
+    let compiled = Of::<M>::FUNCTIONS;
+    let orders = description.order + 1;
+    let [mut unknowns, mut outputs] =
+        [description.unknowns.len(), description.outputs.len()].map(|count| vec![0.0; count * orders]);
+    let mut inputs = vec![0.0; description.inputs.len() * orders];
+    let mut run = |own: &dyn Both| {
+        let mut solved = 0_usize;
+        for pose in 0..POSES {
+            for motion in inputs.chunks_exact_mut(orders) {
+                motion[0] = input(pose as f64 / POSES as f64);
+                motion[1] = 10.0;
+            }
+            let result = if M::ASSEMBLY_COUNT == 0 {
+                own.motion_near(parameters, &inputs, near, &mut unknowns, &mut outputs)
+            } else {
+                own.motion_of_assembly(parameters, &inputs, 0, &mut unknowns, &mut outputs)
+            };
+            solved += usize::from(result.is_ok());
+            black_box((&unknowns, &outputs));
+        }
+        assert_eq!(solved, POSES, "{}", description.name);
+    };
+    let (mut own, mut expected) = (Duration::MAX, Duration::MAX);
+    for _ in 0..30 {
+        own = own.min(shortest(1, || run(&live)));
+        expected = expected.min(shortest(1, || run(compiled)));
+    }
+    let nanoseconds = |time: Duration| time.as_secs_f64() * 1e9 / POSES as f64;
+    println!(
+        "{:20} declared in {:5.1} ms, solved in {:6.0} ns, compiled {:6.0} ns: {:4.1} times",
+        description.name,
+        milliseconds(declared),
+        nanoseconds(own),
+        nanoseconds(expected),
+        nanoseconds(own) / nanoseconds(expected),
+    );
+}
+
+trait Both: AssemblyMotionOver<f64> + MotionNearOver<f64> {}
+
+impl<F: AssemblyMotionOver<f64> + MotionNearOver<f64>> Both for F {}
+
+fn main() {
+    let start = Instant::now();
+    let four_bar = declaration(include_str!("../../kin-core/src/library/four_bar.rs"), "FourBar");
+    let live = kin_live::Mechanism::declare(four_bar).expect("it is one of the library");
+    assert_eq!(live.description().name, "FourBar");
+    println!("the first four-bar: {:.1} ms", milliseconds(start.elapsed()));
+    let turn = |part: f64| 6.2 * part;
+    let four_bar = FourBar {
+        r1: 90.0,
+        r2: 30.0,
+        r3: 70.0,
+        r4: 60.0,
+    };
+    compare(
+        include_str!("../../kin-core/src/library/four_bar.rs"),
+        &four_bar,
+        turn,
+        &[],
+    );
+    let slider_crank = SliderCrank { r: 0.1, l: 0.3 };
+    compare(
+        include_str!("../../kin-core/src/library/slider_crank.rs"),
+        &slider_crank,
+        turn,
+        &[],
+    );
+    let watt = WattI {
+        r1: 4.0,
+        r2: 1.4,
+        r3: 3.0,
+        r4: 2.5,
+        p: Plane::new(1.0, 1.2),
+        q: Plane::new(2.0, 1.5),
+        r5: 2.5,
+        r6: 2.0,
+    };
+    compare(
+        include_str!("../../kin-core/src/library/watt_six_bars.rs"),
+        &watt,
+        turn,
+        &[],
+    );
+    let jansen = JansenLeg::HOLY_NUMBERS;
+    compare(
+        include_str!("../../kin-core/src/library/jansen_leg.rs"),
+        &jansen,
+        turn,
+        &[],
+    );
+    let root = 3.0_f64.sqrt();
+    let triad = ClassThreeTriad {
+        base_b: Plane::new(2.0 * root, 0.0),
+        base_c: Plane::new(root, 3.0),
+        platform_b: Plane::new(root, 0.0),
+        platform_c: Plane::new(root / 2.0, 1.5),
+    };
+    let leg = |part: f64| 5.0_f64.sqrt() + 1e-3 * part;
+    compare(
+        include_str!("../../kin-core/src/library/class_three_triad.rs"),
+        &triad,
+        leg,
+        &[0.1, 2.2, -2.0, 1.6],
+    );
+}

@@ -1,0 +1,152 @@
+//! Flat code over registers.
+//!
+//! A number stands in a register. An [`Operation`] takes one step of arithmetic; a [`Call`] is a step with a decision in
+//! it, as a function of `kin_core::solve` takes it.
+
+mod assembler;
+mod call;
+mod labels;
+
+pub(crate) use assembler::{Assembler, TooLarge};
+pub(crate) use call::{Argument, Call, ClosedForm, Decisive, Terms};
+pub(crate) use labels::Labels;
+
+use crate::run::Lengths;
+
+/// The index of a register.
+pub(crate) type Register = u16;
+
+/// A step of arithmetic, or the index of a call.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Operation {
+    /// A constant, by its index.
+    Constant {
+        to: Register,
+        value: u16,
+    },
+    Copy {
+        to: Register,
+        a: Register,
+    },
+    Add {
+        to: Register,
+        a: Register,
+        b: Register,
+    },
+    Subtract {
+        to: Register,
+        a: Register,
+        b: Register,
+    },
+    Multiply {
+        to: Register,
+        a: Register,
+        b: Register,
+    },
+    Divide {
+        to: Register,
+        a: Register,
+        b: Register,
+    },
+    Negate {
+        to: Register,
+        a: Register,
+    },
+    PlusProduct {
+        to: Register,
+        rest: Register,
+        a: Register,
+        b: Register,
+    },
+    MinusProduct {
+        to: Register,
+        rest: Register,
+        a: Register,
+        b: Register,
+    },
+    SineCosine {
+        sine: Register,
+        cosine: Register,
+        angle: Register,
+    },
+    Function {
+        function: Function,
+        to: Register,
+        a: Register,
+    },
+    ArcTangent {
+        to: Register,
+        y: Register,
+        x: Register,
+    },
+    Call(u16),
+}
+
+/// Operations, one after the other.
+pub(crate) type Operations = Box<[Operation]>;
+
+macro_rules! functions {
+    ($($variant:ident $method:ident)+) => {
+        /// A method of a number without a further argument.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub(crate) enum Function {
+            $($variant,)+
+        }
+
+        impl Function {
+            /// The function of a name.
+            pub(crate) fn named(name: &str) -> Option<Self> {
+                match name {
+                    $(stringify!($method) => Some(Self::$variant),)+
+                    _ => None,
+                }
+            }
+
+            #[inline(always)]
+            pub(crate) fn of<T: kin_core::Scalar>(self, a: T) -> T {
+                match self {
+                    $(Self::$variant => a.$method(),)+
+                }
+            }
+        }
+    };
+}
+
+functions! {
+    Sin sin
+    Cos cos
+    Tan tan
+    Asin asin
+    Acos acos
+    Atan atan
+    Sinh sinh
+    Cosh cosh
+    Tanh tanh
+    Asinh asinh
+    Acosh acosh
+    Atanh atanh
+    Sqrt sqrt
+    Exp exp
+    Ln ln
+}
+
+/// The code of some routines that share their registers.
+#[derive(Debug)]
+pub(crate) struct Code {
+    /// The operations of each routine.
+    pub(crate) routines: Vec<Operations>,
+    pub(crate) calls: Vec<Call>,
+    pub(crate) constants: Vec<f64>,
+    pub(crate) factors: Vec<KeptFactors>,
+    /// The memory that a run takes.
+    pub(crate) lengths: Lengths,
+}
+
+/// Where the factors of a matrix are kept.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct KeptFactors {
+    /// The register of the first entry.
+    pub(crate) first_entry: usize,
+    /// The first row.
+    pub(crate) first_row: usize,
+}

@@ -1,0 +1,203 @@
+//! A mechanism from text.
+
+use std::error::Error;
+use std::fmt;
+
+use kin_compiler::lowered::{self, ClosureTerm, Form};
+use kin_compiler::{Declaration, Mistake};
+use kin_core::any::{Described, Name};
+use kin_core::linkage::AnyLinkage;
+
+use crate::code::{Labels, TooLarge};
+use crate::every::Every;
+use crate::functions::components;
+use crate::motion::Motion;
+use crate::names::{Names, OwnedDescription};
+use crate::routine::Routine;
+use crate::sheet::SheetCode;
+
+/// A mechanism that was declared while the program runs.
+#[derive(Debug)]
+pub struct Mechanism {
+    declaration: Declaration,
+    pub(crate) names: OwnedDescription,
+    pub(crate) motion: Motion,
+    pub(crate) transmission: Routine,
+    /// The names of the dyads.
+    pub(crate) dyads: Vec<Name>,
+    pub(crate) lengths: Routine,
+    pub(crate) forms: Vec<Form>,
+    pub(crate) closure_terms: Option<ClosureTerms>,
+    pub(crate) every: Option<Every>,
+    /// The translated methods.
+    pub(crate) closure: SheetCode,
+    pub(crate) outputs: SheetCode,
+    pub(crate) places: SheetCode,
+    choices: Vec<String>,
+}
+
+/// The closure as polynomials.
+#[derive(Debug)]
+pub(crate) struct ClosureTerms {
+    pub(crate) terms: Vec<ClosureTerm>,
+    pub(crate) coefficients: Routine,
+}
+
+impl Mechanism {
+    /// Compiles a declaration: the text between the braces of `mechanism! { … }`.
+    ///
+    /// # Errors
+    /// Every mistake of the declaration, in the order of the text; or that it is too large for the machine.
+    pub fn declare(text: &str) -> Result<Self, DeclareError> {
+        let declaration = Declaration::parse(text).map_err(DeclareError::Mistakes)?;
+        Self::new(declaration).map_err(|TooLarge| DeclareError::TooLarge)
+    }
+
+    fn new(declaration: Declaration) -> Result<Self, TooLarge> {
+        let program = declaration.program();
+        let description = &program.description;
+        let mut labels = Labels::new(description, &program.outputs);
+        let motion = Motion::new(program, &mut labels)?;
+        let lowered::Routine { statements, results } = &program.transmission;
+        let transmission = Routine::new(statements, results, &mut labels)?;
+        let lengths = Routine::of_components(&program.lengths, &components(&program.forms), &mut labels)?;
+        let closure_terms = match &program.closure {
+            None => None,
+            Some(closure) => Some(ClosureTerms {
+                terms: closure.terms.clone(),
+                coefficients: Routine::of_components(&closure.statements, &closure.coefficients, &mut labels)?,
+            }),
+        };
+        let every = program.every.as_ref();
+        let every = every.map(|every| Every::new(every, program.directions.len(), &mut labels));
+        let every = every.transpose()?;
+        let counts = [
+            description.parameters.len(),
+            description.inputs.len(),
+            description.unknowns.len(),
+        ];
+        let [closure, outputs, places] = {
+            let sheets = declaration.sheets();
+            [&sheets.closure, &sheets.outputs, &sheets.places].map(|sheet| {
+                let [parameters, inputs, unknowns] = counts;
+                SheetCode::new(sheet, parameters, inputs, unknowns)
+                    .unwrap_or_else(|| unreachable!("a compiled declaration names its own quantities"))
+            })
+        };
+        let dyads = program.dyads.iter().map(|unknowns| labels.unknowns(unknowns)).collect();
+        let names = Names {
+            groups: labels.groups,
+            description: description.clone(),
+        };
+        Ok(Self {
+            names: OwnedDescription::of(names),
+            motion,
+            transmission,
+            dyads,
+            lengths,
+            forms: program.forms.clone(),
+            closure_terms,
+            choices: program.choices.clone(),
+            every,
+            closure,
+            outputs,
+            places,
+            declaration,
+        })
+    }
+
+    /// The declaration.
+    #[must_use]
+    pub fn declaration(&self) -> &Declaration {
+        &self.declaration
+    }
+
+    /// The name of an assembly, as `kin_core::Mechanism::assembly_name` gives it.
+    pub(crate) fn name_of_assembly(&self, index: usize) -> String {
+        let word = |choice: usize| {
+            let is_crossed = (index >> (self.choices.len() - 1 - choice)) & 1 == 1;
+            if is_crossed { "crossed" } else { "open" }
+        };
+        match self.choices.as_slice() {
+            [] => String::new(),
+            [_] => word(0).to_owned(),
+            names => {
+                let parts = names.iter().enumerate();
+                let parts = parts.map(|(choice, name)| format!("{}={}", name.to_lowercase(), word(choice)));
+                parts.collect::<Vec<_>>().join(",")
+            }
+        }
+    }
+
+    /// The mechanism with dimensions, which are given by name.
+    ///
+    /// # Errors
+    /// A dimension that is missing, unknown, or given twice.
+    pub fn linkage(&self, dimensions: &[(&str, f64)]) -> Result<AnyLinkage<'_>, DimensionError> {
+        let parameters = self.description().parameters;
+        let mut row = vec![None; parameters.len()];
+        for (name, value) in dimensions {
+            let index = parameters.iter().position(|parameter| parameter.name == *name);
+            let place = index.ok_or_else(|| DimensionError::Unknown((*name).to_owned()))?;
+            if row[place].replace(*value).is_some() {
+                return Err(DimensionError::Twice((*name).to_owned()));
+            }
+        }
+        let all = row.iter().zip(parameters);
+        let all: Result<Vec<f64>, DimensionError> = all
+            .map(|(value, parameter)| value.ok_or_else(|| DimensionError::Missing(parameter.name.to_owned())))
+            .collect();
+        Ok(AnyLinkage::new(self, &all?))
+    }
+}
+
+/// The reason why a text declares no mechanism.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum DeclareError {
+    /// The mistakes, in the order of the text.
+    Mistakes(Vec<Mistake>),
+    /// The mechanism has more than 65 000 values.
+    TooLarge,
+}
+
+impl fmt::Display for DeclareError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Mistakes(mistakes) => {
+                for (index, mistake) in mistakes.iter().enumerate() {
+                    let separator = if index == 0 { "" } else { "\n" };
+                    write!(formatter, "{separator}{mistake}")?;
+                }
+                Ok(())
+            }
+            Self::TooLarge => formatter.write_str("the solver of this mechanism has more than 65000 values"),
+        }
+    }
+}
+
+impl Error for DeclareError {}
+
+/// The reason why dimensions do not fit a mechanism.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum DimensionError {
+    /// A parameter without a value.
+    Missing(String),
+    /// A value without a parameter.
+    Unknown(String),
+    /// Two values for a parameter.
+    Twice(String),
+}
+
+impl fmt::Display for DimensionError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Missing(name) => write!(formatter, "the dimension `{name}` is missing"),
+            Self::Unknown(name) => write!(formatter, "no dimension is called `{name}`"),
+            Self::Twice(name) => write!(formatter, "the dimension `{name}` is given twice"),
+        }
+    }
+}
+
+impl Error for DimensionError {}

@@ -1,0 +1,352 @@
+//! The solver of a mechanism: position, and the rates of every order.
+
+use kin_compiler::lowered::{self, Label, Symbol};
+use kin_core::__private::live::{agreeing_in, within_turns_in};
+use kin_core::Scalar;
+use kin_core::any::{Name, NameKind};
+use kin_core::{Assembly, Direction, Failure, Plane};
+
+use crate::code::{Assembler, Code, Labels, Register, TooLarge};
+use crate::routine::{Given, Inputs, Routine};
+use crate::run::{Choice, Fault, Lengths, Memory, Run, SinglePosition};
+
+/// The solver of a mechanism.
+#[derive(Debug)]
+pub(crate) struct Motion {
+    code: Code,
+    given: Given,
+    unknowns: Box<[Unknown]>,
+    /// For each output the registers of its parts: those of the position, then those of the velocity, ….
+    outputs: Box<[Box<[Register]>]>,
+    telltales: Box<[Register]>,
+    /// The angles among the unknowns.
+    angles: Box<[(Name, usize)]>,
+    /// The sides on which values of the unknowns lie, one for each choice.
+    orientations: Routine,
+    pub(crate) is_coupled: bool,
+    pub(crate) choices: usize,
+    pub(crate) order: usize,
+    output_names: Box<[Name]>,
+    /// The unknowns, as the error of a guess names them.
+    all_unknowns: Name,
+}
+
+/// The registers of an unknown.
+#[derive(Debug)]
+struct Unknown {
+    value: Value,
+    rates: Box<[Register]>,
+}
+
+/// The value of an unknown.
+#[derive(Clone, Copy, Debug)]
+enum Value {
+    /// A number.
+    Number(Register),
+    /// An angle of which only cosine and sine are known.
+    Direction { cosine: Register, sine: Register },
+}
+
+impl Motion {
+    pub(crate) fn new(mechanism: &lowered::Mechanism, labels: &mut Labels<'_>) -> Result<Self, TooLarge> {
+        let order = mechanism.description.order;
+        let mut assembler = Assembler::default();
+        assembler.routine(&mechanism.position, labels);
+        for rates in &mechanism.rates {
+            assembler.routine(rates, labels);
+        }
+        let given = Given::of(&assembler);
+        let unknowns = mechanism
+            .directions
+            .iter()
+            .enumerate()
+            .map(|(index, direction)| Unknown {
+                value: match direction {
+                    None => Value::Number(assembler.register(Symbol::Unknown(index))),
+                    Some(vector) => match vector.angle {
+                        Some(angle) => Value::Number(assembler.register(angle)),
+                        None => Value::Direction {
+                            cosine: assembler.register(vector.cosine),
+                            sine: assembler.register(vector.sine),
+                        },
+                    },
+                },
+                rates: (1..=order)
+                    .map(|order| assembler.register(Symbol::UnknownRate(index, order)))
+                    .collect(),
+            });
+        let unknowns = unknowns.collect();
+        let mut first = 0;
+        let outputs = mechanism.outputs.iter().map(|(_, parts)| {
+            let own = first..first + parts;
+            first += parts;
+            (0..=order)
+                .flat_map(|order| own.clone().map(move |part| Symbol::OutputRate(part, order)))
+                .map(|symbol| assembler.register(symbol))
+                .collect()
+        });
+        let outputs = outputs.collect();
+        let telltales = mechanism.telltales.iter();
+        let telltales = telltales.map(|&(unknown, order)| assembler.register(Symbol::UnknownRate(unknown, order)));
+        let telltales = telltales.collect();
+        let all: Vec<usize> = (0..mechanism.directions.len()).collect();
+        Ok(Self {
+            code: assembler.finish()?,
+            given,
+            unknowns,
+            outputs,
+            telltales,
+            angles: mechanism
+                .angles
+                .iter()
+                .map(|&unknown| (Name::by_index(NameKind::Unknown, unknown), unknown))
+                .collect(),
+            orientations: Routine::new(
+                &mechanism.orientations.statements,
+                &mechanism.orientations.results,
+                labels,
+            )?,
+            is_coupled: mechanism.is_coupled,
+            choices: mechanism.choices.len(),
+            order,
+            output_names: (0..mechanism.outputs.len())
+                .map(|output| labels.name(&Label::Output(output)))
+                .collect(),
+            all_unknowns: labels.unknowns(&all),
+        })
+    }
+}
+
+/// The numbers that are found, until their memory is given back.
+pub(crate) struct FoundMotion<'f, T> {
+    motion: &'f Motion,
+    registers: &'f [T],
+}
+
+impl<T: Scalar> FoundMotion<'_, T> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn at(&self, register: Register) -> T {
+        self.registers[usize::from(register)]
+    }
+
+    /// The value of an unknown. An angle that is calculated here is near a given one, or in -π ..= π.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn value(&self, unknown: usize, near: Option<&[T]>) -> T {
+        match self.motion.unknowns[unknown].value {
+            Value::Number(register) => self.at(register),
+            Value::Direction { cosine, sine } => {
+                let direction = Direction::new(Plane::new(self.at(cosine), self.at(sine)), []);
+                match near {
+                    Some(near) => direction.angle_near(near[unknown]),
+                    None => direction.angle(),
+                }
+            }
+        }
+    }
+
+    /// Writes the unknowns.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn write_position(&self, near: Option<&[T]>, unknowns: &mut [T]) {
+        for (index, place) in unknowns.iter_mut().enumerate() {
+            *place = self.value(index, near);
+        }
+    }
+
+    /// Writes the motions of the unknowns, each with all its orders.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn write_unknowns(&self, near: Option<&[T]>, unknowns: &mut [T]) {
+        let orders = self.motion.order + 1;
+        let of_each = unknowns.chunks_exact_mut(orders).zip(&self.motion.unknowns);
+        for (index, (places, unknown)) in of_each.enumerate() {
+            places[0] = self.value(index, near);
+            for (place, register) in places[1..].iter_mut().zip(&unknown.rates) {
+                *place = self.at(*register);
+            }
+        }
+    }
+
+    /// Writes the motions of the scalar outputs that there is a place for.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn write_outputs(&self, outputs: &mut [T]) {
+        let orders = self.motion.order + 1;
+        let mut places = outputs.chunks_exact_mut(orders);
+        for registers in &self.motion.outputs {
+            let parts = registers.len() / orders;
+            for part in 0..parts {
+                let Some(places) = places.next() else { return };
+                for (order, place) in places.iter_mut().enumerate() {
+                    *place = self.at(registers[order * parts + part]);
+                }
+            }
+        }
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn output_is_finite(&self, registers: &[Register]) -> bool {
+        registers.iter().all(|register| self.at(*register).is_finite())
+    }
+
+    /// Whether all numbers are finite. If a rate were not finite, a telltale would not be finite either.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn is_finite(&self) -> bool {
+        let telltales = &self.motion.telltales;
+        let rates_are_finite = telltales.is_empty() || {
+            let lengths = Lengths {
+                registers: telltales.len(),
+                ..Lengths::default()
+            };
+            lengths.lend(|memory| {
+                for (place, register) in memory.registers.iter_mut().zip(telltales) {
+                    *place = self.at(*register);
+                }
+                T::are_finite(memory.registers)
+            })
+        };
+        rates_are_finite
+            && self
+                .motion
+                .outputs
+                .iter()
+                .all(|registers| self.output_is_finite(registers))
+    }
+
+    /// The first result that is not finite.
+    #[cold]
+    fn culprit(&self) -> Option<Culprit> {
+        let unknown_is_finite = |unknown: &Unknown| {
+            let value_is_finite = match unknown.value {
+                Value::Number(register) => self.at(register).is_finite(),
+                Value::Direction { cosine, sine } => self.at(cosine).is_finite() && self.at(sine).is_finite(),
+            };
+            value_is_finite && unknown.rates.iter().all(|register| self.at(*register).is_finite())
+        };
+        let unknown = self
+            .motion
+            .unknowns
+            .iter()
+            .position(|unknown| !unknown_is_finite(unknown));
+        let output = || {
+            let mut outputs = self.motion.outputs.iter();
+            outputs.position(|registers| !self.output_is_finite(registers))
+        };
+        unknown.map(Culprit::Unknown).or_else(|| output().map(Culprit::Output))
+    }
+}
+
+/// A result that is not finite.
+enum Culprit {
+    Unknown(usize),
+    Output(usize),
+}
+
+impl Motion {
+    /// Solves the position in an assembly, or near values of the unknowns, and then the rates through an order.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn solve<T: Scalar, R>(
+        &self,
+        parameters: &[T],
+        inputs: Inputs<'_, T>,
+        choice: Choice<'_, T>,
+        found: impl FnOnce(FoundMotion<'_, T>) -> R,
+    ) -> Result<R, Fault> {
+        self.code.lengths.lend(|memory: Memory<'_, T>| {
+            self.given.write(memory.registers, parameters, inputs);
+            let mut run = Run {
+                code: &self.code,
+                memory,
+                choice,
+                way: SinglePosition,
+            };
+            for order in 0..inputs.orders {
+                run.routine(order)?;
+            }
+            let motion = FoundMotion {
+                motion: self,
+                registers: run.memory.registers,
+            };
+            if inputs.orders > 1 && !motion.is_finite() {
+                return Err(self.not_finite(&motion, inputs));
+            }
+            Ok(found(motion))
+        })
+    }
+
+    /// Names the first input that is not finite, or else the first such result.
+    #[cold]
+    fn not_finite<T: Scalar>(&self, motion: &FoundMotion<'_, T>, inputs: Inputs<'_, T>) -> Fault {
+        let result = match motion.culprit() {
+            Some(Culprit::Unknown(unknown)) => Name::by_index(NameKind::Unknown, unknown),
+            Some(Culprit::Output(output)) => self.output_names[output],
+            None => Name::NONE,
+        };
+        let input = inputs
+            .each()
+            .position(|motion| !motion.iter().all(|entry| entry.is_finite()));
+        let quantity = input.map_or(result, |input| Name::by_index(NameKind::Input, input));
+        Fault {
+            failure: Failure::NotFinite { quantity },
+            label: result,
+        }
+    }
+
+    /// Calls a function with the choice that values of the unknowns stand for.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn near<T: Scalar, R>(
+        &self,
+        parameters: &[T],
+        inputs: Inputs<'_, T>,
+        near: &[T],
+        function: impl FnOnce(Choice<'_, T>) -> Result<R, Fault>,
+    ) -> Result<R, Fault> {
+        let lengths = Lengths {
+            registers: self.unknowns.len() + self.choices,
+            ..Lengths::default()
+        };
+        lengths.lend(|memory: Memory<'_, T>| {
+            let (values, orientations) = memory.registers.split_at_mut(self.unknowns.len());
+            values.copy_from_slice(&near[..values.len()]);
+            if !self.angles.is_empty() {
+                let label = self.all_unknowns;
+                within_turns_in(values, &self.angles).map_err(|failure| Fault { failure, label })?;
+            }
+            let mut assembly = 0;
+            if self.choices > 0 {
+                self.orientations.run(parameters, inputs, values, |result| {
+                    for (index, place) in orientations[..self.choices].iter_mut().enumerate() {
+                        *place = result(index);
+                    }
+                });
+                for orientation in &orientations[..self.choices] {
+                    assembly = 2 * assembly + usize::from(orientation.side() == Assembly::Crossed);
+                }
+                if self.is_coupled {
+                    agreeing_in(values, &orientations[..self.choices]);
+                }
+            }
+            function(Choice {
+                near: Some(values),
+                assembly,
+                choices: self.choices,
+            })
+        })
+    }
+
+    /// The index of the assembly to which values of the unknowns belong.
+    pub(crate) fn assembly_at(&self, parameters: &[f64], inputs: &[f64], unknowns: &[f64]) -> usize {
+        let inputs = Inputs::positions(inputs);
+        self.orientations.run(parameters, inputs, unknowns, |result| {
+            (0..self.choices).fold(0, |assembly, index| {
+                2 * assembly + usize::from(result(index).side() == Assembly::Crossed)
+            })
+        })
+    }
+
+    /// The choice of an assembly.
+    pub(crate) fn in_assembly<T>(&self, assembly: usize) -> Choice<'_, T> {
+        Choice {
+            near: None,
+            assembly,
+            choices: self.choices,
+        }
+    }
+}

@@ -1,0 +1,153 @@
+//! Code from quantities to results.
+
+use kin_compiler::lowered::{Component, Statement, Symbol};
+use kin_core::Scalar;
+
+use crate::code::{Assembler, Code, Labels, Register, TooLarge};
+use crate::run::{Choice, Lengths, Run, SinglePosition};
+
+/// Where quantities stand before a run.
+#[derive(Debug, Default)]
+pub(crate) struct Given {
+    /// Parameters, each by its index.
+    parameters: Box<[(usize, Register)]>,
+    /// Inputs, each by its index and order.
+    inputs: Box<[(usize, usize, Register)]>,
+    /// Unknowns, each by its index.
+    unknowns: Box<[(usize, Register)]>,
+}
+
+impl Given {
+    /// The quantities that some code reads.
+    pub(crate) fn of(assembler: &Assembler) -> Self {
+        let (mut parameters, mut inputs, mut unknowns) = (Vec::new(), Vec::new(), Vec::new());
+        for (symbol, register) in assembler.registers() {
+            match symbol {
+                Symbol::Parameter(index) => parameters.push((index, register)),
+                Symbol::Input(index) => inputs.push((index, 0, register)),
+                Symbol::InputRate(index, order) => inputs.push((index, order, register)),
+                Symbol::Unknown(index) => unknowns.push((index, register)),
+                _ => {}
+            }
+        }
+        Self {
+            parameters: parameters.into(),
+            inputs: inputs.into(),
+            unknowns: unknowns.into(),
+        }
+    }
+
+    /// Writes parameters and inputs.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn write<T: Scalar>(&self, registers: &mut [T], parameters: &[T], inputs: Inputs<'_, T>) {
+        for (index, register) in &*self.parameters {
+            registers[usize::from(*register)] = parameters[*index];
+        }
+        for (index, order, register) in &*self.inputs {
+            if *order < inputs.orders {
+                registers[usize::from(*register)] = inputs.motions[*index * inputs.orders + *order];
+            }
+        }
+    }
+
+    /// Writes unknowns.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn write_unknowns<T: Scalar>(&self, registers: &mut [T], unknowns: &[T]) {
+        for (index, register) in &*self.unknowns {
+            registers[usize::from(*register)] = unknowns[*index];
+        }
+    }
+}
+
+/// The inputs with some of their orders, position first.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Inputs<'i, T> {
+    pub(crate) motions: &'i [T],
+    /// The number of orders.
+    pub(crate) orders: usize,
+}
+
+impl<'i, T: Scalar> Inputs<'i, T> {
+    /// Inputs without rates.
+    pub(crate) fn positions(positions: &'i [T]) -> Self {
+        Self {
+            motions: positions,
+            orders: 1,
+        }
+    }
+
+    /// The motions of all inputs.
+    pub(crate) fn each(self) -> impl Iterator<Item = &'i [T]> {
+        self.motions.chunks_exact(self.orders)
+    }
+}
+
+/// Straight-line code from quantities to results, which cannot fail.
+#[derive(Debug)]
+pub(crate) struct Routine {
+    code: Code,
+    given: Given,
+    pub(crate) results: Box<[Register]>,
+}
+
+impl Routine {
+    /// The code of some statements with their results.
+    pub(crate) fn new(statements: &[Statement], results: &[Symbol], labels: &mut Labels<'_>) -> Result<Self, TooLarge> {
+        let mut assembler = Assembler::default();
+        assembler.routine(statements, labels);
+        let results = results.iter().map(|&symbol| assembler.register(symbol)).collect();
+        Self::finish(assembler, results)
+    }
+
+    /// The code of some statements, and then of components.
+    pub(crate) fn of_components(
+        statements: &[Statement],
+        components: &[Component],
+        labels: &mut Labels<'_>,
+    ) -> Result<Self, TooLarge> {
+        let mut assembler = Assembler::default();
+        assembler.routine(statements, labels);
+        let results = components.iter().map(|component| match component {
+            Component::Parameter(index) => assembler.register(Symbol::Parameter(*index)),
+            Component::Value(symbol) => assembler.register(*symbol),
+            Component::Number(number) => assembler.number(*number),
+        });
+        let results = results.collect();
+        Self::finish(assembler, results)
+    }
+
+    fn finish(assembler: Assembler, results: Box<[Register]>) -> Result<Self, TooLarge> {
+        let given = Given::of(&assembler);
+        Ok(Self {
+            code: assembler.finish()?,
+            given,
+            results,
+        })
+    }
+
+    /// Calls a function with the results.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn run<T: Scalar, R>(
+        &self,
+        parameters: &[T],
+        inputs: Inputs<'_, T>,
+        unknowns: &[T],
+        results: impl FnOnce(&dyn Fn(usize) -> T) -> R,
+    ) -> R {
+        let lengths: Lengths = self.code.lengths;
+        lengths.lend(|memory| {
+            self.given.write(memory.registers, parameters, inputs);
+            self.given.write_unknowns(memory.registers, unknowns);
+            let mut run = Run {
+                code: &self.code,
+                memory,
+                choice: Choice::default(),
+                way: SinglePosition,
+            };
+            // none of these statements can fail
+            let _ = run.routine(0);
+            let registers = run.memory.registers;
+            results(&|index| registers[usize::from(self.results[index])])
+        })
+    }
+}

@@ -1,0 +1,70 @@
+//! The memory of a run, which its caller lends.
+
+use kin_core::__private::live::FactorRow;
+use kin_core::Scalar;
+
+/// The lengths of the memory of a run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Lengths {
+    /// The registers.
+    pub(crate) registers: usize,
+    /// Numbers side by side, as functions for rows take them.
+    pub(crate) row: usize,
+    /// Real numbers of Newton's method.
+    pub(crate) reals: usize,
+    /// Rows of factors.
+    pub(crate) rows: usize,
+}
+
+/// The memory of a run.
+#[derive(Debug)]
+pub(crate) struct Memory<'m, T> {
+    pub(crate) registers: &'m mut [T],
+    pub(crate) row: &'m mut [T],
+    pub(crate) reals: &'m mut [f64],
+    pub(crate) rows: &'m mut [FactorRow],
+}
+
+/// The numbers for which memory stands on the stack.
+const MOST: usize = 256;
+/// The same for a small mechanism.
+const FEW: usize = 96;
+/// The rows of factors, and the real numbers of Newton's method, for which memory stands on the stack.
+const ROWS: usize = 24;
+const REALS: usize = 128;
+
+impl Lengths {
+    /// Calls a function with memory of these lengths. It is on the stack, unless the mechanism is very large.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn lend<T: Scalar, R>(self, function: impl FnOnce(Memory<'_, T>) -> R) -> R {
+        let zero = T::constant(0.0);
+        let count = self.registers + self.row;
+        if count <= FEW && self.rows == 0 && self.reals == 0 {
+            let mut numbers = [zero; FEW];
+            return function(self.parts(&mut numbers, &mut [], &mut []));
+        }
+        if count <= MOST && self.rows <= ROWS && self.reals <= REALS {
+            let mut numbers = [zero; MOST];
+            return function(self.parts(&mut numbers, &mut [0.0; REALS], &mut [FactorRow::default(); ROWS]));
+        }
+        let mut numbers = vec![zero; count];
+        let (mut reals, mut rows) = (vec![0.0; self.reals], vec![FactorRow::default(); self.rows]);
+        function(self.parts(&mut numbers, &mut reals, &mut rows))
+    }
+
+    /// The parts of some memory that is large enough.
+    pub(crate) fn parts<'m, T>(
+        self,
+        numbers: &'m mut [T],
+        reals: &'m mut [f64],
+        rows: &'m mut [FactorRow],
+    ) -> Memory<'m, T> {
+        let (registers, row) = numbers.split_at_mut(self.registers);
+        Memory {
+            registers,
+            row,
+            reals,
+            rows,
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! Newton's method.
+
+use kin_core::__private::live::{NewtonMemory, largest_in, newton_in};
+use kin_core::{Failure, Scalar};
+
+use super::{Memory, Run, Way, arithmetic};
+use crate::code::Call;
+
+impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
+    /// Newton's method from the guess.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn newton(&mut self, call: &Call) -> Result<(), Failure> {
+        let Call::Newton {
+            unknowns,
+            registers,
+            are_lengths,
+            lengths,
+            body,
+            residuals,
+            jacobian,
+            ..
+        } = call
+        else {
+            return Ok(());
+        };
+        let constants = &self.code.constants;
+        let near = self.choice.near.unwrap_or_default();
+        let count = unknowns.len();
+        let size = if are_lengths.contains(&true) {
+            largest_in(self.row(lengths))
+        } else {
+            T::constant(1.0)
+        };
+        let Memory {
+            registers: values,
+            row,
+            reals,
+            rows,
+        } = &mut self.memory;
+        let (solution, row) = row.split_at_mut(count);
+        let (sizes, numbers) = row.split_at_mut(count);
+        for (index, unknown) in unknowns.iter().enumerate() {
+            solution[index] = near.get(*unknown).copied().unwrap_or_else(|| T::constant(f64::NAN));
+            sizes[index] = if are_lengths[index] { size } else { T::constant(1.0) };
+        }
+        let first_row = rows.len() - NewtonMemory::<T>::lengths(count)[2];
+        let Some(memory) = NewtonMemory::new(count, numbers, reals, &mut rows[first_row..]) else {
+            unreachable!("the code tells how much memory it needs");
+        };
+        newton_in(solution, sizes, memory, |unknowns, found, partials| {
+            for (register, unknown) in registers.iter().zip(unknowns) {
+                values[usize::from(*register)] = *unknown;
+            }
+            for operation in &**body {
+                arithmetic(values, constants, *operation);
+            }
+            for (place, register) in found.iter_mut().zip(residuals) {
+                *place = values[usize::from(*register)];
+            }
+            for (place, register) in partials.iter_mut().zip(jacobian) {
+                *place = values[usize::from(*register)];
+            }
+        })?;
+        for (register, unknown) in registers.iter().zip(&*solution) {
+            values[usize::from(*register)] = *unknown;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,94 @@
+//! The translated methods: residuals, outputs, and places of the picture.
+
+use kin_compiler::Declaration;
+use kin_compiler::tree::{Outline, Sheet};
+use kin_core::any::{ClosureOver, Of, OutputsOver};
+use kin_core::{Mechanism, PlaneOrSpace, PointArray, Row};
+use kin_live::sheet::SheetCode;
+
+use crate::agreement::SAMPLES;
+use crate::bits::Bits;
+use crate::random::Random;
+
+/// The numbers of a position: parameters, inputs and unknowns.
+type Numbers<T> = [Vec<T>; 3];
+
+/// Compares the translated methods in one kind of numbers. Returns how many results were finite.
+pub(crate) fn agreeing<M: Mechanism<Scalar = f64>, T: Bits>(declaration: &Declaration) -> usize {
+    let counts = [
+        M::Parameters::<f64>::LENGTH,
+        M::Inputs::<f64>::LENGTH,
+        M::Unknowns::<f64>::LENGTH,
+    ];
+    let sheets = declaration.sheets();
+    let residuals = |[parameters, inputs, unknowns]: &Numbers<T>, found: &mut [T]| {
+        Of::<M>::FUNCTIONS.residuals(parameters, inputs, unknowns, found);
+    };
+    let outputs = |[parameters, inputs, unknowns]: &Numbers<T>, found: &mut [T]| {
+        Of::<M>::FUNCTIONS.outputs(parameters, inputs, unknowns, found);
+    };
+    assert_agreeing(&sheets.closure, counts, residuals)
+        + assert_agreeing(&sheets.outputs, counts, outputs)
+        + assert_agreeing(&sheets.places, counts, places::<M, T>)
+}
+
+/// The places of the compiled mechanism, part by part.
+fn places<M: Mechanism<Scalar = f64>, T: Bits>([parameters, inputs, unknowns]: &Numbers<T>, found: &mut [T]) {
+    let mechanism = M::With::<T>::from_parameters(Row::from_fn(|index| parameters[index]));
+    let places = mechanism.places(
+        Row::from_fn(|index| inputs[index]),
+        Row::from_fn(|index| unknowns[index]),
+    );
+    let places = places.as_slice();
+    let is_plane = <<<M::With<T> as Mechanism>::Places as PointArray>::Point as PlaneOrSpace>::IS_PLANE;
+    let width = if is_plane { 2 } else { 3 };
+    assert_eq!(found.len(), places.len() * width);
+    for (place, found) in places.iter().zip(found.chunks_exact_mut(width)) {
+        let place = place.in_space();
+        found.copy_from_slice(&[place.x, place.y, place.z][..width]);
+    }
+}
+
+/// Compares one method, and returns how many of its results were finite.
+fn assert_agreeing<T: Bits>(sheet: &Sheet, counts: [usize; 3], compiled: impl Fn(&Numbers<T>, &mut [T])) -> usize {
+    let [parameters, inputs, unknowns] = counts;
+    let code = SheetCode::new(sheet, parameters, inputs, unknowns).expect("it uses what is there");
+    let mut random = Random::new(7);
+    let mut registers = vec![T::constant(f64::NAN); code.registers()];
+    let zero = T::constant(0.0);
+    let [mut found, mut expected] = [vec![zero; code.results()], vec![zero; code.results()]];
+    let mut finite = 0;
+    for _ in 0..SAMPLES {
+        let numbers = counts.map(|count| (0..count).map(|_| T::drawn(&mut random)).collect::<Vec<T>>());
+        let [parameters, inputs, unknowns] = &numbers;
+        code.run(parameters, inputs, unknowns, &mut registers, &mut found);
+        compiled(&numbers, &mut expected);
+        for (index, (found, expected)) in found.iter().zip(&expected).enumerate() {
+            assert_eq!(
+                found.bits(),
+                expected.bits(),
+                "result {index} of {sheet:?} at {numbers:?}"
+            );
+            finite += usize::from(found.is_finite());
+        }
+    }
+    finite
+}
+
+pub(crate) fn assert_same_outline<M: Mechanism>(own: &Outline) {
+    let expected = M::OUTLINE;
+    assert_eq!(own.ground, expected.ground);
+    let bodies: Vec<(&str, &[usize])> = own
+        .bodies
+        .iter()
+        .map(|body| (body.name.as_str(), body.joints.as_slice()))
+        .collect();
+    let expected_bodies: Vec<(&str, &[usize])> = expected.bodies.iter().map(|body| (body.name, body.joints)).collect();
+    assert_eq!(bodies, expected_bodies);
+    let slides: Vec<(usize, Option<usize>)> = own.slides.iter().map(|slide| (slide.joint, slide.guide)).collect();
+    let expected_slides: Vec<(usize, Option<usize>)> =
+        expected.slides.iter().map(|slide| (slide.joint, slide.guide)).collect();
+    assert_eq!(slides, expected_slides);
+    let points: Vec<(&str, usize)> = own.points.iter().map(|(name, joint)| (name.as_str(), *joint)).collect();
+    assert_eq!(points, expected.points);
+}
