@@ -52,7 +52,6 @@
 //! | moving from one position to another in the same assembly | [`track`](track()), [`TrackError`] |
 //! | many poses over an input or over time, tables with named columns | [`sweep`] |
 //! | peaks, extremes, zeros, dwells and means of a sweep | `extremes` (feature `alloc`) |
-//! | curves between the rows of a table | [`hermite`] |
 //! | tables that take the place of a solver, read in any language | [`exact`] |
 //! | all circuits and branches with their limits, Grashof's type | `cycle` (feature `alloc`) |
 //! | the reason why there is no position | [`SolveError`], [`Failure`] |
@@ -62,9 +61,8 @@
 //! | all positions of any mechanism | [`Mechanism::positions_at`] |
 //! | the forms of the blocks, with the lengths of links | [`BlockForm`] |
 //! | mechanisms ready to use | `library` (feature `library`) |
-//! | the closed forms, with their costs | [`solve`] |
 //! | verification of your own mechanism | `verify` (feature `std`) |
-//! | all solutions of a block without a closed form | [`continuation`], [`Positions`], [`Assemblies`] |
+//! | all solutions of a block without a closed form | [`Assemblies`] |
 //! | solvers as data, for other languages | `tape` (feature `tape`) |
 //! | files and messages: JSON and other formats | `stored` (feature `serde`) |
 //! | number types | [`Number`] and [`Scalar`], [`series`] for truncated Taylor series, [`Changing`] for a number with one derivative |
@@ -121,7 +119,8 @@ pub mod exact;
 pub mod extremes;
 mod failure;
 mod geometry;
-pub mod hermite;
+#[cfg(feature = "alloc")]
+mod hermite;
 mod interop;
 pub mod law;
 #[cfg(feature = "library")]
@@ -136,6 +135,7 @@ mod number;
 mod picture;
 pub mod prelude;
 mod quantity;
+#[doc(hidden)]
 pub mod solve;
 #[cfg(feature = "serde")]
 pub mod stored;
@@ -147,11 +147,15 @@ mod track;
 #[cfg(feature = "std")]
 pub mod verify;
 
-pub use assemblies::{Assemblies, Choices, Positions, continuation};
+pub use assemblies::Assemblies;
+#[doc(hidden)]
+pub use assemblies::{Positions, continuation};
+#[doc(hidden)]
+pub use assembly::IntoAssembly;
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 pub use assembly::assembly_named;
-pub use assembly::{Assembly, Guess, IntoAssembly, Near};
+pub use assembly::{Assembly, Guess, Near};
 #[doc(hidden)]
 pub use curve::CurveFunctions;
 pub use curve::LimitKind;
@@ -166,22 +170,29 @@ pub use mechanism::{
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 pub use mechanism::{Jacobian, JacobianError, JacobianMeasure, JacobianNumber};
-pub use motion::{Contains, Direction, IntoMotion, LinkMotion, Motion, rpm};
+#[doc(hidden)]
+pub use motion::Contains;
+pub use motion::{Direction, IntoMotion, LinkMotion, Motion, rpm};
 #[cfg(feature = "std")]
+#[doc(hidden)]
 pub use number::count;
 pub use number::{Changing, ClosedRange, Number, Operations, Row, series};
-pub use picture::{PlaneOrSpace, PointArray, Slide, TransmissionAngle};
 #[doc(hidden)]
-pub use quantity::GREEK;
+pub use picture::PointArray;
+pub use picture::{PlaneOrSpace, Slide, TransmissionAngle};
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 pub use quantity::in_small_letters;
-pub use quantity::{Dimension, Name, NameKind, RATES};
+pub use quantity::{Dimension, Name, NameKind};
+#[doc(hidden)]
+pub use quantity::{GREEK, RATES};
 pub use solve::Scalar;
+#[doc(hidden)]
+pub use track::MOST_TRACK_STEPS;
 #[cfg(feature = "alloc")]
 #[doc(hidden)]
 pub use track::track_between;
-pub use track::{Halt, MOST_TRACK_STEPS, Obstacle, TrackError, TrackErrorOf, track};
+pub use track::{Halt, Obstacle, TrackError, TrackErrorOf, track};
 
 /// Declares a mechanism by its loop closure, and generates solvers for its position and all time derivatives up to snap
 /// (also called jounce), or up to another order.

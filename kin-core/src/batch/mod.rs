@@ -51,18 +51,23 @@ mod transmission;
 mod untyped;
 mod view;
 
-pub use column::{Column, Parameter};
+pub use column::Column;
+#[doc(hidden)]
+pub use column::Parameter;
 #[cfg(feature = "alloc")]
 pub(crate) use dispatch::Kernel;
 pub use dispatch::Vectors;
 pub use fold::{Fold, FoldError, Folded, FoldedNumber, Poses, Turn, fold, fold_near};
+#[doc(hidden)]
 pub use lanes::Element;
 pub use loads::LoadedBatch;
 pub use outcome::{LengthMismatch, Outcome, Summary};
 #[cfg(feature = "rayon")]
 pub use parallel::{solve_in_parallel, solve_near_in_parallel};
 pub use sweep::{solve, solve_near};
-pub use target::{Columns, MotionColumns, Place, Target, Visitor};
+#[doc(hidden)]
+pub use target::{Columns, MotionColumns, Visitor};
+pub use target::{Place, Target};
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 pub use untyped::{AnyBatch, AnyFold, ColumnChoice, GivenColumns, WantedColumns};

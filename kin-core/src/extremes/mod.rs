@@ -64,8 +64,10 @@ mod swept;
 #[cfg(test)]
 mod tests;
 
+pub use along::QuantityAlong;
 pub(crate) use along::pose_quantity;
-pub use along::{AskedQuantity, ByDyad, ByExpression, ByJacobian, ByName, QuantityAlong, QuantitySource};
+#[doc(hidden)]
+pub use along::{AskedQuantity, ByDyad, ByExpression, ByJacobian, ByName, QuantitySource};
 pub use answer::Answer;
 pub use at::At;
 pub(crate) use branch::{KnownStretch, KnownSweep, StationQuantity, named_quantity};
@@ -74,6 +76,7 @@ pub use mean::{Mean, Over};
 pub use sensitivity::{PeakSensitivities, PeakSensitivity};
 #[cfg(test)]
 pub(crate) use station::PositionFunctions;
+#[doc(hidden)]
 pub use station::{ChangedFunctions, NamedFunctions};
 
 use core::fmt;

@@ -68,6 +68,7 @@ pub use drive::{
 };
 pub(crate) use drive::{READ, TERMS, by_time, write_steady};
 pub use error::SweepError;
+#[doc(hidden)]
 pub use fill::TabledMechanism;
 pub(crate) use footing::Footing;
 pub use limits::Limit;

@@ -12,7 +12,8 @@ use std::process::Command;
 
 use kin_core::Row;
 use kin_core::prelude::*;
-use kin_core::tape::{self, Condition, Function, Options, RecordError, Tape, TapeNode};
+use kin_core::tape::structure::{Condition, Function, TapeNode};
+use kin_core::tape::{self, Options, RecordError, Tape};
 use kin_core::verify::Random;
 
 use calls::{Call, kernel};

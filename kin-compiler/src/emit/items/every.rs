@@ -88,7 +88,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
             ///
             #[doc = #order]
             /// The search starts from a system whose solutions are known and follows each of them to a solution of the coupled
-            /// equations. The module `continuation` of the library says what this guarantees.
+            /// equations. `Assemblies` of the library says what this guarantees.
             ///
             #(#[doc = #lines])*
             ///
