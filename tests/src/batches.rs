@@ -203,8 +203,8 @@ impl<M: Mechanism<Scalar: Element>> Poses<M> {
     /// As `solve` of the mechanism.
     pub fn solve_one(&self, index: usize, assembly: Option<M::Assembly>) -> Result<M::Pose, SolveError> {
         match assembly {
-            Some(assembly) => self.mechanisms[index].solve_motion(self.inputs[index], assembly),
-            None => self.mechanisms[index].solve_motion_near(self.inputs[index], self.near[index]),
+            Some(assembly) => self.mechanisms[index].solve(self.inputs[index], assembly),
+            None => self.mechanisms[index].solve_near(self.inputs[index], self.near[index]),
         }
     }
 

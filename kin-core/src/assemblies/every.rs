@@ -210,7 +210,7 @@ where
     (search.singular, search.is_complete) = (all.singular(), all.is_complete());
     for near in all {
         let guess = M::Unknowns::from_fn(|unknown| M::Scalar::constant(near.0[unknown]));
-        match mechanism.solve_position_near(inputs, guess) {
+        match mechanism.position_near(inputs, guess) {
             Ok(unknowns) => {
                 search.found += 1;
                 found(*near, unknowns);

@@ -132,7 +132,7 @@ impl<'a, M: Mechanism<Scalar: Element>> Guide<'a, M> for InAssembly<M::Assembly>
         inputs: T::Inputs<T::Motion<T::Scalar>>,
         _: T::Unknowns<T::Scalar>,
     ) -> Result<T::Pose, SolveError> {
-        mechanism.solve_motion(inputs, self.0)
+        mechanism.solve(inputs, self.0)
     }
 }
 
@@ -158,7 +158,7 @@ impl<'a, M: Mechanism<Scalar: Element>, C: Row<Column<'a, M::Scalar>>> Guide<'a,
         inputs: T::Inputs<T::Motion<T::Scalar>>,
         near: T::Unknowns<T::Scalar>,
     ) -> Result<T::Pose, SolveError> {
-        mechanism.solve_motion_near(inputs, near)
+        mechanism.solve_near(inputs, near)
     }
 }
 

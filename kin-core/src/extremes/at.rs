@@ -86,7 +86,7 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
         };
         Ok(At {
             mechanism,
-            pose: mechanism.solve_motion_near(inputs, near)?,
+            pose: mechanism.solve_near(inputs, near)?,
             inputs,
             near,
             outputs: row(&station.outputs),

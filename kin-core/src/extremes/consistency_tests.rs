@@ -316,7 +316,7 @@ fn hold_random<M: Mechanism<Scalar = f64, Pose: PoseOf<M>>>(random: &mut Random,
         let found = if M::ASSEMBLY_COUNT > 0 {
             found
         } else {
-            mechanism.assembly_near(from, unknowns)
+            mechanism.assembly_at(from, unknowns)
         };
         assembly = Some(found);
     });

@@ -33,7 +33,7 @@ pub(crate) fn conditions<M: Mechanism>(
         let changed = <M::With<FirstOrder>>::from_parameters(Row::from_fn(|index| {
             series(Changed::Parameter(index), values(parameters.as_ref(), index))
         }));
-        let residuals = changed.residuals(
+        let residuals = changed.closure(
             Row::from_fn(|index| series(Changed::Input(index), values(inputs.as_ref(), index))),
             Row::from_fn(|index| series(Changed::Unknown(index), values(unknowns.as_ref(), index))),
         );

@@ -59,6 +59,10 @@ use crate::solve::Scalar;
 ///
 /// Only [`mechanism!`](crate::mechanism!) implements this trait. A new version may add items without a default.
 ///
+/// The solvers have the names of the inherent methods that `mechanism!` makes for each structure, and take the inputs as one
+/// row. On a structure itself the inherent method is called; `Mechanism::position(&linkage, [1.0], assembly)` calls that of the
+/// trait. The errors are the same.
+///
 /// The associated rows are arrays. Their lengths are the numbers of scalar parameters, inputs, unknowns and scalar
 /// equations. A point in the plane counts as two scalars, x and y, a point in space as three.
 ///
@@ -72,7 +76,7 @@ use crate::solve::Scalar;
 ///     for step in 0..360 {
 ///         let rates = [f64::from(step).to_radians(), speed];
 ///         let inputs = M::Inputs::from_fn(|_| M::Motion::from_fn(|order| rates.get(order).copied().unwrap_or(0.0)));
-///         if let Ok(pose) = mechanism.solve_motion(inputs, assembly) {
+///         if let Ok(pose) = mechanism.solve(inputs, assembly) {
 ///             for unknown in pose.unknown_motions().as_ref() {
 ///                 peak = peak.max(unknown[2].abs());
 ///             }
@@ -131,7 +135,7 @@ pub trait Mechanism: Copy + Debug + 'static {
     fn assembly(index: usize) -> Option<Self::Assembly>;
 
     /// The assembly to which the given values of the unknowns belong.
-    fn assembly_near(&self, inputs: Self::Inputs<Self::Scalar>, near: Self::Unknowns<Self::Scalar>) -> Self::Assembly;
+    fn assembly_at(&self, inputs: Self::Inputs<Self::Scalar>, near: Self::Unknowns<Self::Scalar>) -> Self::Assembly;
 
     /// The values of the unknowns that stand for an assembly of coupled blocks. Other assemblies have an index.
     #[doc(hidden)]
@@ -150,56 +154,55 @@ pub trait Mechanism: Copy + Debug + 'static {
     /// This mechanism with its parameters converted, for example to dual numbers.
     fn convert<S: Scalar>(&self, convert: impl FnMut(Self::Scalar) -> S) -> Self::With<S>;
 
-    /// The position and all time derivatives, as the inherent method `solve` returns them.
+    /// The position and all time derivatives.
     ///
     /// # Errors
-    /// Returns the errors of the inherent method.
-    fn solve_motion(
+    /// A [`SolveError`] if the mechanism does not close in this assembly, or if a number is not finite.
+    fn solve(
         &self,
         inputs: Self::Inputs<Self::Motion<Self::Scalar>>,
         assembly: Self::Assembly,
     ) -> Result<Self::Pose, SolveError>;
 
-    /// The position and all time derivatives closest to values of the unknowns, as the inherent method `solve_near`
-    /// returns them.
+    /// The position and all time derivatives closest to values of the unknowns.
     ///
     /// # Errors
-    /// Returns the errors of the inherent method.
-    fn solve_motion_near(
+    /// As for [`solve`](Self::solve).
+    fn solve_near(
         &self,
         inputs: Self::Inputs<Self::Motion<Self::Scalar>>,
         near: Self::Unknowns<Self::Scalar>,
     ) -> Result<Self::Pose, SolveError>;
 
-    /// The position alone, as the inherent method `position` returns it: the values of the unknowns.
+    /// The position alone: the values of the unknowns.
     ///
     /// # Errors
-    /// Returns the errors of the inherent method.
-    fn solve_position(
+    /// As for [`solve`](Self::solve).
+    fn position(
         &self,
         inputs: Self::Inputs<Self::Scalar>,
         assembly: Self::Assembly,
     ) -> Result<Self::Unknowns<Self::Scalar>, SolveError>;
 
-    /// The position closest to values of the unknowns, as the inherent method `position_near` returns it.
+    /// The position closest to values of the unknowns.
     ///
     /// # Errors
-    /// Returns the errors of the inherent method.
-    fn solve_position_near(
+    /// As for [`solve`](Self::solve).
+    fn position_near(
         &self,
         inputs: Self::Inputs<Self::Scalar>,
         near: Self::Unknowns<Self::Scalar>,
     ) -> Result<Self::Unknowns<Self::Scalar>, SolveError>;
 
     /// The residual of each scalar equation, left side minus right side, for any values of inputs and unknowns.
-    fn residuals(
+    fn closure(
         &self,
         inputs: Self::Inputs<Self::Scalar>,
         unknowns: Self::Unknowns<Self::Scalar>,
     ) -> Self::Residuals<Self::Scalar>;
 
     /// Calls `found` with the closure as trigonometric polynomials of inputs and unknowns: the terms of the scalar equations, whose sums
-    /// are the [`residuals`](Self::residuals), and the coefficients of these terms.
+    /// are the residuals of [`closure`](Self::closure), and the coefficients of these terms.
     ///
     /// Only a mechanism with a coupled block has them, if its closure is algebraic: then angles occur in sines and cosines only, and
     /// nothing that moves stands in a denominator. Otherwise `found` is not called.
@@ -255,7 +258,7 @@ pub trait Mechanism: Copy + Debug + 'static {
     /// output, with its derivative with respect to each input. [`PoseOf::jacobian`] returns that of a pose.
     ///
     /// # Errors
-    /// Returns the errors of [`solve_position_near`](Self::solve_position_near).
+    /// Returns the errors of [`position_near`](Self::position_near).
     fn jacobian_near(
         &self,
         inputs: Self::Inputs<Self::Scalar>,
@@ -338,7 +341,7 @@ pub trait Pose: Copy + Debug {
     fn unknown_motions(&self) -> Self::Unknowns<Self::Motion>;
 
     /// The motions of the unknowns, with the angles that are calculated here on the turns closest to the given values.
-    /// [`solve_motion_near`](Mechanism::solve_motion_near) puts all other angles there.
+    /// [`solve_near`](Mechanism::solve_near) puts all other angles there.
     fn unknown_motions_near(&self, near: Self::Unknowns<Self::Scalar>) -> Self::Unknowns<Self::Motion> {
         let _ = near;
         self.unknown_motions()

@@ -50,7 +50,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive> Iterator for Rows<'_, M, D> {
         // The walk tells which position it is. As a rule it is that of the assembly, whose pose the walk then needs not solve again.
         let mut known = None;
         if course.has_assemblies() || walk.last.is_none() {
-            known = typed.mechanism.solve_motion(motions, typed.assembly).ok();
+            known = typed.mechanism.solve(motions, typed.assembly).ok();
         }
         walk.known = known.map(|pose| {
             let mut numbers = take(&mut walk.spare);
@@ -70,8 +70,8 @@ impl<M: Mechanism<Scalar = f64>, D: Drive> Iterator for Rows<'_, M, D> {
         };
         Some(match (near, known) {
             (None, Some(pose)) => Ok(pose),
-            (None, None) => typed.mechanism.solve_motion(motions, typed.assembly),
-            (Some(near), _) => typed.mechanism.solve_motion_near(motions, row(near)),
+            (None, None) => typed.mechanism.solve(motions, typed.assembly),
+            (Some(near), _) => typed.mechanism.solve_near(motions, row(near)),
         })
     }
 

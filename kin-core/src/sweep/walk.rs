@@ -272,7 +272,7 @@ fn unwrapped<'c>(
             let inputs = course.values(motions);
             let own = course
                 .mechanism
-                .assembly_near(&course.parameters, &inputs, &turned.unknowns());
+                .assembly_at(&course.parameters, &inputs, &turned.unknowns());
             if own == course.assembly.index() || (continues && !unknowns.follows) {
                 turned.near = Some(near);
                 (reached, unknowns) = (turned, turns);
@@ -312,7 +312,7 @@ fn stopped(
             let mut residuals = NumberRow::splat(halt.unknowns.len(), 0.0);
             course
                 .mechanism
-                .residuals(&course.parameters, inputs, &halt.unknowns, &mut residuals);
+                .closure(&course.parameters, inputs, &halt.unknowns, &mut residuals);
             let largest = |largest: f64, residual: &f64| largest.max(residual.abs());
             let gap = Gap {
                 block: course.mechanism.name(NameKind::Block, last),

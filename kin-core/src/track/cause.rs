@@ -324,11 +324,11 @@ mod tests {
     /// Tested places lie ahead at growing distances, close, and not beyond the end.
     #[test]
     fn places_ahead_are_near_by() {
-        let start = LINKAGE.solve_position([0.5], Assembly::Open).unwrap();
+        let start = Mechanism::position(&LINKAGE, [0.5], Assembly::Open).unwrap();
         on_the_way(&LINKAGE, start, [0.5, 1.5], |way, _, scratch| {
             let mut from = |travel: f64| -> Vec<f64> {
                 let mut scope = scratch.scope();
-                let unknowns = LINKAGE.solve_position([0.5 + travel], Assembly::Open).unwrap();
+                let unknowns = Mechanism::position(&LINKAGE, [0.5 + travel], Assembly::Open).unwrap();
                 let here = station(way, travel, &unknowns, &mut scope);
                 ahead(way, &here.ok().expect("the linkage closes there")).collect()
             };
@@ -347,7 +347,7 @@ mod tests {
     /// If rounding moves nothing and no obstacle exists, the track returns the solver's own error.
     #[test]
     fn an_error_that_nothing_explains_is_told_as_it_is() {
-        let start = LINKAGE.solve_position([0.5], Assembly::Open).unwrap();
+        let start = Mechanism::position(&LINKAGE, [0.5], Assembly::Open).unwrap();
         let failure = Failure::not_finite("something");
         let error = failure.at(
             "theta3, theta4",

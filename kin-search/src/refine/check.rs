@@ -77,7 +77,7 @@ pub(super) fn first_open<M: Mechanism<Scalar = f64>>(objective: &Objective<M>, d
     let own = design.mechanism();
     let inputs = objective.inputs_of(design);
     let is_open = |input: &&f64| {
-        own.solve_position(objective.inputs::<M>(**input), design.assembly)
+        own.position(objective.inputs::<M>(**input), design.assembly)
             .is_err()
     };
     let open = inputs.iter().find(is_open).or(inputs.first());

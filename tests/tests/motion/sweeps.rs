@@ -173,9 +173,7 @@ fn extremes_of_a_newton_block() {
         platform_c: Plane::new(root / 2.0, 1.5),
     };
     let leg = 5.0_f64.sqrt();
-    let begin = triad
-        .solve_position_near([leg; 3], [0.1, 2.2, -2.0, 1.6])
-        .expect("it closes");
+    let begin = Mechanism::position_near(&triad, [leg; 3], [0.1, 2.2, -2.0, 1.6]).expect("it closes");
     let start = track(&triad, [leg; 3], begin, [1.6; 3]).expect("the legs come as far");
     let sweep = |rows| triad.sweep(Near(start)).between([1.6; 3], [2.6; 3], rows).speed(0.5);
     assert!(hold(&triad, sweep, 0.5, false) > 2);

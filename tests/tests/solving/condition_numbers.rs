@@ -129,7 +129,7 @@ where
         let mechanism = M::from_parameters(Row::from_fn(|place| parameters[place]));
         let inputs = M::Inputs::from_fn(|_| M::Motion::from_fn(|order| if order == 0 { input } else { 1.0 }));
         // Rounding of the parameters alone may put the last links out of reach.
-        let Ok(pose) = mechanism.solve_motion_near(inputs, Row::from_fn(|place| near[place])) else {
+        let Ok(pose) = mechanism.solve_near(inputs, Row::from_fn(|place| near[place])) else {
             continue;
         };
         let conditions = pose.conditions(&mechanism);
@@ -172,7 +172,7 @@ fn closure<M: Mechanism<Scalar = f64>>(
     conditions: &[f64],
 ) -> Vec<(f64, f64)> {
     let left = |changed: Option<usize>| -> Vec<[f64; 2]> {
-        let residuals = mechanism.convert(Series::<2>::constant).residuals(
+        let residuals = mechanism.convert(Series::<2>::constant).closure(
             Row::from_fn(|_| Series::constant(input)),
             Row::from_fn(|place| {
                 let rate = if changed == Some(place) { 1.0 } else { 0.0 };

@@ -52,13 +52,13 @@ fn solve<M: ThroughSnap>(case: Case, outcomes: &mut Outcomes, random: &mut Rando
         let inputs = case.inputs::<M>(0.041 * f64::from(step) + 0.01, random);
         let values = M::Inputs::from_fn(|index| inputs[index].value());
         let some = M::Unknowns::from_fn(|_| random.between(0.2, 2.0));
-        let near = without_allocation::<M, _>("assembly_near", || mechanism.assembly_near(values, some));
+        let near = without_allocation::<M, _>("assembly_at", || mechanism.assembly_at(values, some));
         let assembly = M::assembly(0).unwrap_or(near);
-        let solved = without_allocation::<M, _>("solve_motion", || mechanism.solve_motion(inputs, assembly));
-        let position = without_allocation::<M, _>("solve_position", || mechanism.solve_position(values, assembly));
-        without_allocation::<M, _>("solve_motion_near", || mechanism.solve_motion_near(inputs, some)).ok();
-        without_allocation::<M, _>("solve_position_near", || mechanism.solve_position_near(values, some)).ok();
-        without_allocation::<M, _>("residuals", || mechanism.residuals(values, some));
+        let solved = without_allocation::<M, _>("solve", || mechanism.solve(inputs, assembly));
+        let position = without_allocation::<M, _>("position", || mechanism.position(values, assembly));
+        without_allocation::<M, _>("solve_near", || mechanism.solve_near(inputs, some)).ok();
+        without_allocation::<M, _>("position_near", || mechanism.position_near(values, some)).ok();
+        without_allocation::<M, _>("closure", || mechanism.closure(values, some));
         let Ok(pose) = solved else {
             outcomes.refusals += 1;
             continue;
@@ -131,8 +131,8 @@ impl Visitor for Tracks {
             let inputs = case.inputs::<M>(0.041 * f64::from(step) + 0.01, &mut self.random);
             let values = M::Inputs::from_fn(|index| inputs[index].value());
             let some = M::Unknowns::from_fn(|_| self.random.between(0.2, 2.0));
-            let assembly = M::assembly(0).unwrap_or_else(|| mechanism.assembly_near(values, some));
-            if let Ok(position) = mechanism.solve_position(values, assembly) {
+            let assembly = M::assembly(0).unwrap_or_else(|| mechanism.assembly_at(values, some));
+            if let Ok(position) = mechanism.position(values, assembly) {
                 let to = M::Inputs::from_fn(|index| values[index] + 0.02);
                 let end = without_allocation::<M, _>("track", || track(&mechanism, values, position, to));
                 self.arrived += usize::from(end.is_ok());

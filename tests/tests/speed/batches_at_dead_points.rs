@@ -265,10 +265,8 @@ fn compare<M: Mechanism<Scalar: Element>>(poses: &[Given], assembly: Option<M::A
         .map(|pose| {
             let mechanism = M::from_parameters(Row::from_fn(|place| number(pose.parameters[place])));
             let result = match assembly {
-                Some(assembly) => mechanism.solve_motion(motion::<M>(pose.input), assembly),
-                None => {
-                    mechanism.solve_motion_near(motion::<M>(pose.input), Row::from_fn(|place| number(pose.near[place])))
-                }
+                Some(assembly) => mechanism.solve(motion::<M>(pose.input), assembly),
+                None => mechanism.solve_near(motion::<M>(pose.input), Row::from_fn(|place| number(pose.near[place]))),
             };
             result.map(|pose| {
                 let motions = pose.unknown_motions();

@@ -99,7 +99,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
             {
                 #runtime::every(
                     |#way| self.__one_of_all(#(#inputs,)* #way),
-                    |#near| #runtime::Mechanism::solve_position_near(self, [#(#inputs),*], #near),
+                    |#near| #runtime::Mechanism::position_near(self, [#(#inputs),*], #near),
                 )
             }
 

@@ -70,7 +70,7 @@ impl Way<StraightLine> {
             _ => None,
         };
         let (start, near) = start.unwrap_or((place, near));
-        let assembly = linkage.assembly_near(&line.inputs_at(start), &near);
+        let assembly = linkage.assembly_at(&line.inputs_at(start), &near);
         let mut courses = Vec::new();
         if start > low {
             courses.push(line.sweep(linkage, &assembly, [start, low]));

@@ -141,7 +141,7 @@ impl Campaign {
                         quantity.dimension == Dimension::Angle && turned(*own, *other) != 0.0
                     });
                     if is_turned {
-                        let told = self.topology.assembly_near(&problem, end);
+                        let told = self.topology.assembly_at(&problem, end);
                         if solved.assembly != told.map_or(AssemblyChoice::Near(Vec::new()), AssemblyChoice::Index) {
                             self.find_track("track", &format!("{end:?} is of assembly {told:?}"), solved, to);
                         }
