@@ -57,7 +57,7 @@
 //! | the reason why there is no position | [`SolveError`], [`Failure`] |
 //! | code for any mechanism | [`Mechanism`], [`Pose`] |
 //! | how the motion depends on the dimensions | [`Sensitive`], [`sensitivities_of`] |
-//! | how unknowns and outputs depend on the inputs | [`PoseOf::jacobian`] |
+//! | how unknowns and outputs depend on the inputs | [`Mechanism::jacobian`] |
 //! | all positions of any mechanism | [`Mechanism::positions_at`] |
 //! | the forms of the blocks, with the lengths of links | [`BlockForm`] |
 //! | mechanisms ready to use | `library` (feature `library`) |

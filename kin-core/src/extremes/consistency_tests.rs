@@ -337,7 +337,7 @@ fn hold_jacobian<M: Mechanism<Scalar = f64, Pose: PoseOf<M>>>(mechanism: &M, swe
         column => column.unwrap(),
     };
     for (row, (pose, value)) in sweep.rows().zip(column).enumerate() {
-        let Ok(expected) = pose.map(|pose| pose.jacobian_of(mechanism, &result)) else {
+        let Ok(expected) = pose.map(|pose| mechanism.jacobian_of(&pose, &result)) else {
             assert!(value.is_nan(), "{mechanism:?}, row {row}: {value}");
             continue;
         };

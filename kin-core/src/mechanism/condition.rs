@@ -16,7 +16,7 @@ enum Changed {
     Unknown(usize),
 }
 
-/// Computes [`PoseOf::conditions`](crate::PoseOf::conditions).
+/// Computes [`Mechanism::conditions`](crate::Mechanism::conditions).
 pub(crate) fn conditions<M: Mechanism>(
     mechanism: &M,
     inputs: &M::Inputs<M::Scalar>,
@@ -88,7 +88,7 @@ pub(crate) fn conditions<M: Mechanism>(
     })
 }
 
-/// Computes [`PoseOf::condition`](crate::PoseOf::condition).
+/// Computes [`Mechanism::condition`](crate::Mechanism::condition).
 pub(crate) fn condition<M: Mechanism>(
     mechanism: &M,
     inputs: &M::Inputs<M::Scalar>,
