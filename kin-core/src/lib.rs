@@ -645,9 +645,9 @@ macro_rules! __single_position {
 
         impl $mechanism<::core::primitive::f64> {
             $crate::__with_memory! {
-                /// `Sweep::sweep` of the only position.
+                /// `Swept::sweep` of the only position.
                 pub fn sweep(&self) -> $crate::sweep::Assembled<Self> {
-                    $crate::sweep::Sweep::sweep(self, ())
+                    $crate::sweep::Swept::sweep(self, ())
                 }
             }
 

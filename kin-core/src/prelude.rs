@@ -12,4 +12,4 @@ pub use crate::{
 };
 #[cfg(feature = "alloc")]
 #[doc(no_inline)]
-pub use crate::{cycle::FullCycle, sweep::Sweep};
+pub use crate::{cycle::FullCycle, sweep::Swept};

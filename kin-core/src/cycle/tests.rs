@@ -16,7 +16,7 @@ use crate::library::*;
 use crate::mechanism::Mechanism;
 use crate::number::samples;
 use crate::quantity::Dimension;
-use crate::sweep::Sweep as _;
+use crate::sweep::Swept as _;
 
 const SAMPLE: FourBar = FourBar {
     r1: 90.0,

@@ -17,7 +17,7 @@ use crate::motion::Motion;
 use crate::number::{Number, Row, samples};
 use crate::quantity::Dimension;
 use crate::sweep::samples::{CRANK_ROCKER, LIMITED, triad};
-use crate::sweep::{Course, Instant, READ, SmoothDrive, Sweep};
+use crate::sweep::{Instant, READ, SmoothDrive, Sweep, Swept};
 use crate::verify::Random;
 
 /// The number of random places of each table.
@@ -40,10 +40,10 @@ fn difference(dimension: Dimension, one: f64, other: f64) -> f64 {
 /// Compares a table with the solver at random places, and returns it. No error may be larger than the one that the table states.
 fn compared<M: Mechanism<Scalar = f64>, D: SmoothDrive>(
     name: &str,
-    course: &Course<M, D>,
+    sweep: &Sweep<M, D>,
     precision: impl Into<Precision>,
 ) -> ExactTable {
-    let table = course
+    let table = sweep
         .exact_table(precision)
         .unwrap_or_else(|error| panic!("{name}: {error}"));
     let mut random = Random::new(7);
@@ -54,16 +54,16 @@ fn compared<M: Mechanism<Scalar = f64>, D: SmoothDrive>(
     for _ in 0..samples::of(PLACES) {
         let at = random.between(low, high);
         let mut inputs = vec![0.0; M::DESCRIPTION.inputs.len() * READ];
-        course.drive.derivatives(at, Side::Right, &mut inputs);
+        sweep.drive.derivatives(at, Side::Right, &mut inputs);
         let motions = Row::from_fn(|input| Row::from_fn(|order| inputs[input * READ + order]));
         table.fill(at, &mut numbers).unwrap();
         let unknowns = M::DESCRIPTION.unknowns;
         let value = |name: &str| numbers[5 * columns.iter().position(|column| column.name() == name).unwrap()];
         let pose = if M::ASSEMBLY_COUNT > 0 {
-            course.mechanism.solve(motions, course.assembly)
+            sweep.mechanism.solve(motions, sweep.assembly)
         } else {
             let near = Row::from_fn(|unknown| value(unknowns[unknown].name));
-            course.mechanism.solve_near(motions, near)
+            sweep.mechanism.solve_near(motions, near)
         };
         let pose = pose.unwrap_or_else(|error| panic!("{name}: {error}"));
         let mut expected: Vec<(&str, Vec<f64>)> = Vec::new();
@@ -766,8 +766,8 @@ fn rows_beside_joints_stand_for_them() {
         joint.next_down()..=0.6,
         0.6..=joint.next_down(),
     ] {
-        let course = start.under_laws([&cam], range.clone(), 7);
-        let table = course
+        let sweep = start.under_laws([&cam], range.clone(), 7);
+        let table = sweep
             .exact_table(1e-6)
             .unwrap_or_else(|error| panic!("{range:?}: {error}"));
         assert_eq!(*table.range().start(), range.start().min(*range.end()));

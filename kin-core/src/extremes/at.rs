@@ -173,7 +173,7 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
 
     /// The Jacobian of unknowns or outputs of these names, whose singular values have their derivatives along the sweep. It has the rows
     /// that [`Mechanism::jacobian_of`](crate::Mechanism::jacobian_of) has at one pose. For one of its measures alone,
-    /// [`of_jacobian`](crate::sweep::Course::of_jacobian) is shorter.
+    /// [`of_jacobian`](crate::sweep::Sweep::of_jacobian) is shorter.
     ///
     /// ```
     /// use kin_core::JacobianMeasure;

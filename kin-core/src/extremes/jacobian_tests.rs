@@ -13,7 +13,7 @@ use crate::linkage::AnyLinkage;
 use crate::mechanism::{Jacobian, JacobianError, JacobianMeasure, Mechanism};
 use crate::number::{Number, Row};
 use crate::sweep::samples::{CRANK_ROCKER, LIMITED, triad};
-use crate::sweep::{Local, Sweep};
+use crate::sweep::{Local, Swept};
 
 use JacobianMeasure::{
     ConditionNumber, InverseConditionNumber, LargestSingularValue, Manipulability, SmallestSingularValue,

@@ -12,11 +12,11 @@ use crate::mechanism::Mechanism;
 use crate::motion::Motion;
 use crate::number::{Number, samples, series::Series};
 use crate::sweep::samples::{CRANK_ROCKER, Inverse, LIMITED, triad};
-use crate::sweep::{Course, Instant, Local, StraightLine, Sweep};
+use crate::sweep::{Instant, Local, StraightLine, Sweep, Swept};
 
 const ORDERS: [&str; 5] = ["", "_velocity", "_acceleration", "_jerk", "_snap"];
 
-fn turn(linkage: FourBar, assembly: Assembly) -> Course<FourBar, StraightLine> {
+fn turn(linkage: FourBar, assembly: Assembly) -> Sweep<FourBar, StraightLine> {
     linkage.sweep(assembly).over(0.0..=TAU, 100).speed(10.0)
 }
 
@@ -580,7 +580,7 @@ crate::mechanism! {
 }
 
 /// The margin as a series at a place of a sweep, by differences of the extremes' own numbers.
-fn margins<M>(sweep: &Course<M, StraightLine>, expected: impl Fn(f64) -> f64)
+fn margins<M>(sweep: &Sweep<M, StraightLine>, expected: impl Fn(f64) -> f64)
 where
     M: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]>,
 {

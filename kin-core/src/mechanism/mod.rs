@@ -292,7 +292,7 @@ pub trait Mechanism: Copy + Debug + 'static {
     /// has a row for each of its coordinates.
     ///
     /// All of these results must have one dimension, and all inputs must have one: see [`Jacobian`](crate::Jacobian), which
-    /// tells what singular values mean. Along a sweep, [`of_jacobian`](crate::sweep::Course::of_jacobian) finds where they
+    /// tells what singular values mean. Along a sweep, [`of_jacobian`](crate::sweep::Sweep::of_jacobian) finds where they
     /// are smallest.
     ///
     /// ```

@@ -6,7 +6,7 @@ use std::string::ToString;
 use std::vec::Vec;
 
 use super::samples::{CRANK_ROCKER, Inverse, LIMITED, triad};
-use super::{Instant, Sweep, SweepError, Table};
+use super::{Instant, SweepError, Swept, Table};
 use crate::assembly::{Assembly, Near};
 use crate::batch::{Column, Outcome};
 use crate::curve::LimitKind;

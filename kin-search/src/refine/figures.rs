@@ -1,7 +1,7 @@
 //! The figures of a result over its exact travel.
 
 use kin_core::cycle::Cycle;
-use kin_core::sweep::{Local, Sweep as _};
+use kin_core::sweep::{Local, Swept as _};
 use kin_core::{Mechanism, Number as _, RATES, Row};
 
 use super::check::Way;

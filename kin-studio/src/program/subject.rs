@@ -191,8 +191,8 @@ fn of_exact_table(error: ExactTableError) -> Fault {
 }
 
 /// The lowest and the highest value, and the root of the mean square.
-fn extent_of<D: SmoothDrive>(course: &AnySweep<'static, D>, name: &str) -> Result<Extent, Fault> {
-    let quantity = course.of(name);
+fn extent_of<D: SmoothDrive>(sweep: &AnySweep<'static, D>, name: &str) -> Result<Extent, Fault> {
+    let quantity = sweep.of(name);
     let all = quantity.extremes().map_err(of_extremes)?;
     let reached = || {
         let bounded = all.iter().filter(|one| one.value.is_some());

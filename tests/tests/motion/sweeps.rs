@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use kin_core::extremes::{Extreme, ExtremeKind};
 use kin_core::library::{ClassThreeTriad, FourBar, SphericalFourBar, WhitworthQuickReturn};
 use kin_core::prelude::*;
-use kin_core::sweep::{Course, StraightLine};
+use kin_core::sweep::{StraightLine, Sweep};
 use kin_core::track;
 use kin_tests::reference::{Given, solution};
 
@@ -28,7 +28,7 @@ fn inputs<M: Mechanism>(at: f64, speed: f64) -> Vec<Vec<f64>> {
 /// Holds all extremes of every unknown against the scan and the reference. It returns their number.
 fn hold<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
-    sweep: impl Fn(usize) -> Course<M, StraightLine>,
+    sweep: impl Fn(usize) -> Sweep<M, StraightLine>,
     speed: f64,
     is_turn: bool,
 ) -> usize {
