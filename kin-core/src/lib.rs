@@ -192,7 +192,7 @@ pub use track::MOST_TRACK_STEPS;
 #[cfg(feature = "alloc")]
 #[doc(hidden)]
 pub use track::track_between;
-pub use track::{Halt, Obstacle, TrackError, TrackErrorOf, track};
+pub use track::{TrackError, TrackErrorOf, TrackLimit, TrackStop, track};
 
 /// Declares a mechanism by its loop closure, and generates solvers for its position and all time derivatives up to snap
 /// (also called jounce), or up to another order.

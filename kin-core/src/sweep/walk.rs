@@ -308,18 +308,18 @@ fn stopped(
             let failure = beyond(sweep, &gap, inputs);
             (gap, failure)
         }
-        TrackError::TooManySteps(halt) | TrackError::Lost(halt) => {
-            let mut residuals = NumberRow::splat(halt.unknowns.len(), 0.0);
+        TrackError::TooManySteps(stop) | TrackError::Lost(stop) => {
+            let mut residuals = NumberRow::splat(stop.unknowns.len(), 0.0);
             sweep
                 .mechanism
-                .closure(&sweep.parameters, inputs, &halt.unknowns, &mut residuals);
+                .closure(&sweep.parameters, inputs, &stop.unknowns, &mut residuals);
             let largest = |largest: f64, residual: &f64| largest.max(residual.abs());
             let gap = Gap {
                 block: sweep.mechanism.name(NameKind::Block, last),
-                inputs: halt.inputs.as_slice().into(),
+                inputs: stop.inputs.as_slice().into(),
                 lost: Some(Failure::NotConverged {
                     residual: residuals.iter().fold(0.0, largest),
-                    iterations: halt.steps,
+                    iterations: stop.steps,
                     // a tracker has many Jacobians
                     condition: f64::NAN,
                 }),

@@ -13,7 +13,7 @@ mod turning;
 
 #[cfg(feature = "alloc")]
 pub use between::track_between;
-pub use obstacle::{Halt, Obstacle, TrackError};
+pub use obstacle::{TrackError, TrackLimit, TrackStop};
 pub use steps::MOST_TRACK_STEPS;
 
 use line::TrackPlace;
@@ -45,7 +45,7 @@ pub type TrackErrorOf<M> = TrackError<<M as Mechanism>::Inputs<f64>, <M as Mecha
 /// and the inputs there are exact to rounding.
 ///
 /// # Steps
-/// A track takes at most [`MOST_TRACK_STEPS`] steps, including rejected ones. A step is one solution by the mechanism's
+/// A track takes at most 100 000 steps, including rejected ones. A step is one solution by the mechanism's
 /// solvers or, where an unknown is the parameter, one solution by at most 64 corrections. Locating an obstacle takes at
 /// most 64 more solutions.
 ///

@@ -299,7 +299,7 @@ fn messages_say_where_it_is() {
     };
     let debugged = format!("{obstacle:?}");
     assert!(
-        debugged.starts_with("Obstacle { block: \"theta3, theta4\", fraction: 0.58"),
+        debugged.starts_with("TrackLimit { block: \"theta3, theta4\", fraction: 0.58"),
         "{debugged}"
     );
 }
