@@ -49,7 +49,7 @@ fn main() -> Result<(), SolveError> {
         for angle in pose.unknowns() {
             print!("{:7.2}° ", angle.to_degrees());
         }
-        println!("{:10.1}", pose.condition(&platform));
+        println!("{:10.1}", platform.condition(&pose));
     }
     Ok(())
 }

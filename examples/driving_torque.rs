@@ -41,7 +41,7 @@ const LOAD: f64 = 800.0; // N, against the slider on its way out
 /// outputs move at the rates of the Jacobian.
 fn torque(press: &Press, theta: f64, speed: f64) -> Result<f64, SolveError> {
     let pose = press.solve(Motion::at_constant_speed(theta, speed), Assembly::Open)?;
-    let [[phi], [slide], [x], [y]] = pose.jacobian(press)?;
+    let [[phi], [slide], [x], [y]] = press.jacobian(&pose)?;
     let load = if pose.slide.velocity() > 0.0 { LOAD } else { 0.0 };
     Ok((load + SLIDER * pose.slide.acceleration()) * slide
         + ROD * pose.centre.acceleration().dot(Plane::new(x, y))

@@ -48,7 +48,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let time = 0.05 + 0.1 * f64::from(step);
         let way: Motion = law.at(time);
         let motors = inverse.solve(-40.0 + way, 220.0 + way / 6.0, elbows)?;
-        let [[by_x, _], ..] = motors.jacobian(&inverse)?;
+        let [[by_x, _], ..] = inverse.jacobian(&motors)?;
 
         let rods = [motors.left_rod.position(), motors.right_rod.position()];
         let tip = forward.solve_near(motors.left, motors.right, rods)?.tip;

@@ -39,7 +39,7 @@ impl Catalogue {
         for block in description.blocks {
             println!("  {:<32} {}", block.unknowns, block.solution);
         }
-        let pose = match mechanism.solve_motion(inputs, assembly) {
+        let pose = match mechanism.solve(inputs, assembly) {
             Ok(pose) => pose,
             Err(error) => {
                 println!("  {error}\n");

@@ -93,7 +93,7 @@ pub trait AssemblyOver<T> {
     /// Writes the unknowns of an assembly, which is given by its index.
     ///
     /// # Errors
-    /// Those of [`Mechanism::solve_position`].
+    /// Those of [`Mechanism::position`].
     fn position_of_assembly(
         &self,
         parameters: &[T],
@@ -108,7 +108,7 @@ pub trait NearOver<T> {
     /// Writes the unknowns of the position that is closest to values of them.
     ///
     /// # Errors
-    /// Those of [`Mechanism::solve_position_near`].
+    /// Those of [`Mechanism::position_near`].
     fn position_near(&self, parameters: &[T], inputs: &[T], near: &[T], unknowns: &mut [T]) -> Result<(), SolveError>;
 }
 
@@ -117,7 +117,7 @@ pub trait PositionOver<T>: AssemblyOver<T> + NearOver<T> {
     /// Writes the unknowns of a position.
     ///
     /// # Errors
-    /// Those of [`Mechanism::solve_position`] and [`Mechanism::solve_position_near`].
+    /// Those of [`Mechanism::position`] and [`Mechanism::position_near`].
     fn position(
         &self,
         parameters: &[T],
@@ -137,7 +137,7 @@ impl<T, F: AssemblyOver<T> + NearOver<T>> PositionOver<T> for F {}
 /// The closure in numbers of one type.
 pub trait ClosureOver<T> {
     /// Writes the residual of each scalar equation.
-    fn residuals(&self, parameters: &[T], inputs: &[T], unknowns: &[T], residuals: &mut [T]);
+    fn closure(&self, parameters: &[T], inputs: &[T], unknowns: &[T], residuals: &mut [T]);
 }
 
 /// The closure as trigonometric polynomials, with coefficients in numbers of one type.
@@ -157,7 +157,7 @@ pub trait AssemblyMotionOver<T> {
     /// Writes the motions of unknowns and outputs, one after the other, each with all its orders. The inputs are given in the same way.
     ///
     /// # Errors
-    /// Those of [`Mechanism::solve_motion`].
+    /// Those of [`Mechanism::solve`].
     fn motion_of_assembly(
         &self,
         parameters: &[T],
@@ -173,7 +173,7 @@ pub trait MotionNearOver<T> {
     /// Writes the motions of unknowns and outputs as [`AssemblyMotionOver`] does. Outputs without a place are left out.
     ///
     /// # Errors
-    /// Those of [`Mechanism::solve_motion_near`].
+    /// Those of [`Mechanism::solve_near`].
     fn motion_near(
         &self,
         parameters: &[T],
@@ -189,7 +189,7 @@ pub trait MotionOver<T>: AssemblyMotionOver<T> + MotionNearOver<T> {
     /// Writes the motions of unknowns and outputs as [`AssemblyMotionOver`] does.
     ///
     /// # Errors
-    /// Those of [`Mechanism::solve_motion`] and [`Mechanism::solve_motion_near`].
+    /// Those of [`Mechanism::solve`] and [`Mechanism::solve_near`].
     fn motion(
         &self,
         parameters: &[T],
@@ -272,7 +272,7 @@ pub trait Described {
 /// A mechanism without its type, in double precision: what every answer needs.
 pub trait AnyMechanism: Described + PositionOver<f64> + ClosureOver<f64> {
     /// The index of the assembly to which a position belongs, if there are assemblies.
-    fn assembly_near(&self, parameters: &[f64], inputs: &[f64], unknowns: &[f64]) -> Option<usize>;
+    fn assembly_at(&self, parameters: &[f64], inputs: &[f64], unknowns: &[f64]) -> Option<usize>;
 }
 
 /// The functions of a declared mechanism on slices.
@@ -327,7 +327,7 @@ impl<M: Mechanism, T: Scalar> AssemblyOver<T> for Of<M> {
         index: usize,
         unknowns: &mut [T],
     ) -> Result<(), SolveError> {
-        let found = with::<M, T>(parameters).solve_position(row(inputs), assembly::<M>(index))?;
+        let found = with::<M, T>(parameters).position(row(inputs), assembly::<M>(index))?;
         unknowns.copy_from_slice(found.as_ref());
         Ok(())
     }
@@ -335,15 +335,15 @@ impl<M: Mechanism, T: Scalar> AssemblyOver<T> for Of<M> {
 
 impl<M: Mechanism, T: Scalar> NearOver<T> for Of<M> {
     fn position_near(&self, parameters: &[T], inputs: &[T], near: &[T], unknowns: &mut [T]) -> Result<(), SolveError> {
-        let found = with::<M, T>(parameters).solve_position_near(row(inputs), row(near))?;
+        let found = with::<M, T>(parameters).position_near(row(inputs), row(near))?;
         unknowns.copy_from_slice(found.as_ref());
         Ok(())
     }
 }
 
 impl<M: Mechanism, T: Scalar> ClosureOver<T> for Of<M> {
-    fn residuals(&self, parameters: &[T], inputs: &[T], unknowns: &[T], residuals: &mut [T]) {
-        let found = with::<M, T>(parameters).residuals(row(inputs), row(unknowns));
+    fn closure(&self, parameters: &[T], inputs: &[T], unknowns: &[T], residuals: &mut [T]) {
+        let found = with::<M, T>(parameters).closure(row(inputs), row(unknowns));
         residuals.copy_from_slice(found.as_ref());
     }
 }
@@ -370,7 +370,7 @@ impl<M: Mechanism, T: Scalar> AssemblyMotionOver<T> for Of<M> {
         unknowns: &mut [T],
         outputs: &mut [T],
     ) -> Result<(), SolveError> {
-        let pose = with::<M, T>(parameters).solve_motion(motions(inputs), assembly::<M>(index))?;
+        let pose = with::<M, T>(parameters).solve(motions(inputs), assembly::<M>(index))?;
         write(pose.unknown_motions().as_ref(), unknowns);
         write(pose.output_motions().as_ref(), outputs);
         Ok(())
@@ -386,7 +386,7 @@ impl<M: Mechanism, T: Scalar> MotionNearOver<T> for Of<M> {
         unknowns: &mut [T],
         outputs: &mut [T],
     ) -> Result<(), SolveError> {
-        let pose = with::<M, T>(parameters).solve_motion_near(motions(inputs), row(near))?;
+        let pose = with::<M, T>(parameters).solve_near(motions(inputs), row(near))?;
         write(pose.unknown_motions_near(row(near)).as_ref(), unknowns);
         write(pose.output_motions().as_ref(), outputs);
         Ok(())
@@ -447,7 +447,7 @@ impl<M: Mechanism> Described for Of<M> {
 }
 
 impl<M: Mechanism> AnyMechanism for Of<M> {
-    fn assembly_near(&self, parameters: &[f64], inputs: &[f64], unknowns: &[f64]) -> Option<usize> {
-        index_of::<M>(with::<M, f64>(parameters).assembly_near(row(inputs), row(unknowns)))
+    fn assembly_at(&self, parameters: &[f64], inputs: &[f64], unknowns: &[f64]) -> Option<usize> {
+        index_of::<M>(with::<M, f64>(parameters).assembly_at(row(inputs), row(unknowns)))
     }
 }

@@ -52,19 +52,17 @@
 //! | moving from one position to another in the same assembly | [`track`](track()), [`TrackError`] |
 //! | many poses over an input or over time, tables with named columns | [`sweep`] |
 //! | peaks, extremes, zeros, dwells and means of a sweep | `extremes` (feature `alloc`) |
-//! | curves between the rows of a table | [`hermite`] |
 //! | tables that take the place of a solver, read in any language | [`exact`] |
 //! | all circuits and branches with their limits, Grashof's type | `cycle` (feature `alloc`) |
 //! | the reason why there is no position | [`SolveError`], [`Failure`] |
 //! | code for any mechanism | [`Mechanism`], [`Pose`] |
 //! | how the motion depends on the dimensions | [`Sensitive`], [`sensitivities_of`] |
-//! | how unknowns and outputs depend on the inputs | [`PoseOf::jacobian`] |
+//! | how unknowns and outputs depend on the inputs | [`Mechanism::jacobian`] |
 //! | all positions of any mechanism | [`Mechanism::positions_at`] |
 //! | the forms of the blocks, with the lengths of links | [`BlockForm`] |
 //! | mechanisms ready to use | `library` (feature `library`) |
-//! | the closed forms, with their costs | [`solve`] |
 //! | verification of your own mechanism | `verify` (feature `std`) |
-//! | all solutions of a block without a closed form | [`continuation`], [`Positions`], [`Assemblies`] |
+//! | all solutions of a block without a closed form | [`Assemblies`] |
 //! | solvers as data, for other languages | `tape` (feature `tape`) |
 //! | files and messages: JSON and other formats | `stored` (feature `serde`) |
 //! | number types | [`Number`] and [`Scalar`], [`series`] for truncated Taylor series, [`Changing`] for a number with one derivative |
@@ -121,7 +119,8 @@ pub mod exact;
 pub mod extremes;
 mod failure;
 mod geometry;
-pub mod hermite;
+#[cfg(feature = "alloc")]
+mod hermite;
 mod interop;
 pub mod law;
 #[cfg(feature = "library")]
@@ -136,6 +135,7 @@ mod number;
 mod picture;
 pub mod prelude;
 mod quantity;
+#[doc(hidden)]
 pub mod solve;
 #[cfg(feature = "serde")]
 pub mod stored;
@@ -147,11 +147,15 @@ mod track;
 #[cfg(feature = "std")]
 pub mod verify;
 
-pub use assemblies::{Assemblies, Choices, Positions, continuation};
+pub use assemblies::Assemblies;
+#[doc(hidden)]
+pub use assemblies::{Positions, continuation};
+#[doc(hidden)]
+pub use assembly::IntoAssembly;
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 pub use assembly::assembly_named;
-pub use assembly::{Assembly, Guess, IntoAssembly, Near};
+pub use assembly::{Assembly, Guess, Near};
 #[doc(hidden)]
 pub use curve::CurveFunctions;
 pub use curve::LimitKind;
@@ -166,22 +170,29 @@ pub use mechanism::{
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 pub use mechanism::{Jacobian, JacobianError, JacobianMeasure, JacobianNumber};
-pub use motion::{Contains, Direction, IntoMotion, LinkMotion, Motion, rpm};
+#[doc(hidden)]
+pub use motion::Contains;
+pub use motion::{Direction, IntoMotion, LinkMotion, Motion, rpm};
 #[cfg(feature = "std")]
+#[doc(hidden)]
 pub use number::count;
 pub use number::{Changing, ClosedRange, Number, Operations, Row, series};
-pub use picture::{PlaneOrSpace, PointArray, Slide, TransmissionAngle};
 #[doc(hidden)]
-pub use quantity::GREEK;
+pub use picture::PointArray;
+pub use picture::{PlaneOrSpace, Slide, TransmissionAngle};
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 pub use quantity::in_small_letters;
-pub use quantity::{Dimension, Name, NameKind, RATES};
+pub use quantity::{Dimension, Name, NameKind};
+#[doc(hidden)]
+pub use quantity::{GREEK, RATES};
 pub use solve::Scalar;
+#[doc(hidden)]
+pub use track::MOST_TRACK_STEPS;
 #[cfg(feature = "alloc")]
 #[doc(hidden)]
 pub use track::track_between;
-pub use track::{Halt, MOST_TRACK_STEPS, Obstacle, TrackError, TrackErrorOf, track};
+pub use track::{TrackError, TrackErrorOf, TrackLimit, TrackStop, track};
 
 /// Declares a mechanism by its loop closure, and generates solvers for its position and all time derivatives up to snap
 /// (also called jounce), or up to another order.
@@ -486,22 +497,6 @@ macro_rules! __with_memory {
     ($($tokens:tt)*) => {};
 }
 
-/// The items that a mechanism has only with the feature `rayon`.
-#[cfg(feature = "rayon")]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __in_parallel {
-    ($($tokens:tt)*) => { $($tokens)* };
-}
-
-/// The items that a mechanism has only with the feature `rayon`: without it, none.
-#[cfg(not(feature = "rayon"))]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __in_parallel {
-    ($($tokens:tt)*) => {};
-}
-
 /// The implementations of serde's traits for generated items: without the feature `serde`, none.
 #[cfg(not(feature = "serde"))]
 #[doc(hidden)]
@@ -634,9 +629,9 @@ macro_rules! __single_position {
 
         impl $mechanism<::core::primitive::f64> {
             $crate::__with_memory! {
-                /// `Sweep::sweep` of the only position.
+                /// `Swept::sweep` of the only position.
                 pub fn sweep(&self) -> $crate::sweep::Assembled<Self> {
-                    $crate::sweep::Sweep::sweep(self, ())
+                    $crate::sweep::Swept::sweep(self, ())
                 }
             }
 
@@ -650,46 +645,6 @@ macro_rules! __single_position {
                 inputs: <Self as $crate::Mechanism>::Inputs<::core::primitive::f64>,
             ) -> ::core::result::Result<$crate::load::EquivalentInertia<Self>, $crate::load::LoadError> {
                 $crate::load::Loaded::equivalent_inertia(self, loads, inputs, ())
-            }
-
-            /// `LoadedBatch::balance_batch` in the only position.
-            ///
-            /// # Errors
-            /// As there.
-            pub fn balance_batch<'a, R>(
-                loads: &impl $crate::load::LoadsOf<Self>,
-                parameters: <Self as $crate::Mechanism>::Parameters<$crate::batch::Column<'a>>,
-                inputs: <Self as $crate::Mechanism>::Inputs<
-                    <Self as $crate::Mechanism>::Motion<$crate::batch::Column<'a>>,
-                >,
-                read: impl ::core::ops::Fn(
-                    ::core::result::Result<$crate::load::Balance<Self>, $crate::load::LoadError>,
-                ) -> R,
-                results: &mut [R],
-            ) -> ::core::result::Result<(), $crate::batch::LengthMismatch> {
-                <Self as $crate::batch::LoadedBatch>::balance_batch(loads, parameters, inputs, (), read, results)
-            }
-
-            $crate::__in_parallel! {
-                /// `LoadedBatch::balance_batch_in_parallel` in the only position.
-                ///
-                /// # Errors
-                /// As there.
-                pub fn balance_batch_in_parallel<'a, R: ::core::marker::Send>(
-                    loads: &(impl $crate::load::LoadsOf<Self> + ::core::marker::Sync),
-                    parameters: <Self as $crate::Mechanism>::Parameters<$crate::batch::Column<'a>>,
-                    inputs: <Self as $crate::Mechanism>::Inputs<
-                        <Self as $crate::Mechanism>::Motion<$crate::batch::Column<'a>>,
-                    >,
-                    read: impl ::core::ops::Fn(
-                        ::core::result::Result<$crate::load::Balance<Self>, $crate::load::LoadError>,
-                    ) -> R + ::core::marker::Sync,
-                    results: &mut [R],
-                ) -> ::core::result::Result<(), $crate::batch::LengthMismatch> {
-                    <Self as $crate::batch::LoadedBatch>::balance_batch_in_parallel(
-                        loads, parameters, inputs, (), read, results,
-                    )
-                }
             }
         }
     };

@@ -29,9 +29,7 @@ fn print<M: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]>>(name: &str, mechani
     let near = position.expect("the mechanism closes there");
     let motions: M::Inputs<M::Motion<f64>> =
         Row::from_fn(|_| Row::from_fn(|order| if order == 0 { input } else { 1.0 }));
-    let solution = time(8, 1000, || {
-        black_box(mechanism).solve_motion_near(black_box(motions), near)
-    });
+    let solution = time(8, 1000, || black_box(mechanism).solve_near(black_box(motions), near));
     let cycle = time(8, count, || black_box(mechanism).cycle());
     let ratio = cycle.as_secs_f64() / solution.as_secs_f64();
     println!("{name}: cycle {cycle:?}, solution {solution:?}");

@@ -39,7 +39,7 @@ fn motions<M: Mechanism<Scalar = f64>>(mechanism: &M, assembly: M::Assembly) -> 
     while motions.len() < POSES {
         let mut motion = M::Motion::from_fn(|_| random.between(-2.0, 2.0));
         motion[0] = random.between(-3.1, 3.1);
-        if mechanism.solve_motion(M::Inputs::from_fn(|_| motion), assembly).is_ok() {
+        if mechanism.solve(M::Inputs::from_fn(|_| motion), assembly).is_ok() {
             motions.push(motion);
         }
     }
@@ -50,7 +50,7 @@ fn motions<M: Mechanism<Scalar = f64>>(mechanism: &M, assembly: M::Assembly) -> 
 fn enter<M: Mechanism<Scalar = f64> + 'static>(race: &mut Race<'_>, name: String, mechanism: M) {
     let assembly = M::assembly(0).expect("there are assemblies");
     race.enter(name, motions(&mechanism, assembly), move |motion| {
-        black_box(mechanism).solve_motion(M::Inputs::from_fn(|_| motion), assembly)
+        black_box(mechanism).solve(M::Inputs::from_fn(|_| motion), assembly)
     });
 }
 
@@ -63,7 +63,7 @@ fn enter_carried<M: Mechanism<Scalar = f64> + 'static, S: Carrier>(race: &mut Ra
         .map(|motion| S::carry(motion.as_ref()))
         .collect();
     race.enter(name, inputs, move |input: S| {
-        black_box(lifted).solve_position(Row::from_fn(|_| input), assembly)
+        black_box(lifted).position(Row::from_fn(|_| input), assembly)
     });
 }
 

@@ -58,10 +58,10 @@ impl Tally {
 /// Solves in every assembly, or near random values where assemblies depend on the dimensions.
 fn solve<M: ThroughSnap>(tally: &mut Tally, mechanism: &M, inputs: M::Inputs<Motion<f64, 5>>, random: &mut Random) {
     for assembly in M::assemblies() {
-        tally.add(&mechanism.solve_motion(inputs, assembly));
+        tally.add(&mechanism.solve(inputs, assembly));
     }
     let near = M::Unknowns::from_fn(|_| random.between(-3.0, 3.0));
-    tally.add(&mechanism.solve_motion_near(inputs, near));
+    tally.add(&mechanism.solve_near(inputs, near));
 }
 
 /// The mechanisms with dimensions for which they close.

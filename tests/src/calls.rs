@@ -2,7 +2,8 @@
 
 use std::fmt::Write as _;
 
-use kin_core::tape::{Role, Tape};
+use kin_core::tape::Tape;
+use kin_core::tape::structure::Role;
 
 /// What `solve` is given in JavaScript and in Python, where objects and dictionaries are written alike.
 #[derive(Clone, Debug, PartialEq, Eq)]

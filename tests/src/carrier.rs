@@ -53,7 +53,7 @@ pub fn operations<M: Mechanism<Scalar = f64>, S: Carrier>(mechanism: &M, input: 
     let assembly = M::assembly(0).expect("there are assemblies");
     let (lifted, input) = (mechanism.convert(S::constant), S::carry(input));
     let solve = || {
-        let pose = lifted.solve_position(Row::from_fn(|_| input), assembly);
+        let pose = lifted.position(Row::from_fn(|_| input), assembly);
         assert!(pose.is_ok(), "{} does not close", M::DESCRIPTION.name);
     };
     count::of(solve).arithmetic()

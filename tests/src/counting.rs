@@ -64,8 +64,8 @@ impl<M: Mechanism> Mechanism for Counting<M> {
         M::assembly(index)
     }
 
-    fn assembly_near(&self, inputs: Self::Inputs<Self::Scalar>, near: Self::Unknowns<Self::Scalar>) -> Self::Assembly {
-        self.0.assembly_near(inputs, near)
+    fn assembly_at(&self, inputs: Self::Inputs<Self::Scalar>, near: Self::Unknowns<Self::Scalar>) -> Self::Assembly {
+        self.0.assembly_at(inputs, near)
     }
 
     fn from_parameters(parameters: Self::Parameters<Self::Scalar>) -> Self {
@@ -80,47 +80,47 @@ impl<M: Mechanism> Mechanism for Counting<M> {
         Counting(self.0.convert(convert))
     }
 
-    fn solve_motion(
+    fn solve(
         &self,
         inputs: Self::Inputs<Self::Motion<Self::Scalar>>,
         assembly: Self::Assembly,
     ) -> Result<Self::Pose, SolveError> {
-        self.0.solve_motion(inputs, assembly)
+        self.0.solve(inputs, assembly)
     }
 
-    fn solve_motion_near(
+    fn solve_near(
         &self,
         inputs: Self::Inputs<Self::Motion<Self::Scalar>>,
         near: Self::Unknowns<Self::Scalar>,
     ) -> Result<Self::Pose, SolveError> {
         count(|calls| calls.solutions += 1);
-        self.0.solve_motion_near(inputs, near)
+        self.0.solve_near(inputs, near)
     }
 
-    fn solve_position(
+    fn position(
         &self,
         inputs: Self::Inputs<Self::Scalar>,
         assembly: Self::Assembly,
     ) -> Result<Self::Unknowns<Self::Scalar>, SolveError> {
-        self.0.solve_position(inputs, assembly)
+        self.0.position(inputs, assembly)
     }
 
-    fn solve_position_near(
+    fn position_near(
         &self,
         inputs: Self::Inputs<Self::Scalar>,
         near: Self::Unknowns<Self::Scalar>,
     ) -> Result<Self::Unknowns<Self::Scalar>, SolveError> {
         count(|calls| calls.solutions += 1);
-        self.0.solve_position_near(inputs, near)
+        self.0.position_near(inputs, near)
     }
 
-    fn residuals(
+    fn closure(
         &self,
         inputs: Self::Inputs<Self::Scalar>,
         unknowns: Self::Unknowns<Self::Scalar>,
     ) -> Self::Residuals<Self::Scalar> {
         count(|calls| calls.closures += 1);
-        self.0.residuals(inputs, unknowns)
+        self.0.closure(inputs, unknowns)
     }
 
     fn closure_terms(&self, found: impl FnOnce(&'static [ClosureTerm], &[Self::Scalar])) {

@@ -79,9 +79,7 @@ pub fn by_differentiation<M: ThroughSnap>(mechanism: &M, inputs: &Inputs<M>, ass
     (0..parameters)
         .map(|parameter| {
             let lifted: M::With<Dual64> = seeded(mechanism, parameter, Dual64::new(0.0, 1.0));
-            let pose = lifted
-                .solve_motion(inputs, assembly)
-                .expect("it closes on dual numbers, too");
+            let pose = lifted.solve(inputs, assembly).expect("it closes on dual numbers, too");
             let parts = |motion: &M::Motion<Dual64>| core::array::from_fn(|order| motion[order].eps);
             Column {
                 unknowns: pose.unknown_motions().as_ref().iter().map(parts).collect(),
@@ -119,7 +117,7 @@ pub fn closure<M: ThroughSnap>(
         Both::new(in_time(unknowns[index].derivatives()), in_time(column.unknowns[index]))
     });
     lifted
-        .residuals(inputs, unknowns)
+        .closure(inputs, unknowns)
         .as_ref()
         .iter()
         .map(|left| {
@@ -155,7 +153,7 @@ impl Worst {
         assembly: M::Assembly,
         columns: impl Fn(&M::Pose) -> Vec<Column>,
     ) {
-        let Ok(pose) = mechanism.solve_motion(inputs, assembly) else {
+        let Ok(pose) = mechanism.solve(inputs, assembly) else {
             return;
         };
         let unknowns = pose.unknown_motions();

@@ -20,8 +20,10 @@ const DEPTH: usize = 64;
 
 /// All positions of a mechanism at given inputs, which identify its assemblies. It dereferences to a slice.
 ///
-/// Each is a regular position, found by Newton's method to the last digit. See [`continuation`](crate::continuation)
-/// for the guarantees: if [`is_complete`](Self::is_complete), there is no other regular position.
+/// Each is a regular position, found by Newton's method to the last digit. If [`is_complete`](Self::is_complete), there is
+/// no other regular position. In exact arithmetic this holds with probability one. Paths are followed in double precision, in
+/// which two regular solutions are never taken for one; a path that jumps to another one, which ends at a singular solution or
+/// at infinity, is not noticed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Assemblies<const N: usize, const CAPACITY: usize> {
     positions: Positions<Near<N>, CAPACITY>,
@@ -243,7 +245,7 @@ where
     (search.singular, search.is_complete) = (all.singular(), all.is_complete());
     for near in all {
         let guess = M::Unknowns::from_fn(|unknown| M::Scalar::constant(near.0[unknown]));
-        match mechanism.solve_position_near(inputs, guess) {
+        match mechanism.position_near(inputs, guess) {
             Ok(unknowns) => {
                 search.found += 1;
                 found(*near, unknowns);

@@ -191,7 +191,7 @@ impl<'w> Way<'w> {
     pub(crate) fn assembly_at(&self, point: WayPoint<'_>, scratch: &mut LentRows<'_>) -> Option<usize> {
         let mut scope = scratch.scope();
         let inputs = self.inputs(point.travel, &mut scope);
-        self.mechanism.assembly_near(self.parameters, inputs, point.unknowns)
+        self.mechanism.assembly_at(self.parameters, inputs, point.unknowns)
     }
 
     /// The change of an input for each unit of the travel.
@@ -221,7 +221,7 @@ impl<'w> Way<'w> {
             coefficients[0] = self.input(travel.real(), index);
             *input = Series::from_coefficients(coefficients);
         }
-        functions.residuals(parameters, inputs, unknowns, residuals);
+        functions.closure(parameters, inputs, unknowns, residuals);
         residuals
     }
 
@@ -250,7 +250,7 @@ impl<'w> Way<'w> {
             quantities[moved] = along(value, value);
             let (parameters, rest) = quantities.split_at(self.parameters.len());
             let (inputs, unknowns) = rest.split_at(self.from.len());
-            self.mechanism.residuals(parameters, inputs, unknowns, residuals);
+            self.mechanism.closure(parameters, inputs, unknowns, residuals);
             for (sum, shift) in terms.iter_mut().zip(&*residuals) {
                 *sum += shift.coefficients()[1].abs();
             }

@@ -33,11 +33,11 @@
 //! The search has a unit of length of its own, so that a multiple of all lengths has the same cycle.
 //!
 //! If a block is coupled, all its limits come first: the real solutions of the closure and det J = 0, with the input unknown, by
-//! [`continuation`](crate::continuation). The macro states the closure as [polynomials](crate::Mechanism::closure_terms) in cosines, sines and
+//! continuation. The macro states the closure as [polynomials](crate::Mechanism::closure_terms) in cosines, sines and
 //! lengths. A circuit that does not pass an end of the range has a smallest input, which is a limit. So [`track`](crate::track()) follows all positions
 //! at the [ends](CycleData::seeds), and both branches of every limit that was not reached. [`is_complete`](CycleData::is_complete) is true if no path of the
-//! continuation was lost, and if tracks and continuation have found the same limits. It holds with the reservation of `continuation`, which
-//! computes in double precision.
+//! continuation was lost, and if tracks and continuation have found the same limits. It holds with the reservation of [`Assemblies`](crate::Assemblies): paths
+//! are followed in double precision.
 //!
 //! This needs polynomials of at most 1024 paths, lengths that cannot become infinite, and unknowns without declared ranges. For any other
 //! mechanism all positions are sought at stated inputs, and `is_complete` is false.
@@ -85,10 +85,12 @@ use crate::any::Of;
 use crate::failure::SolveError;
 use crate::mechanism::{Mechanism, OneInput};
 use crate::number::{ClosedRange, Row};
+#[doc(hidden)]
 pub use measure::MeasuredFunctions;
 #[doc(hidden)]
 pub use search::SearchMethod;
 pub(crate) use searched::SearchedCycle;
+#[doc(hidden)]
 pub use sought::SearchedFunctions;
 pub(crate) use station::MeasuredCycle;
 

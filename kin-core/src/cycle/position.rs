@@ -39,10 +39,10 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
         self.searched.line.motions(input, orders, &mut given);
         let motions = motions(&given);
         match self.assembly_of(branch) {
-            Some(assembly) if self.mechanism.assembly_near(values, near) != assembly => {
-                self.mechanism.solve_motion(motions, assembly)
+            Some(assembly) if self.mechanism.assembly_at(values, near) != assembly => {
+                self.mechanism.solve(motions, assembly)
             }
-            _ => self.mechanism.solve_motion_near(motions, near),
+            _ => self.mechanism.solve_near(motions, near),
         }
     }
 }
@@ -76,7 +76,7 @@ impl SearchedCycle<'_> {
                 if pairs.any(|(unwrapped, solved)| (unwrapped - solved).abs() > PI) {
                     // what depends on an angle itself, as the position of a rack does, depends on its turn
                     let turned = sought.position(&inputs, PositionChoice::Near(&unknowns)).ok();
-                    let turned = turned.filter(|turned| sought.assembly_near(&inputs, turned) == Some(assembly));
+                    let turned = turned.filter(|turned| sought.assembly_at(&inputs, turned) == Some(assembly));
                     turned.map_or_else(|| unknowns.clone(), |turned| sought.nearest(&turned, &unknowns))
                 } else {
                     unknowns

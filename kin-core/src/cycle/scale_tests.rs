@@ -250,7 +250,7 @@ fn lengths_that_the_solver_refuses_are_an_error() {
             r1: 900.0 * unit,
             ..linkage
         };
-        let solved = apart.solve_position([1.0], Assembly::Open).unwrap_err();
+        let solved = apart.position(1.0, Assembly::Open).unwrap_err();
         let cycle = apart.cycle();
         if matches!(solved.failure, Failure::NotFinite { .. }) {
             assert_eq!(cycle.map(|_| ()).unwrap_err().failure, solved.failure, "{power}");
@@ -311,7 +311,7 @@ fn a_change_point_beside_a_limit_has_all_its_digits() {
     let expected = 172.0_f64.hypot(18.0);
     let mut count = 0;
     for end in cycle.branches().iter().flat_map(super::Branch::ends) {
-        let residuals = lever.residuals([end.input], core::array::from_fn(|unknown| end.unknowns[unknown]));
+        let residuals = lever.closure(end.input, core::array::from_fn(|unknown| end.unknowns[unknown]));
         let tolerance = 1e-7 * expected;
         assert!(
             residuals.iter().all(|residual| residual.abs() < tolerance),

@@ -96,8 +96,8 @@ impl<'f> SoughtMechanism<'f> {
         0..self.functions.assembly_count()
     }
 
-    pub(super) fn assembly_near(&self, inputs: &[f64], unknowns: &[f64]) -> Option<usize> {
-        self.functions.assembly_near(&self.parameters, inputs, unknowns)
+    pub(super) fn assembly_at(&self, inputs: &[f64], unknowns: &[f64]) -> Option<usize> {
+        self.functions.assembly_at(&self.parameters, inputs, unknowns)
     }
 
     pub(super) fn position(&self, inputs: &[f64], choice: PositionChoice<'_, f64>) -> Result<NumberRow, SolveError> {
@@ -110,7 +110,7 @@ impl<'f> SoughtMechanism<'f> {
     pub(super) fn residuals(&self, inputs: &[f64], unknowns: &[f64]) -> NumberRow {
         let mut residuals = NumberRow::splat(unknowns.len(), 0.0);
         let functions: &dyn ClosureOver<f64> = self.functions;
-        functions.residuals(&self.parameters, inputs, unknowns, &mut residuals);
+        functions.closure(&self.parameters, inputs, unknowns, &mut residuals);
         residuals
     }
 
@@ -123,7 +123,7 @@ impl<'f> SoughtMechanism<'f> {
     ) -> Vec<Bounds> {
         let mut residuals = vec![Bounds::rounded(0.0); unknowns.len()];
         let functions: &dyn ClosureOver<Bounds> = self.functions;
-        functions.residuals(parameters, inputs, unknowns, &mut residuals);
+        functions.closure(parameters, inputs, unknowns, &mut residuals);
         residuals
     }
 

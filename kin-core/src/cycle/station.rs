@@ -10,7 +10,7 @@ use crate::any::AssemblyChoice;
 use crate::extremes::{KnownStretch, KnownSweep};
 use crate::number::NumberRow;
 use crate::quantity::{Dimension, Quantity};
-use crate::sweep::{AnyCourse, Footing, Walk};
+use crate::sweep::{Footing, UntypedSweep, Walk};
 
 /// The distance from the end of a branch at which the turns of angles are compared, as a part of the branch.
 const NEAR_END: f64 = 1e-6;
@@ -75,11 +75,11 @@ impl<'c> MeasuredCycle<'c> {
     }
 
     /// The sweep over a branch.
-    fn course(&self, station: &BranchStation<'c>) -> AnyCourse<'c> {
+    fn untyped(&self, station: &BranchStation<'c>) -> UntypedSweep<'c> {
         let branch = self.branch(station.branch);
         let [low, high] = branch.ends.each_ref().map(|end| end.input);
         let near = || AssemblyChoice::Near(station.footing.unknowns().to_vec());
-        AnyCourse {
+        UntypedSweep {
             mechanism: self.functions,
             description: self.cycle.mechanism.description(),
             parameters: self.cycle.mechanism.parameters.clone(),
@@ -94,7 +94,7 @@ impl<'c> MeasuredCycle<'c> {
     /// The sweep over a branch, with its ends.
     pub(super) fn sweep(&self, station: &BranchStation<'c>) -> KnownSweep<'c> {
         KnownSweep {
-            course: self.course(station),
+            sweep: self.untyped(station),
             drive: &self.cycle.line,
             stretch: self.known(station),
         }
@@ -138,8 +138,8 @@ impl<'c> MeasuredCycle<'c> {
 
     fn walked(&self, station: &BranchStation<'c>, at: f64) -> Option<Footing<'c>> {
         let mut walk = self.known(station).inside;
-        let course = self.course(station);
-        walk.step(&course, at, &course.motions(at)).ok().cloned()
+        let sweep = self.untyped(station);
+        walk.step(&sweep, at, &sweep.motions(at)).ok().cloned()
     }
 
     fn near_end(&self, station: &BranchStation<'c>, end: usize) -> Option<Footing<'c>> {

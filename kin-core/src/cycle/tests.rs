@@ -16,7 +16,7 @@ use crate::library::*;
 use crate::mechanism::Mechanism;
 use crate::number::samples;
 use crate::quantity::Dimension;
-use crate::sweep::Sweep as _;
+use crate::sweep::Swept as _;
 
 const SAMPLE: FourBar = FourBar {
     r1: 90.0,
@@ -265,9 +265,7 @@ fn coupler_and_rocker_turn_freely() {
         for end in cycle.branches().iter().flat_map(Branch::ends) {
             assert_eq!(end.kind, EndKind::Limit(LimitKind::ChangePoint));
             assert!((end.input).sin().abs() < 16.0 * f64::EPSILON / 0.01, "{end:?}");
-            let residuals = cycle
-                .mechanism()
-                .residuals([end.input], [end.unknowns[0], end.unknowns[1]]);
+            let residuals = cycle.mechanism().closure(end.input, [end.unknowns[0], end.unknowns[1]]);
             assert!(
                 residuals.iter().all(|residual| residual.abs() < 1e-9),
                 "{end:?} {residuals:?}"

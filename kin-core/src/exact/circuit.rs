@@ -24,7 +24,7 @@ use crate::law::Side;
 use crate::mechanism::{HeapMemory, Mechanism};
 use crate::number::{GAUSS, Number};
 use crate::quantity::{Dimension, Quantity};
-use crate::sweep::{Course, Local, StraightLine, Variable, Walk, composed};
+use crate::sweep::{Local, StraightLine, Sweep, Variable, Walk, composed};
 
 /// The number of terms of the series along the curve.
 const TERMS: usize = 5;
@@ -503,7 +503,7 @@ impl Source for CircuitCurve<'_> {
     }
 }
 
-impl<M: Mechanism<Scalar = f64>> Course<M, StraightLine> {
+impl<M: Mechanism<Scalar = f64>> Sweep<M, StraightLine> {
     /// The whole circuit as an [`ExactTable`]: from the beginning of the range in its direction, on through the limits where the input
     /// turns back, until the motion has come back to its start. So one closed table holds both assemblies between two limits.
     ///
@@ -537,38 +537,38 @@ impl<M: Mechanism<Scalar = f64>> Course<M, StraightLine> {
     /// errors of [`exact_table`](Self::exact_table).
     pub fn exact_circuit(&self, precision: impl Into<Precision>) -> Result<ExactTable, ExactTableError> {
         let precision = precision.into();
-        let course = self.any();
-        course.check()?;
-        let order = precision.order_of(course.description)?;
+        let sweep = self.any();
+        sweep.check()?;
+        let order = precision.order_of(sweep.description)?;
         let closed = |error| ExactTableError::NotClosed {
             at: self.from,
             error: Box::new(error),
         };
         let mut walk = Walk::BEGINNING;
         let reached = walk
-            .step(&course, self.from, &course.motions(self.from))
+            .step(&sweep, self.from, &sweep.motions(self.from))
             .map_err(closed)?;
         let unknowns = reached.unknowns();
         // a sweep of one place has a direction as well
         let end = if self.to == self.from { self.from + 1.0 } else { self.to };
-        let [from, to] = [self.from, end].map(|at| course.inputs(at));
-        let mut memory = HeapMemory::new(course.description, course.parameters.len());
+        let [from, to] = [self.from, end].map(|at| sweep.inputs(at));
+        let mut memory = HeapMemory::new(sweep.description, sweep.parameters.len());
         let functions = Of::<M>::FUNCTIONS;
-        let (way, scratch) = Way::new(functions, &course.parameters, [&from, &to], &unknowns, memory.lend());
-        let parameters = course.parameters.iter().copied().map(Local::constant);
+        let (way, scratch) = Way::new(functions, &sweep.parameters, [&from, &to], &unknowns, memory.lend());
+        let parameters = sweep.parameters.iter().copied().map(Local::constant);
         let others = from.len() + 2 * unknowns.len();
         let series = parameters
             .chain(core::iter::repeat_n(Local::constant(0.0), others))
             .collect();
         let moving: Vec<usize> = (0..from.len()).filter(|input| from[*input] != to[*input]).collect();
-        let is_angle = |input: &usize| course.description.inputs[*input].dimension == Dimension::Angle;
+        let is_angle = |input: &usize| sweep.description.inputs[*input].dimension == Dimension::Angle;
         let turns: Vec<f64> = moving.iter().map(|input| way.slope(*input) / TAU).collect();
         let curve = CircuitCurve {
             functions,
             series: RefCell::new(series),
             scratch: RefCell::new(scratch),
             // the variable of a line is always an input
-            lead: match course.drive.variable() {
+            lead: match sweep.drive.variable() {
                 Variable::Input(lead) => lead,
                 _ => 0,
             },

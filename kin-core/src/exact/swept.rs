@@ -16,7 +16,7 @@ use crate::law::Side;
 use crate::mechanism::Mechanism;
 use crate::number::NumberRow;
 use crate::quantity::{Dimension, Quantity};
-use crate::sweep::{AnyCourse, Course, READ, SmoothDrive, Variable, Walk, joints};
+use crate::sweep::{READ, SmoothDrive, Sweep, UntypedSweep, Variable, Walk, joints};
 
 /// The largest number of turns of an input after which a motion is looked upon as closed.
 const MOST_TURNS: u32 = 12;
@@ -26,7 +26,7 @@ const CLOSE: f64 = 16.0 * f64::EPSILON;
 
 /// A sweep as a motion over its variable.
 struct Swept<'c> {
-    course: AnyCourse<'c>,
+    sweep: UntypedSweep<'c>,
     drive: &'c dyn SmoothDrive,
     count: usize,
 }
@@ -34,10 +34,10 @@ struct Swept<'c> {
 impl<'c> Swept<'c> {
     /// The inputs that move and are not the parameter themselves.
     fn inputs(&self) -> impl Iterator<Item = usize> {
-        let variable = self.course.drive.variable();
+        let variable = self.sweep.drive.variable();
         let is_own = move |input: usize| variable == Variable::Input(input);
-        (0..self.course.description.inputs.len())
-            .filter(move |input| !is_own(*input) && self.course.drive.same(*input, 0).is_none())
+        (0..self.sweep.description.inputs.len())
+            .filter(move |input| !is_own(*input) && self.sweep.drive.same(*input, 0).is_none())
     }
 
     fn found(
@@ -46,8 +46,8 @@ impl<'c> Swept<'c> {
         side: Side,
         from: Option<&Station<Walk<'c>>>,
     ) -> Result<Station<Walk<'c>>, ExactTableError> {
-        let (course, orders) = (&self.course, self.course.orders());
-        let inputs = course.description.inputs.len();
+        let (sweep, orders) = (&self.sweep, self.sweep.orders());
+        let inputs = sweep.description.inputs.len();
         let mut derivatives = vec![0.0; inputs * READ];
         self.drive.derivatives(at, side, &mut derivatives);
         let motions = NumberRow::from_fn(inputs * orders, |index| {
@@ -55,7 +55,7 @@ impl<'c> Swept<'c> {
         });
         let beginning = Walk::BEGINNING;
         let walk = from.map_or(&beginning, |station| &station.near);
-        let (walk, result) = walk.stepped(course, at, &motions);
+        let (walk, result) = walk.stepped(sweep, at, &motions);
         result.map_err(|error| ExactTableError::NotClosed {
             at,
             error: Box::new(error),
@@ -79,7 +79,7 @@ impl<'c> Source for Swept<'c> {
     type Near = Walk<'c>;
 
     fn columns(&self) -> Vec<Quantity<'_>> {
-        let description = self.course.description;
+        let description = self.sweep.description;
         let inputs = self.inputs().map(|input| description.inputs[input]);
         inputs
             .chain(description.unknowns.iter().copied())
@@ -92,7 +92,7 @@ impl<'c> Source for Swept<'c> {
     }
 }
 
-impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> Course<M, D> {
+impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> Sweep<M, D> {
     /// The motion as an [`ExactTable`]: a table from which every place of the range can be read, in all orders, to a tolerance.
     ///
     /// The parameter of the table is the variable of the sweep, whatever its speed. The columns are the inputs that move with it, the
@@ -131,26 +131,22 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> Course<M, D> {
 
 /// A sweep as an exact table.
 pub(crate) fn exact_table(
-    course: AnyCourse<'_>,
+    sweep: UntypedSweep<'_>,
     drive: &dyn SmoothDrive,
     precision: Precision,
 ) -> Result<ExactTable, ExactTableError> {
-    let swept = Swept {
-        course,
-        drive,
-        count: 0,
-    };
+    let swept = Swept { sweep, drive, count: 0 };
     swept.table(precision)
 }
 
 impl<'c> Swept<'c> {
     fn table(mut self, precision: Precision) -> Result<ExactTable, ExactTableError> {
-        self.course.check()?;
-        let [from, to] = [self.course.from, self.course.to];
+        self.sweep.check()?;
+        let [from, to] = [self.sweep.from, self.sweep.to];
         if from == to {
             return Err(ExactTableError::NoRange { at: from });
         }
-        let order = precision.order_of(self.course.description)?;
+        let order = precision.order_of(self.sweep.description)?;
         self.count = order + 1;
         let runs_up = from < to;
         let [start, end] = if runs_up {
@@ -166,7 +162,7 @@ impl<'c> Swept<'c> {
             .partition(|joint| is_end(*joint));
         // A row that rounding puts beside a joint stands for it. The ends of the range stay, with the piece of the law that the joint ends.
         let near = |place: f64, joints: &[f64]| joints.iter().copied().find(|joint| (joint - place).abs() <= close);
-        let rows = (0..self.course.count.max(2)).map(|row| self.course.at(row));
+        let rows = (0..self.sweep.count.max(2)).map(|row| self.sweep.at(row));
         let mut places: Vec<f64> = rows.filter(|row| near(*row, &joints).is_none()).collect();
         places.extend(&joints);
         places.sort_by(f64::total_cmp);
@@ -190,9 +186,9 @@ impl<'c> Swept<'c> {
             first.push([left, right]);
             left = next;
         }
-        let quantity = self.course.variable();
+        let quantity = self.sweep.variable();
         let frame = Frame {
-            name: self.course.description.name.to_string(),
+            name: self.sweep.description.name.to_string(),
             parameter: (quantity.name.to_string(), quantity.dimension),
             order,
             may_close: quantity.dimension == Dimension::Angle && is_turn(high - low),

@@ -17,7 +17,7 @@ use crate::motion::Motion;
 use crate::number::{Number, Row, samples};
 use crate::quantity::Dimension;
 use crate::sweep::samples::{CRANK_ROCKER, LIMITED, triad};
-use crate::sweep::{Course, Instant, READ, SmoothDrive, Sweep};
+use crate::sweep::{Instant, READ, SmoothDrive, Sweep, Swept};
 use crate::verify::Random;
 
 /// The number of random places of each table.
@@ -40,10 +40,10 @@ fn difference(dimension: Dimension, one: f64, other: f64) -> f64 {
 /// Compares a table with the solver at random places, and returns it. No error may be larger than the one that the table states.
 fn compared<M: Mechanism<Scalar = f64>, D: SmoothDrive>(
     name: &str,
-    course: &Course<M, D>,
+    sweep: &Sweep<M, D>,
     precision: impl Into<Precision>,
 ) -> ExactTable {
-    let table = course
+    let table = sweep
         .exact_table(precision)
         .unwrap_or_else(|error| panic!("{name}: {error}"));
     let mut random = Random::new(7);
@@ -54,16 +54,16 @@ fn compared<M: Mechanism<Scalar = f64>, D: SmoothDrive>(
     for _ in 0..samples::of(PLACES) {
         let at = random.between(low, high);
         let mut inputs = vec![0.0; M::DESCRIPTION.inputs.len() * READ];
-        course.drive.derivatives(at, Side::Right, &mut inputs);
+        sweep.drive.derivatives(at, Side::Right, &mut inputs);
         let motions = Row::from_fn(|input| Row::from_fn(|order| inputs[input * READ + order]));
         table.fill(at, &mut numbers).unwrap();
         let unknowns = M::DESCRIPTION.unknowns;
         let value = |name: &str| numbers[5 * columns.iter().position(|column| column.name() == name).unwrap()];
         let pose = if M::ASSEMBLY_COUNT > 0 {
-            course.mechanism.solve_motion(motions, course.assembly)
+            sweep.mechanism.solve(motions, sweep.assembly)
         } else {
             let near = Row::from_fn(|unknown| value(unknowns[unknown].name));
-            course.mechanism.solve_motion_near(motions, near)
+            sweep.mechanism.solve_near(motions, near)
         };
         let pose = pose.unwrap_or_else(|error| panic!("{name}: {error}"));
         let mut expected: Vec<(&str, Vec<f64>)> = Vec::new();
@@ -415,7 +415,7 @@ fn compared_circuit(name: &str, linkage: FourBar, start: f64) -> ExactTable {
         let fastest = (0..3).max_by(|one, other| numbers[*one][1].abs().total_cmp(&numbers[*other][1].abs()));
         let (linkage, [drive, one, other]) = driven[fastest.unwrap()];
         let near = [numbers[one][0], numbers[other][0]];
-        let pose = linkage.solve_motion_near([Motion::from(numbers[drive])], near).unwrap();
+        let pose = linkage.solve_near(Motion::from(numbers[drive]), near).unwrap();
         for (angle, found) in [(one, pose.theta3), (other, pose.theta4)] {
             for (order, (own, found)) in numbers[angle].into_iter().zip(found.derivatives()).enumerate() {
                 let dimension = if order == 0 {
@@ -462,7 +462,7 @@ fn circuits_lead_through_limits() {
         }
         before = own;
         let unknowns = ["theta3", "theta4"].map(|name| table.column(name).unwrap().at::<1>(at).unwrap()[0]);
-        let assembly = LIMITED.assembly_near([own[0]], unknowns);
+        let assembly = LIMITED.assembly_at(own[0], unknowns);
         assemblies[usize::from(assembly == Assembly::Open)] += 1;
     }
     assert_eq!(limits, 2);
@@ -558,7 +558,7 @@ fn coupled_blocks_are_led_through_limits() {
         }
         places += 1;
         let near = [1, 2, 3, 4].map(|angle| found[angle][0]);
-        let pose = by_crank.solve_motion_near([Motion::from(found[0])], near).unwrap();
+        let pose = by_crank.solve_near(Motion::from(found[0]), near).unwrap();
         let expected = [pose.theta3, pose.theta4, pose.theta5, pose.theta6];
         for (found, expected) in found[1..].iter().zip(expected) {
             for (order, (own, expected)) in found.iter().zip(expected.derivatives()).enumerate() {
@@ -766,8 +766,8 @@ fn rows_beside_joints_stand_for_them() {
         joint.next_down()..=0.6,
         0.6..=joint.next_down(),
     ] {
-        let course = start.under_laws([&cam], range.clone(), 7);
-        let table = course
+        let sweep = start.under_laws([&cam], range.clone(), 7);
+        let table = sweep
             .exact_table(1e-6)
             .unwrap_or_else(|error| panic!("{range:?}: {error}"));
         assert_eq!(*table.range().start(), range.start().min(*range.end()));

@@ -17,13 +17,13 @@ use super::{Crossing, DwellRange, Extreme, ExtremesError, Mean, Over, Peak, Peak
 use crate::any::Of;
 use crate::mechanism::{JacobianError, JacobianMeasure, Mechanism, rows_of};
 use crate::number::Number;
-use crate::sweep::{AnyCourse, Course, Local, SmoothDrive};
+use crate::sweep::{Local, SmoothDrive, Sweep, UntypedSweep};
 
 /// A sweep whose quantities can be asked for. A new version may add items.
 pub trait QuantitySource {
     /// The sweep without types.
     #[doc(hidden)]
-    fn course(&self) -> AnyCourse<'_>;
+    fn untyped(&self) -> UntypedSweep<'_>;
 
     /// Its drive.
     #[doc(hidden)]
@@ -38,8 +38,8 @@ pub trait QuantitySource {
     fn changed(&self) -> &dyn ChangedFunctions;
 }
 
-impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> QuantitySource for Course<M, D> {
-    fn course(&self) -> AnyCourse<'_> {
+impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> QuantitySource for Sweep<M, D> {
+    fn untyped(&self) -> UntypedSweep<'_> {
         self.any()
     }
 
@@ -56,7 +56,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> QuantitySource for Course<M, D>
     }
 }
 
-/// A quantity along a sweep. [`Course::of`] and [`Course::of_expression`] make it, and each of its methods answers a question.
+/// A quantity along a sweep. [`Sweep::of`] and [`Sweep::of_expression`] make it, and each of its methods answers a question.
 ///
 /// # Errors
 /// [`ExtremesError`] for all questions: if no column has the name, if the mechanism closes nowhere, if the sweep has no length, or if the
@@ -228,23 +228,23 @@ impl<S: QuantitySource> AskedQuantity<S> for ByDyad {
     }
 }
 
-impl<M, D, A, F> AskedQuantity<Course<M, D>> for ByExpression<F>
+impl<M, D, A, F> AskedQuantity<Sweep<M, D>> for ByExpression<F>
 where
     M: Mechanism<Scalar = f64>,
     A: Answer,
     F: Fn(&At<M>) -> A,
 {
-    fn check(&self, _: &Course<M, D>, _: usize) -> Result<(), ExtremesError> {
+    fn check(&self, _: &Sweep<M, D>, _: usize) -> Result<(), ExtremesError> {
         Ok(())
     }
 
-    fn at(&self, _: &Course<M, D>, station: &SweepStation<'_>) -> Result<Local, ExtremesError> {
+    fn at(&self, _: &Sweep<M, D>, station: &SweepStation<'_>) -> Result<Local, ExtremesError> {
         pose_quantity(station, None, &self.0)
     }
 
     fn by_dimension(
         &self,
-        _: &Course<M, D>,
+        _: &Sweep<M, D>,
         station: &SweepStation<'_>,
         dimension: usize,
     ) -> Result<ByDimension, ExtremesError> {
@@ -254,7 +254,7 @@ where
     }
 }
 
-impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> Course<M, D> {
+impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> Sweep<M, D> {
     /// A quantity by the name of its column, as in `"theta4_jerk"`, to ask for its peak, its extremes or its mean.
     ///
     /// Names go on above the order of the mechanism, up to the twelfth derivative, and `"margin"` is the length that is left until the first
@@ -326,7 +326,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> Course<M, D> {
 
 impl<'c, S: QuantitySource> QuantityAlong<'c, S, ByJacobian> {
     pub(crate) fn by_jacobian(sweep: &'c S, results: &[&str], measure: JacobianMeasure) -> Self {
-        let rows = rows_of(sweep.course().description, results);
+        let rows = rows_of(sweep.untyped().description, results);
         Self::new(sweep, ByJacobian { rows, measure })
     }
 }
@@ -465,7 +465,7 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
         rooted(self.ask(|asked| asked.mean(over, 2)))
     }
 
-    /// The values in the rows of the sweep, as a column beside those of its [table](Course::table): NaN in rows that do not close, and
+    /// The values in the rows of the sweep, as a column beside those of its [table](Sweep::table): NaN in rows that do not close, and
     /// infinite where the quantity is.
     ///
     /// ```
@@ -514,7 +514,7 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
     /// # Errors
     /// [`ExtremesError::NoSensitivity`] if the peak is at a limit or a kink.
     pub fn peak_sensitivities(&self) -> Result<PeakSensitivities, ExtremesError> {
-        let order = self.sweep.course().description.order;
+        let order = self.sweep.untyped().description.order;
         self.quantity.check(self.sweep, order)?;
         let by_dimension =
             |station: &SweepStation<'_>, dimension: usize| self.quantity.by_dimension(self.sweep, station, dimension);
@@ -533,7 +533,7 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
             }
         };
         let found = question(&QuantityOfSweep {
-            course: self.sweep.course(),
+            sweep: self.sweep.untyped(),
             drive: self.sweep.drive(),
             quantity: &answer,
             rate: self.quantity.derivative().map(|named| RateOfQuantity {

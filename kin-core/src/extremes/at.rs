@@ -86,7 +86,7 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
         };
         Ok(At {
             mechanism,
-            pose: mechanism.solve_motion_near(inputs, near)?,
+            pose: mechanism.solve_near(inputs, near)?,
             inputs,
             near,
             outputs: row(&station.outputs),
@@ -172,8 +172,8 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
     }
 
     /// The Jacobian of unknowns or outputs of these names, whose singular values have their derivatives along the sweep. It has the rows
-    /// that [`PoseOf::jacobian_of`](crate::PoseOf::jacobian_of) has at one pose. For one of its measures alone,
-    /// [`of_jacobian`](crate::sweep::Course::of_jacobian) is shorter.
+    /// that [`Mechanism::jacobian_of`](crate::Mechanism::jacobian_of) has at one pose. For one of its measures alone,
+    /// [`of_jacobian`](crate::sweep::Sweep::of_jacobian) is shorter.
     ///
     /// ```
     /// use kin_core::JacobianMeasure;
@@ -201,7 +201,7 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
     }
 
     /// The Jacobian of the pose, with a row for each unknown and then for each scalar output, and a number for each input: see
-    /// [`PoseOf::jacobian`](crate::PoseOf::jacobian).
+    /// [`Mechanism::jacobian`](crate::Mechanism::jacobian).
     ///
     /// # Errors
     /// As there.

@@ -11,7 +11,7 @@ use super::station::{NamedFunctions, SweepStation};
 use super::swept::{Mark, PoseQuantity, QuantityOfSweep};
 use super::{Extreme, ExtremesError};
 use crate::curve::LimitKind;
-use crate::sweep::{AnyCourse, SmoothDrive, Walk};
+use crate::sweep::{SmoothDrive, UntypedSweep, Walk};
 
 /// The ends of a sweep on which the mechanism closes throughout, and a pose inside of it.
 pub(crate) struct KnownStretch<'c> {
@@ -43,7 +43,7 @@ pub(crate) fn named_quantity<'q>(
 
 /// A sweep on which the mechanism closes throughout.
 pub(crate) struct KnownSweep<'c> {
-    pub(crate) course: AnyCourse<'c>,
+    pub(crate) sweep: UntypedSweep<'c>,
     pub(crate) drive: &'c dyn SmoothDrive,
     pub(crate) stretch: KnownStretch<'c>,
 }
@@ -63,7 +63,7 @@ impl KnownSweep<'_> {
     /// The extremes of a quantity of each pose.
     pub(crate) fn extremes_of(self, quantity: &PoseQuantity<'_>) -> Result<Vec<Extreme>, ExtremesError> {
         let asked = QuantityOfSweep {
-            course: self.course,
+            sweep: self.sweep,
             drive: self.drive,
             quantity,
             rate: None,

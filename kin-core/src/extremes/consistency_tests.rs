@@ -15,7 +15,7 @@ use crate::library::{
 use crate::mechanism::{JacobianMeasure, Mechanism, PoseOf};
 use crate::number::{Row, samples};
 use crate::quantity::{Dimension, Quantity};
-use crate::sweep::{Course, SmoothDrive, StraightLine, Sweep, Table};
+use crate::sweep::{SmoothDrive, StraightLine, Sweep, Swept, Table};
 use crate::verify::Random;
 
 crate::mechanism! {
@@ -117,7 +117,7 @@ impl Fine {
 }
 
 /// Compares the answers to every question about a quantity with a fine table.
-fn hold<M: Mechanism<Scalar = f64>, D: SmoothDrive>(name: &str, fine_table: &Table, rows: usize, sweep: &Course<M, D>) {
+fn hold<M: Mechanism<Scalar = f64>, D: SmoothDrive>(name: &str, fine_table: &Table, rows: usize, sweep: &Sweep<M, D>) {
     let fine = Fine::of(fine_table, name);
     let context = || {
         let (mechanism, assembly, from, to) = (sweep.mechanism, sweep.assembly, sweep.from, sweep.to);
@@ -211,12 +211,9 @@ fn hold<M: Mechanism<Scalar = f64>, D: SmoothDrive>(name: &str, fine_table: &Tab
 }
 
 /// Whether the mechanism closes along the sweep, so that there is something to compare.
-fn hold_all<M: Mechanism<Scalar = f64>, D: SmoothDrive>(
-    rows: &[usize],
-    course: impl Fn(usize) -> Course<M, D>,
-) -> bool {
+fn hold_all<M: Mechanism<Scalar = f64>, D: SmoothDrive>(rows: &[usize], sweep: impl Fn(usize) -> Sweep<M, D>) -> bool {
     let description = M::DESCRIPTION;
-    let fine = course(FINE as usize + 1).table().unwrap();
+    let fine = sweep(FINE as usize + 1).table().unwrap();
     if fine
         .column(description.unknowns[0].name)
         .unwrap()
@@ -228,7 +225,7 @@ fn hold_all<M: Mechanism<Scalar = f64>, D: SmoothDrive>(
         return false;
     }
     for rows in rows {
-        let sweep = course(*rows);
+        let sweep = sweep(*rows);
         for quantity in description.unknowns.iter().chain(description.outputs) {
             let suffixes: &[&str] = if samples::are_all() { &["", "_velocity"] } else { &[""] };
             for suffix in suffixes {
@@ -316,7 +313,7 @@ fn hold_random<M: Mechanism<Scalar = f64, Pose: PoseOf<M>>>(random: &mut Random,
         let found = if M::ASSEMBLY_COUNT > 0 {
             found
         } else {
-            mechanism.assembly_near(from, unknowns)
+            mechanism.assembly_at(from, unknowns)
         };
         assembly = Some(found);
     });
@@ -327,7 +324,7 @@ fn hold_random<M: Mechanism<Scalar = f64, Pose: PoseOf<M>>>(random: &mut Random,
 }
 
 /// The singular value of one result along a sweep is that of the poses in its rows.
-fn hold_jacobian<M: Mechanism<Scalar = f64, Pose: PoseOf<M>>>(mechanism: &M, sweep: &Course<M, StraightLine>) {
+fn hold_jacobian<M: Mechanism<Scalar = f64, Pose: PoseOf<M>>>(mechanism: &M, sweep: &Sweep<M, StraightLine>) {
     let result = [M::DESCRIPTION.unknowns[0].name];
     let column = match sweep
         .of_jacobian(&result, JacobianMeasure::LargestSingularValue)
@@ -337,7 +334,7 @@ fn hold_jacobian<M: Mechanism<Scalar = f64, Pose: PoseOf<M>>>(mechanism: &M, swe
         column => column.unwrap(),
     };
     for (row, (pose, value)) in sweep.rows().zip(column).enumerate() {
-        let Ok(expected) = pose.map(|pose| pose.jacobian_of(mechanism, &result)) else {
+        let Ok(expected) = pose.map(|pose| mechanism.jacobian_of(&pose, &result)) else {
             assert!(value.is_nan(), "{mechanism:?}, row {row}: {value}");
             continue;
         };

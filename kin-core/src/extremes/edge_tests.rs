@@ -12,7 +12,7 @@ use crate::geometry::Plane;
 use crate::library::{FourBar, InvertedSliderCrank, SliderCrank, WattII};
 use crate::mechanism::Mechanism;
 use crate::number::samples;
-use crate::sweep::Sweep;
+use crate::sweep::Swept;
 use crate::verify::Random;
 
 /// 3 + 7 = 4 + 6: all links lie on a line at 0 degrees.

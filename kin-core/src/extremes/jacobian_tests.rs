@@ -10,10 +10,10 @@ use crate::any::AssemblyChoice;
 use crate::assembly::Assembly;
 use crate::library::{ClassThreeTriad, FiveBar, FourBar};
 use crate::linkage::AnyLinkage;
-use crate::mechanism::{Jacobian, JacobianError, JacobianMeasure, Mechanism, PoseOf};
+use crate::mechanism::{Jacobian, JacobianError, JacobianMeasure, Mechanism};
 use crate::number::{Number, Row};
 use crate::sweep::samples::{CRANK_ROCKER, LIMITED, triad};
-use crate::sweep::{Local, Sweep};
+use crate::sweep::{Local, Swept};
 
 use JacobianMeasure::{
     ConditionNumber, InverseConditionNumber, LargestSingularValue, Manipulability, SmallestSingularValue,
@@ -92,13 +92,13 @@ fn of_the_rows_are_those_of_the_poses() {
         let cranks = ["alpha", "beta"].map(|name| values.get(name).unwrap());
         let pose = ROBOT.position(cranks[0], cranks[1], Assembly::Open).unwrap();
         let hand = [pose.hand.x().position(), pose.hand.y().position()];
-        let [_, _, x, y] = pose.jacobian(&ROBOT).unwrap();
+        let [_, _, x, y] = ROBOT.jacobian(&pose).unwrap();
         let expected = expected([x, y]);
         for (one, other) in [x, y].iter().zip(by_rods(&ROBOT, cranks, hand)) {
             close(one[0], other[0], 1e-13);
             close(one[1], other[1], 1e-13);
         }
-        let of_the_pose = pose.jacobian_of(&ROBOT, &["hand.x", "hand.y"]).unwrap();
+        let of_the_pose = ROBOT.jacobian_of(&pose, &["hand.x", "hand.y"]).unwrap();
         for (index, value) in of_the_pose.singular_values().into_iter().enumerate() {
             close(value, expected[index], 1e-13);
             close(columns[index][row], expected[index], 1e-13);
@@ -188,7 +188,7 @@ fn of_a_platform_on_cylinders() {
     let column = smallest.column().unwrap();
     for (row, pose) in way.rows().enumerate() {
         let pose = pose.unwrap();
-        let jacobian = pose.jacobian(&platform).unwrap();
+        let jacobian = platform.jacobian(&pose).unwrap();
         let count = ClassThreeTriad::<f64>::DESCRIPTION.unknowns.len();
         close(column[row], expected([jacobian[count], jacobian[count + 1]])[1], 1e-12);
     }

@@ -77,7 +77,7 @@ impl Margins<'_> {
         }
         let mut residuals = vec![Local::constant(0.0); unknowns.len()];
         self.functions
-            .residuals(&self.parameters, &self.inputs, &unknowns, &mut residuals);
+            .closure(&self.parameters, &self.inputs, &unknowns, &mut residuals);
         let mut equations = block.equations.iter();
         [(); 2].map(|()| {
             equations

@@ -17,7 +17,7 @@
 //! ```
 //!
 //! A question is asked to the sweep itself, and the answer does not depend on its rows: extremes are found between them. The quantity is
-//! called [`of`](crate::sweep::Course::of) the sweep by the name of its column, or is any expression of the pose by a closure: see [`At`]. Names go on above the order of the
+//! called [`of`](crate::sweep::Sweep::of) the sweep by the name of its column, or is any expression of the pose by a closure: see [`At`]. Names go on above the order of the
 //! mechanism, up to the twelfth derivative: `theta4_crackle`, `theta4_pop`, `theta4_derivative_7`. `margin` is the length that is left
 //! until the first dyad ceases to close.
 //!
@@ -64,8 +64,10 @@ mod swept;
 #[cfg(test)]
 mod tests;
 
+pub use along::QuantityAlong;
 pub(crate) use along::pose_quantity;
-pub use along::{AskedQuantity, ByDyad, ByExpression, ByJacobian, ByName, QuantityAlong, QuantitySource};
+#[doc(hidden)]
+pub use along::{AskedQuantity, ByDyad, ByExpression, ByJacobian, ByName, QuantitySource};
 pub use answer::Answer;
 pub use at::At;
 pub(crate) use branch::{KnownStretch, KnownSweep, StationQuantity, named_quantity};

@@ -106,7 +106,7 @@ impl QuantityOfSweep<'_> {
         };
         let stretch = stretches.iter().find(contains).or(stretches.last());
         let stretch = stretch.ok_or(ExtremesError::Gap { at: peak.at })?;
-        let side = if peak.at == self.course.from.max(self.course.to) {
+        let side = if peak.at == self.sweep.from.max(self.sweep.to) {
             Side::Left
         } else {
             Side::Right

@@ -13,7 +13,7 @@ use crate::mechanism::{Mechanism, Partials, sensitivities_of};
 use crate::motion::Motion;
 use crate::number::{Changing, Number, Row, samples};
 use crate::solve::Scalar;
-use crate::sweep::{Course, Local, SmoothDrive, Sweep};
+use crate::sweep::{Local, SmoothDrive, Sweep, Swept};
 
 crate::mechanism! {
     /// Four-bar linkage with the middle of its coupler.
@@ -193,7 +193,7 @@ fn peaks_of_a_turn() {
 /// The peak of the first drive's effort, as differences and numbers with a change tell.
 fn check_effort<M, D, L>(
     mechanism: &M,
-    course: impl Fn(&M) -> Course<M, D>,
+    sweep: impl Fn(&M) -> Sweep<M, D>,
     loads: &Loads<M::With<Local>, L>,
     at_place: impl Fn(&M::With<Changing<f64>>, f64) -> Changing<f64>,
 ) where
@@ -202,10 +202,10 @@ fn check_effort<M, D, L>(
     L: Load<M::With<Local>>,
 {
     let effort = |at: &At<M>| at.effort(loads, 0);
-    let found = course(mechanism).of_expression(effort).peak_sensitivities().unwrap();
+    let found = sweep(mechanism).of_expression(effort).peak_sensitivities().unwrap();
     assert_eq!(found.peak.kind, ExtremeKind::Inner);
     check_by_differences(mechanism, &found, |mechanism| {
-        course(mechanism).of_expression(effort).peak().unwrap()
+        sweep(mechanism).of_expression(effort).peak().unwrap()
     });
     for (place, sensitivity) in found.by.iter().enumerate() {
         let mut next = 0;
@@ -361,12 +361,12 @@ fn peaks_under_a_law_with_dwells() {
     let rest = Dwell::new(2.0, 0.2).unwrap();
     let law = Sequence::new([&up, &rest]).unwrap();
     let loads = on_press();
-    let course = |press: &Press| press.sweep(Assembly::Open).under_laws([&law], 0.0..=0.5, 100);
+    let sweep = |press: &Press| press.sweep(Assembly::Open).under_laws([&law], 0.0..=0.5, 100);
     let effort = |at: &At<Press>| at.effort(&loads, 0);
-    let found = course(&PRESS).of_expression(effort).peak_sensitivities().unwrap();
+    let found = sweep(&PRESS).of_expression(effort).peak_sensitivities().unwrap();
     assert_eq!(found.peak.kind, ExtremeKind::Inner);
     check_by_differences(&PRESS, &found, |press| {
-        course(press).of_expression(effort).peak().unwrap()
+        sweep(press).of_expression(effort).peak().unwrap()
     });
 }
 
@@ -374,12 +374,10 @@ fn peaks_under_a_law_with_dwells() {
 #[test]
 fn a_peak_at_the_end_of_a_sweep_stays_there() {
     let engine = SliderCrank { r: 0.05, l: 0.15 };
-    let course = |engine: &SliderCrank| engine.sweep(Assembly::Open).over(0.5..=1.0, 20).speed(10.0);
-    let found = course(&engine).of("s_velocity").peak_sensitivities().unwrap();
+    let sweep = |engine: &SliderCrank| engine.sweep(Assembly::Open).over(0.5..=1.0, 20).speed(10.0);
+    let found = sweep(&engine).of("s_velocity").peak_sensitivities().unwrap();
     assert_eq!((found.peak.kind, found.peak.at), (ExtremeKind::End, 1.0));
-    check_by_differences(&engine, &found, |engine| {
-        course(engine).of("s_velocity").peak().unwrap()
-    });
+    check_by_differences(&engine, &found, |engine| sweep(engine).of("s_velocity").peak().unwrap());
     assert!(found.by.iter().all(|by| by.at == 0.0 && by.value != 0.0));
 }
 

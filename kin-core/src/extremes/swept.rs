@@ -19,7 +19,7 @@ use crate::law::Side;
 use crate::number::{Number, NumberRow};
 use crate::quantity::{Dimension, Name};
 use crate::sweep::{
-    AnyCourse, Limit, Local, READ, SmoothDrive, SweepError, Variable, Walk, by_time, joints, limit_between,
+    Limit, Local, READ, SmoothDrive, SweepError, UntypedSweep, Variable, Walk, by_time, joints, limit_between,
 };
 
 /// A difference between the values on both sides of a joint, relative to them, above which it is a jump.
@@ -76,7 +76,7 @@ pub(super) struct RateOfQuantity<'c> {
 
 /// A quantity along a sweep.
 pub(super) struct QuantityOfSweep<'c> {
-    pub(super) course: AnyCourse<'c>,
+    pub(super) sweep: UntypedSweep<'c>,
     pub(super) drive: &'c dyn SmoothDrive,
     pub(super) quantity: &'c PoseQuantity<'c>,
     pub(super) rate: Option<RateOfQuantity<'c>>,
@@ -119,7 +119,7 @@ impl QuantityOfSweep<'_> {
             if result.is_err() {
                 return Ok(f64::NAN);
             }
-            let side = if at == self.course.to.max(self.course.from) {
+            let side = if at == self.sweep.to.max(self.sweep.from) {
                 Side::Left
             } else {
                 Side::Right
@@ -135,7 +135,7 @@ impl QuantityOfSweep<'_> {
                 Err(error) => Err(error),
             }
         };
-        (0..self.course.count).map(&mut value).collect()
+        (0..self.sweep.count).map(&mut value).collect()
     }
 
     /// The mean of a power of the quantity.
@@ -153,19 +153,19 @@ impl<'c> QuantityOfSweep<'c> {
         variable: Local,
         side: Side,
     ) -> Result<(SweepStation<'c>, Mark<'c>), ExtremesError> {
-        let (course, at, rate) = (&self.course, variable.real(), self.course.drive.rate());
-        let mut inputs = vec![0.0; course.description.inputs.len() * READ];
+        let (sweep, at, rate) = (&self.sweep, variable.real(), self.sweep.drive.rate());
+        let mut inputs = vec![0.0; sweep.description.inputs.len() * READ];
         self.drive.derivatives(at, side, &mut inputs);
-        let orders = course.orders();
-        let motions = NumberRow::from_fn(course.description.inputs.len() * orders, |index| {
+        let orders = sweep.orders();
+        let motions = NumberRow::from_fn(sweep.description.inputs.len() * orders, |index| {
             let (input, order) = (index / orders, index % orders);
             by_time(&inputs[input * READ..(input + 1) * READ], order, rate).real()
         });
-        let (walk, stepped) = near.walk.stepped(course, at, &motions);
+        let (walk, stepped) = near.walk.stepped(sweep, at, &motions);
         let reached = stepped.ok().and(walk.last.as_ref()).ok_or(ExtremesError::Gap { at })?;
         let station = SweepStation {
-            description: course.description,
-            parameters: course.parameters.clone(),
+            description: sweep.description,
+            parameters: sweep.parameters.clone(),
             inputs,
             unknowns: reached.unknowns(),
             outputs: reached.outputs(),
@@ -179,44 +179,44 @@ impl<'c> QuantityOfSweep<'c> {
         if let Some(known) = &self.known {
             return known.is_full_turn;
         }
-        let course = &self.course;
-        let way = (course.to - course.from).abs();
-        let is_turn = (way - TAU).abs() <= 8.0 * f64::EPSILON * course.to.abs().max(course.from.abs());
-        let Variable::Input(lead) = course.drive.variable() else {
+        let sweep = &self.sweep;
+        let way = (sweep.to - sweep.from).abs();
+        let is_turn = (way - TAU).abs() <= 8.0 * f64::EPSILON * sweep.to.abs().max(sweep.from.abs());
+        let Variable::Input(lead) = sweep.drive.variable() else {
             return false;
         };
-        let mut inputs = 0..course.description.inputs.len();
-        let is_alone = inputs.all(|input| input == lead || course.drive.same(input, 0).is_some());
-        is_turn && is_alone && course.description.inputs[lead].dimension == Dimension::Angle
+        let mut inputs = 0..sweep.description.inputs.len();
+        let is_alone = inputs.all(|input| input == lead || sweep.drive.same(input, 0).is_some());
+        is_turn && is_alone && sweep.description.inputs[lead].dimension == Dimension::Angle
     }
 
     pub(super) fn extent(&self) -> SweepExtent {
-        let course = &self.course;
+        let sweep = &self.sweep;
         SweepExtent {
-            from: course.from,
-            to: course.to,
-            rows: course.count,
-            is_angle: course.variable().dimension == Dimension::Angle,
+            from: sweep.from,
+            to: sweep.to,
+            rows: sweep.count,
+            is_angle: sweep.variable().dimension == Dimension::Angle,
             is_full_turn: self.is_full_turn(),
-            has_assemblies: course.has_assemblies(),
+            has_assemblies: sweep.has_assemblies(),
             time: 1.0 / self.drive.rate().abs(),
         }
     }
 
     /// Whether the inputs can move so.
     pub(super) fn check(&self) -> Result<(), SweepError> {
-        self.course.check()
+        self.sweep.check()
     }
 
     /// The value of the variable in a row.
     pub(super) fn row(&self, row: usize) -> f64 {
-        self.course.at(row)
+        self.sweep.at(row)
     }
 
     /// The largest change of an angle among the inputs between two places.
     pub(super) fn turn(&self, ends: [f64; 2]) -> f64 {
-        let [start, end] = ends.map(|at| self.course.inputs(at));
-        let inputs = self.course.description.inputs.iter().enumerate();
+        let [start, end] = ends.map(|at| self.sweep.inputs(at));
+        let inputs = self.sweep.description.inputs.iter().enumerate();
         inputs
             .filter(|(_, input)| input.dimension == Dimension::Angle)
             .fold(0.0, |most: f64, (input, _)| most.max((end[input] - start[input]).abs()))
@@ -227,7 +227,7 @@ impl<'c> QuantityOfSweep<'c> {
         if let Variable::Input(_) = self.drive.variable() {
             return 1.0;
         }
-        let mut inputs = vec![0.0; self.course.description.inputs.len() * READ];
+        let mut inputs = vec![0.0; self.sweep.description.inputs.len() * READ];
         self.drive.derivatives(at, Side::Right, &mut inputs);
         inputs.get(1).map_or(1.0, |rate| rate.abs())
     }
@@ -254,7 +254,7 @@ impl<'c> QuantityOfSweep<'c> {
             let (left, right) = (beside(Side::Left)?, beside(Side::Right)?);
             // rounding errors of a quantity that does not jump with the inputs are no impulse
             if (right - left).abs() > JUMP * left.abs().max(right.abs()) {
-                let rises = (right > left) == (self.course.to >= self.course.from);
+                let rises = (right > left) == (self.sweep.to >= self.sweep.from);
                 let is_higher = order > jumping + 1;
                 return Ok([rises || is_higher, !rises || is_higher]);
             }
@@ -269,7 +269,7 @@ impl<'c> QuantityOfSweep<'c> {
 
     /// The walk on to another place, and whether the mechanism closes there.
     pub(super) fn step(&self, near: &Mark<'c>, at: f64) -> (Mark<'c>, Result<(), SolveError>) {
-        let (walk, result) = near.walk.stepped(&self.course, at, &self.course.motions(at));
+        let (walk, result) = near.walk.stepped(&self.sweep, at, &self.sweep.motions(at));
         (Mark::new(walk), result)
     }
 
@@ -286,7 +286,7 @@ impl<'c> QuantityOfSweep<'c> {
 
     /// The length that is missing for the assembly to close at a place, if it does not for this reason.
     pub(super) fn missing(&self, at: f64) -> Option<MissingLength> {
-        let error = self.course.position(at).err()?;
+        let error = self.sweep.position(at).err()?;
         let length = match error.failure {
             Failure::OutOfReach { margin } => -margin,
             _ => f64::INFINITY,
@@ -299,11 +299,11 @@ impl<'c> QuantityOfSweep<'c> {
 
     /// The limit on the way from a pose to another place.
     pub(super) fn limit(&self, closed: f64, near: &Mark<'_>, other: f64) -> Option<Limit> {
-        limit_between(&self.course, closed, &near.walk.last.as_ref()?.unknowns(), other)
+        limit_between(&self.sweep, closed, &near.walk.last.as_ref()?.unknowns(), other)
     }
 
     /// The place closest to one that does not close at which the mechanism closes.
     pub(super) fn edge(&self, closed: f64, open: f64) -> f64 {
-        self.course.edge(closed, open)
+        self.sweep.edge(closed, open)
     }
 }

@@ -12,11 +12,11 @@ use crate::mechanism::Mechanism;
 use crate::motion::Motion;
 use crate::number::{Number, samples, series::Series};
 use crate::sweep::samples::{CRANK_ROCKER, Inverse, LIMITED, triad};
-use crate::sweep::{Course, Instant, Local, StraightLine, Sweep};
+use crate::sweep::{Instant, Local, StraightLine, Sweep, Swept};
 
 const ORDERS: [&str; 5] = ["", "_velocity", "_acceleration", "_jerk", "_snap"];
 
-fn turn(linkage: FourBar, assembly: Assembly) -> Course<FourBar, StraightLine> {
+fn turn(linkage: FourBar, assembly: Assembly) -> Sweep<FourBar, StraightLine> {
     linkage.sweep(assembly).over(0.0..=TAU, 100).speed(10.0)
 }
 
@@ -24,8 +24,12 @@ fn turn(linkage: FourBar, assembly: Assembly) -> Course<FourBar, StraightLine> {
 fn rocker(linkage: FourBar, assembly: Assembly, at: f64, order: usize) -> [f64; 2] {
     let linkage = linkage.convert(|parameter: f64| crate::number::series::Series::<6>::constant(parameter));
     let input = crate::number::series::Series::<6>::from_derivatives([at, 10.0, 0.0, 0.0, 0.0, 0.0]);
-    let [_, angle] = linkage.solve_position([input], assembly).unwrap();
-    let derivatives = angle.derivatives();
+    let derivatives = linkage
+        .position(input, assembly)
+        .unwrap()
+        .theta4
+        .position()
+        .derivatives();
     [derivatives[order], derivatives[order + 1]]
 }
 
@@ -447,10 +451,8 @@ fn derivatives_above_the_order_have_names() {
     let derivatives = |at: f64| {
         let mut input = [0.0; 13];
         (input[0], input[1]) = (at, 10.0);
-        let [_, angle] = long
-            .solve_position([Series::from_derivatives(input)], Assembly::Open)
-            .unwrap();
-        angle.derivatives()
+        let position = long.position(Series::from_derivatives(input), Assembly::Open).unwrap();
+        position.theta4.position().derivatives()
     };
     for (order, name) in [(5, "theta4_crackle"), (6, "theta4_pop"), (8, "theta4_derivative_8")] {
         let found = sweep.of(name).extremes().unwrap();
@@ -578,7 +580,7 @@ crate::mechanism! {
 }
 
 /// The margin as a series at a place of a sweep, by differences of the extremes' own numbers.
-fn margins<M>(sweep: &Course<M, StraightLine>, expected: impl Fn(f64) -> f64)
+fn margins<M>(sweep: &Sweep<M, StraightLine>, expected: impl Fn(f64) -> f64)
 where
     M: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]>,
 {

@@ -6,11 +6,10 @@
 mod piece;
 mod zeros;
 
-pub use piece::Piece;
-pub use zeros::Zeros;
+pub(crate) use piece::Piece;
 
 /// The number of terms of the series at the ends: the value and four derivatives.
-pub const TERMS: usize = 5;
+pub(crate) const TERMS: usize = 5;
 
 /// The number of coefficients of a piece.
 const COEFFICIENTS: usize = 2 * TERMS;

@@ -9,20 +9,8 @@ use crate::number::series::Series;
 /// It is kept by its Bernstein coefficients. Those next to an end follow from the derivatives there by differences: the k-th forward
 /// difference of the first coefficients is the k-th derivative, times hᵏ (9 - k)! / 9! for a piece of the length h.
 /// (G. Farin, *Curves and Surfaces for CAGD*, 5th edition, Morgan Kaufmann 2002, section 5.3.)
-///
-/// ```
-/// use kin_core::hermite::Piece;
-/// use kin_core::series::Series;
-///
-/// // the sine between 0 and 1
-/// let sine = |x: f64| Series::from_derivatives([x.sin(), x.cos(), -x.sin(), -x.cos(), x.sin()]);
-/// let piece = Piece::new([0.0, 1.0], [sine(0.0), sine(1.0)]);
-/// let [value, slope, ..] = piece.at(0.5).derivatives();
-/// assert!((value - 0.5_f64.sin()).abs() < 3e-10);
-/// assert!((slope - 0.5_f64.cos()).abs() < 1e-10);
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Piece {
+pub(crate) struct Piece {
     ends: [f64; 2],
     coefficients: [f64; COEFFICIENTS],
     /// The slopes at both ends, times the length, without the rounding errors of differences: neighbouring pieces share their signs.
@@ -32,7 +20,7 @@ pub struct Piece {
 impl Piece {
     /// The piece between two places, from the series at each of them.
     #[must_use]
-    pub fn new(ends: [f64; 2], series: [Series<TERMS>; 2]) -> Self {
+    pub(crate) fn new(ends: [f64; 2], series: [Series<TERMS>; 2]) -> Self {
         let length = ends[1] - ends[0];
         let mut coefficients = [0.0; COEFFICIENTS];
         for (end, (series, length)) in series.into_iter().zip([length, -length]).enumerate() {
@@ -60,15 +48,9 @@ impl Piece {
         }
     }
 
-    /// The ends.
-    #[must_use]
-    pub fn ends(&self) -> [f64; 2] {
-        self.ends
-    }
-
     /// The value and four derivatives at a place, as a series.
     #[must_use]
-    pub fn at(&self, place: f64) -> Series<TERMS> {
+    pub(crate) fn at(&self, place: f64) -> Series<TERMS> {
         let length = self.ends[1] - self.ends[0];
         let part = (place - self.ends[0]) / length;
         let mut coefficients = self.coefficients;
@@ -84,20 +66,20 @@ impl Piece {
 
     /// The largest and the smallest number that the piece may reach: those of its coefficients.
     #[must_use]
-    pub fn bounds(&self) -> [f64; 2] {
+    pub(crate) fn bounds(&self) -> [f64; 2] {
         let fold = |start: f64, choose: fn(f64, f64) -> f64| self.coefficients.into_iter().fold(start, choose);
         [fold(f64::INFINITY, f64::min), fold(f64::NEG_INFINITY, f64::max)]
     }
 
     /// The places where the piece crosses a level. Each is found once, also on the border of two pieces.
     #[must_use]
-    pub fn crossings(&self, level: f64) -> Zeros {
+    pub(crate) fn crossings(&self, level: f64) -> Zeros {
         isolate(self.ends, &self.coefficients.map(|coefficient| coefficient - level))
     }
 
     /// The places where the slope of the piece changes its sign. Each is found once, also on the border of two pieces.
     #[must_use]
-    pub fn turns(&self) -> Zeros {
+    pub(crate) fn turns(&self) -> Zeros {
         let mut slope = self.coefficients;
         differentiate(&mut slope);
         [slope[0], slope[COEFFICIENTS - 2]] = self.slopes;

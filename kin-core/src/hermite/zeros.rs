@@ -7,7 +7,7 @@ const HALVINGS: usize = 44;
 
 /// The places where a piece changes its sign, in ascending order of their part of the piece.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Zeros {
+pub(crate) struct Zeros {
     places: [f64; COEFFICIENTS],
     count: usize,
     next: usize,

@@ -81,8 +81,8 @@ impl<T: Scalar> NearOver<T> for Made<'_> {
 }
 
 impl<T: Scalar> ClosureOver<T> for Made<'_> {
-    fn residuals(&self, parameters: &[T], inputs: &[T], unknowns: &[T], residuals: &mut [T]) {
-        INNER.residuals(parameters, inputs, unknowns, residuals);
+    fn closure(&self, parameters: &[T], inputs: &[T], unknowns: &[T], residuals: &mut [T]) {
+        INNER.closure(parameters, inputs, unknowns, residuals);
     }
 }
 
@@ -153,8 +153,8 @@ impl EveryPosition for Made<'_> {
 }
 
 impl AnyMechanism for Made<'_> {
-    fn assembly_near(&self, parameters: &[f64], inputs: &[f64], unknowns: &[f64]) -> Option<usize> {
-        INNER.assembly_near(parameters, inputs, unknowns)
+    fn assembly_at(&self, parameters: &[f64], inputs: &[f64], unknowns: &[f64]) -> Option<usize> {
+        INNER.assembly_at(parameters, inputs, unknowns)
     }
 }
 

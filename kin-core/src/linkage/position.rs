@@ -94,7 +94,7 @@ impl<'m> AnyLinkage<'m> {
     /// The unknowns of a position.
     ///
     /// # Errors
-    /// Those of [`Mechanism::solve_position`] and [`Mechanism::solve_position_near`].
+    /// Those of [`Mechanism::position`] and [`Mechanism::position_near`].
     pub fn position(&self, inputs: &[f64], choice: PositionChoice<'_, f64>) -> Result<Vec<f64>, SolveError> {
         let mut unknowns = vec![0.0; self.description().unknowns.len()];
         self.functions
@@ -116,8 +116,8 @@ impl<'m> AnyLinkage<'m> {
 
     /// The assembly to which a position belongs.
     #[must_use]
-    pub fn assembly_near(&self, inputs: &[f64], unknowns: &[f64]) -> AssemblyChoice {
-        let index = self.functions.assembly_near(&self.parameters, inputs, unknowns);
+    pub fn assembly_at(&self, inputs: &[f64], unknowns: &[f64]) -> AssemblyChoice {
+        let index = self.functions.assembly_at(&self.parameters, inputs, unknowns);
         index.map_or_else(|| AssemblyChoice::Near(unknowns.to_vec()), AssemblyChoice::Index)
     }
 

@@ -13,7 +13,7 @@ use crate::law::{Piecewise, Side};
 use crate::mechanism::JacobianMeasure;
 use crate::number::{ClosedRange, NumberRow};
 use crate::sweep::{
-    AnyCourse, Footing, Laws, READ, SmoothDrive, StraightLine, SweepError, Table, TabledMechanism, Walk,
+    Footing, Laws, READ, SmoothDrive, StraightLine, SweepError, Table, TabledMechanism, UntypedSweep, Walk,
 };
 
 /// A linkage in an assembly, of which a sweep is wanted.
@@ -76,7 +76,7 @@ impl<'m> AnyAssembled<'m> {
 }
 
 impl AnySweep<'_, StraightLine> {
-    /// The speed of the first input that moves, in the direction of the range: see [`speed`](crate::sweep::Course::speed).
+    /// The speed of the first input that moves, in the direction of the range: see [`speed`](crate::sweep::Sweep::speed).
     pub fn speed(mut self, speed: f64) -> Self {
         self.drive = self.drive.at_speed(speed);
         self
@@ -93,7 +93,7 @@ impl<D: SmoothDrive> AnySweep<'_, D> {
     /// The value of the variable in a row.
     #[must_use]
     pub fn at(&self, row: usize) -> f64 {
-        self.course().at(row)
+        self.untyped().at(row)
     }
 
     /// Whether the inputs can move so. Every question to the sweep is answered by this error if they cannot.
@@ -101,7 +101,7 @@ impl<D: SmoothDrive> AnySweep<'_, D> {
     /// # Errors
     /// [`SweepError`] for numbers that are not finite, for the speed zero, and for a law whose value jumps.
     pub fn check(&self) -> Result<(), SweepError> {
-        self.course().check()
+        self.untyped().check()
     }
 
     /// The first place beyond another one where two pieces of a law meet, if there is one; it may lie behind the range.
@@ -119,36 +119,36 @@ impl<D: SmoothDrive> AnySweep<'_, D> {
         derivatives.chunks_exact(READ).map(<[f64]>::to_vec).collect()
     }
 
-    /// The poses of all rows, each with the value of the variable: see [`rows`](crate::sweep::Course::rows).
+    /// The poses of all rows, each with the value of the variable: see [`rows`](crate::sweep::Sweep::rows).
     #[must_use]
     pub fn rows(&self) -> Vec<(f64, Result<AnyPose, SolveError>)> {
-        let course = self.course();
+        let sweep = self.untyped();
         let mut walk = Walk::BEGINNING;
         let row = |row: usize| {
-            let at = course.at(row);
-            let reached = walk.step(&course, at, &course.motions(at));
+            let at = sweep.at(row);
+            let reached = walk.step(&sweep, at, &sweep.motions(at));
             (at, reached.map(AnyPose::new))
         };
         (0..self.count).map(row).collect()
     }
 
-    /// The poses as a table: see [`table`](crate::sweep::Course::table). The functions are those of the mechanism.
+    /// The poses as a table: see [`table`](crate::sweep::Sweep::table). The functions are those of the mechanism.
     ///
     /// # Errors
     /// As there.
     pub fn table(&self, functions: &dyn TabledMechanism) -> Result<Table, SweepError> {
-        self.course().table(functions, &mut |_| {})
+        self.untyped().table(functions, &mut |_| {})
     }
 
-    /// The motion as an exact table: see [`exact_table`](crate::sweep::Course::exact_table).
+    /// The motion as an exact table: see [`exact_table`](crate::sweep::Sweep::exact_table).
     ///
     /// # Errors
     /// As there.
     pub fn exact_table(&self, precision: impl Into<Precision>) -> Result<ExactTable, ExactTableError> {
-        exact_table(self.course(), &self.drive, precision.into())
+        exact_table(self.untyped(), &self.drive, precision.into())
     }
 
-    /// A quantity by the name of its column, to ask for its peak, its extremes or its mean: see [`of`](crate::sweep::Course::of).
+    /// A quantity by the name of its column, to ask for its peak, its extremes or its mean: see [`of`](crate::sweep::Sweep::of).
     pub fn of<'q>(&self, name: &'q str) -> QuantityAlong<'_, Self, ByName<'q>> {
         QuantityAlong::by_name(self, name)
     }
@@ -158,16 +158,16 @@ impl<D: SmoothDrive> AnySweep<'_, D> {
         QuantityAlong::new(self, ByDyad(dyad))
     }
 
-    /// A measure of the Jacobian of results, by their names: see [`of_jacobian`](crate::sweep::Course::of_jacobian).
+    /// A measure of the Jacobian of results, by their names: see [`of_jacobian`](crate::sweep::Sweep::of_jacobian).
     pub fn of_jacobian(&self, results: &[&str], measure: JacobianMeasure) -> QuantityAlong<'_, Self, ByJacobian> {
         QuantityAlong::by_jacobian(self, results, measure)
     }
 }
 
 impl<D: SmoothDrive> QuantitySource for AnySweep<'_, D> {
-    fn course(&self) -> AnyCourse<'_> {
+    fn untyped(&self) -> UntypedSweep<'_> {
         let [from, to] = self.range;
-        AnyCourse {
+        UntypedSweep {
             mechanism: self.linkage.functions,
             description: self.linkage.description(),
             parameters: self.linkage.parameters.clone(),

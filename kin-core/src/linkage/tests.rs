@@ -12,7 +12,7 @@ use crate::library::{FiveBar, FourBar};
 use crate::mechanism::Mechanism;
 use crate::number::{Number, Row, samples};
 use crate::sweep::samples::{CRANK_ROCKER, triad};
-use crate::sweep::{Local, Sweep};
+use crate::sweep::{Local, Swept};
 use crate::verify::Random;
 
 /// The answers along a turn of the first input, in one assembly.

@@ -40,7 +40,7 @@ pub trait Loaded: Mechanism {
         inputs: Self::Inputs<Self::Motion<Self::Scalar>>,
         assembly: Self::Assembly,
     ) -> Result<Balance<Self>, LoadError> {
-        loads.balance(self, inputs, |changing, moved| changing.solve_motion(moved, assembly))
+        loads.balance(self, inputs, |changing, moved| changing.solve(moved, assembly))
     }
 
     /// [`balance`](Self::balance), in the pose closest to values of the unknowns.
@@ -55,7 +55,7 @@ pub trait Loaded: Mechanism {
     ) -> Result<Balance<Self>, LoadError> {
         let zero = Self::Scalar::constant(0.0);
         loads.balance(self, inputs, |changing, moved| {
-            changing.solve_motion_near(moved, Row::from_fn(|unknown| Change::new(near[unknown], zero)))
+            changing.solve_near(moved, Row::from_fn(|unknown| Change::new(near[unknown], zero)))
         })
     }
 

@@ -16,7 +16,7 @@ enum Changed {
     Unknown(usize),
 }
 
-/// Computes [`PoseOf::conditions`](crate::PoseOf::conditions).
+/// Computes [`Mechanism::conditions`](crate::Mechanism::conditions).
 pub(crate) fn conditions<M: Mechanism>(
     mechanism: &M,
     inputs: &M::Inputs<M::Scalar>,
@@ -33,7 +33,7 @@ pub(crate) fn conditions<M: Mechanism>(
         let changed = <M::With<FirstOrder>>::from_parameters(Row::from_fn(|index| {
             series(Changed::Parameter(index), values(parameters.as_ref(), index))
         }));
-        let residuals = changed.residuals(
+        let residuals = changed.closure(
             Row::from_fn(|index| series(Changed::Input(index), values(inputs.as_ref(), index))),
             Row::from_fn(|index| series(Changed::Unknown(index), values(unknowns.as_ref(), index))),
         );
@@ -88,7 +88,7 @@ pub(crate) fn conditions<M: Mechanism>(
     })
 }
 
-/// Computes [`PoseOf::condition`](crate::PoseOf::condition).
+/// Computes [`Mechanism::condition`](crate::Mechanism::condition).
 pub(crate) fn condition<M: Mechanism>(
     mechanism: &M,
     inputs: &M::Inputs<M::Scalar>,

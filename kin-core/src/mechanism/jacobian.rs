@@ -32,7 +32,7 @@ impl<const N: usize> JacobianNumber for Series<N> {
 }
 
 /// The partial derivatives of chosen unknowns or outputs with respect to all inputs: rows of the [Jacobian of a
-/// pose](crate::PoseOf::jacobian), which has one for each of them.
+/// pose](crate::Mechanism::jacobian), which has one for each of them.
 ///
 /// If the root of the sum of squares of the inputs' speeds is 1, the hand of a robot has the speed of the largest singular
 /// value in its fastest direction, and that of the smallest one in its slowest. Where the smallest one is zero, the hand does
@@ -41,12 +41,12 @@ impl<const N: usize> JacobianNumber for Series<N> {
 /// (1985), 3-9.)
 ///
 /// Singular values compare rows with each other, and columns with each other. They mean something only if all rows have
-/// one dimension, and all inputs have one; otherwise they would depend on the unit of length. [`PoseOf::jacobian_of`] refuses
+/// one dimension, and all inputs have one; otherwise they would depend on the unit of length. [`Mechanism::jacobian_of`] refuses
 /// to mix dimensions. Divide the rows of lengths by a length that you state, and make a matrix [`from_rows`](Self::from_rows).
 ///
-/// They tell nothing of rounding errors: the [condition of a pose](crate::PoseOf::condition) does.
+/// They tell nothing of rounding errors: the [condition of a pose](crate::Mechanism::condition) does.
 ///
-/// [`PoseOf::jacobian_of`]: crate::PoseOf::jacobian_of
+/// [`Mechanism::jacobian_of`]: crate::Mechanism::jacobian_of
 #[derive(Clone, Debug, PartialEq)]
 pub struct Jacobian<T> {
     /// Row after row.

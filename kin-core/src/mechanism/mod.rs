@@ -51,6 +51,8 @@ use core::fmt::Debug;
 #[cfg(feature = "alloc")]
 use crate::assembly::assembly_name;
 use crate::failure::SolveError;
+#[cfg(feature = "alloc")]
+use crate::number::Number;
 use crate::number::Row;
 use crate::picture::{Outline, PlaneOrSpace, PointArray, Skeleton, TransmissionAngle};
 use crate::solve::Scalar;
@@ -58,6 +60,10 @@ use crate::solve::Scalar;
 /// A declared mechanism.
 ///
 /// Only [`mechanism!`](crate::mechanism!) implements this trait. A new version may add items without a default.
+///
+/// The solvers have the names of the inherent methods that `mechanism!` makes for each structure, and take the inputs as one
+/// row. On a structure itself the inherent method is called; `Mechanism::position(&linkage, [1.0], assembly)` calls that of the
+/// trait. The errors are the same.
 ///
 /// The associated rows are arrays. Their lengths are the numbers of scalar parameters, inputs, unknowns and scalar
 /// equations. A point in the plane counts as two scalars, x and y, a point in space as three.
@@ -72,7 +78,7 @@ use crate::solve::Scalar;
 ///     for step in 0..360 {
 ///         let rates = [f64::from(step).to_radians(), speed];
 ///         let inputs = M::Inputs::from_fn(|_| M::Motion::from_fn(|order| rates.get(order).copied().unwrap_or(0.0)));
-///         if let Ok(pose) = mechanism.solve_motion(inputs, assembly) {
+///         if let Ok(pose) = mechanism.solve(inputs, assembly) {
 ///             for unknown in pose.unknown_motions().as_ref() {
 ///                 peak = peak.max(unknown[2].abs());
 ///             }
@@ -131,7 +137,7 @@ pub trait Mechanism: Copy + Debug + 'static {
     fn assembly(index: usize) -> Option<Self::Assembly>;
 
     /// The assembly to which the given values of the unknowns belong.
-    fn assembly_near(&self, inputs: Self::Inputs<Self::Scalar>, near: Self::Unknowns<Self::Scalar>) -> Self::Assembly;
+    fn assembly_at(&self, inputs: Self::Inputs<Self::Scalar>, near: Self::Unknowns<Self::Scalar>) -> Self::Assembly;
 
     /// The values of the unknowns that stand for an assembly of coupled blocks. Other assemblies have an index.
     #[doc(hidden)]
@@ -150,56 +156,55 @@ pub trait Mechanism: Copy + Debug + 'static {
     /// This mechanism with its parameters converted, for example to dual numbers.
     fn convert<S: Scalar>(&self, convert: impl FnMut(Self::Scalar) -> S) -> Self::With<S>;
 
-    /// The position and all time derivatives, as the inherent method `solve` returns them.
+    /// The position and all time derivatives.
     ///
     /// # Errors
-    /// Returns the errors of the inherent method.
-    fn solve_motion(
+    /// A [`SolveError`] if the mechanism does not close in this assembly, or if a number is not finite.
+    fn solve(
         &self,
         inputs: Self::Inputs<Self::Motion<Self::Scalar>>,
         assembly: Self::Assembly,
     ) -> Result<Self::Pose, SolveError>;
 
-    /// The position and all time derivatives closest to values of the unknowns, as the inherent method `solve_near`
-    /// returns them.
+    /// The position and all time derivatives closest to values of the unknowns.
     ///
     /// # Errors
-    /// Returns the errors of the inherent method.
-    fn solve_motion_near(
+    /// As for [`solve`](Self::solve).
+    fn solve_near(
         &self,
         inputs: Self::Inputs<Self::Motion<Self::Scalar>>,
         near: Self::Unknowns<Self::Scalar>,
     ) -> Result<Self::Pose, SolveError>;
 
-    /// The position alone, as the inherent method `position` returns it: the values of the unknowns.
+    /// The position alone: the values of the unknowns.
     ///
     /// # Errors
-    /// Returns the errors of the inherent method.
-    fn solve_position(
+    /// As for [`solve`](Self::solve).
+    fn position(
         &self,
         inputs: Self::Inputs<Self::Scalar>,
         assembly: Self::Assembly,
     ) -> Result<Self::Unknowns<Self::Scalar>, SolveError>;
 
-    /// The position closest to values of the unknowns, as the inherent method `position_near` returns it.
+    /// The position closest to values of the unknowns.
     ///
     /// # Errors
-    /// Returns the errors of the inherent method.
-    fn solve_position_near(
+    /// As for [`solve`](Self::solve).
+    fn position_near(
         &self,
         inputs: Self::Inputs<Self::Scalar>,
         near: Self::Unknowns<Self::Scalar>,
     ) -> Result<Self::Unknowns<Self::Scalar>, SolveError>;
 
     /// The residual of each scalar equation, left side minus right side, for any values of inputs and unknowns.
-    fn residuals(
+    fn closure(
         &self,
         inputs: Self::Inputs<Self::Scalar>,
         unknowns: Self::Unknowns<Self::Scalar>,
     ) -> Self::Residuals<Self::Scalar>;
 
     /// Calls `found` with the closure as trigonometric polynomials of inputs and unknowns: the terms of the scalar equations, whose sums
-    /// are the [`residuals`](Self::residuals), and the coefficients of these terms.
+    /// are the residuals of [`closure`](Self::closure), and the coefficients of these terms.
     ///
     /// Only a mechanism with a coupled block has them, if its closure is algebraic: then angles occur in sines and cosines only, and
     /// nothing that moves stands in a denominator. Otherwise `found` is not called.
@@ -251,11 +256,115 @@ pub trait Mechanism: Copy + Debug + 'static {
         self.transmission_angles_at(inputs, unknowns)
     }
 
-    /// The Jacobian at the position closest to values of the unknowns: a row for each unknown and then for each scalar
-    /// output, with its derivative with respect to each input. [`PoseOf::jacobian`] returns that of a pose.
+    /// The Jacobian of a pose of any order: the partial derivatives of the unknowns, then of the scalar outputs, with respect to the
+    /// inputs.
+    ///
+    /// It has a row for each unknown and then for each scalar output, and in each row a number for each input, all in the
+    /// order in which they were declared. A point has a row for x, a row for y and, in space, a row for z. An entry has the
+    /// unit of its unknown or output over that of its input: radians per radian, lengths per radian, and so on. A row
+    /// times the velocities of the inputs is the velocity of its unknown or output, and the transposed rows turn forces
+    /// into the efforts of the inputs.
+    ///
+    /// It does not depend on the velocity of the pose, and never divides by it: the position is solved again from the
+    /// unknowns of the pose, and the velocity once for each input.
     ///
     /// # Errors
-    /// Returns the errors of [`solve_position_near`](Self::solve_position_near).
+    /// Returns the errors of `position_near`: the pose is not one of this mechanism, or so close to a singular position
+    /// that rounding decides whether it closes.
+    ///
+    /// ```
+    /// use kin_core::library::FourBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// let linkage: FourBar = FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
+    /// let pose = linkage.solve(Motion::at_constant_speed(1.1, 10.0), Assembly::Open)?;
+    /// let [[theta3], [theta4]] = linkage.jacobian(&pose)?;
+    /// assert!((10.0 * theta3 - pose.theta3.velocity()).abs() < 1e-13);
+    /// assert!((10.0 * theta4 - pose.theta4.velocity()).abs() < 1e-13);
+    /// # Ok::<(), SolveError>(())
+    /// ```
+    fn jacobian(&self, pose: &impl PoseOf<Self>) -> Result<Self::Results<Self::Inputs<Self::Scalar>>, SolveError> {
+        let (inputs, unknowns) = pose.values();
+        self.jacobian_near(inputs, unknowns)
+    }
+
+    /// The rows of the [`jacobian`](Self::jacobian) for unknowns or outputs of these names, with their singular values. A point
+    /// has a row for each of its coordinates.
+    ///
+    /// All of these results must have one dimension, and all inputs must have one: see [`Jacobian`](crate::Jacobian), which
+    /// tells what singular values mean. Along a sweep, [`of_jacobian`](crate::sweep::Sweep::of_jacobian) finds where they
+    /// are smallest.
+    ///
+    /// ```
+    /// use kin_core::library::FiveBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// let robot = FiveBar { ground: 2.0, left: 1.5, left_rod: 2.0, right_rod: 2.0, right: 1.5 };
+    /// let pose = robot.position(2.2, 0.9, Assembly::Open)?;
+    /// // lengths of the hand's way for each radian of the cranks
+    /// let values = robot.jacobian_of(&pose, &["hand"])?.singular_values();
+    /// assert!(values[0] > values[1] && values[1] > 0.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`JacobianError`](crate::JacobianError) for names that no result has, for mixed dimensions, and with the errors of
+    /// [`jacobian`](Self::jacobian).
+    #[cfg(feature = "alloc")]
+    #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
+    fn jacobian_of(&self, pose: &impl PoseOf<Self>, results: &[&str]) -> Result<Jacobian<f64>, JacobianError> {
+        let rows = rows_of(&Self::DESCRIPTION, results)?;
+        let jacobian = self.jacobian(pose)?;
+        let entry = |row: usize, column: usize| jacobian[rows[row]][column].real();
+        Ok(Jacobian::from_fn(rows.len(), Self::DESCRIPTION.inputs.len(), entry))
+    }
+
+    /// The condition of each unknown of a pose, in the unit of the unknown: rounding changes its value by about this times ε, the
+    /// [distance](crate::Number::EPSILON) from 1 to the next number.
+    ///
+    /// The condition is the sum of the first-order changes of the unknown that are caused by changing each of the
+    /// following alone by a part ε of itself: every parameter and every input; the term of every unknown in every
+    /// equation, where the term of an angle is the term of one radian; and the unknown itself. It is calculated in
+    /// double precision for any number type, from the closure at the position and its derivatives alone. This takes one
+    /// evaluation of the closure per parameter, input and unknown, and the factors of a matrix.
+    ///
+    /// The condition is infinite if the Jacobian is singular to all digits. If ε times its square is not small, it is
+    /// only a warning, because the first order is not sufficient there: above about 10⁷ in double precision, next to a
+    /// limit position, only half of the digits are right.
+    ///
+    /// ```
+    /// use kin_core::library::FourBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
+    /// let position = linkage.position(1.0, Assembly::Open)?;
+    /// let [theta3, theta4] = linkage.conditions(&position);
+    /// assert!(theta3 < 10.0 && theta4 < 10.0);
+    ///
+    /// let near_the_limit = linkage.position(1.955, Assembly::Open)?;
+    /// let [_, theta4] = linkage.conditions(&near_the_limit);
+    /// println!("{} ± {:e} rad", near_the_limit.theta4.position(), f64::EPSILON * theta4);
+    /// assert!(theta4 > 1e2);
+    /// # Ok::<(), SolveError>(())
+    /// ```
+    fn conditions(&self, pose: &impl PoseOf<Self>) -> Self::Unknowns<f64> {
+        let (inputs, unknowns) = pose.values();
+        condition::conditions(self, &inputs, &unknowns)
+    }
+
+    /// The largest of the [conditions](Self::conditions), with angles measured in radians, lengths relative to the
+    /// longest length of the mechanism, and plain numbers relative to their own size if that is larger than 1. From 1/ε
+    /// on, no digit of the position is reliable.
+    fn condition(&self, pose: &impl PoseOf<Self>) -> f64 {
+        let (inputs, unknowns) = pose.values();
+        condition::condition(self, &inputs, &unknowns)
+    }
+
+    /// The Jacobian at the position closest to values of the unknowns: a row for each unknown and then for each scalar
+    /// output, with its derivative with respect to each input. [`jacobian`](Self::jacobian) returns that of a pose.
+    ///
+    /// # Errors
+    /// Returns the errors of [`position_near`](Self::position_near).
     fn jacobian_near(
         &self,
         inputs: Self::Inputs<Self::Scalar>,
@@ -338,7 +447,7 @@ pub trait Pose: Copy + Debug {
     fn unknown_motions(&self) -> Self::Unknowns<Self::Motion>;
 
     /// The motions of the unknowns, with the angles that are calculated here on the turns closest to the given values.
-    /// [`solve_motion_near`](Mechanism::solve_motion_near) puts all other angles there.
+    /// [`solve_near`](Mechanism::solve_near) puts all other angles there.
     fn unknown_motions_near(&self, near: Self::Unknowns<Self::Scalar>) -> Self::Unknowns<Self::Motion> {
         let _ = near;
         self.unknown_motions()

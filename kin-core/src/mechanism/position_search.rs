@@ -29,7 +29,7 @@ pub(super) fn by_assembly<M: Mechanism>(
         ..PositionSearch::default()
     };
     for assembly in M::assemblies() {
-        match mechanism.solve_position(inputs, assembly) {
+        match mechanism.position(inputs, assembly) {
             Ok(unknowns) => {
                 search.found += 1;
                 found(assembly, unknowns);

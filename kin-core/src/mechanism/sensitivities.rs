@@ -57,7 +57,7 @@ impl<M: Mechanism> Partials for PartialMotions<M> {
 /// of the parameter and over the n-th power of the unit of time.
 ///
 /// # Errors
-/// The errors of [`Mechanism::solve_motion`] at these inputs and in this assembly.
+/// The errors of [`Mechanism::solve`] at these inputs and in this assembly.
 ///
 /// ```
 /// use kin_core::library::FourBar;
@@ -98,7 +98,7 @@ pub fn sensitivities_of<M: Mechanism<Scalar = f64>>(
             next += 1;
             FirstOrder::from_coefficients([value, if next == place + 1 { 1.0 } else { 0.0 }])
         });
-        let pose = changed.solve_motion(fixed, assembly)?;
+        let pose = changed.solve(fixed, assembly)?;
         let change = |motion: &M::Motion<FirstOrder>| M::Motion::from_fn(|order| motion[order].coefficients()[1]);
         let (unknowns, outputs) = (pose.unknown_motions(), pose.output_motions());
         *partial = PartialMotions {

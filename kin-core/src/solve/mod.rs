@@ -16,12 +16,12 @@
 //! | one unknown and its square | [`quadratic`] | 2, 3, 1, 1 |
 //! | the square of an unknown | [`square_root`] | 0, 0, 0, 1 and a change of sign if crossed |
 //!
-//! If none of them fits a block, [`newton`] solves it, with the triangular factors of [`factor`] for any number of
+//! If none of them fits a block, [`newton()`] solves it, with the triangular factors of [`factor()`] for any number of
 //! unknowns.
 //!
 //! The tests measure these counts by running the functions on numbers that count operations. The functions
 //! [`choose()`], [`check_value`] and [`check_angle`] handle declared ranges. [`square_root_of`],
-//! [`arc_sine`] and similar functions check the domains of functions that are not defined everywhere. [`direction`]
+//! [`arc_sine`] and similar functions check the domains of functions that are not defined everywhere. [`direction()`]
 //! computes the angle of a vector, [`directions`] those of two, and [`on_turn`] moves an angle to the requested turn.
 //! [`regular`] and [`finite`] say whether a solver can continue. Each decision is a [`Check`] with a name, operands and
 //! a margin. [`decisive`] and [`decisive_vector`] serve several poses at once.

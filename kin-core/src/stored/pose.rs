@@ -75,7 +75,7 @@ where
     /// # Errors
     /// The errors of `solve_near`.
     pub fn solve(&self, mechanism: &M) -> Result<M::Pose, SolveError> {
-        mechanism.solve_motion_near(self.inputs.into(), self.near())
+        mechanism.solve_near(self.inputs.into(), self.near())
     }
 }
 

@@ -8,7 +8,7 @@ use super::lenient::{self, Lenient};
 use super::solve_error::Message;
 use crate::failure::SolveError;
 use crate::quantity::Name;
-use crate::track::{Halt, Obstacle, TrackError};
+use crate::track::{TrackError, TrackLimit, TrackStop};
 
 /// The values of a row, of which the unknowns near a pole may overflow.
 struct Values<'a>(&'a [f64]);
@@ -20,7 +20,7 @@ impl Serialize for Values<'_> {
 }
 
 #[derive(serde::Serialize)]
-#[serde(rename = "Obstacle")]
+#[serde(rename = "TrackLimit")]
 struct ObstacleForm<'a> {
     block: Name,
     #[serde(serialize_with = "lenient::serialize")]
@@ -30,7 +30,7 @@ struct ObstacleForm<'a> {
 }
 
 #[derive(serde::Serialize)]
-#[serde(rename = "Halt")]
+#[serde(rename = "TrackStop")]
 struct HaltForm<'a> {
     steps: u32,
     #[serde(serialize_with = "lenient::serialize")]
@@ -58,7 +58,7 @@ struct Form<'a, M: Display> {
     message: Message<M>,
 }
 
-fn obstacle<I: AsRef<[f64]>, U: AsRef<[f64]>>(obstacle: &Obstacle<I, U>) -> ObstacleForm<'_> {
+fn obstacle<I: AsRef<[f64]>, U: AsRef<[f64]>>(obstacle: &TrackLimit<I, U>) -> ObstacleForm<'_> {
     ObstacleForm {
         block: obstacle.block,
         fraction: obstacle.fraction,
@@ -67,7 +67,7 @@ fn obstacle<I: AsRef<[f64]>, U: AsRef<[f64]>>(obstacle: &Obstacle<I, U>) -> Obst
     }
 }
 
-fn halt<I: AsRef<[f64]>, U: AsRef<[f64]>>(halt: &Halt<I, U>) -> HaltForm<'_> {
+fn halt<I: AsRef<[f64]>, U: AsRef<[f64]>>(halt: &TrackStop<I, U>) -> HaltForm<'_> {
     HaltForm {
         steps: halt.steps,
         fraction: halt.fraction,

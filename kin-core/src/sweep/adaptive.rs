@@ -5,14 +5,14 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::columns::Heading;
-use super::course::AnyCourse;
 use super::drive::Drive;
 use super::error::SweepError;
 use super::fill::{outcome, part};
 use super::gaps::Bend;
 use super::table::Table;
+use super::untyped::UntypedSweep;
 use super::walk::Walk;
-use super::{Course, limits};
+use super::{Sweep, limits};
 use crate::any::{AssemblyOver, Of};
 use crate::batch::Outcome;
 use crate::mechanism::Mechanism;
@@ -41,7 +41,7 @@ struct Deviation {
 }
 
 struct Samples<'c> {
-    course: &'c AnyCourse<'c>,
+    sweep: &'c UntypedSweep<'c>,
     width: usize,
     /// Row after row, in the order in which they were solved.
     data: Vec<f64>,
@@ -52,7 +52,7 @@ struct Samples<'c> {
     most: usize,
 }
 
-impl<M: Mechanism<Scalar = f64>, D: Drive> Course<M, D> {
+impl<M: Mechanism<Scalar = f64>, D: Drive> Sweep<M, D> {
     /// The poses as a table with rows where they are needed: the straight lines between them deviate from the curves of all unknowns and
     /// outputs by no more than `tolerance`, as a part of the range of each column. The range is that of the rows of the sweep and of places
     /// between them.
@@ -98,7 +98,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive> Course<M, D> {
     }
 }
 
-impl AnyCourse<'_> {
+impl UntypedSweep<'_> {
     fn adaptive_table(
         &self,
         bends: &dyn AssemblyOver<Bend>,
@@ -119,7 +119,7 @@ impl AnyCourse<'_> {
         }
         let empty = self.empty(0);
         let mut samples = Samples {
-            course: self,
+            sweep: self,
             width: empty.labels.len(),
             data: vec![],
             scales: vec![],
@@ -176,13 +176,13 @@ impl AnyCourse<'_> {
 impl<'c> Samples<'c> {
     /// The next sample behind a walk.
     fn solve(&mut self, walk: &Walk<'c>, at: f64) -> Sample<'c> {
-        let motions = self.course.motions(at);
-        let (walk, result) = walk.stepped(self.course, at, &motions);
+        let motions = self.sweep.motions(at);
+        let (walk, result) = walk.stepped(self.sweep, at, &motions);
         let start = self.data.len();
         self.data.resize(start + self.width, 0.0);
         let row = &mut self.data[start..];
         let reached = walk.last.as_ref().filter(|_| result.is_ok());
-        self.course
+        self.sweep
             .write(at, &motions, reached, |column, value| row[column] = value);
         Sample {
             at,
@@ -235,7 +235,7 @@ impl<'c> Samples<'c> {
         let start = self.data.len();
         let is_edge = left.outcome.is_solved() != right.outcome.is_solved();
         let is_open = !left.outcome.is_solved() && !right.outcome.is_solved();
-        let is_shortest = (right.at - left.at).abs() <= SHORTEST * (self.course.to - self.course.from).abs();
+        let is_shortest = (right.at - left.at).abs() <= SHORTEST * (self.sweep.to - self.sweep.from).abs();
         if is_open || is_shortest {
             return Ok(());
         }
@@ -278,7 +278,7 @@ impl<'c> Samples<'c> {
         SweepError::TooManyRows {
             most,
             at,
-            column: self.course.name_of(worst.column - table.first_input()),
+            column: self.sweep.name_of(worst.column - table.first_input()),
             order: table.labels[worst.column].order,
             deviation: worst.part,
         }

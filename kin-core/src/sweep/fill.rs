@@ -5,15 +5,15 @@ use alloc::vec::Vec;
 use core::mem::take;
 use core::ops::Range;
 
-use super::course::{AnyCourse, SweptMechanism};
 use super::drive::{Drive, Variable};
 use super::error::SweepError;
 use super::footing::Footing;
 use super::gaps::Bend;
 use super::table::Table;
+use super::untyped::{SweptMechanism, UntypedSweep};
 use super::unwrap::unwrap;
 use super::walk::Walk;
-use super::{Course, limits};
+use super::{Sweep, limits};
 use crate::any::{AssemblyOver, Of};
 use crate::batch::{AnyBatch, Column, ColumnChoice, GivenColumns, Outcome, Place, Vectors, WantedColumns};
 use crate::failure::SolveError;
@@ -30,10 +30,10 @@ pub(super) fn part(done: usize, count: usize) -> f64 {
     done as f64 / count as f64
 }
 
-impl<M: Mechanism<Scalar = f64>, D: Drive> Course<M, D> {
+impl<M: Mechanism<Scalar = f64>, D: Drive> Sweep<M, D> {
     /// The poses as a table. See [`Table`] for its columns, and for rows that do not close.
     ///
-    /// Where every block has a closed form, `solve_batch` solves several rows at once.
+    /// Where every block has a closed form, a batch solves several rows at once.
     ///
     /// # Errors
     /// [`SweepError`] if an end of the range or the speed is not finite, if there are no rows or no speed, if a law jumps, or if given columns have
@@ -93,7 +93,7 @@ pub trait TabledMechanism: SweptMechanism + AssemblyOver<Bend> + AnyBatch {}
 
 impl<F: SweptMechanism + AssemblyOver<Bend> + AnyBatch> TabledMechanism for F {}
 
-impl AnyCourse<'_> {
+impl UntypedSweep<'_> {
     pub(crate) fn table(
         &self,
         functions: &dyn TabledMechanism,

@@ -5,8 +5,8 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use num_traits::Float;
 
-use super::course::{AnyCourse, angles};
 use super::drive::Variable;
+use super::untyped::{UntypedSweep, angles};
 use crate::mechanism::Description;
 use crate::number::NumberRow;
 
@@ -42,11 +42,11 @@ pub(crate) struct Footing<'c> {
 
 impl<'c> Footing<'c> {
     /// A pose with the angles that it returns.
-    pub(super) fn new(course: &AnyCourse<'c>, at: f64, numbers: Vec<f64>) -> Self {
-        let orders = course.orders();
+    pub(super) fn new(sweep: &UntypedSweep<'c>, at: f64, numbers: Vec<f64>) -> Self {
+        let orders = sweep.orders();
         // Exact tables give rates by the variable itself, others those by time: so it is the motion of the variable that tells, and not the
         // speed of the sweep.
-        let own = match course.drive.variable() {
+        let own = match sweep.drive.variable() {
             Variable::Input(lead) if orders > 1 => Some(numbers[lead * orders + 1]),
             _ => None,
         };
@@ -54,8 +54,8 @@ impl<'c> Footing<'c> {
             at,
             numbers,
             orders,
-            time: 1.0 / own.unwrap_or_else(|| course.drive.rate()),
-            description: course.description,
+            time: 1.0 / own.unwrap_or_else(|| sweep.drive.rate()),
+            description: sweep.description,
             near: None,
             has_jumped: false,
         }

@@ -10,9 +10,9 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 use core::f64::consts::PI;
 
-use super::course::AnyCourse;
 use super::drive::Variable;
 use super::table::Table;
+use super::untyped::UntypedSweep;
 use crate::any::AssemblyOver;
 use crate::batch::{Kernel, Vectors};
 use crate::mechanism::{Block, Description};
@@ -32,20 +32,20 @@ const SHORTEST: f64 = 1e-9;
 const MOST: usize = 500;
 
 /// The pairs of rows that may have a gap between them, by the rows in front of it.
-pub(super) fn suspects(course: &AnyCourse<'_>, table: &Table) -> Vec<usize> {
+pub(super) fn suspects(sweep: &UntypedSweep<'_>, table: &Table) -> Vec<usize> {
     let rows = 0..table.count.saturating_sub(1);
-    if rows.is_empty() || !course.has_assemblies() {
+    if rows.is_empty() || !sweep.has_assemblies() {
         // coupled blocks are tracked from row to row
         return Vec::new();
     }
-    if course.drive.variable() == Variable::Row {
+    if sweep.drive.variable() == Variable::Row {
         return rows
-            .filter(|row| closes(table, *row) && may_part(course.description, table, *row))
+            .filter(|row| closes(table, *row) && may_part(sweep.description, table, *row))
             .collect();
     }
-    let (description, orders) = (course.description, course.orders());
-    let time = match course.drive.variable() {
-        Variable::Input(lead) if orders > 1 => 1.0 / course.motions(course.from)[lead * orders + 1],
+    let (description, orders) = (sweep.description, sweep.orders());
+    let time = match sweep.drive.variable() {
+        Variable::Input(lead) if orders > 1 => 1.0 / sweep.motions(sweep.from)[lead * orders + 1],
         _ => 1.0,
     };
     if orders < 3 || !time.is_finite() {
@@ -169,16 +169,16 @@ fn closes(table: &Table, row: usize) -> bool {
 
 /// A place between two rows that does not close, if there is one.
 pub(super) fn open_place(
-    course: &AnyCourse<'_>,
+    sweep: &UntypedSweep<'_>,
     bends: &dyn AssemblyOver<Bend>,
     [start, end]: [f64; 2],
 ) -> Option<f64> {
-    let (from, to) = (course.inputs(start), course.inputs(end));
+    let (from, to) = (sweep.inputs(start), sweep.inputs(end));
     let mut search = Search {
-        course,
+        sweep,
         bends,
-        assembly: course.assembly.index()?,
-        parameters: course.parameters.iter().copied().map(Bend::constant).collect(),
+        assembly: sweep.assembly.index()?,
+        parameters: sweep.parameters.iter().copied().map(Bend::constant).collect(),
         slopes: NumberRow::from_fn(from.len(), |input| (to[input] - from[input]) / (end - start)),
         shortest: SHORTEST * (end - start).abs(),
         budget: MOST,
@@ -188,7 +188,7 @@ pub(super) fn open_place(
 }
 
 struct Search<'c> {
-    course: &'c AnyCourse<'c>,
+    sweep: &'c UntypedSweep<'c>,
     bends: &'c dyn AssemblyOver<Bend>,
     assembly: usize,
     parameters: Vec<Bend>,
@@ -202,12 +202,12 @@ impl Search<'_> {
     /// The unknowns with their derivatives with respect to the variable, or nothing where the mechanism does not close.
     fn bends(&mut self, at: f64) -> Option<Vec<Bend>> {
         self.budget = self.budget.saturating_sub(1);
-        let values = self.course.inputs(at);
+        let values = self.sweep.inputs(at);
         let moving = values.iter().zip(self.slopes.iter());
         let inputs: Vec<Bend> = moving
             .map(|(value, slope)| Bend::from_coefficients([*value, *slope, 0.0]))
             .collect();
-        let mut unknowns = vec![Bend::constant(0.0); self.course.description.unknowns.len()];
+        let mut unknowns = vec![Bend::constant(0.0); self.sweep.description.unknowns.len()];
         let found = self
             .bends
             .position_of_assembly(&self.parameters, &inputs, self.assembly, &mut unknowns);

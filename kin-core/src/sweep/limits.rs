@@ -4,10 +4,10 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
 
-use super::course::AnyCourse;
 use super::drive::Variable;
 use super::gaps::{self, Bend};
 use super::table::Table;
+use super::untyped::UntypedSweep;
 use crate::any::AssemblyOver;
 use crate::curve::LimitKind;
 use crate::number::NumberRow;
@@ -51,18 +51,18 @@ impl fmt::Display for Limit {
 }
 
 /// The limit between a place that closes, with its unknowns, and one that does not.
-pub(crate) fn between(course: &AnyCourse<'_>, closed: f64, unknowns: &[f64], open: f64) -> Option<Limit> {
-    let (from, to) = (course.inputs(closed), course.inputs(open));
-    let error = track_between(course.mechanism, &course.parameters, &from, unknowns, &to).err()?;
+pub(crate) fn between(sweep: &UntypedSweep<'_>, closed: f64, unknowns: &[f64], open: f64) -> Option<Limit> {
+    let (from, to) = (sweep.inputs(closed), sweep.inputs(open));
+    let error = track_between(sweep.mechanism, &sweep.parameters, &from, unknowns, &to).err()?;
     let limit = |kind, block, place: &[f64], fraction, unknowns| Limit {
-        at: place_of(course, (closed, &from), (open, &to), place, fraction),
+        at: place_of(sweep, (closed, &from), (open, &to), place, fraction),
         kind,
         row: 0,
         closes_before: closed < open,
         block,
         inputs: place.to_vec(),
         unknowns,
-        variable: course.variable_name(),
+        variable: sweep.variable_name(),
     };
     if let TrackError::Failed(failure) = error {
         // the first place beyond: found by the inputs that the error keeps
@@ -70,7 +70,7 @@ pub(crate) fn between(course: &AnyCourse<'_>, closed: f64, unknowns: &[f64], ope
         for (input, (_, value)) in failure.inputs.iter().enumerate() {
             place[input] = value;
         }
-        let unknowns = inside(course, &from, unknowns, &place);
+        let unknowns = inside(sweep, &from, unknowns, &place);
         return Some(limit(LimitKind::End, failure.block, &place, None, unknowns));
     }
     let (kind, obstacle) = error.limit()?;
@@ -82,10 +82,10 @@ pub(crate) fn between(course: &AnyCourse<'_>, closed: f64, unknowns: &[f64], ope
 const INSIDE: [f64; 3] = [1e-12, 1e-9, 1e-6];
 
 /// The unknowns as close to an end of a range as the mechanism closes, from a place that closes.
-fn inside(course: &AnyCourse<'_>, from: &[f64], unknowns: &[f64], end: &[f64]) -> Vec<f64> {
+fn inside(sweep: &UntypedSweep<'_>, from: &[f64], unknowns: &[f64], end: &[f64]) -> Vec<f64> {
     let at = |part: f64| NumberRow::from_fn(end.len(), |input| end[input] - part * (end[input] - from[input]));
     let track = |part: &f64| {
-        let found = track_between(course.mechanism, &course.parameters, from, unknowns, &at(*part));
+        let found = track_between(sweep.mechanism, &sweep.parameters, from, unknowns, &at(*part));
         found.ok()
     };
     let found = INSIDE.iter().find_map(track);
@@ -97,13 +97,13 @@ const HALVINGS: usize = 128;
 
 /// The value of the variable at which the inputs are at a place between two others.
 fn place_of(
-    course: &AnyCourse<'_>,
+    sweep: &UntypedSweep<'_>,
     (closed, from): (f64, &[f64]),
     (open, to): (f64, &[f64]),
     place: &[f64],
     fraction: Option<f64>,
 ) -> f64 {
-    match course.drive.variable() {
+    match sweep.drive.variable() {
         Variable::Input(lead) => place[lead],
         Variable::Row => closed + fraction.unwrap_or(1.0) * (open - closed),
         Variable::Time => {
@@ -111,9 +111,9 @@ fn place_of(
             let (only, more) = (movers.next(), movers.next());
             let is_before = |at: f64| {
                 if let (Some(input), None) = (only, more) {
-                    return (course.inputs(at)[input] - from[input]).abs() < (place[input] - from[input]).abs();
+                    return (sweep.inputs(at)[input] - from[input]).abs() < (place[input] - from[input]).abs();
                 }
-                course.closes(at)
+                sweep.closes(at)
             };
             let (mut low, mut high) = (closed, open);
             for _ in 0..HALVINGS {
@@ -134,13 +134,13 @@ fn place_of(
 
 /// Finds the limits between the rows of a table. `jumps` are the rows behind which an angle jumps.
 pub(super) fn find(
-    course: &AnyCourse<'_>,
+    sweep: &UntypedSweep<'_>,
     bends: &dyn AssemblyOver<Bend>,
     table: &mut Table,
     is_closed: bool,
     jumps: &[usize],
 ) {
-    let mut suspects = gaps::suspects(course, table);
+    let mut suspects = gaps::suspects(sweep, table);
     suspects.extend(jumps);
     suspects.sort_unstable();
     suspects.dedup();
@@ -148,8 +148,8 @@ pub(super) fn find(
         return;
     }
     let mut suspects = suspects.into_iter().peekable();
-    let (first, orders) = (table.first_unknown(course.description), course.orders());
-    let count = course.description.unknowns.len();
+    let (first, orders) = (table.first_unknown(sweep.description), sweep.orders());
+    let count = sweep.description.unknowns.len();
     let unknowns =
         |table: &Table, row: usize| NumberRow::from_fn(count, |unknown| table.values(first + unknown * orders)[row]);
     for row in 0..table.count.saturating_sub(1) {
@@ -159,7 +159,7 @@ pub(super) fn find(
         let sides = match [row, row + 1].map(|row| table.outcomes[row].is_solved()) {
             [true, false] => [Some((row, end)), None],
             [false, true] => [None, Some((row + 1, start))],
-            [true, true] if is_suspect => match gaps::open_place(course, bends, [start, end]) {
+            [true, true] if is_suspect => match gaps::open_place(sweep, bends, [start, end]) {
                 Some(open) => [Some((row, open)), Some((row + 1, open))],
                 // where branches cross or a length goes to infinity, both rows may close and nothing lies between them
                 None => [Some((row, end)), None],
@@ -168,7 +168,7 @@ pub(super) fn find(
         };
         for (closed, open) in sides.into_iter().flatten() {
             let place = table.values(table.variable)[closed];
-            if let Some(mut limit) = between(course, place, &unknowns(table, closed), open) {
+            if let Some(mut limit) = between(sweep, place, &unknowns(table, closed), open) {
                 limit.row = row;
                 limit.closes_before = closed == row;
                 table.limits.push(limit);

@@ -40,7 +40,6 @@
 
 mod adaptive;
 mod columns;
-mod course;
 mod display;
 mod drive;
 mod error;
@@ -58,13 +57,11 @@ mod smooth;
 mod table;
 #[cfg(test)]
 mod tests;
+mod untyped;
 mod unwrap;
 mod walk;
 
 pub use columns::{ColumnOf, Label, Unit};
-#[doc(hidden)]
-pub use course::SweptMechanism;
-pub(crate) use course::{AnyCourse, joints};
 #[doc(hidden)]
 pub use drive::READ;
 pub use drive::{
@@ -72,6 +69,7 @@ pub use drive::{
 };
 pub(crate) use drive::{TERMS, by_time, write_steady};
 pub use error::SweepError;
+#[doc(hidden)]
 pub use fill::TabledMechanism;
 pub(crate) use footing::Footing;
 pub use limits::Limit;
@@ -80,6 +78,9 @@ pub use names::NoSuchColumn;
 pub use rows::Rows;
 pub(crate) use smooth::composed;
 pub use table::{RowOf, Table};
+#[doc(hidden)]
+pub use untyped::SweptMechanism;
+pub(crate) use untyped::{UntypedSweep, joints};
 pub(crate) use walk::Walk;
 
 use crate::batch::Column;
@@ -89,7 +90,7 @@ use crate::mechanism::{Mechanism, OneInput};
 use crate::number::{ClosedRange, Row};
 
 /// The first word of a sweep, for every mechanism.
-pub trait Sweep: Mechanism<Scalar = f64> {
+pub trait Swept: Mechanism<Scalar = f64> {
     /// A sweep of this mechanism in an assembly. The next word says how its inputs move.
     ///
     /// For a mechanism with coupled blocks, the assembly is [`Near`](crate::Near) values of the unknowns at the first row. A mechanism with
@@ -102,7 +103,7 @@ pub trait Sweep: Mechanism<Scalar = f64> {
     }
 }
 
-impl<M: Mechanism<Scalar = f64>> Sweep for M {}
+impl<M: Mechanism<Scalar = f64>> Swept for M {}
 
 /// A mechanism in an assembly, of which a sweep is wanted.
 #[derive(Clone, Copy, Debug)]
@@ -115,7 +116,7 @@ pub struct Assembled<M: Mechanism<Scalar = f64>> {
 /// A sweep: a mechanism in an assembly, whose inputs move.
 #[derive(Clone, Debug)]
 #[must_use = "read its `rows` or its `table`"]
-pub struct Course<M: Mechanism<Scalar = f64>, D> {
+pub struct Sweep<M: Mechanism<Scalar = f64>, D> {
     pub(crate) mechanism: M,
     pub(crate) assembly: M::Assembly,
     pub(crate) drive: D,
@@ -125,9 +126,9 @@ pub struct Course<M: Mechanism<Scalar = f64>, D> {
 }
 
 impl<M: Mechanism<Scalar = f64>> Assembled<M> {
-    fn course<D>(self, drive: D, range: impl ClosedRange, count: usize) -> Course<M, D> {
+    fn sweep<D>(self, drive: D, range: impl ClosedRange, count: usize) -> Sweep<M, D> {
         let [from, to] = range.ends();
-        Course {
+        Sweep {
             mechanism: self.mechanism,
             assembly: self.assembly,
             drive,
@@ -140,9 +141,9 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     /// Over a range of the only input, in a number of rows at equal distances; the first and the last stand at the ends of the range. The
     /// range may run downwards, and the input then moves downwards in time.
     ///
-    /// The speed is 1 unless [`speed`](Course::speed) tells another one, so that rates are per unit of the way. A mechanism of several
+    /// The speed is 1 unless [`speed`](Sweep::speed) tells another one, so that rates are per unit of the way. A mechanism of several
     /// inputs takes [`between`](Self::between).
-    pub fn over(self, range: impl ClosedRange, rows: usize) -> Course<M, StraightLine>
+    pub fn over(self, range: impl ClosedRange, rows: usize) -> Sweep<M, StraightLine>
     where
         M::Inputs<f64>: OneInput,
     {
@@ -164,10 +165,10 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     /// assert_eq!(table.column("beta_velocity")?[0], -3.0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn between(self, from: M::Inputs<f64>, to: M::Inputs<f64>, rows: usize) -> Course<M, StraightLine> {
+    pub fn between(self, from: M::Inputs<f64>, to: M::Inputs<f64>, rows: usize) -> Sweep<M, StraightLine> {
         let line = StraightLine::new(from.as_ref(), to.as_ref());
         let range = line.range();
-        self.course(line, range[0]..=range[1], rows)
+        self.sweep(line, range[0]..=range[1], rows)
     }
 
     /// Over a range of the time, with a function that gives the motion of every input: an array of what `solve` takes.
@@ -190,8 +191,8 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
         range: impl ClosedRange,
         rows: usize,
         motions: impl Fn(f64) -> InputMotions<M, f64> + 'f,
-    ) -> Course<M, OverTime<'f>> {
-        self.course(OverTime::new::<M>(motions), range, rows)
+    ) -> Sweep<M, OverTime<'f>> {
+        self.sweep(OverTime::new::<M>(motions), range, rows)
     }
 
     /// Over a range of the time, with a formula that gives the value of every input. It is calculated in numbers that carry their
@@ -213,8 +214,8 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
         range: impl ClosedRange,
         rows: usize,
         formula: impl Fn(Instant) -> M::Inputs<Instant> + 'f,
-    ) -> Course<M, ByFormula<'f>> {
-        self.course(ByFormula::new::<M>(formula), range, rows)
+    ) -> Sweep<M, ByFormula<'f>> {
+        self.sweep(ByFormula::new::<M>(formula), range, rows)
     }
 
     /// Over a range of the time, with a [motion law](crate::law) for each input, in brackets. A law whose value jumps inside of the range
@@ -237,27 +238,27 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
         laws: M::Inputs<&dyn Piecewise<f64>>,
         range: impl ClosedRange,
         rows: usize,
-    ) -> Course<M, Laws<'_>> {
-        self.course(
+    ) -> Sweep<M, Laws<'_>> {
+        self.sweep(
             Laws::new(laws.as_ref(), InputNames::Declared(M::DESCRIPTION.inputs)),
             range,
             rows,
         )
     }
 
-    /// Along columns: one for each order of each input, as `solve_batch` takes them. The number of rows is the length of the first column
+    /// Along columns: one for each order of each input, as a [batch](crate::batch) takes them. The number of rows is the length of the first column
     /// that has one.
     ///
     /// Limits between two rows are those on the straight line between their inputs, and their places are parts of the way from one row to the next.
     #[expect(clippy::cast_precision_loss, reason = "a table has far fewer rows than 2⁵³")]
-    pub fn along(self, columns: InputMotions<M, Column<'_>>) -> Course<M, Along<'_>> {
+    pub fn along(self, columns: InputMotions<M, Column<'_>>) -> Sweep<M, Along<'_>> {
         let along = Along::new::<M>(&columns);
         let count = along.count();
-        self.course(along, 0.0..=count.saturating_sub(1) as f64, count)
+        self.sweep(along, 0.0..=count.saturating_sub(1) as f64, count)
     }
 }
 
-impl<M: Mechanism<Scalar = f64>> Course<M, StraightLine> {
+impl<M: Mechanism<Scalar = f64>> Sweep<M, StraightLine> {
     /// The speed of the input, or of the first input that moves, in the direction of the range: over a range that runs downwards, its velocity
     /// is negative. A negative speed moves against the range, so that the last row is the first one in time.
     ///
@@ -276,7 +277,7 @@ impl<M: Mechanism<Scalar = f64>> Course<M, StraightLine> {
     }
 }
 
-impl<M: Mechanism<Scalar = f64>, D: Drive> Course<M, D> {
+impl<M: Mechanism<Scalar = f64>, D: Drive> Sweep<M, D> {
     /// The number of rows.
     #[must_use]
     pub fn count(&self) -> usize {

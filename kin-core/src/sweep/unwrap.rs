@@ -8,9 +8,9 @@ use core::f64::consts::TAU;
 
 use num_traits::Float;
 
-use super::course::{AnyCourse, angles};
 use super::footing::{Footing, LONGEST, LONGEST_PREDICTION, PREDICTION, WITHOUT_RATES};
 use super::table::Table;
+use super::untyped::{UntypedSweep, angles};
 use super::walk::Walk;
 use crate::batch::{Kernel, Vectors};
 use crate::mechanism::Description;
@@ -21,13 +21,13 @@ use crate::quantity::Quantity;
 const DEPENDENCE: f64 = 1e-9;
 
 /// Unwraps all angles of a table, and writes again what depends on them. It returns the rows behind which an angle jumps.
-pub(super) fn unwrap(course: &AnyCourse<'_>, table: &mut Table) -> Vec<usize> {
+pub(super) fn unwrap(sweep: &UntypedSweep<'_>, table: &mut Table) -> Vec<usize> {
     let columns = AngleColumns {
-        description: course.description,
+        description: sweep.description,
         first_input: table.first_input(),
-        first_unknown: table.first_unknown(course.description),
-        orders: course.orders(),
-        time: 1.0 / course.drive.rate(),
+        first_unknown: table.first_unknown(sweep.description),
+        orders: sweep.orders(),
+        time: 1.0 / sweep.drive.rate(),
     };
     if columns.are_continuous(table) {
         return Vec::new();
@@ -50,7 +50,7 @@ pub(super) fn unwrap(course: &AnyCourse<'_>, table: &mut Table) -> Vec<usize> {
                 open,
                 ..Walk::BEGINNING
             };
-            if let Ok(reached) = walk.step(course, solved.at, &course.motions(solved.at)) {
+            if let Ok(reached) = walk.step(sweep, solved.at, &sweep.motions(solved.at)) {
                 if reached.has_jumped && table.outcomes[row - 1].is_solved() {
                     jumps.push(row - 1);
                 }

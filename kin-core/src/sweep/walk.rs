@@ -10,8 +10,8 @@ use core::mem::take;
 
 use num_traits::Float;
 
-use super::course::{AnyCourse, angles};
 use super::footing::{Footing, LONGEST};
+use super::untyped::{UntypedSweep, angles};
 use crate::failure::{Failure, InputValues, SolveError};
 use crate::number::NumberRow;
 use crate::quantity::{Name, NameKind};
@@ -63,25 +63,25 @@ impl<'c> Walk<'c> {
     /// Where an input turns far, the walk looks for gaps on the way.
     pub(crate) fn step(
         &mut self,
-        course: &AnyCourse<'c>,
+        sweep: &UntypedSweep<'c>,
         at: f64,
         motions: &[f64],
     ) -> Result<&Footing<'c>, SolveError> {
-        let (from, steps) = self.steps(course, motions);
+        let (from, steps) = self.steps(sweep, motions);
         let mut step = 1.0;
         while step < steps {
             let way = from + (at - from) * (step / steps);
-            let _ = self.hop(course, way, &course.motions(way));
+            let _ = self.hop(sweep, way, &sweep.motions(way));
             step += 1.0;
         }
-        self.hop(course, at, motions)
+        self.hop(sweep, at, motions)
     }
 
     /// The walk that is one [`step`](Self::step) further, and whether the mechanism closes there.
-    pub(crate) fn stepped(&self, course: &AnyCourse<'c>, at: f64, motions: &[f64]) -> (Self, Result<(), SolveError>) {
-        if self.steps(course, motions).1 > 1.0 {
+    pub(crate) fn stepped(&self, sweep: &UntypedSweep<'c>, at: f64, motions: &[f64]) -> (Self, Result<(), SolveError>) {
+        if self.steps(sweep, motions).1 > 1.0 {
             let mut walk = self.clone();
-            let result = walk.step(course, at, motions).map(|_| ());
+            let result = walk.step(sweep, at, motions).map(|_| ());
             return (walk, result);
         }
         let mut walk = Self {
@@ -89,7 +89,7 @@ impl<'c> Walk<'c> {
             gap: self.gap.clone(),
             ..Self::BEGINNING
         };
-        let result = match walk.reach(course, self.last.as_ref(), at, motions) {
+        let result = match walk.reach(sweep, self.last.as_ref(), at, motions) {
             Ok(reached) => {
                 (walk.last, walk.open) = (Some(reached), None);
                 Ok(())
@@ -103,20 +103,20 @@ impl<'c> Walk<'c> {
     }
 
     /// Where the walk has come, whether or not the mechanism closes there, and the number of steps in which no input turns far.
-    fn steps(&self, course: &AnyCourse<'c>, motions: &[f64]) -> (f64, f64) {
+    fn steps(&self, sweep: &UntypedSweep<'c>, motions: &[f64]) -> (f64, f64) {
         let from = match (self.open, &self.last) {
             (None, None) => return (0.0, 1.0),
-            (None, Some(last)) if last.is_near(motions, course.orders()) => return (last.at, 1.0),
+            (None, Some(last)) if last.is_near(motions, sweep.orders()) => return (last.at, 1.0),
             (None, Some(last)) => last.at,
             (Some(open), _) => open,
         };
-        let way = longest_way(course, &course.inputs(from), motions);
+        let way = longest_way(sweep, &sweep.inputs(from), motions);
         (from, Float::ceil(way / LONGEST))
     }
 
-    fn hop(&mut self, course: &AnyCourse<'c>, at: f64, motions: &[f64]) -> Result<&Footing<'c>, SolveError> {
+    fn hop(&mut self, sweep: &UntypedSweep<'c>, at: f64, motions: &[f64]) -> Result<&Footing<'c>, SolveError> {
         let last = self.last.take();
-        match self.reach(course, last.as_ref(), at, motions) {
+        match self.reach(sweep, last.as_ref(), at, motions) {
             Ok(reached) => {
                 self.open = None;
                 self.spare = last.map(|last| last.numbers).unwrap_or_default();
@@ -131,46 +131,46 @@ impl<'c> Walk<'c> {
 
     fn reach(
         &mut self,
-        course: &AnyCourse<'c>,
+        sweep: &UntypedSweep<'c>,
         last: Option<&Footing<'c>>,
         at: f64,
         motions: &[f64],
     ) -> Result<Footing<'c>, SolveError> {
         let Some(last) = last else {
-            return self.begin(course, at, motions);
+            return self.begin(sweep, at, motions);
         };
         let mut budget = MOST;
         match self.open {
-            Some(open) if course.has_assemblies() => self.across(course, last, open, at, motions, &mut budget),
-            _ => self.advance(course, last, at, motions, &mut budget),
+            Some(open) if sweep.has_assemblies() => self.across(sweep, last, open, at, motions, &mut budget),
+            _ => self.advance(sweep, last, at, motions, &mut budget),
         }
     }
 
     /// The pose in the assembly of the sweep, with the angles that it returns.
-    fn solved(&mut self, course: &AnyCourse<'c>, at: f64, motions: &[f64]) -> Result<Footing<'c>, SolveError> {
+    fn solved(&mut self, sweep: &UntypedSweep<'c>, at: f64, motions: &[f64]) -> Result<Footing<'c>, SolveError> {
         let numbers = match self.known.take_if(|(known, _)| *known == at) {
             Some((_, numbers)) => numbers,
-            None => course.solved(motions, take(&mut self.spare))?,
+            None => sweep.solved(motions, take(&mut self.spare))?,
         };
-        Ok(Footing::new(course, at, numbers))
+        Ok(Footing::new(sweep, at, numbers))
     }
 
     /// The first pose. If the mechanism did not close before, its angles follow from those where it begins to close.
-    fn begin(&mut self, course: &AnyCourse<'c>, at: f64, motions: &[f64]) -> Result<Footing<'c>, SolveError> {
-        let reached = self.solved(course, at, motions)?;
-        let Some(open) = self.open.filter(|_| course.has_assemblies()) else {
+    fn begin(&mut self, sweep: &UntypedSweep<'c>, at: f64, motions: &[f64]) -> Result<Footing<'c>, SolveError> {
+        let reached = self.solved(sweep, at, motions)?;
+        let Some(open) = self.open.filter(|_| sweep.has_assemblies()) else {
             return Ok(reached);
         };
-        let first = course.edge(at, open);
-        let beginning = self.solved(course, first, &course.motions(first))?;
+        let first = sweep.edge(at, open);
+        let beginning = self.solved(sweep, first, &sweep.motions(first))?;
         let mut budget = MOST;
-        self.advance(course, &beginning, at, motions, &mut budget)
+        self.advance(sweep, &beginning, at, motions, &mut budget)
     }
 
     /// The pose behind a gap. Each angle at the far edge of the gap is on the turn nearest to that at its near edge.
     fn across(
         &mut self,
-        course: &AnyCourse<'c>,
+        sweep: &UntypedSweep<'c>,
         from: &Footing<'c>,
         open: f64,
         at: f64,
@@ -178,27 +178,27 @@ impl<'c> Walk<'c> {
         budget: &mut usize,
     ) -> Result<Footing<'c>, SolveError> {
         // the most likely failure first
-        self.solved(course, at, motions)?;
-        let near = course.edge(from.at, open);
-        let near = self.advance(course, from, near, &course.motions(near), budget);
+        self.solved(sweep, at, motions)?;
+        let near = sweep.edge(from.at, open);
+        let near = self.advance(sweep, from, near, &sweep.motions(near), budget);
         let near = near.unwrap_or_else(|_| from.clone()).without_rates();
-        let far = course.edge(at, open);
-        let beyond = course.motions(far);
-        let far = self.solved(course, far, &beyond)?;
-        let (far, _) = unwrapped(course, far, &beyond, &near);
-        self.advance(course, &far, at, motions, budget)
+        let far = sweep.edge(at, open);
+        let beyond = sweep.motions(far);
+        let far = self.solved(sweep, far, &beyond)?;
+        let (far, _) = unwrapped(sweep, far, &beyond, &near);
+        self.advance(sweep, &far, at, motions, budget)
     }
 
     /// The pose that follows from another one, by steps short enough to unwrap every angle.
     fn advance(
         &mut self,
-        course: &AnyCourse<'c>,
+        sweep: &UntypedSweep<'c>,
         from: &Footing<'c>,
         at: f64,
         motions: &[f64],
         budget: &mut usize,
     ) -> Result<Footing<'c>, SolveError> {
-        let (mut reached, follows) = self.leap(course, from, at, motions)?;
+        let (mut reached, follows) = self.leap(sweep, from, at, motions)?;
         let middle = f64::midpoint(from.at, at);
         if follows && reached.inputs_follow(from) {
             return Ok(reached);
@@ -208,43 +208,43 @@ impl<'c> Walk<'c> {
             return Ok(reached);
         }
         *budget -= 1;
-        match self.advance(course, from, middle, &course.motions(middle), budget) {
+        match self.advance(sweep, from, middle, &sweep.motions(middle), budget) {
             Ok(between) => {
-                let mut reached = self.advance(course, &between, at, motions, budget)?;
+                let mut reached = self.advance(sweep, &between, at, motions, budget)?;
                 reached.has_jumped |= between.has_jumped;
                 Ok(reached)
             }
-            Err(error) if !course.has_assemblies() => Err(error),
-            Err(_) => self.across(course, from, middle, at, motions, budget),
+            Err(error) if !sweep.has_assemblies() => Err(error),
+            Err(_) => self.across(sweep, from, middle, at, motions, budget),
         }
     }
 
     /// The pose that follows from another one by a single step, and whether the angles of its results do.
     fn leap(
         &mut self,
-        course: &AnyCourse<'c>,
+        sweep: &UntypedSweep<'c>,
         from: &Footing<'c>,
         at: f64,
         motions: &[f64],
     ) -> Result<(Footing<'c>, bool), SolveError> {
-        if course.has_assemblies() {
-            let reached = self.solved(course, at, motions)?;
-            return Ok(unwrapped(course, reached, motions, from));
+        if sweep.has_assemblies() {
+            let reached = self.solved(sweep, at, motions)?;
+            return Ok(unwrapped(sweep, reached, motions, from));
         }
-        let inputs = course.values(motions);
+        let inputs = sweep.values(motions);
         if let Some(gap) = &self.gap {
-            return Err(beyond(course, gap, &inputs));
+            return Err(beyond(sweep, gap, &inputs));
         }
         let start = from.inputs();
         let near = from.unknowns();
-        let found = track_between(course.mechanism, &course.parameters, &start, &near, &inputs);
+        let found = track_between(sweep.mechanism, &sweep.parameters, &start, &near, &inputs);
         let unknowns = found.map_err(|error| {
-            let (gap, failure) = stopped(course, &error, start, &inputs);
+            let (gap, failure) = stopped(sweep, &error, start, &inputs);
             self.gap = Some(Rc::new(gap));
             failure
         })?;
-        let numbers = course.solved_near(motions, &unknowns, take(&mut self.spare))?;
-        let mut reached = Footing::new(course, at, numbers);
+        let numbers = sweep.solved_near(motions, &unknowns, take(&mut self.spare))?;
+        let mut reached = Footing::new(sweep, at, numbers);
         reached.set_unknowns(&unknowns);
         let follows = reached.unknowns_follow(from) & reached.unwrap_outputs(from).follows;
         reached.near = Some(unknowns);
@@ -254,7 +254,7 @@ impl<'c> Walk<'c> {
 
 /// The same pose with the angles that follow from those of another one, and whether the turns of all of them are certain.
 fn unwrapped<'c>(
-    course: &AnyCourse<'c>,
+    sweep: &UntypedSweep<'c>,
     mut reached: Footing<'c>,
     motions: &[f64],
     from: &Footing<'c>,
@@ -263,17 +263,17 @@ fn unwrapped<'c>(
     if unknowns.has_moved {
         // What depends on an angle itself, as the position of a rack does, depends on its turn.
         let near = reached.near(from);
-        if let Ok(numbers) = course.solved_near(motions, &near, Vec::new()) {
-            let mut turned = Footing::new(course, reached.at, numbers);
+        if let Ok(numbers) = sweep.solved_near(motions, &near, Vec::new()) {
+            let mut turned = Footing::new(sweep, reached.at, numbers);
             let turns = turned.unwrap_unknowns(from);
             // Where two assemblies meet, the solver may return the other one. Within a loop, a gear of half the speed exchanges their names:
             // only a short step that both rates predict well tells the two cases apart.
             let continues = turns.is_sure && turned.inputs_follow(from);
-            let inputs = course.values(motions);
-            let own = course
+            let inputs = sweep.values(motions);
+            let own = sweep
                 .mechanism
-                .assembly_near(&course.parameters, &inputs, &turned.unknowns());
-            if own == course.assembly.index() || (continues && !unknowns.follows) {
+                .assembly_at(&sweep.parameters, &inputs, &turned.unknowns());
+            if own == sweep.assembly.index() || (continues && !unknowns.follows) {
                 turned.near = Some(near);
                 (reached, unknowns) = (turned, turns);
             }
@@ -284,20 +284,20 @@ fn unwrapped<'c>(
 }
 
 /// The largest change of an angle that is an input.
-fn longest_way(course: &AnyCourse<'_>, from: &[f64], motions: &[f64]) -> f64 {
-    let orders = course.orders();
-    let ways = angles(course.description.inputs).map(|input| (motions[input * orders] - from[input]).abs());
+fn longest_way(sweep: &UntypedSweep<'_>, from: &[f64], motions: &[f64]) -> f64 {
+    let orders = sweep.orders();
+    let ways = angles(sweep.description.inputs).map(|input| (motions[input * orders] - from[input]).abs());
     ways.fold(0.0, f64::max)
 }
 
 /// The place where a track has stopped, and the error of the row behind it.
 fn stopped(
-    course: &AnyCourse<'_>,
+    sweep: &UntypedSweep<'_>,
     error: &TrackError<Vec<f64>, Vec<f64>>,
     from: NumberRow,
     inputs: &[f64],
 ) -> (Gap, SolveError) {
-    let last = course.description.blocks.len().saturating_sub(1);
+    let last = sweep.description.blocks.len().saturating_sub(1);
     match error {
         TrackError::TurningPoint(obstacle) | TrackError::ChangePoint(obstacle) | TrackError::Pole(obstacle) => {
             let gap = Gap {
@@ -305,26 +305,26 @@ fn stopped(
                 inputs: obstacle.inputs.as_slice().into(),
                 lost: None,
             };
-            let failure = beyond(course, &gap, inputs);
+            let failure = beyond(sweep, &gap, inputs);
             (gap, failure)
         }
-        TrackError::TooManySteps(halt) | TrackError::Lost(halt) => {
-            let mut residuals = NumberRow::splat(halt.unknowns.len(), 0.0);
-            course
+        TrackError::TooManySteps(stop) | TrackError::Lost(stop) => {
+            let mut residuals = NumberRow::splat(stop.unknowns.len(), 0.0);
+            sweep
                 .mechanism
-                .residuals(&course.parameters, inputs, &halt.unknowns, &mut residuals);
+                .closure(&sweep.parameters, inputs, &stop.unknowns, &mut residuals);
             let largest = |largest: f64, residual: &f64| largest.max(residual.abs());
             let gap = Gap {
-                block: course.mechanism.name(NameKind::Block, last),
-                inputs: halt.inputs.as_slice().into(),
+                block: sweep.mechanism.name(NameKind::Block, last),
+                inputs: stop.inputs.as_slice().into(),
                 lost: Some(Failure::NotConverged {
                     residual: residuals.iter().fold(0.0, largest),
-                    iterations: halt.steps,
+                    iterations: stop.steps,
                     // a tracker has many Jacobians
                     condition: f64::NAN,
                 }),
             };
-            let failure = beyond(course, &gap, inputs);
+            let failure = beyond(sweep, &gap, inputs);
             (gap, failure)
         }
         TrackError::Failed(failure) => {
@@ -343,9 +343,9 @@ fn stopped(
 }
 
 /// The error of a row beyond the end of its circuit. Its margin is the distance of the inputs to that end, unless the end is not known.
-fn beyond(course: &AnyCourse<'_>, gap: &Gap, inputs: &[f64]) -> SolveError {
+fn beyond(sweep: &UntypedSweep<'_>, gap: &Gap, inputs: &[f64]) -> SolveError {
     let ways = inputs.iter().zip(gap.inputs.iter());
     let distance = ways.fold(0.0, |distance: f64, (input, end)| distance.max((input - end).abs()));
     let failure = gap.lost.unwrap_or(Failure::OutOfReach { margin: -distance });
-    failure.at(gap.block, InputValues::of(course.mechanism.input_names(), inputs))
+    failure.at(gap.block, InputValues::of(sweep.mechanism.input_names(), inputs))
 }

@@ -3,7 +3,8 @@
 //! A [`Tape`] is the solver of a mechanism as straight-line code. It is recorded by solving with a number that writes down what is
 //! done with it, so it does what `solve` does, operation by operation. The choice between assemblies is an argument, and so are the
 //! dimensions, unless they are folded in. A decision of the solver is a [`TapeCheck`] with its margin, a block without a closed form is a
-//! [`NewtonSearch`], and a matrix whose pivots are chosen at run time is a [`System`].
+//! [`NewtonSearch`], and a matrix whose pivots are chosen at run time is a [`System`]. Who prints another language reads the
+//! [`structure`] of a tape.
 //!
 //! ```
 //! use kin_core::library::SliderCrank;
@@ -32,7 +33,7 @@ mod runtime;
 mod signature;
 mod spelling;
 mod stages;
-mod structure;
+pub mod structure;
 pub(crate) mod words;
 mod writer;
 
@@ -43,13 +44,14 @@ mod tests;
 
 pub use c::C;
 pub use java_script::JavaScriptNames;
-pub use node::{Comparison, Constant, Function, Operator, TapeNode, Value};
 #[doc(hidden)]
 pub use record::record_at;
 pub use record::{Options, Plain, RecordError, record, record_with_sensitivities};
 pub use recorded::Recorded;
 pub use run::Stop;
-pub use structure::{
-    Argument, Condition, LinearSolution, NewtonSearch, NumberType, ResultOf, Role, System, Tape, TapeCheck, TapeResult,
-    TapeStep,
+#[doc(inline)]
+pub use structure::Tape;
+pub(crate) use structure::{
+    Argument, Comparison, Condition, Constant, Function, LinearSolution, NewtonSearch, NumberType, Operator, ResultOf,
+    Role, System, TapeCheck, TapeNode, TapeResult, TapeStep, Value,
 };

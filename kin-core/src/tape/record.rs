@@ -244,10 +244,10 @@ pub trait RecordedSolver<F> {
     fn choices(&self) -> Option<Vec<String>>;
 
     /// Solves the position alone.
-    fn solve_position(&self, arguments: &SolverArguments<'_, F>) -> Result<(), SolveError>;
+    fn position(&self, arguments: &SolverArguments<'_, F>) -> Result<(), SolveError>;
 
     /// Solves all orders.
-    fn solve_motion(&self, arguments: &SolverArguments<'_, F>) -> Result<RecordedMotion<F>, SolveError>;
+    fn solve(&self, arguments: &SolverArguments<'_, F>) -> Result<RecordedMotion<F>, SolveError>;
 
     /// The coordinates of all joints and then the directions of all slides.
     fn joints(&self, arguments: &SolverArguments<'_, F>, unknowns: &[Recorded<F>]) -> Vec<Vec<Recorded<F>>>;
@@ -313,28 +313,25 @@ impl<M: Mechanism<Scalar: Plain>> RecordedSolver<M::Scalar> for RecordedMechanis
         ))
     }
 
-    fn solve_position(&self, arguments: &SolverArguments<'_, M::Scalar>) -> Result<(), SolveError> {
+    fn position(&self, arguments: &SolverArguments<'_, M::Scalar>) -> Result<(), SolveError> {
         let mechanism = In::<M>::from_parameters(row(arguments.parameters));
         match arguments.choice {
             PositionChoice::Assembly(index) => {
-                mechanism.solve_position(Self::places(arguments), Self::assembly(index)?)?;
+                mechanism.position(Self::places(arguments), Self::assembly(index)?)?;
             }
             PositionChoice::Near(near) => {
-                mechanism.solve_position_near(Self::places(arguments), row(near))?;
+                mechanism.position_near(Self::places(arguments), row(near))?;
             }
         }
         Ok(())
     }
 
-    fn solve_motion(
-        &self,
-        arguments: &SolverArguments<'_, M::Scalar>,
-    ) -> Result<RecordedMotion<M::Scalar>, SolveError> {
+    fn solve(&self, arguments: &SolverArguments<'_, M::Scalar>) -> Result<RecordedMotion<M::Scalar>, SolveError> {
         let mechanism = In::<M>::from_parameters(row(arguments.parameters));
         let inputs = motions(arguments.inputs);
         let pose = match arguments.choice {
-            PositionChoice::Assembly(index) => mechanism.solve_motion(inputs, Self::assembly(index)?),
-            PositionChoice::Near(near) => mechanism.solve_motion_near(inputs, row(near)),
+            PositionChoice::Assembly(index) => mechanism.solve(inputs, Self::assembly(index)?),
+            PositionChoice::Near(near) => mechanism.solve_near(inputs, row(near)),
         }?;
         let mut unknowns = Vec::new();
         for motion in pose.unknown_motions().as_ref() {
@@ -552,9 +549,9 @@ fn solved<F: Scalar>(
 ) -> Result<Vec<TapeResult>, SolveError> {
     let phase = |is_of_position: bool| with(|recorder| recorder.is_of_position = is_of_position);
     phase(true);
-    solver.solve_position(arguments)?;
+    solver.position(arguments)?;
     phase(false);
-    let found = solver.solve_motion(arguments)?;
+    let found = solver.solve(arguments)?;
     let (description, count) = (solver.description(), solver.description().order + 1);
     let mut results = Vec::new();
     let unknowns = description.unknowns.iter().zip(found.unknowns.chunks_exact(count));

@@ -1,4 +1,4 @@
-//! A tape as data, for printers.
+//! What a [`Tape`] consists of, for printers of other languages.
 
 use std::collections::BTreeSet;
 use std::string::String;
@@ -7,7 +7,8 @@ use std::vec::Vec;
 use crate::mechanism::Description;
 use crate::picture::Outline;
 use crate::quantity::{Dimension, Name};
-use crate::tape::{TapeNode, Value};
+
+pub use super::node::{Comparison, Constant, Function, Operator, TapeNode, Value};
 
 /// A solver as straight-line code: arguments, operations, checks, results.
 ///

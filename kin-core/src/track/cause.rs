@@ -2,7 +2,7 @@
 
 use super::follow::{ANCHOR, BLUR, Ended, FAR, SECANTS, TrackPoint};
 use super::line::TrackLine;
-use super::obstacle::{FIRM, Halt, Obstacle, TrackError};
+use super::obstacle::{FIRM, TrackError, TrackLimit, TrackStop};
 use super::steps::Steps;
 use crate::curve::{LentRows, Sides, Way, WayPoint, blur, is_indistinct, largest};
 use crate::failure::{Failure, SolveError};
@@ -88,12 +88,12 @@ pub(super) fn blocked(
     }
     match error {
         Some(error) if is_firm => TrackError::Failed(error),
-        _ => TrackError::Lost(halt(way, here.point, steps, &mut scope)),
+        _ => TrackError::Lost(stop(way, here.point, steps, &mut scope)),
     }
 }
 
 /// The place at which an unknown goes to infinity, if it is close.
-fn pole(way: &TrackLine<'_>, here: &TrackPoint<'_>, scratch: &mut LentRows<'_>) -> Option<Obstacle<(), ()>> {
+fn pole(way: &TrackLine<'_>, here: &TrackPoint<'_>, scratch: &mut LentRows<'_>) -> Option<TrackLimit<(), ()>> {
     let values = here.point.unknowns;
     let grown = |index: &usize| values[*index].abs() / way.sizes[*index];
     let index = (0..way.count()).max_by(|one, other| grown(one).total_cmp(&grown(other)))?;
@@ -121,7 +121,7 @@ fn pole(way: &TrackLine<'_>, here: &TrackPoint<'_>, scratch: &mut LentRows<'_>) 
         travel,
     };
     way.end_at(point);
-    Some(Obstacle {
+    Some(TrackLimit {
         block: way.block(block),
         fraction: (travel / way.length).min(1.0),
         inputs: (),
@@ -272,10 +272,10 @@ pub(super) fn obstacle(
     point: WayPoint<'_>,
     sides: &Sides<'_>,
     beginning: &Sides<'_>,
-) -> Obstacle<(), ()> {
+) -> TrackLimit<(), ()> {
     let (block, _) = sides.most_shrunk(beginning);
     way.end_at(point);
-    Obstacle {
+    TrackLimit {
         block: way.block(block),
         fraction: (point.travel / way.length).clamp(0.0, 1.0),
         inputs: (),
@@ -285,14 +285,14 @@ pub(super) fn obstacle(
 }
 
 /// The place where the track stopped.
-pub(super) fn halt(
+pub(super) fn stop(
     way: &TrackLine<'_>,
     point: WayPoint<'_>,
     steps: &Steps,
     scratch: &mut LentRows<'_>,
-) -> Halt<(), ()> {
+) -> TrackStop<(), ()> {
     way.end_at(point);
-    Halt {
+    TrackStop {
         steps: steps.taken(),
         fraction: (point.travel / way.length).clamp(0.0, 1.0),
         inputs: (),
@@ -324,11 +324,11 @@ mod tests {
     /// Tested places lie ahead at growing distances, close, and not beyond the end.
     #[test]
     fn places_ahead_are_near_by() {
-        let start = LINKAGE.solve_position([0.5], Assembly::Open).unwrap();
+        let start = Mechanism::position(&LINKAGE, [0.5], Assembly::Open).unwrap();
         on_the_way(&LINKAGE, start, [0.5, 1.5], |way, _, scratch| {
             let mut from = |travel: f64| -> Vec<f64> {
                 let mut scope = scratch.scope();
-                let unknowns = LINKAGE.solve_position([0.5 + travel], Assembly::Open).unwrap();
+                let unknowns = Mechanism::position(&LINKAGE, [0.5 + travel], Assembly::Open).unwrap();
                 let here = station(way, travel, &unknowns, &mut scope);
                 ahead(way, &here.ok().expect("the linkage closes there")).collect()
             };
@@ -347,7 +347,7 @@ mod tests {
     /// If rounding moves nothing and no obstacle exists, the track returns the solver's own error.
     #[test]
     fn an_error_that_nothing_explains_is_told_as_it_is() {
-        let start = LINKAGE.solve_position([0.5], Assembly::Open).unwrap();
+        let start = Mechanism::position(&LINKAGE, [0.5], Assembly::Open).unwrap();
         let failure = Failure::not_finite("something");
         let error = failure.at(
             "theta3, theta4",
@@ -363,7 +363,7 @@ mod tests {
         });
         assert_eq!(told, TrackError::Failed(error));
         assert!(
-            matches!(&none, TrackError::Lost(halt) if halt.inputs == [0.5] && halt.rounding < FIRM),
+            matches!(&none, TrackError::Lost(stop) if stop.inputs == [0.5] && stop.rounding < FIRM),
             "{none:?}"
         );
     }

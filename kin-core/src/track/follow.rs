@@ -2,7 +2,7 @@
 
 use num_traits::Float;
 
-use super::cause::{blocked, crossed_near, halt, obstacle};
+use super::cause::{blocked, crossed_near, obstacle, stop};
 use super::line::{TrackLine, TrackPlace};
 use super::obstacle::TrackError;
 use super::steps::Steps;
@@ -234,7 +234,7 @@ pub(super) fn follow(
                 break None;
             }
             if !steps.take() {
-                return Err(TrackError::TooManySteps(halt(&way, here.point, &steps, &mut scratch)));
+                return Err(TrackError::TooManySteps(stop(&way, here.point, &steps, &mut scratch)));
             }
             let is_last = step >= rest;
             let travel = if is_last { way.length } else { here.point.travel + step };
@@ -392,7 +392,7 @@ fn round_the_turn<'s>(
         Passage::Limit(point, sides) => Err(TrackError::TurningPoint(obstacle(way, point, &sides, beginning))),
         Passage::ChangePoint(point, sides) => Err(crossed_near(way, point, sides, anchor, beginning, scratch)),
         Passage::Lost => Ok(Arrival::None),
-        Passage::Spent(point) => Err(TrackError::TooManySteps(halt(way, point, steps, scratch))),
+        Passage::Spent(point) => Err(TrackError::TooManySteps(stop(way, point, steps, scratch))),
     }
 }
 

@@ -13,7 +13,7 @@ mod turning;
 
 #[cfg(feature = "alloc")]
 pub use between::track_between;
-pub use obstacle::{Halt, Obstacle, TrackError};
+pub use obstacle::{TrackError, TrackLimit, TrackStop};
 pub use steps::MOST_TRACK_STEPS;
 
 use line::TrackPlace;
@@ -30,11 +30,11 @@ pub type TrackErrorOf<M> = TrackError<<M as Mechanism>::Inputs<f64>, <M as Mecha
 /// assembly.
 ///
 /// `from_unknowns` are the unknowns at `from_inputs`, or values close enough for
-/// [`solve_position_near`](Mechanism::solve_position_near). The result contains the unknowns at `to_inputs`, in radians
+/// [`position_near`](Mechanism::position_near). The result contains the unknowns at `to_inputs`, in radians
 /// or the mechanism's own unit. Angles keep their turns, so a crank that has made a full turn ends 2π further.
 ///
 /// This is a continuation method. The Taylor series of the mechanism's own solvers predicts each step, to the order of
-/// the mechanism, and [`solve_motion_near`](Mechanism::solve_motion_near) corrects it. A step is accepted if prediction
+/// the mechanism, and [`solve_near`](Mechanism::solve_near) corrects it. A step is accepted if prediction
 /// and correction agree in the unknowns and their rates, and if the determinant of each block's Jacobian keeps its
 /// sign, and its size within a factor of two, at every quarter of the step. Two changes of sign could hide only if a
 /// determinant fell to zero and recovered within a quarter of a step on which the series is accurate. The last terms of
@@ -45,7 +45,7 @@ pub type TrackErrorOf<M> = TrackError<<M as Mechanism>::Inputs<f64>, <M as Mecha
 /// and the inputs there are exact to rounding.
 ///
 /// # Steps
-/// A track takes at most [`MOST_TRACK_STEPS`] steps, including rejected ones. A step is one solution by the mechanism's
+/// A track takes at most 100 000 steps, including rejected ones. A step is one solution by the mechanism's
 /// solvers or, where an unknown is the parameter, one solution by at most 64 corrections. Locating an obstacle takes at
 /// most 64 more solutions.
 ///
@@ -99,7 +99,7 @@ pub fn track<M: Mechanism>(
     to_inputs: M::Inputs<M::Scalar>,
 ) -> Result<M::Unknowns<M::Scalar>, TrackErrorOf<M>> {
     let end = end(mechanism, (from_inputs, from_unknowns), to_inputs)?;
-    Ok(mechanism.solve_position_near(to_inputs, end)?)
+    Ok(mechanism.position_near(to_inputs, end)?)
 }
 
 /// [`track`] from a pose, where the caller solves the last position once, as the type it needs. `arrive` takes unknowns

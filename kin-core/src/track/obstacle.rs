@@ -15,7 +15,7 @@ pub(super) const FIRM: f64 = 1e-3;
 /// `I` and `U` are rows of the mechanism's inputs and unknowns: arrays of the declared lengths.
 #[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
-pub struct Obstacle<I, U> {
+pub struct TrackLimit<I, U> {
     /// The unknowns of the singular block, separated by commas.
     pub block: Name,
     /// The part of the track that has been covered, from 0 to 1.
@@ -32,7 +32,7 @@ pub struct Obstacle<I, U> {
 /// `I` and `U` are rows of the mechanism's inputs and unknowns: arrays of the declared lengths.
 #[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
-pub struct Halt<I, U> {
+pub struct TrackStop<I, U> {
     /// The number of steps taken or tried.
     pub steps: u32,
     /// The part of the track that has been covered, from 0 to 1.
@@ -54,25 +54,25 @@ pub enum TrackError<I, U> {
     /// A limit position: two assemblies meet, and neither exists beyond it. The inputs can only turn back.
     ///
     /// In a plot of the solution over the inputs, the curve turns back there.
-    TurningPoint(Obstacle<I, U>),
+    TurningPoint(TrackLimit<I, U>),
     /// A change point: the assembly meets another one, and both continue. Geometry does not determine which one the
     /// mechanism follows.
     ///
     /// The place belongs to a mechanism whose dimensions may differ by rounding errors. If the gap between two
     /// assemblies is that small, nothing else is known about it.
-    ChangePoint(Obstacle<I, U>),
+    ChangePoint(TrackLimit<I, U>),
     /// A length or a number goes to infinity, for example where a slide becomes parallel to its guide.
     ///
     /// The inputs are those at the pole, the unknowns those of the last position before it.
-    Pole(Obstacle<I, U>),
-    /// The track takes more steps than [`MOST_TRACK_STEPS`](crate::MOST_TRACK_STEPS). The error contains the last
+    Pole(TrackLimit<I, U>),
+    /// The track takes more than 100 000 steps. The error contains the last
     /// position, and another track may continue from there.
-    TooManySteps(Halt<I, U>),
+    TooManySteps(TrackStop<I, U>),
     /// No step, however short, certainly stays in the assembly, and no obstacle explains why. Rounding errors may move
     /// the unknowns by more than steps do, for example if the rounding of one link of a loop is as long as another
     /// link. If rounding moves them only a little, an unknown jumps, for example an angle declared by `atan2` that
     /// jumps by a turn.
-    Lost(Halt<I, U>),
+    Lost(TrackStop<I, U>),
     /// A position could not be found, at the start, or on the way for another reason.
     Failed(SolveError),
 }
@@ -84,16 +84,16 @@ impl TrackError<(), ()> {
             Self::TurningPoint(limit) => TrackError::TurningPoint(limit.placed(inputs, unknowns)),
             Self::ChangePoint(point) => TrackError::ChangePoint(point.placed(inputs, unknowns)),
             Self::Pole(pole) => TrackError::Pole(pole.placed(inputs, unknowns)),
-            Self::TooManySteps(halt) => TrackError::TooManySteps(halt.placed(inputs, unknowns)),
-            Self::Lost(halt) => TrackError::Lost(halt.placed(inputs, unknowns)),
+            Self::TooManySteps(stop) => TrackError::TooManySteps(stop.placed(inputs, unknowns)),
+            Self::Lost(stop) => TrackError::Lost(stop.placed(inputs, unknowns)),
             Self::Failed(error) => TrackError::Failed(error),
         }
     }
 }
 
-impl Obstacle<(), ()> {
-    fn placed<I, U>(self, inputs: I, unknowns: U) -> Obstacle<I, U> {
-        Obstacle {
+impl TrackLimit<(), ()> {
+    fn placed<I, U>(self, inputs: I, unknowns: U) -> TrackLimit<I, U> {
+        TrackLimit {
             block: self.block,
             fraction: self.fraction,
             inputs,
@@ -103,9 +103,9 @@ impl Obstacle<(), ()> {
     }
 }
 
-impl Halt<(), ()> {
-    fn placed<I, U>(self, inputs: I, unknowns: U) -> Halt<I, U> {
-        Halt {
+impl TrackStop<(), ()> {
+    fn placed<I, U>(self, inputs: I, unknowns: U) -> TrackStop<I, U> {
+        TrackStop {
             steps: self.steps,
             fraction: self.fraction,
             inputs,
@@ -121,7 +121,7 @@ impl<I, U> TrackError<I, U> {
     ///
     /// The end of a domain or of a declared range is [`TrackError::Failed`], with the error of the first place beyond it.
     #[must_use]
-    pub fn limit(&self) -> Option<(LimitKind, &Obstacle<I, U>)> {
+    pub fn limit(&self) -> Option<(LimitKind, &TrackLimit<I, U>)> {
         match self {
             Self::TurningPoint(place) => Some((LimitKind::TurningPoint, place)),
             Self::ChangePoint(place) => Some((LimitKind::ChangePoint, place)),
@@ -154,7 +154,7 @@ impl fmt::Display for Location<'_> {
     }
 }
 
-impl<I: AsRef<[f64]>, U> Obstacle<I, U> {
+impl<I: AsRef<[f64]>, U> TrackLimit<I, U> {
     fn place(&self) -> Location<'_> {
         Location {
             names: self.names,
@@ -164,7 +164,7 @@ impl<I: AsRef<[f64]>, U> Obstacle<I, U> {
     }
 }
 
-impl<I: AsRef<[f64]>, U> Halt<I, U> {
+impl<I: AsRef<[f64]>, U> TrackStop<I, U> {
     fn place(&self) -> Location<'_> {
         Location {
             names: self.names,
@@ -197,26 +197,26 @@ impl<I: AsRef<[f64]>, U> fmt::Display for TrackError<I, U> {
                 pole.block,
                 pole.place()
             ),
-            Self::TooManySteps(halt) => write!(
+            Self::TooManySteps(stop) => write!(
                 formatter,
                 "{} steps were not enough, the last ended{}; continue from there, or divide the motion into shorter ones",
-                halt.steps,
-                halt.place()
+                stop.steps,
+                stop.place()
             ),
-            Self::Lost(halt) if halt.rounding < FIRM => write!(
+            Self::Lost(stop) if stop.rounding < FIRM => write!(
                 formatter,
                 "no step, however short, is certain to stay in the assembly{} and {} steps: an unknown jumps there, as an \
                  angle declared by atan2 jumps by a turn; stop short of it, and start again on the other side",
-                halt.place(),
-                halt.steps
+                stop.place(),
+                stop.steps
             ),
-            Self::Lost(halt) => write!(
+            Self::Lost(stop) => write!(
                 formatter,
                 "no step, however short, is certain to stay in the assembly{} and {} steps: rounding errors may move the \
                  unknowns there by {} (radians, or parts of a length); use lengths in each loop that differ less",
-                halt.place(),
-                halt.steps,
-                Digits(halt.rounding)
+                stop.place(),
+                stop.steps,
+                Digits(stop.rounding)
             ),
             Self::Failed(error) => write!(formatter, "{error}"),
         }
@@ -224,10 +224,10 @@ impl<I: AsRef<[f64]>, U> fmt::Display for TrackError<I, U> {
 }
 
 // Format the slices, which every row has, so that code for any mechanism can unwrap a result.
-impl<I: AsRef<[f64]>, U: AsRef<[f64]>> Debug for Obstacle<I, U> {
+impl<I: AsRef<[f64]>, U: AsRef<[f64]>> Debug for TrackLimit<I, U> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter
-            .debug_struct("Obstacle")
+            .debug_struct("TrackLimit")
             .field("block", &self.block)
             .field("fraction", &self.fraction)
             .field("inputs", &self.inputs.as_ref())
@@ -236,10 +236,10 @@ impl<I: AsRef<[f64]>, U: AsRef<[f64]>> Debug for Obstacle<I, U> {
     }
 }
 
-impl<I: AsRef<[f64]>, U: AsRef<[f64]>> Debug for Halt<I, U> {
+impl<I: AsRef<[f64]>, U: AsRef<[f64]>> Debug for TrackStop<I, U> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter
-            .debug_struct("Halt")
+            .debug_struct("TrackStop")
             .field("steps", &self.steps)
             .field("fraction", &self.fraction)
             .field("inputs", &self.inputs.as_ref())

@@ -236,7 +236,7 @@ fn the_block_that_stops_is_named() {
     };
     let mut found = 0;
     for assembly in <InSeries as Mechanism>::assemblies() {
-        let Ok(start) = linkage.solve_position([1.0], assembly) else {
+        let Ok(start) = Mechanism::position(&linkage, [1.0], assembly) else {
             continue;
         };
         for to in [10.0, -10.0] {
@@ -268,7 +268,7 @@ fn other_mechanisms_go_round_as_well() {
     }
     let linkage = OffsetSliderCrank { r: 1.0, l: 0.6, h: 0.1 };
     for assembly in Assembly::BOTH {
-        let start = linkage.solve_position([0.05], assembly).unwrap();
+        let start = Mechanism::position(&linkage, [0.05], assembly).unwrap();
         for (to, height) in [(3.0, 0.7_f64), (-3.0, -0.5)] {
             let Err(TrackError::TurningPoint(limit)) = track(&linkage, [0.05], start, [to]) else {
                 panic!("{assembly:?} to {to}");
@@ -299,7 +299,7 @@ fn messages_say_where_it_is() {
     };
     let debugged = format!("{obstacle:?}");
     assert!(
-        debugged.starts_with("Obstacle { block: \"theta3, theta4\", fraction: 0.58"),
+        debugged.starts_with("TrackLimit { block: \"theta3, theta4\", fraction: 0.58"),
         "{debugged}"
     );
 }
@@ -416,7 +416,7 @@ fn a_step_ends_where_it_was_predicted_to() {
     for linkage in [CRANK_ROCKER, DOUBLE_ROCKER] {
         for assembly in Assembly::BOTH {
             for from in [-1.5, -0.4, 0.3, 1.1] {
-                let start = linkage.solve_position([from], assembly).unwrap();
+                let start = Mechanism::position(&linkage, [from], assembly).unwrap();
                 on_the_way(&linkage, start, [from, from + 10.0], |way, point, scratch| {
                     let here = station(way, 0.0, point.unknowns, scratch).ok().unwrap();
                     for hundredths in 1..400 {

@@ -439,7 +439,7 @@ mod tests {
     /// The unknowns between two crank angles, both before a limit: those that `arrived` finds after a step, which a function
     /// gives from the step that is needed.
     fn found(assembly: Assembly, [from, to]: [f64; 2], expected: [f64; 2], step: impl Fn(f64) -> f64) -> [f64; 2] {
-        let unknowns = LINKAGE.solve_position([from], assembly).unwrap();
+        let unknowns = Mechanism::position(&LINKAGE, [from], assembly).unwrap();
         on_the_way(&LINKAGE, unknowns, [from, to], |way, point, scratch| {
             let parameter = LocalCurve::new(way, point, 0, scratch).unwrap().fastest();
             let here = LocalCurve::new(way, point, parameter, scratch).unwrap();
@@ -456,7 +456,7 @@ mod tests {
         for assembly in Assembly::BOTH {
             for (far, near) in [(1e-4, 1e-6), (1e-3, 5e-4), (1e-6, 1e-10), (1e-3, 1e-10)] {
                 for (from, to) in [(end - far, end - near), (end - near, end - far)] {
-                    let expected = LINKAGE.solve_position([to], assembly).unwrap();
+                    let expected = Mechanism::position(&LINKAGE, [to], assembly).unwrap();
                     for part in [1.0, 1.1, 1.5] {
                         // The target is not beyond the limit, where the inputs turn back.
                         let is_towards = to > from;

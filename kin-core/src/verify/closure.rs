@@ -44,7 +44,7 @@ fn carried<M: Mechanism<Scalar = f64>, C: Carrier>(
     let unknowns = <<M::With<C> as Mechanism>::Unknowns<C> as Row<C>>::from_fn(|index| carrying(&unknowns[index]));
     mechanism
         .convert(C::constant)
-        .residuals(inputs, unknowns)
+        .closure(inputs, unknowns)
         .as_ref()
         .iter()
         .map(|left| left.derivatives_through(M::DESCRIPTION.order))

@@ -66,7 +66,7 @@ fn carried<M: Mechanism<Scalar = f64>, C: Carrier>(
     let through = |value: &C| value.derivatives_through(M::DESCRIPTION.order);
     if const { M::DESCRIPTION.outputs.is_empty() } {
         let at = <<M::With<C> as Mechanism>::Inputs<C> as Row<C>>::from_fn(input);
-        let unknowns = lifted.solve_position(at, assembly)?;
+        let unknowns = lifted.position(at, assembly)?;
         return Ok(Differentiated {
             unknowns: unknowns.as_ref().iter().map(through).collect(),
             outputs: Vec::new(),
@@ -77,7 +77,7 @@ fn carried<M: Mechanism<Scalar = f64>, C: Carrier>(
     let still = <<M::With<C> as Mechanism>::Inputs<M::Motion<C>> as Row<M::Motion<C>>>::from_fn(|index| {
         <M::Motion<C> as Row<C>>::from_fn(|order| if order == 0 { input(index) } else { zero })
     });
-    let pose = lifted.solve_motion(still, assembly)?;
+    let pose = lifted.solve(still, assembly)?;
     let values = |motions: &[M::Motion<C>]| -> Vec<Vec<f64>> {
         motions
             .iter()

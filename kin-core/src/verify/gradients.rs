@@ -45,7 +45,7 @@ pub(super) fn gradients<M: Mechanism<Scalar = f64>>(
         let lifted_unknowns =
             <<M::With<D> as Mechanism>::Unknowns<D> as Row<D>>::from_fn(|index| number(index, unknowns[index]));
         lifted
-            .residuals(lifted_inputs, lifted_unknowns)
+            .closure(lifted_inputs, lifted_unknowns)
             .as_ref()
             .iter()
             .map(|left| left.change)
@@ -90,7 +90,7 @@ pub(super) fn jacobian_rates<M: Mechanism<Scalar = f64>>(
             let unknowns = <<M::With<D> as Mechanism>::Unknowns<D> as Row<D>>::from_fn(|index| {
                 number(&unknowns[index], if index == seeded { 1.0 } else { 0.0 })
             });
-            lifted.residuals(inputs, unknowns).as_ref().to_vec()
+            lifted.closure(inputs, unknowns).as_ref().to_vec()
         })
         .collect();
     let rates = |entry: &D| [1, 2, 3, 4].map(|order| entry.change.derivative(order));
@@ -110,7 +110,7 @@ pub(super) fn equations_along<M: Mechanism<Scalar = f64>>(
     let unknowns = <<M::With<D> as Mechanism>::Unknowns<D> as Row<D>>::from_fn(|index| D::given(unknowns(index)));
     mechanism
         .convert(D::constant)
-        .residuals(inputs, unknowns)
+        .closure(inputs, unknowns)
         .as_ref()
         .to_vec()
 }
@@ -127,7 +127,7 @@ pub(super) fn rounding_errors<M: Mechanism<Scalar = f64>>(
     let unknowns = <<M::With<R> as Mechanism>::Unknowns<R> as Row<R>>::from_fn(|index| exactly(&unknowns[index]));
     mechanism
         .convert(R::exactly)
-        .residuals(inputs, unknowns)
+        .closure(inputs, unknowns)
         .as_ref()
         .iter()
         .map(|left| left.error())

@@ -65,6 +65,7 @@ mod worst;
 pub use closure::closure;
 pub use differentiation::{Differentiated, by_differentiation};
 pub use gauge::{Gauge, allowed};
+#[doc(hidden)]
 pub use random::Random;
 pub use report::Report;
 pub use sampling::Sampling;

@@ -123,8 +123,8 @@ fn assemblies<M: Mechanism<Scalar = f64>>(mechanism: &M, inputs: &Inputs<M>, ran
     let length = largest_length(mechanism);
     let guess = M::Unknowns::from_fn(|index| any(random, &M::DESCRIPTION.unknowns[index], length));
     mechanism
-        .solve_position_near(values, guess)
-        .map(|unknowns| mechanism.assembly_near(values, unknowns))
+        .position_near(values, guess)
+        .map(|unknowns| mechanism.assembly_at(values, unknowns))
         .into_iter()
         .collect()
 }

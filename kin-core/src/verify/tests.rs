@@ -77,7 +77,7 @@ fn spoilt<T: Scalar>(value: T, order: usize, wrong: usize) -> T {
 impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Hyperbola<T, UNKNOWN, OUTPUT> {
     fn motion(&self, x: Motion<T, LENGTH>, near: T) -> Result<HyperbolaPose<T>, SolveError> {
         let two = T::constant(2.0);
-        let [position] = self.solve_position_near([x.value()], [near])?;
+        let [position] = self.position_near([x.value()], [near])?;
         let x = x.derivatives();
         let mut y = [position; LENGTH];
         let mut product = [x[0] * position; LENGTH];
@@ -134,7 +134,7 @@ impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Mechanism for Hyperbo
         None
     }
 
-    fn assembly_near(&self, _: [T; 1], near: [T; 1]) -> Near<1> {
+    fn assembly_at(&self, _: [T; 1], near: [T; 1]) -> Near<1> {
         Near(near.map(Number::real))
     }
 
@@ -150,21 +150,21 @@ impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Mechanism for Hyperbo
         Hyperbola { a: convert(self.a) }
     }
 
-    fn solve_motion(&self, [x]: [Motion<T, LENGTH>; 1], Near([near]): Near<1>) -> Result<Self::Pose, SolveError> {
+    fn solve(&self, [x]: [Motion<T, LENGTH>; 1], Near([near]): Near<1>) -> Result<Self::Pose, SolveError> {
         self.motion(x, T::constant(near))
     }
 
-    fn solve_motion_near(&self, [x]: [Motion<T, LENGTH>; 1], [near]: [T; 1]) -> Result<Self::Pose, SolveError> {
+    fn solve_near(&self, [x]: [Motion<T, LENGTH>; 1], [near]: [T; 1]) -> Result<Self::Pose, SolveError> {
         self.motion(x, near)
     }
 
-    fn solve_position(&self, x: [T; 1], Near([near]): Near<1>) -> Result<[T; 1], SolveError> {
-        self.solve_position_near(x, [T::constant(near)])
+    fn position(&self, x: [T; 1], Near([near]): Near<1>) -> Result<[T; 1], SolveError> {
+        self.position_near(x, [T::constant(near)])
     }
 
     /// Each further step doubles the number of digits and of derivatives. Guesses beyond ten (an arbitrary limit) are
     /// refused.
-    fn solve_position_near(&self, [x]: [T; 1], [near]: [T; 1]) -> Result<[T; 1], SolveError> {
+    fn position_near(&self, [x]: [T; 1], [near]: [T; 1]) -> Result<[T; 1], SolveError> {
         if near.real().abs() > 10.0 {
             return Err(
                 Failure::OutOfReach { margin: -1.0 }.at("y", InputValues::new(Self::DESCRIPTION.inputs, &[x.real()]))
@@ -178,7 +178,7 @@ impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Mechanism for Hyperbo
         Ok([y])
     }
 
-    fn residuals(&self, [x]: [T; 1], [y]: [T; 1]) -> [T; 1] {
+    fn closure(&self, [x]: [T; 1], [y]: [T; 1]) -> [T; 1] {
         [y * y - x * x - self.a * self.a]
     }
 
@@ -199,7 +199,7 @@ impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Mechanism for Hyperbo
     }
 
     fn jacobian_near(&self, [x]: [T; 1], near: [T; 1]) -> Result<[[T; 1]; 2], SolveError> {
-        let [y] = self.solve_position_near([x], near)?;
+        let [y] = self.position_near([x], near)?;
         let slope = x / y;
         Ok([[slope], [y + x * slope]])
     }

@@ -100,7 +100,7 @@ impl Worst {
         inputs: Inputs<M>,
         assembly: M::Assembly,
     ) -> bool {
-        let Ok(pose) = mechanism.solve_motion(inputs, assembly) else {
+        let Ok(pose) = mechanism.solve(inputs, assembly) else {
             return false;
         };
         self.poses += 1;

@@ -81,7 +81,7 @@ impl<M: Mechanism<Scalar = f64>> Objective<M> {
         values: &[W::Scalar],
         input: W::Scalar,
     ) -> Result<[[W::Scalar; 2]; 3], SolveError> {
-        let pose = mechanism.solve_motion(self.motions::<W>(input), assembly)?;
+        let pose = mechanism.solve(self.motions::<W>(input), assembly)?;
         let zero = W::Scalar::constant(0.0);
         let mut found = [[zero; 2]; 3];
         for (found, traced) in found.iter_mut().zip(&self.traced) {
@@ -204,7 +204,7 @@ impl<M: Mechanism<Scalar = f64>> Objective<M> {
                     let mut ends: [Option<[W::Scalar; 2]>; 2] = [None; 2];
                     for input in self.places(values) {
                         let inputs = self.inputs::<W>(input);
-                        let unknowns = mechanism.solve_position(self.inputs::<W>(input), assembly)?;
+                        let unknowns = mechanism.position(self.inputs::<W>(input), assembly)?;
                         for joint in mechanism.places(inputs, unknowns).as_slice() {
                             let joint = joint.in_space();
                             for (ends, value) in ends.iter_mut().zip([joint.x, joint.y]) {
@@ -238,7 +238,7 @@ impl<M: Mechanism<Scalar = f64>> Objective<M> {
                 Term::Transmission { aim, weight, .. } => {
                     for input in self.places(values) {
                         let inputs = self.inputs::<W>(input);
-                        let unknowns = mechanism.solve_position(self.inputs::<W>(input), assembly)?;
+                        let unknowns = mechanism.position(self.inputs::<W>(input), assembly)?;
                         let mut worst = constant(FRAC_PI_2);
                         for dyad in mechanism.transmission_angles_at(inputs, unknowns).as_ref() {
                             let folded = dyad.folded();
@@ -259,7 +259,7 @@ impl<M: Mechanism<Scalar = f64>> Objective<M> {
         self.travel == Travel::Targets
             || (0..PLACES).all(|place| {
                 let input = TAU * share(place, PLACES);
-                mechanism.solve_position(self.inputs::<M>(input), assembly).is_ok()
+                mechanism.position(self.inputs::<M>(input), assembly).is_ok()
             })
     }
 

@@ -1,7 +1,7 @@
 //! The figures of a result over its exact travel.
 
 use kin_core::cycle::Cycle;
-use kin_core::sweep::{Local, Sweep as _};
+use kin_core::sweep::{Local, Swept as _};
 use kin_core::{Mechanism, Number as _, RATES, Row};
 
 use super::check::Way;
@@ -83,7 +83,7 @@ pub(super) fn figures<M: Mechanism<Scalar = f64>>(
     if travel[0] == travel[1] {
         let inputs = || objective.inputs::<M>(travel[0]);
         let found = own
-            .solve_position(inputs(), design.assembly)
+            .position(inputs(), design.assembly)
             .map_err(|error| error.to_string())?;
         let angles = own.transmission_angles_at(inputs(), found);
         let folded = angles.as_ref().iter().map(kin_core::TransmissionAngle::folded);

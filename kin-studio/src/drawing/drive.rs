@@ -51,7 +51,7 @@ pub(super) fn drives<M: Mechanism<Scalar = f64>>(
         if let Some(input) = moved.as_mut().get_mut(number) {
             *input += STEP;
         }
-        let Ok(unknowns) = mechanism.solve_position_near(moved, unknowns) else {
+        let Ok(unknowns) = mechanism.position_near(moved, unknowns) else {
             continue;
         };
         let there = places(mechanism, moved, unknowns);

@@ -84,7 +84,7 @@ impl Scene {
         inputs: M::Inputs<f64>,
         assembly: M::Assembly,
     ) -> Result<Self, SolveError> {
-        let unknowns = mechanism.solve_position(inputs, assembly)?;
+        let unknowns = mechanism.position(inputs, assembly)?;
         let places = sweep::places(mechanism, inputs, unknowns);
         let count = places.len().saturating_sub(M::OUTLINE.slides.len());
         let (joints, directions) = places.split_at(count);

@@ -23,7 +23,7 @@ pub(super) fn sweep<M: Mechanism<Scalar = f64>>(
             if let Some(input) = inputs.as_mut().first_mut() {
                 *input += direction * range * f64::from(step) / f64::from(STEPS);
             }
-            let Ok(next) = mechanism.solve_position_near(inputs, near) else {
+            let Ok(next) = mechanism.position_near(inputs, near) else {
                 break;
             };
             let here = places(mechanism, inputs, next);

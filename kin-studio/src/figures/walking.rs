@@ -6,7 +6,7 @@ use std::f64::consts::{PI, TAU};
 use kin_core::cycle::FullCycle as _;
 use kin_core::library::JansenLeg;
 use kin_core::prelude::*;
-use kin_core::sweep::{Course, StraightLine, Table};
+use kin_core::sweep::{StraightLine, Sweep, Table};
 
 use super::Figure;
 use crate::drawing::{Canvas, DRIVE, GREY, Note, PATH, Scene, Style, canvas};
@@ -19,7 +19,7 @@ const CORNERS: [Plane; 2] = [Plane { x: 420.0, y: 34.0 }, Plane { x: 420.0, y: 2
 /// The foot stands on the ground within 1 mm of its lowest place.
 const CONTACT: f64 = 1.0;
 
-type Turn = Course<JansenLeg, StraightLine>;
+type Turn = Sweep<JansenLeg, StraightLine>;
 
 /// A plot over a turn of the crank.
 struct Plot<'a> {

@@ -191,8 +191,8 @@ fn of_exact_table(error: ExactTableError) -> Fault {
 }
 
 /// The lowest and the highest value, and the root of the mean square.
-fn extent_of<D: SmoothDrive>(course: &AnySweep<'static, D>, name: &str) -> Result<Extent, Fault> {
-    let quantity = course.of(name);
+fn extent_of<D: SmoothDrive>(sweep: &AnySweep<'static, D>, name: &str) -> Result<Extent, Fault> {
+    let quantity = sweep.of(name);
     let all = quantity.extremes().map_err(of_extremes)?;
     let reached = || {
         let bounded = all.iter().filter(|one| one.value.is_some());
@@ -477,13 +477,13 @@ fn assembly_at(wanted: &Wanted, linkage: &AnyLinkage<'static>, start: &[f64]) ->
     match wanted {
         Wanted::Named(index) if *index < linkage.assembly_count() => Ok(AssemblyChoice::Index(*index)),
         Wanted::Named(_) => Err(Fault::wrong("there is no assembly of this number")),
-        Wanted::Near(values) => Ok(linkage.assembly_near(start, values)),
+        Wanted::Near(values) => Ok(linkage.assembly_at(start, values)),
         Wanted::At { inputs, near } => {
             let unknowns = linkage
                 .position(inputs, PositionChoice::Near(near))
                 .map_err(Fault::open)?;
             let there = linkage.track(inputs, &unknowns, start).map_err(Fault::open)?;
-            Ok(linkage.assembly_near(start, &there))
+            Ok(linkage.assembly_at(start, &there))
         }
         Wanted::Unknown => {
             let (positions, _) = linkage.positions_at(start).map_err(Fault::open)?;

@@ -12,7 +12,8 @@ use std::process::Command;
 
 use kin_core::Row;
 use kin_core::prelude::*;
-use kin_core::tape::{self, Condition, Function, Options, RecordError, Tape, TapeNode};
+use kin_core::tape::structure::{Condition, Function, TapeNode};
+use kin_core::tape::{self, Options, RecordError, Tape};
 use kin_core::verify::Random;
 
 use calls::{Call, kernel};
@@ -51,12 +52,12 @@ fn solved<M: Mechanism<Scalar = f64>>() -> Result<Solved, RecordError> {
         let own = if M::ASSEMBLY_COUNT == 0 {
             let near = M::Unknowns::from_fn(|_| random.between(-3.0, 3.0));
             row.extend(near.as_ref());
-            mechanism.solve_motion_near(inputs, near)
+            mechanism.solve_near(inputs, near)
         } else {
             let (number, choices) = (pose % M::ASSEMBLY_COUNT, M::ASSEMBLY_COUNT.trailing_zeros());
             let is_crossed = |choice: u32| number >> (choices - 1 - choice) & 1 == 1;
             row.extend((0..choices).map(|choice| if is_crossed(choice) { -1.0 } else { 1.0 }));
-            mechanism.solve_motion(inputs, M::assembly(number).expect("it is one of them"))
+            mechanism.solve(inputs, M::assembly(number).expect("it is one of them"))
         };
         rows.push(row);
         found.push(own.ok().map(|pose| {

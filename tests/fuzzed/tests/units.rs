@@ -225,11 +225,11 @@ fn poses<M: Mechanism<Scalar = f64, Motion<f64> = Motion<f64, 5>>>() -> Vec<Draw
         let mut assemblies: Vec<M::Assembly> = M::assemblies().collect();
         if M::ASSEMBLY_COUNT == 0 {
             let guess = M::Unknowns::from_fn(|index| any(&mut random, &description.unknowns[index]));
-            let found = mechanism.solve_position_near(values, guess);
-            assemblies.extend(found.map(|found| mechanism.assembly_near(values, found)));
+            let found = mechanism.position_near(values, guess);
+            assemblies.extend(found.map(|found| mechanism.assembly_at(values, found)));
         }
         for assembly in assemblies {
-            if let Ok(pose) = mechanism.solve_motion(inputs, assembly) {
+            if let Ok(pose) = mechanism.solve(inputs, assembly) {
                 poses.push((mechanism, inputs, pose.unknown_motions()));
             }
         }

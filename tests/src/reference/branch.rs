@@ -32,7 +32,7 @@ impl<M: ThroughSnap> Branch<M> {
 
     /// Motions of the unknowns.
     pub(super) fn unknowns(&self, inputs: Inputs<M>) -> Option<Vec<[f64; 5]>> {
-        let pose = self.mechanism.solve_motion(inputs, self.assembly).ok()?;
+        let pose = self.mechanism.solve(inputs, self.assembly).ok()?;
         Some(
             pose.unknown_motions()
                 .as_ref()

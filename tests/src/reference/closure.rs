@@ -48,7 +48,7 @@ pub(super) fn closure<M: Mechanism>(arguments: &Arguments, count: usize) -> Vec<
         let mechanism = Precise::<M>::from_parameters(Row::from_fn(|index| place(&arguments.parameters[index])));
         let inputs = Row::from_fn(|index| place(&arguments.inputs[index]));
         let unknowns = Row::from_fn(|index| place(&arguments.unknowns[index]));
-        let left = mechanism.residuals(inputs, unknowns);
+        let left = mechanism.closure(inputs, unknowns);
         left.as_ref().iter().map(|left| left.series()).collect()
     })
 }

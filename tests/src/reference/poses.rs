@@ -89,8 +89,8 @@ impl<M: ThroughSnap> Search<M> {
                     Dimension::Length => self.random.between(-length, length),
                     _ => self.random.between(-PI, PI),
                 });
-                let position = mechanism.solve_position_near(values, guess).ok()?;
-                mechanism.assembly_near(values, position)
+                let position = mechanism.position_near(values, guess).ok()?;
+                mechanism.assembly_at(values, position)
             };
             let branch = Branch {
                 mechanism,
@@ -171,7 +171,7 @@ impl<M: ThroughSnap> Search<M> {
             } else {
                 let near =
                     M::Unknowns::from_fn(|index| usual.unknowns[index][0] * scale(M::DESCRIPTION.unknowns[index]));
-                mechanism.assembly_near(M::Inputs::from_fn(|index| inputs[index].value()), near)
+                mechanism.assembly_at(M::Inputs::from_fn(|index| inputs[index].value()), near)
             };
             let branch = Branch {
                 mechanism,

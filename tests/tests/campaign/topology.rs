@@ -157,8 +157,8 @@ impl Topology {
     }
 
     /// The index of the assembly to which values of the unknowns belong.
-    pub(crate) fn assembly_near(&self, problem: &Problem, near: &[f64]) -> Option<usize> {
-        self.solvers.assembly_near(&problem.parameters, &problem.values(), near)
+    pub(crate) fn assembly_at(&self, problem: &Problem, near: &[f64]) -> Option<usize> {
+        self.solvers.assembly_at(&problem.parameters, &problem.values(), near)
     }
 
     /// All at once. They are all of one assembly, or all near values.

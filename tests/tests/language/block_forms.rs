@@ -165,11 +165,11 @@ fn all_positions_are_those_of_all_assemblies() {
                 let search = mechanism
                     .positions_at(values, |assembly, unknowns| found.push((assembly, unknowns)))
                     .expect("all numbers are finite");
-                let closing = M::assemblies().filter(|&assembly| mechanism.solve_position(values, assembly).is_ok());
+                let closing = M::assemblies().filter(|&assembly| mechanism.position(values, assembly).is_ok());
                 assert_eq!(found.len(), closing.count(), "{}", M::DESCRIPTION.name);
                 assert_eq!((search.found, search.is_complete), (found.len(), true));
                 for (assembly, unknowns) in found {
-                    let expected = mechanism.solve_position(values, assembly).expect("it was found");
+                    let expected = mechanism.position(values, assembly).expect("it was found");
                     assert_eq!(unknowns.as_ref(), expected.as_ref());
                 }
             }

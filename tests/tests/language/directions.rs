@@ -148,8 +148,8 @@ where
             .collect();
         let inputs = A::Inputs::from_fn(|index| Motion::new(motions[index]));
         for (assembly, same) in A::assemblies().zip(D::assemblies()) {
-            let one = angles.solve_motion(inputs, assembly);
-            let other = directions.solve_motion(D::Inputs::from_fn(|index| Motion::new(motions[index])), same);
+            let one = angles.solve(inputs, assembly);
+            let other = directions.solve(D::Inputs::from_fn(|index| Motion::new(motions[index])), same);
             let (one, other) = match (one, other) {
                 (Ok(one), Ok(other)) => (one, other),
                 (one, other) => {
@@ -293,9 +293,9 @@ fn go_round<A: ThroughSnap, D: ThroughSnap>(parameters: &[f64], places: &[f64]) 
     for (assembly, same) in A::assemblies().zip(D::assemblies()) {
         let mut at = places[0];
         let mut one = angles
-            .solve_position(A::Inputs::from_fn(|_| at), assembly)
+            .position(A::Inputs::from_fn(|_| at), assembly)
             .expect("it closes");
-        let mut other = directions.solve_position(D::Inputs::from_fn(|_| at), same).expect("so");
+        let mut other = directions.position(D::Inputs::from_fn(|_| at), same).expect("so");
         for &next in &places[1..] {
             one = track(&angles, A::Inputs::from_fn(|_| at), one, A::Inputs::from_fn(|_| next)).expect("it goes round");
             other = match track(
@@ -366,7 +366,7 @@ fn a_pose_is_followed_from_pose_to_pose() {
     for (near, found) in near.into_iter().zip(there.unknowns_near(near)) {
         assert!((near - found).abs() <= 1e-13 * near.abs());
     }
-    let values = linkage.solve_position_near([0.3 + TAU], near).expect("it closes");
+    let values = Mechanism::position_near(&linkage, [0.3 + TAU], near).expect("it closes");
     assert_eq!(values, there.unknowns_near(near));
 }
 
@@ -536,7 +536,8 @@ fn columns_of_unit_vectors() {
     let (unit, rates) = poses.theta3.parts_mut();
     (unit.y, rates[1]) = (None, None);
     linkage
-        .solve_batch(theta2, Assembly::Crossed, &mut poses, &mut outcomes)
+        .batch(theta2, Assembly::Crossed)
+        .solve(&mut poses, &mut outcomes)
         .expect("lengths");
     let wanted = |column: &Option<Vec<f64>>, index: usize| column.as_ref().expect("it is wanted")[index];
     for (index, angle) in angles.iter().enumerate() {
@@ -557,16 +558,20 @@ fn columns_of_unit_vectors() {
     let mut one = FourBarBatch::filled(|| vec![0.0; 41]);
     let mut all = FourBarBatch::filled(|| vec![0.0; 41]);
     linkage
-        .solve_batch(theta2, Assembly::Open, &mut one, &mut outcomes)
+        .batch(theta2, Assembly::Open)
+        .solve(&mut one, &mut outcomes)
         .expect("lengths");
     linkage
-        .solve_batch_in_parallel(theta2, Assembly::Open, &mut all, &mut outcomes)
+        .batch(theta2, Assembly::Open)
+        .on_all_cores()
+        .solve(&mut all, &mut outcomes)
         .expect("lengths");
     assert_eq!(one, all);
 
     all.theta4.parts_mut().0.y.pop();
     let error = linkage
-        .solve_batch(theta2, Assembly::Open, &mut all, &mut outcomes)
+        .batch(theta2, Assembly::Open)
+        .solve(&mut all, &mut outcomes)
         .expect_err("too short");
     let expected = LengthMismatch {
         quantity: "theta4".into(),

@@ -263,9 +263,7 @@ fn mechanisms_may_be_called_anything() {
         use kin_core::prelude::{Pose, Row};
         let mechanism = M::from_parameters(M::Parameters::from_fn(|index| [1.0, 3.0][index]));
         let inputs = M::Inputs::from_fn(|_| M::Motion::from_fn(|_| 0.0));
-        let pose = mechanism
-            .solve_motion(inputs, kin_core::Assembly::Open)
-            .expect("it closes");
+        let pose = mechanism.solve(inputs, kin_core::Assembly::Open).expect("it closes");
         pose.unknown_motions()[1][0]
     }
     use names_of_mechanisms as named;
@@ -408,7 +406,7 @@ fn quantities_may_be_called_as_what_the_prelude_has() {
     let pose = chosen
         .solve(quantities[0], quantities[1], Assembly::Open)
         .expect("it closes");
-    let motion = chosen.solve_motion(quantities, Assembly::Open).expect("it closes");
+    let motion = Mechanism::solve(&chosen, quantities, Assembly::Open).expect("it closes");
     assert_eq!(pose, motion);
     let culprit = chosen.solve(KinMotion::constant(f64::NAN), quantities[1], Assembly::Open);
     assert!(culprit.is_err_and(|error| error.to_string().contains("assembly")));

@@ -116,14 +116,16 @@ fn the_chain_is_the_whole() {
 #[test]
 fn the_trait_is_the_inherent_interface() {
     let inherent = SAMPLE.solve(Motion::new(MOTION), Assembly::Crossed).expect("it closes");
-    let by_trait = SAMPLE
-        .solve_motion([Motion::new(MOTION)], Assembly::Crossed)
-        .expect("it closes");
+    let by_trait = Mechanism::solve(&SAMPLE, [Motion::new(MOTION)], Assembly::Crossed).expect("it closes");
     assert_eq!(inherent, by_trait);
     assert_eq!(by_trait.unknown_motions(), [inherent.theta3, inherent.theta4]);
     let position = SAMPLE.position(0.6, Assembly::Crossed).expect("it closes");
-    assert_eq!(SAMPLE.solve_position([0.6], Assembly::Crossed), Ok(position.unknowns()));
-    assert_eq!(SAMPLE.residuals([0.6], [0.2, 0.3]), SAMPLE.closure(0.6, [0.2, 0.3]));
+    assert_eq!(
+        Mechanism::position(&SAMPLE, [0.6], Assembly::Crossed),
+        Ok(position.unknowns())
+    );
+    let residuals = SAMPLE.closure(0.6, [0.2, 0.3]);
+    assert_eq!(Mechanism::closure(&SAMPLE, [0.6], [0.2, 0.3]), residuals);
     assert_eq!(SAMPLE.parameters(), [90.0, 30.0, 60.0, 45.0]);
     assert_eq!(FourBar::from_parameters([90.0, 30.0, 60.0, 45.0]), SAMPLE);
 
@@ -185,16 +187,15 @@ fn the_trait_is_the_inherent_interface() {
             let inputs = case.inputs::<M>(0.6, &mut Random::new(61));
             for assembly in M::assemblies() {
                 let values = M::Inputs::from_fn(|index| inputs[index].value());
-                if let (Ok(unknowns), Ok(pose)) = (
-                    mechanism.solve_position(values, assembly),
-                    mechanism.solve_motion(inputs, assembly),
-                ) {
+                if let (Ok(unknowns), Ok(pose)) =
+                    (mechanism.position(values, assembly), mechanism.solve(inputs, assembly))
+                {
                     let positions: Vec<f64> = pose.unknown_motions().as_ref().iter().map(Motion::value).collect();
                     assert_eq!(unknowns.as_ref(), positions, "{name}");
-                    assert_eq!(mechanism.assembly_near(values, unknowns), assembly, "{name}");
-                    let near = mechanism.solve_position_near(values, unknowns).expect("it closes");
+                    assert_eq!(mechanism.assembly_at(values, unknowns), assembly, "{name}");
+                    let near = mechanism.position_near(values, unknowns).expect("it closes");
                     assert_eq!(near.as_ref(), positions, "{name}");
-                    let near = mechanism.solve_motion_near(inputs, unknowns).expect("it closes");
+                    let near = mechanism.solve_near(inputs, unknowns).expect("it closes");
                     assert_eq!(
                         near.unknown_motions().as_ref(),
                         pose.unknown_motions().as_ref(),

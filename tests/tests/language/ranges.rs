@@ -165,7 +165,7 @@ fn no_range_is_ever_left() {
                 let mechanism: M = case.varied(&mut random);
                 let inputs = case.inputs::<M>(f64::from(step) / 60.0, &mut random);
                 for assembly in M::assemblies() {
-                    match mechanism.solve_motion(inputs, assembly) {
+                    match mechanism.solve(inputs, assembly) {
                         Ok(pose) => assert!(pose.unknown_motions().as_ref().iter().all(Motion::<f64, 5>::is_finite)),
                         Err(error) => assert!(!error.to_string().is_empty()),
                     }

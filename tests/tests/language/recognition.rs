@@ -52,13 +52,13 @@ fn same_with<M, R>(
             let input = Motion::new(random.motion((f64::from(10 * step) - 177.3).to_radians()));
             for assembly in Assembly::BOTH {
                 let inputs = R::Inputs::from_fn(|_| input);
-                let Ok(pose) = reference.solve_motion(inputs, assembly) else {
+                let Ok(pose) = reference.solve(inputs, assembly) else {
                     continue;
                 };
                 let theirs = pose.unknown_motions();
                 let own_inputs = M::Inputs::from_fn(|_| input);
                 let own = typing
-                    .solve_motion(own_inputs, named(assembly))
+                    .solve(own_inputs, named(assembly))
                     .unwrap_or_else(|error| panic!("{name}: {error}"))
                     .unknown_motions();
                 let gauges = (

@@ -63,10 +63,10 @@ impl Dimensions {
             let inputs = case.inputs::<M>(f64::from(step) / f64::from(STEPS), &mut random);
             let near = M::Unknowns::from_fn(|_| random.between(-2.0, 2.0));
             let values = M::Inputs::from_fn(|input| inputs[input].value());
-            let nearby = mechanism.assembly_near(values, near);
+            let nearby = mechanism.assembly_at(values, near);
             for assembly in M::assemblies().chain([nearby]) {
                 assert_eq!(travelled(&assembly), assembly, "{name}");
-                if let Ok(pose) = mechanism.solve_motion(inputs, assembly) {
+                if let Ok(pose) = mechanism.solve(inputs, assembly) {
                     poses += 1;
                     assert_returns(&mechanism, &pose);
                 }

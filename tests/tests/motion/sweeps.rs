@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use kin_core::extremes::{Extreme, ExtremeKind};
 use kin_core::library::{ClassThreeTriad, FourBar, SphericalFourBar, WhitworthQuickReturn};
 use kin_core::prelude::*;
-use kin_core::sweep::{Course, StraightLine};
+use kin_core::sweep::{StraightLine, Sweep};
 use kin_core::track;
 use kin_tests::reference::{Given, solution};
 
@@ -28,7 +28,7 @@ fn inputs<M: Mechanism>(at: f64, speed: f64) -> Vec<Vec<f64>> {
 /// Holds all extremes of every unknown against the scan and the reference. It returns their number.
 fn hold<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
-    sweep: impl Fn(usize) -> Course<M, StraightLine>,
+    sweep: impl Fn(usize) -> Sweep<M, StraightLine>,
     speed: f64,
     is_turn: bool,
 ) -> usize {
@@ -173,9 +173,7 @@ fn extremes_of_a_newton_block() {
         platform_c: Plane::new(root / 2.0, 1.5),
     };
     let leg = 5.0_f64.sqrt();
-    let begin = triad
-        .solve_position_near([leg; 3], [0.1, 2.2, -2.0, 1.6])
-        .expect("it closes");
+    let begin = Mechanism::position_near(&triad, [leg; 3], [0.1, 2.2, -2.0, 1.6]).expect("it closes");
     let start = track(&triad, [leg; 3], begin, [1.6; 3]).expect("the legs come as far");
     let sweep = |rows| triad.sweep(Near(start)).between([1.6; 3], [2.6; 3], rows).speed(0.5);
     assert!(hold(&triad, sweep, 0.5, false) > 2);

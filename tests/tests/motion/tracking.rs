@@ -30,11 +30,11 @@ const DOUBLE_ROCKER: FourBar = FourBar {
 fn go_round<M: Mechanism<Scalar = f64>>(mechanism: &M, assembly: M::Assembly, places: &[f64], tolerance: f64) {
     let inputs = |value| M::Inputs::from_fn(|_| value);
     let mut at = places[0];
-    let mut unknowns = mechanism.solve_position(inputs(at), assembly).unwrap();
+    let mut unknowns = mechanism.position(inputs(at), assembly).unwrap();
     for &next in &places[1..] {
         let there = track(mechanism, inputs(at), unknowns, inputs(next))
             .unwrap_or_else(|error| panic!("{} {assembly:?} from {at} to {next}: {error:?}", M::DESCRIPTION.name));
-        let direct = mechanism.solve_position(inputs(next), assembly).unwrap();
+        let direct = mechanism.position(inputs(next), assembly).unwrap();
         for (index, (one, other)) in there.as_ref().iter().zip(direct.as_ref()).enumerate() {
             let mut difference = one - other;
             if M::DESCRIPTION.unknowns[index].dimension == kin_core::Dimension::Angle {
@@ -75,9 +75,7 @@ fn limit_of<M: Mechanism<Scalar = f64>>(
     from: f64,
     to: f64,
 ) -> (Name, f64, M::Unknowns<f64>) {
-    let start = mechanism
-        .solve_position(M::Inputs::from_fn(|_| from), assembly)
-        .unwrap();
+    let start = mechanism.position(M::Inputs::from_fn(|_| from), assembly).unwrap();
     match track(
         mechanism,
         M::Inputs::from_fn(|_| from),
@@ -267,7 +265,7 @@ fn the_block_that_stops_is_named() {
     let first = CRANK_ROCKER;
     let mut found = 0;
     for assembly in FourBarsInSeries::<f64>::assemblies() {
-        let Ok(_) = linkage.solve_position([1.0], assembly) else {
+        let Ok(_) = linkage.position(1.0, assembly) else {
             continue;
         };
         for to in [10.0, -10.0] {
@@ -430,7 +428,7 @@ mechanism! {
 fn both_cranks<M: Mechanism<Scalar = f64, Assembly = Assembly>>(mechanism: &M) {
     let inputs = |left: f64, right: f64| M::Inputs::from_fn(|index| [left, right][index]);
     for assembly in Assembly::BOTH {
-        let start = mechanism.solve_position(inputs(0.5, 1.5), assembly).unwrap();
+        let start = mechanism.position(inputs(0.5, 1.5), assembly).unwrap();
         let corners = [(0.5, 1.5), (0.5 + TAU, 1.5 - TAU), (0.5 + TAU, 1.5), (0.5, 1.5)];
         let mut unknowns = start;
         for legs in corners.windows(2) {
@@ -447,7 +445,7 @@ fn both_cranks<M: Mechanism<Scalar = f64, Assembly = Assembly>>(mechanism: &M) {
         }
         // Spread too far, the pins are as far apart as both links are long.
         let small = M::from_parameters(M::Parameters::from_fn(|index| [10.0, 3.0, 4.0, 100.0][index]));
-        let start = small.solve_position(inputs(0.5, PI - 0.4), assembly).unwrap();
+        let start = small.position(inputs(0.5, PI - 0.4), assembly).unwrap();
         let result = track(&small, inputs(0.5, PI - 0.4), start, inputs(1.5, 1.0));
         let Err(error) = result else {
             panic!("it does not reach");
@@ -486,7 +484,7 @@ fn several_limits_at_once_are_a_limit() {
     let linkage = PeaucellierLinkage::from_parameters([2.0, 2.0, 6.0, 4.0]);
     let mut ended = 0;
     for assembly in PeaucellierLinkage::<f64>::assemblies() {
-        let Ok(start) = linkage.solve_position([0.6], assembly) else {
+        let Ok(start) = Mechanism::position(&linkage, [0.6], assembly) else {
             continue;
         };
         let Err(TrackError::TurningPoint(limit)) = track(&linkage, [0.6], start, [3.0]) else {

@@ -63,7 +63,7 @@ fn a_relative_drive_stops_where_ground_and_rocker_are_in_line() {
         let (low, high) = (near.acos(), far.acos());
         let from = 0.5 * (low + high);
         for assembly in RelativeDrive::<f64>::assemblies() {
-            let Ok(start) = mechanism.solve_position([from], assembly) else {
+            let Ok(start) = Mechanism::position(&mechanism, [from], assembly) else {
                 panic!("{mechanism:?}");
             };
             for (end, to) in [(low, -PI), (high, PI + 1.0)] {
@@ -100,10 +100,10 @@ fn walk<M: Mechanism<Scalar = f64, Motion<f64> = Motion<f64, 5>>>(
     for number in 0..steps {
         let value = |number: u32| from + step * f64::from(number);
         let motions = M::Inputs::from_fn(|_| Motion::at_constant_speed(value(number), 1.0));
-        let rates = mechanism.solve_motion_near(motions, unknowns).ok()?.unknown_motions();
+        let rates = mechanism.solve_near(motions, unknowns).ok()?.unknown_motions();
         let guess = M::Unknowns::from_fn(|index| unknowns[index] + rates[index].velocity() * step);
         let next = mechanism
-            .solve_position_near(M::Inputs::from_fn(|_| value(number + 1)), guess)
+            .position_near(M::Inputs::from_fn(|_| value(number + 1)), guess)
             .ok()?;
         let is_far = (0..guess.as_ref().len()).any(|index| {
             let moved = (guess[index] - unknowns[index]).abs();
@@ -148,7 +148,7 @@ where
     M: Mechanism<Scalar = f64, Motion<f64> = Motion<f64, 5>>,
 {
     let inputs = |value: f64| M::Inputs::from_fn(|_| value);
-    let Ok(start) = mechanism.solve_position_near(inputs(from), known) else {
+    let Ok(start) = mechanism.position_near(inputs(from), known) else {
         return "no start";
     };
     match track(mechanism, inputs(from), start, inputs(to)) {
@@ -169,7 +169,7 @@ where
         Err(TrackError::TurningPoint(limit)) => {
             let input = limit.inputs[0];
             let unknowns = limit.unknowns;
-            for residual in mechanism.residuals(limit.inputs, unknowns).as_ref() {
+            for residual in mechanism.closure(limit.inputs, unknowns).as_ref() {
                 assert!(residual.abs() <= 64.0 * f64::EPSILON, "{mechanism:?}: {residual}");
             }
             // Short of it the mechanism moves, by the root of what is missing.
@@ -181,7 +181,7 @@ where
             assert!(distance > 1e-7 && distance < 0.1, "{mechanism:?}: {distance}");
             // The other assembly is as far on the other side, and comes to the same end.
             let other = M::Unknowns::from_fn(|index| 2.0 * unknowns[index] - short[index]);
-            let other = mechanism.solve_position_near(inputs(input + missing), other).unwrap();
+            let other = mechanism.position_near(inputs(input + missing), other).unwrap();
             let apart = (0..short.as_ref().len())
                 .map(|index| (short[index] - other[index]).abs())
                 .fold(0.0, f64::max);

@@ -52,7 +52,7 @@ mechanism! {
 /// The error of a track that is neither a limit nor a change point.
 fn failure_of<M: Mechanism<Scalar = f64>>(mechanism: &M, from: f64, to: f64) -> SolveError {
     let inputs = |value: f64| M::Inputs::from_fn(|_| value);
-    let start = M::assemblies().find_map(|assembly| mechanism.solve_position(inputs(from), assembly).ok());
+    let start = M::assemblies().find_map(|assembly| mechanism.position(inputs(from), assembly).ok());
     let start = start.unwrap_or_else(|| panic!("{mechanism:?} is not defined at {from}"));
     match track(mechanism, inputs(from), start, inputs(to)) {
         Err(TrackError::Failed(error)) => error,

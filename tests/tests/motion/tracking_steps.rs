@@ -104,7 +104,7 @@ impl Tally {
         mut judge: impl FnMut(f64, Result<M::Unknowns<f64>, TrackErrorOf<M>>),
     ) {
         let inputs = |value: f64| M::Inputs::from_fn(|_| value);
-        let named = M::assemblies().filter_map(|assembly| mechanism.solve_position(inputs(from), assembly).ok());
+        let named = M::assemblies().filter_map(|assembly| mechanism.position(inputs(from), assembly).ok());
         for start in named.chain(known) {
             for to in [from + way, from - way] {
                 judge(to, self.go(mechanism, inputs(from), start, inputs(to)));

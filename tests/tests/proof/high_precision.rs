@@ -109,7 +109,7 @@ fn single<M: ThroughSnap>(poses: &[Pose<M>]) -> Errors {
         given,
     } = narrowed(poses);
     for (index, assembly) in assemblies.into_iter().enumerate() {
-        if let Ok(found) = poses.mechanisms[index].solve_motion(poses.inputs[index], assembly) {
+        if let Ok(found) = poses.mechanisms[index].solve(poses.inputs[index], assembly) {
             let motions = widened::<M>(found.unknown_motions().as_ref());
             let (given, place) = &given[index];
             let held = errors.hold::<M>(given, &motions, f32::EPSILON.into(), place);

@@ -9,7 +9,7 @@ use kin_tests::random::Random;
 
 /// Compares each column with the velocities at a unit velocity of its input. Returns whether the mechanism closes.
 fn check<M: ThroughSnap>(mechanism: &M, at: Inputs<M>, assembly: M::Assembly) -> bool {
-    let Ok(pose) = mechanism.solve_motion(at, assembly) else {
+    let Ok(pose) = mechanism.solve(at, assembly) else {
         return false;
     };
     let name = M::DESCRIPTION.name;
@@ -21,7 +21,7 @@ fn check<M: ThroughSnap>(mechanism: &M, at: Inputs<M>, assembly: M::Assembly) ->
             let rate = if input == column { 1.0 } else { 0.0 };
             Motion::at_constant_speed(values[input], rate)
         });
-        let unit = mechanism.solve_motion(inputs, assembly).expect("it closes");
+        let unit = mechanism.solve(inputs, assembly).expect("it closes");
         let (unknowns, outputs) = (unit.unknown_motions(), unit.output_motions());
         let gauge = Gauge::new(mechanism, &inputs, &unknowns);
         let expected = by_differentiation(mechanism, &inputs, assembly).expect("it closes on dual numbers, too");

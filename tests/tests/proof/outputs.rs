@@ -77,7 +77,7 @@ fn outputs_by_differentiation() {
                 let mechanism: M = case.varied(&mut random);
                 let inputs = case.inputs::<M>(f64::from(step) / 64.0, &mut random);
                 for assembly in M::assemblies() {
-                    let Ok(pose) = mechanism.solve_motion(inputs, assembly) else {
+                    let Ok(pose) = mechanism.solve(inputs, assembly) else {
                         continue;
                     };
                     let unknowns = pose.unknown_motions();
@@ -89,7 +89,7 @@ fn outputs_by_differentiation() {
                             let zero = <Nested as Number>::constant(0.0);
                             <M::Motion<Nested> as Row<Nested>>::from_fn(|order| if order == 0 { value } else { zero })
                         });
-                    let lifted: Pose<M> = lifted.solve_motion(still, assembly).expect("it closes on dual numbers");
+                    let lifted: Pose<M> = lifted.solve(still, assembly).expect("it closes on dual numbers");
                     // lengths are as large as the largest, and so are the terms that make up an output
                     let largest = mechanism
                         .parameters()

@@ -135,7 +135,7 @@ fn scaling_all_lengths_scales_the_motion() {
                 return;
             }
             grid(case, |mechanism: &M, inputs, assembly| {
-                let Ok(pose) = mechanism.solve_motion(inputs, assembly) else {
+                let Ok(pose) = mechanism.solve(inputs, assembly) else {
                     return;
                 };
                 let unknowns = pose.unknown_motions();
@@ -319,7 +319,7 @@ fn cost<M: Sensitive<Scalar = Counted>>(parameters: &[f64], angle: f64) {
     let mechanism = M::from_parameters(M::Parameters::from_fn(|index| Counted::new(parameters[index])));
     let inputs = M::Inputs::from_fn(|_| M::Motion::from_fn(|order| Counted::new([angle, 1.0, 2.0, 3.0, 4.0][order])));
     let poses: Vec<M::Pose> = M::assemblies()
-        .filter_map(|assembly| mechanism.solve_motion(inputs, assembly).ok())
+        .filter_map(|assembly| mechanism.solve(inputs, assembly).ok())
         .collect();
     assert!(!poses.is_empty(), "{name} does not close");
     cost_at(&mechanism, &poses);

@@ -163,7 +163,7 @@ impl<M: ThroughSnap> System<M> {
     /// "Tolerances" in `docs/verification.md`.
     fn compare(&self, crank: Orders, notes: &[Orders]) {
         let crank_motion = M::Inputs::from_fn(|_| Motion::new(crank));
-        let pose = self.mechanism.solve_motion(crank_motion, self.assembly);
+        let pose = self.mechanism.solve(crank_motion, self.assembly);
         let unknowns = pose.expect("it closes").unknown_motions();
         let gauge = Gauge::new(&self.mechanism, &crank_motion, &unknowns);
         let hyper_dual = self.by_hyper_dual_numbers(crank);
@@ -236,7 +236,7 @@ impl<M: ThroughSnap> System<M> {
     /// The unknowns by the position solver on numbers of another type.
     fn position<S: Scalar>(&self, crank: S) -> Vec<S> {
         let mechanism = self.mechanism.convert(<S as Number>::constant);
-        let position = mechanism.solve_position(Row::from_fn(|_| crank), self.assembly);
+        let position = mechanism.position(Row::from_fn(|_| crank), self.assembly);
         position.expect("it closes").as_ref().to_vec()
     }
 }

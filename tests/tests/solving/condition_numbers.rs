@@ -129,10 +129,10 @@ where
         let mechanism = M::from_parameters(Row::from_fn(|place| parameters[place]));
         let inputs = M::Inputs::from_fn(|_| M::Motion::from_fn(|order| if order == 0 { input } else { 1.0 }));
         // Rounding of the parameters alone may put the last links out of reach.
-        let Ok(pose) = mechanism.solve_motion_near(inputs, Row::from_fn(|place| near[place])) else {
+        let Ok(pose) = mechanism.solve_near(inputs, Row::from_fn(|place| near[place])) else {
             continue;
         };
-        let conditions = pose.conditions(&mechanism);
+        let conditions = mechanism.conditions(&pose);
         let position = pose.unknowns();
         let given = Given {
             parameters,
@@ -142,7 +142,7 @@ where
             continue;
         };
         worst.poses += 1;
-        let condition = pose.condition(&mechanism);
+        let condition = mechanism.condition(&pose);
         worst.condition = worst.condition.max(condition);
         for (place, own) in conditions.as_ref().iter().enumerate() {
             let expected = reference.conditions[place][0];
@@ -172,7 +172,7 @@ fn closure<M: Mechanism<Scalar = f64>>(
     conditions: &[f64],
 ) -> Vec<(f64, f64)> {
     let left = |changed: Option<usize>| -> Vec<[f64; 2]> {
-        let residuals = mechanism.convert(Series::<2>::constant).residuals(
+        let residuals = mechanism.convert(Series::<2>::constant).closure(
             Row::from_fn(|_| Series::constant(input)),
             Row::from_fn(|place| {
                 let rate = if changed == Some(place) { 1.0 } else { 0.0 };
@@ -243,17 +243,17 @@ fn conditions_next_to_a_limit() -> Result<(), SolveError> {
     for exponent in 1..=12 {
         let crank = limit - 10_f64.powi(-exponent);
         let position = LINKAGE.position(crank, Assembly::Open)?;
-        let condition = position.condition(&LINKAGE);
+        let condition = LINKAGE.condition(&position);
         let [theta3, theta4] = position.unknowns();
         let expected = 1.0 / (theta3 - theta4).sin().abs();
         assert!((1.0..20.0).contains(&(condition / expected)), "{condition} {expected}");
         // A pose of any order has the condition of its position.
         let velocity = position.velocity(2.0);
-        assert_eq!(velocity.conditions(&LINKAGE), position.conditions(&LINKAGE));
+        assert_eq!(LINKAGE.conditions(&velocity), LINKAGE.conditions(&position));
     }
     let single = single();
-    let [theta3, theta4] = single.position(1.0, Assembly::Open)?.conditions(&single);
-    let [expected3, expected4] = LINKAGE.position(1.0, Assembly::Open)?.conditions(&LINKAGE);
+    let [theta3, theta4] = single.conditions(&single.position(1.0, Assembly::Open)?);
+    let [expected3, expected4] = LINKAGE.conditions(&LINKAGE.position(1.0, Assembly::Open)?);
     assert!((theta3 / expected3 - 1.0).abs() < 1e-5 && (theta4 / expected4 - 1.0).abs() < 1e-5);
     Ok(())
 }
@@ -266,9 +266,9 @@ fn turns_on_which_angles_tell_no_direction() {
         let far = near.map(|angle| angle + turns * TAU);
         let position = LINKAGE.position_near(1.0, far).expect("angles still tell a direction");
         assert!((position.theta4.position() - far[1]).abs() < 0.01);
-        let [_, theta4] = position.conditions(&LINKAGE);
+        let [_, theta4] = LINKAGE.conditions(&position);
         assert!(theta4 >= far[1].abs());
-        let unit = f64::EPSILON * position.condition(&LINKAGE) * 90.0;
+        let unit = f64::EPSILON * LINKAGE.condition(&position) * 90.0;
         for left in LINKAGE.closure(1.0, position.unknowns()) {
             assert!(left.abs() <= unit, "{turns}: {left:e} of {unit:e}");
         }
@@ -332,7 +332,8 @@ fn turns_on_which_newtons_method_finds_nothing() {
     let mut columns = near.map(Column::Same);
     columns[2] = Column::Each(&guesses);
     let summary = triad
-        .solve_batch(legs[0], legs[1], legs[2], columns, &mut poses, &mut outcomes)
+        .batch(legs[0], legs[1], legs[2], columns)
+        .solve(&mut poses, &mut outcomes)
         .expect("the columns are of one length");
     assert_eq!(summary.failed, 6);
     assert_eq!(summary.first_failure, Some((3, error)));

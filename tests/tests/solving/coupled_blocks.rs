@@ -24,7 +24,7 @@ where
     let inputs = M::Inputs::from_fn(|_| Motion::new(motion));
     let near = M::Unknowns::from_fn(|index| unknowns[index] + random.between(-0.02, 0.02));
     let values = M::Inputs::from_fn(|_| motion[0]);
-    let Ok(pose) = mechanism.solve_motion_near(inputs, near) else {
+    let Ok(pose) = mechanism.solve_near(inputs, near) else {
         return;
     };
     let found: Vec<f64> = pose.unknown_motions().as_ref().iter().map(Motion::value).collect();
@@ -35,7 +35,7 @@ where
     if far {
         return;
     }
-    let assembly = mechanism.assembly_near(values, M::Unknowns::from_fn(|index| found[index]));
+    let assembly = mechanism.assembly_at(values, M::Unknowns::from_fn(|index| found[index]));
     worst.check(mechanism, inputs, assembly);
 }
 

@@ -47,7 +47,7 @@ impl Worst {
         M: Mechanism<Scalar = f64, Motion<f64> = Motion>,
     {
         let inputs = M::Inputs::from_fn(|_| Motion::new(input));
-        let Ok(pose) = mechanism.solve_motion(inputs, assembly) else {
+        let Ok(pose) = mechanism.solve(inputs, assembly) else {
             return;
         };
         self.poses += 1;

@@ -223,7 +223,7 @@ fn the_reference_agrees() {
                     return;
                 }
                 let place = format!("{assembly:?}");
-                if let Ok(pose) = mechanism.solve_motion(inputs, assembly) {
+                if let Ok(pose) = mechanism.solve(inputs, assembly) {
                     let given = Given {
                         parameters: mechanism.parameters().as_ref().to_vec(),
                         inputs: inputs.as_ref().iter().map(|motion| motion.as_ref().to_vec()).collect(),
@@ -242,7 +242,7 @@ fn the_reference_agrees() {
                     let motion: M::Motion<f32> = Row::from_fn(|order| nearest(inputs[index][order]));
                     motion
                 });
-                if let Ok(pose) = single.solve_motion(inputs, assembly) {
+                if let Ok(pose) = single.solve(inputs, assembly) {
                     let widened = |motion: &M::Motion<f32>| -> Vec<f64> {
                         motion.as_ref().iter().map(|value| f64::from(*value)).collect()
                     };
@@ -337,7 +337,7 @@ fn catenary() -> CatenaryForm {
 fn value<M: ThroughSnap>(parameters: &[f64], input: f64, assembly: M::Assembly) -> Result<f64, Failure> {
     let mechanism = M::from_parameters(M::Parameters::from_fn(|index| parameters[index]));
     mechanism
-        .solve_position(M::Inputs::from_fn(|_| input), assembly)
+        .position(M::Inputs::from_fn(|_| input), assembly)
         .map(|unknowns| unknowns[0])
         .map_err(|error| error.failure)
 }

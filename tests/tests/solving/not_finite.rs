@@ -42,12 +42,12 @@ fn closing<M: ThroughSnap>(case: Case) -> (M, M::Inputs<Motion<f64, 5>>, M::Asse
         // where assemblies have no names, a guess will do
         let values = M::Inputs::from_fn(|index| inputs[index].value());
         let guess = M::Unknowns::from_fn(|_| random.between(-3.0, 3.0));
-        let near = mechanism.solve_position_near(values, guess).ok();
+        let near = mechanism.position_near(values, guess).ok();
         let guessed = near
             .filter(|_| M::ASSEMBLY_COUNT == 0)
-            .map(|near| mechanism.assembly_near(values, near));
+            .map(|near| mechanism.assembly_at(values, near));
         for assembly in M::assemblies().chain(guessed) {
-            if mechanism.solve_motion(inputs, assembly).is_ok() {
+            if mechanism.solve(inputs, assembly).is_ok() {
                 return (mechanism, inputs, assembly);
             }
         }
@@ -62,7 +62,7 @@ impl Visitor for Parameters {
             for nonsense in NONSENSE {
                 let mut parameters = mechanism.parameters();
                 parameters[place] = nonsense;
-                let result = M::from_parameters(parameters).solve_motion(inputs, assembly);
+                let result = M::from_parameters(parameters).solve(inputs, assembly);
                 self.0.check(M::DESCRIPTION.name, quantity.name, result);
             }
         }
@@ -79,7 +79,7 @@ impl Visitor for Inputs {
                     let mut derivatives = inputs[place].derivatives();
                     derivatives[order] = nonsense;
                     inputs[place] = Motion::new(derivatives);
-                    let result = mechanism.solve_motion(inputs, assembly);
+                    let result = mechanism.solve(inputs, assembly);
                     self.0.check(M::DESCRIPTION.name, quantity.name, result);
                 }
             }
@@ -116,7 +116,7 @@ fn extremes() {
                     parameters[place] = extreme;
                     let mechanism = M::from_parameters(parameters);
                     for assembly in M::assemblies().chain([assembly]) {
-                        check::<M>(mechanism.solve_motion(inputs, assembly), extreme);
+                        check::<M>(mechanism.solve(inputs, assembly), extreme);
                     }
                 }
                 for order in 0..5 {
@@ -124,7 +124,7 @@ fn extremes() {
                     let mut derivatives = inputs[0].derivatives();
                     derivatives[order] = extreme;
                     inputs[0] = Motion::new(derivatives);
-                    check::<M>(mechanism.solve_motion(inputs, assembly), extreme);
+                    check::<M>(mechanism.solve(inputs, assembly), extreme);
                 }
             }
         }

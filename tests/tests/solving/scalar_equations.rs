@@ -13,7 +13,7 @@ use kin_tests::mechanisms::scalar_forms::*;
 fn value<M: ThroughSnap>(parameters: &[f64], input: f64, assembly: M::Assembly) -> Result<f64, Failure> {
     let mechanism = M::from_parameters(M::Parameters::from_fn(|index| parameters[index]));
     mechanism
-        .solve_position(M::Inputs::from_fn(|_| input), assembly)
+        .position(M::Inputs::from_fn(|_| input), assembly)
         .map(|unknowns| unknowns[0])
         .map_err(|error| error.failure)
 }

@@ -78,12 +78,12 @@ fn alike<A, B>(
     A: ThroughSnap,
     B: ThroughSnap,
 {
-    let Ok(first) = own.solve_motion(inputs, assembly) else {
+    let Ok(first) = own.solve(inputs, assembly) else {
         panic!("{} does not close", A::DESCRIPTION.name);
     };
     let input = inputs[0];
     let others_inputs = B::Inputs::from_fn(|_| input);
-    let Ok(second) = other.solve_motion(others_inputs, others) else {
+    let Ok(second) = other.solve(others_inputs, others) else {
         panic!("{} does not close", B::DESCRIPTION.name);
     };
     let (first, second) = (first.unknown_motions(), second.unknown_motions());

@@ -55,10 +55,7 @@ impl Visitor for Compare {
             let inputs = case.inputs::<M>(f64::from(step) / 12.0, &mut random);
             let scaled_inputs = M::Inputs::from_fn(|index| units.motion(M::DESCRIPTION.inputs[index], inputs[index]));
             for assembly in M::assemblies() {
-                let (own, other) = match (
-                    scaled.solve_motion(scaled_inputs, assembly),
-                    mechanism.solve_motion(inputs, assembly),
-                ) {
+                let (own, other) = match (scaled.solve(scaled_inputs, assembly), mechanism.solve(inputs, assembly)) {
                     (Ok(own), Ok(other)) => (own, other),
                     (Err(own), Err(other)) => {
                         let name = M::DESCRIPTION.name;

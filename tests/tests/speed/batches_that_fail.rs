@@ -35,7 +35,7 @@ impl Compare {
             }));
             let fraction = random.between(0.0, 1.0);
             let pose = (mechanism, case.inputs::<M>(fraction, random));
-            let pool = &mut pools[usize::from(mechanism.solve_motion(pose.1, assembly).is_err())];
+            let pool = &mut pools[usize::from(mechanism.solve(pose.1, assembly).is_err())];
             if pool.len() < POSES {
                 pool.push(pose);
             }

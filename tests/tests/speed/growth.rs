@@ -157,7 +157,7 @@ fn verify<M: ThroughTen, Short: ThroughSnap>(parameters: &[f64], seed: u64) {
             motion
         });
         for assembly in M::assemblies() {
-            let Ok(pose) = mechanism.solve_motion(inputs, assembly) else {
+            let Ok(pose) = mechanism.solve(inputs, assembly) else {
                 continue;
             };
             poses += 1;
@@ -165,9 +165,7 @@ fn verify<M: ThroughTen, Short: ThroughSnap>(parameters: &[f64], seed: u64) {
             let units = Units::new(&short, inputs.as_ref(), unknowns.as_ref());
             let series = |motion: &Motion<f64, LENGTH>| S::from_derivatives(motion.derivatives());
             let inputs = <<M::With<S> as Mechanism>::Inputs<S> as Row<S>>::from_fn(|index| series(&inputs[index]));
-            let expected = lifted
-                .solve_position(inputs, assembly)
-                .expect("it closes on series, too");
+            let expected = lifted.position(inputs, assembly).expect("it closes on series, too");
             for (index, (own, expected)) in unknowns.as_ref().iter().zip(expected.as_ref()).enumerate() {
                 let expected = expected.derivatives();
                 for (order, own) in own.derivatives().into_iter().enumerate() {
@@ -181,7 +179,7 @@ fn verify<M: ThroughTen, Short: ThroughSnap>(parameters: &[f64], seed: u64) {
                 }
             }
             let own = <<M::With<S> as Mechanism>::Unknowns<S> as Row<S>>::from_fn(|index| series(&unknowns[index]));
-            for (index, left) in lifted.residuals(inputs, own).as_ref().iter().enumerate() {
+            for (index, left) in lifted.closure(inputs, own).as_ref().iter().enumerate() {
                 for (order, left) in left.derivatives().into_iter().enumerate() {
                     let part = Units::part(left.abs(), units.gauge.equation(index, order), order);
                     worst[1][order] = worst[1][order].max(part);
@@ -219,7 +217,7 @@ fn run<M: ThroughSnap, const LOOPS: usize>() -> Vec<usize> {
     for step in 0..36 {
         let input = Motion::new(random.motion((f64::from(10 * step) + 0.3).to_radians()));
         let assembly = M::assembly(0).expect("all loops are open in the first assembly");
-        let Ok(pose) = chain.solve_motion(M::Inputs::from_fn(|_| input), assembly) else {
+        let Ok(pose) = chain.solve(M::Inputs::from_fn(|_| input), assembly) else {
             continue;
         };
         poses += 1;

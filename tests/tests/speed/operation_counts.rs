@@ -57,7 +57,7 @@ impl Visitor for Count {
             });
             for assembly in M::assemblies() {
                 let mut closes = false;
-                let tally = count::of(|| closes = counting.solve_motion(counted, assembly).is_ok());
+                let tally = count::of(|| closes = counting.solve(counted, assembly).is_ok());
                 if closes {
                     for (most, own) in dearest.iter_mut().zip(kinds(&tally)) {
                         *most = own.max(*most);
@@ -102,7 +102,7 @@ fn rates_of_coupled_blocks_cost_what_is_published() {
                 let inputs = case.inputs::<M>(f64::from(step) / 240.0, &mut random);
                 let values = M::Inputs::from_fn(|index| inputs[index].value());
                 let guess = M::Unknowns::from_fn(|_| random.between(-3.0, 3.0));
-                let Ok(near) = mechanism.solve_position_near(values, guess) else {
+                let Ok(near) = mechanism.position_near(values, guess) else {
                     continue;
                 };
                 let counted = <<M::With<S> as Mechanism>::Inputs<M::Motion<S>> as Row<_>>::from_fn(|index| {
@@ -111,12 +111,8 @@ fn rates_of_coupled_blocks_cost_what_is_published() {
                 let counted_values =
                     <<M::With<S> as Mechanism>::Inputs<S> as Row<S>>::from_fn(|index| S::new(values[index]));
                 let near = <<M::With<S> as Mechanism>::Unknowns<S> as Row<S>>::from_fn(|index| S::new(near[index]));
-                let whole = kinds(&count::of(|| {
-                    counting.solve_motion_near(counted, near).expect("it closes")
-                }));
-                let position = kinds(&count::of(|| {
-                    counting.solve_position_near(counted_values, near).expect("so")
-                }));
+                let whole = kinds(&count::of(|| counting.solve_near(counted, near).expect("it closes")));
+                let position = kinds(&count::of(|| counting.position_near(counted_values, near).expect("so")));
                 let rates = M::DESCRIPTION.operations[1..]
                     .iter()
                     .fold(Operations::NONE, |sum, order| sum.plus(*order));
@@ -208,7 +204,7 @@ fn prove<M: Mechanism<Scalar = Counted>>() {
     let mut count_of_poses = 0;
     for assembly in M::assemblies() {
         let mut solved = false;
-        let own = count::of(|| solved = mechanism.solve_motion(inputs, assembly).is_ok());
+        let own = count::of(|| solved = mechanism.solve(inputs, assembly).is_ok());
         if solved {
             measured = larger(measured, own);
             count_of_poses += 1;

@@ -5,7 +5,8 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use kin_core::tape::{self, C, Condition, Options, ResultOf, Role, Tape};
+use kin_core::tape::structure::{Condition, ResultOf, Role};
+use kin_core::tape::{self, C, Options, Tape};
 use kin_tests::mechanisms::cases::{self, Case, ThroughSnap, Visitor};
 use kin_tests::reference::{Errors, Given};
 

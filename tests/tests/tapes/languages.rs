@@ -7,7 +7,8 @@ use std::path::PathBuf;
 use std::process::{self, Command};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use kin_core::tape::{self, Function, Options, Tape, TapeNode};
+use kin_core::tape::structure::{Function, TapeNode};
+use kin_core::tape::{self, Options, Tape};
 use kin_tests::calls::Call;
 use kin_tests::mechanisms::cases::{self, Case, ThroughSnap, Visitor};
 

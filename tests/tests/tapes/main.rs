@@ -105,10 +105,10 @@ impl Visitor for Compared {
         self.mechanisms.push(M::DESCRIPTION.name);
         for pose in poses::<M>(case, POSES) {
             let own = match pose.near {
-                Some(near) => pose.mechanism.solve_motion_near(pose.inputs, near),
+                Some(near) => pose.mechanism.solve_near(pose.inputs, near),
                 None => pose
                     .mechanism
-                    .solve_motion(pose.inputs, M::assembly(pose.number).expect("it is one of them")),
+                    .solve(pose.inputs, M::assembly(pose.number).expect("it is one of them")),
             };
             self.compare::<M>(own, tape.run(&pose.arguments()), pose.size());
         }

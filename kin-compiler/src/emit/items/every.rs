@@ -81,7 +81,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
             ///
             #[doc = #order]
             /// The search starts from a system whose solutions are known and follows each of them to a solution of the coupled
-            /// equations. The module `continuation` of the library says what this guarantees.
+            /// equations. `Assemblies` of the library says what this guarantees.
             ///
             #(#[doc = #lines])*
             ///
@@ -92,7 +92,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
             {
                 #runtime::every::<#count, #capacity, #room>(
                     |#way| self.__one_of_all(#(#inputs,)* #way),
-                    |#near| #runtime::Mechanism::solve_position_near(self, [#(#inputs),*], #near),
+                    |#near| #runtime::Mechanism::position_near(self, [#(#inputs),*], #near),
                 )
             }
 

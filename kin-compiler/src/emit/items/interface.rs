@@ -79,7 +79,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
             (#index < Self::ASSEMBLY_COUNT).then(|| #by_number)
         }
     };
-    let assembly_near = if is_coupled {
+    let assembly_at = if is_coupled {
         quote!(let _ = #inputs; #runtime::Near(#near.map(#runtime::Number::real)))
     } else if value.is_empty() {
         quote!(let _ = (#inputs, #near);)
@@ -174,8 +174,8 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
                 #assembly_by_number
             }
 
-            fn assembly_near(&self, #inputs: [T; #input_count], #near: [T; #unknown_count]) -> Self::Assembly {
-                #assembly_near
+            fn assembly_at(&self, #inputs: [T; #input_count], #near: [T; #unknown_count]) -> Self::Assembly {
+                #assembly_at
             }
 
             #values_near
@@ -196,7 +196,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
             }
 
             #in_lanes
-            fn solve_motion(
+            fn solve(
                 &self,
                 #inputs: [#runtime::Motion<T, #length>; #input_count],
                 #wanted: Self::Assembly,
@@ -206,7 +206,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
             }
 
             #in_lanes
-            fn solve_motion_near(
+            fn solve_near(
                 &self,
                 #inputs: [#runtime::Motion<T, #length>; #input_count],
                 #near: [T; #unknown_count],
@@ -214,7 +214,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
                 #solve_near
             }
 
-            fn solve_position(
+            fn position(
                 &self,
                 #inputs: [T; #input_count],
                 #wanted: Self::Assembly,
@@ -223,7 +223,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
                 self.position(#(#places,)* #value).map(|position| position.unknowns())
             }
 
-            fn solve_position_near(
+            fn position_near(
                 &self,
                 #inputs: [T; #input_count],
                 #near: [T; #unknown_count],
@@ -231,7 +231,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
                 #unknowns_near
             }
 
-            fn residuals(&self, #inputs: [T; #input_count], #unknowns: [T; #unknown_count]) -> [T; #residual_count] {
+            fn closure(&self, #inputs: [T; #input_count], #unknowns: [T; #unknown_count]) -> [T; #residual_count] {
                 self.closure(#(#places,)* #unknowns)
             }
 

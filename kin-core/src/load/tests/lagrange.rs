@@ -212,7 +212,7 @@ fn model<C: Dense>(motions: &[&[f64]], along: [usize; 2]) -> Model<Twice> {
         let seed = |direction: usize| Timed::constant(if along[direction] == input { 1.0 } else { 0.0 });
         Twice::new(timed(motions[input], 0), seed(0), seed(1), Timed::constant(0.0))
     });
-    let unknowns = changing.solve_position(inputs, C::assembly()).expect("it closes");
+    let unknowns = changing.position(inputs, C::assembly()).expect("it closes");
     C::model(&changing, inputs.as_ref(), unknowns.as_ref())
 }
 

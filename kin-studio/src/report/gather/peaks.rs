@@ -141,8 +141,8 @@ fn place(kind: ExtremeKind) -> Place {
 /// All extremes over the range.
 fn extremes<D: SmoothDrive>(way: &Way<D>, column: &str) -> Result<Vec<extremes::Extreme>, ExtremesError> {
     let mut all = Vec::new();
-    for course in &way.courses {
-        all.extend(course.of(column).extremes()?);
+    for sweep in &way.sweeps {
+        all.extend(sweep.of(column).extremes()?);
     }
     let Some(start) = way.start() else { return Ok(all) };
     // Two sweeps begin at one place, which is no end of the range. It is an extreme only if it is one for both.
@@ -176,9 +176,9 @@ fn exceeds(further: f64, value: f64, side: Side) -> bool {
 
 /// The extreme value, even if it is reached over a while and not at a place, as in a dwell.
 fn flat<D: SmoothDrive>(way: &Way<D>, column: &str, side: Side) -> Option<(f64, f64, Place)> {
-    let reached = way.courses.iter().map(|course| match side {
-        Side::Highest => course.of(column).highest(),
-        Side::Lowest => course.of(column).lowest(),
+    let reached = way.sweeps.iter().map(|sweep| match side {
+        Side::Highest => sweep.of(column).highest(),
+        Side::Lowest => sweep.of(column).lowest(),
     });
     let reached: Vec<_> = reached.collect::<Result<_, _>>().ok()?;
     let sign = if side == Side::Highest { 1.0 } else { -1.0 };
@@ -191,8 +191,8 @@ fn flat<D: SmoothDrive>(way: &Way<D>, column: &str, side: Side) -> Option<(f64, 
 /// The root mean square over time, or nothing if it grows beyond all bounds.
 fn rms<D: SmoothDrive>(way: &Way<D>, column: &str) -> Result<Option<f64>, ExtremesError> {
     let mut own = Vec::new();
-    for course in &way.courses {
-        match course.of(column).rms(Over::Time) {
+    for sweep in &way.sweeps {
+        match sweep.of(column).rms(Over::Time) {
             Ok(mean) => own.push(mean.value),
             Err(ExtremesError::Diverges { .. } | ExtremesError::Unbounded { .. }) => return Ok(None),
             Err(error) => return Err(error),
@@ -210,8 +210,8 @@ fn rms<D: SmoothDrive>(way: &Way<D>, column: &str) -> Result<Option<f64>, Extrem
 /// The peak that is largest in size, with its dependence on the dimensions.
 fn sensitivity<D: SmoothDrive>(way: &Way<D>, column: &str) -> Option<extremes::PeakSensitivities> {
     let mut best: Option<extremes::PeakSensitivities> = None;
-    for course in &way.courses {
-        let own = course.of(column).peak_sensitivities().ok()?;
+    for sweep in &way.sweeps {
+        let own = sweep.of(column).peak_sensitivities().ok()?;
         if best
             .as_ref()
             .is_none_or(|best| own.peak.value.abs() > best.peak.value.abs())

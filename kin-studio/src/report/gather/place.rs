@@ -37,7 +37,7 @@ impl Own {
             let all = linkage.positions_at(inputs);
             let (all, _) = all.map_err(|error| ReportError::ClosesNowhere { error })?;
             let first = all.into_iter().next();
-            first.map(|unknowns| (linkage.assembly_near(inputs, &unknowns), unknowns))
+            first.map(|unknowns| (linkage.assembly_at(inputs, &unknowns), unknowns))
         };
         if let Some((assembly, unknowns)) = found {
             return Ok(Self {
@@ -69,7 +69,7 @@ impl Own {
                 },
             });
         };
-        let assembly = linkage.assembly_near(&line.inputs_at(place), &unknowns);
+        let assembly = linkage.assembly_at(&line.inputs_at(place), &unknowns);
         Ok(Self {
             branches: branches(cycle, place, &assembly, &unknowns, linkage.description()),
             assembly,

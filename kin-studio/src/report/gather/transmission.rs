@@ -24,9 +24,9 @@ pub(super) fn of<D: SmoothDrive>(wishes: &Wishes<'_>, way: &Way<D>, poses: &[At]
     }
     let worst = |dyad: usize| {
         let lowest = way
-            .courses
+            .sweeps
             .iter()
-            .filter_map(|course| course.of_transmission_angle(dyad).lowest().ok());
+            .filter_map(|sweep| sweep.of_transmission_angle(dyad).lowest().ok());
         let least = lowest.min_by(|one, other| one.value.total_cmp(&other.value))?;
         Some(WorstAngle {
             angle: least.value,

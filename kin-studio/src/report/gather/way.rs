@@ -17,15 +17,15 @@ pub(super) type At = (f64, Result<AnyPose, SolveError>);
 /// The sweeps over the range. Closed forms and laws need one. Along a line, coupled blocks are followed from a position to both ends.
 pub(super) struct Way<D> {
     /// The sweep downwards comes first, if there are two.
-    pub(super) courses: Vec<AnySweep<'static, D>>,
+    pub(super) sweeps: Vec<AnySweep<'static, D>>,
     /// The places on the range where the assembly closes, as the branches tell.
     closes: Vec<[f64; 2]>,
 }
 
 impl<'l> Way<Laws<'l>> {
-    pub(super) fn under_laws(course: AnySweep<'static, Laws<'l>>) -> Self {
+    pub(super) fn under_laws(sweep: AnySweep<'static, Laws<'l>>) -> Self {
         Self {
-            courses: vec![course],
+            sweeps: vec![sweep],
             closes: Vec::new(),
         }
     }
@@ -50,7 +50,7 @@ impl Way<StraightLine> {
         };
         if own.assembly.index().is_some() {
             return Ok(Self {
-                courses: vec![line.sweep(linkage, &own.assembly, range)],
+                sweeps: vec![line.sweep(linkage, &own.assembly, range)],
                 closes,
             });
         }
@@ -70,22 +70,22 @@ impl Way<StraightLine> {
             _ => None,
         };
         let (start, near) = start.unwrap_or((place, near));
-        let assembly = linkage.assembly_near(&line.inputs_at(start), &near);
-        let mut courses = Vec::new();
+        let assembly = linkage.assembly_at(&line.inputs_at(start), &near);
+        let mut sweeps = Vec::new();
         if start > low {
-            courses.push(line.sweep(linkage, &assembly, [start, low]));
+            sweeps.push(line.sweep(linkage, &assembly, [start, low]));
         }
         if start < high {
-            courses.push(line.sweep(linkage, &assembly, [start, high]));
+            sweeps.push(line.sweep(linkage, &assembly, [start, high]));
         }
-        Ok(Self { courses, closes })
+        Ok(Self { sweeps, closes })
     }
 }
 
 impl<D: SmoothDrive> Way<D> {
     /// The place where two sweeps begin, if there are two.
     pub(super) fn start(&self) -> Option<f64> {
-        match self.courses.as_slice() {
+        match self.sweeps.as_slice() {
             [down, _] => Some(down.at(0)),
             _ => None,
         }
@@ -101,9 +101,9 @@ impl<D: SmoothDrive> Way<D> {
     /// The poses of the range in ascending order.
     pub(super) fn poses(&self) -> Vec<At> {
         let mut all = Vec::new();
-        for (number, course) in self.courses.iter().enumerate() {
-            let mut poses = course.rows();
-            if course.at(0) > course.at(course.count() - 1) {
+        for (number, sweep) in self.sweeps.iter().enumerate() {
+            let mut poses = sweep.rows();
+            if sweep.at(0) > sweep.at(sweep.count() - 1) {
                 poses.reverse();
             } else if number > 0 {
                 // the place where both begin is there already

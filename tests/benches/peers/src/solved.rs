@@ -54,8 +54,8 @@ impl<M: ThroughSnap> Wanted<M> {
     /// Finds it.
     pub(crate) fn solve(self, mechanism: M) -> Result<M::Pose, SolveError> {
         match self.near {
-            Some(near) => mechanism.solve_motion_near(self.inputs, near),
-            None => mechanism.solve_motion(self.inputs, M::assembly(self.assembly).expect("it is one of them")),
+            Some(near) => mechanism.solve_near(self.inputs, near),
+            None => mechanism.solve(self.inputs, M::assembly(self.assembly).expect("it is one of them")),
         }
     }
 

@@ -14,7 +14,7 @@ impl Campaign {
         if pose.known(f64::EPSILON).is_none() {
             return;
         }
-        let told = self.topology.assembly_near(problem, &pose.found.position());
+        let told = self.topology.assembly_at(problem, &pose.found.position());
         if told != Some(*asked) {
             let what = format!("{:?} is told to be of assembly {told:?}", pose.found.position());
             self.find("assembly", what, problem, assembly);

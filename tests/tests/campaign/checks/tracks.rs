@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use kin_core::any::AssemblyChoice;
-use kin_core::{Dimension, Failure, Obstacle, TrackError};
+use kin_core::{Dimension, Failure, TrackError, TrackLimit};
 use kin_tests::counting::Calls;
 
 use super::pose::ALLOWED;
@@ -141,7 +141,7 @@ impl Campaign {
                         quantity.dimension == Dimension::Angle && turned(*own, *other) != 0.0
                     });
                     if is_turned {
-                        let told = self.topology.assembly_near(&problem, end);
+                        let told = self.topology.assembly_at(&problem, end);
                         if solved.assembly != told.map_or(AssemblyChoice::Near(Vec::new()), AssemblyChoice::Index) {
                             self.find_track("track", &format!("{end:?} is of assembly {told:?}"), solved, to);
                         }
@@ -183,6 +183,6 @@ impl Campaign {
     }
 }
 
-fn is_on_the_way(place: &Obstacle<Vec<f64>, Vec<f64>>) -> bool {
+fn is_on_the_way(place: &TrackLimit<Vec<f64>, Vec<f64>>) -> bool {
     (0.0..=1.0).contains(&place.fraction) && place.unknowns.iter().all(|value| value.is_finite())
 }

@@ -7,7 +7,7 @@ use alloc::vec::Vec;
 use super::columns::{Heading, labels};
 use super::drive::{Drive, SmoothDrive, Variable};
 use super::table::Table;
-use super::{Course, SweepError, row_at};
+use super::{Sweep, SweepError, row_at};
 use crate::any::{AssemblyChoice, MotionOver, Of, PositionChoice, description};
 use crate::curve::CurveFunctions;
 use crate::failure::SolveError;
@@ -36,7 +36,7 @@ pub(crate) fn joints(drive: &dyn SmoothDrive, ends: [f64; 2]) -> Vec<f64> {
 
 /// A sweep without types.
 #[derive(Clone)]
-pub struct AnyCourse<'c> {
+pub struct UntypedSweep<'c> {
     pub(crate) mechanism: &'c dyn SweptMechanism,
     pub(crate) description: &'c Description<'c>,
     pub(crate) parameters: NumberRow,
@@ -47,10 +47,10 @@ pub struct AnyCourse<'c> {
     pub(crate) count: usize,
 }
 
-impl<M: Mechanism<Scalar = f64>, D: Drive> Course<M, D> {
+impl<M: Mechanism<Scalar = f64>, D: Drive> Sweep<M, D> {
     /// This sweep without types.
-    pub(crate) fn any(&self) -> AnyCourse<'_> {
-        AnyCourse {
+    pub(crate) fn any(&self) -> UntypedSweep<'_> {
+        UntypedSweep {
             mechanism: Of::<M>::FUNCTIONS,
             description: description::<M>(),
             parameters: self.mechanism.parameters().as_ref().into(),
@@ -63,7 +63,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive> Course<M, D> {
     }
 }
 
-impl<'c> AnyCourse<'c> {
+impl<'c> UntypedSweep<'c> {
     /// The number of orders of a motion, that of the value included.
     pub(crate) fn orders(&self) -> usize {
         self.description.order + 1
