@@ -1,56 +1,43 @@
 /** The page's modules without a browser. */
 import assert from "node:assert/strict";
-import { readdirSync, readFileSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
-import { anatomyOf, followedAt, placeOf } from "../src/page/anatomy.mjs";
+import { anatomyOf, followedAt, placeOf } from "../src/page/kinematics/anatomy.mjs";
 import { isMathematics, seemsMathematics, withClasses } from "../src/page/formulas.mjs";
 import { createRoom, keepLines, placeName } from "../src/page/labels.mjs";
-import { isBroken, motionOf, pieceAt, placesOf } from "../src/page/drive.mjs";
-import { kindText, marksOf, stopText } from "../src/page/marks.mjs";
+import { isBroken, motionOf, pieceAt, placesOf } from "../src/page/kinematics/drive.mjs";
+import { kindText, marksOf, stopText } from "../src/page/kinematics/marks.mjs";
 import { cautionOf } from "../src/page/dimensions.mjs";
-import { createModel, FORMAT, givenDesign, movedOn, reasonToRefuse, solveAt } from "../src/page/model.mjs";
-import { nearestInput } from "../src/page/nearest.mjs";
+import { createModel, FORMAT, givenDesign, movedOn, reasonToRefuse, solveAt } from "../src/page/kinematics/model.mjs";
+import { nearestInput } from "../src/page/kinematics/nearest.mjs";
 import { paceText, pacesAround, secondsOf, watchablePace } from "../src/page/pace.mjs";
 import { numberText, steadyText, ticks, unitText, withUnit } from "../src/page/numbers.mjs";
-import { givenPeaks, ownPeaks } from "../src/page/peaks.mjs";
+import { givenPeaks, ownPeaks } from "../src/page/kinematics/peaks.mjs";
 import { hull } from "../src/page/picture.mjs";
-import { circleOfCurvature, instantCentre, ratesOfJoints } from "../src/page/rates.mjs";
+import { circleOfCurvature, instantCentre, ratesOfJoints } from "../src/page/kinematics/rates.mjs";
 import { gapText, shortfallOf } from "../src/page/reasons.mjs";
 import { quotedCell, sweepTable } from "../src/page/saving.mjs";
-import { allRows, movedInput, rowAt, rowBefore, sweepDesign } from "../src/page/sweep.mjs";
-import { poorTransmission } from "../src/page/transmission.mjs";
+import { allRows, createSweep, movedInput, rowAt, rowBefore } from "../src/page/kinematics/sweep.mjs";
+import { poorTransmission } from "../src/page/kinematics/transmission.mjs";
 import { createView, fitView, flat, onPage, orbitView, zoomView } from "../src/page/view.mjs";
 import { poseText } from "../src/page/words.mjs";
+import { bundle } from "./bundle.mjs";
 import { LAW, reportOf, solver } from "./testing/slider_crank.mjs";
 
 function prepared(changes) {
   const model = createModel(reportOf(changes), solver);
   const design = givenDesign(model);
   const assembly = model.report.assemblies[model.report.assembly];
-  return { model, design, assembly, sweep: sweepDesign(model, design, assembly) };
+  return { model, design, assembly, sweep: createSweep(model, design, assembly) };
 }
 
 const SHORT_ROD = { parameters: [{ name: "r", text: "r", dimension: "length", value: 30 }, { name: "l", text: "l", dimension: "length", value: 15 }] };
 
-test("modules can be joined into one script", () => {
-  const folder = new URL("../src/page/", import.meta.url);
-  const owners = new Map();
-  for (const file of readdirSync(folder).filter((name) => name.endsWith(".mjs"))) {
-    const source = readFileSync(new URL(file, folder), "utf8");
-    for (const line of source.split("\n")) {
-      if (/^\s*(import|export)\b/.test(line)) {
-        assert.match(line, /^(import \{ [\w, ]+ \} from "\.\/\w+\.mjs";|export (async )?(function|const) \w+)/, `${file}: ${line}`);
-        assert.doesNotMatch(line, / as /);
-      }
-      const name = line.match(/^(?:export )?(?:async )?(?:function|const|let|class) (\w+)/)?.[1];
-      if (name) {
-        assert.equal(owners.get(name), undefined, `${name} stands in ${owners.get(name)} and in ${file}`);
-        owners.set(name, file);
-      }
-      assert.equal((line.replaceAll("\"`\"", "").match(/`/g) ?? []).length % 2, 0, `a text over several lines in ${file}: ${line}`);
-    }
-    assert.doesNotMatch(source, /setAttribute\("style"|innerHTML|insertAdjacentHTML|eval\(|<\/script/);
+test("the bundle is that of the modules", async () => {
+  for (const { path, text } of await bundle()) {
+    assert.ok(readFileSync(path, "utf8") === text, `${path} is old: npm run bundle`);
+    assert.doesNotMatch(text, /setAttribute\("style"|innerHTML|insertAdjacentHTML|eval\(|<\/?script|<!--|<\/style/);
   }
 });
 
@@ -95,7 +82,7 @@ test("Taylor polynomials lead from pose to pose", () => {
 test("a whole turn is one stretch, and passes from its end to its beginning", () => {
   const { model, sweep } = prepared();
   assert.ok(sweep.full);
-  const moved = movedInput(model, sweep, 6.2, 0.2);
+  const moved = movedInput(sweep, 6.2, 0.2);
   assert.ok(!moved.stopped);
   assert.ok(Math.abs(moved.x - (6.4 - 2 * Math.PI)) < 1e-12);
   assert.ok(Math.abs(sweep.travel[0][0] - 50) < 1e-9 && Math.abs(sweep.travel[0][1] - 110) < 1e-9);
@@ -108,12 +95,12 @@ test("limits are found to 1e-9, and motion stops there", () => {
   const found = sweep.gaps.flatMap(({ from, to }) => [from, to]);
   found.forEach((x, index) => assert.ok(Math.abs(x - limits[index]) < 2e-9, `${x}`));
   assert.ok(Math.abs(sweep.gaps[0].margin + 15) < 1e-12);
-  const moved = movedInput(model, sweep, 0.4, 0.5);
+  const moved = movedInput(sweep, 0.4, 0.5);
   assert.ok(moved.stopped && Math.abs(moved.x - limits[0]) < 2e-9);
-  const marks = marksOf(model, sweep, 0, false);
+  const marks = marksOf(sweep);
   assert.equal(marks.length, 4);
   assert.ok(marks.every(({ own }) => own));
-  assert.equal(stopText(model, marks, sweep.gaps, moved.x, true), "Limit at θ = 30°: the links of s do not meet.");
+  assert.equal(stopText(sweep, marks, moved.x, true), "Limit at θ = 30°: the links of s do not meet.");
 });
 
 test("the report's exact limits take the place of the page's own", () => {
@@ -121,12 +108,12 @@ test("the report's exact limits take the place of the page's own", () => {
   const branch = (...ends) => ({ circuit: 0, assembly: 0, ends });
   const cycle = (...branches) => ({ incomplete: [], circuits: [], branches });
   const { model, sweep } = prepared({ ...SHORT_ROD, cycle: cycle(branch(end(-Math.PI / 6), end(Math.PI / 6))) });
-  const marks = marksOf(model, sweep, 0, true);
+  const marks = marksOf(sweep);
   assert.deepEqual(marks.map(({ own }) => own), [false, true, true, false]);
   assert.equal(marks[0].x, Math.PI / 6);
-  assert.equal(stopText(model, marks, sweep.gaps, marks[0].x, true), "Limit at θ = 30°: limit position of s.");
+  assert.equal(stopText(sweep, marks, marks[0].x, true), "Limit at θ = 30°: limit position of s.");
   const others = prepared({ ...SHORT_ROD, cycle: cycle(branch(end(0.1, "Range"), end(0.2, { Limit: "Pole" })), branch(end(0.3, "Lost"), end(0.4, "FullTurn"))) });
-  const texts = marksOf(others.model, others.sweep, 0, true).filter(({ own }) => !own);
+  const texts = marksOf(others.sweep).filter(({ own }) => !own);
   assert.deepEqual(texts.map(({ kind, text }) => [kind, text]), [["Pole", "pole of s"], ["Lost", ""]]);
 });
 
@@ -139,10 +126,10 @@ test("a coupled mechanism goes on from its last pose, and tells where it is lost
     },
   };
   const turning = createModel(reportOf(near), byGuess);
-  const whole = sweepDesign(turning, givenDesign(turning), turning.report.assemblies[0]);
+  const whole = createSweep(turning, givenDesign(turning), turning.report.assemblies[0]);
   assert.ok(whole.full && allRows(whole).every(({ pose }) => pose.s[0] > 0));
   const stuck = createModel(reportOf({ ...near, ...SHORT_ROD }), byGuess);
-  const part = sweepDesign(stuck, givenDesign(stuck), stuck.report.assemblies[0]);
+  const part = createSweep(stuck, givenDesign(stuck), stuck.report.assemblies[0]);
   assert.equal(part.gaps.length, 1);
   assert.ok(part.gaps[0].lost);
   assert.ok(Math.abs(part.spans[0].to - Math.PI / 6) < 1e-6);
@@ -150,19 +137,28 @@ test("a coupled mechanism goes on from its last pose, and tells where it is lost
 
 test("a pose between rows is solved, and stands still outside", () => {
   const { model, design, sweep, assembly } = prepared();
-  const row = rowAt(model, design, sweep, assembly, 1.23456);
+  const row = rowAt(sweep, 1.23456);
   assert.equal(row.pose.s[0], solveAt(model, design, 1.23456, 1).pose.s[0]);
-  assert.equal(rowAt(model, design, { ...sweep, spans: [] }, assembly, 1), null);
+  assert.equal(rowAt({ ...sweep, spans: [] }, 1), null);
 });
 
 test("peaks are those of calculus", () => {
   const { model, design, sweep, assembly } = prepared();
-  const [position] = ownPeaks(model, design, sweep, assembly);
+  const [position] = ownPeaks(sweep);
   assert.ok(Math.abs(position.highest.value - 110) < 1e-12);
   assert.ok(Math.abs(position.lowest.value - 50) < 1e-12 && Math.abs(position.lowest.at - Math.PI) < 1e-6);
-  const velocity = ownPeaks(model, design, sweep, assembly)[1];
+  const velocity = ownPeaks(sweep)[1];
   const there = solveAt(model, design, velocity.highest.at, 1).pose.s;
   assert.ok(Math.abs(there[2]) < 1e-3 * 30 * 100, "the acceleration vanishes at the peak of the velocity");
+});
+
+test("at a limit positions have their extremes, and rates are unbounded", () => {
+  const { sweep } = prepared(SHORT_ROD);
+  const [position, velocity] = ownPeaks(sweep);
+  // the page finds limits to 1e-10 of the range, and the position goes like the square root of that
+  assert.ok(Math.abs(position.lowest.value + 30 * Math.cos(Math.PI / 6)) < 30 * 1e-4);
+  assert.ok(Math.abs(position.highest.value - 45) < 1e-12);
+  assert.deepEqual([velocity.highest.value, velocity.lowest.value, velocity.rms], [null, null, null]);
 });
 
 test("the report's peaks are taken over as they are", () => {
@@ -175,18 +171,18 @@ test("the report's peaks are taken over as they are", () => {
 test("a dragged crank follows the pointer, and stops at a limit", () => {
   const { model, design, sweep, assembly } = prepared();
   const placed = (pose) => pose.joints[1];
-  const free = nearestInput(model, design, sweep, assembly, 0.3, placed, [20, 20]);
+  const free = nearestInput(sweep, 0.3, placed, [20, 20]);
   assert.ok(Math.abs(free.x - Math.PI / 4) < 1e-4 && !free.beyond);
-  const backwards = nearestInput(model, design, sweep, assembly, 0.1, placed, [20, -5]);
+  const backwards = nearestInput(sweep, 0.1, placed, [20, -5]);
   assert.ok(Math.abs(backwards.x - (2 * Math.PI - Math.atan(0.25))) < 1e-4, "it passes the end of the turn");
   const stuck = prepared(SHORT_ROD);
-  const held = nearestInput(stuck.model, stuck.design, stuck.sweep, stuck.assembly, 0.3, placed, [0, 30]);
+  const held = nearestInput(stuck.sweep, 0.3, placed, [0, 30]);
   assert.ok(held.beyond && Math.abs(held.x - Math.PI / 6) < 2e-9);
 });
 
 test("pins, the driven body and the floating body are found", () => {
   const { model, sweep } = prepared();
-  const anatomy = anatomyOf(model, sweep);
+  const anatomy = anatomyOf(sweep);
   assert.deepEqual(anatomy.pins, [true, true, true]);
   assert.deepEqual(anatomy.driven, [true, false]);
   assert.equal(anatomy.floating, 1);
@@ -197,8 +193,8 @@ test("pins, the driven body and the floating body are found", () => {
 
 test("rates of joints agree with those of the solver", () => {
   const { model, design, assembly, sweep } = prepared();
-  const row = rowAt(model, design, sweep, assembly, 0.7);
-  const rates = ratesOfJoints(model, design, assembly, row);
+  const row = rowAt(sweep, 0.7);
+  const rates = ratesOfJoints(sweep, row);
   [1, 2, 3].forEach((order) => {
     const size = 30 * 10 ** order;
     assert.ok(Math.abs(rates[2][order - 1][0] - row.pose.s[order]) < 1e-5 * size, `order ${order}`);
@@ -245,7 +241,7 @@ test("views fit, zoom about a place and orbit about a centre", () => {
 
 test("tables have a heading with units, and all digits", () => {
   const { model, sweep } = prepared();
-  const lines = sweepTable(model, sweep, true, 10).trim().split("\r\n");
+  const lines = sweepTable(sweep, true).trim().split("\r\n");
   assert.equal(lines[0], "theta [deg],time [s],s [mm],s velocity [mm/s],s acceleration [mm/s²],s jerk [mm/s³],s snap [mm/s⁴]");
   assert.equal(lines.length, allRows(sweep).length + 1);
   assert.ok(Math.abs(Number(lines[1].split(",")[2]) - 110) < 1e-12);
@@ -256,9 +252,9 @@ test("poor transmission is shaded between its crossings of 40 degrees", () => {
   const degree = Math.PI / 180;
   const samples = [[0, 60], [1, 50], [2, 30], [3, 20], [4, 60]].map(([input, angle]) => ({ input, angles: [angle * degree] }));
   const model = createModel(reportOf({ transmission: { dyads: ["s"], worst: [{ angle: 0.3, at: 3 }], samples } }), solver);
-  const [band] = poorTransmission(model, { spans: [{ from: 0, to: 5 }] }, true);
+  const [band] = poorTransmission({ model, reported: true, spans: [{ from: 0, to: 5 }] });
   assert.ok(Math.abs(band[0] - 1.5) < 1e-9 && Math.abs(band[1] - 3.5) < 1e-9);
-  assert.deepEqual(poorTransmission(model, { spans: [{ from: 0, to: 1.7 }, { from: 2.8, to: 3.1 }] }, true), [[2.8, 3.1]]);
+  assert.deepEqual(poorTransmission({ model, reported: true, spans: [{ from: 0, to: 1.7 }, { from: 2.8, to: 3.1 }] }), [[2.8, 3.1]]);
 });
 
 test("formulas hold mathematics alone", () => {
@@ -276,7 +272,7 @@ test("what is not mathematics is not even parsed", () => {
 
 test("a pose is told in words", () => {
   const { model, design, sweep, assembly } = prepared();
-  const row = rowAt(model, design, sweep, assembly, 0);
+  const row = rowAt(sweep, 0);
   assert.equal(poseText(model, row, true, "open", [0]), "θ = 0°, s = 110 mm; open");
 });
 
@@ -289,8 +285,8 @@ test("an angle goes on behind a gap as in kin's tables", () => {
       : { ok: true, pose: { psi: [wrapped(psi(x)), 0.2, 0, 0, 0], joints: [[0, 0], [Math.cos(psi(x)), Math.sin(psi(x))]], slides: [] } };
   const quantity = { name: "psi", key: "psi", text: "ψ", documentation: "", dimension: "angle" };
   const outline = { ground: [0], bodies: [{ name: "r", joints: [0, 1] }], slides: [], points: [] };
-  const model = createModel(reportOf({ unknowns: [quantity], outline }), { solve, OUTLINE: {}, CHECKS: [] });
-  const sweep = sweepDesign(model, givenDesign(model), model.report.assemblies[0]);
+  const model = createModel(reportOf({ unknowns: [quantity], outline }), { solve });
+  const sweep = createSweep(model, givenDesign(model), model.report.assemblies[0]);
   assert.equal(sweep.spans.length, 2);
   const rows = allRows(sweep);
   for (const { x, pose, shifts } of rows) {
@@ -375,40 +371,40 @@ test("under a law, curves have gaps where a derivative jumps", () => {
   const rows = allRows(sweep);
   const breaks = (order) => rows.slice(1).filter((row, index) => isBroken(model.drive, rows[index], row, order)).map(({ x }) => x);
   assert.deepEqual([0, 1, 2, 3, 4].map(breaks), [[], [], [0.1, 0.5], [0.1, 0.5], [0.1, 0.5]]);
-  const row = rowAt(model, design, sweep, assembly, 0.1);
-  const before = rowBefore(model, sweep, row);
+  const row = rowAt(sweep, 0.1);
+  const before = rowBefore(sweep, row);
   assert.deepEqual([before.piece, row.piece, before.pose.s[2], before.pose.s[0] - row.pose.s[0]], [0, 1, 0, 0]);
   assert.ok(row.pose.theta[2] > 37);
-  assert.equal(rowBefore(model, sweep, rowAt(model, design, sweep, assembly, 0.2)), null);
-  const marks = marksOf(model, sweep, 0, true);
+  assert.equal(rowBefore(sweep, rowAt(sweep, 0.2)), null);
+  const marks = marksOf(sweep);
   assert.deepEqual(marks.map(({ kind }) => kind), ["Joint", "Joint"]);
   assert.equal(kindText(marks[0]), "Acceleration jumps at");
-  assert.equal(stopText(model, marks, sweep.gaps, 0.6, true), "End of the range at time = 0.6 s.");
+  assert.equal(stopText(sweep, marks, 0.6, true), "End of the range at time = 0.6 s.");
 });
 
 test("under a law, values are those of the solver with the motion of the law", () => {
   const { model, design, assembly, sweep } = prepared(LAW);
   const theta = [0.5, 3.75, 0, -187.5, 0];
   const { pose } = solver.solve({ r: 30, l: 80 }, { theta }, 1);
-  const row = rowAt(model, design, sweep, assembly, 0.3);
+  const row = rowAt(sweep, 0.3);
   row.pose.s.forEach((value, order) => assert.ok(Math.abs(value - pose.s[order]) <= 1e-12 * Math.abs(pose.s[order]), `order ${order}`));
   // the input is one of the quantities
   assert.deepEqual(model.quantities.map(({ name, isInput }) => [name, isInput]), [["s", false], ["theta", true]]);
   assert.deepEqual(row.pose.theta, theta);
-  const lines = sweepTable(model, sweep, true, 1).trim().split("\r\n");
+  const lines = sweepTable(sweep, true).trim().split("\r\n");
   assert.match(lines[0], /^time \[s\],s \[mm\],.*theta \[deg\],theta velocity/);
   assert.equal(lines[1].split(",").length, 11);
   assert.equal(poseText(model, row, true, "", [0]), `time = 0.3 s, s = ${numberText(pose.s[0])} mm`);
   // another rod: the same law
   const longer = { ...design, parameters: { r: 30, l: 100 } };
-  const again = rowAt(model, longer, sweepDesign(model, longer, assembly), assembly, 0.3);
+  const again = rowAt(createSweep(model, longer, assembly), 0.3);
   assert.deepEqual(again.pose.theta, theta);
   assert.ok(again.pose.s[0] > row.pose.s[0] + 15);
 });
 
 test("above a jump there is no bound", () => {
   const { model, design, assembly, sweep } = prepared(LAW);
-  const peaks = ownPeaks(model, design, sweep, assembly).filter(({ quantity }) => quantity === "theta");
+  const peaks = ownPeaks(sweep).filter(({ quantity }) => quantity === "theta");
   assert.equal(peaks[0].highest.value, 1);
   assert.ok(Math.abs(peaks[1].highest.value - 3.75) < 1e-12 && Math.abs(peaks[1].highest.at - 0.3) < 1e-6);
   // the acceleration jumps up where the law begins, and up where it ends
@@ -420,12 +416,12 @@ test("above a jump there is no bound", () => {
 
 test("rates of joints go on by the series of their own piece", () => {
   const { model, design, assembly, sweep } = prepared(LAW);
-  const row = rowAt(model, design, sweep, assembly, 0.5 - 1e-9);
-  const rates = ratesOfJoints(model, design, assembly, row);
+  const row = rowAt(sweep, 0.5 - 1e-9);
+  const rates = ratesOfJoints(sweep, row);
   // the crank's pin at 1 rad with the acceleration of the end of the law
   const size = 30 * 37.5;
   assert.ok(Math.abs(rates[1][1][1] - 30 * Math.cos(1) * row.pose.theta[2]) < 1e-3 * size);
-  assert.ok(Math.hypot(...ratesOfJoints(model, design, assembly, rowAt(model, design, sweep, assembly, 0.55))[1][0]) < 1e-9);
+  assert.ok(Math.hypot(...ratesOfJoints(sweep, rowAt(sweep, 0.55))[1][0]) < 1e-9);
 });
 
 test("several inputs move along one line, and those that stand have values", () => {
@@ -438,15 +434,15 @@ test("several inputs move along one line, and those that stand have values", () 
     return { ok: true, pose: { s: [given.lift[0], ...given.lift.slice(1)], joints: [[0, 0], [Math.cos(given.theta[0]), Math.sin(given.theta[0])]], slides: [] } };
   };
   const outline = { ground: [0], bodies: [{ name: "r", joints: [0, 1] }], slides: [], points: [] };
-  const model = createModel(reportOf({ inputs, drive, range: [0, 2], period: null, speed: 10, outline }), { solve, OUTLINE: {}, CHECKS: [] });
+  const model = createModel(reportOf({ inputs, drive, range: [0, 2], period: null, speed: 10, outline }), { solve });
   const design = givenDesign(model);
   assert.deepEqual(design.standing, { tilt: 0.25 });
   solveAt(model, design, 1.5, 1);
   assert.deepEqual(seen.pop(), { theta: [1.5, 10, 0, 0, 0], lift: [5.5, -30, 0, 0, 0], tilt: [0.25, 0, 0, 0, 0] });
-  const sweep = sweepDesign(model, design, model.report.assemblies[0]);
-  assert.deepEqual(anatomyOf(model, sweep).drivers, [0]);
-  const row = rowAt(model, design, sweep, model.report.assemblies[0], 1.5);
+  const sweep = createSweep(model, design, model.report.assemblies[0]);
+  assert.deepEqual(anatomyOf(sweep).drivers, [0]);
+  const row = rowAt(sweep, 1.5);
   assert.equal(poseText(model, row, false, "", []), "theta = 1.5 rad, lift = 5.5 mm");
-  const [head, first] = sweepTable(model, sweep, false, 10).split("\r\n").map((line) => line.split(","));
+  const [head, first] = sweepTable(sweep, false).split("\r\n").map((line) => line.split(","));
   assert.deepEqual([head.slice(0, 3), first.slice(0, 3)], [["theta [rad]", "lift [mm]", "time [s]"], ["0", "10", "0"]]);
 });

@@ -13,7 +13,7 @@ import { pathToFileURL } from "node:url";
 
 import { chromium } from "playwright-core";
 
-import { FORMAT } from "../src/page/model.mjs";
+import { FORMAT } from "../src/page/kinematics/model.mjs";
 import { LAW } from "./testing/slider_crank.mjs";
 
 const folder = resolve(process.env.KIN_PAGES ?? "../../target/pages");

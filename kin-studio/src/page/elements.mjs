@@ -2,12 +2,7 @@
 
 const SVG_SPACE = "http://www.w3.org/2000/svg";
 
-/**
- * @param {string} name
- * @param {Record<string, string | number>} attributes
- * @param {Element | null} parent
- * @returns {SVGElement}
- */
+/** A new element of a picture. @returns {SVGElement} */
 export function drawn(name, attributes = {}, parent = null) {
   const element = document.createElementNS(SVG_SPACE, name);
   change(element, attributes);
@@ -15,22 +10,14 @@ export function drawn(name, attributes = {}, parent = null) {
   return element;
 }
 
-/**
- * @param {Element} element
- * @param {Record<string, string | number>} attributes
- */
+/** Sets attributes. */
 export function change(element, attributes) {
   for (const [name, value] of Object.entries(attributes)) {
     element.setAttribute(name, String(value));
   }
 }
 
-/**
- * @param {string} name
- * @param {Record<string, unknown>} properties
- * @param {(Node | string)[]} children
- * @returns {HTMLElement}
- */
+/** A new element of the page. @returns {HTMLElement} */
 export function made(name, properties = {}, ...children) {
   const element = document.createElement(name);
   for (const [property, value] of Object.entries(properties)) {
@@ -44,37 +31,23 @@ export function made(name, properties = {}, ...children) {
   return element;
 }
 
-/**
- * The element of the page with an identity.
- * @param {string} name
- * @returns {any}
- */
+/** The element of the page with an identity. @returns {any} */
 export function part(name) {
   return document.getElementById(name);
 }
 
-/**
- * @param {number[][]} points
- * @param {boolean} closed
- */
+/** A line through points as the data of a path, to a tenth of a pixel. */
 export function line(points, closed = false) {
-  let data = "";
-  for (let index = 0; index < points.length; index += 1) {
-    data += `${index === 0 ? "M" : "L"}${tenth(points[index][0])} ${tenth(points[index][1])}`;
-  }
+  const data = points.map(([x, y], index) => `${index === 0 ? "M" : "L"}${tenth(x)} ${tenth(y)}`).join("");
   return closed && points.length > 0 ? `${data}Z` : data;
 }
 
-/** @param {number} value */
+/** A number to one decimal. */
 export function tenth(value) {
   return Math.round(value * 10) / 10;
 }
 
-/**
- * Sets a text if it differs, which spares the browser work.
- * @param {Element} element
- * @param {string} text
- */
+/** Sets a text if it differs, which spares the browser work. */
 export function tell(element, text) {
   if (element.textContent !== text) {
     element.textContent = text;

@@ -12,19 +12,12 @@ const CLASSES = {
   "text-align:-webkit-right;padding-right:0": "to-right",
 };
 
-/**
- * MathML with classes in place of styles; unknown styles are left out.
- * @param {string} source
- */
+/** MathML with classes in place of styles; unknown styles are left out. */
 export function withClasses(source) {
   return source.replace(/\sstyle="([^"]*)"/g, (_, style) => (CLASSES[style] ? ` class="${CLASSES[style]}"` : ""));
 }
 
-/**
- * The formula as an element, or null if it holds anything but MathML.
- * @param {string} source
- * @returns {Element | null}
- */
+/** The formula as an element, or null if it holds anything but MathML. @returns {Element | null} */
 export function formulaOf(source) {
   if (!seemsMathematics(withClasses(source))) {
     return null;
@@ -33,10 +26,7 @@ export function formulaOf(source) {
   return parsed.documentElement ? taken(parsed.documentElement) : null;
 }
 
-/**
- * Whether all tags of a text are those of mathematics: others are not even parsed.
- * @param {string} source
- */
+/** Whether all tags of a text are those of mathematics: others are not even parsed. */
 export function seemsMathematics(source) {
   const tags = [...source.matchAll(/<(\/?)([^\s>/]*)([^>]*)>?/g)];
   const attributes = (text) => [...text.matchAll(/([^\s=/"]+)\s*=\s*"[^"]*"/g)].map(([, name]) => name);
@@ -44,11 +34,7 @@ export function seemsMathematics(source) {
   return tags.length > 0 && tags.every(([, , name, rest]) => clean(rest) && isMathematics(name, attributes(rest)));
 }
 
-/**
- * Whether an element's name and attributes are those of presentation MathML.
- * @param {string} name
- * @param {string[]} attributes
- */
+/** Whether an element's name and attributes are those of presentation MathML. */
 export function isMathematics(name, attributes) {
   return ELEMENTS.has(name) && attributes.every((attribute) => ATTRIBUTES.has(attribute) || attribute === "xmlns");
 }

@@ -1,24 +1,25 @@
 /** The page: what is shown, and what happens when a reader acts. */
-import { anatomyOf, placeOf } from "./anatomy.mjs";
 import { createSliders } from "./dimensions.mjs";
-import { motionOf } from "./drive.mjs";
 import { made, part, tell } from "./elements.mjs";
 import { handlePicture, handlePlots, handleScrubber } from "./hands.mjs";
-import { inputText, marksOf, stopText } from "./marks.mjs";
-import { blockText, createModel, givenDesign, reasonToRefuse, sameDesign } from "./model.mjs";
-import { nearestInput } from "./nearest.mjs";
+import { anatomyOf, placeOf } from "./kinematics/anatomy.mjs";
+import { motionOf } from "./kinematics/drive.mjs";
+import { inputText, marksOf, stopText } from "./kinematics/marks.mjs";
+import { blockText, createModel, givenDesign, reasonToRefuse } from "./kinematics/model.mjs";
+import { nearestInput } from "./kinematics/nearest.mjs";
+import { givenPeaks, ownPeaks } from "./kinematics/peaks.mjs";
+import { circleOfCurvature, instantCentre, ratesOfJoints } from "./kinematics/rates.mjs";
+import { allRows, createSweep, heldInput, innerRows, isAtLimit, movedInput, rowAt, spanAt, valueAt } from "./kinematics/sweep.mjs";
+import { BESIDE_LIMIT } from "./kinematics/tolerances.mjs";
+import { poorTransmission, worstTransmission } from "./kinematics/transmission.mjs";
 import { numberText, withUnit } from "./numbers.mjs";
 import { paceText, pacesAround, secondsOf, watchablePace } from "./pace.mjs";
 import { createPaper } from "./paper.mjs";
-import { givenPeaks, ownPeaks } from "./peaks.mjs";
 import { createPicture } from "./picture.mjs";
 import { createPlots } from "./plots.mjs";
-import { circleOfCurvature, instantCentre, ratesOfJoints } from "./rates.mjs";
 import { gapText } from "./reasons.mjs";
 import { handOver, pictureFile, pictureOfPixels, sweepTable } from "./saving.mjs";
 import { createScrubber } from "./scrubber.mjs";
-import { allRows, innerRows, isAtLimit, movedInput, rowAt, spanAt, sweepDesign } from "./sweep.mjs";
-import { poorTransmission, worstTransmission } from "./transmission.mjs";
 import { createView, fitView, flat } from "./view.mjs";
 import { poseText } from "./words.mjs";
 
@@ -40,12 +41,8 @@ const PRINTED = [
 ];
 const ARROWS = ["velocity", "acceleration", "jerk"];
 
-/**
- * Starts the page.
- * @param {any} report
- * @param {any} solver
- */
-export function start(report, solver) {
+/** Starts the page. */
+function start(report, solver) {
   const refusal = reasonToRefuse(report);
   if (refusal) {
     refuse(report, refusal);
@@ -56,7 +53,7 @@ export function start(report, solver) {
   const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
   const watchable = watchablePace(model, given);
   const state = {
-    design: structuredClone(given),
+    design: given,
     reference: null,
     assembly: report.assembly ?? 0,
     x: model.from,
@@ -79,9 +76,8 @@ export function start(report, solver) {
     scrubWidth: 0,
   };
   const view = createView(model.space);
-  let sweep = sweepDesign(model, state.design, assemblyNow());
-  model.givenRows = innerRows(sweep);
-  let anatomy = anatomyOf(model, sweep);
+  let sweep = createSweep(model, state.design, assemblyNow());
+  let anatomy = anatomyOf(sweep);
   let others = null;
   let marks = [];
   let arrowScales = null;
@@ -96,13 +92,8 @@ export function start(report, solver) {
   const scrubber = createScrubber(part("scrubber"), model);
   const paper = createPaper(part("paper"), model, (x) => goTo(x));
   const sliders = createSliders(part("sliders"), model, given, (group, name, value) => {
-    if (group === "speed") {
-      state.design.speed = value;
-    } else {
-      state.design[group][name] = value;
-    }
-    unsolved = true;
-    ask();
+    state.design = { ...state.design, [group]: group === "speed" ? value : { ...state.design[group], [name]: value } };
+    solve();
   });
 
   function assemblyNow() {
@@ -112,17 +103,23 @@ export function start(report, solver) {
   /** Its name, and its circuit if there are several and the dimensions are the report's, for which they are known. */
   function nameOfAssembly({ name, circuit }) {
     const several = (report.cycle?.circuits?.length ?? 0) > 1 && circuit !== undefined && circuit !== null;
-    return several && isGiven() ? `${name}, circuit ${circuit + 1}` : name;
-  }
-
-  /** Whether the design is that of the report. */
-  function isGiven() {
-    return sameDesign(state.design, given);
+    return several && sweep.given ? `${name}, circuit ${circuit + 1}` : name;
   }
 
   let spentOnFrames = [];
   let asked = false;
   let last = 0;
+  function redraw() {
+    redrawn = true;
+    ask();
+  }
+
+  /** The whole motion is solved again. */
+  function solve() {
+    unsolved = true;
+    ask();
+  }
+
   function ask() {
     if (!asked) {
       asked = true;
@@ -166,20 +163,16 @@ export function start(report, solver) {
     const begin = performance.now();
     unsolved = false;
     version += 1;
-    sweep = sweepDesign(model, state.design, assemblyNow());
-    const found = anatomyOf(model, sweep);
-    anatomy = found ?? anatomy;
+    sweep = createSweep(model, state.design, assemblyNow());
+    anatomy = anatomyOf(sweep) ?? anatomy;
     others = null;
     arrowScales = null;
     redrawn = true;
     const spent = performance.now() - begin;
     document.body.dataset.solved = spent.toFixed(2);
-    const gaps = isGiven() ? "" : " Limits are the page's own.";
+    const gaps = sweep.given ? "" : " Limits are the page's own.";
     tell(part("solved"), `The whole motion was solved again in ${numberText(spent, 2)} ms.${gaps}`);
-    if (spanAt(sweep, state.x) === null && sweep.spans.length > 0) {
-      const ends = sweep.spans.flatMap(({ from, to }) => [from, to]);
-      state.x = ends.reduce((near, end) => (Math.abs(end - state.x) < Math.abs(near - state.x) ? end : near));
-    }
+    state.x = heldInput(sweep, state.x);
     if (sweep.spans.length === 0) {
       say(`It closes nowhere in this assembly: ${gapText(model, sweep.gaps[0], amount)}.`, true);
     } else {
@@ -199,13 +192,13 @@ export function start(report, solver) {
   }
 
   function showPeaks() {
-    const exact = model.frames !== null || (isGiven() && state.assembly === (report.assembly ?? 0));
+    const exact = model.frames !== null || sweep.reported;
     const peaks = exact ? givenPeaks(model) : [];
     const source = exact && peaks.length > 0 ? "Exact values of the report." : "Found by the page at these dimensions.";
     const rest = model.drive.joints.length > 0 ? `${source} Where a derivative jumps, those above it are unbounded.` : source;
     const least = exact ? worstTransmission(model) : null;
     const angle = least ? ` Least transmission angle ${numberText((least.angle * 180) / Math.PI)}° at ${inputText(model, least.at, state.degrees)}.` : "";
-    paper.showPeaks(peaks.length > 0 ? peaks : ownPeaks(model, state.design, sweep, assemblyNow()), state.degrees, `${rest}${angle}`);
+    paper.showPeaks(peaks.length > 0 ? peaks : ownPeaks(sweep), state.degrees, `${rest}${angle}`);
   }
 
   function amount(value) {
@@ -223,8 +216,9 @@ export function start(report, solver) {
     }
   }
 
-  function sayStop(x) {
-    say(stopText(model, marks, sweep.gaps, x, state.degrees), true);
+  /** Says where it stops if it does, and otherwise what was said no longer holds. */
+  function sayStopIf(stops) {
+    say(stops ? stopText(sweep, marks, state.x, state.degrees) : "", stops);
   }
 
   function play(seconds) {
@@ -238,7 +232,7 @@ export function start(report, solver) {
       return;
     }
     const change = state.forward * state.pace * seconds * Math.abs(state.design.speed) * secondsOf(model.units.time);
-    const moved = movedInput(model, sweep, state.x, change);
+    const moved = movedInput(sweep, state.x, change);
     state.x = moved.x;
     if (state.once > 0) {
       state.once -= Math.abs(change);
@@ -247,12 +241,12 @@ export function start(report, solver) {
       }
     }
     if (moved.stopped) {
-      sayStop(state.x);
+      sayStopIf(true);
       state.forward = model.drive.overTime ? 1 : -state.forward;
       state.held = 0.6;
-    } else if (part("message").textContent !== "" && state.held <= 0 && spanAt(sweep, state.x) !== null) {
+    } else {
       const span = spanAt(sweep, state.x);
-      if (Math.min(state.x - span.from, span.to - state.x) > 0.04 * (model.to - model.from)) {
+      if (span !== null && Math.min(state.x - span.from, span.to - state.x) > BESIDE_LIMIT * model.width) {
         say("", false);
       }
     }
@@ -275,31 +269,17 @@ export function start(report, solver) {
     if (!quietly) {
       setPlaying(false);
     }
-    const span = spanAt(sweep, x);
-    if (span !== null) {
-      state.x = Math.min(span.to, Math.max(span.from, x));
-      if (isAtLimit(sweep, state.x)) {
-        sayStop(state.x);
-      } else {
-        say("", false);
-      }
-    } else if (sweep.spans.length > 0) {
-      const ends = sweep.spans.flatMap(({ from, to }) => [from, to]);
-      state.x = ends.reduce((near, end) => (Math.abs(end - x) < Math.abs(near - x) ? end : near));
-      sayStop(state.x);
-    }
+    state.x = heldInput(sweep, x);
+    sayStopIf(isAtLimit(sweep, state.x));
     later();
     ask();
   }
 
   function stepBy(change) {
     setPlaying(false);
-    const moved = movedInput(model, sweep, state.x, change);
+    const moved = movedInput(sweep, state.x, change);
     state.x = moved.x;
-    say("", false);
-    if (moved.stopped) {
-      sayStop(state.x);
-    }
+    sayStopIf(moved.stopped);
     later();
     ask();
   }
@@ -316,12 +296,11 @@ export function start(report, solver) {
 
   function drawStill() {
     measure();
-    marks = marksOf(model, sweep, state.assembly, isGiven());
+    marks = marksOf(sweep);
     const shown = shownNow();
-    const reference = state.reference ? state.reference.sweep : null;
+    const { reference } = state;
     plots.draw({ width: state.plotSize[0], height: state.plotSize[1], shown, degrees: state.degrees, time: state.time, zoom: state.zoom, sweep, reference, marks, speed: state.design.speed, orders: model.orders });
-    const exact = isGiven() && state.assembly === (report.assembly ?? 0);
-    const poor = poorTransmission(model, sweep, exact);
+    const poor = poorTransmission(sweep);
     scrubber.draw({ width: state.scrubWidth, sweep, marks, poor, degrees: state.degrees, amount });
     const keys = [["closes", "closes", sweep.spans], ["poor", "transmission angle below 40°", poor], ["gap", "does not close", sweep.gaps]];
     const key = keys.filter(([, , bands]) => bands.length > 0).map(([name, words]) => made("span", {}, made("i", { className: `key-${name}` }), words));
@@ -361,13 +340,13 @@ export function start(report, solver) {
   /** The other assemblies, each with its sweep, solved when they are first looked at. */
   function otherSweeps() {
     others ??= report.assemblies.flatMap((assembly, index) =>
-      index === state.assembly ? [] : [{ assembly, index, sweep: sweepDesign(model, state.design, assembly) }],
+      index === state.assembly ? [] : [{ assembly, index, sweep: createSweep(model, state.design, assembly) }],
     );
     return others;
   }
 
   function colourOfCircuit(assembly, index) {
-    const circuitOf = (one, place) => (isGiven() ? (one.circuit ?? place) : place);
+    const circuitOf = (one, place) => (sweep.given ? (one.circuit ?? place) : place);
     const circuit = circuitOf(assembly, index);
     const own = circuitOf(assemblyNow(), state.assembly);
     // the circuit on which the mechanism is has the first colour
@@ -387,7 +366,7 @@ export function start(report, solver) {
   }
 
   function drawPose() {
-    row = sweep.spans.length > 0 ? rowAt(model, state.design, sweep, assemblyNow(), state.x) : null;
+    row = rowAt(sweep, state.x);
     part("picture").classList.toggle("broken", row === null);
     lastRow = row ?? lastRow;
     if (lastRow === null || anatomy === null) {
@@ -415,7 +394,7 @@ export function start(report, solver) {
     };
     if (state.shows.ghosts) {
       for (const { assembly, index, sweep: own } of otherSweeps()) {
-        const there = rowAt(model, state.design, own, assembly, state.x);
+        const there = rowAt(own, state.x);
         const colour = colourOfCircuit(assembly, index);
         if (there !== null) {
           scene.ghosts.push({ pose: there.pose, index, colour, title: `${nameOfAssembly(assembly)}: click to change to it` });
@@ -423,8 +402,7 @@ export function start(report, solver) {
       }
     }
     if (state.reference) {
-      const there = rowAt(model, state.reference.design, state.reference.sweep, assemblyNow(), state.x);
-      scene.reference = there?.pose ?? null;
+      scene.reference = rowAt(state.reference, state.x)?.pose ?? null;
     }
     if (row !== null) {
       addRates(scene);
@@ -446,7 +424,7 @@ export function start(report, solver) {
 
   function addRates(scene) {
     const wanted = ARROWS.some((name) => state.shows[name]) || (!model.space && (state.shows.curvature || state.shows.centres));
-    const rates = wanted && !model.frames ? ratesOfJoints(model, state.design, assemblyNow(), row) : null;
+    const rates = wanted && !model.frames ? ratesOfJoints(sweep, row) : null;
     if (rates === null) {
       return;
     }
@@ -491,7 +469,7 @@ export function start(report, solver) {
     const sizes = [[], [], []];
     for (let part = 0; part < 24; part += 1) {
       const some = rows[Math.floor((part / 24) * rows.length)];
-      const rates = some ? ratesOfJoints(model, state.design, assemblyNow(), some) : null;
+      const rates = some ? ratesOfJoints(sweep, some) : null;
       for (const followed of rates ? carriers() : []) {
         sizes.forEach((list, order) => list.push(Math.hypot(...placeOf(model, followed, rates.map((joint) => joint[order])))));
       }
@@ -506,17 +484,15 @@ export function start(report, solver) {
     state.assembly = index;
     part("assembly").value = String(index);
     if (state.reference) {
-      state.reference.sweep = sweepDesign(model, state.reference.design, assemblyNow());
+      state.reference = createSweep(model, state.reference.design, assemblyNow());
     }
-    unsolved = true;
-    ask();
+    solve();
   }
 
   function setGroup(group) {
     state.group = group;
-    redrawn = true;
     listQuantities();
-    ask();
+    redraw();
   }
 
   /** The choices above the plots. */
@@ -534,8 +510,7 @@ export function start(report, solver) {
         const box = made("input", { type: "checkbox", checked: !state.hidden.has(name) });
         box.addEventListener("change", () => {
           state.hidden[box.checked ? "delete" : "add"](name);
-          redrawn = true;
-          ask();
+          redraw();
         });
         content.push(made("label", { title: documentation ?? "" }, box, made("span", { className: `legend c${colour}${dashed ? " dashed" : ""}` }), text));
       }
@@ -544,8 +519,7 @@ export function start(report, solver) {
     over.hidden = model.drive.overTime;
     over.addEventListener("change", () => {
       state.time = over.value === "time";
-      redrawn = true;
-      ask();
+      redraw();
     });
     const whole = made("button", { type: "button", id: "whole", hidden: isWhole() }, "Whole range");
     whole.addEventListener("click", () => zoomTo([model.from, model.to]));
@@ -561,8 +535,7 @@ export function start(report, solver) {
     const least = 1e-4 * (model.to - model.from);
     state.zoom = [Math.max(model.from, from), Math.min(model.to, Math.max(to, from + least))];
     part("whole").hidden = isWhole();
-    redrawn = true;
-    ask();
+    redraw();
   }
 
   function listOptions() {
@@ -594,13 +567,9 @@ export function start(report, solver) {
       return;
     }
     setPlaying(false);
-    const found = nearestInput(model, state.design, sweep, assemblyNow(), state.x, placed, pointer);
+    const found = nearestInput(sweep, state.x, placed, pointer);
     state.x = found.x;
-    if (found.beyond) {
-      sayStop(found.x);
-    } else {
-      say("", false);
-    }
+    sayStopIf(found.beyond);
     ask();
   }
 
@@ -611,21 +580,23 @@ export function start(report, solver) {
     ask();
   }
 
+  /** Shows another sweep beside, or none. */
+  function compare(reference) {
+    state.reference = reference;
+    redraw();
+  }
+
   function swap() {
-    const { design, sweep: own } = state.reference;
-    state.reference = { design: state.design, sweep };
-    state.design = structuredClone(design);
-    sweep = own;
-    unsolved = true;
-    ask();
+    [sweep, state.reference] = [state.reference, sweep];
+    state.design = sweep.design;
+    solve();
   }
 
   function openDrawer(open) {
     part("dimensions").hidden = !open;
     part("board").classList.toggle("with-drawer", open);
     part("open-dimensions").setAttribute("aria-expanded", String(open));
-    redrawn = true;
-    ask();
+    redraw();
   }
 
   function setUp() {
@@ -667,38 +638,38 @@ export function start(report, solver) {
     }
   }
 
+  /** Acts when a part of the page is clicked. */
+  function clicked(name, action) {
+    part(name).addEventListener("click", action);
+  }
+
+  /** Acts when another value of a part is chosen. */
+  function chosen(name, action) {
+    part(name).addEventListener("change", () => action(part(name).value));
+  }
+
   function listen() {
-    part("play").addEventListener("click", () => setPlaying(!state.playing));
-    part("pace").addEventListener("change", () => (state.pace = Number(part("pace").value)));
-    part("assembly").addEventListener("change", () => changeAssembly(Number(part("assembly").value)));
-    part("angles").addEventListener("change", () => {
-      state.degrees = part("angles").value === "degrees";
-      redrawn = true;
+    clicked("play", () => setPlaying(!state.playing));
+    chosen("pace", (pace) => (state.pace = Number(pace)));
+    chosen("assembly", (index) => changeAssembly(Number(index)));
+    chosen("angles", (unit) => {
+      state.degrees = unit === "degrees";
       say("", false);
       showPeaks();
-      ask();
+      redraw();
     });
-    part("open-dimensions").addEventListener("click", () => openDrawer(part("dimensions").hidden));
-    part("close-dimensions").addEventListener("click", () => {
+    clicked("open-dimensions", () => openDrawer(part("dimensions").hidden));
+    clicked("close-dimensions", () => {
       openDrawer(false);
       part("open-dimensions").focus();
     });
-    part("reset").addEventListener("click", () => {
-      state.design = structuredClone(given);
-      unsolved = true;
-      ask();
+    clicked("reset", () => {
+      state.design = given;
+      solve();
     });
-    part("keep").addEventListener("click", () => {
-      state.reference = { design: structuredClone(state.design), sweep };
-      redrawn = true;
-      ask();
-    });
-    part("drop").addEventListener("click", () => {
-      state.reference = null;
-      redrawn = true;
-      ask();
-    });
-    part("swap").addEventListener("click", swap);
+    clicked("keep", () => compare(sweep));
+    clicked("drop", () => compare(null));
+    clicked("swap", swap);
     handlePicture(part("picture"), model, { view, pose: () => lastRow.pose, drag, end: later, changed: ask, assembly: changeAssembly, trace });
     handlePlots(part("plots"), {
       inputAt: (x) => plots.inputAt(x),
@@ -731,37 +702,29 @@ export function start(report, solver) {
     }
     document.addEventListener("keydown", pressed);
     document.addEventListener("pointerdown", (event) => {
-      if (!part("save").contains(/** @type {Node} */ (event.target))) {
+      if (!part("save").contains(event.target)) {
         part("save").open = false;
       }
     });
-    new ResizeObserver(() => {
-      redrawn = true;
-      ask();
-    }).observe(part("board"));
-    for (const name of ["picture", "plots"]) {
-      new ResizeObserver(() => {
-        redrawn = true;
-        ask();
-      }).observe(part(name));
-    }
+    const resized = new ResizeObserver(redraw);
+    ["board", "picture", "plots"].forEach((name) => resized.observe(part(name)));
     listenToSaving();
   }
 
   /** The numbers of the pose: each quantity with its rates, in radians. */
   function valuesNow() {
-    return row && Object.fromEntries(model.quantities.map(({ name, declared }, index) => [declared, row.pose[name].map((value, order) => value + (order === 0 ? row.shifts[index] : 0))]));
+    return row && Object.fromEntries(model.quantities.map(({ name, declared }, index) => [declared, row.pose[name].map((_, order) => valueAt(model, row, index, order))]));
   }
 
   function listenToSaving() {
     const name = (report.module ?? report.name).replace(/[^A-Za-z0-9_-]+/g, "_");
     const on = (id, action) =>
-      part(id).addEventListener("click", () => {
+      clicked(id, () => {
         part("save").open = false;
         action();
       });
     const text = (file, content, type) => handOver(file, new Blob([content], { type }));
-    on("save-csv", () => text(`${name}.csv`, sweepTable(model, sweep, state.degrees, state.design.speed), "text/csv"));
+    on("save-csv", () => text(`${name}.csv`, sweepTable(sweep, state.degrees), "text/csv"));
     on("save-svg", () => text(`${name}.svg`, pictureFile(part("picture"), report.title), "image/svg+xml"));
     on("save-plots", () => text(`${name}_plots.svg`, pictureFile(part("plots"), report.title), "image/svg+xml"));
     on("save-png", () => {
@@ -775,7 +738,7 @@ export function start(report, solver) {
   }
 
   function pressed(event) {
-    const target = /** @type {Element} */ (event.target);
+    const target = event.target;
     const busy = target.closest("input, select, button, textarea, summary, pre");
     if (busy || event.altKey || event.ctrlKey || event.metaKey) {
       return;
@@ -823,3 +786,6 @@ function refuse(report, reason) {
   document.title = title;
   document.body.replaceChildren(made("main", { className: "refused" }, made("h1", {}, title), made("p", { role: "alert", id: "refusal" }, reason)));
 }
+
+// the solver stands before this script
+start(JSON.parse(part("report").textContent), kinSolver);

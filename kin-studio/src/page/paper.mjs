@@ -1,17 +1,15 @@
 /** What stands below the fold: peaks, sensitivities, equations, how it was solved, the declaration. */
-import { motionOf } from "./drive.mjs";
+import { motionOf } from "./kinematics/drive.mjs";
 import { drawn, made } from "./elements.mjs";
 import { formulaOf } from "./formulas.mjs";
-import { inputText } from "./marks.mjs";
-import { numberText, ORDERS, unitFactor, unitText, withUnit } from "./numbers.mjs";
+import { inputText } from "./kinematics/marks.mjs";
+import { numberText, ORDERS, quantityText, unitFactor, unitText, withUnit } from "./numbers.mjs";
 import { quotedCell } from "./saving.mjs";
 
 /** The part of the larger extreme below which the smaller one is but rounding. */
 const ROUNDING = 1e-14;
 
 /**
- * @param {HTMLElement} place
- * @param {import("./model.mjs").Model} model
  * @param {(x: number) => void} go moves the mechanism to a place of the range
  */
 export function createPaper(place, model, go) {
@@ -45,11 +43,6 @@ export function createPaper(place, model, go) {
   manual(add, model);
 
   return {
-    /**
-     * @param {import("./peaks.mjs").Peak[]} peaks
-     * @param {boolean} degrees
-     * @param {string} source
-     */
     showPeaks(peaks, degrees, source) {
       showSensitivities(degrees);
       const reasons = new Set((report.unanswered ?? []).map(({ text }) => text));
@@ -72,7 +65,7 @@ export function createPaper(place, model, go) {
           }
           // beside the other extreme, what is left of a zero by rounding is zero
           const own = Math.abs(peak.value) > ROUNDING * size ? peak.value : 0;
-          return peak.value === null ? "unbounded" : withUnit(numberText(own * factor, 6), unit(quantity, order));
+          return peak.value === null ? "unbounded" : quantityText(own, { ...quantity, order }, model, degrees, 6);
         };
         const at = (peak) => {
           if (!peak) {
@@ -83,7 +76,7 @@ export function createPaper(place, model, go) {
           button.addEventListener("click", () => go(peak.at));
           return button;
         };
-        const mean = rms === null ? "–" : withUnit(numberText(rms * factor, 6), unit(quantity, order));
+        const mean = rms === null ? "–" : quantityText(rms, { ...quantity, order }, model, degrees, 6);
         const swatch = made("span", { className: `legend c${quantity.colour}` });
         body.append(
           made(
@@ -106,13 +99,12 @@ export function createPaper(place, model, go) {
   };
 }
 
-/** @param {string} text */
 async function copyText(text) {
   try {
     await navigator.clipboard.writeText(text);
     return true;
   } catch {
-    const area = /** @type {HTMLTextAreaElement} */ (made("textarea", { value: text }));
+    const area = made("textarea", { value: text });
     document.body.append(area);
     area.select();
     const done = document.execCommand("copy");

@@ -1,9 +1,9 @@
 /** The mechanism to scale: ground, links, sliders, pins, paths, arrows and names. */
-import { placeOf } from "./anatomy.mjs";
+import { placeOf } from "./kinematics/anatomy.mjs";
 import { change, drawn, line, tell, tenth } from "./elements.mjs";
 import { createRoom, keepLines, keepSquare, placeName } from "./labels.mjs";
 import { numberText, ticks, withUnit } from "./numbers.mjs";
-import { alongSlide } from "./sweep.mjs";
+import { alongSlide } from "./kinematics/sweep.mjs";
 import { flat, onPage } from "./view.mjs";
 
 /** Half the length and half the width of a slider's block, in pixels. */
@@ -16,8 +16,8 @@ const LAYERS = ["grid", "trails", "ghosts", "reference", "ground", "bodies", "sl
  * @property {number} width
  * @property {number} height
  * @property {any} pose
- * @property {import("./anatomy.mjs").Anatomy} anatomy
- * @property {import("./sweep.mjs").Sweep} sweep
+ * @property {import("./kinematics/anatomy.mjs").Anatomy} anatomy
+ * @property {import("./kinematics/sweep.mjs").Sweep} sweep
  * @property {{name: boolean, [option: string]: boolean}} shows
  * @property {any[]} followed
  * @property {string} still what grid and trails depend on: they are drawn again when it differs
@@ -31,17 +31,12 @@ const LAYERS = ["grid", "trails", "ghosts", "reference", "ground", "bodies", "sl
  * @property {boolean} moves whether names should keep their places
  */
 
-/**
- * @param {SVGElement} svg
- * @param {import("./model.mjs").Model} model
- */
 export function createPicture(svg, model) {
   const layers = Object.fromEntries(LAYERS.map((name) => [name, pool(drawn("g", { class: name }, svg))]));
   const choices = new Map();
   let still = "";
   let kept = createRoom(0, 0);
   return {
-    /** @param {Scene} scene */
     draw(scene) {
       const room = createRoom(scene.width, scene.height);
       const joints = scene.pose.joints.map((joint) => onPage(scene.view, joint));
@@ -431,11 +426,7 @@ function names(layer, model, scene, joints, room, choices) {
   layer.end();
 }
 
-/**
- * The corners of the smallest convex polygon around some places; two if all lie on one line.
- * @param {number[][]} places
- * @returns {number[][]}
- */
+/** The corners of the smallest convex polygon around some places; two if all lie on one line. @returns {number[][]} */
 export function hull(places) {
   const sorted = [...places].sort((one, other) => one[0] - other[0] || one[1] - other[1]);
   const chain = (all) => {

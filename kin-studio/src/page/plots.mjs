@@ -1,9 +1,9 @@
 /** Position through snap over one common axis, with one cursor. */
-import { isBroken } from "./drive.mjs";
+import { isBroken } from "./kinematics/drive.mjs";
 import { change, drawn, line, tell, tenth } from "./elements.mjs";
-import { inputText } from "./marks.mjs";
+import { inputText } from "./kinematics/marks.mjs";
 import { numberText, ORDERS, steadyText, ticks, unitFactor, unitText, withUnit } from "./numbers.mjs";
-import { innerRows, isAtLimit, rowBefore, spanAt } from "./sweep.mjs";
+import { innerRows, isUnbounded, rowBefore, valueAt } from "./kinematics/sweep.mjs";
 
 const LEFT = 58;
 const RIGHT = 16;
@@ -20,17 +20,13 @@ const FOOT = 34;
  * @property {boolean} degrees
  * @property {boolean} time
  * @property {[number, number]} zoom the part of the range that is seen
- * @property {import("./sweep.mjs").Sweep} sweep
- * @property {import("./sweep.mjs").Sweep | null} reference
- * @property {import("./sweep.mjs").Mark[]} marks
+ * @property {import("./kinematics/sweep.mjs").Sweep} sweep
+ * @property {import("./kinematics/sweep.mjs").Sweep | null} reference
+ * @property {import("./kinematics/marks.mjs").Mark[]} marks
  * @property {number} speed
  * @property {number} orders how many derivatives
  */
 
-/**
- * @param {SVGElement} svg
- * @param {import("./model.mjs").Model} model
- */
 export function createPlots(svg, model) {
   let rows = [];
   let now = null;
@@ -38,11 +34,10 @@ export function createPlots(svg, model) {
   const moving = drawn("g", {}, svg);
   const selection = drawn("rect", { class: "selection", display: "none" }, svg);
   const across = (x) => LEFT + ((x - now.zoom[0]) / (now.zoom[1] - now.zoom[0])) * (now.width - LEFT - RIGHT);
-  const valueOf = (row, index, order) =>
-    (row.pose[model.quantities[index].name][order] + (order === 0 ? row.shifts[index] : 0)) *
-    unitFactor(model.quantities[index].dimension, now.degrees);
+  const factorOf = (index) => unitFactor(model.quantities[index].dimension, now.degrees);
+  const valueOf = (row, index, order) => valueAt(model, row, index, order) * factorOf(index);
 
-  /** Everything but the cursor. @param {Plotted} plotted */
+  /** Everything but the cursor. */
   function draw(plotted) {
     now = plotted;
     still.replaceChildren();
@@ -102,7 +97,7 @@ export function createPlots(svg, model) {
       swatch.textContent = "●";
       return { element: drawn("tspan", { dx: 3 }, values), name: named ? `${model.quantities[index].text} ` : "" };
     });
-    const scales = now.shown.map((index) => now.sweep.scales[index][order] * unitFactor(model.quantities[index].dimension, now.degrees));
+    const scales = now.shown.map((index) => now.sweep.scales[index][order] * factorOf(index));
     return { upper, lower, down: held, dots, dotsBefore, texts, scales, visible: (y) => y >= upper - 3 && y <= lower + 3 };
   }
 
@@ -140,7 +135,7 @@ export function createPlots(svg, model) {
     if (!(high >= low)) {
       return [-1, 1];
     }
-    const scale = Math.max(...now.shown.map((index) => now.sweep.scales[index][order] * unitFactor(model.quantities[index].dimension, now.degrees)), 1e-300);
+    const scale = Math.max(...now.shown.map((index) => now.sweep.scales[index][order] * factorOf(index)), 1e-300);
     // what does not change but for rounding is a straight line
     const least = high - low < 1e-9 * Math.max(Math.abs(high), Math.abs(low), scale) ? Math.max(0.1 * Math.abs(high), 1e-3) : 0;
     const room = 0.08 * (high - low) + least;
@@ -170,7 +165,7 @@ export function createPlots(svg, model) {
     label.textContent = now.time || model.drive.overTime ? withUnit("time,", model.units.time) : model.variable.text;
   }
 
-  /** The cursor and the values at it. @param {import("./sweep.mjs").Row} row */
+  /** The cursor and the values at it. */
   function point(row) {
     if (now === null) {
       return;
@@ -178,9 +173,8 @@ export function createPlots(svg, model) {
     const x = across(row.x);
     const inside = x >= LEFT - 0.5 && x <= now.width - RIGHT + 0.5;
     change(rows.cursor, { d: rows.map(({ upper, lower }) => `M${tenth(x)} ${tenth(upper)}V${tenth(lower)}`).join(""), display: inside ? "inline" : "none" });
-    const ends = isAtLimit(now.sweep, row.x);
     // at a joint there is a value before it and one behind it
-    const before = rowBefore(model, now.sweep, row);
+    const before = rowBefore(now.sweep, row);
     rows.forEach(({ down, dots, dotsBefore, texts, scales, visible }, order) => {
       const jumps = before !== null && isBroken(model.drive, before, row, order);
       now.shown.forEach((index, place) => {
@@ -191,10 +185,9 @@ export function createPlots(svg, model) {
         put(dots[place], row, true);
         put(dotsBefore[place], before ?? row, jumps);
         if (texts[place]) {
-          const value = valueOf(row, index, order);
-          const text = (number) => (ends && Math.abs(number) > 1e3 * scales[place] ? "unbounded" : steadyText(number, scales[place]));
+          const text = (own) => (isUnbounded(now.sweep, own, index, order) ? "unbounded" : steadyText(valueOf(own, index, order), scales[place]));
           const both = jumps && 2 * texts.length * DIGIT * 11 < now.width - LEFT - RIGHT;
-          tell(texts[place].element, `${texts[place].name}${both ? `${text(valueOf(before, index, order))} → ` : ""}${text(value)}`);
+          tell(texts[place].element, `${texts[place].name}${both ? `${text(before)} → ` : ""}${text(row)}`);
         }
       });
     });
@@ -209,7 +202,7 @@ export function createPlots(svg, model) {
     draw,
     point,
     inputAt,
-    /** Marks a part that is being chosen; none for null. @param {[number, number] | null} part */
+    /** Marks a part that is being chosen; none for null. */
     select(part) {
       if (part === null) {
         change(selection, { display: "none" });
@@ -219,7 +212,5 @@ export function createPlots(svg, model) {
       const box = { x: Math.min(from, to), width: Math.abs(to - from), y: HEAD - 6, height: now.height - FOOT - HEAD + 6 };
       change(selection, { ...box, display: "inline" });
     },
-    /** Whether anything closes at an input. @param {number} x */
-    closes: (x) => now !== null && spanAt(now.sweep, x) !== null,
   };
 }

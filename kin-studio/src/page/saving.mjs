@@ -1,20 +1,15 @@
 /** What can be taken away: tables as CSV, the picture as SVG and PNG, the report and the design as JSON. */
-import { motionOf } from "./drive.mjs";
+import { motionOf } from "./kinematics/drive.mjs";
 import { made } from "./elements.mjs";
 import { ORDERS, unitFactor, unitText } from "./numbers.mjs";
-import { allRows } from "./sweep.mjs";
+import { allRows, valueAt } from "./kinematics/sweep.mjs";
 
 /** The properties of a drawn element that a style sheet sets. */
 const STYLED = ["fill", "fill-opacity", "stroke", "stroke-width", "stroke-dasharray", "stroke-linecap", "stroke-linejoin", "stroke-opacity", "opacity", "font-size", "font-family", "font-style", "font-weight", "text-anchor"];
 
-/**
- * All poses of a sweep as comma-separated values, every number with all its digits.
- * @param {import("./model.mjs").Model} model
- * @param {import("./sweep.mjs").Sweep} sweep
- * @param {boolean} degrees
- * @param {number} speed
- */
-export function sweepTable(model, sweep, degrees, speed) {
+/** All poses of a sweep as comma-separated values, every number with all its digits. */
+export function sweepTable(sweep, degrees) {
+  const { model, design } = sweep;
   const heading = (name, dimension, order) => {
     const unit = unitText(dimension, order, model.units, degrees).replace("°", "deg");
     return quotedCell(`${name}${order > 0 ? ` ${ORDERS[order]}` : ""}${unit ? ` [${unit}]` : ""}`);
@@ -33,30 +28,20 @@ export function sweepTable(model, sweep, degrees, speed) {
   const rows = allRows(sweep).map((row) => [
     row.x * unitFactor(variable.dimension, degrees),
     ...others.map(({ index, dimension }) => motionOf(drive, index, row.x, row.piece, 1, 0)[0] * unitFactor(dimension, degrees)),
-    ...(drive.overTime ? [] : [(row.x - model.from) / speed]),
-    ...columns.map(({ quantity, index, order }) => {
-      const value = row.pose[quantity.name][order] + (order === 0 ? row.shifts[index] : 0);
-      return value * unitFactor(quantity.dimension, degrees);
-    }),
+    ...(drive.overTime ? [] : [(row.x - model.from) / design.speed]),
+    ...columns.map(({ quantity, index, order }) => valueAt(model, row, index, order) * unitFactor(quantity.dimension, degrees)),
   ]);
   return [head, ...rows].map((row) => `${row.join(",")}\r\n`).join("");
 }
 
-/**
- * A cell of a table of comma-separated values.
- * @param {string} text
- */
+/** A cell of a table of comma-separated values. */
 export function quotedCell(text) {
   return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 }
 
-/**
- * A picture of the page as a file of its own.
- * @param {SVGElement} svg
- * @param {string} title
- */
+/** A picture of the page as a file of its own. */
 export function pictureFile(svg, title) {
-  const copy = /** @type {SVGElement} */ (svg.cloneNode(true));
+  const copy = svg.cloneNode(true);
   const originals = [...svg.querySelectorAll("*")];
   const copies = [...copy.querySelectorAll("*")];
   copies.forEach((element, index) => {
@@ -91,12 +76,7 @@ export function pictureFile(svg, title) {
   return `${new XMLSerializer().serializeToString(copy)}\n`;
 }
 
-/**
- * A picture of the page as pixels, twice as many as on the screen.
- * @param {SVGElement} svg
- * @param {string} title
- * @returns {Promise<Blob>}
- */
+/** A picture of the page as pixels, twice as many as on the screen. @returns {Promise<Blob>} */
 export async function pictureOfPixels(svg, title) {
   const { width, height } = svg.getBoundingClientRect();
   const source = URL.createObjectURL(new Blob([pictureFile(svg, title)], { type: "image/svg+xml" }));
@@ -114,11 +94,7 @@ export async function pictureOfPixels(svg, title) {
   }
 }
 
-/**
- * Hands a file to the reader.
- * @param {string} name
- * @param {Blob} content
- */
+/** Hands a file to the reader. */
 export function handOver(name, content) {
   const link = made("a", { href: URL.createObjectURL(content), download: name });
   document.body.append(link);

@@ -1,6 +1,7 @@
 /** The range of the variable: where it closes, limits, dead points, poor transmission, and what is out of reach. */
 import { change, drawn, line, tell, tenth } from "./elements.mjs";
-import { inputText, kindText } from "./marks.mjs";
+import { inputText, kindText } from "./kinematics/marks.mjs";
+import { sameLimit } from "./kinematics/tolerances.mjs";
 import { ticks, unitFactor } from "./numbers.mjs";
 import { shortfallOf } from "./reasons.mjs";
 
@@ -10,10 +11,6 @@ const SIDE = 22;
 const TRACK = 40;
 const THICK = 12;
 
-/**
- * @param {SVGElement} svg
- * @param {import("./model.mjs").Model} model
- */
 export function createScrubber(svg, model) {
   let width = 0;
   const still = drawn("g", {}, svg);
@@ -23,9 +20,6 @@ export function createScrubber(svg, model) {
   const across = (x) => SIDE + ((x - model.from) / (model.to - model.from)) * (width - 2 * SIDE);
 
   return {
-    /**
-     * @param {{width: number, sweep: import("./sweep.mjs").Sweep, marks: import("./sweep.mjs").Mark[], poor: [number, number][], degrees: boolean, amount: (length: number) => string}} seen
-     */
     draw({ width: whole, sweep, marks, poor, degrees, amount }) {
       width = whole;
       still.replaceChildren();
@@ -34,7 +28,7 @@ export function createScrubber(svg, model) {
         const short = shortfallOf(gap);
         const [left, right] = [across(from), across(to)];
         const title = drawn("title", {}, drawn("rect", { x: left, width: Math.max(1, right - left), y: TRACK - THICK / 2, height: THICK, class: "gap" }, still));
-        const known = marks.some((mark) => !mark.own && Math.min(Math.abs(mark.x - from), Math.abs(mark.x - to)) < 1e-5 * (model.to - model.from));
+        const known = marks.some((mark) => !mark.own && (sameLimit(model, mark.x, from) || sameLimit(model, mark.x, to)));
         const text = lost && !known ? "assembly lost" : Number.isFinite(short) ? `out of reach by ${amount(short)}` : "does not close";
         title.textContent = text;
         let d = "";
@@ -60,13 +54,12 @@ export function createScrubber(svg, model) {
       }
       drawMarks(still, marks, degrees);
     },
-    /** @param {number} x @param {string} text the pose in words, short */
     point(x, text) {
       change(handle, { transform: `translate(${tenth(across(x))} 0)` });
       const factor = unitFactor(model.variable.dimension, true);
       change(svg, { "aria-valuenow": Math.round(x * factor * 1000) / 1000, "aria-valuetext": text });
     },
-    /** The variable at a place of the picture. @param {number} x */
+    /** The variable at a place of the picture. */
     inputAt: (x) => model.from + Math.min(1, Math.max(0, (x - SIDE) / (width - 2 * SIDE))) * (model.to - model.from),
   };
 

@@ -19,7 +19,6 @@ mod functions;
 mod gather;
 mod html;
 mod model;
-mod page;
 mod read;
 
 pub use draft::Draft;

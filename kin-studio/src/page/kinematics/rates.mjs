@@ -1,10 +1,7 @@
 /** Rates of joints: velocity, acceleration and jerk, for arrows, for the circle of curvature and for instant centres. */
 import { solveAt, valuesNear } from "./model.mjs";
+import { DIFFERENCE, DIFFERENCE_OF_PIECE, ROUNDING } from "./tolerances.mjs";
 
-/** The distance of the poses from which the rates of joints come, in parts of the range. */
-const STEP = 1 / 400;
-/** The most of it in parts of a piece of the drive. */
-const OF_PIECE = 1 / 16;
 /** Central differences of seven places: the first, second and third derivative, whose errors go with the sixth and fourth power. */
 const WEIGHTS = [
   [-1 / 60, 3 / 20, -3 / 4, 0, 3 / 4, -3 / 20, 1 / 60],
@@ -13,17 +10,14 @@ const WEIGHTS = [
 ];
 
 /**
- * The velocity, acceleration and jerk of every joint at a pose; null next to a limit. They are drawn, and never told as numbers.
- * @param {import("./model.mjs").Model} model
- * @param {import("./model.mjs").Design} design
- * @param {any} assembly
- * @param {import("./sweep.mjs").Row} row
+ * The velocity, acceleration and jerk of every joint at a row; null next to a limit. They are drawn, and never told as
+ * numbers.
  * @returns {number[][][] | null}
  */
-export function ratesOfJoints(model, design, assembly, row) {
+export function ratesOfJoints({ model, design, assembly }, row) {
   // the series of the row's own piece goes on beyond its ends, so that no joint comes between; from a short piece, not far
   const { from, to } = model.drive.pieces[row.piece];
-  const step = Math.min((model.to - model.from) * STEP, (to - from) * OF_PIECE);
+  const step = Math.min(model.width * DIFFERENCE, (to - from) * DIFFERENCE_OF_PIECE);
   const poses = [];
   for (let place = -3; place <= 3; place += 1) {
     const argument = model.coupled ? valuesNear(model, design, row.pose, place * step) : assembly.argument;
@@ -42,16 +36,13 @@ export function ratesOfJoints(model, design, assembly, row) {
 }
 
 /**
- * The circle of curvature of a plane path: its centre and radius, or null where the path is straight or stands still.
- * @param {number[]} place
- * @param {number[]} velocity
- * @param {number[]} acceleration
+ * The circle of curvature of a plane path, or null where the path is straight or stands still.
  * @returns {{centre: number[], radius: number} | null}
  */
 export function circleOfCurvature(place, [vx, vy], [ax, ay]) {
   const square = vx * vx + vy * vy;
   const bend = vx * ay - vy * ax;
-  if (!(square > 0) || !(Math.abs(bend) > 1e-9 * Math.hypot(ax, ay) * Math.sqrt(square))) {
+  if (!(square > 0) || !(Math.abs(bend) > ROUNDING * Math.hypot(ax, ay) * Math.sqrt(square))) {
     return null;
   }
   const part = square / bend;
@@ -59,11 +50,7 @@ export function circleOfCurvature(place, [vx, vy], [ax, ay]) {
 }
 
 /**
- * The instant centre of a plane body, from the velocities of two of its joints; null if it only shifts.
- * @param {number[]} one
- * @param {number[]} other
- * @param {number[]} velocityOne
- * @param {number[]} velocityOther
+ * The instant centre of a plane body, from two of its joints and their velocities; null if it only shifts.
  * @returns {number[] | null}
  */
 export function instantCentre(one, other, velocityOne, velocityOther) {
@@ -71,7 +58,7 @@ export function instantCentre(one, other, velocityOne, velocityOther) {
   const square = dx * dx + dy * dy;
   // the velocity of one joint relative to the other is the body's rate of turn, at right angles to their distance
   const turn = (dx * (velocityOther[1] - velocityOne[1]) - dy * (velocityOther[0] - velocityOne[0])) / square;
-  if (!(square > 0) || !(Math.abs(turn) * Math.sqrt(square) > 1e-9 * Math.hypot(...velocityOne))) {
+  if (!(square > 0) || !(Math.abs(turn) * Math.sqrt(square) > ROUNDING * Math.hypot(...velocityOne))) {
     return null;
   }
   return [one[0] - velocityOne[1] / turn, one[1] + velocityOne[0] / turn];

@@ -12,10 +12,7 @@ export const FORMAT = 3;
  * @typedef {{name: string, text: string, documentation: string, dimension: string, colour: number}} Quantity
  */
 
-/**
- * What is wrong with a report, or an empty text.
- * @param {any} report
- */
+/** What is wrong with a report, or an empty text. */
 export function reasonToRefuse(report) {
   if (typeof report?.format !== "number") {
     return "This page holds no report.";
@@ -32,10 +29,7 @@ export function reasonToRefuse(report) {
 /** The time as a quantity. */
 const TIME = { name: "time", declared: "time", text: "time", documentation: "", dimension: "time" };
 
-/**
- * @param {any} report
- * @param {any} solver
- */
+/** The mechanism of a report. */
 export function createModel(report, solver) {
   // the solver's own names are used throughout; the declared ones are for the reader
   const named = (quantity) => ({ ...quantity, name: quantity.key ?? quantity.name, declared: quantity.name, text: quantity.text || quantity.name });
@@ -64,9 +58,10 @@ export function createModel(report, solver) {
     unknowns,
     quantities,
     frames: solver ? null : framesOf(report, drive, quantities),
-    outline: report.outline ?? solver?.OUTLINE ?? { ground: [], bodies: [], slides: [], points: [] },
+    outline: report.outline,
     from: report.range[0],
     to: report.range[1],
+    width: report.range[1] - report.range[0],
     period: report.period ?? 0,
     orders: Math.min(4, report.order ?? 4),
     coupled: Boolean(report.coupled),
@@ -85,13 +80,7 @@ function framesOf({ frames, order, speed }, drive, quantities) {
   });
 }
 
-/** @typedef {ReturnType<typeof createModel>} Model */
-
-/**
- * The design of the report.
- * @param {Model} model
- * @returns {Design}
- */
+/** The design of the report. @returns {Design} */
 export function givenDesign(model) {
   return {
     parameters: Object.fromEntries(model.parameters.map(({ name, value }) => [name, value])),
@@ -100,10 +89,7 @@ export function givenDesign(model) {
   };
 }
 
-/**
- * @param {Design} one
- * @param {Design} other
- */
+/** Whether two designs have the same numbers. */
 export function sameDesign(one, other) {
   const same = (left, right) => Object.keys(left).every((name) => left[name] === right[name]);
   return one.speed === other.speed && same(one.parameters, other.parameters) && same(one.standing, other.standing);
@@ -111,9 +97,6 @@ export function sameDesign(one, other) {
 
 /**
  * The pose at a value of the variable.
- * @param {Model} model
- * @param {Design} design
- * @param {number} x
  * @param {any} argument the assembly, or values nearby
  * @param {number} piece the piece of the drive
  * @returns {Solved}
@@ -131,23 +114,13 @@ export function solveAt(model, design, x, argument, piece = pieceAt(model.drive,
   return solved;
 }
 
-/**
- * The unknowns of a pose as values nearby, moved on by a change of the variable.
- * @param {Model} model
- * @param {Design} design
- * @param {Pose} pose
- * @param {number} change
- */
+/** The unknowns of a pose as values nearby, moved on by a change of the variable. */
 export function valuesNear(model, design, pose, change = 0) {
   const time = change / design.speed;
   return Object.fromEntries(model.unknowns.map(({ name }) => [name, movedOn(pose[name], time)]));
 }
 
-/**
- * A Taylor polynomial.
- * @param {number[]} rates
- * @param {number} time
- */
+/** A Taylor polynomial. */
 export function movedOn(rates, time) {
   let sum = 0;
   for (let order = rates.length - 1; order >= 0; order -= 1) {
@@ -156,11 +129,7 @@ export function movedOn(rates, time) {
   return sum;
 }
 
-/**
- * The names of a block with the texts of its unknowns.
- * @param {Model} model
- * @param {string} block
- */
+/** The names of a block with the texts of its unknowns. */
 export function blockText(model, block) {
   const text = (name) => model.quantities.find((quantity) => quantity.declared === name || quantity.name === name)?.text ?? name;
   return block.split(", ").map(text).join(", ");
