@@ -32,7 +32,12 @@ function prepared(changes) {
   return { model, design, assembly, sweep: createSweep(model, design, assembly) };
 }
 
-const SHORT_ROD = { parameters: [{ name: "r", text: "r", dimension: "length", value: 30 }, { name: "l", text: "l", dimension: "length", value: 15 }] };
+const SHORT_ROD = {
+  parameters: [
+    { name: "r", text: "r", dimension: "length", value: 30 },
+    { name: "l", text: "l", dimension: "length", value: 15 },
+  ],
+};
 
 test("the bundle is that of the modules", async () => {
   for (const { path, text } of await bundle()) {
@@ -42,15 +47,27 @@ test("the bundle is that of the modules", async () => {
 });
 
 test("numbers are short, with true minus signs and powers of ten", () => {
-  assert.deepEqual([0, -1.5, 1234.5678, 1e-9, -2.5e8, Infinity].map((value) => numberText(value)), ["0", "−1.5", "1234.6", "1×10⁻⁹", "−2.5×10⁸", "∞"]);
+  assert.deepEqual(
+    [0, -1.5, 1234.5678, 1e-9, -2.5e8, Infinity].map((value) => numberText(value)),
+    ["0", "−1.5", "1234.6", "1×10⁻⁹", "−2.5×10⁸", "∞"],
+  );
   assert.equal(numberText(0.1 + 0.2, 6), "0.3");
-  assert.deepEqual([1.23456, -0.00001].map((value) => steadyText(value, 9.9)), ["1.235", "0.000"]);
+  assert.deepEqual(
+    [1.23456, -0.00001].map((value) => steadyText(value, 9.9)),
+    ["1.235", "0.000"],
+  );
 });
 
 test("units follow the order and the choice of degrees", () => {
   const units = { length: "mm", time: "s" };
-  assert.deepEqual([0, 1, 2, 4].map((order) => unitText("length", order, units, true)), ["mm", "mm/s", "mm/s²", "mm/s⁴"]);
-  assert.deepEqual([0, 3].map((order) => unitText("angle", order, units, true)), ["°", "°/s³"]);
+  assert.deepEqual(
+    [0, 1, 2, 4].map((order) => unitText("length", order, units, true)),
+    ["mm", "mm/s", "mm/s²", "mm/s⁴"],
+  );
+  assert.deepEqual(
+    [0, 3].map((order) => unitText("angle", order, units, true)),
+    ["°", "°/s³"],
+  );
   assert.equal(unitText("angle", 1, units, false), "rad/s");
   assert.equal(unitText("number", 1, units, false), "1/s");
   assert.deepEqual([withUnit("5", "°"), withUnit("5", "mm"), withUnit("5", "")], ["5°", "5 mm", "5"]);
@@ -109,12 +126,27 @@ test("the report's exact limits take the place of the page's own", () => {
   const cycle = (...branches) => ({ incomplete: [], circuits: [], branches });
   const { model, sweep } = prepared({ ...SHORT_ROD, cycle: cycle(branch(end(-Math.PI / 6), end(Math.PI / 6))) });
   const marks = marksOf(sweep);
-  assert.deepEqual(marks.map(({ own }) => own), [false, true, true, false]);
+  assert.deepEqual(
+    marks.map(({ own }) => own),
+    [false, true, true, false],
+  );
   assert.equal(marks[0].x, Math.PI / 6);
   assert.equal(stopText(sweep, marks, marks[0].x, true), "Limit at θ = 30°: limit position of s.");
-  const others = prepared({ ...SHORT_ROD, cycle: cycle(branch(end(0.1, "Range"), end(0.2, { Limit: "Pole" })), branch(end(0.3, "Lost"), end(0.4, "FullTurn"))) });
+  const others = prepared({
+    ...SHORT_ROD,
+    cycle: cycle(
+      branch(end(0.1, "Range"), end(0.2, { Limit: "Pole" })),
+      branch(end(0.3, "Lost"), end(0.4, "FullTurn")),
+    ),
+  });
   const texts = marksOf(others.sweep).filter(({ own }) => !own);
-  assert.deepEqual(texts.map(({ kind, text }) => [kind, text]), [["Pole", "pole of s"], ["Lost", ""]]);
+  assert.deepEqual(
+    texts.map(({ kind, text }) => [kind, text]),
+    [
+      ["Pole", "pole of s"],
+      ["Lost", ""],
+    ],
+  );
 });
 
 test("a coupled mechanism goes on from its last pose, and tells where it is lost", () => {
@@ -162,7 +194,10 @@ test("at a limit positions have their extremes, and rates are unbounded", () => 
 });
 
 test("the report's peaks are taken over as they are", () => {
-  const extremes = [{ quantity: "s", order: 1, kind: "highest", value: 1.5, at: 0.25, place: "inner" }, { quantity: "s", order: 1, kind: "lowest", value: null, at: 1, place: "unbounded" }];
+  const extremes = [
+    { quantity: "s", order: 1, kind: "highest", value: 1.5, at: 0.25, place: "inner" },
+    { quantity: "s", order: 1, kind: "lowest", value: null, at: 1, place: "unbounded" },
+  ];
   const model = createModel(reportOf({ extremes, rms: [{ quantity: "s", order: 1, value: 2 }] }), solver);
   const [peak] = givenPeaks(model);
   assert.deepEqual([peak.highest.value, peak.lowest.value, peak.rms], [1.5, null, 2]);
@@ -186,9 +221,25 @@ test("pins, the driven body and the floating body are found", () => {
   assert.deepEqual(anatomy.pins, [true, true, true]);
   assert.deepEqual(anatomy.driven, [true, false]);
   assert.equal(anatomy.floating, 1);
-  const followed = followedAt(model, 1, [[0, 0], [0, 0], [10, 0]], [5, 2]);
+  const followed = followedAt(
+    model,
+    1,
+    [
+      [0, 0],
+      [0, 0],
+      [10, 0],
+    ],
+    [5, 2],
+  );
   assert.deepEqual([followed.along, followed.across], [0.5, 0.2]);
-  assert.deepEqual(placeOf(model, followed, [[0, 0], [0, 0], [0, 10]]), [-2, 5]);
+  assert.deepEqual(
+    placeOf(model, followed, [
+      [0, 0],
+      [0, 0],
+      [0, 10],
+    ]),
+    [-2, 5],
+  );
 });
 
 test("rates of joints agree with those of the solver", () => {
@@ -210,14 +261,40 @@ test("curvature and instant centres of known motions", () => {
 });
 
 test("hulls are convex, and lines have two ends", () => {
-  assert.equal(hull([[0, 0], [9, 9], [9, 0], [4, 5], [0, 9]]).length, 4);
-  assert.deepEqual(hull([[0, 0], [9, 9], [4, 4]]), [[0, 0], [9, 9]]);
+  assert.equal(
+    hull([
+      [0, 0],
+      [9, 9],
+      [9, 0],
+      [4, 5],
+      [0, 9],
+    ]).length,
+    4,
+  );
+  assert.deepEqual(
+    hull([
+      [0, 0],
+      [9, 9],
+      [4, 4],
+    ]),
+    [
+      [0, 0],
+      [9, 9],
+    ],
+  );
   assert.equal(hull([[1, 1]]).length, 1);
 });
 
 test("names avoid lines, other names and the edge", () => {
   const room = createRoom(200, 100);
-  keepLines(room, [[0, 50], [200, 50]], 5);
+  keepLines(
+    room,
+    [
+      [0, 50],
+      [200, 50],
+    ],
+    5,
+  );
   const one = placeName(room, [[100, 50]], "name", 14, undefined);
   const other = placeName(room, [[100, 50]], "name", 14, undefined);
   assert.ok(Math.abs(one.y - 50) > 10 && Math.abs(other.y - 50) > 10);
@@ -227,7 +304,14 @@ test("names avoid lines, other names and the edge", () => {
 
 test("views fit, zoom about a place and orbit about a centre", () => {
   const view = createView(false);
-  fitView(view, [[0, 0], [10, 5]], { left: 0, right: 100, top: 0, bottom: 100 });
+  fitView(
+    view,
+    [
+      [0, 0],
+      [10, 5],
+    ],
+    { left: 0, right: 100, top: 0, bottom: 100 },
+  );
   assert.deepEqual(onPage(view, [0, 0]), [0, 75]);
   const before = onPage(view, [3, 2]);
   zoomView(view, before, 2);
@@ -242,7 +326,10 @@ test("views fit, zoom about a place and orbit about a centre", () => {
 test("tables have a heading with units, and all digits", () => {
   const { model, sweep } = prepared();
   const lines = sweepTable(sweep, true).trim().split("\r\n");
-  assert.equal(lines[0], "theta [deg],time [s],s [mm],s velocity [mm/s],s acceleration [mm/s²],s jerk [mm/s³],s snap [mm/s⁴]");
+  assert.equal(
+    lines[0],
+    "theta [deg],time [s],s [mm],s velocity [mm/s],s acceleration [mm/s²],s jerk [mm/s³],s snap [mm/s⁴]",
+  );
   assert.equal(lines.length, allRows(sweep).length + 1);
   assert.ok(Math.abs(Number(lines[1].split(",")[2]) - 110) < 1e-12);
   assert.equal(quotedCell('a "b", c'), '"a ""b"", c"');
@@ -250,22 +337,61 @@ test("tables have a heading with units, and all digits", () => {
 
 test("poor transmission is shaded between its crossings of 40 degrees", () => {
   const degree = Math.PI / 180;
-  const samples = [[0, 60], [1, 50], [2, 30], [3, 20], [4, 60]].map(([input, angle]) => ({ input, angles: [angle * degree] }));
-  const model = createModel(reportOf({ transmission: { dyads: ["s"], worst: [{ angle: 0.3, at: 3 }], samples } }), solver);
+  const samples = [
+    [0, 60],
+    [1, 50],
+    [2, 30],
+    [3, 20],
+    [4, 60],
+  ].map(([input, angle]) => ({ input, angles: [angle * degree] }));
+  const model = createModel(
+    reportOf({ transmission: { dyads: ["s"], worst: [{ angle: 0.3, at: 3 }], samples } }),
+    solver,
+  );
   const [band] = poorTransmission({ model, reported: true, spans: [{ from: 0, to: 5 }] });
   assert.ok(Math.abs(band[0] - 1.5) < 1e-9 && Math.abs(band[1] - 3.5) < 1e-9);
-  assert.deepEqual(poorTransmission({ model, reported: true, spans: [{ from: 0, to: 1.7 }, { from: 2.8, to: 3.1 }] }), [[2.8, 3.1]]);
+  assert.deepEqual(
+    poorTransmission({
+      model,
+      reported: true,
+      spans: [
+        { from: 0, to: 1.7 },
+        { from: 2.8, to: 3.1 },
+      ],
+    }),
+    [[2.8, 3.1]],
+  );
 });
 
 test("formulas hold mathematics alone", () => {
   assert.ok(isMathematics("mfrac", ["xmlns"]));
-  assert.ok(!isMathematics("script", []) && !isMathematics("mi", ["onclick"]) && !isMathematics("maction", []) && !isMathematics("mi", ["href"]));
-  assert.equal(withClasses('<mi style="font-weight:bold">x</mi><mo style="background:url(x)">+</mo>'), '<mi class="heavy">x</mi><mo>+</mo>');
+  assert.ok(
+    !isMathematics("script", []) &&
+      !isMathematics("mi", ["onclick"]) &&
+      !isMathematics("maction", []) &&
+      !isMathematics("mi", ["href"]),
+  );
+  assert.equal(
+    withClasses('<mi style="font-weight:bold">x</mi><mo style="background:url(x)">+</mo>'),
+    '<mi class="heavy">x</mi><mo>+</mo>',
+  );
 });
 
 test("what is not mathematics is not even parsed", () => {
-  assert.ok(seemsMathematics('<math xmlns="x" display="block"><mrow><mi mathvariant="normal">e</mi><mo>&lt;</mo></mrow><mspace/></math>'));
-  for (const evil of ["text", "<b>x</b>", '<mi onclick="x">y</mi>', "<mi onclick=x>y</mi>", "<!-- <mi> -->", "</script><mi>x</mi>", '<math href="x"></math>']) {
+  assert.ok(
+    seemsMathematics(
+      '<math xmlns="x" display="block"><mrow><mi mathvariant="normal">e</mi><mo>&lt;</mo></mrow><mspace/></math>',
+    ),
+  );
+  for (const evil of [
+    "text",
+    "<b>x</b>",
+    '<mi onclick="x">y</mi>',
+    "<mi onclick=x>y</mi>",
+    "<!-- <mi> -->",
+    "</script><mi>x</mi>",
+    '<math href="x"></math>',
+  ]) {
     assert.ok(!seemsMathematics(evil), evil);
   }
 });
@@ -282,7 +408,17 @@ test("an angle goes on behind a gap as in kin's tables", () => {
   const solve = (_, { theta: [x] }) =>
     x > 2.0003 && x < 4.0007
       ? { ok: false, check: "reach of two circles", block: "psi", margin: -1 }
-      : { ok: true, pose: { psi: [wrapped(psi(x)), 0.2, 0, 0, 0], joints: [[0, 0], [Math.cos(psi(x)), Math.sin(psi(x))]], slides: [] } };
+      : {
+          ok: true,
+          pose: {
+            psi: [wrapped(psi(x)), 0.2, 0, 0, 0],
+            joints: [
+              [0, 0],
+              [Math.cos(psi(x)), Math.sin(psi(x))],
+            ],
+            slides: [],
+          },
+        };
   const quantity = { name: "psi", key: "psi", text: "ψ", documentation: "", dimension: "angle" };
   const outline = { ground: [0], bodies: [{ name: "r", joints: [0, 1] }], slides: [], points: [] };
   const model = createModel(reportOf({ unknowns: [quantity], outline }), { solve });
@@ -297,7 +433,13 @@ test("an angle goes on behind a gap as in kin's tables", () => {
 
 test("the pace 1 is as fast as the mechanism", () => {
   assert.deepEqual(["s", "ms", "min", "turns"].map(secondsOf), [1, 1000, 1 / 60, 1]);
-  for (const [speed, pace] of [[1, 1], [10, 0.2], [157.08, 0.01], [-157.08, 0.01], [0.01, 100]]) {
+  for (const [speed, pace] of [
+    [1, 1],
+    [10, 0.2],
+    [157.08, 0.01],
+    [-157.08, 0.01],
+    [0.01, 100],
+  ]) {
     const { model, design } = prepared({ speed });
     const found = watchablePace(model, design);
     assert.equal(found, pace, `${speed}`);
@@ -335,7 +477,13 @@ test("what is typed and not taken is told, and so are lengths that no link has",
   assert.equal(said({ group: "speed" }, "0"), "A speed is not zero: 30 mm is still shown.");
   assert.match(said({}, "-30"), /negative length/);
   assert.match(said({}, "0"), /length zero/);
-  for (const [changes, typed, usual] of [[{}, "5", 30], [{ declared: "p.x" }, "-5", 30], [{}, "-5", -3], [{ dimension: "angle" }, "-5", 1], [{ group: "speed" }, "-5", 1]]) {
+  for (const [changes, typed, usual] of [
+    [{}, "5", 30],
+    [{ declared: "p.x" }, "-5", 30],
+    [{}, "-5", -3],
+    [{ dimension: "angle" }, "-5", 1],
+    [{ group: "speed" }, "-5", 1],
+  ]) {
     assert.equal(said(changes, typed, usual), "");
   }
 });
@@ -344,7 +492,10 @@ test("a drive has the rates of its series, and both sides of its joints", () => 
   const { model } = prepared(LAW);
   const { drive } = model;
   assert.ok(drive.overTime && model.variable.dimension === "time");
-  assert.deepEqual([0, 0.05, 0.1, 0.3, 0.5, 0.6].map((x) => pieceAt(drive, x)), [0, 0, 1, 1, 2, 2]);
+  assert.deepEqual(
+    [0, 0.05, 0.1, 0.3, 0.5, 0.6].map((x) => pieceAt(drive, x)),
+    [0, 0, 1, 1, 2, 2],
+  );
   const motion = motionOf(drive, 0, 0.3, 1, 1, 4);
   assert.deepEqual(motion, [0.5, 3.75, 0, -187.5, 0]);
   // at another speed of the variable, rates by time have its powers
@@ -352,14 +503,21 @@ test("a drive has the rates of its series, and both sides of its joints", () => 
   const [before, behind] = [0, 1].map((piece) => motionOf(drive, 0, 0.1, piece, 1, 2));
   [0, 0, 37.5].forEach((value, order) => assert.ok(Math.abs(behind[order] - value) < 1e-12 && before[order] === 0));
   const places = placesOf(drive, 0, 0.6, 360, 8);
-  assert.deepEqual(places.filter(({ x }) => x === 0.1).map(({ piece }) => piece), [0, 1]);
+  assert.deepEqual(
+    places.filter(({ x }) => x === 0.1).map(({ piece }) => piece),
+    [0, 1],
+  );
   assert.ok(places.every(({ x }, index) => index === 0 || x >= places[index - 1].x));
   const line = { pieces: [{ from: 0, to: 1, at: 0, inputs: [[0, 1]] }], joints: [], overTime: false };
   assert.equal(placesOf(line, 0, 1, 360, 8).length, 361);
 });
 
 test("a short piece has rows of its own", () => {
-  const pieces = [[0, 0.5], [0.5, 0.501], [0.501, 1]].map(([from, to]) => ({ from, to, at: from, inputs: [[0]] }));
+  const pieces = [
+    [0, 0.5],
+    [0.5, 0.501],
+    [0.501, 1],
+  ].map(([from, to]) => ({ from, to, at: from, inputs: [[0]] }));
   const places = placesOf({ pieces, joints: [], overTime: true }, 0, 1, 360, 8);
   assert.ok(places.filter(({ x }) => x > 0.5 && x < 0.501).length >= 7);
 });
@@ -369,7 +527,11 @@ test("under a law, curves have gaps where a derivative jumps", () => {
   assert.equal(sweep.spans.length, 1);
   assert.ok(!sweep.full);
   const rows = allRows(sweep);
-  const breaks = (order) => rows.slice(1).filter((row, index) => isBroken(model.drive, rows[index], row, order)).map(({ x }) => x);
+  const breaks = (order) =>
+    rows
+      .slice(1)
+      .filter((row, index) => isBroken(model.drive, rows[index], row, order))
+      .map(({ x }) => x);
   assert.deepEqual([0, 1, 2, 3, 4].map(breaks), [[], [], [0.1, 0.5], [0.1, 0.5], [0.1, 0.5]]);
   const row = rowAt(sweep, 0.1);
   const before = rowBefore(sweep, row);
@@ -377,7 +539,10 @@ test("under a law, curves have gaps where a derivative jumps", () => {
   assert.ok(row.pose.theta[2] > 37);
   assert.equal(rowBefore(sweep, rowAt(sweep, 0.2)), null);
   const marks = marksOf(sweep);
-  assert.deepEqual(marks.map(({ kind }) => kind), ["Joint", "Joint"]);
+  assert.deepEqual(
+    marks.map(({ kind }) => kind),
+    ["Joint", "Joint"],
+  );
   assert.equal(kindText(marks[0]), "Acceleration jumps at");
   assert.equal(stopText(sweep, marks, 0.6, true), "End of the range at time = 0.6 s.");
 });
@@ -387,9 +552,17 @@ test("under a law, values are those of the solver with the motion of the law", (
   const theta = [0.5, 3.75, 0, -187.5, 0];
   const { pose } = solver.solve({ r: 30, l: 80 }, { theta }, 1);
   const row = rowAt(sweep, 0.3);
-  row.pose.s.forEach((value, order) => assert.ok(Math.abs(value - pose.s[order]) <= 1e-12 * Math.abs(pose.s[order]), `order ${order}`));
+  row.pose.s.forEach((value, order) =>
+    assert.ok(Math.abs(value - pose.s[order]) <= 1e-12 * Math.abs(pose.s[order]), `order ${order}`),
+  );
   // the input is one of the quantities
-  assert.deepEqual(model.quantities.map(({ name, isInput }) => [name, isInput]), [["s", false], ["theta", true]]);
+  assert.deepEqual(
+    model.quantities.map(({ name, isInput }) => [name, isInput]),
+    [
+      ["s", false],
+      ["theta", true],
+    ],
+  );
   assert.deepEqual(row.pose.theta, theta);
   const lines = sweepTable(sweep, true).trim().split("\r\n");
   assert.match(lines[0], /^time \[s\],s \[mm\],.*theta \[deg\],theta velocity/);
@@ -411,7 +584,13 @@ test("above a jump there is no bound", () => {
   assert.ok(Math.abs(peaks[2].highest.value - 37.5) < 1e-9 && peaks[2].rms > 0);
   assert.deepEqual([peaks[3].highest, peaks[3].rms], [{ value: null, at: 0.1 }, null]);
   assert.ok(peaks[3].lowest.value < -187);
-  assert.deepEqual([peaks[4].highest, peaks[4].lowest], [{ value: null, at: 0.1 }, { value: null, at: 0.1 }]);
+  assert.deepEqual(
+    [peaks[4].highest, peaks[4].lowest],
+    [
+      { value: null, at: 0.1 },
+      { value: null, at: 0.1 },
+    ],
+  );
 });
 
 test("rates of joints go on by the series of their own piece", () => {
@@ -425,13 +604,34 @@ test("rates of joints go on by the series of their own piece", () => {
 });
 
 test("several inputs move along one line, and those that stand have values", () => {
-  const input = (name, dimension, value) => ({ name, key: name, text: name, documentation: "", dimension, ...(value === undefined ? {} : { value }) });
+  const input = (name, dimension, value) => ({
+    name,
+    key: name,
+    text: name,
+    documentation: "",
+    dimension,
+    ...(value === undefined ? {} : { value }),
+  });
   const inputs = [input("theta", "angle"), input("lift", "length"), input("tilt", "angle", 0.25)];
-  const drive = { variable: "input", pieces: [{ from: 0, to: 2, at: 1, inputs: [[1, 1], [7, -3], [0.25]] }], joints: [] };
+  const drive = {
+    variable: "input",
+    pieces: [{ from: 0, to: 2, at: 1, inputs: [[1, 1], [7, -3], [0.25]] }],
+    joints: [],
+  };
   const seen = [];
   const solve = (_, given) => {
     seen.push(given);
-    return { ok: true, pose: { s: [given.lift[0], ...given.lift.slice(1)], joints: [[0, 0], [Math.cos(given.theta[0]), Math.sin(given.theta[0])]], slides: [] } };
+    return {
+      ok: true,
+      pose: {
+        s: [given.lift[0], ...given.lift.slice(1)],
+        joints: [
+          [0, 0],
+          [Math.cos(given.theta[0]), Math.sin(given.theta[0])],
+        ],
+        slides: [],
+      },
+    };
   };
   const outline = { ground: [0], bodies: [{ name: "r", joints: [0, 1] }], slides: [], points: [] };
   const model = createModel(reportOf({ inputs, drive, range: [0, 2], period: null, speed: 10, outline }), { solve });
@@ -443,6 +643,14 @@ test("several inputs move along one line, and those that stand have values", () 
   assert.deepEqual(anatomyOf(sweep).drivers, [0]);
   const row = rowAt(sweep, 1.5);
   assert.equal(poseText(model, row, false, "", []), "theta = 1.5 rad, lift = 5.5 mm");
-  const [head, first] = sweepTable(sweep, false).split("\r\n").map((line) => line.split(","));
-  assert.deepEqual([head.slice(0, 3), first.slice(0, 3)], [["theta [rad]", "lift [mm]", "time [s]"], ["0", "10", "0"]]);
+  const [head, first] = sweepTable(sweep, false)
+    .split("\r\n")
+    .map((line) => line.split(","));
+  assert.deepEqual(
+    [head.slice(0, 3), first.slice(0, 3)],
+    [
+      ["theta [rad]", "lift [mm]", "time [s]"],
+      ["0", "10", "0"],
+    ],
+  );
 });

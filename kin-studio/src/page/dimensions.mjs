@@ -3,11 +3,14 @@ import { made, tell } from "./elements.mjs";
 import { numberText, quantityText, unitFactor, unitText } from "./numbers.mjs";
 
 /**
- * @typedef {{name: string, declared: string, text: string, note: string, dimension: string, order: number, group: "parameters" | "standing" | "speed"}} Entry
+ * @typedef {{group: "parameters" | "standing" | "speed", order: number, name: string, declared: string, text: string,
+ *   note: string, dimension: string}} Entry
  */
 
 export function createSliders(place, model, given, changed) {
-  const lengths = model.parameters.filter(({ dimension }) => dimension === "length").map(({ value }) => Math.abs(value));
+  const lengths = model.parameters
+    .filter(({ dimension }) => dimension === "length")
+    .map(({ value }) => Math.abs(value));
   const size = Math.max(...lengths, 1e-9);
   let degrees = model.degrees;
   const entries = entriesOf(model).map((entry) => {
@@ -43,7 +46,13 @@ export function createSliders(place, model, given, changed) {
   if (model.drive.overTime && model.moving.length > 0) {
     const names = model.moving.map(({ text }) => text).join(", ");
     const words = model.moving.length > 1 ? "move under laws, which keep" : "moves under a law, which keeps";
-    place.append(made("p", { className: "quiet-text" }, `${names} ${words} to their times and values whatever the dimensions are.`));
+    place.append(
+      made(
+        "p",
+        { className: "quiet-text" },
+        `${names} ${words} to their times and values whatever the dimensions are.`,
+      ),
+    );
   }
   return {
     show(design, inDegrees) {
@@ -82,18 +91,44 @@ export function cautionOf(entry, typed, usual, last) {
     return `${typed === "" ? "This is no number" : "A speed is not zero"}: ${last} is still shown.`;
   }
   const value = Number(typed);
-  if (entry.group !== "parameters" || entry.dimension !== "length" || entry.declared.includes(".") || !(usual > 0) || value > 0) {
+  if (
+    entry.group !== "parameters" ||
+    entry.dimension !== "length" ||
+    entry.declared.includes(".") ||
+    !(usual > 0) ||
+    value > 0
+  ) {
     return "";
   }
-  return value === 0 ? "A link of length zero joins its pins into one." : "A link of a negative length points half a turn away from its angle; an offset lies on the other side.";
+  return value === 0
+    ? "A link of length zero joins its pins into one."
+    : "A link of a negative length points half a turn away from its angle; an offset lies on the other side.";
 }
 
 function entriesOf(model) {
   const { parameters, inputs } = model;
-  const entry = (group, order) => ({ name, text, declared, documentation, dimension }) => ({ group, order, name, declared, dimension, text: text || name, note: (documentation ?? "").replaceAll("`", "") });
+  const entry =
+    (group, order) =>
+    ({ name, text, declared, documentation, dimension }) => ({
+      group,
+      order,
+      name,
+      declared,
+      dimension,
+      text: text || name,
+      note: (documentation ?? "").replaceAll("`", ""),
+    });
   const standing = inputs.filter(({ moves }) => !moves).map(entry("standing", 0));
   const { text, dimension } = model.variable;
-  const speed = { group: "speed", order: 1, name: "speed", declared: "speed", text: `Speed of ${text}`, note: "", dimension };
+  const speed = {
+    group: "speed",
+    order: 1,
+    name: "speed",
+    declared: "speed",
+    text: `Speed of ${text}`,
+    note: "",
+    dimension,
+  };
   // laws tell the speed themselves
   return [...parameters.map(entry("parameters", 0)), ...standing, ...(model.drive.overTime ? [] : [speed])];
 }

@@ -1,10 +1,17 @@
 /** Formulas in MathML: only elements and attributes of mathematics are taken over from what the report holds. */
 
 const MATH_SPACE = "http://www.w3.org/1998/Math/MathML";
-const ELEMENTS = new Set("math mrow mi mn mo mtext mspace ms mfrac msqrt mroot mstyle mpadded mphantom msub msup msubsup munder mover munderover mmultiscripts mprescripts none mtable mtr mtd semantics".split(" "));
-const ATTRIBUTES = new Set("class display mathvariant stretchy fence separator form lspace rspace width height depth accent accentunder displaystyle scriptlevel columnalign rowspacing columnspacing linethickness minsize maxsize symmetric largeop movablelimits".split(" "));
+const ELEMENTS = words(`math mrow mi mn mo mtext mspace ms mfrac msqrt mroot mstyle mpadded mphantom msub msup msubsup
+  munder mover munderover mmultiscripts mprescripts none mtable mtr mtd semantics`);
+const ATTRIBUTES = words(`class display mathvariant stretchy fence separator form lspace rspace width height depth
+  accent accentunder displaystyle scriptlevel columnalign rowspacing columnspacing linethickness minsize maxsize
+  symmetric largeop movablelimits`);
 
-/** The styles that kin gives to parts of formulas, as classes of the page's style sheet: the content policy admits no styles of elements. */
+function words(text) {
+  return new Set(text.split(/\s+/));
+}
+
+/** The styles that kin gives to parts of formulas, as classes of the page: its content policy admits no others. */
 const CLASSES = {
   "font-weight:bold": "heavy",
   "padding-bottom:0.15em": "spaced",
@@ -42,7 +49,13 @@ export function isMathematics(name, attributes) {
 function taken(source) {
   const attributes = [...source.attributes];
   const inSpace = source.namespaceURI === MATH_SPACE || source.namespaceURI === null;
-  if (!inSpace || !isMathematics(source.localName, attributes.map(({ name }) => name))) {
+  if (
+    !inSpace ||
+    !isMathematics(
+      source.localName,
+      attributes.map(({ name }) => name),
+    )
+  ) {
     return null;
   }
   const element = document.createElementNS(MATH_SPACE, source.localName);

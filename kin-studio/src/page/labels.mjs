@@ -33,8 +33,8 @@ export function keepLines(room, places, half, closed = false) {
 }
 
 /**
- * The middle of the freest place for a name, which is taken then; null if there is no room. The last choice is kept as long as it is good
- * enough, so that names do not jump about in motion.
+ * The middle of the freest place for a name, which is taken then; null if there is no room. The last choice is kept as
+ * long as it is good enough, so that names do not jump about in motion.
  * @returns {{x: number, y: number, choice: number} | null}
  */
 export function placeName(room, around, text, size, last) {

@@ -9,7 +9,17 @@ import { blockText, createModel, givenDesign, reasonToRefuse } from "./kinematic
 import { nearestInput } from "./kinematics/nearest.mjs";
 import { givenPeaks, ownPeaks } from "./kinematics/peaks.mjs";
 import { circleOfCurvature, instantCentre, ratesOfJoints } from "./kinematics/rates.mjs";
-import { allRows, createSweep, heldInput, innerRows, isAtLimit, movedInput, rowAt, spanAt, valueAt } from "./kinematics/sweep.mjs";
+import {
+  allRows,
+  createSweep,
+  heldInput,
+  innerRows,
+  isAtLimit,
+  movedInput,
+  rowAt,
+  spanAt,
+  valueAt,
+} from "./kinematics/sweep.mjs";
 import { BESIDE_LIMIT } from "./kinematics/tolerances.mjs";
 import { poorTransmission, worstTransmission } from "./kinematics/transmission.mjs";
 import { numberText, withUnit } from "./numbers.mjs";
@@ -62,7 +72,16 @@ function start(report, solver) {
     zoom: [model.from, model.to],
     group: "",
     hidden: new Set(),
-    shows: { names: true, paths: true, ghosts: report.assemblies.length <= 2, velocity: false, acceleration: false, jerk: false, curvature: false, centres: false },
+    shows: {
+      names: true,
+      paths: true,
+      ghosts: report.assemblies.length <= 2,
+      velocity: false,
+      acceleration: false,
+      jerk: false,
+      curvature: false,
+      centres: false,
+    },
     playing: false,
     hovering: false,
     once: 0,
@@ -195,10 +214,12 @@ function start(report, solver) {
     const exact = model.frames !== null || sweep.reported;
     const peaks = exact ? givenPeaks(model) : [];
     const source = exact && peaks.length > 0 ? "Exact values of the report." : "Found by the page at these dimensions.";
-    const rest = model.drive.joints.length > 0 ? `${source} Where a derivative jumps, those above it are unbounded.` : source;
+    const rest =
+      model.drive.joints.length > 0 ? `${source} Where a derivative jumps, those above it are unbounded.` : source;
     const least = exact ? worstTransmission(model) : null;
-    const angle = least ? ` Least transmission angle ${numberText((least.angle * 180) / Math.PI)}° at ${inputText(model, least.at, state.degrees)}.` : "";
-    paper.showPeaks(peaks.length > 0 ? peaks : ownPeaks(sweep), state.degrees, `${rest}${angle}`);
+    const at = least && inputText(model, least.at, state.degrees);
+    const angle = least && ` Least transmission angle ${numberText((least.angle * 180) / Math.PI)}° at ${at}.`;
+    paper.showPeaks(peaks.length > 0 ? peaks : ownPeaks(sweep), state.degrees, `${rest}${angle ?? ""}`);
   }
 
   function amount(value) {
@@ -212,7 +233,10 @@ function start(report, solver) {
 
   function sayPose() {
     if (row !== null && !state.playing) {
-      tell(part("spoken"), poseText(model, row, state.degrees, report.assemblies.length > 1 ? assemblyNow().name : "", shownNow()));
+      tell(
+        part("spoken"),
+        poseText(model, row, state.degrees, report.assemblies.length > 1 ? assemblyNow().name : "", shownNow()),
+      );
     }
   }
 
@@ -289,7 +313,9 @@ function start(report, solver) {
   }
 
   function shownNow() {
-    const all = model.quantities.map((_, index) => index).filter((index) => model.quantities[index].dimension === state.group);
+    const all = model.quantities
+      .map((_, index) => index)
+      .filter((index) => model.quantities[index].dimension === state.group);
     const seen = all.filter((index) => !state.hidden.has(model.quantities[index].name));
     return seen.length > 0 ? seen : all.slice(0, 1);
   }
@@ -299,11 +325,29 @@ function start(report, solver) {
     marks = marksOf(sweep);
     const shown = shownNow();
     const { reference } = state;
-    plots.draw({ width: state.plotSize[0], height: state.plotSize[1], shown, degrees: state.degrees, time: state.time, zoom: state.zoom, sweep, reference, marks, speed: state.design.speed, orders: model.orders });
+    plots.draw({
+      width: state.plotSize[0],
+      height: state.plotSize[1],
+      shown,
+      degrees: state.degrees,
+      time: state.time,
+      zoom: state.zoom,
+      sweep,
+      reference,
+      marks,
+      speed: state.design.speed,
+      orders: model.orders,
+    });
     const poor = poorTransmission(sweep);
     scrubber.draw({ width: state.scrubWidth, sweep, marks, poor, degrees: state.degrees, amount });
-    const keys = [["closes", "closes", sweep.spans], ["poor", "transmission angle below 40°", poor], ["gap", "does not close", sweep.gaps]];
-    const key = keys.filter(([, , bands]) => bands.length > 0).map(([name, words]) => made("span", {}, made("i", { className: `key-${name}` }), words));
+    const keys = [
+      ["closes", "closes", sweep.spans],
+      ["poor", "transmission angle below 40°", poor],
+      ["gap", "does not close", sweep.gaps],
+    ];
+    const key = keys
+      .filter(([, , bands]) => bands.length > 0)
+      .map(([name, words]) => made("span", {}, made("i", { className: `key-${name}` }), words));
     part("key").replaceChildren(...(key.length > 1 ? key : []));
     sliders.show(state.design, state.degrees);
     [...part("assembly").options].forEach((option, index) => tell(option, nameOfAssembly(report.assemblies[index])));
@@ -311,7 +355,9 @@ function start(report, solver) {
   }
 
   function measure() {
-    const sizes = state.printing ? PRINTED : ["picture", "plots"].map((name) => [part(name).clientWidth, part(name).clientHeight]);
+    const sizes = state.printing
+      ? PRINTED
+      : ["picture", "plots"].map((name) => [part(name).clientWidth, part(name).clientHeight]);
     const [before] = [state.size];
     [state.size, state.plotSize] = sizes;
     state.scrubWidth = state.printing ? 688 : part("scrubber").clientWidth;
@@ -326,10 +372,17 @@ function start(report, solver) {
 
   function fit() {
     const rows = allRows(sweep).filter((_, index) => index % 3 === 0);
-    const places = rows.flatMap(({ pose }) => [...pose.joints, ...state.followed.map((followed) => placeOf(model, followed, pose.joints))]);
+    const places = rows.flatMap(({ pose }) => [
+      ...pose.joints,
+      ...state.followed.map((followed) => placeOf(model, followed, pose.joints)),
+    ]);
     if (state.shows.ghosts) {
       for (const other of otherSweeps()) {
-        places.push(...allRows(other.sweep).filter((_, index) => index % 6 === 0).flatMap(({ pose }) => pose.joints));
+        places.push(
+          ...allRows(other.sweep)
+            .filter((_, index) => index % 6 === 0)
+            .flatMap(({ pose }) => pose.joints),
+        );
       }
     }
     const [width, height] = state.size;
@@ -356,13 +409,20 @@ function start(report, solver) {
 
   function trailsOf(of, colour) {
     return state.followed.flatMap((followed) =>
-      of.spans.map(({ rows }) => ({ points: rows.map(({ pose }) => placeOf(model, followed, pose.joints)), colour, closed: of.full })),
+      of.spans.map(({ rows }) => ({
+        points: rows.map(({ pose }) => placeOf(model, followed, pose.joints)),
+        colour,
+        closed: of.full,
+      })),
     );
   }
 
   function allTrails() {
     const others = state.shows.ghosts ? otherSweeps() : [];
-    return [...others.flatMap(({ assembly, index, sweep: own }) => trailsOf(own, colourOfCircuit(assembly, index))), ...trailsOf(sweep, colourOfCircuit(assemblyNow(), state.assembly))];
+    return [
+      ...others.flatMap(({ assembly, index, sweep: own }) => trailsOf(own, colourOfCircuit(assembly, index))),
+      ...trailsOf(sweep, colourOfCircuit(assemblyNow(), state.assembly)),
+    ];
   }
 
   function drawPose() {
@@ -382,8 +442,23 @@ function start(report, solver) {
       sweep,
       shows: state.shows,
       followed: state.followed,
-      senses: anatomy.drivers.map((driver) => (driver === null ? 0 : state.forward * Math.sign(motionOf(model.drive, driver, lastRow.x, lastRow.piece, 1, 1)[1]))),
-      still: [view.scale, view.x, view.y, view.yaw, view.pitch, ...state.size, version, state.shows.paths, state.shows.ghosts, state.followed.length].join(),
+      senses: anatomy.drivers.map((driver) =>
+        driver === null
+          ? 0
+          : state.forward * Math.sign(motionOf(model.drive, driver, lastRow.x, lastRow.piece, 1, 1)[1]),
+      ),
+      still: [
+        view.scale,
+        view.x,
+        view.y,
+        view.yaw,
+        view.pitch,
+        ...state.size,
+        version,
+        state.shows.paths,
+        state.shows.ghosts,
+        state.followed.length,
+      ].join(),
       trails: () => (state.shows.paths ? allTrails() : []),
       ghosts: [],
       reference: null,
@@ -397,7 +472,12 @@ function start(report, solver) {
         const there = rowAt(own, state.x);
         const colour = colourOfCircuit(assembly, index);
         if (there !== null) {
-          scene.ghosts.push({ pose: there.pose, index, colour, title: `${nameOfAssembly(assembly)}: click to change to it` });
+          scene.ghosts.push({
+            pose: there.pose,
+            index,
+            colour,
+            title: `${nameOfAssembly(assembly)}: click to change to it`,
+          });
         }
       }
     }
@@ -423,7 +503,8 @@ function start(report, solver) {
   }
 
   function addRates(scene) {
-    const wanted = ARROWS.some((name) => state.shows[name]) || (!model.space && (state.shows.curvature || state.shows.centres));
+    const wanted =
+      ARROWS.some((name) => state.shows[name]) || (!model.space && (state.shows.curvature || state.shows.centres));
     const rates = wanted && !model.frames ? ratesOfJoints(sweep, row) : null;
     if (rates === null) {
       return;
@@ -435,13 +516,23 @@ function start(report, solver) {
       ARROWS.forEach((name, order) => {
         if (state.shows[name] && arrowScales[order] > 0) {
           const rate = placeOf(model, followed, ofOrder(order));
-          const long = 0.24 * Math.min(...state.size) * Math.min(1, (1.6 * arrowScales[order]) / (Math.hypot(...rate) || 1));
+          const long =
+            0.24 * Math.min(...state.size) * Math.min(1, (1.6 * arrowScales[order]) / (Math.hypot(...rate) || 1));
           const by = flat(view, rate).map((value) => (value / arrowScales[order]) * long);
           scene.arrows.push({ from: place, by, order });
         }
       });
-      if (state.shows.curvature && !model.space && followed !== undefined && (state.followed.length > 0 || !onCrank(followed))) {
-        const circle = circleOfCurvature(place, placeOf(model, followed, ofOrder(0)), placeOf(model, followed, ofOrder(1)));
+      if (
+        state.shows.curvature &&
+        !model.space &&
+        followed !== undefined &&
+        (state.followed.length > 0 || !onCrank(followed))
+      ) {
+        const circle = circleOfCurvature(
+          place,
+          placeOf(model, followed, ofOrder(0)),
+          placeOf(model, followed, ofOrder(1)),
+        );
         if (circle) {
           scene.circles.push({ ...circle, at: place });
         }
@@ -451,7 +542,9 @@ function start(report, solver) {
       model.outline.bodies.forEach(({ name, joints }) => {
         const moving = joints.length > 1 && !joints.some((joint) => anatomy.fixed[joint]);
         const [one, other] = joints;
-        const at = moving ? instantCentre(row.pose.joints[one], row.pose.joints[other], rates[one][0], rates[other][0]) : null;
+        const at = moving
+          ? instantCentre(row.pose.joints[one], row.pose.joints[other], rates[one][0], rates[other][0])
+          : null;
         if (at) {
           scene.centres.push({ at, name: `centre of ${name}` });
         }
@@ -460,7 +553,9 @@ function start(report, solver) {
   }
 
   function onCrank(followed) {
-    return model.outline.bodies.some(({ joints }) => joints.includes(followed.joint) && joints.some((joint) => anatomy.fixed[joint]));
+    return model.outline.bodies.some(
+      ({ joints }) => joints.includes(followed.joint) && joints.some((joint) => anatomy.fixed[joint]),
+    );
   }
 
   /** The largest rates of the turn, unless few are far larger than the others, so that arrows keep their scale. */
@@ -471,7 +566,17 @@ function start(report, solver) {
       const some = rows[Math.floor((part / 24) * rows.length)];
       const rates = some ? ratesOfJoints(sweep, some) : null;
       for (const followed of rates ? carriers() : []) {
-        sizes.forEach((list, order) => list.push(Math.hypot(...placeOf(model, followed, rates.map((joint) => joint[order])))));
+        sizes.forEach((list, order) =>
+          list.push(
+            Math.hypot(
+              ...placeOf(
+                model,
+                followed,
+                rates.map((joint) => joint[order]),
+              ),
+            ),
+          ),
+        );
       }
     }
     return sizes.map((list) => {
@@ -501,7 +606,11 @@ function start(report, solver) {
     const words = { angle: "Angles", length: "Lengths", number: "Numbers" };
     const content = [];
     if (groups().length > 1) {
-      const select = made("select", { "aria-label": "Quantities" }, ...groups().map((name) => made("option", { value: name, selected: name === state.group }, words[name] ?? name)));
+      const select = made(
+        "select",
+        { "aria-label": "Quantities" },
+        ...groups().map((name) => made("option", { value: name, selected: name === state.group }, words[name] ?? name)),
+      );
       select.addEventListener("change", () => setGroup(select.value));
       content.push(select);
     }
@@ -512,10 +621,23 @@ function start(report, solver) {
           state.hidden[box.checked ? "delete" : "add"](name);
           redraw();
         });
-        content.push(made("label", { title: documentation ?? "" }, box, made("span", { className: `legend c${colour}${dashed ? " dashed" : ""}` }), text));
+        content.push(
+          made(
+            "label",
+            { title: documentation ?? "" },
+            box,
+            made("span", { className: `legend c${colour}${dashed ? " dashed" : ""}` }),
+            text,
+          ),
+        );
       }
     });
-    const over = made("select", { "aria-label": "Plotted over" }, made("option", { value: "input", selected: !state.time }, `over ${model.variable.text}`), made("option", { value: "time", selected: state.time }, "over time"));
+    const over = made(
+      "select",
+      { "aria-label": "Plotted over" },
+      made("option", { value: "input", selected: !state.time }, `over ${model.variable.text}`),
+      made("option", { value: "time", selected: state.time }, "over time"),
+    );
     over.hidden = model.drive.overTime;
     over.addEventListener("change", () => {
       state.time = over.value === "time";
@@ -540,7 +662,10 @@ function start(report, solver) {
 
   function listOptions() {
     const possible = OPTIONS.filter(([name]) => {
-      return !(name === "ghosts" && report.assemblies.length < 2) && !(model.space && (name === "curvature" || name === "centres"));
+      return (
+        !(name === "ghosts" && report.assemblies.length < 2) &&
+        !(model.space && (name === "curvature" || name === "centres"))
+      );
     });
     const boxes = possible.map(([name, words]) => {
       const box = made("input", { type: "checkbox", checked: state.shows[name], id: `show-${name}` });
@@ -602,19 +727,36 @@ function start(report, solver) {
   function setUp() {
     document.title = report.title;
     tell(part("title"), report.title);
-    tell(part("subtitle"), (report.documentation ?? "").split(/\n\s*\n/)[0].replaceAll("\n", " ").replaceAll("`", ""));
-    part("pace").append(...pacesAround(watchable).map((pace) => made("option", { value: String(pace), selected: pace === watchable }, paceText(pace))));
+    tell(
+      part("subtitle"),
+      (report.documentation ?? "")
+        .split(/\n\s*\n/)[0]
+        .replaceAll("\n", " ")
+        .replaceAll("`", ""),
+    );
+    part("pace").append(
+      ...pacesAround(watchable).map((pace) =>
+        made("option", { value: String(pace), selected: pace === watchable }, paceText(pace)),
+      ),
+    );
     part("assembly").append(
-      ...report.assemblies.map((assembly, index) => made("option", { value: String(index), selected: index === state.assembly }, nameOfAssembly(assembly))),
+      ...report.assemblies.map((assembly, index) =>
+        made("option", { value: String(index), selected: index === state.assembly }, nameOfAssembly(assembly)),
+      ),
     );
     part("assembly-choice").hidden = report.assemblies.length < 2;
     part("angles").value = state.degrees ? "degrees" : "radians";
     const degreesFactor = model.variable.dimension === "angle" ? 180 / Math.PI : 1;
     const scrub = part("scrubber");
-    scrub.setAttribute("aria-label", `${model.variable.text}${model.variable.documentation ? `, ${model.variable.documentation}` : ""}`);
+    scrub.setAttribute(
+      "aria-label",
+      `${model.variable.text}${model.variable.documentation ? `, ${model.variable.documentation}` : ""}`,
+    );
     scrub.setAttribute("aria-valuemin", String(Math.round(model.from * degreesFactor * 1000) / 1000));
     scrub.setAttribute("aria-valuemax", String(Math.round(model.to * degreesFactor * 1000) / 1000));
-    state.followed = model.outline.points.map(({ name, joint }) => ({ name, joint })).filter(({ joint }) => !model.outline.ground.includes(joint));
+    state.followed = model.outline.points
+      .map(({ name, joint }) => ({ name, joint }))
+      .filter(({ joint }) => !model.outline.ground.includes(joint));
     if (state.followed.length === 0 && anatomy !== null && anatomy.floating >= 0) {
       state.followed = [{ name: "P", body: anatomy.floating, along: 0.5, across: 0 }];
     }
@@ -624,7 +766,9 @@ function start(report, solver) {
     const plotted = model.quantities.filter(({ declared }) => report.plots?.includes(declared));
     state.group = plotted[0]?.dimension ?? groups()[0] ?? "number";
     if (plotted.length > 0) {
-      model.quantities.filter(({ dimension }) => dimension === state.group).forEach((one) => !plotted.includes(one) && state.hidden.add(one.name));
+      model.quantities
+        .filter(({ dimension }) => dimension === state.group)
+        .forEach((one) => !plotted.includes(one) && state.hidden.add(one.name));
     }
     part("open-dimensions").hidden = model.frames !== null;
     listOptions();
@@ -633,7 +777,9 @@ function start(report, solver) {
       say(`Dimensions cannot be changed here${report.unrecorded ? `: ${report.unrecorded}` : ""}.`, false);
     } else if (report.not_closed) {
       const { text, unknowns, margin, at } = report.not_closed;
-      const reason = margin === null ? text : `out of reach by ${amount(Math.abs(margin))} at ${model.variable.text} = ${inputText(model, at, state.degrees)}${unknowns ? ` (${blockText(model, unknowns)})` : ""}`;
+      const place = `${model.variable.text} = ${inputText(model, at, state.degrees)}`;
+      const block = unknowns ? ` (${blockText(model, unknowns)})` : "";
+      const reason = margin === null ? text : `out of reach by ${amount(Math.abs(margin))} at ${place}${block}`;
       say(`It does not close everywhere: ${reason}.`, false);
     }
   }
@@ -670,7 +816,15 @@ function start(report, solver) {
     clicked("keep", () => compare(sweep));
     clicked("drop", () => compare(null));
     clicked("swap", swap);
-    handlePicture(part("picture"), model, { view, pose: () => lastRow.pose, drag, end: later, changed: ask, assembly: changeAssembly, trace });
+    handlePicture(part("picture"), model, {
+      view,
+      pose: () => lastRow.pose,
+      drag,
+      end: later,
+      changed: ask,
+      assembly: changeAssembly,
+      trace,
+    });
     handlePlots(part("plots"), {
       inputAt: (x) => plots.inputAt(x),
       select: (chosen) => plots.select(chosen),
@@ -693,7 +847,10 @@ function start(report, solver) {
       all: () => zoomTo([model.from, model.to]),
     });
     handleScrubber(part("scrubber"), { inputAt: (x) => scrubber.inputAt(x), move: (x) => goTo(x), end: later });
-    for (const [event, printing] of [["beforeprint", true], ["afterprint", false]]) {
+    for (const [event, printing] of [
+      ["beforeprint", true],
+      ["afterprint", false],
+    ]) {
       addEventListener(event, () => {
         state.printing = printing;
         drawStill();
@@ -713,7 +870,15 @@ function start(report, solver) {
 
   /** The numbers of the pose: each quantity with its rates, in radians. */
   function valuesNow() {
-    return row && Object.fromEntries(model.quantities.map(({ name, declared }, index) => [declared, row.pose[name].map((_, order) => valueAt(model, row, index, order))]));
+    return (
+      row &&
+      Object.fromEntries(
+        model.quantities.map(({ name, declared }, index) => [
+          declared,
+          row.pose[name].map((_, order) => valueAt(model, row, index, order)),
+        ]),
+      )
+    );
   }
 
   function listenToSaving() {
@@ -733,7 +898,10 @@ function start(report, solver) {
         (error) => say(`No picture was written: ${error.message}.`, true),
       );
     });
-    on("save-json", () => text(`${name}.json`, `${JSON.stringify({ report, design: state.design, assembly: assemblyNow().name, input: state.x, pose: valuesNow() }, null, 1)}\n`, "application/json"));
+    on("save-json", () => {
+      const all = { report, design: state.design, assembly: assemblyNow().name, input: state.x, pose: valuesNow() };
+      text(`${name}.json`, `${JSON.stringify(all, null, 1)}\n`, "application/json");
+    });
     on("print", () => print());
   }
 
@@ -784,7 +952,9 @@ function start(report, solver) {
 function refuse(report, reason) {
   const title = typeof report?.title === "string" ? report.title : "kin";
   document.title = title;
-  document.body.replaceChildren(made("main", { className: "refused" }, made("h1", {}, title), made("p", { role: "alert", id: "refusal" }, reason)));
+  document.body.replaceChildren(
+    made("main", { className: "refused" }, made("h1", {}, title), made("p", { role: "alert", id: "refusal" }, reason)),
+  );
 }
 
 // the solver stands before this script

@@ -22,7 +22,9 @@ export function numberText(value, digits = 5) {
     const [digitsPart, power] = value.toExponential(digits - 1).split("e");
     return `${minus(trimmed(digitsPart))}×10${raised(Number(power))}`;
   }
-  return minus(trimmed(Number(value.toPrecision(digits)).toFixed(Math.max(0, digits - 1 - Math.floor(Math.log10(size))))));
+  return minus(
+    trimmed(Number(value.toPrecision(digits)).toFixed(Math.max(0, digits - 1 - Math.floor(Math.log10(size))))),
+  );
 }
 
 /**
@@ -68,7 +70,10 @@ export function withUnit(number, unit) {
 
 /** A derivative of a quantity with its unit. */
 export function quantityText(value, { dimension, order = 0 }, { units }, degrees, digits = 5) {
-  return withUnit(numberText(value * unitFactor(dimension, degrees), digits), unitText(dimension, order, units, degrees));
+  return withUnit(
+    numberText(value * unitFactor(dimension, degrees), digits),
+    unitText(dimension, order, units, degrees),
+  );
 }
 
 /** What radians are multiplied by. */

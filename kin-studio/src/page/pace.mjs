@@ -3,7 +3,9 @@
 /** The times of a range that are watched with ease, in seconds; within them, the pace nearest to 1 is taken. */
 const WATCHED = [3, 12];
 /** The paces: 1, 2 and 5 times powers of ten. */
-const PACES = [-6, -5, -4, -3, -2, -1, 0, 1, 2, 3, 4, 5, 6].flatMap((power) => [1, 2, 5].map((part) => Number(`${part}e${power}`)));
+const PACES = [-6, -5, -4, -3, -2, -1, 0, 1, 2, 3, 4, 5, 6].flatMap((power) =>
+  [1, 2, 5].map((part) => Number(`${part}e${power}`)),
+);
 
 /** So many units of the report's time pass in a second. Other units than these count as seconds. */
 export function secondsOf(unit) {

@@ -20,14 +20,28 @@ export function createPaper(place, model, go) {
     return section;
   };
   if (report.documentation) {
-    const paragraphs = report.documentation.split(/\n\s*\n/).map((text) => made("p", {}, text.trim().replaceAll("`", "")));
+    const paragraphs = report.documentation
+      .split(/\n\s*\n/)
+      .map((text) => made("p", {}, text.trim().replaceAll("`", "")));
     add("About", made("div", { className: "prose" }, ...paragraphs));
   }
   const body = made("tbody");
   const note = made("p", { className: "quiet-text" });
   const copy = made("button", { type: "button", className: "no-print" }, "Copy as CSV");
-  const head = made("thead", {}, made("tr", {}, ...["Quantity", "", "Highest", "at", "Lowest", "at", "RMS"].map((text) => made("th", { scope: "col" }, text))));
-  add("Peaks", made("div", { className: "scroll" }, made("table", {}, head, body)), made("p", { className: "row" }, copy, note));
+  const head = made(
+    "thead",
+    {},
+    made(
+      "tr",
+      {},
+      ...["Quantity", "", "Highest", "at", "Lowest", "at", "RMS"].map((text) => made("th", { scope: "col" }, text)),
+    ),
+  );
+  add(
+    "Peaks",
+    made("div", { className: "scroll" }, made("table", {}, head, body)),
+    made("p", { className: "row" }, copy, note),
+  );
   let cells = [];
   copy.addEventListener("click", () => {
     const text = cells.map((row) => `${row.map((cell) => quotedCell(String(cell))).join(",")}\r\n`).join("");
@@ -49,7 +63,9 @@ export function createPaper(place, model, go) {
       note.textContent = reasons.size > 0 ? `${source} Not found: ${[...reasons].join("; ")}.` : source;
       const unit = (quantity, order) => unitText(quantity.dimension, order, model.units, degrees);
       const inputUnit = unitText(model.variable.dimension, 0, model.units, degrees);
-      cells = [["quantity", "derivative", "unit", "highest", `at [${inputUnit}]`, "lowest", `at [${inputUnit}]`, "rms"]];
+      cells = [
+        ["quantity", "derivative", "unit", "highest", `at [${inputUnit}]`, "lowest", `at [${inputUnit}]`, "rms"],
+      ];
       body.replaceChildren();
       for (const { quantity: name, order, highest, lowest, rms } of peaks) {
         const quantity = model.quantities.find((one) => one.name === name);
@@ -71,7 +87,11 @@ export function createPaper(place, model, go) {
           if (!peak) {
             return "";
           }
-          const button = made("button", { type: "button", "aria-label": `Go to ${model.variable.text} = ${inputText(model, peak.at, degrees)}` }, inputText(model, peak.at, degrees));
+          const button = made(
+            "button",
+            { type: "button", "aria-label": `Go to ${model.variable.text} = ${inputText(model, peak.at, degrees)}` },
+            inputText(model, peak.at, degrees),
+          );
           button.dataset.at = String(peak.at);
           button.addEventListener("click", () => go(peak.at));
           return button;
@@ -82,7 +102,9 @@ export function createPaper(place, model, go) {
           made(
             "tr",
             {},
-            order === 0 || body.lastChild?.dataset?.name !== name ? made("th", { scope: "row" }, swatch, ` ${quantity.text}`) : made("td"),
+            order === 0 || body.lastChild?.dataset?.name !== name
+              ? made("th", { scope: "row" }, swatch, ` ${quantity.text}`)
+              : made("td"),
             made("td", { className: "words" }, ORDERS[order]),
             made("td", {}, value(highest)),
             made("td", {}, at(highest)),
@@ -93,7 +115,16 @@ export function createPaper(place, model, go) {
         );
         body.lastChild.dataset.name = name;
         const number = (peak, part, by) => (peak && peak[part] !== null ? peak[part] * by : "");
-        cells.push([quantity.declared, ORDERS[order], unit(quantity, order), number(highest, "value", factor), number(highest, "at", inputFactor), number(lowest, "value", factor), number(lowest, "at", inputFactor), rms === null ? "" : rms * factor]);
+        cells.push([
+          quantity.declared,
+          ORDERS[order],
+          unit(quantity, order),
+          number(highest, "value", factor),
+          number(highest, "at", inputFactor),
+          number(lowest, "value", factor),
+          number(lowest, "at", inputFactor),
+          rms === null ? "" : rms * factor,
+        ]);
       }
     },
   };
@@ -119,7 +150,11 @@ function sensitivities(add, model) {
   if (all.length === 0) {
     return () => {};
   }
-  const select = made("select", { "aria-label": "Peak" }, ...all.map(({ quantity, text }, index) => made("option", { value: String(index) }, text || quantity)));
+  const select = made(
+    "select",
+    { "aria-label": "Peak" },
+    ...all.map(({ quantity, text }, index) => made("option", { value: String(index) }, text || quantity)),
+  );
   const first = all.findIndex(({ order }) => order === 2);
   select.value = String(Math.max(0, first));
   const table = made("div", { className: "sense" });
@@ -134,14 +169,30 @@ function sensitivities(add, model) {
     const rows = model.parameters.flatMap(({ text, dimension: own }, index) => {
       const effect = (98 * effects[index]) / most;
       const bar = drawn("svg", { viewBox: "-100 0 200 14", preserveAspectRatio: "none", "aria-hidden": "true" });
-      drawn("rect", { x: Math.min(0, effect), width: Math.abs(effect), y: 2, height: 10, class: effect < 0 ? "bar-down" : "bar-up" }, bar);
+      drawn(
+        "rect",
+        {
+          x: Math.min(0, effect),
+          width: Math.abs(effect),
+          y: 2,
+          height: 10,
+          class: effect < 0 ? "bar-down" : "bar-up",
+        },
+        bar,
+      );
       drawn("path", { d: "M0 0V14", class: "zero-line" }, bar);
       const rate = (values[index] * unitFactor(dimension, degrees)) / unitFactor(own, degrees);
       const each = unitText(own, 0, model.units, degrees);
-      return [made("span", {}, text), bar, made("span", { className: "number" }, `${withUnit(numberText(rate, 4), unit)}${each ? ` per ${each}` : ""}`)];
+      return [
+        made("span", {}, text),
+        bar,
+        made("span", { className: "number" }, `${withUnit(numberText(rate, 4), unit)}${each ? ` per ${each}` : ""}`),
+      ];
     });
     table.replaceChildren(...rows);
-    note.textContent = "Bars: the effect of the same part of each dimension. Numbers: the change of the peak for each unit of the dimension.";
+    note.textContent =
+      "Bars: the effect of the same part of each dimension. " +
+      "Numbers: the change of the peak for each unit of the dimension.";
   };
   let last = false;
   select.addEventListener("change", () => show(last));
@@ -168,7 +219,15 @@ function equations(add, model) {
         if (formula === null && text === "") {
           return;
         }
-        content.push(formula ? made("div", { className: "formula", tabIndex: 0, role: "group", "aria-label": text || "formula" }, formula) : made("pre", { tabIndex: 0 }, text));
+        content.push(
+          formula
+            ? made(
+                "div",
+                { className: "formula", tabIndex: 0, role: "group", "aria-label": text || "formula" },
+                formula,
+              )
+            : made("pre", { tabIndex: 0 }, text),
+        );
       } else {
         Object.values(value).forEach(walk);
       }
@@ -188,15 +247,34 @@ function equations(add, model) {
 
 function howSolved(add, model) {
   const { blocks = [], operations = [] } = model.report;
-  const head = (...texts) => made("thead", {}, made("tr", {}, ...texts.map((text) => made("th", { scope: "col", className: "words" }, text))));
+  const head = (...texts) =>
+    made("thead", {}, made("tr", {}, ...texts.map((text) => made("th", { scope: "col", className: "words" }, text))));
   const row = (...texts) => made("tr", {}, ...texts.map((text) => made("td", { className: "words" }, text)));
-  const names = (text) => text.split(", ").map((name) => model.quantities.find((one) => one.declared === name)?.text ?? name).join(", ");
+  const names = (text) =>
+    text
+      .split(", ")
+      .map((name) => model.quantities.find((one) => one.declared === name)?.text ?? name)
+      .join(", ");
   const tables = [];
   if (blocks.length > 0) {
-    tables.push(made("table", {}, head("Unknowns", "Solution"), made("tbody", {}, ...blocks.map(({ unknowns, solution }) => row(names(unknowns), solution)))));
+    tables.push(
+      made(
+        "table",
+        {},
+        head("Unknowns", "Solution"),
+        made("tbody", {}, ...blocks.map(({ unknowns, solution }) => row(names(unknowns), solution))),
+      ),
+    );
   }
   if (operations.length > 0) {
-    tables.push(made("table", {}, head("Through", "Operations"), made("tbody", {}, ...operations.map(({ order, text }) => row(ORDERS[order] ?? String(order), text)))));
+    tables.push(
+      made(
+        "table",
+        {},
+        head("Through", "Operations"),
+        made("tbody", {}, ...operations.map(({ order, text }) => row(ORDERS[order] ?? String(order), text))),
+      ),
+    );
   }
   if (tables.length > 0) {
     add("How it was solved", ...tables.map((table) => made("div", { className: "scroll" }, table)));
@@ -209,7 +287,9 @@ function dragText(model) {
   if (model.drive.overTime) {
     return `goes to the time at which the laws lead it nearest; the inputs keep to their laws, and ${stops}`;
   }
-  return model.moving.length > 1 ? `moves all inputs along their line to the nearest pose; ${stops}` : `moves the mechanism to the nearest pose; ${stops}`;
+  return model.moving.length > 1
+    ? `moves all inputs along their line to the nearest pose; ${stops}`
+    : `moves the mechanism to the nearest pose; ${stops}`;
 }
 
 /** What hands can do. */
@@ -218,7 +298,10 @@ function manual(add, model) {
   for (const [deed, effect] of [
     ["Drag a link", dragText(model)],
     ["Double click on a link", "draws the path of that point"],
-    [model.space ? "Drag beside the links" : "Drag the empty plane", model.space ? "turns the view; with Shift it shifts the view" : "shifts the view"],
+    [
+      model.space ? "Drag beside the links" : "Drag the empty plane",
+      model.space ? "turns the view; with Shift it shifts the view" : "shifts the view",
+    ],
     ["Click into a picture, then the wheel", "enlarges it; with Ctrl at once"],
     ["Point at a plot", "moves the mechanism; a drag enlarges that part, a double click shows all again"],
     ["Click on another assembly", "changes to it"],
@@ -237,10 +320,18 @@ function declaration(add, model) {
   const { parameters } = report;
   const unit = (dimension, order) => unitText(dimension, order, model.units, false);
   entry("Mechanism", report.name);
-  entry("Dimensions", parameters.map(({ name, value, dimension }) => withUnit(`${name} = ${value}`, unit(dimension, 0))).join(", "));
+  entry(
+    "Dimensions",
+    parameters.map(({ name, value, dimension }) => withUnit(`${name} = ${value}`, unit(dimension, 0))).join(", "),
+  );
   entry(model.moving.length > 1 ? "Moving inputs" : "Moving input", motionText(model, unit));
-  const others = model.inputs.filter(({ moves }) => !moves).map(({ declared: name, value, dimension }) => ({ name, value, dimension }));
-  entry("Other inputs", others.map(({ name, value, dimension }) => withUnit(`${name} = ${value}`, unit(dimension, 0))).join(", "));
+  const others = model.inputs
+    .filter(({ moves }) => !moves)
+    .map(({ declared: name, value, dimension }) => ({ name, value, dimension }));
+  entry(
+    "Other inputs",
+    others.map(({ name, value, dimension }) => withUnit(`${name} = ${value}`, unit(dimension, 0))).join(", "),
+  );
   entry("Assembly", report.assemblies?.[report.assembly]?.name);
   entry("Written by", `kin ${report.kin}`);
   entry("Hash", report.hash);
@@ -251,7 +342,8 @@ function declaration(add, model) {
 /** How the inputs move, with all digits. */
 function motionText(model, unit) {
   const { drive, variable } = model;
-  const range = (from, to, dimension) => `from ${withUnit(String(from), unit(dimension, 0))} to ${withUnit(String(to), unit(dimension, 0))}`;
+  const range = (from, to, dimension) =>
+    `from ${withUnit(String(from), unit(dimension, 0))} to ${withUnit(String(to), unit(dimension, 0))}`;
   if (model.moving.length === 0) {
     return "none";
   }
@@ -262,8 +354,10 @@ function motionText(model, unit) {
   const last = drive.pieces.length - 1;
   const value = (index, x, piece) => motionOf(drive, index, x, piece, 1, 0)[0];
   const ways = model.moving.map(({ declared, index, dimension, name }) => {
-    const ends = name === variable.name ? [model.from, model.to] : [value(index, model.from, 0), value(index, model.to, last)];
+    const ends =
+      name === variable.name ? [model.from, model.to] : [value(index, model.from, 0), value(index, model.to, last)];
     return `${declared} ${range(ends[0], ends[1], dimension)}`;
   });
-  return `${ways.join(", ")}, ${model.moving.length > 1 ? `${variable.declared} ` : ""}at ${withUnit(String(model.report.speed), unit(variable.dimension, 1))}`;
+  const speed = withUnit(String(model.report.speed), unit(variable.dimension, 1));
+  return `${ways.join(", ")}, ${model.moving.length > 1 ? `${variable.declared} ` : ""}at ${speed}`;
 }

@@ -8,7 +8,20 @@ import { flat, onPage } from "./view.mjs";
 
 /** Half the length and half the width of a slider's block, in pixels. */
 const BLOCK = [13, 7.5];
-const LAYERS = ["grid", "trails", "ghosts", "reference", "ground", "bodies", "sliders", "pins", "marks", "arrows", "names", "hits"];
+const LAYERS = [
+  "grid",
+  "trails",
+  "ghosts",
+  "reference",
+  "ground",
+  "bodies",
+  "sliders",
+  "pins",
+  "marks",
+  "arrows",
+  "names",
+  "hits",
+];
 
 /**
  * @typedef {object} Scene
@@ -27,7 +40,7 @@ const LAYERS = ["grid", "trails", "ghosts", "reference", "ground", "bodies", "sl
  * @property {{from: number[], by: number[], order: number}[]} arrows by, in pixels
  * @property {{centre: number[], radius: number, at: number[]}[]} circles
  * @property {{at: number[], name: string}[]} centres
- * @property {number[]} senses for each body the sense in which its input turns it: 1, -1, or 0 if none does or it stands
+ * @property {number[]} senses for each body the sense in which its input turns it: 1, -1, or 0 if none does
  * @property {boolean} moves whether names should keep their places
  */
 
@@ -177,7 +190,12 @@ function guideOf(model, scene, slide, pose) {
   const length = Math.hypot(...direction);
   const here = alongSlide(model, pose, slide);
   const travel = scene.sweep.travel[slide].map((end) => (Number.isFinite(end) ? end : here));
-  return travel.map((end) => onPage(scene.view, pose.joints[joint].map((value, axis) => value + (direction[axis] / length) * (end - here))));
+  return travel.map((end) =>
+    onPage(
+      scene.view,
+      pose.joints[joint].map((value, axis) => value + (direction[axis] / length) * (end - here)),
+    ),
+  );
 }
 
 /** Whether a slide is the stroke of a cylinder: it is driven, or seen in space. */
@@ -240,7 +258,10 @@ function ground(layer, model, scene, joints, room) {
     if (below[1] < -1e-9 || (Math.abs(below[1]) <= 1e-9 && below[0] < 0)) {
       below = [y, -x];
     }
-    const shift = (place, sign) => [place[0] + sign * 18 * x + below[0] * (BLOCK[1] + 1), place[1] + sign * 18 * y + below[1] * (BLOCK[1] + 1)];
+    const shift = (place, sign) => [
+      place[0] + sign * 18 * x + below[0] * (BLOCK[1] + 1),
+      place[1] + sign * 18 * y + below[1] * (BLOCK[1] + 1),
+    ];
     const forward = (end[0] - start[0]) * x + (end[1] - start[1]) * y >= 0;
     const [from, to] = forward ? [shift(start, -1), shift(end, 1)] : [shift(end, -1), shift(start, 1)];
     layer.add("path", { d: line([from, to]), class: "ground-line" });
@@ -251,8 +272,21 @@ function ground(layer, model, scene, joints, room) {
     if (!scene.anatomy.pins[joint] || !scene.anatomy.fixed[joint]) {
       return;
     }
-    layer.add("path", { d: line([[x, y], [x - 9, y + 16], [x + 9, y + 16]], true), class: "foot" });
-    const [from, to] = [[x - 14, y + 16], [x + 14, y + 16]];
+    layer.add("path", {
+      d: line(
+        [
+          [x, y],
+          [x - 9, y + 16],
+          [x + 9, y + 16],
+        ],
+        true,
+      ),
+      class: "foot",
+    });
+    const [from, to] = [
+      [x - 14, y + 16],
+      [x + 14, y + 16],
+    ];
     layer.add("path", { d: line([from, to]), class: "ground-line" });
     layer.add("path", { d: hatch(from, to, [0, 1]), class: "hatch" });
     room.boxes.push([x - 15, y - 5, x + 15, y + 22]);
@@ -270,9 +304,13 @@ function bodies(layer, hits, model, scene, joints, room) {
   model.outline.bodies.forEach((_, body) => {
     const { driven, colours } = scene.anatomy;
     const corners = cornersOf(model, scene, body, joints, scene.pose);
-    const cylinder = model.outline.slides.some(({ guide }, slide) => guide === body && isCylinder(model, scene, slide) && !standsStill(model, scene, slide));
+    const cylinder = model.outline.slides.some(
+      ({ guide }, slide) => guide === body && isCylinder(model, scene, slide) && !standsStill(model, scene, slide),
+    );
     const outer = hull(corners);
-    const shifted = model.outline.slides.some(({ guide }, slide) => guide === body && scene.anatomy.drivenSlides[slide]);
+    const shifted = model.outline.slides.some(
+      ({ guide }, slide) => guide === body && scene.anatomy.drivenSlides[slide],
+    );
     const colour = driven[body] || shifted ? "driven" : colours[body] === null ? "plain" : `c${colours[body]}`;
     const d = line(outer, outer.length > 2);
     if (cylinder && outer.length === 2) {
@@ -352,7 +390,11 @@ function marks(layer, model, scene, joints, room) {
     });
     layer.add("path", { d: line(arc), class: "drive" });
     layer.add("path", { d: arrowHead(arc[16], arc[15]), class: "drive-head" });
-    keepLines(room, arc.filter((_, index) => index % 4 === 0), 3);
+    keepLines(
+      room,
+      arc.filter((_, index) => index % 4 === 0),
+      3,
+    );
   });
   for (const { centre, radius, at } of scene.circles) {
     const [[x, y], place] = [onPage(scene.view, centre), onPage(scene.view, at)];
@@ -385,8 +427,14 @@ function arrows(layer, scene, room) {
     const start = onPage(scene.view, from);
     const end = [start[0] + by[0], start[1] + by[1]];
     if (Math.hypot(...by) > 6) {
-      layer.add("path", { d: line([start, [end[0] - 4 * unitOf(start, end)[0], end[1] - 4 * unitOf(start, end)[1]]]), class: `arrow o${order}` });
-      layer.add("path", { d: arrowHead([end[0] - 4 * unitOf(start, end)[0], end[1] - 4 * unitOf(start, end)[1]], start), class: `arrow-head o${order}` });
+      layer.add("path", {
+        d: line([start, [end[0] - 4 * unitOf(start, end)[0], end[1] - 4 * unitOf(start, end)[1]]]),
+        class: `arrow o${order}`,
+      });
+      layer.add("path", {
+        d: arrowHead([end[0] - 4 * unitOf(start, end)[0], end[1] - 4 * unitOf(start, end)[1]], start),
+        class: `arrow-head o${order}`,
+      });
       keepLines(room, [start, end], 2);
     }
   }

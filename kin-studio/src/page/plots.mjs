@@ -64,7 +64,12 @@ export function createPlots(svg, model) {
     title.textContent = `${name[0].toUpperCase()}${name.slice(1)}`;
     drawn("tspan", { class: "quiet", dx: 6 }, title).textContent = unit;
     const clip = `clip-${order}`;
-    const frame = { x: LEFT, y: upper - 3, width: Math.max(1, now.width - LEFT - RIGHT), height: Math.max(1, lower - upper + 6) };
+    const frame = {
+      x: LEFT,
+      y: upper - 3,
+      width: Math.max(1, now.width - LEFT - RIGHT),
+      height: Math.max(1, lower - upper + 6),
+    };
     drawn("rect", frame, drawn("clipPath", { id: clip }, still));
     for (const value of ticks(low, most, (lower - upper) / 20, dimension === "angle" && order === 0 && now.degrees)) {
       const y = tenth(down(value));
@@ -76,7 +81,11 @@ export function createPlots(svg, model) {
     }
     for (const { x, kind } of now.marks) {
       if (x >= now.zoom[0] && x <= now.zoom[1]) {
-        drawn("path", { d: `M${tenth(across(x))} ${upper}V${tenth(lower)}`, class: kind === "Joint" ? "joint-line" : "limit-line" }, still);
+        drawn(
+          "path",
+          { d: `M${tenth(across(x))} ${upper}V${tenth(lower)}`, class: kind === "Joint" ? "joint-line" : "limit-line" },
+          still,
+        );
       }
     }
     const curves = drawn("g", { "clip-path": `url(#${clip})` }, still);
@@ -90,15 +99,31 @@ export function createPlots(svg, model) {
     const [dots, dotsBefore] = [now.shown.map(dot), now.shown.map(dot)];
     const wide = now.shown.reduce((sum, index) => sum + DIGIT * (model.quantities[index].text.length + 9) + 14, 0);
     const named = wide < now.width - LEFT - RIGHT - 120;
-    const own = now.shown.slice(0, named ? 99 : Math.max(1, Math.floor((now.width - LEFT - RIGHT - 118) / (DIGIT * 8))));
+    const own = now.shown.slice(
+      0,
+      named ? 99 : Math.max(1, Math.floor((now.width - LEFT - RIGHT - 118) / (DIGIT * 8))),
+    );
     const values = drawn("text", { x: now.width - RIGHT, y: top + 14, class: "plot-values end" }, moving);
     const texts = own.map((index, place) => {
-      const swatch = drawn("tspan", { class: `swatch c${model.quantities[index].colour}`, ...(place > 0 ? { dx: 7 } : {}) }, values);
+      const swatch = drawn(
+        "tspan",
+        { class: `swatch c${model.quantities[index].colour}`, ...(place > 0 ? { dx: 7 } : {}) },
+        values,
+      );
       swatch.textContent = "●";
       return { element: drawn("tspan", { dx: 3 }, values), name: named ? `${model.quantities[index].text} ` : "" };
     });
     const scales = now.shown.map((index) => now.sweep.scales[index][order] * factorOf(index));
-    return { upper, lower, down: held, dots, dotsBefore, texts, scales, visible: (y) => y >= upper - 3 && y <= lower + 3 };
+    return {
+      upper,
+      lower,
+      down: held,
+      dots,
+      dotsBefore,
+      texts,
+      scales,
+      visible: (y) => y >= upper - 3 && y <= lower + 3,
+    };
   }
 
   function curvesOf(sweep, order, down, parent, style) {
@@ -113,7 +138,14 @@ export function createPlots(svg, model) {
           }
           pieces[pieces.length - 1].push([across(row.x), down(valueOf(row, index, order))]);
         });
-        drawn("path", { d: pieces.map((points) => line(points)).join(""), class: `curve c${colour}${dashed ? " dashed" : ""}${style}` }, parent);
+        drawn(
+          "path",
+          {
+            d: pieces.map((points) => line(points)).join(""),
+            class: `curve c${colour}${dashed ? " dashed" : ""}${style}`,
+          },
+          parent,
+        );
       }
     }
   }
@@ -137,7 +169,8 @@ export function createPlots(svg, model) {
     }
     const scale = Math.max(...now.shown.map((index) => now.sweep.scales[index][order] * factorOf(index)), 1e-300);
     // what does not change but for rounding is a straight line
-    const least = high - low < 1e-9 * Math.max(Math.abs(high), Math.abs(low), scale) ? Math.max(0.1 * Math.abs(high), 1e-3) : 0;
+    const least =
+      high - low < 1e-9 * Math.max(Math.abs(high), Math.abs(low), scale) ? Math.max(0.1 * Math.abs(high), 1e-3) : 0;
     const room = 0.08 * (high - low) + least;
     return [low - room, high + room];
   }
@@ -172,7 +205,10 @@ export function createPlots(svg, model) {
     }
     const x = across(row.x);
     const inside = x >= LEFT - 0.5 && x <= now.width - RIGHT + 0.5;
-    change(rows.cursor, { d: rows.map(({ upper, lower }) => `M${tenth(x)} ${tenth(upper)}V${tenth(lower)}`).join(""), display: inside ? "inline" : "none" });
+    change(rows.cursor, {
+      d: rows.map(({ upper, lower }) => `M${tenth(x)} ${tenth(upper)}V${tenth(lower)}`).join(""),
+      display: inside ? "inline" : "none",
+    });
     // at a joint there is a value before it and one behind it
     const before = rowBefore(now.sweep, row);
     rows.forEach(({ down, dots, dotsBefore, texts, scales, visible }, order) => {
@@ -185,7 +221,10 @@ export function createPlots(svg, model) {
         put(dots[place], row, true);
         put(dotsBefore[place], before ?? row, jumps);
         if (texts[place]) {
-          const text = (own) => (isUnbounded(now.sweep, own, index, order) ? "unbounded" : steadyText(valueOf(own, index, order), scales[place]));
+          const text = (own) =>
+            isUnbounded(now.sweep, own, index, order)
+              ? "unbounded"
+              : steadyText(valueOf(own, index, order), scales[place]);
           const both = jumps && 2 * texts.length * DIGIT * 11 < now.width - LEFT - RIGHT;
           tell(texts[place].element, `${texts[place].name}${both ? `${text(before)} → ` : ""}${text(row)}`);
         }
@@ -209,7 +248,12 @@ export function createPlots(svg, model) {
         return;
       }
       const [from, to] = part.map((x) => across(x));
-      const box = { x: Math.min(from, to), width: Math.abs(to - from), y: HEAD - 6, height: now.height - FOOT - HEAD + 6 };
+      const box = {
+        x: Math.min(from, to),
+        width: Math.abs(to - from),
+        y: HEAD - 6,
+        height: now.height - FOOT - HEAD + 6,
+      };
       change(selection, { ...box, display: "inline" });
     },
   };

@@ -2,7 +2,13 @@
 import { blockText } from "./kinematics/model.mjs";
 
 /** The checks of links that reach or do not, whose margin is a length. */
-const REACHES = ["reach of two circles", "reach of a circle and a line", "reach of a circle and an axis", "reach of a link", "reach of an offset slide"];
+const REACHES = [
+  "reach of two circles",
+  "reach of a circle and a line",
+  "reach of a circle and an axis",
+  "reach of a link",
+  "reach of an offset slide",
+];
 /** The checks whose margin is the square of a length. */
 const SQUARES = ["sqrt", "positive square"];
 /** The check of Newton's method, whose margin is a residual. */

@@ -5,7 +5,22 @@ import { ORDERS, unitFactor, unitText } from "./numbers.mjs";
 import { allRows, valueAt } from "./kinematics/sweep.mjs";
 
 /** The properties of a drawn element that a style sheet sets. */
-const STYLED = ["fill", "fill-opacity", "stroke", "stroke-width", "stroke-dasharray", "stroke-linecap", "stroke-linejoin", "stroke-opacity", "opacity", "font-size", "font-family", "font-style", "font-weight", "text-anchor"];
+const STYLED = [
+  "fill",
+  "fill-opacity",
+  "stroke",
+  "stroke-width",
+  "stroke-dasharray",
+  "stroke-linecap",
+  "stroke-linejoin",
+  "stroke-opacity",
+  "opacity",
+  "font-size",
+  "font-family",
+  "font-style",
+  "font-weight",
+  "text-anchor",
+];
 
 /** All poses of a sweep as comma-separated values, every number with all its digits. */
 export function sweepTable(sweep, degrees) {
@@ -27,9 +42,13 @@ export function sweepTable(sweep, degrees) {
   ];
   const rows = allRows(sweep).map((row) => [
     row.x * unitFactor(variable.dimension, degrees),
-    ...others.map(({ index, dimension }) => motionOf(drive, index, row.x, row.piece, 1, 0)[0] * unitFactor(dimension, degrees)),
+    ...others.map(
+      ({ index, dimension }) => motionOf(drive, index, row.x, row.piece, 1, 0)[0] * unitFactor(dimension, degrees),
+    ),
     ...(drive.overTime ? [] : [(row.x - model.from) / design.speed]),
-    ...columns.map(({ quantity, index, order }) => valueAt(model, row, index, order) * unitFactor(quantity.dimension, degrees)),
+    ...columns.map(
+      ({ quantity, index, order }) => valueAt(model, row, index, order) * unitFactor(quantity.dimension, degrees),
+    ),
   ]);
   return [head, ...rows].map((row) => `${row.join(",")}\r\n`).join("");
 }
@@ -87,7 +106,10 @@ export async function pictureOfPixels(svg, title) {
     const canvas = made("canvas", { width: Math.round(2 * width), height: Math.round(2 * height) });
     canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
     return await new Promise((done, failed) => {
-      canvas.toBlob((blob) => (blob ? done(blob) : failed(new Error("the browser draws no picture of this size"))), "image/png");
+      canvas.toBlob(
+        (blob) => (blob ? done(blob) : failed(new Error("the browser draws no picture of this size"))),
+        "image/png",
+      );
     });
   } finally {
     URL.revokeObjectURL(source);

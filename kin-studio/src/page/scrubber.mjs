@@ -27,30 +27,75 @@ export function createScrubber(svg, model) {
         const { from, to, lost } = gap;
         const short = shortfallOf(gap);
         const [left, right] = [across(from), across(to)];
-        const title = drawn("title", {}, drawn("rect", { x: left, width: Math.max(1, right - left), y: TRACK - THICK / 2, height: THICK, class: "gap" }, still));
-        const known = marks.some((mark) => !mark.own && (sameLimit(model, mark.x, from) || sameLimit(model, mark.x, to)));
-        const text = lost && !known ? "assembly lost" : Number.isFinite(short) ? `out of reach by ${amount(short)}` : "does not close";
+        const title = drawn(
+          "title",
+          {},
+          drawn(
+            "rect",
+            { x: left, width: Math.max(1, right - left), y: TRACK - THICK / 2, height: THICK, class: "gap" },
+            still,
+          ),
+        );
+        const known = marks.some(
+          (mark) => !mark.own && (sameLimit(model, mark.x, from) || sameLimit(model, mark.x, to)),
+        );
+        const text =
+          lost && !known
+            ? "assembly lost"
+            : Number.isFinite(short)
+              ? `out of reach by ${amount(short)}`
+              : "does not close";
         title.textContent = text;
         let d = "";
         for (let x = left + 3; x < right - 2; x += 7) {
-          d += line([[x, TRACK + 5], [x + 5, TRACK - 5]]);
+          d += line([
+            [x, TRACK + 5],
+            [x + 5, TRACK - 5],
+          ]);
         }
         drawn("path", { d, class: "gap-hatch" }, still);
-        const label = right - left > 6.2 * text.length ? text : right - left > 80 && Number.isFinite(short) && !lost ? `short by ${amount(short)}` : "";
-        drawn("text", { x: tenth(0.5 * (left + right)), y: TRACK - 13, class: "quiet middle" }, still).textContent = label;
+        const label =
+          right - left > 6.2 * text.length
+            ? text
+            : right - left > 80 && Number.isFinite(short) && !lost
+              ? `short by ${amount(short)}`
+              : "";
+        drawn("text", { x: tenth(0.5 * (left + right)), y: TRACK - 13, class: "quiet middle" }, still).textContent =
+          label;
       }
       for (const { from, to } of sweep.spans) {
-        drawn("rect", { x: across(from), width: Math.max(1, across(to) - across(from)), y: TRACK - THICK / 2, height: THICK, class: "closes" }, still);
+        drawn(
+          "rect",
+          {
+            x: across(from),
+            width: Math.max(1, across(to) - across(from)),
+            y: TRACK - THICK / 2,
+            height: THICK,
+            class: "closes",
+          },
+          still,
+        );
       }
       for (const [from, to] of poor) {
-        const band = { x: across(from), width: Math.max(1, across(to) - across(from)), y: TRACK - THICK / 2, height: THICK, class: "poor" };
+        const band = {
+          x: across(from),
+          width: Math.max(1, across(to) - across(from)),
+          y: TRACK - THICK / 2,
+          height: THICK,
+          class: "poor",
+        };
         drawn("title", {}, drawn("rect", band, still)).textContent = "transmission angle below 40°";
       }
       const factor = unitFactor(model.variable.dimension, degrees);
       for (const place of ticks(model.from * factor, model.to * factor, (width - 2 * SIDE) / 90, factor !== 1)) {
         const x = across(place / factor);
         drawn("path", { d: `M${tenth(x)} ${TRACK + 8}v4`, class: "axis-line" }, still);
-        drawn("text", { x: tenth(x), y: TRACK + 25, class: "quiet middle" }, still).textContent = inputText(model, place / factor, degrees, 4);
+        drawn("text", { x: tenth(x), y: TRACK + 25, class: "quiet middle" }, still).textContent = inputText(
+          model,
+          place / factor,
+          degrees,
+          4,
+        );
       }
       drawMarks(still, marks, degrees);
     },
@@ -67,9 +112,16 @@ export function createScrubber(svg, model) {
     let last = -Infinity;
     for (const mark of marks) {
       const x = across(mark.x);
-      const tick = drawn("path", { d: `M${tenth(x)} ${TRACK - 12}V${TRACK + 10}`, class: MARK_CLASSES[mark.kind] ?? "limit-mark" }, parent);
+      const tick = drawn(
+        "path",
+        { d: `M${tenth(x)} ${TRACK - 12}V${TRACK + 10}`, class: MARK_CLASSES[mark.kind] ?? "limit-mark" },
+        parent,
+      );
       const text = `${kindText(mark)} ${inputText(model, mark.x, degrees)}`;
-      drawn("title", {}, tick).textContent = mark.kind === "Joint" ? `${text}, where two pieces of a law meet` : `${text}${mark.text ? `: ${mark.text}` : ""}${mark.own ? " (found by the page)" : ""}`;
+      drawn("title", {}, tick).textContent =
+        mark.kind === "Joint"
+          ? `${text}, where two pieces of a law meet`
+          : `${text}${mark.text ? `: ${mark.text}` : ""}${mark.own ? " (found by the page)" : ""}`;
       const half = 3.4 * text.length;
       const at = Math.min(width - half - 2, Math.max(half + 2, x));
       if (at - half > last + 8) {

@@ -4,7 +4,8 @@ import { alongSlide, innerRows } from "./sweep.mjs";
 import { DESCRIBES, ROUNDING, TURNS } from "./tolerances.mjs";
 
 /**
- * @typedef {{pins: boolean[], fixed: boolean[], colours: (number | null)[], drivers: (number | null)[], driven: boolean[], drivenSlides: boolean[], keeps: boolean[], floating: number}} Anatomy
+ * @typedef {{pins: boolean[], fixed: boolean[], colours: (number | null)[], drivers: (number | null)[],
+ *   driven: boolean[], drivenSlides: boolean[], keeps: boolean[], floating: number}} Anatomy
  */
 
 /** @returns {Anatomy | null} null if it closes nowhere */
@@ -27,19 +28,30 @@ export function anatomyOf(sweep) {
   };
   const turns = (value) => some.some((row) => Math.abs(value(row) - value(some[0])) > TURNS);
   // the values of the inputs that move, of which no dimension changes anything
-  const inputs = model.moving.map(({ index, dimension }) => ({ index, dimension, value: ({ x, piece }) => motionOf(model.drive, index, x, piece, 1, 0)[0] }));
+  const inputs = model.moving.map(({ index, dimension }) => ({
+    index,
+    dimension,
+    value: ({ x, piece }) => motionOf(model.drive, index, x, piece, 1, 0)[0],
+  }));
   const angles = inputs.filter(({ dimension }) => dimension === "angle");
   const lengths = inputs.filter(({ dimension }) => dimension === "length");
   const colours = outline.bodies.map((_, body) => {
     const owner = model.quantities.find(({ name, dimension, isInput }) => {
       const value = (row) => row.pose[name][0];
       const opposite = (row) => -value(row);
-      return dimension === "angle" && !isInput && !model.space && turns(value) && (follows(body, value) || follows(body, opposite));
+      return (
+        dimension === "angle" &&
+        !isInput &&
+        !model.space &&
+        turns(value) &&
+        (follows(body, value) || follows(body, opposite))
+      );
     });
     return owner ? owner.colour : null;
   });
   const drivers = outline.bodies.map(({ joints }, body) => {
-    const turns = ({ value }) => (model.space ? joints.some((joint) => fixed[joint]) && turnsAlong(rows, joints, value) : follows(body, value));
+    const turns = ({ value }) =>
+      model.space ? joints.some((joint) => fixed[joint]) && turnsAlong(rows, joints, value) : follows(body, value);
     return angles.find(turns)?.index ?? null;
   });
   const drivenSlides = outline.slides.map((_, slide) => {
@@ -56,7 +68,16 @@ export function anatomyOf(sweep) {
     return turning > 1 || (turning === 1 && (fixed[joint] || outline.slides.some((slide) => slide.joint === joint)));
   });
   const floating = outline.bodies.findIndex(({ joints }) => joints.length > 1 && !joints.some((joint) => fixed[joint]));
-  return { pins, fixed, colours, drivers, driven: drivers.map((driver) => driver !== null), drivenSlides, keeps, floating };
+  return {
+    pins,
+    fixed,
+    colours,
+    drivers,
+    driven: drivers.map((driver) => driver !== null),
+    drivenSlides,
+    keeps,
+    floating,
+  };
 }
 
 /** Whether a body of space turns as far as the input, at right angles to its axis. */
@@ -70,7 +91,8 @@ function turnsAlong(rows, [first, second], value) {
   const one = direction(rows[0]);
   return close.every((row) => {
     const other = direction(row);
-    const cosine = one.reduce((sum, value, axis) => sum + value * other[axis], 0) / (Math.hypot(...one) * Math.hypot(...other));
+    const cosine =
+      one.reduce((sum, value, axis) => sum + value * other[axis], 0) / (Math.hypot(...one) * Math.hypot(...other));
     return Math.abs(cosine - Math.cos(way(row))) < DESCRIBES;
   });
 }
@@ -93,7 +115,8 @@ function angleOf(model, pose, body) {
 }
 
 /**
- * A place that is followed: a joint, or a place of a body as a part of the way from its first joint to the second and across.
+ * A place that is followed: a joint, or a place of a body as parts of the way from its first joint to the second, along
+ * and across.
  * @typedef {{name: string, joint: number} | {name: string, body: number, along: number, across: number}} Followed
  */
 

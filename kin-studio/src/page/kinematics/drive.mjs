@@ -10,7 +10,11 @@ import { SAME } from "./tolerances.mjs";
 /** The drive of a report, with the pieces that begin at joints. */
 export function driveOf({ drive }) {
   const pieces = drive.pieces;
-  const joints = drive.joints.map(({ at, order }) => ({ at, order, piece: pieces.findIndex(({ from }) => from === at) }));
+  const joints = drive.joints.map(({ at, order }) => ({
+    at,
+    order,
+    piece: pieces.findIndex(({ from }) => from === at),
+  }));
   return { overTime: drive.variable === "time", pieces, joints };
 }
 
@@ -67,7 +71,9 @@ export function placesOf(drive, from, to, parts, least) {
     all.push({ x: at, piece: piece - 1 }, { x: at, piece });
   }
   all.sort((one, other) => one.x - other.x || one.piece - other.piece);
-  return all.filter(({ x, piece }, index) => index === 0 || x - all[index - 1].x > SAME * width || piece !== all[index - 1].piece);
+  return all.filter(
+    ({ x, piece }, index) => index === 0 || x - all[index - 1].x > SAME * width || piece !== all[index - 1].piece,
+  );
 }
 
 /** Whether a derivative has two values between two places: then no line leads from the one to the other. */

@@ -1,4 +1,4 @@
-/** The ends of what closes, and the places within it that matter: exact ones of the report, or the page's own; and the joints of laws. */
+/** The ends of what closes and the places in it that matter, of the report or the page's own, and joints of laws. */
 import { ORDERS, quantityText } from "../numbers.mjs";
 import { gapText } from "../reasons.mjs";
 import { blockText } from "./model.mjs";
@@ -27,14 +27,24 @@ export function marksOf(sweep) {
     return unknown.map((x) => ({ x, kind: gap.lost ? "Lost" : "Limit", text: gapText(model, gap, null), own: true }));
   });
   const joints = model.drive.joints.map(({ at, order }) => {
-    return { x: at, kind: "Joint", text: `${ORDERS[order][0].toUpperCase()}${ORDERS[order].slice(1)} jumps at`, own: false };
+    return {
+      x: at,
+      kind: "Joint",
+      text: `${ORDERS[order][0].toUpperCase()}${ORDERS[order].slice(1)} jumps at`,
+      own: false,
+    };
   });
   return [...exact, ...own, ...joints].sort((one, other) => one.x - other.x);
 }
 
 /** Why a branch ends, with the names as they are printed. */
 function reasonOf(model, kind, block) {
-  const words = { TurningPoint: "limit position of", ChangePoint: "branches cross in", Pole: "pole of", End: "end of a domain or range of" };
+  const words = {
+    TurningPoint: "limit position of",
+    ChangePoint: "branches cross in",
+    Pole: "pole of",
+    End: "end of a domain or range of",
+  };
   return words[kind] && block ? `${words[kind]} ${blockText(model, block)}` : "";
 }
 
@@ -42,12 +52,16 @@ function reasonOf(model, kind, block) {
 function exactMarks({ model, assembly }) {
   const { cycle, assemblies } = model.report;
   const branches = (cycle?.branches ?? []).filter((branch) => assemblies[branch.assembly] === assembly);
-  const marks = branches.flatMap(({ ends }) => ends).map(({ kind, input, block }) => {
-    const own = kind.Limit ?? kind;
-    return { x: intoRange(model, input), kind: own, text: reasonOf(model, own, block), own: false };
-  });
+  const marks = branches
+    .flatMap(({ ends }) => ends)
+    .map(({ kind, input, block }) => {
+      const own = kind.Limit ?? kind;
+      return { x: intoRange(model, input), kind: own, text: reasonOf(model, own, block), own: false };
+    });
   const known = marks.filter(({ kind, x }) => kind !== "FullTurn" && kind !== "Range" && x !== null);
-  return known.filter((mark, index) => known.findIndex(({ x, kind }) => same(model, x, mark.x) && kind === mark.kind) === index);
+  return known.filter(
+    (mark, index) => known.findIndex(({ x, kind }) => same(model, x, mark.x) && kind === mark.kind) === index,
+  );
 }
 
 /** An input of the cycle as one of the page's range, or null. */

@@ -18,7 +18,8 @@ export function reasonToRefuse(report) {
     return "This page holds no report.";
   }
   if (report.format > FORMAT) {
-    return `The report has format ${report.format}; this page reads formats up to ${FORMAT}. Write the page again with the kin that wrote the report.`;
+    const both = `The report has format ${report.format}; this page reads formats up to ${FORMAT}.`;
+    return `${both} Write the page again with the kin that wrote the report.`;
   }
   if (report.format < FORMAT) {
     return `The report has format ${report.format}; this page reads format ${FORMAT}. Make the report again.`;
@@ -32,9 +33,18 @@ const TIME = { name: "time", declared: "time", text: "time", documentation: "", 
 /** The mechanism of a report. */
 export function createModel(report, solver) {
   // the solver's own names are used throughout; the declared ones are for the reader
-  const named = (quantity) => ({ ...quantity, name: quantity.key ?? quantity.name, declared: quantity.name, text: quantity.text || quantity.name });
+  const named = (quantity) => ({
+    ...quantity,
+    name: quantity.key ?? quantity.name,
+    declared: quantity.name,
+    text: quantity.text || quantity.name,
+  });
   const drive = driveOf(report);
-  const inputs = report.inputs.map((input, index) => ({ ...named(input), index, moves: typeof input.value !== "number" }));
+  const inputs = report.inputs.map((input, index) => ({
+    ...named(input),
+    index,
+    moves: typeof input.value !== "number",
+  }));
   const moving = inputs.filter(({ moves }) => moves);
   const unknowns = report.unknowns.map(named);
   // over time the inputs are plotted as well
@@ -75,7 +85,10 @@ export function createModel(report, solver) {
 function framesOf({ frames, order, speed }, drive, quantities) {
   return (frames ?? []).map(({ input, values, joints, slides }) => {
     const piece = pieceAt(drive, input);
-    const entries = quantities.map(({ name, isInput, index: own }, index) => [name, isInput ? motionOf(drive, own, input, piece, speed, order) : values[index]]);
+    const entries = quantities.map(({ name, isInput, index: own }, index) => [
+      name,
+      isInput ? motionOf(drive, own, input, piece, speed, order) : values[index],
+    ]);
     return { x: input, piece, pose: values.length > 0 ? { ...Object.fromEntries(entries), joints, slides } : null };
   });
 }
@@ -105,7 +118,9 @@ export function solveAt(model, design, x, argument, piece = pieceAt(model.drive,
   const orders = Math.max(4, model.report.order ?? 4);
   const inputs = {};
   for (const { name, index, moves } of model.inputs) {
-    inputs[name] = moves ? motionOf(model.drive, index, x, piece, design.speed, orders) : [design.standing[name], ...Array(orders).fill(0)];
+    inputs[name] = moves
+      ? motionOf(model.drive, index, x, piece, design.speed, orders)
+      : [design.standing[name], ...Array(orders).fill(0)];
   }
   const solved = model.solver.solve(design.parameters, inputs, argument);
   if (solved.ok) {
@@ -131,6 +146,7 @@ export function movedOn(rates, time) {
 
 /** The names of a block with the texts of its unknowns. */
 export function blockText(model, block) {
-  const text = (name) => model.quantities.find((quantity) => quantity.declared === name || quantity.name === name)?.text ?? name;
+  const text = (name) =>
+    model.quantities.find((quantity) => quantity.declared === name || quantity.name === name)?.text ?? name;
   return block.split(", ").map(text).join(", ");
 }

@@ -20,7 +20,8 @@ export function nearestInput(sweep, x, placed, pointer) {
   const isLast = ({ to }) => turn < Infinity && same(model, to, model.to);
   const isFirst = ({ from }) => turn < Infinity && same(model, from, model.from);
   const isReached = (one) => one === span || (isFirst(span) && isLast(one)) || (isLast(span) && isFirst(one));
-  const off = (row) => (row === null ? Infinity : Math.hypot(...placed(row.pose).map((value, axis) => value - pointer[axis])));
+  const off = (row) =>
+    row === null ? Infinity : Math.hypot(...placed(row.pose).map((value, axis) => value - pointer[axis]));
   const offAt = (place) => off(rowAt(sweep, place));
   let best = { cost: Infinity, rows: span.rows, index: 0 };
   for (const { rows } of sweep.spans.filter(isReached)) {

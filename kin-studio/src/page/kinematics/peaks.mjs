@@ -1,4 +1,4 @@
-/** The highest and lowest values of each quantity, and root mean squares: the report's, or the page's own at other dimensions. */
+/** Extremes and root mean squares of each quantity: the report's, or the page's own at other dimensions. */
 import { highestPlace } from "./search.mjs";
 import { allRows, isUnbounded, rowAt, spanAt, valueAt } from "./sweep.mjs";
 import { HALVED, ROUNDING } from "./tolerances.mjs";
@@ -6,15 +6,23 @@ import { HALVED, ROUNDING } from "./tolerances.mjs";
 /**
  * No value: no bound.
  * @typedef {{value: number | null, at: number}} Extreme
- * @typedef {{quantity: string, order: number, highest: Extreme | null, lowest: Extreme | null, rms: number | null}} Peak
+ * @typedef {{quantity: string, order: number, highest: Extreme | null, lowest: Extreme | null,
+ *   rms: number | null}} Peak
  */
 
 /** The report's peaks, one entry for each quantity and order. @returns {Peak[]} */
 export function givenPeaks(model) {
   const { extremes, rms } = model.report;
   return ofEach(model, ({ name, declared }, _, order) => {
-    const of = (list, kind) => list.find((entry) => entry.quantity === declared && entry.order === order && entry.kind === kind) ?? null;
-    return { quantity: name, order, highest: of(extremes, "highest"), lowest: of(extremes, "lowest"), rms: of(rms)?.value ?? null };
+    const of = (list, kind) =>
+      list.find((entry) => entry.quantity === declared && entry.order === order && entry.kind === kind) ?? null;
+    return {
+      quantity: name,
+      order,
+      highest: of(extremes, "highest"),
+      lowest: of(extremes, "lowest"),
+      rms: of(rms)?.value ?? null,
+    };
   }).filter(({ highest, lowest, rms: mean }) => highest || lowest || mean !== null);
 }
 
@@ -34,7 +42,8 @@ export function ownPeaks(sweep) {
     const pole = (sign) => poles.find(([end, beside]) => sign * value(beside ?? end) > 0)?.[0].x ?? null;
     const [impulseUp, impulseDown] = impulsesOf(sweep.model, rows, name, order);
     const [up, down] = [impulseUp ?? pole(1), impulseDown ?? pole(-1)];
-    const peak = (unbounded, sign) => (unbounded === null ? highestOf(sweep, rows, value, sign) : { value: null, at: unbounded });
+    const peak = (unbounded, sign) =>
+      unbounded === null ? highestOf(sweep, rows, value, sign) : { value: null, at: unbounded };
     const rms = up === null && down === null ? meanOf(rows, value) : null;
     return { quantity: name, order, highest: peak(up, 1), lowest: peak(down, -1), rms };
   });
@@ -47,8 +56,11 @@ export function ownPeaks(sweep) {
 function impulsesOf({ drive, report }, rows, name, order) {
   const found = [null, null];
   for (const joint of drive.joints) {
-    const [left, right] = [-1, 0].map((shift) => rows.find((row) => row.x === joint.at && row.piece === joint.piece + shift)?.pose[name]);
-    const jumps = (_, below) => Math.abs(right[below] - left[below]) > ROUNDING * Math.max(Math.abs(left[below]), Math.abs(right[below]));
+    const [left, right] = [-1, 0].map(
+      (shift) => rows.find((row) => row.x === joint.at && row.piece === joint.piece + shift)?.pose[name],
+    );
+    const jumps = (_, below) =>
+      Math.abs(right[below] - left[below]) > ROUNDING * Math.max(Math.abs(left[below]), Math.abs(right[below]));
     const jumping = left && right ? left.findIndex((value, below) => below >= joint.order && jumps(value, below)) : -1;
     if (jumping >= 0 && jumping < order) {
       const rises = right[jumping] > left[jumping] === report.speed > 0;
@@ -72,9 +84,16 @@ function highestOf(sweep, rows, value, sign) {
   const isEnd = sweep.full && (place === 0 || place === rows.length - 1);
   const found = (isEnd ? [0, rows.length - 1] : [place]).map((top) => {
     const span = spanAt(sweep, rows[top].x);
-    const [low, high] = [rows[top - 1], rows[top + 1]].map((row) => (row && spanAt(sweep, row.x) === span ? row : rows[top]));
+    const [low, high] = [rows[top - 1], rows[top + 1]].map((row) =>
+      row && spanAt(sweep, row.x) === span ? row : rows[top],
+    );
     const isFlat = signed(low) === signed(best) && signed(high) === signed(best);
-    return isFlat ? best : rowAt(sweep, highestPlace((x) => signed(rowAt(sweep, x)), low.x, high.x, HALVED * sweep.model.width));
+    return isFlat
+      ? best
+      : rowAt(
+          sweep,
+          highestPlace((x) => signed(rowAt(sweep, x)), low.x, high.x, HALVED * sweep.model.width),
+        );
   });
   const highest = [best, ...found].reduce(higher);
   return { value: value(highest), at: highest.x };

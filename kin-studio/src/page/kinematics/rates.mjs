@@ -1,8 +1,11 @@
-/** Rates of joints: velocity, acceleration and jerk, for arrows, for the circle of curvature and for instant centres. */
+/** Velocity, acceleration and jerk of joints, for arrows, circles of curvature and instant centres. */
 import { solveAt, valuesNear } from "./model.mjs";
 import { DIFFERENCE, DIFFERENCE_OF_PIECE, ROUNDING } from "./tolerances.mjs";
 
-/** Central differences of seven places: the first, second and third derivative, whose errors go with the sixth and fourth power. */
+/**
+ * Central differences of seven places: the first, second and third derivative, whose errors go with the sixth, sixth
+ * and fourth power.
+ */
 const WEIGHTS = [
   [-1 / 60, 3 / 20, -3 / 4, 0, 3 / 4, -3 / 20, 1 / 60],
   [1 / 90, -3 / 20, 3 / 2, -49 / 18, 3 / 2, -3 / 20, 1 / 90],
@@ -15,13 +18,14 @@ const WEIGHTS = [
  * @returns {number[][][] | null}
  */
 export function ratesOfJoints({ model, design, assembly }, row) {
-  // the series of the row's own piece goes on beyond its ends, so that no joint comes between; from a short piece, not far
+  // the series of the row's own piece goes on beyond its ends, though from a short piece not far
   const { from, to } = model.drive.pieces[row.piece];
   const step = Math.min(model.width * DIFFERENCE, (to - from) * DIFFERENCE_OF_PIECE);
   const poses = [];
   for (let place = -3; place <= 3; place += 1) {
     const argument = model.coupled ? valuesNear(model, design, row.pose, place * step) : assembly.argument;
-    const found = place === 0 ? { ok: true, pose: row.pose } : solveAt(model, design, row.x + place * step, argument, row.piece);
+    const found =
+      place === 0 ? { ok: true, pose: row.pose } : solveAt(model, design, row.x + place * step, argument, row.piece);
     if (!found.ok) {
       return null;
     }
@@ -30,7 +34,10 @@ export function ratesOfJoints({ model, design, assembly }, row) {
   const time = step / design.speed;
   return row.pose.joints.map((joint, index) =>
     WEIGHTS.map((weights, order) =>
-      joint.map((_, axis) => weights.reduce((sum, weight, place) => sum + weight * poses[place][index][axis], 0) / time ** (order + 1)),
+      joint.map(
+        (_, axis) =>
+          weights.reduce((sum, weight, place) => sum + weight * poses[place][index][axis], 0) / time ** (order + 1),
+      ),
     ),
   );
 }

@@ -2,7 +2,18 @@
 import { pieceAt, placesOf } from "./drive.mjs";
 import { givenDesign, movedOn, sameDesign, solveAt, valuesNear } from "./model.mjs";
 import { clamped, lastIndex, lastPlace } from "./search.mjs";
-import { APART, ASTRAY, BESIDE_LIMIT, HALVED, PARTS, PARTS_OF_PIECE, SMALLEST_STEP, same, sameLimit, UNBOUNDED } from "./tolerances.mjs";
+import {
+  APART,
+  ASTRAY,
+  BESIDE_LIMIT,
+  HALVED,
+  PARTS,
+  PARTS_OF_PIECE,
+  SMALLEST_STEP,
+  same,
+  sameLimit,
+  UNBOUNDED,
+} from "./tolerances.mjs";
 
 /**
  * @typedef {{x: number, piece: number, pose: any, shifts: number[]}} Row shifts: the turns of each angle, in radians
@@ -23,7 +34,18 @@ import { APART, ASTRAY, BESIDE_LIMIT, HALVED, PARTS, PARTS_OF_PIECE, SMALLEST_ST
 /** Solves the whole range. @returns {Sweep} */
 export function createSweep(model, design, assembly) {
   const { spans, gaps } = model.frames
-    ? stretchesOf(model.frames.map(({ x, piece, pose }) => ({ x, piece, pose, shifts: [], ok: pose !== null, check: "does not close", block: "", margin: NaN })))
+    ? stretchesOf(
+        model.frames.map(({ x, piece, pose }) => ({
+          x,
+          piece,
+          pose,
+          shifts: [],
+          ok: pose !== null,
+          check: "does not close",
+          block: "",
+          margin: NaN,
+        })),
+      )
     : (model.coupled ? goOn : lookAround)(model, design, assembly);
   unwind(model, spans);
   const given = sameDesign(design, givenDesign(model));
@@ -35,23 +57,32 @@ export function createSweep(model, design, assembly) {
     return along.reduce(([low, high], value) => [Math.min(low, value), Math.max(high, value)], [Infinity, -Infinity]);
   });
   // apart from the rows next to limits, where rates grow beyond bounds
-  const sizeOfRate = (name, order) => innerRows(sweep).reduce((size, { pose }) => Math.max(size, Math.abs(pose[name][order] ?? 0)), 0);
+  const sizeOfRate = (name, order) =>
+    innerRows(sweep).reduce((size, { pose }) => Math.max(size, Math.abs(pose[name][order] ?? 0)), 0);
   sweep.scales = model.quantities.map(({ name }) => [0, 1, 2, 3, 4].map((order) => sizeOfRate(name, order)));
   return sweep;
 }
 
 /** Looks at every part of the range for itself, and halves where it begins or ceases to close. */
 function lookAround(model, design, { argument }) {
-  const at = (x, piece = pieceAt(model.drive, x)) => ({ x, piece, shifts: [], ...solveAt(model, design, x, argument, piece) });
+  const at = (x, piece = pieceAt(model.drive, x)) => ({
+    x,
+    piece,
+    shifts: [],
+    ...solveAt(model, design, x, argument, piece),
+  });
   const places = placesOf(model.drive, model.from, model.to, PARTS, PARTS_OF_PIECE);
   const seen = places.map(({ x, piece }) => at(x, piece));
   const edgeOf = (inside, outside) => lastPlace((x) => at(x).ok, inside.x, outside.x, HALVED * model.width);
   // denser towards a limit, where the motion goes like a square root
-  const graded = (edge, inside) => [0, 1, 2, 3, 4, 5, 6, 7].map((part) => at(edge + (inside.x - edge) * (part / 8) ** 2)).filter(({ ok }) => ok);
+  const graded = (edge, inside) =>
+    [0, 1, 2, 3, 4, 5, 6, 7].map((part) => at(edge + (inside.x - edge) * (part / 8) ** 2)).filter(({ ok }) => ok);
   const found = stretchesOf(seen, edgeOf, graded);
   for (const span of found.spans) {
     const size = sizeOf(span.rows[0].pose);
-    span.rows = span.rows.flatMap((row, index) => (index === 0 ? [row] : [...between(at, span.rows[index - 1], row, size), row]));
+    span.rows = span.rows.flatMap((row, index) =>
+      index === 0 ? [row] : [...between(at, span.rows[index - 1], row, size), row],
+    );
   }
   return found;
 }
@@ -88,7 +119,9 @@ function stretchesOf(rows, edgeOf = (inside) => inside.x, upTo = () => []) {
 
 /** Rows between two others if joints move fast there. */
 function between(at, before, row, size) {
-  const moved = row.pose.joints.map((joint, index) => Math.max(...joint.map((value, axis) => Math.abs(value - before.pose.joints[index][axis]))));
+  const moved = row.pose.joints.map((joint, index) =>
+    Math.max(...joint.map((value, axis) => Math.abs(value - before.pose.joints[index][axis]))),
+  );
   const parts = Math.min(6, Math.ceil(Math.max(...moved) / size / APART));
   const rows = [];
   for (let part = 1; part < parts; part += 1) {
@@ -116,7 +149,8 @@ function walk(model, design, start, sign) {
   const size = sizeOf(start.pose);
   const rows = [];
   const whole = model.width / PARTS;
-  const isAhead = ({ x, piece }) => (same(model, x, start.x) ? x === start.x && sign * (piece - start.piece) > 0 : sign * (x - start.x) > 0);
+  const isAhead = ({ x, piece }) =>
+    same(model, x, start.x) ? x === start.x && sign * (piece - start.piece) > 0 : sign * (x - start.x) > 0;
   const ahead = placesOf(model.drive, model.from, model.to, PARTS, PARTS_OF_PIECE).filter(isAhead);
   let last = start;
   let step = whole;
@@ -147,14 +181,21 @@ function isNextTo(model, design, one, other, size) {
   const time = (other.x - one.x) / design.speed;
   return model.unknowns.every(({ name, dimension }) => {
     const allowed = ASTRAY * (dimension === "length" ? size : 1);
-    const isNear = (value, wanted) => Math.abs(value - wanted + (dimension === "angle" ? turnsBetween(value, wanted) : 0)) <= allowed;
-    return isNear(movedOn(one.pose[name], time), other.pose[name][0]) && isNear(movedOn(other.pose[name], -time), one.pose[name][0]);
+    const isNear = (value, wanted) =>
+      Math.abs(value - wanted + (dimension === "angle" ? turnsBetween(value, wanted) : 0)) <= allowed;
+    return (
+      isNear(movedOn(one.pose[name], time), other.pose[name][0]) &&
+      isNear(movedOn(other.pose[name], -time), one.pose[name][0])
+    );
   });
 }
 
 /** The largest distance of two joints. */
 function sizeOf({ joints }) {
-  return Math.max(1e-300, ...joints.flatMap((one) => joints.map((other) => Math.hypot(...one.map((value, axis) => value - other[axis])))));
+  return Math.max(
+    1e-300,
+    ...joints.flatMap((one) => joints.map((other) => Math.hypot(...one.map((value, axis) => value - other[axis])))),
+  );
 }
 
 /**
@@ -199,7 +240,10 @@ export function alongSlide(model, pose, slide) {
   const direction = pose.slides[slide];
   const origin = guide === null ? null : pose.joints[model.outline.bodies[guide].joints[0]];
   const length = Math.hypot(...direction);
-  return pose.joints[joint].reduce((sum, value, axis) => sum + ((value - (origin?.[axis] ?? 0)) * direction[axis]) / length, 0);
+  return pose.joints[joint].reduce(
+    (sum, value, axis) => sum + ((value - (origin?.[axis] ?? 0)) * direction[axis]) / length,
+    0,
+  );
 }
 
 /** A derivative of a quantity, by its index, at a row; angles with their turns. */
@@ -236,7 +280,10 @@ export function isAtLimit({ model, gaps }, x) {
 
 /** Whether a derivative grows beyond bounds at a row: at a limit it is far larger than anywhere else. */
 export function isUnbounded(sweep, { x, pose }, index, order) {
-  return isAtLimit(sweep, x) && Math.abs(pose[sweep.model.quantities[index].name][order]) > UNBOUNDED * sweep.scales[index][order];
+  return (
+    isAtLimit(sweep, x) &&
+    Math.abs(pose[sweep.model.quantities[index].name][order]) > UNBOUNDED * sweep.scales[index][order]
+  );
 }
 
 /** At a joint of laws, the row before it, at the same place; otherwise null. @returns {Row | null} */

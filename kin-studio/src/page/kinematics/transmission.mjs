@@ -3,12 +3,18 @@ import { givenDesign } from "./model.mjs";
 import { createSweep, rowAt } from "./sweep.mjs";
 import { DESCRIBES, POOR } from "./tolerances.mjs";
 
-/** The stretches where it is: by the report's angles, or at other dimensions by the page's own. @returns {[number, number][]} */
+/** Where it is: by the report's angles, or at other dimensions by the page's own. @returns {[number, number][]} */
 export function poorTransmission({ model, reported, spans }) {
   const { samples = [], dyads = [] } = model.report.transmission ?? {};
   if (reported) {
     const points = samples.map(({ input, angles }) => [input, Math.min(...angles)]);
-    return spans.flatMap(({ from, to }) => bandsBelow(points.filter(([x]) => x >= from && x <= to), from, to));
+    return spans.flatMap(({ from, to }) =>
+      bandsBelow(
+        points.filter(([x]) => x >= from && x <= to),
+        from,
+        to,
+      ),
+    );
   }
   const angles = dyads.map((dyad, index) => angleBetween(model, dyad, index));
   if (angles.length === 0 || angles.includes(null)) {
@@ -18,7 +24,7 @@ export function poorTransmission({ model, reported, spans }) {
   return spans.flatMap(({ from, to, rows }) => bandsBelow(rows.map(least), from, to));
 }
 
-/** The folded angle between the two links of a dyad, if the report's samples say that it is that of its two unknowns. */
+/** The folded angle between the two links of a dyad, if by the report's samples it is that of its two unknowns. */
 function angleBetween(model, dyad, index) {
   const unknowns = dyad.split(", ").map((name) => model.unknowns.find(({ declared }) => declared === name));
   if (unknowns.length !== 2 || unknowns.some((unknown) => unknown?.dimension !== "angle")) {
@@ -37,7 +43,7 @@ function angleBetween(model, dyad, index) {
   return some.every(agrees) ? angle : null;
 }
 
-/** The stretches on which a curve is poor, with ends between its points by a straight line; they reach the ends of what closes. */
+/** The stretches on which a curve is poor, by straight lines between its points; they reach the ends of what closes. */
 function bandsBelow(points, from, to) {
   const bands = [];
   let open = null;
