@@ -18,14 +18,15 @@ const SCRIPT: &str = include_str!("../page/bundle/main.js");
 impl Report {
     /// The page: one HTML file that needs no other and no network. The same report gives the same bytes.
     ///
-    /// Texts of the report are data in JSON, which the page's script sets as text. A content security policy admits the page's own script
-    /// and style by their hashes, and nothing else.
+    /// Texts of the report are data in JSON, which the page's script sets as text. A content security policy admits the
+    /// page's own script and style by their hashes, and nothing else.
     #[must_use]
     pub fn html(&self) -> String {
         let script = script(self.solver.as_deref());
         let data = data(self);
         let policy = format!(
-            "default-src 'none'; script-src '{}'; style-src '{}'; img-src data: blob:; base-uri 'none'; form-action 'none'",
+            "default-src 'none'; script-src '{}'; style-src '{}'; img-src data: blob:; base-uri 'none'; \
+             form-action 'none'",
             source(&script),
             source(STYLE)
         );
@@ -64,7 +65,8 @@ fn source(content: &str) -> String {
     format!("sha256-{}", BASE64.encode(&Hash::hash(content.as_bytes())))
 }
 
-/// The data as JSON that ends no element: `<` and the line separators of Unicode are escaped. The solver is a script of its own.
+/// The data as JSON that ends no element: `<` and the line separators of Unicode are escaped. The solver is a script of
+/// its own.
 fn data(report: &Report) -> String {
     let mut report = report.clone();
     report.solver = None;
