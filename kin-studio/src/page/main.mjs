@@ -33,16 +33,16 @@ import { createScrubber } from "./scrubber.mjs";
 import { createView, fitView, flat } from "./view.mjs";
 import { poseText } from "./words.mjs";
 
-/** What can be shown in the picture, with its words. */
+/** What can be shown in the picture, with its words and whether it is at first. */
 const OPTIONS = [
-  ["names", "Names"],
-  ["paths", "Paths"],
-  ["ghosts", "Other assemblies"],
-  ["velocity", "Velocity"],
-  ["acceleration", "Acceleration"],
-  ["jerk", "Jerk"],
-  ["curvature", "Circle of curvature"],
-  ["centres", "Instant centres"],
+  ["names", "Names", true],
+  ["paths", "Paths", true],
+  ["ghosts", "Other assemblies", true],
+  ["velocity", "Velocity", false],
+  ["acceleration", "Acceleration", false],
+  ["jerk", "Jerk", false],
+  ["curvature", "Circle of curvature", false],
+  ["centres", "Instant centres", false],
 ];
 /** The sizes of picture and plots on paper, in pixels, as the style sheet has them there. */
 const PRINTED = [
@@ -72,16 +72,7 @@ function start(report, solver) {
     zoom: [model.from, model.to],
     group: "",
     hidden: new Set(),
-    shows: {
-      names: true,
-      paths: true,
-      ghosts: report.assemblies.length <= 2,
-      velocity: false,
-      acceleration: false,
-      jerk: false,
-      curvature: false,
-      centres: false,
-    },
+    shows: Object.fromEntries(OPTIONS.map(([name, , first]) => [name, first])),
     playing: false,
     hovering: false,
     once: 0,
@@ -94,6 +85,8 @@ function start(report, solver) {
     printing: false,
     scrubWidth: 0,
   };
+  // many other assemblies are a tangle
+  state.shows.ghosts = report.assemblies.length <= 2;
   const view = createView(model.space);
   let sweep = createSweep(model, state.design, assemblyNow());
   let anatomy = anatomyOf(sweep);
