@@ -31,6 +31,41 @@ export function made(name, properties = {}, ...children) {
   return element;
 }
 
+/** A choice among values with their words, and what is done with the chosen one. */
+export function choice(label, entries, chosen, action) {
+  const options = entries.map(([value, words]) => made("option", { value, selected: value === chosen }, words));
+  const select = made("select", { "aria-label": label }, ...options);
+  select.addEventListener("change", () => action(select.value));
+  return select;
+}
+
+/** A box to tick. */
+export function tick(properties, action) {
+  const box = made("input", { type: "checkbox", ...properties });
+  box.addEventListener("change", () => action(box.checked));
+  return box;
+}
+
+/** A button. */
+export function button(words, properties, action) {
+  const element = made("button", { type: "button", ...properties }, words);
+  element.addEventListener("click", action);
+  return element;
+}
+
+/** A table with a head and rows of cells, or of what becomes a cell. */
+export function table(head, rows, className = "") {
+  const cellOf = (content) => (content.cellIndex === undefined ? made("td", { className }, content) : content);
+  const heads = head.map((text) => made("th", { scope: "col", className }, text));
+  const body = rows.map((row) => made("tr", {}, ...row.map(cellOf)));
+  return made("table", {}, made("thead", {}, made("tr", {}, ...heads)), made("tbody", {}, ...body));
+}
+
+/** A list of terms with what belongs to them. */
+export function definitions(entries) {
+  return made("dl", {}, ...entries.flatMap(([term, text]) => [made("dt", {}, term), made("dd", {}, text)]));
+}
+
 /** The element of the page with an identity. @returns {any} */
 export function part(name) {
   return document.getElementById(name);

@@ -1,6 +1,6 @@
 /** The page: what is shown, and what happens when a reader acts. */
 import { createSliders } from "./dimensions.mjs";
-import { made, part, tell } from "./elements.mjs";
+import { button, change, choice, made, part, tell, tick } from "./elements.mjs";
 import { handlePicture, handlePlots, handleScrubber } from "./hands.mjs";
 import { anatomyOf, placeOf } from "./kinematics/anatomy.mjs";
 import { motionOf } from "./kinematics/drive.mjs";
@@ -22,7 +22,7 @@ import {
 } from "./kinematics/sweep.mjs";
 import { BESIDE_LIMIT } from "./kinematics/tolerances.mjs";
 import { poorTransmission, worstTransmission } from "./kinematics/transmission.mjs";
-import { numberText, withUnit } from "./numbers.mjs";
+import { numberText, unitFactor, withUnit } from "./numbers.mjs";
 import { paceText, pacesAround, secondsOf, watchablePace } from "./pace.mjs";
 import { createPaper } from "./paper.mjs";
 import { createPicture } from "./picture.mjs";
@@ -418,6 +418,13 @@ function start(report, solver) {
     ];
   }
 
+  /** The sense in which an input turns its body now: 1 or -1, and 0 where it stands or is none. */
+  function senseOf(driver) {
+    return driver === null
+      ? 0
+      : state.forward * Math.sign(motionOf(model.drive, driver, lastRow.x, lastRow.piece, 1, 1)[1]);
+  }
+
   function drawPose() {
     row = rowAt(sweep, state.x);
     part("picture").classList.toggle("broken", row === null);
@@ -435,18 +442,10 @@ function start(report, solver) {
       sweep,
       shows: state.shows,
       followed: state.followed,
-      senses: anatomy.drivers.map((driver) =>
-        driver === null
-          ? 0
-          : state.forward * Math.sign(motionOf(model.drive, driver, lastRow.x, lastRow.piece, 1, 1)[1]),
-      ),
+      senses: anatomy.drivers.map(senseOf),
       still: [
-        view.scale,
-        view.x,
-        view.y,
-        view.yaw,
-        view.pitch,
-        ...state.size,
+        Object.values(view),
+        state.size,
         version,
         state.shows.paths,
         state.shows.ghosts,
@@ -462,15 +461,10 @@ function start(report, solver) {
     };
     if (state.shows.ghosts) {
       for (const { assembly, index, sweep: own } of otherSweeps()) {
-        const there = rowAt(own, state.x);
-        const colour = colourOfCircuit(assembly, index);
-        if (there !== null) {
-          scene.ghosts.push({
-            pose: there.pose,
-            index,
-            colour,
-            title: `${nameOfAssembly(assembly)}: click to change to it`,
-          });
+        const pose = rowAt(own, state.x)?.pose;
+        if (pose) {
+          const title = `${nameOfAssembly(assembly)}: click to change to it`;
+          scene.ghosts.push({ pose, index, colour: colourOfCircuit(assembly, index), title });
         }
       }
     }
@@ -515,29 +509,19 @@ function start(report, solver) {
           scene.arrows.push({ from: place, by, order });
         }
       });
-      if (
-        state.shows.curvature &&
-        !model.space &&
-        followed !== undefined &&
-        (state.followed.length > 0 || !onCrank(followed))
-      ) {
-        const circle = circleOfCurvature(
-          place,
-          placeOf(model, followed, ofOrder(0)),
-          placeOf(model, followed, ofOrder(1)),
-        );
+      if (state.shows.curvature && !model.space && (state.followed.length > 0 || !onCrank(followed))) {
+        const [velocity, acceleration] = [0, 1].map((order) => placeOf(model, followed, ofOrder(order)));
+        const circle = circleOfCurvature(place, velocity, acceleration);
         if (circle) {
           scene.circles.push({ ...circle, at: place });
         }
       }
     }
     if (state.shows.centres && !model.space) {
-      model.outline.bodies.forEach(({ name, joints }) => {
-        const moving = joints.length > 1 && !joints.some((joint) => anatomy.fixed[joint]);
-        const [one, other] = joints;
-        const at = moving
-          ? instantCentre(row.pose.joints[one], row.pose.joints[other], rates[one][0], rates[other][0])
-          : null;
+      const floating = model.outline.bodies.filter(({ joints }) => joints.length > 1 && !joints.some(isFixed));
+      floating.forEach(({ name, joints: [one, other] }) => {
+        const places = [row.pose.joints[one], row.pose.joints[other]];
+        const at = instantCentre(...places, rates[one][0], rates[other][0]);
         if (at) {
           scene.centres.push({ at, name: `centre of ${name}` });
         }
@@ -545,10 +529,12 @@ function start(report, solver) {
     }
   }
 
-  function onCrank(followed) {
-    return model.outline.bodies.some(
-      ({ joints }) => joints.includes(followed.joint) && joints.some((joint) => anatomy.fixed[joint]),
-    );
+  function isFixed(joint) {
+    return anatomy.fixed[joint];
+  }
+
+  function onCrank({ joint }) {
+    return model.outline.bodies.some(({ joints }) => joints.includes(joint) && joints.some(isFixed));
   }
 
   /** The largest rates of the turn, unless few are far larger than the others, so that arrows keep their scale. */
@@ -559,17 +545,15 @@ function start(report, solver) {
       const some = rows[Math.floor((part / 24) * rows.length)];
       const rates = some ? ratesOfJoints(sweep, some) : null;
       for (const followed of rates ? carriers() : []) {
-        sizes.forEach((list, order) =>
-          list.push(
-            Math.hypot(
-              ...placeOf(
-                model,
-                followed,
-                rates.map((joint) => joint[order]),
-              ),
+        const sizeOf = (order) =>
+          Math.hypot(
+            ...placeOf(
+              model,
+              followed,
+              rates.map((joint) => joint[order]),
             ),
-          ),
-        );
+          );
+        sizes.forEach((list, order) => list.push(sizeOf(order)));
       }
     }
     return sizes.map((list) => {
@@ -595,51 +579,29 @@ function start(report, solver) {
 
   /** The choices above the plots. */
   function listQuantities() {
-    const place = part("plot-options");
     const words = { angle: "Angles", length: "Lengths", number: "Numbers" };
-    const content = [];
-    if (groups().length > 1) {
-      const select = made(
-        "select",
-        { "aria-label": "Quantities" },
-        ...groups().map((name) => made("option", { value: name, selected: name === state.group }, words[name] ?? name)),
-      );
-      select.addEventListener("change", () => setGroup(select.value));
-      content.push(select);
-    }
-    model.quantities.forEach(({ name, text, dimension, documentation, colour, dashed }) => {
-      if (dimension === state.group) {
-        const box = made("input", { type: "checkbox", checked: !state.hidden.has(name) });
-        box.addEventListener("change", () => {
-          state.hidden[box.checked ? "delete" : "add"](name);
-          redraw();
-        });
-        content.push(
-          made(
-            "label",
-            { title: documentation ?? "" },
-            box,
-            made("span", { className: `legend c${colour}${dashed ? " dashed" : ""}` }),
-            text,
-          ),
-        );
-      }
+    const entries = groups().map((name) => [name, words[name] ?? name]);
+    const group = entries.length > 1 ? [choice("Quantities", entries, state.group, setGroup)] : [];
+    const own = model.quantities.filter(({ dimension }) => dimension === state.group);
+    const boxes = own.map(({ name, text, documentation, colour, dashed }) => {
+      const box = tick({ checked: !state.hidden.has(name) }, (shown) => {
+        state.hidden[shown ? "delete" : "add"](name);
+        redraw();
+      });
+      const legend = made("span", { className: `legend c${colour}${dashed ? " dashed" : ""}` });
+      return made("label", { title: documentation ?? "" }, box, legend, text);
     });
-    const over = made(
-      "select",
-      { "aria-label": "Plotted over" },
-      made("option", { value: "input", selected: !state.time }, `over ${model.variable.text}`),
-      made("option", { value: "time", selected: state.time }, "over time"),
-    );
-    over.hidden = model.drive.overTime;
-    over.addEventListener("change", () => {
-      state.time = over.value === "time";
+    const axes = [
+      ["input", `over ${model.variable.text}`],
+      ["time", "over time"],
+    ];
+    const over = choice("Plotted over", axes, state.time ? "time" : "input", (axis) => {
+      state.time = axis === "time";
       redraw();
     });
-    const whole = made("button", { type: "button", id: "whole", hidden: isWhole() }, "Whole range");
-    whole.addEventListener("click", () => zoomTo([model.from, model.to]));
-    content.push(made("span", { className: "pushed" }, over), whole);
-    place.replaceChildren(...content);
+    over.hidden = model.drive.overTime;
+    const whole = button("Whole range", { id: "whole", hidden: isWhole() }, () => zoomTo([model.from, model.to]));
+    part("plot-options").replaceChildren(...group, ...boxes, made("span", { className: "pushed" }, over), whole);
   }
 
   function isWhole() {
@@ -654,17 +616,14 @@ function start(report, solver) {
   }
 
   function listOptions() {
-    const possible = OPTIONS.filter(([name]) => {
-      return (
-        !(name === "ghosts" && report.assemblies.length < 2) &&
-        !(model.space && (name === "curvature" || name === "centres"))
-      );
-    });
-    const boxes = possible.map(([name, words]) => {
-      const box = made("input", { type: "checkbox", checked: state.shows[name], id: `show-${name}` });
-      box.addEventListener("change", () => {
-        state.shows[name] = box.checked;
-        if (name === "ghosts" && box.checked) {
+    const impossible = [
+      ...(report.assemblies.length < 2 ? ["ghosts"] : []),
+      ...(model.space ? ["curvature", "centres"] : []),
+    ];
+    const boxes = OPTIONS.filter(([name]) => !impossible.includes(name)).map(([name, words]) => {
+      const box = tick({ checked: state.shows[name], id: `show-${name}` }, (shown) => {
+        state.shows[name] = shown;
+        if (name === "ghosts" && shown) {
           fit();
         }
         ask();
@@ -672,8 +631,7 @@ function start(report, solver) {
       const order = ARROWS.indexOf(name);
       return made("label", {}, box, ...(order < 0 ? [] : [made("span", { className: `legend o${order} own` })]), words);
     });
-    const show = made("button", { type: "button", className: "pushed" }, "Fit");
-    show.addEventListener("click", () => {
+    const show = button("Fit", { className: "pushed" }, () => {
       fit();
       ask();
     });
@@ -720,36 +678,24 @@ function start(report, solver) {
   function setUp() {
     document.title = report.title;
     tell(part("title"), report.title);
-    tell(
-      part("subtitle"),
-      (report.documentation ?? "")
-        .split(/\n\s*\n/)[0]
-        .replaceAll("\n", " ")
-        .replaceAll("`", ""),
+    const [summary] = (report.documentation ?? "").split(/\n\s*\n/);
+    tell(part("subtitle"), summary.replaceAll("\n", " ").replaceAll("`", ""));
+    const option = (value, selected, words) => made("option", { value: String(value), selected }, words);
+    part("pace").append(...pacesAround(watchable).map((pace) => option(pace, pace === watchable, paceText(pace))));
+    const assemblies = report.assemblies.map((one, index) =>
+      option(index, index === state.assembly, nameOfAssembly(one)),
     );
-    part("pace").append(
-      ...pacesAround(watchable).map((pace) =>
-        made("option", { value: String(pace), selected: pace === watchable }, paceText(pace)),
-      ),
-    );
-    part("assembly").append(
-      ...report.assemblies.map((assembly, index) =>
-        made("option", { value: String(index), selected: index === state.assembly }, nameOfAssembly(assembly)),
-      ),
-    );
+    part("assembly").append(...assemblies);
     part("assembly-choice").hidden = report.assemblies.length < 2;
     part("angles").value = state.degrees ? "degrees" : "radians";
-    const degreesFactor = model.variable.dimension === "angle" ? 180 / Math.PI : 1;
-    const scrub = part("scrubber");
-    scrub.setAttribute(
-      "aria-label",
-      `${model.variable.text}${model.variable.documentation ? `, ${model.variable.documentation}` : ""}`,
-    );
-    scrub.setAttribute("aria-valuemin", String(Math.round(model.from * degreesFactor * 1000) / 1000));
-    scrub.setAttribute("aria-valuemax", String(Math.round(model.to * degreesFactor * 1000) / 1000));
-    state.followed = model.outline.points
-      .map(({ name, joint }) => ({ name, joint }))
-      .filter(({ joint }) => !model.outline.ground.includes(joint));
+    const inDegrees = (x) => Math.round(x * unitFactor(model.variable.dimension, true) * 1000) / 1000;
+    const { text, documentation } = model.variable;
+    change(part("scrubber"), {
+      "aria-label": documentation ? `${text}, ${documentation}` : text,
+      "aria-valuemin": inDegrees(model.from),
+      "aria-valuemax": inDegrees(model.to),
+    });
+    state.followed = model.outline.points.filter(({ joint }) => !model.outline.ground.includes(joint));
     if (state.followed.length === 0 && anatomy !== null && anatomy.floating >= 0) {
       state.followed = [{ name: "P", body: anatomy.floating, along: 0.5, across: 0 }];
     }

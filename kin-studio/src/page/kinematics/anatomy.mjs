@@ -1,5 +1,5 @@
 /** What belongs to what in a mechanism's picture: pins, driven bodies, and the unknown that a body's angle is. */
-import { motionOf } from "./drive.mjs";
+import { inputAt } from "./drive.mjs";
 import { alongSlide, innerRows } from "./sweep.mjs";
 import { DESCRIBES, ROUNDING, TURNS } from "./tolerances.mjs";
 
@@ -31,7 +31,7 @@ export function anatomyOf(sweep) {
   const inputs = model.moving.map(({ index, dimension }) => ({
     index,
     dimension,
-    value: ({ x, piece }) => motionOf(model.drive, index, x, piece, 1, 0)[0],
+    value: (row) => inputAt(model.drive, index, row),
   }));
   const angles = inputs.filter(({ dimension }) => dimension === "angle");
   const lengths = inputs.filter(({ dimension }) => dimension === "length");

@@ -47,6 +47,11 @@ export function motionOf({ pieces }, input, x, piece, speed, orders) {
   return motion;
 }
 
+/** The value of an input, by its index, at a place. */
+export function inputAt(drive, input, { x, piece }) {
+  return motionOf(drive, input, x, piece, 1, 0)[0];
+}
+
 /**
  * Places from the beginning of the range to its end: parts of it, some in each short piece, and both sides of every
  * joint.

@@ -46,6 +46,7 @@ export function createModel(report, solver) {
     moves: typeof input.value !== "number",
   }));
   const moving = inputs.filter(({ moves }) => moves);
+  const variable = drive.overTime ? TIME : inputs[report.moving];
   const unknowns = report.unknowns.map(named);
   // over time the inputs are plotted as well
   const plotted = drive.overTime ? moving.map((input) => ({ ...input, isInput: true })) : [];
@@ -62,8 +63,10 @@ export function createModel(report, solver) {
     /** The inputs that move. */
     moving,
     drive,
+    /** The moving inputs that are neither the variable nor, over time, among the quantities. */
+    others: drive.overTime ? [] : moving.filter(({ name }) => name !== variable.name),
     /** What the range is of. */
-    variable: drive.overTime ? TIME : (inputs[report.moving] ?? inputs[0]),
+    variable,
     parameters: report.parameters.map(named),
     unknowns,
     quantities,
