@@ -20,7 +20,7 @@ import {
   spanAt,
   valueAt,
 } from "./kinematics/sweep.mjs";
-import { BESIDE_LIMIT } from "./kinematics/tolerances.mjs";
+import { BESIDE_LIMIT, PARTS } from "./kinematics/tolerances.mjs";
 import { poorTransmission, worstTransmission } from "./kinematics/transmission.mjs";
 import { numberText, unitFactor, withUnit } from "./numbers.mjs";
 import { paceText, pacesAround, secondsOf, watchablePace } from "./pace.mjs";
@@ -609,7 +609,7 @@ function start(report, solver) {
   }
 
   function zoomTo([from, to]) {
-    const least = 1e-4 * (model.to - model.from);
+    const least = 1e-4 * model.width;
     state.zoom = [Math.max(model.from, from), Math.min(model.to, Math.max(to, from + least))];
     part("whole").hidden = isWhole();
     redraw();
@@ -850,7 +850,7 @@ function start(report, solver) {
     if (busy || event.altKey || event.ctrlKey || event.metaKey) {
       return;
     }
-    const small = (model.to - model.from) / 360;
+    const small = model.width / PARTS;
     const span = spanAt(sweep, state.x);
     const actions = {
       " ": () => setPlaying(!state.playing),
@@ -881,7 +881,7 @@ function start(report, solver) {
   if (sweep.spans.length === 0) {
     unsolved = true;
   } else if (!still) {
-    state.once = model.to - model.from;
+    state.once = model.width;
     setPlaying(true);
   }
   ask();

@@ -2,6 +2,11 @@
 
 const SUPERSCRIPTS = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷", 8: "⁸", 9: "⁹" };
 
+/** A word with a capital letter. */
+export function capital(word) {
+  return `${word[0].toUpperCase()}${word.slice(1)}`;
+}
+
 /** The names of the derivatives by time, from the position on. */
 export const ORDERS = ["position", "velocity", "acceleration", "jerk", "snap"];
 

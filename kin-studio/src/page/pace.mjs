@@ -15,7 +15,7 @@ export function secondsOf(unit) {
 
 /** The pace nearest to 1 at which the whole range can be watched. */
 export function watchablePace(model, design) {
-  const time = (model.to - model.from) / (Math.abs(design.speed) * secondsOf(model.units.time));
+  const time = model.width / (Math.abs(design.speed) * secondsOf(model.units.time));
   const good = PACES.filter((pace) => time / pace >= WATCHED[0] && time / pace <= WATCHED[1]);
   return good.reduce((best, pace) => (Math.abs(Math.log(pace)) < Math.abs(Math.log(best)) ? pace : best), good[0] ?? 1);
 }

@@ -4,7 +4,7 @@ import { button, choice, definitions, drawn, made, table } from "./elements.mjs"
 import { formulaOf } from "./formulas.mjs";
 import { inputText } from "./kinematics/marks.mjs";
 import { blockText } from "./kinematics/model.mjs";
-import { numberText, ORDERS, quantityText, unitFactor, unitText, withUnit } from "./numbers.mjs";
+import { capital, numberText, ORDERS, quantityText, unitFactor, unitText, withUnit } from "./numbers.mjs";
 import { quotedCell } from "./saving.mjs";
 
 /** The part of the larger extreme below which the smaller one is but rounding. */
@@ -160,7 +160,7 @@ function equations(add, model) {
   };
   const content = ["closure", "position", "velocity", "rates", "outputs"].flatMap((name) => {
     const formulas = [model.report.formulas?.[name] ?? []].flat().filter(({ text, mathml }) => text || mathml);
-    const title = made("h3", {}, `${name[0].toUpperCase()}${name.slice(1)}`);
+    const title = made("h3", {}, capital(name));
     return formulas.length > 0 ? [title, ...formulas.map(shown)] : [];
   });
   if (content.length > 0) {

@@ -4,6 +4,7 @@ import { change, drawn, line, tell, tenth } from "./elements.mjs";
 import { createRoom, keepLines, keepSquare, placeName } from "./labels.mjs";
 import { numberText, ticks, withUnit } from "./numbers.mjs";
 import { alongSlide } from "./kinematics/sweep.mjs";
+import { ROUNDING } from "./kinematics/tolerances.mjs";
 import { flat, onPage } from "./view.mjs";
 
 /** Half the length and half the width of a slider's block, in pixels. */
@@ -206,7 +207,7 @@ function isCylinder(model, scene, slide) {
 /** Whether a slide stands: its joint keeps its place on the body, which is as long as an input that does not move. */
 function standsStill(model, scene, slide) {
   const [low, high] = scene.sweep.travel[slide];
-  return model.outline.slides[slide].guide !== null && high - low <= 1e-9 * Math.max(Math.abs(low), Math.abs(high));
+  return model.outline.slides[slide].guide !== null && high - low <= ROUNDING * Math.max(Math.abs(low), Math.abs(high));
 }
 
 function cornersOf(model, scene, body, joints, pose) {

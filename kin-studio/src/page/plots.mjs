@@ -2,7 +2,7 @@
 import { isBroken } from "./kinematics/drive.mjs";
 import { change, drawn, line, tell, tenth } from "./elements.mjs";
 import { inputText } from "./kinematics/marks.mjs";
-import { numberText, ORDERS, steadyText, ticks, unitFactor, unitText, withUnit } from "./numbers.mjs";
+import { capital, numberText, ORDERS, steadyText, ticks, unitFactor, unitText, withUnit } from "./numbers.mjs";
 import { innerRows, isUnbounded, rowBefore, valueAt } from "./kinematics/sweep.mjs";
 
 const LEFT = 58;
@@ -60,8 +60,7 @@ export function createPlots(svg, model) {
     const lower = top + high - 6;
     const down = (value) => lower - ((value - low) / (most - low)) * (lower - upper);
     const title = drawn("text", { x: LEFT, y: top + 14, class: "plot-title" }, still);
-    const name = ORDERS[order];
-    title.textContent = `${name[0].toUpperCase()}${name.slice(1)}`;
+    title.textContent = capital(ORDERS[order]);
     drawn("tspan", { class: "quiet", dx: 6 }, title).textContent = unit;
     const clip = `clip-${order}`;
     const frame = {

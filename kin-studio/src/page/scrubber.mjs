@@ -17,7 +17,7 @@ export function createScrubber(svg, model) {
   const handle = drawn("g", { class: "handle" }, svg);
   drawn("path", { d: `M0 ${TRACK - 12}V${TRACK + 12}`, class: "handle-line" }, handle);
   drawn("circle", { cx: 0, cy: TRACK, r: 9, class: "handle-knob" }, handle);
-  const across = (x) => SIDE + ((x - model.from) / (model.to - model.from)) * (width - 2 * SIDE);
+  const across = (x) => SIDE + ((x - model.from) / model.width) * (width - 2 * SIDE);
 
   return {
     draw({ width: whole, sweep, marks, poor, degrees, amount }) {
@@ -105,7 +105,7 @@ export function createScrubber(svg, model) {
       change(svg, { "aria-valuenow": Math.round(x * factor * 1000) / 1000, "aria-valuetext": text });
     },
     /** The variable at a place of the picture. */
-    inputAt: (x) => model.from + Math.min(1, Math.max(0, (x - SIDE) / (width - 2 * SIDE))) * (model.to - model.from),
+    inputAt: (x) => model.from + Math.min(1, Math.max(0, (x - SIDE) / (width - 2 * SIDE))) * model.width,
   };
 
   function drawMarks(parent, marks, degrees) {

@@ -1,5 +1,5 @@
 /** The ends of what closes and the places in it that matter, of the report or the page's own, and joints of laws. */
-import { ORDERS, quantityText } from "../numbers.mjs";
+import { capital, ORDERS, quantityText } from "../numbers.mjs";
 import { gapText } from "../reasons.mjs";
 import { blockText } from "./model.mjs";
 import { clamped } from "./search.mjs";
@@ -27,12 +27,7 @@ export function marksOf(sweep) {
     return unknown.map((x) => ({ x, kind: gap.lost ? "Lost" : "Limit", text: gapText(model, gap, null), own: true }));
   });
   const joints = model.drive.joints.map(({ at, order }) => {
-    return {
-      x: at,
-      kind: "Joint",
-      text: `${ORDERS[order][0].toUpperCase()}${ORDERS[order].slice(1)} jumps at`,
-      own: false,
-    };
+    return { x: at, kind: "Joint", text: `${capital(ORDERS[order])} jumps at`, own: false };
   });
   return [...exact, ...own, ...joints].sort((one, other) => one.x - other.x);
 }

@@ -44,7 +44,7 @@ export function ownPeaks(sweep) {
     const [up, down] = [impulseUp ?? pole(1), impulseDown ?? pole(-1)];
     const peak = (unbounded, sign) =>
       unbounded === null ? highestOf(sweep, rows, value, sign) : { value: null, at: unbounded };
-    const rms = up === null && down === null ? meanOf(rows, value) : null;
+    const rms = up === null && down === null ? meanOf(sweep, value) : null;
     return { quantity: name, order, highest: peak(up, 1), lowest: peak(down, -1), rms };
   });
 }
@@ -88,25 +88,21 @@ function highestOf(sweep, rows, value, sign) {
       row && spanAt(sweep, row.x) === span ? row : rows[top],
     );
     const isFlat = signed(low) === signed(best) && signed(high) === signed(best);
-    return isFlat
-      ? best
-      : rowAt(
-          sweep,
-          highestPlace((x) => signed(rowAt(sweep, x)), low.x, high.x, HALVED * sweep.model.width),
-        );
+    const at = (x) => signed(rowAt(sweep, x));
+    return isFlat ? best : rowAt(sweep, highestPlace(at, low.x, high.x, HALVED * sweep.model.width));
   });
   const highest = [best, ...found].reduce(higher);
   return { value: value(highest), at: highest.x };
 }
 
-/** The root of the mean square over the input, by the trapezoidal rule. */
-function meanOf(rows, value) {
+/** The root of the mean square over what closes, by the trapezoidal rule. */
+function meanOf({ spans }, value) {
   let [sum, width] = [0, 0];
-  for (let index = 1; index < rows.length; index += 1) {
-    const step = rows[index].x - rows[index - 1].x;
-    if (step < 0.05 * (rows.at(-1).x - rows[0].x)) {
-      sum += 0.5 * step * (value(rows[index]) ** 2 + value(rows[index - 1]) ** 2);
-      width += step;
+  for (const { from, to, rows } of spans) {
+    width += to - from;
+    for (let index = 1; index < rows.length; index += 1) {
+      const [one, other] = [rows[index - 1], rows[index]];
+      sum += 0.5 * (other.x - one.x) * (value(one) ** 2 + value(other) ** 2);
     }
   }
   return width > 0 ? Math.sqrt(sum / width) : null;

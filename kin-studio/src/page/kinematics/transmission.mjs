@@ -8,20 +8,15 @@ export function poorTransmission({ model, reported, spans }) {
   const { samples = [], dyads = [] } = model.report.transmission ?? {};
   if (reported) {
     const points = samples.map(({ input, angles }) => [input, Math.min(...angles)]);
-    return spans.flatMap(({ from, to }) =>
-      bandsBelow(
-        points.filter(([x]) => x >= from && x <= to),
-        from,
-        to,
-      ),
-    );
+    const within = ({ from, to }) => points.filter(([x]) => x >= from && x <= to);
+    return spans.flatMap((span) => bandsBelow(within(span), span));
   }
   const angles = dyads.map((dyad, index) => angleBetween(model, dyad, index));
   if (angles.length === 0 || angles.includes(null)) {
     return [];
   }
   const least = ({ x, pose }) => [x, Math.min(...angles.map((angle) => angle(pose)))];
-  return spans.flatMap(({ from, to, rows }) => bandsBelow(rows.map(least), from, to));
+  return spans.flatMap((span) => bandsBelow(span.rows.map(least), span));
 }
 
 /** The folded angle between the two links of a dyad, if by the report's samples it is that of its two unknowns. */
@@ -44,7 +39,7 @@ function angleBetween(model, dyad, index) {
 }
 
 /** The stretches on which a curve is poor, by straight lines between its points; they reach the ends of what closes. */
-function bandsBelow(points, from, to) {
+function bandsBelow(points, { from, to }) {
   const bands = [];
   let open = null;
   points.forEach(([x, angle], index) => {
