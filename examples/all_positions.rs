@@ -1,5 +1,5 @@
-//! A platform on three legs of given length, the class III triad: in how many positions can it be assembled, and how well is each
-//! of them determined?
+//! A platform on three legs of given length, the class III triad: in how many positions can it be assembled, and how
+//! well is each of them determined?
 //!
 //! ```sh
 //! cargo run --example all_positions

@@ -25,7 +25,8 @@ mechanism! {
 
 const MADE: usize = 10_000;
 
-/// A length of every linkage, spread evenly over its tolerance; different shares make the lengths independent of each other.
+/// A length of every linkage, spread evenly over its tolerance; different shares make the lengths independent of each
+/// other.
 fn made(length: f64, tolerance: f64, share: f64) -> Vec<f64> {
     let mut place = 0.5;
     let next = || {

@@ -31,7 +31,8 @@ struct Controller {
 }
 
 impl Controller {
-    /// One step: the motor's angle, speed and acceleration give those of the shaft, for the feed-forward. Allocates nothing.
+    /// One step: the motor's angle, speed and acceleration give those of the shaft, for the feed-forward. Allocates
+    /// nothing.
     fn step(&mut self, motor: f32, speed: f32, acceleration: f32) -> Result<Motion<f32, 3>, SolveError> {
         self.last = self.linkage.position_near(motor, self.last)?;
         Ok(self.last.velocity(speed).acceleration(acceleration).shaft)

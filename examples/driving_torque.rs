@@ -37,8 +37,8 @@ const ROD: f64 = 1.2; // kg
 const ROD_ABOUT_ITS_CENTRE: f64 = 0.009; // kg m²
 const LOAD: f64 = 800.0; // N, against the slider on its way out
 
-/// Virtual power: what the motor gives is what load and inertia take. For a unit speed of the crank, the unknowns and the
-/// outputs move at the rates of the Jacobian.
+/// Virtual power: what the motor gives is what load and inertia take. For a unit speed of the crank, the unknowns and
+/// the outputs move at the rates of the Jacobian.
 fn torque(press: &Press, theta: f64, speed: f64) -> Result<f64, SolveError> {
     let pose = press.solve(Motion::at_constant_speed(theta, speed), Assembly::Open)?;
     let [[phi], [slide], [x], [y]] = press.jacobian(&pose)?;

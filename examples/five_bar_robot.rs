@@ -1,4 +1,5 @@
-//! A robot with both motors on the ground: how must they move so that its tip goes along a straight line, from rest to rest?
+//! A robot with both motors on the ground: how must they move so that its tip goes along a straight line, from rest to
+//! rest?
 //!
 //! ```sh
 //! cargo run --example five_bar_robot

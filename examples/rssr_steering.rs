@@ -1,4 +1,5 @@
-//! A steering gear in space: how far does the wheel turn for a turn of the pitman arm, and is it the same to both sides?
+//! A steering gear in space: how far does the wheel turn for a turn of the pitman arm, and is it the same to both
+//! sides?
 //!
 //! ```sh
 //! cargo run --example rssr_steering
@@ -20,7 +21,8 @@
 use kin_core::prelude::*;
 
 mechanism! {
-    /// RSSR: a rod with ball joints joins the pitman arm, which turns about z, with the wheel's arm on an inclined kingpin.
+    /// RSSR: a rod with ball joints joins the pitman arm, which turns about z, with the wheel's arm on an inclined
+    /// kingpin.
     struct Steering {
         /// Pitman arm.
         pitman: Length,

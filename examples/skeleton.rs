@@ -194,7 +194,8 @@ fn page(drawings: &[(&str, &Drawing)]) -> Result<String, std::fmt::Error> {
     let count = u32::try_from(drawings.len()).map_err(|_| std::fmt::Error)?;
     writeln!(
         svg,
-        r#"<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{}" font-family="sans-serif" font-size="12">"#,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{}\" \
+         font-family=\"sans-serif\" font-size=\"12\">",
         HEIGHT * f64::from(count)
     )?;
     writeln!(svg, r##"<rect width="100%" height="100%" fill="#ffffff"/>"##)?;

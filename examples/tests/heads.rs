@@ -28,7 +28,8 @@ fn head(source: &str) -> String {
         .collect()
 }
 
-/// What an example prints. Cargo builds the examples of a package before it runs the tests, unless one test alone is asked for.
+/// What an example prints. Cargo builds the examples of a package before it runs the tests, unless one test alone is
+/// asked for.
 fn printed(name: &str, source: &Path) -> String {
     let this = std::env::current_exe().expect("this test has a path");
     let folder = this

@@ -32,7 +32,8 @@ const KNOWN: Coupler = Coupler {
 const TARGETS: u32 = 14;
 const CANDIDATES: u32 = 24;
 
-/// The n-th number of a sequence that fills an interval evenly: the multiples of an irrational number, without their whole part.
+/// The n-th number of a sequence that fills an interval evenly: the multiples of an irrational number, without their
+/// whole part.
 fn part(index: u32, irrational: f64) -> f64 {
     (f64::from(index + 1) * irrational).fract()
 }

@@ -231,8 +231,8 @@ fn a_killed_executor_changes_nothing() {
     assert_eq!(table(&answer(&[&query])), table(&output));
 }
 
-/// The search of the book for a straight line, in which each round begins with the rows of the one before. One of two executors is killed
-/// while a round is searched.
+/// The search of the book for a straight line, in which each round begins with the rows of the one before. One of two
+/// executors is killed while a round is searched.
 fn straight_line(sql: &str) {
     let folder = Folder::new("straight");
     let query = folder.file("straight_line.sql", sql);
@@ -268,7 +268,8 @@ fn all_rounds_go_on_where_an_executor_is_killed() {
     straight_line(STRAIGHT_LINE);
 }
 
-/// Rounds that take a moment each, so that the executor is killed in the middle of a stage, between two, or between two queries.
+/// Rounds that take a moment each, so that the executor is killed in the middle of a stage, between two, or between two
+/// queries.
 #[test]
 fn rounds_go_on_whenever_an_executor_is_killed() {
     let folder = Folder::new("whenever");
@@ -440,7 +441,8 @@ fn poses_and_outcomes_come_back() {
              select value, {pose} as pose from range(0, 300) order by value;
              select pose['outcome'] as outcome, count(*) as n, min(value) as first
              from (select value, {pose} as pose from range(0, 20000)) group by 1 order by 1;
-             create table kept as select value, pose['outcome'] as outcome from (select value, {pose} as pose from range(0, 300));
+             create table kept as select value, pose['outcome'] as outcome
+                from (select value, {pose} as pose from range(0, 300));
              select outcome, count(*) as n from kept group by 1 order by 1;"
         ),
     );
@@ -466,7 +468,8 @@ fn more_ids_than_can_be_listed_are_refused() {
     );
     let both = folder.file(
         "both.sql",
-        "select count(*) from range(-9, 9223372036854775797) a, range(0, 9223372036854775806) b where a.value = b.value",
+        "select count(*) from range(-9, 9223372036854775797) a, range(0, 9223372036854775806) b where \
+         a.value = b.value",
     );
     let (_scheduler, address) = scheduler(&[]);
     let _executor = executor(&address);

@@ -81,7 +81,8 @@ async fn arguments_have_names_and_assemblies_are_texts() {
         .unwrap()
         .theta4;
     for call in [
-        "four_bar(r4 => 45, r3 => 60, r2 => 30, r1 => 90, assembly => 'crossed', theta2 => 1.1, theta2_velocity => -10)",
+        "four_bar(r4 => 45, r3 => 60, r2 => 30, r1 => 90, assembly => 'crossed', theta2 => 1.1, \
+         theta2_velocity => -10)",
         "four_bar(90, 30, 60, 45, 1.1, 'Crossed', -10)",
         "four_bar(90, 30, 60, 45, 1.1, -10, 'crossed')",
     ] {
@@ -107,7 +108,8 @@ async fn arguments_have_names_and_assemblies_are_texts() {
 async fn a_column_of_assemblies_chooses_row_by_row() {
     let rows = ask(
         &new(),
-        "select four_bar(90, 30, 60, 45, 1.1, a)['theta4'] from (values (1, 'crossed'), (2, 'open'), (3, 'crossed'), (4, null)) as t(i, a) order by i",
+        "select four_bar(90, 30, 60, 45, 1.1, a)['theta4'] from (values (1, 'crossed'), (2, 'open'), (3, 'crossed'), \
+         (4, null)) as t(i, a) order by i",
     )
     .await
     .unwrap();
@@ -127,7 +129,8 @@ async fn a_loop_that_does_not_close_has_no_numbers_but_a_margin() {
     let rows = ask(
         &new(),
         "select p['theta4'], p['margin'], p['outcome'] = 'out_of_reach' from \
-         (select i, four_bar(1, r2, 1.5, 1.5, 2.0) as p from (values (1, 0.5), (2, 4.0), (3, null)) as t(i, r2)) order by i",
+         (select i, four_bar(1, r2, 1.5, 1.5, 2.0) as p from (values (1, 0.5), (2, 4.0), (3, null)) as t(i, r2)) \
+         order by i",
     )
     .await
     .unwrap();
@@ -174,8 +177,8 @@ async fn a_turn_is_what_a_loop_over_poses_finds() {
     }
     let rows = ask(
         &new(),
-        "select t['closed'], t['theta4_swing'], t['theta4_peak_snap'], t['theta4_where_peak_snap'], t['min_transmission'], t['rotates'] \
-         from (select four_bar_turn(90, 30, 80, 60, 'open', 90, 2) as t)",
+        "select t['closed'], t['theta4_swing'], t['theta4_peak_snap'], t['theta4_where_peak_snap'], \
+         t['min_transmission'], t['rotates'] from (select four_bar_turn(90, 30, 80, 60, 'open', 90, 2) as t)",
     )
     .await
     .unwrap();
@@ -272,7 +275,8 @@ async fn wrong_arguments_are_named() {
         ),
         (
             "four_bar_turn(1, 2, 3, 4, 360, 1, 0, 1, 5)",
-            "four_bar_turn takes four numbers at most after the 4 that it needs, poses, speed, from and to, and 5 are given",
+            "four_bar_turn takes four numbers at most after the 4 that it needs, poses, speed, from and to, and 5 are \
+             given",
         ),
         (
             "four_bar_turn(1, 2)",
@@ -372,7 +376,8 @@ async fn a_path_misses_its_own_points_by_rounding_and_others_by_their_distance()
         timed.push(format!("({angle:?}, {:?}, {:?})", tracer.x, tracer.y + 0.25));
     }
     let tables = format!(
-        "create table free as select * from (values {}) as t(x, y); create table timed as select * from (values {}) as t(input, x, y)",
+        "create table free as select * from (values {}) as t(x, y); create table timed as select * from (values {}) \
+         as t(input, x, y)",
         free.join(", "),
         timed.join(", ")
     );
@@ -406,8 +411,8 @@ async fn a_coupled_mechanism_takes_values_nearby_and_has_no_turn() {
 async fn the_information_schema_names_arguments_and_units() {
     let rows = ask(
         &new(),
-        "select parameter_name from information_schema.parameters where specific_name = 'four_bar' and parameter_mode = 'IN' \
-         order by ordinal_position",
+        "select parameter_name from information_schema.parameters where specific_name = 'four_bar' and \
+         parameter_mode = 'IN' order by ordinal_position",
     )
     .await
     .unwrap();
@@ -420,7 +425,8 @@ async fn the_information_schema_names_arguments_and_units() {
     );
     let rows = ask(
         &new(),
-        "select description from information_schema.routines where routine_name = 'four_bar' and description like '%rad/s^4%'",
+        "select description from information_schema.routines where routine_name = 'four_bar' and \
+         description like '%rad/s^4%'",
     )
     .await
     .unwrap();

@@ -115,7 +115,8 @@ fn norton_s_table_follows_from_its_proportions() {
     }
 }
 
-/// The straightest linkage that is no less even than Norton's straightest one over half a turn, as the command finds it.
+/// The straightest linkage that is no less even than Norton's straightest one over half a turn, as the command finds
+/// it.
 #[test]
 fn a_four_bar_linkage_is_straighter_than_hoeken_s_and_no_less_even() {
     let effort = Effort {
@@ -230,8 +231,9 @@ fn three_precision_points_are_met() {
     panic!("no assembly meets the points");
 }
 
-/// With five numbers free, the largest error is smallest where six extremes have the same size and alternating signs (F. Freudenstein,
-/// "Structural error analysis in plane kinematic synthesis", Journal of Engineering for Industry 81, 1959).
+/// With five numbers free, the largest error is smallest where six extremes have the same size and alternating signs
+/// (F. Freudenstein, "Structural error analysis in plane kinematic synthesis", Journal of Engineering for Industry 81,
+/// 1959).
 #[test]
 fn equal_errors_are_a_quarter_of_those_of_five_precision_points() {
     let best = logarithm::NEAR_EQUAL.equalised(2000).unwrap();

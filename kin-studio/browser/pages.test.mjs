@@ -1,5 +1,5 @@
 /**
- * Whole pages in a browser: those of the gallery, in the folder that the variable KIN_PAGES names, and changed copies of them.
+ * Whole pages in a browser: those of the gallery, in the folder named by the variable KIN_PAGES, and changed copies.
  *
  * The variable CHROMIUM names the browser; without it, it is /usr/bin/chromium.
  */
@@ -13,11 +13,13 @@ import { pathToFileURL } from "node:url";
 
 import { chromium } from "playwright-core";
 
-import { FORMAT } from "../src/page/model.mjs";
+import { FORMAT } from "../src/page/kinematics/model.mjs";
 import { LAW } from "./testing/slider_crank.mjs";
 
 const folder = resolve(process.env.KIN_PAGES ?? "../../target/pages");
-const files = readdirSync(folder).filter((name) => name.endsWith(".html") && name !== "index.html").sort();
+const files = readdirSync(folder)
+  .filter((name) => name.endsWith(".html") && name !== "index.html")
+  .sort();
 const DATA = /(<script type="application\/json" id="report">)([^]*?)(<\/script>)/;
 /** The pages by the names of their modules. */
 const sources = new Map(
@@ -36,7 +38,10 @@ let scratch;
 before(async () => {
   assert.ok(files.length > 0, `there are no pages in ${folder}`);
   scratch = mkdtempSync(join(tmpdir(), "kin-pages-"));
-  browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"] });
+  browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    args: ["--no-sandbox"],
+  });
 });
 
 after(async () => {
@@ -68,13 +73,21 @@ function addressOf(name, change = null) {
 
 /** Opens a page, hands it to an action, and fails if it wrote an error to the console. */
 async function withPage(address, action, options = {}) {
-  const context = await browser.newContext({ viewport: DESK, reducedMotion: "reduce", acceptDownloads: true, ...options });
+  const context = await browser.newContext({
+    viewport: DESK,
+    reducedMotion: "reduce",
+    acceptDownloads: true,
+    ...options,
+  });
   try {
     const page = await context.newPage();
     const errors = [];
     page.on("console", (message) => ["error", "warning"].includes(message.type()) && errors.push(message.text()));
     page.on("pageerror", (error) => errors.push(String(error)));
-    page.on("request", (request) => /^(file|blob|data):/.test(request.url()) || errors.push(`request of ${request.url()}`));
+    page.on(
+      "request",
+      (request) => /^(file|blob|data):/.test(request.url()) || errors.push(`request of ${request.url()}`),
+    );
     await page.goto(address);
     await settle(page);
     await action(page);
@@ -86,7 +99,9 @@ async function withPage(address, action, options = {}) {
 
 /** Waits until what was asked for is drawn. */
 function settle(page) {
-  return page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done)))));
+  return page.evaluate(
+    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done)))),
+  );
 }
 
 /** The text of a file that the page hands over. */
@@ -102,7 +117,16 @@ const message = (page) => page.textContent("#message");
 /** A double rocker: at 70.5 degrees its crank cannot go on. */
 function asDoubleRocker(report) {
   [90, 60, 40, 50].forEach((value, index) => (report.parameters[index].value = value));
-  Object.assign(report, { range: [0, 2 * Math.PI], period: 2 * Math.PI, cycle: null, extremes: [], rms: [], transmission: null, sensitivities: [], not_closed: null });
+  Object.assign(report, {
+    range: [0, 2 * Math.PI],
+    period: 2 * Math.PI,
+    cycle: null,
+    extremes: [],
+    rms: [],
+    transmission: null,
+    sensitivities: [],
+    not_closed: null,
+  });
 }
 /** The limit of the double rocker: coupler and rocker are stretched, 60² + 90² - 2 60 90 cos θ = (40 + 50)². */
 const LIMIT = (Math.acos((60 ** 2 + 90 ** 2 - 90 ** 2) / (2 * 60 * 90)) * 180) / Math.PI;
@@ -110,11 +134,19 @@ const LIMIT = (Math.acos((60 ** 2 + 90 ** 2 - 90 ** 2) / (2 * 60 * 90)) * 180) /
 /** The middle of the drive's bar and of its pivot, on the screen. */
 function crank(page) {
   return page.evaluate(() => {
-    const [x1, y1, x2, y2] = document.querySelector(".hit-driven").getAttribute("d").match(/-?[\d.]+/g).map(Number);
+    const [x1, y1, x2, y2] = document
+      .querySelector(".hit-driven")
+      .getAttribute("d")
+      .match(/-?[\d.]+/g)
+      .map(Number);
     const box = document.querySelector("#picture").getBoundingClientRect();
     const pins = [...document.querySelectorAll(".pin")].filter((pin) => pin.getAttribute("r") === "5");
-    const isPivot = (x, y) => pins.some((pin) => Math.hypot(pin.getAttribute("cx") - x, pin.getAttribute("cy") - y) < 1);
-    const ends = [[x1 + box.x, y1 + box.y], [x2 + box.x, y2 + box.y]];
+    const isPivot = (x, y) =>
+      pins.some((pin) => Math.hypot(pin.getAttribute("cx") - x, pin.getAttribute("cy") - y) < 1);
+    const ends = [
+      [x1 + box.x, y1 + box.y],
+      [x2 + box.x, y2 + box.y],
+    ];
     return isPivot(x1, y1) ? { pivot: ends[0], arm: ends[1] } : { pivot: ends[1], arm: ends[0] };
   });
 }
@@ -127,20 +159,31 @@ test("every page of the gallery loads, and its numbers are those of the solver i
         assert.equal(await page.title(), report.title);
         assert.ok((await page.locator("#plots .curve").count()) >= 5, "curves are drawn");
         assert.ok((await page.locator("#picture .pin, #picture .bar, #picture .pane").count()) > 0, "links are drawn");
-        assert.equal(await page.locator(".formula").count() > 0, true, "equations are shown as mathematics");
+        assert.equal((await page.locator(".formula").count()) > 0, true, "equations are shown as mathematics");
         const inner = report.extremes.filter(({ place, value }) => place === "inner" && value !== null);
         const some = [inner[0], inner[Math.floor(inner.length / 2)], inner[inner.length - 1]].filter(Boolean);
         for (const { quantity, order, value, at } of some) {
-          const all = report.extremes.filter((one) => one.quantity === quantity && one.order === order && one.value !== null);
+          const all = report.extremes.filter(
+            (one) => one.quantity === quantity && one.order === order && one.value !== null,
+          );
           const size = Math.max(...all.map((one) => Math.abs(one.value)));
-          await page.evaluate((x) => [...document.querySelectorAll("#paper td button")].find((button) => Number(button.dataset.at) === x).click(), at);
+          await page.evaluate(
+            (x) =>
+              [...document.querySelectorAll("#paper td button")]
+                .find((button) => Number(button.dataset.at) === x)
+                .click(),
+            at,
+          );
           await settle(page);
           const { pose, input } = JSON.parse(await saved(page, "#save-json"));
           assert.ok(Math.abs(input - at) <= 1e-12 * (1 + Math.abs(at)), `the input is ${input}, asked for ${at}`);
           const shown = pose[quantity][order];
           const turns = order === 0 ? Math.round((shown - value) / (2 * Math.PI)) * 2 * Math.PI : 0;
-          // the page's solver and Rust's go the same way; values differ by rounding, enlarged by the condition of the pose
-          assert.ok(Math.abs(shown - turns - value) <= 1e-7 * size + 1e-9, `${quantity} of order ${order} at ${at}: ${shown} and ${value}`);
+          // the page's solver and Rust's go the same way; rounding is enlarged by the condition of the pose
+          assert.ok(
+            Math.abs(shown - turns - value) <= 1e-7 * size + 1e-9,
+            `${quantity} of order ${order} at ${at}: ${shown} and ${value}`,
+          );
         }
         await page.click("#open-dimensions");
         await page.evaluate(() => {
@@ -170,20 +213,31 @@ test("play moves the mechanism, and pause holds it", () =>
   }));
 
 test("motion starts by itself, unless the reader prefers less of it", async () => {
-  await withPage(addressOf("four_bar"), async (page) => assert.equal(await page.textContent("#play"), "Pause"), { reducedMotion: "no-preference" });
+  await withPage(addressOf("four_bar"), async (page) => assert.equal(await page.textContent("#play"), "Pause"), {
+    reducedMotion: "no-preference",
+  });
   await withPage(addressOf("four_bar"), async (page) => assert.equal(await page.textContent("#play"), "Play"));
 });
 
 /** A crank that rests, turns by one radian, and rests. */
 function asServo(report) {
-  Object.assign(report, LAW, { cycle: null, extremes: [], rms: [], transmission: null, sensitivities: [], not_closed: null });
+  Object.assign(report, LAW, {
+    cycle: null,
+    extremes: [],
+    rms: [],
+    transmission: null,
+    sensitivities: [],
+    not_closed: null,
+  });
 }
 
 test("under a law the page runs over the time, and curves have gaps where a derivative jumps", () =>
   withPage(addressOf("four_bar", asServo), async (page) => {
     assert.equal(await page.getAttribute("#scrubber", "aria-valuemax"), "0.6");
     assert.match(await page.textContent("#scrubber"), /Acceleration jumps at 0\.1 s/);
-    const parts = await page.evaluate(() => [...document.querySelectorAll("#plots .curve")].map((curve) => curve.getAttribute("d").match(/M/g).length));
+    const parts = await page.evaluate(() =>
+      [...document.querySelectorAll("#plots .curve")].map((curve) => curve.getAttribute("d").match(/M/g).length),
+    );
     assert.deepEqual(parts, [1, 1, 1, 1, 3, 3, 3, 3, 3, 3]);
     assert.ok(await page.isHidden("[aria-label='Plotted over']"));
     // time does not run backwards: from the end it begins anew
@@ -224,7 +278,10 @@ test("a dragged crank turns, and stops at the limit with its place", () =>
   withPage(addressOf("four_bar", asDoubleRocker), async (page) => {
     const { pivot, arm } = await crank(page);
     const long = Math.hypot(arm[0] - pivot[0], arm[1] - pivot[1]);
-    const at = (degrees) => [pivot[0] + long * Math.cos((degrees * Math.PI) / 180), pivot[1] - long * Math.sin((degrees * Math.PI) / 180)];
+    const at = (degrees) => [
+      pivot[0] + long * Math.cos((degrees * Math.PI) / 180),
+      pivot[1] - long * Math.sin((degrees * Math.PI) / 180),
+    ];
     await page.mouse.move(...at(0.5));
     await page.mouse.down();
     for (const degrees of [15, 30, 45]) {
@@ -239,7 +296,10 @@ test("a dragged crank turns, and stops at the limit with its place", () =>
     await settle(page);
     await page.mouse.up();
     assert.ok(Math.abs((await inputNow(page)) - LIMIT) < 1e-3, `${await inputNow(page)} and ${LIMIT}`);
-    assert.match(await message(page), new RegExp(`^Limit at θ₂ = ${LIMIT.toFixed(4).replace(/0+$/, "")}°: the links of θ₃, θ₄ do not meet`));
+    assert.match(
+      await message(page),
+      new RegExp(`^Limit at θ₂ = ${LIMIT.toFixed(4).replace(/0+$/, "")}°: the links of θ₃, θ₄ do not meet`),
+    );
     assert.match(await page.textContent("#scrubber"), /out of reach by 60/);
   }));
 
@@ -307,7 +367,10 @@ test("a slider solves the whole turn again within a frame, and marks its own lim
     assert.match(await page.locator("#scrubber .limit-mark title").first().textContent(), /found by the page/);
     await page.click("#reset");
     await settle(page);
-    assert.equal(await page.inputValue('input[aria-label="r₂, as a number"]'), String(reportOf("four_bar").parameters[1].value));
+    assert.equal(
+      await page.inputValue('input[aria-label="r₂, as a number"]'),
+      String(reportOf("four_bar").parameters[1].value),
+    );
   }));
 
 test("A stays as a reference beside B, and they change places", () =>
@@ -365,7 +428,10 @@ test("plots move the mechanism under the pointer, and are enlarged by a drag, th
 
 test("tables and pictures are handed over as files", () =>
   withPage(addressOf("four_bar"), async (page) => {
-    const table = (await saved(page, "#save-csv")).trim().split("\r\n").map((line) => line.split(","));
+    const table = (await saved(page, "#save-csv"))
+      .trim()
+      .split("\r\n")
+      .map((line) => line.split(","));
     assert.equal(table[0][0], "theta2 [deg]");
     assert.ok(table.length > 360 && table.every((row) => row.length === table[0].length));
     const { parameters } = reportOf("four_bar");
@@ -393,7 +459,8 @@ test("tables and pictures are handed over as files", () =>
 
 test("a mechanism of space turns under the pointer, and its links are dragged", () =>
   withPage(addressOf("rssr"), async (page) => {
-    const seen = () => page.evaluate(() => [...document.querySelectorAll("#picture .bar")].map((bar) => bar.getAttribute("d")).join());
+    const seen = () =>
+      page.evaluate(() => [...document.querySelectorAll("#picture .bar")].map((bar) => bar.getAttribute("d")).join());
     const box = await page.locator("#picture").boundingBox();
     const [before, input] = [await seen(), await inputNow(page)];
     await page.mouse.move(box.x + 8, box.y + 8);
@@ -416,7 +483,10 @@ test("a coupled mechanism goes on at other dimensions, and tells where its assem
   withPage(addressOf("class_three_triad"), async (page) => {
     const report = reportOf("class_three_triad");
     const limits = await page.locator("#scrubber .limit-mark title").allTextContents();
-    assert.ok(limits.length > 0 && limits.every((text) => !text.includes("found by the page")), "the report's own limits are exact");
+    assert.ok(
+      limits.length > 0 && limits.every((text) => !text.includes("found by the page")),
+      "the report's own limits are exact",
+    );
     await page.click("#open-dimensions");
     const [first] = report.parameters;
     await page.fill(`input[aria-label="${first.text}, as a number"]`, String(1.02 * first.value));
@@ -439,7 +509,9 @@ test("frames per second", async () => {
         }
         return { frames: (1000 * frames) / (performance.now() - begin), work: Number(document.body.dataset.frame) };
       });
-      console.log(`${name}: ${frames.toFixed(0)} frames per second, ${work} ms of script in each (median of the last 60)`);
+      console.log(
+        `${name}: ${frames.toFixed(0)} frames per second, ${work} ms of script in each (median of the last 60)`,
+      );
       // the browser draws without a graphics card here: the script's own part is what can be held to a frame
       assert.ok(work < 16, `${work} ms`);
       assert.ok(frames > 5, `${frames} frames per second`);
@@ -451,7 +523,13 @@ test("hostile texts are shown as texts", () => {
   const evil = '</script><b id="evil">x</b><!--\u2028${alert(1)}<img src=x onerror=alert(1)>';
   return withPage(
     addressOf("four_bar", (report) => {
-      Object.assign(report, { title: evil, name: evil, documentation: `${evil}\n\n${evil}`, declaration: evil, hash: evil });
+      Object.assign(report, {
+        title: evil,
+        name: evil,
+        documentation: `${evil}\n\n${evil}`,
+        declaration: evil,
+        hash: evil,
+      });
       report.units = { length: evil, time: evil };
       report.parameters.forEach((one) => Object.assign(one, { text: evil, documentation: evil }));
       report.unknowns.forEach((one) => Object.assign(one, { text: evil, documentation: evil }));
@@ -459,8 +537,14 @@ test("hostile texts are shown as texts", () => {
       report.assemblies.forEach((one) => (one.name = evil));
       report.blocks.forEach((one) => Object.assign(one, { unknowns: evil, solution: evil }));
       report.operations.forEach((one) => (one.text = evil));
-      report.formulas.closure = { text: evil, mathml: `<math xmlns="http://www.w3.org/1998/Math/MathML"><mi>x</mi><script>alert(1)</script></math>` };
-      report.formulas.rates = { text: evil, mathml: `<math xmlns="http://www.w3.org/1998/Math/MathML"><mi onclick="alert(1)">x</mi></math>` };
+      report.formulas.closure = {
+        text: evil,
+        mathml: `<math xmlns="http://www.w3.org/1998/Math/MathML"><mi>x</mi><script>alert(1)</script></math>`,
+      };
+      report.formulas.rates = {
+        text: evil,
+        mathml: `<math xmlns="http://www.w3.org/1998/Math/MathML"><mi onclick="alert(1)">x</mi></math>`,
+      };
       report.formulas.outputs = { text: evil, mathml: evil };
     }),
     async (page) => {
@@ -501,9 +585,14 @@ test("axe finds no serious fault in light, dark and on a phone", async (t) => {
           async (page) => {
             await page.click("#open-dimensions");
             await page.evaluate(axe);
-            const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ["violations"] }));
+            const { violations } = await page.evaluate(() =>
+              globalThis.axe.run(document, { resultTypes: ["violations"] }),
+            );
             const serious = violations.filter(({ impact }) => impact === "serious" || impact === "critical");
-            assert.deepEqual(serious.map(({ id, nodes }) => [id, ...nodes.slice(0, 3).map(({ target }) => target.join(" "))]), []);
+            assert.deepEqual(
+              serious.map(({ id, nodes }) => [id, ...nodes.slice(0, 3).map(({ target }) => target.join(" "))]),
+              [],
+            );
           },
           options,
         ),
@@ -525,7 +614,10 @@ test("nothing is wider than a phone", () =>
 test("paper is A4, and holds the picture", () =>
   withPage(addressOf("four_bar"), async (page) => {
     const file = (await page.pdf({ preferCSSPageSize: true, printBackground: true })).toString("latin1");
-    const boxes = [...file.matchAll(/\/MediaBox\s*\[\s*0 0 ([\d.]+) ([\d.]+)\s*\]/g)].map(([, width, height]) => [Number(width), Number(height)]);
+    const boxes = [...file.matchAll(/\/MediaBox\s*\[\s*0 0 ([\d.]+) ([\d.]+)\s*\]/g)].map(([, width, height]) => [
+      Number(width),
+      Number(height),
+    ]);
     assert.ok(boxes.length >= 1 && boxes.length <= 6, `${boxes.length} pages`);
     for (const [width, height] of boxes) {
       assert.ok(Math.abs(width - 595) < 2 && Math.abs(height - 842) < 2, `${width} by ${height} points`);
@@ -533,7 +625,9 @@ test("paper is A4, and holds the picture", () =>
     await page.emulateMedia({ media: "print" });
     await page.setViewportSize({ width: 688, height: 1000 });
     await settle(page);
-    const overhang = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+    const overhang = await page.evaluate(
+      () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
+    );
     assert.equal(overhang, 0);
     assert.equal(await page.locator(".controls").isVisible(), false);
     assert.equal(await page.locator("#picture").isVisible(), true);

@@ -115,7 +115,9 @@ fn listed(entries: &[Entry], written: &[&str]) -> String {
 }
 
 /// The style of the index. The drawings are ink on paper, so that the page is paper in the dark, too.
-const STYLE: &str = "body{margin:2rem auto;max-width:80rem;padding:0 1rem;font:1rem/1.5 system-ui,sans-serif;color:#222;background:#fff}\
-ul{list-style:none;margin:0;padding:0;display:grid;grid-template-columns:repeat(auto-fill,minmax(16rem,1fr));gap:1.5rem}\
+const STYLE: &str = "body{margin:2rem auto;max-width:80rem;padding:0 1rem;font:1rem/1.5 system-ui,sans-serif;\
+color:#222;background:#fff}\
+ul{list-style:none;margin:0;padding:0;display:grid;grid-template-columns:repeat(auto-fill,minmax(16rem,1fr));\
+gap:1.5rem}\
 a{display:block;color:inherit;text-decoration:none}a:hover span,a:focus span{text-decoration:underline}\
 svg{display:block;width:100%;height:auto}span{display:block;text-align:center}";

@@ -1,8 +1,8 @@
 //! What kin shows to people: pages on which mechanisms move, drawings, files of tables, and the figures of the book.
 //!
-//! [`report()`] makes a page of any mechanism. [`drawing`] draws its skeleton. [`library`] leads through all mechanisms of the library,
-//! each with dimensions. [`tables`] writes the table of a sweep as CSV or JSON. [`figures`] are the pictures that stand in the book;
-//! one command draws them again:
+//! [`report()`] makes a page of any mechanism. [`drawing`] draws its skeleton. [`library`] leads through all mechanisms
+//! of the library, each with dimensions. [`tables`] writes the table of a sweep as CSV or JSON. [`figures`] are the
+//! pictures that stand in the book; one command draws them again:
 //!
 //! ```sh
 //! cargo run -p kin-studio --features gallery --example figures

@@ -19,7 +19,8 @@ fn the_figures_of_the_book_are_what_is_drawn() {
         let written = fs::read_to_string(folder.join(&figure.file)).unwrap_or_default();
         assert!(
             written == figure.svg,
-            "docs/figures/{} is not what is drawn: run `cargo run -p kin-studio --features gallery --example figures` and look at it",
+            "docs/figures/{} is not what is drawn: run `cargo run -p kin-studio --features gallery --example figures` \
+             and look at it",
             figure.file
         );
     }
@@ -62,8 +63,8 @@ fn every_mechanism_of_the_library_is_drawn() {
 
 /// The joints of a body keep their distances, what stands on the ground stands still, and slides stay on their lines.
 ///
-/// Sweeps end beside limit positions, where rounding is magnified by the reciprocal of a step's square root: some hundred times beside
-/// Newton's own tolerance, so that 1e-9 of the size is far from what a wrong body would show.
+/// Sweeps end beside limit positions, where rounding is magnified by the reciprocal of a step's square root: some
+/// hundred times beside Newton's own tolerance, so that 1e-9 of the size is far from what a wrong body would show.
 #[test]
 fn bodies_are_rigid() {
     for entry in gallery().expect("every mechanism closes") {

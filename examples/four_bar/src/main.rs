@@ -24,7 +24,8 @@ mechanism! {
 }
 
 mechanism! {
-    /// The same linkage, one triangle after the other. They share the diagonal `e` from the crank's pin to the rocker's pivot.
+    /// The same linkage, one triangle after the other. They share the diagonal `e` from the crank's pin to the rocker's
+    /// pivot.
     pub struct Triangles { r1: Length, r2: Length, r3: Length, r4: Length }
     input theta2: Angle;
     unknown e: Length where e > 0, alpha: Angle, gamma: Angle, beta: Angle, theta4: Angle, theta3: Angle;

@@ -92,9 +92,9 @@ impl CandidateFunction {
             "The upper limit".to_owned(),
         ];
         let text = format!(
-            "One dimension of the candidate with this id: a number between low and high, by the low-discrepancy sequence R_d of \
-             M. Roberts. The candidates with ids from 0 on fill the box of all dimensions {even}. Each dimension of a candidate is one \
-             call with the same number of dimensions."
+            "One dimension of the candidate with this id: a number between low and high, by the low-discrepancy \
+             sequence R_d of M. Roberts. The candidates with ids from 0 on fill the box of all dimensions {even}. Each \
+             dimension of a candidate is one call with the same number of dimensions."
         );
         let name = scale.name();
         let builder = Documentation::builder(section, text, format!("{name}({})", NAMES.join(", ")));
@@ -126,7 +126,8 @@ impl CandidateFunction {
         let coordinate = dimension.checked_sub(1).and_then(|index| usize::try_from(index).ok());
         let (Some(sequence), Some(coordinate)) = (sequence, coordinate.filter(|_| dimension <= dimensions)) else {
             return exec_err!(
-                "{} has no dimension {dimension} of {dimensions}: dimensions count from 1, and there are at most {MOST_DIMENSIONS}",
+                "{} has no dimension {dimension} of {dimensions}: dimensions count from 1, and there are at most \
+                 {MOST_DIMENSIONS}",
                 self.name()
             );
         };

@@ -3,8 +3,8 @@
 /// The largest number of dimensions of a [`Sequence`].
 pub const MOST_DIMENSIONS: usize = 64;
 
-/// The sequence `R_d` in some number of dimensions, calculated in integers: the same in every process, and exact to 10⁻⁶ for
-/// ids up to 10¹².
+/// The sequence `R_d` in some number of dimensions, calculated in integers: the same in every process, and exact to
+/// 10⁻⁶ for ids up to 10¹².
 ///
 /// ```
 /// use kin_search::candidates::Sequence;
@@ -124,8 +124,8 @@ mod tests {
         assert_eq!(Sequence::new(MOST_DIMENSIONS + 1), None);
     }
 
-    /// The star discrepancy of a sequence on a line, by its formula over the sorted points (H. Niederreiter, Random Number
-    /// Generation and Quasi-Monte Carlo Methods, theorem 2.6).
+    /// The star discrepancy of a sequence on a line, by its formula over the sorted points (H. Niederreiter, Random
+    /// Number Generation and Quasi-Monte Carlo Methods, theorem 2.6).
     #[test]
     fn points_on_a_line_are_more_even_than_random_ones() {
         // a quarter of the mean of random points, 0.869/√N, that of Kolmogorov's distribution

@@ -25,9 +25,9 @@ impl Listen {
     pub fn warning(self) -> Option<String> {
         (!self.0.ip().is_loopback()).then(|| {
             format!(
-                "warning: {} can be reached from other machines. Nothing is encrypted, and nobody is asked for a password: \
-                 whoever reaches it runs queries, and reads and writes files as the user who runs this program. Read \"On several \
-                 machines\" in the chapter on searches first.",
+                "warning: {} can be reached from other machines. Nothing is encrypted, and nobody is asked for a \
+                 password: whoever reaches it runs queries, and reads and writes files as the user who runs this \
+                 program. Read \"On several machines\" in the chapter on searches first.",
                 self.0.ip()
             )
         })

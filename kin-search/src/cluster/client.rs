@@ -116,8 +116,8 @@ pub struct Connection {
 impl Connection {
     /// Does on the cluster what a statement reads there, and gives what is left of it for this process.
     ///
-    /// What reads ids or files is done on the cluster, and nothing else. `create table … as`, `insert into` and `copy … to` fetch
-    /// their rows from the cluster; the table or the file is in this process.
+    /// What reads ids or files is done on the cluster, and nothing else. `create table … as`, `insert into` and
+    /// `copy … to` fetch their rows from the cluster; the table or the file is in this process.
     ///
     /// # Errors
     ///
@@ -172,8 +172,8 @@ impl Connection {
         let count = cut.ids.count_of_pieces(length);
         if count > MOST_RANGES {
             return Ok(plan_err!(
-                "the {} ids of the search are {count} ranges of {length}, and a cluster searches {MOST_RANGES} ranges at most; make \
-                 them larger with `--range`, or search fewer ids",
+                "the {} ids of the search are {count} ranges of {length}, and a cluster searches {MOST_RANGES} ranges \
+                 at most; make them larger with `--range`, or search fewer ids",
                 cut.ids.count()
             )?);
         }
@@ -329,13 +329,15 @@ impl Connection {
             .with_ballista_logical_extension_codec(Arc::new(Codec::default()))
             // Ballista's own settings come first: it leaves them out if one of them is there.
             .upgrade_for_ballista()
-            // The adaptive planner of Ballista 55 does not end a stage whose rows were lost with an executor, and made again.
+            // The adaptive planner of Ballista 55 does not end a stage whose rows were lost with an executor, and made
+            // again.
             .with_ballista_adaptive_query_planner(false)
             // The client asks for the state of its job. It would learn the job's number with the first change of this
             // state otherwise, too late to call the job off.
             .set_bool(BALLISTA_CLIENT_PULL, true)
             .with_target_partitions(self.client.tasks.max(1));
-        // Ballista replaces a catalog in the list that its state holds. It gets a list of its own, so that the local tables stay.
+        // Ballista replaces a catalog in the list that its state holds. It gets a list of its own, so that the local
+        // tables stay.
         let state = SessionStateBuilder::new_from_existing(state)
             .with_config(config)
             .with_catalog_list(Arc::new(MemoryCatalogProviderList::new()))
@@ -348,7 +350,8 @@ impl Connection {
     }
 }
 
-/// The rows of all ranges, or the error for which the search ended. Ranges that were called off because of it do not tell the reason.
+/// The rows of all ranges, or the error for which the search ended. Ranges that were called off because of it do not
+/// tell the reason.
 fn all_rows(ranges: Vec<Result<Vec<RecordBatch>, Fault>>) -> Result<Vec<RecordBatch>, Fault> {
     let mut rows = Vec::new();
     let mut called_off = None;
@@ -379,8 +382,8 @@ fn advice(parts: Option<&Parts>) -> String {
     }
 }
 
-/// Whether a query reads ids or files, which executors can read as well. Small tables of this process go with the query, and large ones
-/// are refused.
+/// Whether a query reads ids or files, which executors can read as well. Small tables of this process go with the
+/// query, and large ones are refused.
 fn crosses(query: &LogicalPlan) -> Result<bool, Fault> {
     let (mut there, mut only_here, mut series) = (false, None, false);
     query.apply_with_subqueries(|node| {
@@ -399,11 +402,12 @@ fn crosses(query: &LogicalPlan) -> Result<bool, Fault> {
     })?;
     match only_here {
         Some(table) if there => Ok(plan_err!(
-            "The table {table} is only in this process. It is too large to go with the query. Write it as Parquet with `copy`, and read \
-             the file."
+            "The table {table} is only in this process. It is too large to go with the query. Write it as Parquet with \
+             `copy`, and read the file."
         )?),
         _ if there && series => Ok(plan_err!(
-            "a range with another step than 1 does not go to a cluster; write range(first, end) and calculate with its value"
+            "a range with another step than 1 does not go to a cluster; write range(first, end) and calculate with its \
+             value"
         )?),
         _ => Ok(there),
     }

@@ -38,7 +38,8 @@ pub struct Executor {
     /// The memory that its tasks may take together, in bytes; [`SHARE`](Self::SHARE) of the machine's, or as much less
     /// as it works on fewer tasks than the machine has cores, if not given.
     pub memory: Option<u64>,
-    /// Where it keeps results of stages until they are fetched; a folder of its own in that for temporary files if not given.
+    /// Where it keeps results of stages until they are fetched; a folder of its own in that for temporary files if not
+    /// given.
     pub folder: Option<PathBuf>,
 }
 
@@ -60,7 +61,8 @@ impl Executor {
     ///
     /// # Errors
     ///
-    /// [`Fault`], if the address cannot be listened on, the scheduler refuses the executor, or Ballista reports an error.
+    /// [`Fault`], if the address cannot be listened on, the scheduler refuses the executor, or Ballista reports an
+    /// error.
     pub async fn run(self, functions: &Functions) -> Result<(), Fault> {
         if let Some(warning) = self.listen.warning() {
             say(format_args!("{warning}"));

@@ -124,17 +124,18 @@ impl fmt::Display for Fault {
             ),
             Self::Executors { name, count, advice } => write!(
                 f,
-                "{name}: {count} executors were lost, one after the other. If it needs more memory than they have, give executors \
-                 a limit with --memory, or make the ranges smaller with --range. {advice}"
+                "{name}: {count} executors were lost, one after the other. If it needs more memory than they have, \
+                 give executors a limit with --memory, or make the ranges smaller with --range. {advice}"
             ),
             Self::Memory { report } => write!(
                 f,
-                "an executor has too little memory for the query: {report}. Give it more with --memory, or make the ranges smaller with \
-                 --range."
+                "an executor has too little memory for the query: {report}. Give it more with --memory, or make the \
+                 ranges smaller with --range."
             ),
             Self::Interrupted { advice } => write!(
                 f,
-                "interrupted. The query is cancelled; an executor may finish the list of ids on which it works. {advice}"
+                "interrupted. The query is cancelled; an executor may finish the list of ids on which it works. \
+                 {advice}"
             ),
             Self::File(path, error) => write!(f, "{}: {error}", path.display()),
             Self::Engine(error) => error.fmt(f),

@@ -1,8 +1,8 @@
 //! Ranges of ids that cross to executors.
 //!
 //! The engine's own `range` is a table of the session that made it, in one part, and does not cross. The table here
-//! does, as two numbers. On the scheduler it becomes operators that every executor knows: rows with the first id and the
-//! end of a list, distributed over the parts, and the function `range` of lists, unnested.
+//! does, as two numbers. On the scheduler it becomes operators that every executor knows: rows with the first id and
+//! the end of a list, distributed over the parts, and the function `range` of lists, unnested.
 
 use std::sync::Arc;
 
@@ -22,8 +22,8 @@ use datafusion::physical_plan::ExecutionPlan;
 use datafusion::physical_plan::projection::ProjectionExec;
 use datafusion::physical_plan::unnest::{ListUnnest, UnnestExec};
 
-/// How many ids are listed at a time: a batch of the engine, or 8 MB if there are very many. A query can be called off after every
-/// 128 lists, when the engine lets other work go on.
+/// How many ids are listed at a time: a batch of the engine, or 8 MB if there are very many. A query can be called off
+/// after every 128 lists, when the engine lets other work go on.
 const LIST: std::ops::RangeInclusive<i64> = 1 << 13..=1 << 20;
 
 /// The most lists, which all stand in the plan of a query, as long as they hold no more than they may.

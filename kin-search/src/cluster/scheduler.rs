@@ -50,7 +50,8 @@ impl Default for Scheduler {
 }
 
 impl Scheduler {
-    /// Runs the scheduler until SIGINT or SIGTERM, and prints `listening on ADDRESS` when executors and clients can come.
+    /// Runs the scheduler until SIGINT or SIGTERM, and prints `listening on ADDRESS` when executors and clients can
+    /// come.
     ///
     /// # Errors
     ///
@@ -109,11 +110,12 @@ const PAUSE: Duration = Duration::from_secs(1);
 
 /// Lets the scheduler distribute tasks from time to time, without an end.
 ///
-/// Ballista 55 distributes them when a task ends. If the last task of an executor was taken back, because the rows that it reads were lost
-/// with another executor, none ends. A report without tasks has the effect of one that ends.
+/// Ballista 55 distributes them when a task ends. If the last task of an executor was taken back, because the rows that
+/// it reads were lost with another executor, none ends. A report without tasks has the effect of one that ends.
 ///
-/// If all executors are lost, Ballista fails the jobs of that time after a minute, unless an executor comes. Jobs that come later would wait
-/// for ever. The loss of an executor that was never there begins another minute, in which Ballista sees them.
+/// If all executors are lost, Ballista fails the jobs of that time after a minute, unless an executor comes. Jobs that
+/// come later would wait for ever. The loss of an executor that was never there begins another minute, in which
+/// Ballista sees them.
 async fn distribute(scheduler: SchedulerServer<LogicalPlanNode, PhysicalPlanNode>, admission: &Admission) {
     loop {
         sleep(PAUSE).await;

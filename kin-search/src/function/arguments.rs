@@ -64,8 +64,8 @@ fn data_type(is_text: bool) -> DataType {
 
 /// The types to which the arguments of a call are converted: numbers to doubles, and texts to one kind of text.
 ///
-/// The first `required` arguments are numbers. After them texts and numbers may come in any order, so that a text can be left
-/// out by a call that does not name its arguments.
+/// The first `required` arguments are numbers. After them texts and numbers may come in any order, so that a text can
+/// be left out by a call that does not name its arguments.
 pub(crate) fn coerced(
     function: &str,
     arguments: &[Argument],

@@ -19,10 +19,11 @@ pub(crate) struct LineFunction {
 
 const FIELDS: [&str; 4] = ["closed", "length", "deviation", "unevenness"];
 
-const TEXT: &str = "How straight and how evenly a point moves over a part of a turn, measured along and across the chord between its \
-ends. closed is the share of the poses that close; length is the length of the chord; deviation is the width of the path across the \
-chord, as a share of the chord; unevenness is the largest less the smallest speed along the chord, as a share of the mean speed \
-(R. L. Norton, Design of Machinery, table of Hoeken's linkages). The point is the first output in the plane.";
+const TEXT: &str = "How straight and how evenly a point moves over a part of a turn, measured along and across the \
+chord between its ends. closed is the share of the poses that close; length is the length of the chord; deviation is \
+the width of the path across the chord, as a share of the chord; unevenness is the largest less the smallest speed \
+along the chord, as a share of the mean speed (R. L. Norton, Design of Machinery, table of Hoeken's linkages). The \
+point is the first output in the plane.";
 
 impl LineFunction {
     /// The function, if the mechanism has a point in the plane.

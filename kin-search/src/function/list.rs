@@ -114,9 +114,9 @@ impl Functions {
         self.iter().map(line).collect()
     }
 
-    /// The version of this package with sixteen hexadecimal digits that depend on every line of the [list](Self::list) and on the text
-    /// about each function, which holds the equations, the units and the assemblies. Expressions of outputs are in neither: a program
-    /// that changes one needs another version.
+    /// The version of this package with sixteen hexadecimal digits that depend on every line of the [list](Self::list)
+    /// and on the text about each function, which holds the equations, the units and the assemblies. Expressions of
+    /// outputs are in neither: a program that changes one needs another version.
     #[must_use]
     pub fn fingerprint(&self) -> String {
         let texts = self.iter().filter_map(|function| function.documentation());

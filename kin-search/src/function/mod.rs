@@ -9,8 +9,9 @@
 //! | `hoeken_linkage_line(…)` | how straight and how evenly a point moves over a part of a turn |
 //! | `hoeken_linkage_path_error(…)` | the distances of wanted points from the path of a point |
 //!
-//! A mechanism has a turn if its first input is an angle and every block has a closed form; its other inputs stand. One with coupled
-//! blocks has only poses, because its position is known from values nearby. Paths are those of the first output in the plane.
+//! A mechanism has a turn if its first input is an angle and every block has a closed form; its other inputs stand. One
+//! with coupled blocks has only poses, because its position is known from values nearby. Paths are those of the first
+//! output in the plane.
 //!
 //! [`Functions`] is a list of them. The library's are there from the beginning, and a program adds its own mechanisms.
 

@@ -24,13 +24,13 @@ pub(crate) const ENDING: &str = "path_error";
 
 const FIELDS: [&str; 3] = ["closed", "rms", "largest"];
 
-const TEXT: &str = "How far the path of a point is from wanted points. rms is the root mean square of their distances from the path, \
-and largest the largest distance; closed is the share of the poses that close. The path is the line through the poses that close. \
-With timing, a distance is that of the wanted point from the point at its own value of the input. The point is the first output in the \
-plane.";
+const TEXT: &str = "How far the path of a point is from wanted points. rms is the root mean square of their distances \
+from the path, and largest the largest distance; closed is the share of the poses that close. The path is the line \
+through the poses that close. With timing, a distance is that of the wanted point from the point at its own value of \
+the input. The point is the first output in the plane.";
 
-const POINTS: &str = "The wanted points: the name of a table with the columns x and y, or input, x and y for prescribed timing; or the \
-points themselves, as in '0 1; 0.5 1.2'";
+const POINTS: &str = "The wanted points: the name of a table with the columns x and y, or input, x and y for \
+prescribed timing; or the points themselves, as in '0 1; 0.5 1.2'";
 
 impl PathFunction {
     /// The function, if the mechanism has a point in the plane.
@@ -100,7 +100,8 @@ fn distances(trace: &Trace, points: &[[f64; 2]], is_round: bool) -> Option<(f64,
     Some((sum, largest))
 }
 
-/// The sum and the largest of the squared distances of points from those of the same poses; `None` if a pose does not close.
+/// The sum and the largest of the squared distances of points from those of the same poses; `None` if a pose does not
+/// close.
 fn timed_distances(trace: &Trace, points: &[[f64; 3]]) -> Option<(f64, f64)> {
     let (mut sum, mut largest) = (0.0, 0.0_f64);
     for (pose, [_, x, y]) in points.iter().enumerate() {

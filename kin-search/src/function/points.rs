@@ -23,7 +23,8 @@ impl Points {
                 Ok(numbers) if numbers.iter().all(|number| number.is_finite()) => rows.push(numbers),
                 _ => {
                     return plan_err!(
-                        "`{part}` is no point; write the name of a table with the columns x and y, or points as in '0 1; 0.5 1.2'"
+                        "`{part}` is no point; write the name of a table with the columns x and y, or points as in \
+                         '0 1; 0.5 1.2'"
                     );
                 }
             }

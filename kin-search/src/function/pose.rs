@@ -161,7 +161,8 @@ impl PoseFunction {
         }
         if !rates.len().is_multiple_of(inputs) {
             return plan_err!(
-                "{} has {inputs} inputs, and {} rates are given: give the velocities of all, then the accelerations of all, and so on",
+                "{} has {inputs} inputs, and {} rates are given: give the velocities of all, then the accelerations of \
+                 all, and so on",
                 self.name,
                 rates.len()
             );
@@ -369,9 +370,9 @@ fn documentation(name: &str, solver: &dyn Solver, arguments: &[Argument]) -> Doc
         format!("; outputs {}", listed(description.outputs))
     };
     let text = format!(
-        "A pose of the mechanism {}: {}. Arguments: {}. The result has the unknowns {}{outputs}; each with as many rates as \
-         the inputs have; and outcome, which is '{}', and margin, the missing length as a negative number if the links do not \
-         reach. Numbers are null without a pose.",
+        "A pose of the mechanism {}: {}. Arguments: {}. The result has the unknowns {}{outputs}; each with as many \
+         rates as the inputs have; and outcome, which is '{}', and margin, the missing length as a negative number if \
+         the links do not reach. Numbers are null without a pose.",
         description.name,
         description.equations.join("; "),
         told(arguments),

@@ -97,12 +97,12 @@ impl Search {
             ),
             Argument::number("to", format!("The last value of {turning}, for a part of a turn (rad)")),
         ]);
-        // A condition on a result would be moved below the call, and the call made twice, once for the condition. The engine
-        // leaves it where it is if the function is volatile.
+        // A condition on a result would be moved below the call, and the call made twice, once for the condition. The
+        // engine leaves it where it is if the function is volatile.
         let signature = signature(&arguments, Volatility::Volatile);
         let text = format!(
-            "{result} The mechanism is {}: {}. Its input {turning} turns, by default once round. Arguments: {}. Numbers are null \
-             where they do not exist.",
+            "{result} The mechanism is {}: {}. Its input {turning} turns, by default once round. Arguments: {}. \
+             Numbers are null where they do not exist.",
             description.name,
             description.equations.join("; "),
             super::pose::told(&arguments),
@@ -153,7 +153,8 @@ impl Search {
         match options.len() {
             0..=4 => Ok((texts.first().copied(), options)),
             many => plan_err!(
-                "{} takes four numbers at most after the {} that it needs, poses, speed, from and to, and {many} are given",
+                "{} takes four numbers at most after the {} that it needs, poses, speed, from and to, and {many} are \
+                 given",
                 self.name,
                 self.required
             ),

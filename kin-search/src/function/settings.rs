@@ -7,8 +7,9 @@ use kin_core::batch::Vectors;
 extensions_options! {
     /// The settings of kin's functions: `set kin.vectors = 'avx2'` in SQL.
     ///
-    /// Fused products round differently from separate ones. A query that must give the same digits on machines of several
-    /// kinds fixes the kind of vectors: `compiled`, `avx2` or `avx512`. It is `widest` otherwise, those of the machine.
+    /// Fused products round differently from separate ones. A query that must give the same digits on machines of
+    /// several kinds fixes the kind of vectors: `compiled`, `avx2` or `avx512`. It is `widest` otherwise, those of the
+    /// machine.
     pub struct Settings {
         /// The kind of vectors.
         pub vectors: String, default = "widest".to_owned()

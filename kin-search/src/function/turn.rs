@@ -42,10 +42,10 @@ impl Summarised {
     }
 }
 
-const TEXT: &str = "A turn of a mechanism in one row. closed is the share of the poses that close, and rotates whether all do; \
-min_transmission is the smallest transmission angle of all dyads, at most a right angle (rad). Each unknown and each output q has \
-q_least, q_greatest and their difference q_swing; and the largest absolute values of its rates, as in q_peak_velocity. A name that \
-begins with where_ or contains _where_ is the value of the input there.";
+const TEXT: &str = "A turn of a mechanism in one row. closed is the share of the poses that close, and rotates whether \
+all do; min_transmission is the smallest transmission angle of all dyads, at most a right angle (rad). Each unknown \
+and each output q has q_least, q_greatest and their difference q_swing; and the largest absolute values of its rates, \
+as in q_peak_velocity. A name that begins with where_ or contains _where_ is the value of the input there.";
 
 impl TurnFunction {
     pub(crate) fn new(solver: &'static dyn Solver) -> Self {

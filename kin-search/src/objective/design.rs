@@ -62,8 +62,8 @@ pub struct Design<M: Mechanism<Scalar = f64>> {
 /// How far a design is from its targets, without weights.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Misfit {
-    /// The sum of the squares of all errors: of distances in a path, of distances and of angles times the length `radian` in a motion, of
-    /// the values of a function.
+    /// The sum of the squares of all errors: of distances in a path, of distances and of angles times the length
+    /// `radian` in a motion, of the values of a function.
     pub sum_of_squares: f64,
     /// The root of the mean square over the targets.
     pub root_mean_square: f64,
@@ -116,11 +116,12 @@ impl<M: Mechanism<Scalar = f64>> Design<M> {
 }
 
 impl<M: Mechanism<Scalar = f64>> Objective<M> {
-    /// The design with which a candidate begins. Numbers that it does not give are chosen, and all are moved between their bounds.
+    /// The design with which a candidate begins. Numbers that it does not give are chosen, and all are moved between
+    /// their bounds.
     ///
     /// # Errors
-    /// [`ObjectiveError`], if a number of the candidate is not finite, if it has another number of inputs than there are targets, or if a full
-    /// turn of a length is wanted.
+    /// [`ObjectiveError`], if a number of the candidate is not finite, if it has another number of inputs than there
+    /// are targets, or if a full turn of a length is wanted.
     pub fn design(&self, candidate: &Candidate<M>) -> Result<Design<M>, ObjectiveError> {
         let input = M::DESCRIPTION.inputs[self.moving];
         let turns = self.travel == Travel::Turn || matches!(self.timing, Timing::Free { is_turn: true, .. });
@@ -189,7 +190,8 @@ impl<M: Mechanism<Scalar = f64>> Objective<M> {
             .collect()
     }
 
-    /// The places of all values that are sought, with their bounds. An input on a turn may move half a turn from its place.
+    /// The places of all values that are sought, with their bounds. An input on a turn may move half a turn from its
+    /// place.
     pub(crate) fn sought_with_inputs(&self, values: &[f64]) -> Vec<(usize, [f64; 2])> {
         let mut sought = self.sought();
         if let (Timing::Free { range, is_turn }, Some(first)) = (&self.timing, self.input_place(0)) {
@@ -200,8 +202,8 @@ impl<M: Mechanism<Scalar = f64>> Objective<M> {
         sought
     }
 
-    /// Half of the sum of squares of a design. The inputs of the targets are chosen anew, where they are sought. The share of the motion at
-    /// which it does not close is returned if there is no such sum.
+    /// Half of the sum of squares of a design. The inputs of the targets are chosen anew, where they are sought. The
+    /// share of the motion at which it does not close is returned if there is no such sum.
     pub(crate) fn cost(&self, design: &mut Design<M>) -> Result<f64, f64> {
         let own = design.mechanism();
         let assembly = design.assembly;
@@ -286,8 +288,8 @@ impl<M: Mechanism<Scalar = f64>> Objective<M> {
         }
     }
 
-    /// Places the mechanism so that the centre of its motion lies in the centre of the targets: of the motion at the targets, or over the
-    /// whole range if their inputs are sought.
+    /// Places the mechanism so that the centre of its motion lies in the centre of the targets: of the motion at the
+    /// targets, or over the whole range if their inputs are sought.
     fn centre(&self, design: &mut Design<M>) {
         let own = design.mechanism();
         let inputs: Vec<f64> = match self.timing {
@@ -320,8 +322,8 @@ impl<M: Mechanism<Scalar = f64>> Objective<M> {
         }
     }
 
-    /// The values that a design reaches at each target, in the frame of the targets: x and y, with the angle in a motion, or the value of
-    /// the function. `None` if it does not close at all of them.
+    /// The values that a design reaches at each target, in the frame of the targets: x and y, with the angle in a
+    /// motion, or the value of the function. `None` if it does not close at all of them.
     #[must_use]
     pub fn reached(&self, design: &Design<M>) -> Option<Vec<Vec<f64>>> {
         let own = design.mechanism();
@@ -341,8 +343,8 @@ impl<M: Mechanism<Scalar = f64>> Objective<M> {
             .collect()
     }
 
-    /// The numbers that are sought in a design: their names, their values and their bounds. The input of a target is called `input` with the
-    /// number of the target.
+    /// The numbers that are sought in a design: their names, their values and their bounds. The input of a target is
+    /// called `input` with the number of the target.
     #[must_use]
     pub fn variables(&self, design: &Design<M>) -> Vec<(String, f64, [f64; 2])> {
         let parameters = M::DESCRIPTION.parameters.iter().map(|quantity| quantity.name);
@@ -378,15 +380,16 @@ impl<M: Mechanism<Scalar = f64>> Objective<M> {
         Ok(design)
     }
 
-    /// The rows of the sum of squares: the weighted errors of each target, then the terms. `None` if the mechanism does not close at a
-    /// target or at a place of a term.
+    /// The rows of the sum of squares: the weighted errors of each target, then the terms. `None` if the mechanism does
+    /// not close at a target or at a place of a term.
     #[must_use]
     pub fn residuals(&self, design: &Design<M>) -> Option<Vec<f64>> {
         self.rows(&design.values, design.assembly)
     }
 
-    /// The partial derivatives of all [`residuals`](Self::residuals), row by row, by the numbers that are sought, in the order of
-    /// [`variables`](Self::variables): exact but for rounding. A term whose margin is kept has the derivative zero.
+    /// The partial derivatives of all [`residuals`](Self::residuals), row by row, by the numbers that are sought, in
+    /// the order of [`variables`](Self::variables): exact but for rounding. A term whose margin is kept has the
+    /// derivative zero.
     #[must_use]
     pub fn jacobian(&self, design: &Design<M>) -> Option<Vec<f64>> {
         let sought = self.sought_with_inputs(&design.values);
@@ -394,11 +397,12 @@ impl<M: Mechanism<Scalar = f64>> Objective<M> {
         self.derivatives(&design.values, design.assembly, &places)
     }
 
-    /// What an evolution strategy minimises: half of the sum of squares, up to a limit that belongs to errors of ten times the spread of
-    /// the targets. Where the inputs of the targets are sought, the design takes the best ones in order.
+    /// What an evolution strategy minimises: half of the sum of squares, up to a limit that belongs to errors of ten
+    /// times the spread of the targets. Where the inputs of the targets are sought, the design takes the best ones in
+    /// order.
     ///
-    /// A larger sum is bent down to less than twice the limit, without a change of the order. A design that does not close has more
-    /// than twice the limit, and the more the less of the motion closes.
+    /// A larger sum is bent down to less than twice the limit, without a change of the order. A design that does not
+    /// close has more than twice the limit, and the more the less of the motion closes.
     pub fn penalised_cost(&self, design: &mut Design<M>) -> f64 {
         let weights: f64 = self.weights.iter().map(|weight| weight * weight).sum();
         let limit = weights * (OPEN * self.spread()).powi(2);

@@ -28,8 +28,8 @@ pub(crate) fn grashof<S: Number>(form: &BlockForm<S>, input: &str) -> Option<S> 
     (driver == input).then(|| one + other - shortest - longest)
 }
 
-/// The margin by which the driver turns fully: its pin passes all distances from the other pivot between the difference and the sum of
-/// ground and crank, which the other two links must reach.
+/// The margin by which the driver turns fully: its pin passes all distances from the other pivot between the difference
+/// and the sum of ground and crank, which the other two links must reach.
 pub(crate) fn driver_turns<S: Number>(form: &BlockForm<S>, input: &str) -> Option<S> {
     match *form {
         BlockForm::FourBar {

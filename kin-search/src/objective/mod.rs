@@ -1,8 +1,9 @@
 //! Path, function and motion generation as sums of squares, over any mechanism with closed forms.
 //!
-//! An [`Objective`] holds targets for a point, for a point with an angle, or for one quantity. It also says which numbers are sought, and
-//! between which bounds: dimensions, the placement of the mechanism in the plane, the input of each target, offsets and scales. Its errors
-//! are differentiated by numbers that carry a derivative, so the partial derivatives are exact but for rounding.
+//! An [`Objective`] holds targets for a point, for a point with an angle, or for one quantity. It also says which
+//! numbers are sought, and between which bounds: dimensions, the placement of the mechanism in the plane, the input of
+//! each target, offsets and scales. Its errors are differentiated by numbers that carry a derivative, so the partial
+//! derivatives are exact but for rounding.
 //!
 //! ```
 //! use kin_core::prelude::*;
@@ -55,7 +56,8 @@ use kin_core::{Dimension, Mechanism};
 
 pub(crate) use quantity::Traced;
 
-/// The numbers of a design that are no dimensions, in their order after the parameters. Their names are not those of parameters.
+/// The numbers of a design that are no dimensions, in their order after the parameters. Their names are not those of
+/// parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(usize)]
 pub(crate) enum Part {
@@ -165,8 +167,9 @@ impl<M: Mechanism<Scalar = f64>> Objective<M> {
         })
     }
 
-    /// Path generation: a point of the plane, an output by its name, is to pass the targets in their order. The input of each target is
-    /// sought over a full turn, unless [`prescribed`](Self::prescribed) gives it or [`within`](Self::within) a range.
+    /// Path generation: a point of the plane, an output by its name, is to pass the targets in their order. The input
+    /// of each target is sought over a full turn, unless [`prescribed`](Self::prescribed) gives it or
+    /// [`within`](Self::within) a range.
     ///
     /// # Errors
     /// [`ObjectiveError`], if there is no such point, no target, or a block without closed form.
@@ -176,8 +179,9 @@ impl<M: Mechanism<Scalar = f64>> Objective<M> {
         Self::new(Goal::Path, traced, targets, Self::turn())
     }
 
-    /// Motion generation: a body, by a point on it and an angle that turns with it, is to pass the targets x, y and angle (rad) in their
-    /// order. An error of one radian counts as much as one of the length `radian`. Inputs as for [`path`](Self::path).
+    /// Motion generation: a body, by a point on it and an angle that turns with it, is to pass the targets x, y and
+    /// angle (rad) in their order. An error of one radian counts as much as one of the length `radian`. Inputs as for
+    /// [`path`](Self::path).
     ///
     /// # Errors
     /// As for [`path`](Self::path), and if the quantity `angle` is none.
@@ -202,9 +206,10 @@ impl<M: Mechanism<Scalar = f64>> Objective<M> {
         Ok(Self { radian, ..objective })
     }
 
-    /// Function generation: an unknown or a scalar output is to be a function of the input, given by pairs. A pair is an input and the value
-    /// there, or numbers from which [`phase`](Self::phase), [`pace`](Self::pace), [`offset`](Self::offset) and [`scale`](Self::scale) make
-    /// them: `value = offset + scale * y` at `input = phase + pace * x`. Angles are compared up to whole turns.
+    /// Function generation: an unknown or a scalar output is to be a function of the input, given by pairs. A pair is
+    /// an input and the value there, or numbers from which [`phase`](Self::phase), [`pace`](Self::pace),
+    /// [`offset`](Self::offset) and [`scale`](Self::scale) make them: `value = offset + scale * y` at
+    /// `input = phase + pace * x`. Angles are compared up to whole turns.
     ///
     /// # Errors
     /// [`ObjectiveError`], if there is no such quantity, no pair, or a block without closed form.
@@ -277,8 +282,9 @@ impl<M: Mechanism<Scalar = f64>> Objective<M> {
         Ok(self)
     }
 
-    /// Where the mechanism stands in the plane of the targets: the place of the origin of its own frame, and the angle (rad) by which that
-    /// frame is turned. Each is a number, or bounds between which it is sought. Without this call the two frames are the same.
+    /// Where the mechanism stands in the plane of the targets: the place of the origin of its own frame, and the angle
+    /// (rad) by which that frame is turned. Each is a number, or bounds between which it is sought. Without this call
+    /// the two frames are the same.
     ///
     /// # Errors
     /// [`ObjectiveError::NoSuchPart`] for a function, or bounds that are not in order.

@@ -22,7 +22,8 @@ pub(crate) struct Assigned {
 }
 
 impl<M: Mechanism<Scalar = f64>> Objective<M> {
-    /// The best inputs in order among samples of the motion, by dynamic programming. Between the samples the motion counts as straight.
+    /// The best inputs in order among samples of the motion, by dynamic programming. Between the samples the motion
+    /// counts as straight.
     ///
     /// The share of samples at which the mechanism does not close is returned if it passes no sequence of the targets.
     pub(crate) fn assign(&self, mechanism: &M, assembly: M::Assembly, values: &[f64]) -> Result<Assigned, f64> {
@@ -110,8 +111,8 @@ fn wrapped(sample: isize, count: usize) -> usize {
     sample.rem_euclid(count.cast_signed()).cast_unsigned()
 }
 
-/// The sequences of closed samples along which the targets may follow each other, and whether a sequence is a full turn. On a full turn the
-/// first target is met at the first sample.
+/// The sequences of closed samples along which the targets may follow each other, and whether a sequence is a full
+/// turn. On a full turn the first target is met at the first sample.
 fn sequences(is_closed: &[bool], is_turn: bool, sense: Sense, first: &[Near]) -> Vec<(Vec<isize>, bool)> {
     let count = is_closed.len().cast_signed();
     let closed = |sample: isize| is_closed[wrapped(sample, is_closed.len())];

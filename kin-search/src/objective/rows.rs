@@ -1,5 +1,5 @@
-//! The rows of the sum of squares, in any number: in plain numbers they are the errors, in numbers that carry a derivative also its
-//! derivatives.
+//! The rows of the sum of squares, in any number: in plain numbers they are the errors, in numbers that carry a
+//! derivative also its derivatives.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -278,7 +278,8 @@ impl<M: Mechanism<Scalar = f64>> Objective<M> {
         rows.iter().all(|row| row.is_finite()).then_some(rows)
     }
 
-    /// The derivatives of all rows by the values at the given places, row by row; none if the mechanism does not close somewhere.
+    /// The derivatives of all rows by the values at the given places, row by row; none if the mechanism does not close
+    /// somewhere.
     pub(crate) fn derivatives(&self, values: &[f64], assembly: M::Assembly, by: &[usize]) -> Option<Vec<f64>> {
         let columns = by.len();
         let mut derivatives = vec![0.0; self.row_count() * columns];
@@ -306,8 +307,8 @@ impl<M: Mechanism<Scalar = f64>> Objective<M> {
                     self.target_rows(&own, assembly, &seeded, target, &mut emit).ok()?;
                 }
             }
-            // On a full turn terms do not depend on the inputs of targets, and otherwise on the first and the last. Their derivatives
-            // are zero already.
+            // On a full turn terms do not depend on the inputs of targets, and otherwise on the first and the last.
+            // Their derivatives are zero already.
             let moves_terms =
                 place < times || self.travel == Travel::Targets && (place == times || place + 1 == times + targets);
             if !self.terms.is_empty() && moves_terms {

@@ -2,8 +2,8 @@
 
 /// A term beside the targets. Each adds rows to the sum of squares.
 ///
-/// A weight is in the unit of the targets' errors over the unit of the term: with the weight 0.1 a deficit of 10 counts as much as an
-/// error of 1.
+/// A weight is in the unit of the targets' errors over the unit of the term: with the weight 0.1 a deficit of 10 counts
+/// as much as an error of 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Term {
@@ -12,7 +12,8 @@ pub enum Term {
         /// The weight.
         weight: f64,
     },
-    /// The box around all joints, along the axes of the mechanism's own frame: how far its width and height exceed these.
+    /// The box around all joints, along the axes of the mechanism's own frame: how far its width and height exceed
+    /// these.
     Box {
         /// The width that is free of charge.
         width: f64,
@@ -21,25 +22,27 @@ pub enum Term {
         /// The weight.
         weight: f64,
     },
-    /// Grashof's margin of each four-bar: both middle links less the shortest and the longest one. Its deficit from `aim` counts; a result
-    /// in which it is not positive is dropped. (F. Grashof, *Theoretische Maschinenlehre* 2, 1883.)
+    /// Grashof's margin of each four-bar: both middle links less the shortest and the longest one. Its deficit from
+    /// `aim` counts; a result in which it is not positive is dropped. (F. Grashof, *Theoretische Maschinenlehre* 2,
+    /// 1883.)
     Grashof {
         /// The margin that is wanted.
         aim: f64,
         /// The weight.
         weight: f64,
     },
-    /// The margin by which the driver of each four-bar, slider-crank and inverted slider-crank turns fully: how much shorter one of its
-    /// links could be before the driver no longer turns. Its deficit from `aim` counts; a result in which it is not positive is dropped.
+    /// The margin by which the driver of each four-bar, slider-crank and inverted slider-crank turns fully: how much
+    /// shorter one of its links could be before the driver no longer turns. Its deficit from `aim` counts; a result in
+    /// which it is not positive is dropped.
     DriverTurns {
         /// The margin that is wanted.
         aim: f64,
         /// The weight.
         weight: f64,
     },
-    /// The transmission angle of the worst dyad, folded to at most a right angle, at 24 places of the travel. Its deficit from `aim` counts.
-    /// A result whose smallest angle over the exact travel lies below `floor` is dropped. An aim a little above the floor lets the result
-    /// keep to it.
+    /// The transmission angle of the worst dyad, folded to at most a right angle, at 24 places of the travel. Its
+    /// deficit from `aim` counts. A result whose smallest angle over the exact travel lies below `floor` is dropped. An
+    /// aim a little above the floor lets the result keep to it.
     Transmission {
         /// The angle that is wanted, rad.
         aim: f64,

@@ -40,8 +40,8 @@ pub struct Dwell {
 const COARSE: usize = 144;
 const FINE: usize = 3600;
 
-/// The four-bar linkage that carries the coupler point, from the numbers that are searched: r1, r3 and r4 by their logarithms,
-/// and the coupler point.
+/// The four-bar linkage that carries the coupler point, from the numbers that are searched: r1, r3 and r4 by their
+/// logarithms, and the coupler point.
 fn four_bar(numbers: &[f64]) -> TracedFourBar {
     TracedFourBar {
         r1: numbers[0].exp(),
@@ -173,11 +173,12 @@ fn ranges() -> [[f64; 2]; 8] {
     ]
 }
 
-/// The construction of the textbooks: a symmetrical coupler curve, the circle through three of its points, and a link from its
-/// centre. The best one over all proportions of the four-bar linkage, places of the coupler point, starts and links 6.
+/// The construction of the textbooks: a symmetrical coupler curve, the circle through three of its points, and a link
+/// from its centre. The best one over all proportions of the four-bar linkage, places of the coupler point, starts and
+/// links 6.
 ///
-/// A coupler curve is symmetrical if coupler, rocker and the distance of the coupler point from their joint are equal (R. L.
-/// Norton, Design of Machinery, McGraw-Hill, section 3.6).
+/// A coupler curve is symmetrical if coupler, rocker and the distance of the coupler point from their joint are equal
+/// (R. L. Norton, Design of Machinery, McGraw-Hill, section 3.6).
 #[must_use]
 pub fn constructed(effort: Effort) -> Option<Dwell> {
     let [size, _, _, _, _, angle, link, _] = ranges();
@@ -191,8 +192,8 @@ pub fn constructed(effort: Effort) -> Option<Dwell> {
     best_of(&bounds, effort, of)
 }
 
-/// The best linkage whose end of link 5 rests at the centre of the circle through three places of the coupler point, polished
-/// over all of its dimensions.
+/// The best linkage whose end of link 5 rests at the centre of the circle through three places of the coupler point,
+/// polished over all of its dimensions.
 #[must_use]
 pub fn best(effort: Effort) -> Option<Dwell> {
     let bounds = Bounds::new(&ranges());

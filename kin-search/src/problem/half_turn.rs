@@ -56,8 +56,8 @@ pub fn turn(steps: usize, start: f64, sample: impl Fn(f64) -> Option<Sample>) ->
 }
 
 impl Stroke {
-    /// The stroke that starts at the first sample of a turn and ends a number of steps later. The turn is closed: it goes on
-    /// with the first sample after the last one.
+    /// The stroke that starts at the first sample of a turn and ends a number of steps later. The turn is closed: it
+    /// goes on with the first sample after the last one.
     ///
     /// `None` if the ends coincide.
     #[must_use]

@@ -117,8 +117,8 @@ impl Generator {
 
     /// The generator without an error at five values of x, from one nearby, by Newton's method.
     ///
-    /// This is the synthesis for five precision points of F. Freudenstein, "Approximate synthesis of four-bar linkages",
-    /// Transactions of the ASME 77, 1955, with the start angles of both cranks free.
+    /// This is the synthesis for five precision points of F. Freudenstein, "Approximate synthesis of four-bar
+    /// linkages", Transactions of the ASME 77, 1955, with the start angles of both cranks free.
     #[must_use]
     pub fn exact_at(self, points: [f64; 5]) -> Option<Self> {
         let wanted = points.map(|x| (x, 0.0));
@@ -253,7 +253,8 @@ pub fn chebyshev<const N: usize>() -> [f64; N] {
     std::array::from_fn(|index| 1.5 - 0.5 * (PI * number(2 * index + 1) / number(2 * N)).cos())
 }
 
-/// The generators without an error at three given values of x, for given start angles: Freudenstein's three linear equations.
+/// The generators without an error at three given values of x, for given start angles: Freudenstein's three linear
+/// equations.
 #[must_use]
 pub fn three_points(points: [f64; 3], crank: f64, follower: f64, direction: f64) -> Vec<Generator> {
     let rows = points.map(|x| {
@@ -337,8 +338,8 @@ pub fn best_of_three_points(transmission: f64, effort: Effort) -> Option<Generat
     found.map(|(_, generator)| generator)
 }
 
-/// The generator with the smallest largest error, over all dimensions and start angles, with at least a given transmission
-/// angle.
+/// The generator with the smallest largest error, over all dimensions and start angles, with at least a given
+/// transmission angle.
 #[must_use]
 pub fn best(transmission: f64, effort: Effort) -> Option<Generator> {
     let size = [LINKS[0].ln(), LINKS[1].ln()];

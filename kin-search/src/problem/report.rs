@@ -359,7 +359,8 @@ fn path(case: &PathCase, effort: Effort) -> String {
         let linkage = &found.linkage;
         let _ = writeln!(
             text,
-            "  found    {:.6e}: r1 {:.5}, r2 {:.5}, r3 {:.5}, r4 {:.5}, tracer ({:.5}, {:.5}), turn {:.4}°, pivot ({:.5}, {:.5}), {}",
+            "  found    {:.6e}: r1 {:.5}, r2 {:.5}, r3 {:.5}, r4 {:.5}, tracer ({:.5}, {:.5}), turn {:.4}°, pivot \
+             ({:.5}, {:.5}), {}",
             found.error,
             linkage.r1,
             linkage.r2,

@@ -62,8 +62,8 @@ impl Bounds {
     }
 }
 
-/// A point of the unit cube for each index, spread evenly: the additive recurrence with the powers of the generalised golden
-/// ratio (M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018).
+/// A point of the unit cube for each index, spread evenly: the additive recurrence with the powers of the generalised
+/// golden ratio (M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018).
 #[must_use]
 pub fn spread(index: u64, dimensions: usize) -> Vec<f64> {
     let mut ratio = 2.0_f64;
@@ -114,12 +114,12 @@ impl<C> Constraints for Cube<'_, C> {
     }
 }
 
-/// The smallest cost between bounds, by the covariance matrix adaptation evolution strategy (N. Hansen, "The CMA evolution
-/// strategy: a tutorial", arXiv 1604.00772).
+/// The smallest cost between bounds, by the covariance matrix adaptation evolution strategy (N. Hansen, "The CMA
+/// evolution strategy: a tutorial", arXiv 1604.00772).
 ///
-/// Each start is the best of many points that are spread evenly; a second run from its result, with a small step, sharpens
-/// it. The starts run in parallel; the best cost wins, and of equal costs the earliest start, so the result depends on the
-/// effort alone.
+/// Each start is the best of many points that are spread evenly; a second run from its result, with a small step,
+/// sharpens it. The starts run in parallel; the best cost wins, and of equal costs the earliest start, so the result
+/// depends on the effort alone.
 pub fn smallest<C: Fn(&[f64]) -> f64 + Sync>(bounds: &Bounds, effort: Effort, cost: C) -> Found {
     let one = |start: u64| {
         let dimensions = bounds.len();
@@ -211,7 +211,8 @@ impl<R> Constraints for Squares<'_, R> {
     }
 }
 
-/// The smallest sum of squares between bounds, by the Levenberg-Marquardt method from many starts that are spread evenly.
+/// The smallest sum of squares between bounds, by the Levenberg-Marquardt method from many starts that are spread
+/// evenly.
 ///
 /// `accept` says which results count, for instance those whose crank makes full turns.
 pub fn least_squares(

@@ -138,11 +138,11 @@ pub(super) fn linkage(numbers: &[f64]) -> (TracedFourBar, f64) {
 /// What a limit that is broken costs, for each unit by which it is broken.
 const PRICE: f64 = 1e3;
 
-/// The straightest half turn of any four-bar linkage whose crank makes full turns, with a speed that is at least as even as
-/// wanted, in both assemblies.
+/// The straightest half turn of any four-bar linkage whose crank makes full turns, with a speed that is at least as
+/// even as wanted, in both assemblies.
 ///
-/// Each link, and the tracer's distance from both joints of the coupler, lie within [`LINKS`]; the transmission angle stays above
-/// [`TRANSMISSION`] during the stroke.
+/// Each link, and the tracer's distance from both joints of the coupler, lie within [`LINKS`]; the transmission angle
+/// stays above [`TRANSMISSION`] during the stroke.
 #[must_use]
 pub fn straightest(unevenness: f64, effort: Effort) -> Option<StraightLine> {
     let size = [0.1_f64.ln(), 30.0_f64.ln()];

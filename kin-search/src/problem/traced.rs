@@ -5,9 +5,9 @@ use kin_core::prelude::*;
 mechanism! {
     /// A four-bar linkage with a tracer on its coupler, turned and moved to any place of the plane.
     ///
-    /// The crank's angle is measured from the ground link. These are the nine dimensions of the papers on path generation:
-    /// r1, r2, r3, r4, the tracer's coordinates `r_cx` and `r_cy` along and beside the coupler, the angle θ0 of the ground
-    /// link, and the place (x0, y0) of the crank's pivot.
+    /// The crank's angle is measured from the ground link. These are the nine dimensions of the papers on path
+    /// generation: r1, r2, r3, r4, the tracer's coordinates `r_cx` and `r_cy` along and beside the coupler, the angle
+    /// θ0 of the ground link, and the place (x0, y0) of the crank's pivot.
     ///
     /// ```
     /// use kin_core::prelude::*;
@@ -60,7 +60,8 @@ impl TracedFourBar {
     /// The number of its dimensions.
     pub const DIMENSIONS: usize = 9;
 
-    /// From r1, r2, r3, r4, the tracer's coordinates, the angle of the ground link and the coordinates of the crank's pivot.
+    /// From r1, r2, r3, r4, the tracer's coordinates, the angle of the ground link and the coordinates of the crank's
+    /// pivot.
     #[must_use]
     pub fn from_numbers(numbers: &[f64; Self::DIMENSIONS]) -> Self {
         let [r1, r2, r3, r4, along, beside, turn, x, y] = *numbers;
@@ -87,7 +88,8 @@ impl TracedFourBar {
         far.max(near) / longest
     }
 
-    /// The smallest transmission angle over a full turn of the crank, at most a right angle; zero if the crank makes none.
+    /// The smallest transmission angle over a full turn of the crank, at most a right angle; zero if the crank makes
+    /// none.
     #[must_use]
     pub fn worst_transmission(&self) -> f64 {
         if self.shortfall() > 0.0 {

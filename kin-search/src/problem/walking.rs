@@ -135,7 +135,8 @@ pub fn better_jansen(within: f64, effort: Effort) -> Option<(JansenLeg, Leg)> {
     better(&JansenLeg::HOLY_NUMBERS, within, effort)
 }
 
-/// Klann's leg with the flattest step among dimensions within a share of those of his patent, and no worse in any other measure.
+/// Klann's leg with the flattest step among dimensions within a share of those of his patent, and no worse in any other
+/// measure.
 #[must_use]
 pub fn better_klann(within: f64, effort: Effort) -> Option<(KlannLeg, Leg)> {
     better(&KlannLeg::PATENT, within, effort)

@@ -56,7 +56,8 @@ const ALL: [Measured; 7] = [
     Measured::Candidates,
 ];
 
-/// Seconds of this process's processor, or of the clock where the system does not tell them. Other programs on the machine do not count.
+/// Seconds of this process's processor, or of the clock where the system does not tell them. Other programs on the
+/// machine do not count.
 fn processor() -> impl Fn() -> f64 {
     let (start, before) = (Instant::now(), seconds("self"));
     move || match seconds("self").zip(before) {
@@ -117,7 +118,8 @@ pub(crate) async fn run(arguments: &BenchArguments, functions: &Functions) -> Re
     ] = times.map(median);
 
     println!(
-        "one core, {:?} vectors, {ids} turns of {ANGLES} poses, {poses} single poses, medians of {rounds} by processor time",
+        "one core, {:?} vectors, {ids} turns of {ANGLES} poses, {poses} single poses, medians of {rounds} by processor \
+         time",
         Vectors::widest()
     );
     let line = |name: &str, count: u32, poses: f64, time: f64, raw: f64| {
@@ -176,9 +178,10 @@ async fn on_executors(ids: u32, functions: &Functions) -> Result<(), Fault> {
     let cores = cost.ranges / cost.scheduler * range / cost.rate;
     println!(
         "\n10^12 candidates, each with a turn of {ANGLES} poses, from the last line:\n\
-         {hours:.0} hours of one core, or {:.1} hours of one machine with {CORES} cores, or one hour of {:.0} such machines\n\
-         {:.0} ranges, {:.1} GB over the wire, {:.1} hours of the scheduler\n\
-         the scheduler keeps {cores:.0} cores at work with ranges of {range:.0} ids, and {:.0} with ranges a hundred times as long",
+         {hours:.0} hours of one core, or {:.1} hours of one machine with {CORES} cores, or one hour of {:.0} such \
+         machines\n{:.0} ranges, {:.1} GB over the wire, {:.1} hours of the scheduler\n\
+         the scheduler keeps {cores:.0} cores at work with ranges of {range:.0} ids, and {:.0} with ranges a hundred \
+         times as long",
         hours / CORES,
         (hours / CORES).ceil(),
         CANDIDATES / range,
@@ -221,8 +224,8 @@ fn of_turns(wanted: &str, ids: u32) -> String {
 /// The least of the snaps of single poses.
 fn single_poses(ids: u32) -> String {
     format!(
-        "select min(pose['theta4_snap']) as snap from (select four_bar(1, {}, {}, {}, candidate(value, 4, 4, 0, 6.2), 1, 0, 0, 0) as pose \
-         from range(0, {ids}))",
+        "select min(pose['theta4_snap']) as snap from (select four_bar(1, {}, {}, {}, candidate(value, 4, 4, 0, 6.2), \
+         1, 0, 0, 0) as pose from range(0, {ids}))",
         dimension(0),
         dimension(1),
         dimension(2)

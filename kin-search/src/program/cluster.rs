@@ -83,10 +83,12 @@ pub(crate) struct ClusterArguments {
     #[arg(long, value_name = "FOLDER", requires = "cluster")]
     parts: Option<PathBuf>,
     /// How many ids a range has
-    #[arg(long, value_name = "IDS", requires = "cluster", value_parser = clap::value_parser!(u64).range(1..), default_value_t = Client::RANGE)]
+    #[arg(long, value_name = "IDS", requires = "cluster", default_value_t = Client::RANGE)]
+    #[arg(value_parser = clap::value_parser!(u64).range(1..))]
     range: u64,
     /// Into how many tasks a range is divided
-    #[arg(long, requires = "cluster", value_parser = clap::value_parser!(u16).range(1..), default_value_t = Client::TASKS)]
+    #[arg(long, requires = "cluster", default_value_t = Client::TASKS)]
+    #[arg(value_parser = clap::value_parser!(u16).range(1..))]
     tasks: u16,
 }
 

@@ -1,7 +1,8 @@
 //! The mechanisms that are refined, and that have pages.
 
-/// Calls something with the type of the mechanism that has this name, such as `four_bar`: `of_mechanism!(name, |M| pages::<M>(rows))`.
-/// The result is a [`Fault`](super::fault::Fault) that lists all names if there is none.
+/// Calls something with the type of the mechanism that has this name, such as `four_bar`:
+/// `of_mechanism!(name, |M| pages::<M>(rows))`. The result is a [`Fault`](super::fault::Fault) that lists all names if
+/// there is none.
 macro_rules! of_mechanism {
     ($name:expr, |$M:ident| $call:expr) => {
         of_mechanism! {

@@ -16,8 +16,8 @@ use kin_search::say;
 /// What `query` takes for pages.
 #[derive(Debug, clap::Args)]
 pub(crate) struct PagesArguments {
-    /// Write a page for each row of the last statement into this folder. Its column `mechanism` names the mechanism, and
-    /// each dimension has a column
+    /// Write a page for each row of the last statement into this folder. Its column `mechanism` names the mechanism,
+    /// and each dimension has a column
     #[arg(long, value_name = "FOLDER")]
     pages: Option<PathBuf>,
     /// Open the first page in a browser

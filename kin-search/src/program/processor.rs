@@ -2,7 +2,8 @@
 
 use std::fs;
 
-/// The processor time of a process in seconds, its own being `self`: fields 14 and 15 of `stat`, in hundredths of a second.
+/// The processor time of a process in seconds, its own being `self`: fields 14 and 15 of `stat`, in hundredths of a
+/// second.
 pub(crate) fn seconds(process: &str) -> Option<f64> {
     let stat = fs::read_to_string(format!("/proc/{process}/stat")).ok()?;
     // The second field is a name in parentheses, which may hold spaces.

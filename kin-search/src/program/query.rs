@@ -142,7 +142,8 @@ async fn answer(
     Ok(())
 }
 
-/// Does what is left of a statement in this process. The rows of the last one go to the file and the pages that are wanted.
+/// Does what is left of a statement in this process. The rows of the last one go to the file and the pages that are
+/// wanted.
 async fn finish(
     session: &SessionContext,
     drafts: &Drafts,

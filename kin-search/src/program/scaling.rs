@@ -94,7 +94,8 @@ impl ScalingArguments {
             if let (Some(rate), Some(scheduler), Some(bytes)) = (share, of_scheduler, bytes) {
                 let ranges = f64::from(u32::try_from(ranges).unwrap_or(u32::MAX));
                 println!(
-                    "                      {ranges} ranges, each with {:.0} ms of the scheduler and {:.0} kB over the wire",
+                    "                      {ranges} ranges, each with {:.0} ms of the scheduler and {:.0} kB over the \
+                     wire",
                     1e3 * scheduler / ranges,
                     1e-3 * bytes / ranges
                 );

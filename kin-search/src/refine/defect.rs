@@ -3,7 +3,8 @@
 use std::error::Error;
 use std::fmt;
 
-/// The reason for which a result is dropped, with its numbers. Targets are counted from zero, inputs are in radians or lengths.
+/// The reason for which a result is dropped, with its numbers. Targets are counted from zero, inputs are in radians or
+/// lengths.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Defect {
@@ -128,7 +129,8 @@ impl fmt::Display for Defect {
                 inputs: [before, input],
             } => write!(
                 formatter,
-                "target {target} is not passed in order: it is met at the input {input:.6}, the one before at {before:.6}"
+                "target {target} is not passed in order: it is met at the input {input:.6}, the one before at \
+                 {before:.6}"
             ),
             Self::Closure { input } => write!(formatter, "the mechanism does not close at the input {input:.6}"),
             Self::Margin { term, margin } => write!(formatter, "the margin of {term} is {margin:.6}"),

@@ -32,8 +32,8 @@ pub struct Range {
     pub high: Least,
 }
 
-/// The figures of a result: limits of its branch, and extremes over its travel, which are the zeros of derivatives and not the best of
-/// samples.
+/// The figures of a result: limits of its branch, and extremes over its travel, which are the zeros of derivatives and
+/// not the best of samples.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figures {
     /// The index of its circuit in the cycle.
@@ -46,12 +46,13 @@ pub struct Figures {
     pub limits: [f64; 2],
     /// Where its travel begins and ends, in the order in which it passes its targets.
     pub travel: [f64; 2],
-    /// The smallest transmission angle of all dyads over the travel, folded to at most a right angle (rad); `None` without dyads.
+    /// The smallest transmission angle of all dyads over the travel, folded to at most a right angle (rad); `None`
+    /// without dyads.
     pub transmission: Option<Least>,
     /// How far each traced quantity goes over the travel.
     pub strokes: Vec<Range>,
-    /// The largest velocity, acceleration, jerk and snap over the travel, at the speed 1 of the input: of a point their lengths. Empty if the
-    /// travel is a single place.
+    /// The largest velocity, acceleration, jerk and snap over the travel, at the speed 1 of the input: of a point their
+    /// lengths. Empty if the travel is a single place.
     pub peaks: Vec<(String, Least)>,
 }
 

@@ -266,9 +266,10 @@ impl Job {
         }
     }
 
-    /// Candidates from the `best` first rows of a table, as a query writes it: comma-separated values with a line of names. It has a column for each parameter, in
-    /// which a dot may be written `_`. Columns `id`, `assembly`, `placed_x`, `placed_y`, `placed_turn` and `input_phase` are read too, and others are left aside.
-    /// Without an assembly, every one of the mechanism is a candidate of its own.
+    /// Candidates from the `best` first rows of a table, as a query writes it: comma-separated values with a line of
+    /// names. It has a column for each parameter, in which a dot may be written `_`. Columns `id`, `assembly`,
+    /// `placed_x`, `placed_y`, `placed_turn` and `input_phase` are read too, and others are left aside. Without an
+    /// assembly, every one of the mechanism is a candidate of its own.
     ///
     /// # Errors
     /// [`JobError::Candidate`].

@@ -8,7 +8,8 @@ use kin_core::Mechanism;
 use super::scaled::Scaled;
 use crate::objective::{Design, Objective};
 
-/// A row where the mechanism does not close: larger than any error, so that the step is refused, with a square that is finite.
+/// A row where the mechanism does not close: larger than any error, so that the step is refused, with a square that is
+/// finite.
 const OPEN: f64 = 1e100;
 /// The relative change of the sum of squares below which the second method takes over from the first.
 const NEARLY_SETTLED: f64 = 1e-9;
@@ -67,7 +68,8 @@ pub(crate) fn polish<M: Mechanism<Scalar = f64>>(
         return (start.clone(), 0);
     }
     let problem = Scaled::new(objective, start, objective.sought_with_inputs(&start.values));
-    // Normal equations come first, which are fast. The singular values of the second method then lose no digits to their squares.
+    // Normal equations come first, which are fast. The singular values of the second method then lose no digits to
+    // their squares.
     let first = BoundedLevenbergMarquardt::new()
         .with_absolute_scaled_gradient_tolerance(None)
         .with_relative_cost_change_tolerance(NEARLY_SETTLED);

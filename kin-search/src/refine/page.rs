@@ -66,8 +66,8 @@ impl<M: Mechanism<Scalar = f64>> Refined<M> {
             )
         };
         let mut text = format!(
-            "Candidate {}, refined to {} targets. Error (root of the mean square): {} at the start, {} after the evolution strategy, {} \
-             after the least squares; {:.6e} at most, at target {}.",
+            "Candidate {}, refined to {} targets. Error (root of the mean square): {} at the start, {} after the \
+             evolution strategy, {} after the least squares; {:.6e} at most, at target {}.",
             self.id,
             objective.target_count(),
             error(self.start),
@@ -99,8 +99,8 @@ impl<M: Mechanism<Scalar = f64>> Refined<M> {
         text
     }
 
-    /// The report of kin-studio about the result, in its assembly, over its travel or the full turn. The caller may add units, a title and a
-    /// declaration.
+    /// The report of kin-studio about the result, in its assembly, over its travel or the full turn. The caller may add
+    /// units, a title and a declaration.
     pub fn report(&self, objective: &Objective<M>) -> Draft<'static, M> {
         let description = M::DESCRIPTION;
         let mechanism = self.design.mechanism();
@@ -121,8 +121,8 @@ impl<M: Mechanism<Scalar = f64>> Refined<M> {
 }
 
 impl<M: Mechanism<Scalar = f64>> Refinement<M> {
-    /// Writes a page for each result into a folder, which is made if need be, and returns their paths. The files are called after the
-    /// mechanism, the place of the result and the number of its candidate.
+    /// Writes a page for each result into a folder, which is made if need be, and returns their paths. The files are
+    /// called after the mechanism, the place of the result and the number of its candidate.
     ///
     /// # Errors
     /// [`PageError`].
@@ -134,8 +134,8 @@ impl<M: Mechanism<Scalar = f64>> Refinement<M> {
 
 /// Writes a page for each row of a table into a folder, which is made if need be, and returns their paths.
 ///
-/// The table is one that a query writes, as for [`Job::candidates`](super::Job::candidates). What its other columns say stands on the
-/// page. The input moves as far as the mechanism closes.
+/// The table is one that a query writes, as for [`Job::candidates`](super::Job::candidates). What its other columns say
+/// stands on the page. The input moves as far as the mechanism closes.
 ///
 /// # Errors
 /// [`PageError`].
@@ -166,7 +166,8 @@ pub fn write_pages_of<M: Mechanism<Scalar = f64>>(
     write(reports, folder.as_ref())
 }
 
-/// Writes reports, each with the number of its candidate. The files are called after the mechanism, the place of the report and this number.
+/// Writes reports, each with the number of its candidate. The files are called after the mechanism, the place of the
+/// report and this number.
 fn write<M: Mechanism<Scalar = f64>>(
     reports: impl Iterator<Item = (u64, Draft<'static, M>)>,
     folder: &Path,

@@ -36,8 +36,8 @@ pub(super) fn candidates<M: Mechanism<Scalar = f64>>(table: &str, best: usize) -
     Ok(read.into_iter().map(|(candidate, _)| candidate).collect())
 }
 
-/// The candidates of the first rows of a table, each with what the other columns of its line say. A row without an assembly is a
-/// candidate in each. Rows without an id count from 0.
+/// The candidates of the first rows of a table, each with what the other columns of its line say. A row without an
+/// assembly is a candidate in each. Rows without an id count from 0.
 pub(super) fn read<M: Mechanism<Scalar = f64>>(
     table: &str,
     best: usize,
@@ -121,8 +121,9 @@ pub(super) fn read<M: Mechanism<Scalar = f64>>(
 }
 
 impl<M: Mechanism<Scalar = f64>> Refinement<M> {
-    /// All results as comma-separated values, those that were dropped with their defect. Errors are roots of mean squares, the largest error
-    /// is that of one target, and the transmission angle is the smallest one over the travel, in degrees.
+    /// All results as comma-separated values, those that were dropped with their defect. Errors are roots of mean
+    /// squares, the largest error is that of one target, and the transmission angle is the smallest one over the
+    /// travel, in degrees.
     #[must_use]
     pub fn table(&self) -> String {
         let mut table = "id,defect,start,evolved,polished,largest,transmission".to_owned();

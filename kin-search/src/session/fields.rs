@@ -15,8 +15,8 @@ use crate::function::{TurnFunction, used};
 
 /// Tells each call of a function such as `four_bar_turn` which of its fields are used.
 ///
-/// A column is known by its name alone, without its table. Two columns of one name share their uses, so that a field too many is
-/// calculated, and none too few.
+/// A column is known by its name alone, without its table. Two columns of one name share their uses, so that a field
+/// too many is calculated, and none too few.
 #[derive(Debug)]
 pub(super) struct OnlyUsedFields;
 
@@ -46,7 +46,8 @@ impl OptimizerRule for OnlyUsedFields {
     }
 }
 
-/// The fields that a query uses of each column, by the name of the column. A column that is used as a whole is not here.
+/// The fields that a query uses of each column, by the name of the column. A column that is used as a whole is not
+/// here.
 struct Uses(HashMap<String, BTreeSet<String>>);
 
 impl Uses {

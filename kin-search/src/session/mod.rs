@@ -80,7 +80,8 @@ pub fn state(functions: &Functions, config: SessionConfig, options: &Options) ->
 /// # #[tokio::main(flavor = "current_thread")]
 /// # async fn main() -> datafusion::error::Result<()> {
 /// let session = session(&Functions::library(), &Options::default())?;
-/// let rows = session.sql("select four_bar(90, 30, 60, 45, 1.134, -10)['theta4_velocity'] as v").await?.collect().await?;
+/// let query = "select four_bar(90, 30, 60, 45, 1.134, -10)['theta4_velocity'] as v";
+/// let rows = session.sql(query).await?.collect().await?;
 /// assert_eq!(rows[0].num_rows(), 1);
 /// # Ok(())
 /// # }
@@ -137,7 +138,8 @@ mod tests {
             ),
             format!("select distinct turn from (select {TURN} as turn from {range})"),
             format!(
-                "select turn['closed'] as closed from (select {TURN} as turn from {range} union all select {TURN} from {range})"
+                "select turn['closed'] as closed from (select {TURN} as turn from {range} union all select {TURN} from \
+                 {range})"
             ),
             format!("select first_value(turn order by turn['closed']) from (select {TURN} as turn from {range})"),
         ] {
@@ -160,15 +162,20 @@ mod tests {
             .build();
         let all = datafusion::prelude::SessionContext::new_with_state(all);
         for query in [
-            "select id, turn['where_min_transmission'] as place, turn['theta4_least'] as least, turn['theta3_where_peak_jerk'] as jerk
-            from (select value as id, four_bar_turn(1, 0.2 + 0.01 * value, 1.5, 1.5, 'crossed', 100) as turn from range(0, 100))
+            "select id, turn['where_min_transmission'] as place, turn['theta4_least'] as least, \
+             turn['theta3_where_peak_jerk'] as jerk
+            from (select value as id, four_bar_turn(1, 0.2 + 0.01 * value, 1.5, 1.5, 'crossed', 100) as turn
+                  from range(0, 100))
             where turn['closed'] > 0.5 order by id",
             "select four_bar_turn(1, 0.2, 1.5, 0.5 + 0.01 * value)['theta4_peak_snap'] from range(0, 100)",
-            "select value, four_bar_turn(1, 0.2, 1.5, 1.5, case when value < 5 then null else 2.0 + value end)['theta4_swing'] as swing
+            "select value, \
+             four_bar_turn(1, 0.2, 1.5, 1.5, case when value < 5 then null else 2.0 + value end)['theta4_swing'] \
+             as swing
             from range(0, 10)",
             "with a as (select value as id, four_bar_turn(1, 0.2, 1.5, 1.5, 360, 1.0 + value) as turn from range(0, 9)),
             b as (select *, turn['theta4_peak_velocity'] as v from a)
-            select b.id, b.v, b.turn['theta4_peak_snap'] as s from b join a on a.id = b.id and a.turn['closed'] = 1 order by 1",
+            select b.id, b.v, b.turn['theta4_peak_snap'] as s
+            from b join a on a.id = b.id and a.turn['closed'] = 1 order by 1",
             "select count(*) from range(0, 9) as r where 1.0 > (select max(turn['theta4_swing']) from
             (select four_bar_turn(1, 0.2, 1.5, 1.5) as turn from range(0, 2)))",
         ] {

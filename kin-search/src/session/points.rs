@@ -23,12 +23,13 @@ pub fn statements(sql: &str) -> Result<VecDeque<Statement>> {
 
 /// The plan of a statement, with the tables of wanted points that it names written into it.
 ///
-/// The functions of path errors name a table of points. It is read here, once, and its points take the place of the name. So they
-/// go with the query, as any constant does: to all threads, and to the executors of a cluster, which have no tables of their own.
+/// The functions of path errors name a table of points. It is read here, once, and its points take the place of the
+/// name. So they go with the query, as any constant does: to all threads, and to the executors of a cluster, which have
+/// no tables of their own.
 ///
 /// # Errors
-/// Returns the errors of the engine, and an error if a table of points is not there, or does not have the columns x and y, or
-/// input, x and y.
+/// Returns the errors of the engine, and an error if a table of points is not there, or does not have the columns x and
+/// y, or input, x and y.
 pub async fn plan(session: &SessionContext, statement: Statement) -> Result<LogicalPlan> {
     let plan = session.state().statement_to_plan(statement).await?;
     let mut texts: HashMap<String, String> = HashMap::new();
@@ -110,8 +111,8 @@ async fn read(session: &SessionContext, name: &str) -> Result<String> {
             Points::parse(name)?;
         }
         return plan_err!(
-            "there is no table `{name}`, and it is no list of points: write the name of a table with the columns x and y, or points as in \
-             '0 1; 0.5 1.2'"
+            "there is no table `{name}`, and it is no list of points: write the name of a table with the columns x and \
+             y, or points as in '0 1; 0.5 1.2'"
         );
     }
     let table = session.table(name).await?;

@@ -51,8 +51,8 @@ fn file(name: &str, text: &str) -> PathBuf {
 fn rows_are_printed_or_written_to_a_file() {
     let query = file(
         "best.sql",
-        "select 1 as one; select value as id, four_bar_turn(1, candidate(value, 1, 1, 0.2, 0.9), 1.5, 1.5)['closed'] as closed \
-         from range(0, 100) order by closed desc, id limit 3",
+        "select 1 as one; select value as id, four_bar_turn(1, candidate(value, 1, 1, 0.2, 0.9), 1.5, 1.5)['closed'] \
+         as closed from range(0, 100) order by closed desc, id limit 3",
     );
     let output = program().arg("query").arg(&query).output().unwrap();
     let text = String::from_utf8(output.stdout).unwrap();
@@ -125,7 +125,8 @@ fn mistakes_end_with_a_message() {
 fn an_interrupt_cancels_the_query() {
     let query = file(
         "long.sql",
-        "select 1 as started; select max(four_bar_turn(1, candidate(value, 1, 1, 0.2, 0.9), 1.5, 1.5)['theta4_swing']) from range(0, 1000000000)",
+        "select 1 as started; select max(four_bar_turn(1, candidate(value, 1, 1, 0.2, 0.9), 1.5, 1.5)['theta4_swing']) \
+         from range(0, 1000000000)",
     );
     let child = program()
         .arg("query")
@@ -202,8 +203,8 @@ fn no_cores_are_refused() {
 /// The query stood still for ever with two threads that hand rows to each other and write them to the disk.
 #[test]
 fn a_query_that_needs_too_much_memory_ends_with_an_error() {
-    let groups = "select value % 1500000 as k, count(*) as n, max(candidate(value, 1, 1, 0, 1)) as m from range(0, 3000000) \
-                  group by 1 order by m, k limit 3";
+    let groups = "select value % 1500000 as k, count(*) as n, max(candidate(value, 1, 1, 0, 1)) as m from \
+                  range(0, 3000000) group by 1 order by m, k limit 3";
     // The rows that are printed count as well.
     let rows = "select value, value + 1 as next from range(0, 1000000)";
     for (name, sql, memory) in [("groups.sql", groups, "1500KB"), ("many.sql", rows, "3MB")] {
@@ -240,7 +241,8 @@ fn candidates_of_a_refinement_are_read_from_both_forms() {
     let job = file(
         "job.json",
         r#"{ "mechanism": "hoeken_linkage", "evaluations": 100, "bounds": { "crank": [0.5, 1.5], "coupler": [2, 3] },
-             "goal": { "path": { "point": "tracer", "targets": [[0, 4.0], [1, 4.0], [2, 4.0], [3, 4.0], [4, 4.0]] } } }"#,
+             "goal": { "path": { "point": "tracer",
+                                 "targets": [[0, 4.0], [1, 4.0], [2, 4.0], [3, 4.0], [4, 4.0]] } } }"#,
     );
     let query = file(
         "hoeken.sql",

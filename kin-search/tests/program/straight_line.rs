@@ -14,7 +14,8 @@ use serde_json::Value;
 /// The steps of a turn whose half has the poses at which the last query measures.
 const STEPS: usize = 7200;
 
-/// Searches, and checks the linkages without SQL: each is as straight as the query says, and the first is better than the best of Hoeken's.
+/// Searches, and checks the linkages without SQL: each is as straight as the query says, and the first is better than
+/// the best of Hoeken's.
 fn search(sql: &str, name: &str) {
     let query = super::file(&format!("{name}.sql"), sql);
     let (rows, pages) = (query.with_extension("json"), query.with_extension("pages"));
@@ -68,8 +69,8 @@ fn checked(row: &Value) -> (Stroke, &str) {
         // Some ten roundings of places of about ten cranks.
         (stroke.chord, "length", 1e-13),
         (stroke.deviation, "deviation", 1e-13),
-        // The query has the mean speed by the trapezoidal rule. Its error is h²/12 times the change of the acceleration, which is some
-        // cranks, over a way of some cranks.
+        // The query has the mean speed by the trapezoidal rule. Its error is h²/12 times the change of the
+        // acceleration, which is some cranks, over a way of some cranks.
         (stroke.unevenness, "unevenness", (PI / 3600.0).powi(2) / 12.0 * 10.0),
         (stroke.transmission.to_degrees(), "transmission", 1e-11),
     ] {

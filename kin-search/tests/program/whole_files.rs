@@ -90,7 +90,8 @@ const FORMS: [&str; 3] = ["rows.csv", "rows.json", "rows.parquet"];
 #[test]
 fn a_query_that_fails_leaves_the_old_file() {
     // The limits are infinite in a late row.
-    let fails = "select value, candidate(value, 1, 1, 0, case when value = 60000 then 1e0 / 0 else 1 end) as r2 from range(0, 100000)";
+    let fails = "select value, candidate(value, 1, 1, 0, case when value = 60000 then 1e0 / 0 else 1 end) as r2 \
+        from range(0, 100000)";
     for name in FORMS {
         for way in [Way::Output, Way::Copy] {
             let folder = Folder::new(&format!("failed-{name}-{way:?}"));
@@ -114,9 +115,11 @@ fn a_query_that_fails_leaves_the_old_file() {
 fn a_query_that_fails_adds_nothing_to_a_folder_of_files() {
     let folder = Folder::new("folder");
     fs::write(folder.0.join("first.csv"), "value,r2\n1,0.5\n").unwrap();
-    let late = "select value, candidate(value, 1, 1, 0, case when value = 60000 then 1e0 / 0 else 1 end) as r2 from range(0, 100000)";
+    let late = "select value, candidate(value, 1, 1, 0, case when value = 60000 then 1e0 / 0 else 1 end) as r2 \
+        from range(0, 100000)";
     let table = format!(
-        "create external table found (value bigint, r2 double) stored as csv location '{}/' options ('format.has_header' 'true');",
+        "create external table found (value bigint, r2 double) stored as csv location '{}/' options \
+         ('format.has_header' 'true');",
         folder.0.display()
     );
     for (name, sql, code) in [

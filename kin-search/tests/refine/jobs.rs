@@ -26,7 +26,8 @@ fn from_a_job_to_a_table() {
     // the second line has no margin, and every line has two assemblies
     let candidates = job
         .candidates::<Coupler>(
-            "r1,r2,r3,r4,along,beside,mark,id,note\n2,0.55,1.8,1.5,1,0.7,0,8,\"a, \"\"b\"\"\"\n\n2,0.55,1.8,0.5,1,0.7,0,9,\n3,1,1,1,1,1,1,10,\n",
+            "r1,r2,r3,r4,along,beside,mark,id,note\n\
+             2,0.55,1.8,1.5,1,0.7,0,8,\"a, \"\"b\"\"\"\n\n2,0.55,1.8,0.5,1,0.7,0,9,\n3,1,1,1,1,1,1,10,\n",
             2,
         )
         .expect("a good table");

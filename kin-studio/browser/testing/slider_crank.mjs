@@ -1,11 +1,13 @@
 /**
- * A slider-crank by hand, in the shape of kin's solvers, for tests of the page's modules: crank r, rod l, and the slider at
+ * A slider-crank by hand, in the shape of kin's solvers, for tests of the page's modules: crank r, rod l, slider at
  * s = r cos θ + √(l² - r² sin² θ).
  */
 
 /** The product of two Taylor series. */
 function times(one, other) {
-  return one.map((_, order) => one.slice(0, order + 1).reduce((sum, value, index) => sum + value * other[order - index], 0));
+  return one.map((_, order) =>
+    one.slice(0, order + 1).reduce((sum, value, index) => sum + value * other[order - index], 0),
+  );
 }
 
 /** The square root of a Taylor series. */
@@ -47,16 +49,27 @@ function solve({ r, l }, { theta }, assembly) {
   const near = root(square);
   const sign = assembly >= 0 ? 1 : -1;
   const s = cosine.map((value, order) => (r * value + sign * near[order]) * factors[order]);
-  const joints = [[0, 0], [r * cosine[0], r * sine[0]], [s[0], 0]];
+  const joints = [
+    [0, 0],
+    [r * cosine[0], r * sine[0]],
+    [s[0], 0],
+  ];
   return { ok: true, pose: { s, joints, slides: [[1, 0]] } };
 }
 
-export const solver = { solve, OUTLINE: {}, CHECKS: [] };
+export const solver = { solve };
 
 /** A report of it, with changes. The crank turns through the range, unless the drive is changed. */
 export function reportOf(changes = {}) {
   const range = changes.range ?? [0, 2 * Math.PI];
-  const quantity = (name, text, dimension, value) => ({ name, key: name, text, documentation: "", dimension, ...(value === undefined ? {} : { value }) });
+  const quantity = (name, text, dimension, value) => ({
+    name,
+    key: name,
+    text,
+    documentation: "",
+    dimension,
+    ...(value === undefined ? {} : { value }),
+  });
   return {
     format: 3,
     kin: "0.1.0",
@@ -79,7 +92,10 @@ export function reportOf(changes = {}) {
     range,
     period: 2 * Math.PI,
     speed: 10,
-    assemblies: [{ name: "open", argument: 1, circuit: 0 }, { name: "crossed", argument: -1, circuit: 1 }],
+    assemblies: [
+      { name: "open", argument: 1, circuit: 0 },
+      { name: "crossed", argument: -1, circuit: 1 },
+    ],
     assembly: 0,
     coupled: false,
     space: false,
@@ -94,7 +110,10 @@ export function reportOf(changes = {}) {
     not_closed: null,
     outline: {
       ground: [0],
-      bodies: [{ name: "r", joints: [0, 1] }, { name: "l", joints: [1, 2] }],
+      bodies: [
+        { name: "r", joints: [0, 1] },
+        { name: "l", joints: [1, 2] },
+      ],
       slides: [{ joint: 2, guide: null }],
       points: [],
     },
@@ -103,8 +122,8 @@ export function reportOf(changes = {}) {
 }
 
 /**
- * The same crank under a law: at rest until 0.1, up to 1 rad by a polynomial of the third degree, whose acceleration jumps at both ends, and at
- * rest from 0.5 on.
+ * The same crank under a law: at rest until 0.1, up to 1 rad by a polynomial of the third degree, whose acceleration
+ * jumps at both ends, and at rest from 0.5 on.
  */
 export const LAW = {
   range: [0, 0.6],
@@ -118,6 +137,9 @@ export const LAW = {
       { from: 0.1, to: 0.5, at: 0.3, inputs: [[0.5, 3.75, 0, -31.25]] },
       { from: 0.5, to: 0.6, at: 0.55, inputs: [[1]] },
     ],
-    joints: [{ at: 0.1, order: 2 }, { at: 0.5, order: 2 }],
+    joints: [
+      { at: 0.1, order: 2 },
+      { at: 0.5, order: 2 },
+    ],
   },
 };

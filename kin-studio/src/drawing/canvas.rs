@@ -78,7 +78,8 @@ impl Canvas {
         self.raw("</g>");
     }
 
-    /// Defines a motion through keyframes at equal times, the last of which is the first again, and which begins at a part of its period.
+    /// Defines a motion through keyframes at equal times, the last of which is the first again, and which begins at a
+    /// part of its period.
     ///
     /// Where a person wants no motion, parts stay where [`Canvas::follow`] puts them.
     pub fn motion(&mut self, name: &str, keyframes: &[Keyframe], seconds: f64, start: f64) {
@@ -119,7 +120,8 @@ impl Canvas {
         let title = escaped(title);
         format!(
             concat!(
-                r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" "#,
+                "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+                 viewBox=\"0 0 {width} {height}\" ",
                 r#"font-family="DejaVu Sans, Helvetica, Arial, sans-serif" fill="{ink}" role="img">"#,
                 "\n<title>{title}</title>\n",
                 r##"<rect width="{width}" height="{height}" rx="6" fill="#ffffff"/>"##,

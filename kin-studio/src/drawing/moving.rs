@@ -7,7 +7,8 @@ use super::shapes::Pen;
 use super::sweep::extent;
 use super::{Scene, Style};
 
-/// Every second pose of a sweep is a keyframe. Between two of them, 4° apart, a joint cuts its circle's arc by 0.06 % of the radius.
+/// Every second pose of a sweep is a keyframe. Between two of them, 4° apart, a joint cuts its circle's arc by 0.06 %
+/// of the radius.
 const STRIDE: usize = 2;
 
 /// Draws a scene whose bodies go through its sweep, again and again. Bodies bear no names.

@@ -75,7 +75,8 @@ impl Scene {
         }
     }
 
-    /// A mechanism at given inputs, with a sweep of the first input by a turn, or as far as it goes, and with what the inputs drive.
+    /// A mechanism at given inputs, with a sweep of the first input by a turn, or as far as it goes, and with what the
+    /// inputs drive.
     ///
     /// # Errors
     /// Where the mechanism does not close.
@@ -118,7 +119,8 @@ impl Scene {
             .collect()
     }
 
-    /// The joints that are marked points and move, unless their paths are circles about a fixed pivot or the lines of slides.
+    /// The joints that are marked points and move, unless their paths are circles about a fixed pivot or the lines of
+    /// slides.
     pub(super) fn traced(&self) -> Vec<usize> {
         let is_on_a_circle = |joint: usize| {
             let bodies = self.outline.bodies.iter().filter(|body| body.joints.contains(&joint));
@@ -137,8 +139,8 @@ impl Scene {
             .collect()
     }
 
-    /// How far a slide's joint moves along its line, beside where it is: the least and the largest shift, and its shift from the
-    /// first joint of a body that guides it.
+    /// How far a slide's joint moves along its line, beside where it is: the least and the largest shift, and its shift
+    /// from the first joint of a body that guides it.
     pub(super) fn travel(&self, slide: usize) -> [f64; 2] {
         let Some((slide_of, &direction)) = self.outline.slides.get(slide).zip(self.directions.get(slide)) else {
             return [0.0; 2];

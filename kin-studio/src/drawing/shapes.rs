@@ -480,7 +480,8 @@ fn bar(canvas: &mut Canvas, corners: &[Plane], width: f64, fill: &str) {
         // a String never refuses what is written to it
         let _ = write!(
             style,
-            r#"fill="{inside}" stroke="{colour}" stroke-width="{width:.1}" stroke-linecap="round" stroke-linejoin="round""#
+            "fill=\"{inside}\" stroke=\"{colour}\" stroke-width=\"{width:.1}\" \
+             stroke-linecap=\"round\" stroke-linejoin=\"round\""
         );
         canvas.path(corners, closed, &style);
     }

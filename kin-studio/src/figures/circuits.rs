@@ -19,7 +19,8 @@ const COLOURS: [&str; 4] = ["#0072B2", "#D55E00", "#009E73", "#CC79A7"];
 /// So many steps has each branch.
 const STEPS: u32 = 240;
 
-/// One map, its upper left corner at the origin. The crank's angle runs from -180 to 180 degrees, the rocker's from 0 to 360.
+/// One map, its upper left corner at the origin. The crank's angle runs from -180 to 180 degrees, the rocker's from 0
+/// to 360.
 fn map(cycle: &Cycle<FourBar>, title: &str) -> Canvas {
     let place =
         |crank: f64, rocker: f64| Plane::new(MAP.x * (crank + PI) / TAU, MAP.y * (1.0 - rocker.rem_euclid(TAU) / TAU));

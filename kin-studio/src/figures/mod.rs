@@ -26,7 +26,8 @@ pub struct Figure {
 /// All figures, in the order in which they are written.
 ///
 /// # Errors
-/// Where a mechanism does not close, or where there is no such motion law; the numbers of the figures are such that neither happens.
+/// Where a mechanism does not close, or where there is no such motion law; the numbers of the figures are such that
+/// neither happens.
 pub fn all() -> Result<Vec<Figure>, Box<dyn Error>> {
     let mut figures = vec![
         page::page()?,

@@ -31,7 +31,8 @@ fn times(one: Plane, other: Plane) -> Plane {
     Plane::new(one.x * other.x - one.y * other.y, one.x * other.y + one.y * other.x)
 }
 
-/// A path over a turn of the crank, along and above the chord of the half turn that starts at an angle, in shares of the chord.
+/// A path over a turn of the crank, along and above the chord of the half turn that starts at an angle, in shares of
+/// the chord.
 fn shares(start: f64, at: impl Fn(f64) -> Result<Plane, SolveError>) -> Result<Vec<Plane>, SolveError> {
     let from = at(start)?;
     let way = at(start + PI)? - from;
@@ -306,7 +307,8 @@ pub(super) fn eighteen_points() -> Result<Figure, SolveError> {
         svg: page.finish(
             580.0,
             400.0,
-            "Eighteen points, with the tracer of the literature's linkage and of the one that a search found at the same times",
+            "Eighteen points, with the tracer of the literature's linkage and of the one that a search found at the \
+             same times",
         ),
     })
 }

@@ -1,25 +1,22 @@
 /** The drawer: a slider and a field for each dimension, for the inputs that stand, and for the speed of a line. */
 import { made, tell } from "./elements.mjs";
-import { numberText, unitFactor, unitText, withUnit } from "./numbers.mjs";
+import { numberText, quantityText, unitFactor, unitText } from "./numbers.mjs";
 
 /**
- * @typedef {{name: string, declared: string, text: string, note: string, dimension: string, order: number, group: "parameters" | "standing" | "speed"}} Entry
+ * @typedef {{group: "parameters" | "standing" | "speed", order: number, name: string, declared: string, text: string,
+ *   note: string, dimension: string}} Entry
  */
 
-/**
- * @param {HTMLElement} place
- * @param {import("./model.mjs").Model} model
- * @param {import("./model.mjs").Design} given
- * @param {(group: string, name: string, value: number) => void} changed
- */
 export function createSliders(place, model, given, changed) {
-  const lengths = model.parameters.filter(({ dimension }) => dimension === "length").map(({ value }) => Math.abs(value));
+  const lengths = model.parameters
+    .filter(({ dimension }) => dimension === "length")
+    .map(({ value }) => Math.abs(value));
   const size = Math.max(...lengths, 1e-9);
   let degrees = model.degrees;
   const entries = entriesOf(model).map((entry) => {
     const id = `${entry.group}-${entry.name}`;
-    const slider = /** @type {HTMLInputElement} */ (made("input", { type: "range", id, step: "any" }));
-    const field = /** @type {HTMLInputElement} */ (made("input", { type: "number", step: "any", "aria-label": `${entry.text}, as a number` }));
+    const slider = made("input", { type: "range", id, step: "any" });
+    const field = made("input", { type: "number", step: "any", "aria-label": `${entry.text}, as a number` });
     const unit = made("span", { className: "quiet-text" });
     const label = made("label", { for: id, title: entry.note }, entry.text);
     const head = made("div", { className: "row" }, label, made("span", {}, field, " ", unit));
@@ -28,7 +25,7 @@ export function createSliders(place, model, given, changed) {
     const box = made("div", { className: "dimension" }, head, slider, caution, ...note);
     place.append(box);
     const factor = () => unitFactor(entry.dimension, degrees);
-    const last = () => withUnit(numberText(Number(slider.value)), unitText(entry.dimension, entry.order, model.units, degrees));
+    const last = () => quantityText(Number(slider.value) / factor(), entry, model, degrees);
     for (const input of [slider, field]) {
       input.addEventListener("input", () => {
         tell(caution, cautionOf(entry, input.value, valueIn(given, entry), last()));
@@ -49,10 +46,15 @@ export function createSliders(place, model, given, changed) {
   if (model.drive.overTime && model.moving.length > 0) {
     const names = model.moving.map(({ text }) => text).join(", ");
     const words = model.moving.length > 1 ? "move under laws, which keep" : "moves under a law, which keeps";
-    place.append(made("p", { className: "quiet-text" }, `${names} ${words} to their times and values whatever the dimensions are.`));
+    place.append(
+      made(
+        "p",
+        { className: "quiet-text" },
+        `${names} ${words} to their times and values whatever the dimensions are.`,
+      ),
+    );
   }
   return {
-    /** @param {import("./model.mjs").Design} design @param {boolean} inDegrees */
     show(design, inDegrees) {
       degrees = inDegrees;
       for (const { entry, slider, field, unit, caution, box, low, high, factor } of entries) {
@@ -81,8 +83,6 @@ function isTaken({ group }, typed) {
 
 /**
  * What is to be said of a value that was typed, or nothing.
- * @param {Entry} entry
- * @param {string} typed
  * @param {number} usual the value of the report
  * @param {string} last the value that is shown, with its unit
  */
@@ -91,18 +91,44 @@ export function cautionOf(entry, typed, usual, last) {
     return `${typed === "" ? "This is no number" : "A speed is not zero"}: ${last} is still shown.`;
   }
   const value = Number(typed);
-  if (entry.group !== "parameters" || entry.dimension !== "length" || entry.declared.includes(".") || !(usual > 0) || value > 0) {
+  if (
+    entry.group !== "parameters" ||
+    entry.dimension !== "length" ||
+    entry.declared.includes(".") ||
+    !(usual > 0) ||
+    value > 0
+  ) {
     return "";
   }
-  return value === 0 ? "A link of length zero joins its pins into one." : "A link of a negative length points half a turn away from its angle; an offset lies on the other side.";
+  return value === 0
+    ? "A link of length zero joins its pins into one."
+    : "A link of a negative length points half a turn away from its angle; an offset lies on the other side.";
 }
 
 function entriesOf(model) {
   const { parameters, inputs } = model;
-  const entry = (group, order) => ({ name, text, declared, documentation, dimension }) => ({ group, order, name, declared, dimension, text: text || name, note: (documentation ?? "").replaceAll("`", "") });
+  const entry =
+    (group, order) =>
+    ({ name, text, declared, documentation, dimension }) => ({
+      group,
+      order,
+      name,
+      declared,
+      dimension,
+      text: text || name,
+      note: (documentation ?? "").replaceAll("`", ""),
+    });
   const standing = inputs.filter(({ moves }) => !moves).map(entry("standing", 0));
   const { text, dimension } = model.variable;
-  const speed = { group: "speed", order: 1, name: "speed", declared: "speed", text: `Speed of ${text}`, note: "", dimension };
+  const speed = {
+    group: "speed",
+    order: 1,
+    name: "speed",
+    declared: "speed",
+    text: `Speed of ${text}`,
+    note: "",
+    dimension,
+  };
   // laws tell the speed themselves
   return [...parameters.map(entry("parameters", 0)), ...standing, ...(model.drive.overTime ? [] : [speed])];
 }

@@ -1,5 +1,5 @@
 /** Pointers on the picture, the plots and the scrubber. */
-import { followedAt, placeOf } from "./anatomy.mjs";
+import { followedAt, placeOf } from "./kinematics/anatomy.mjs";
 import { flat, onPage, orbitView, zoomView } from "./view.mjs";
 
 /** How far a pointer moves before a click becomes a drag, in pixels. */
@@ -31,12 +31,7 @@ function follow(element, event, move, end) {
   element.addEventListener("pointercancel", onEnd);
 }
 
-/**
- * Links are dragged; the empty plane is shifted, and space is turned.
- * @param {SVGElement} svg
- * @param {import("./model.mjs").Model} model
- * @param {{view: import("./view.mjs").View, pose: () => any, drag: (placed: (pose: any) => number[], pointer: number[]) => void, end: () => void, changed: () => void, assembly: (index: number) => void, trace: (followed: any) => void}} actions
- */
+/** Links are dragged; the empty plane is shifted, and space is turned. */
 export function handlePicture(svg, model, actions) {
   const { view } = actions;
   const grabbed = (body, at) => {
@@ -51,7 +46,7 @@ export function handlePicture(svg, model, actions) {
     if (event.button !== 0) {
       return;
     }
-    const target = /** @type {Element} */ (event.target);
+    const target = event.target;
     const body = target.getAttribute("data-body");
     const assembly = target.getAttribute("data-assembly");
     const start = within(svg, event);
@@ -87,7 +82,7 @@ export function handlePicture(svg, model, actions) {
       event,
       (next) => {
         const at = within(svg, next);
-        const by = /** @type {[number, number]} */ ([at[0] - last[0], at[1] - last[1]]);
+        const by = [at[0] - last[0], at[1] - last[1]];
         if (model.space && !next.shiftKey) {
           orbitView(view, by, centre);
         } else {
@@ -101,7 +96,7 @@ export function handlePicture(svg, model, actions) {
     );
   });
   svg.addEventListener("dblclick", (event) => {
-    const body = /** @type {Element} */ (event.target).getAttribute("data-body");
+    const body = event.target.getAttribute("data-body");
     if (body !== null) {
       actions.trace(grabbed(Number(body), within(svg, event)));
     }
@@ -130,11 +125,7 @@ function onWheel(svg, zoom) {
   );
 }
 
-/**
- * Hovering moves the mechanism, a drag enlarges a part, the wheel zooms, a double click shows all.
- * @param {SVGElement} svg
- * @param {{inputAt: (x: number) => number, select: (part: [number, number] | null) => void, hover: (x: number) => void, leave: () => void, zoom: (part: [number, number]) => void, zoomed: () => [number, number], all: () => void}} actions
- */
+/** Hovering moves the mechanism, a drag enlarges a part, the wheel zooms, a double click shows all. */
 export function handlePlots(svg, actions) {
   svg.addEventListener("pointermove", (event) => {
     if (event.buttons === 0 || event.pointerType === "touch") {
@@ -172,10 +163,7 @@ export function handlePlots(svg, actions) {
   });
 }
 
-/**
- * @param {SVGElement} svg
- * @param {{inputAt: (x: number) => number, move: (x: number) => void, end: () => void}} actions
- */
+/** A press or a drag moves the mechanism. */
 export function handleScrubber(svg, actions) {
   svg.addEventListener("pointerdown", (event) => {
     if (event.button !== 0) {

@@ -12,32 +12,19 @@ const DISTANCES = [6, 10, 15, 22];
  * @typedef {{lines: [number[], number[], number][], boxes: number[][], width: number, height: number}} Room
  */
 
-/**
- * A picture in which nothing stands yet.
- * @param {number} width
- * @param {number} height
- * @returns {Room}
- */
+/** A picture in which nothing stands yet. @returns {Room} */
 export function createRoom(width, height) {
   return { lines: [], boxes: [], width, height };
 }
 
-/**
- * Keeps a square free.
- * @param {Room} room
- * @param {number[]} centre
- * @param {number} half
- */
+/** Keeps a square free. */
 export function keepSquare(room, [x, y], half) {
   room.boxes.push([x - half, y - half, x + half, y + half]);
 }
 
 /**
  * Keeps lines free.
- * @param {Room} room
- * @param {number[][]} places
  * @param {number} half half their width
- * @param {boolean} closed
  */
 export function keepLines(room, places, half, closed = false) {
   for (let index = 1; index < places.length + (closed ? 1 : 0); index += 1) {
@@ -46,13 +33,8 @@ export function keepLines(room, places, half, closed = false) {
 }
 
 /**
- * The middle of the freest place for a name, which is taken then; null if there is no room. The last choice is kept as long as it is good
- * enough, so that names do not jump about in motion.
- * @param {Room} room
- * @param {number[][]} around
- * @param {string} text
- * @param {number} size
- * @param {{choice: number} | undefined} last
+ * The middle of the freest place for a name, which is taken then; null if there is no room. The last choice is kept as
+ * long as it is good enough, so that names do not jump about in motion.
  * @returns {{x: number, y: number, choice: number} | null}
  */
 export function placeName(room, around, text, size, last) {

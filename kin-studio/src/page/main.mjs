@@ -1,37 +1,48 @@
 /** The page: what is shown, and what happens when a reader acts. */
-import { anatomyOf, placeOf } from "./anatomy.mjs";
 import { createSliders } from "./dimensions.mjs";
-import { motionOf } from "./drive.mjs";
-import { made, part, tell } from "./elements.mjs";
+import { button, change, choice, made, part, tell, tick } from "./elements.mjs";
 import { handlePicture, handlePlots, handleScrubber } from "./hands.mjs";
-import { inputText, marksOf, stopText } from "./marks.mjs";
-import { blockText, createModel, givenDesign, reasonToRefuse, sameDesign } from "./model.mjs";
-import { nearestInput } from "./nearest.mjs";
-import { numberText, withUnit } from "./numbers.mjs";
+import { anatomyOf, placeOf } from "./kinematics/anatomy.mjs";
+import { motionOf } from "./kinematics/drive.mjs";
+import { inputText, marksOf, stopText } from "./kinematics/marks.mjs";
+import { blockText, createModel, givenDesign, reasonToRefuse } from "./kinematics/model.mjs";
+import { nearestInput } from "./kinematics/nearest.mjs";
+import { givenPeaks, ownPeaks } from "./kinematics/peaks.mjs";
+import { circleOfCurvature, instantCentre, ratesOfJoints } from "./kinematics/rates.mjs";
+import {
+  allRows,
+  createSweep,
+  heldInput,
+  innerRows,
+  isAtLimit,
+  movedInput,
+  rowAt,
+  spanAt,
+  valueAt,
+} from "./kinematics/sweep.mjs";
+import { BESIDE_LIMIT, PARTS } from "./kinematics/tolerances.mjs";
+import { poorTransmission, worstTransmission } from "./kinematics/transmission.mjs";
+import { numberText, unitFactor, withUnit } from "./numbers.mjs";
 import { paceText, pacesAround, secondsOf, watchablePace } from "./pace.mjs";
 import { createPaper } from "./paper.mjs";
-import { givenPeaks, ownPeaks } from "./peaks.mjs";
 import { createPicture } from "./picture.mjs";
 import { createPlots } from "./plots.mjs";
-import { circleOfCurvature, instantCentre, ratesOfJoints } from "./rates.mjs";
 import { gapText } from "./reasons.mjs";
 import { handOver, pictureFile, pictureOfPixels, sweepTable } from "./saving.mjs";
 import { createScrubber } from "./scrubber.mjs";
-import { allRows, innerRows, isAtLimit, movedInput, rowAt, spanAt, sweepDesign } from "./sweep.mjs";
-import { poorTransmission, worstTransmission } from "./transmission.mjs";
 import { createView, fitView, flat } from "./view.mjs";
 import { poseText } from "./words.mjs";
 
-/** What can be shown in the picture, with its words. */
+/** What can be shown in the picture, with its words and whether it is at first. */
 const OPTIONS = [
-  ["names", "Names"],
-  ["paths", "Paths"],
-  ["ghosts", "Other assemblies"],
-  ["velocity", "Velocity"],
-  ["acceleration", "Acceleration"],
-  ["jerk", "Jerk"],
-  ["curvature", "Circle of curvature"],
-  ["centres", "Instant centres"],
+  ["names", "Names", true],
+  ["paths", "Paths", true],
+  ["ghosts", "Other assemblies", true],
+  ["velocity", "Velocity", false],
+  ["acceleration", "Acceleration", false],
+  ["jerk", "Jerk", false],
+  ["curvature", "Circle of curvature", false],
+  ["centres", "Instant centres", false],
 ];
 /** The sizes of picture and plots on paper, in pixels, as the style sheet has them there. */
 const PRINTED = [
@@ -40,12 +51,8 @@ const PRINTED = [
 ];
 const ARROWS = ["velocity", "acceleration", "jerk"];
 
-/**
- * Starts the page.
- * @param {any} report
- * @param {any} solver
- */
-export function start(report, solver) {
+/** Starts the page. */
+function start(report, solver) {
   const refusal = reasonToRefuse(report);
   if (refusal) {
     refuse(report, refusal);
@@ -56,7 +63,7 @@ export function start(report, solver) {
   const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
   const watchable = watchablePace(model, given);
   const state = {
-    design: structuredClone(given),
+    design: given,
     reference: null,
     assembly: report.assembly ?? 0,
     x: model.from,
@@ -65,7 +72,7 @@ export function start(report, solver) {
     zoom: [model.from, model.to],
     group: "",
     hidden: new Set(),
-    shows: { names: true, paths: true, ghosts: report.assemblies.length <= 2, velocity: false, acceleration: false, jerk: false, curvature: false, centres: false },
+    shows: Object.fromEntries(OPTIONS.map(([name, , first]) => [name, first])),
     playing: false,
     hovering: false,
     once: 0,
@@ -78,10 +85,11 @@ export function start(report, solver) {
     printing: false,
     scrubWidth: 0,
   };
+  // many other assemblies are a tangle
+  state.shows.ghosts = report.assemblies.length <= 2;
   const view = createView(model.space);
-  let sweep = sweepDesign(model, state.design, assemblyNow());
-  model.givenRows = innerRows(sweep);
-  let anatomy = anatomyOf(model, sweep);
+  let sweep = createSweep(model, state.design, assemblyNow());
+  let anatomy = anatomyOf(sweep);
   let others = null;
   let marks = [];
   let arrowScales = null;
@@ -96,13 +104,8 @@ export function start(report, solver) {
   const scrubber = createScrubber(part("scrubber"), model);
   const paper = createPaper(part("paper"), model, (x) => goTo(x));
   const sliders = createSliders(part("sliders"), model, given, (group, name, value) => {
-    if (group === "speed") {
-      state.design.speed = value;
-    } else {
-      state.design[group][name] = value;
-    }
-    unsolved = true;
-    ask();
+    state.design = { ...state.design, [group]: group === "speed" ? value : { ...state.design[group], [name]: value } };
+    solve();
   });
 
   function assemblyNow() {
@@ -112,17 +115,23 @@ export function start(report, solver) {
   /** Its name, and its circuit if there are several and the dimensions are the report's, for which they are known. */
   function nameOfAssembly({ name, circuit }) {
     const several = (report.cycle?.circuits?.length ?? 0) > 1 && circuit !== undefined && circuit !== null;
-    return several && isGiven() ? `${name}, circuit ${circuit + 1}` : name;
-  }
-
-  /** Whether the design is that of the report. */
-  function isGiven() {
-    return sameDesign(state.design, given);
+    return several && sweep.given ? `${name}, circuit ${circuit + 1}` : name;
   }
 
   let spentOnFrames = [];
   let asked = false;
   let last = 0;
+  function redraw() {
+    redrawn = true;
+    ask();
+  }
+
+  /** The whole motion is solved again. */
+  function solve() {
+    unsolved = true;
+    ask();
+  }
+
   function ask() {
     if (!asked) {
       asked = true;
@@ -166,20 +175,16 @@ export function start(report, solver) {
     const begin = performance.now();
     unsolved = false;
     version += 1;
-    sweep = sweepDesign(model, state.design, assemblyNow());
-    const found = anatomyOf(model, sweep);
-    anatomy = found ?? anatomy;
+    sweep = createSweep(model, state.design, assemblyNow());
+    anatomy = anatomyOf(sweep) ?? anatomy;
     others = null;
     arrowScales = null;
     redrawn = true;
     const spent = performance.now() - begin;
     document.body.dataset.solved = spent.toFixed(2);
-    const gaps = isGiven() ? "" : " Limits are the page's own.";
+    const gaps = sweep.given ? "" : " Limits are the page's own.";
     tell(part("solved"), `The whole motion was solved again in ${numberText(spent, 2)} ms.${gaps}`);
-    if (spanAt(sweep, state.x) === null && sweep.spans.length > 0) {
-      const ends = sweep.spans.flatMap(({ from, to }) => [from, to]);
-      state.x = ends.reduce((near, end) => (Math.abs(end - state.x) < Math.abs(near - state.x) ? end : near));
-    }
+    state.x = heldInput(sweep, state.x);
     if (sweep.spans.length === 0) {
       say(`It closes nowhere in this assembly: ${gapText(model, sweep.gaps[0], amount)}.`, true);
     } else {
@@ -199,13 +204,15 @@ export function start(report, solver) {
   }
 
   function showPeaks() {
-    const exact = model.frames !== null || (isGiven() && state.assembly === (report.assembly ?? 0));
+    const exact = model.frames !== null || sweep.reported;
     const peaks = exact ? givenPeaks(model) : [];
     const source = exact && peaks.length > 0 ? "Exact values of the report." : "Found by the page at these dimensions.";
-    const rest = model.drive.joints.length > 0 ? `${source} Where a derivative jumps, those above it are unbounded.` : source;
+    const rest =
+      model.drive.joints.length > 0 ? `${source} Where a derivative jumps, those above it are unbounded.` : source;
     const least = exact ? worstTransmission(model) : null;
-    const angle = least ? ` Least transmission angle ${numberText((least.angle * 180) / Math.PI)}° at ${inputText(model, least.at, state.degrees)}.` : "";
-    paper.showPeaks(peaks.length > 0 ? peaks : ownPeaks(model, state.design, sweep, assemblyNow()), state.degrees, `${rest}${angle}`);
+    const at = least && inputText(model, least.at, state.degrees);
+    const angle = least && ` Least transmission angle ${numberText((least.angle * 180) / Math.PI)}° at ${at}.`;
+    paper.showPeaks(peaks.length > 0 ? peaks : ownPeaks(sweep), state.degrees, `${rest}${angle ?? ""}`);
   }
 
   function amount(value) {
@@ -219,12 +226,16 @@ export function start(report, solver) {
 
   function sayPose() {
     if (row !== null && !state.playing) {
-      tell(part("spoken"), poseText(model, row, state.degrees, report.assemblies.length > 1 ? assemblyNow().name : "", shownNow()));
+      tell(
+        part("spoken"),
+        poseText(model, row, state.degrees, report.assemblies.length > 1 ? assemblyNow().name : "", shownNow()),
+      );
     }
   }
 
-  function sayStop(x) {
-    say(stopText(model, marks, sweep.gaps, x, state.degrees), true);
+  /** Says where it stops if it does, and otherwise what was said no longer holds. */
+  function sayStopIf(stops) {
+    say(stops ? stopText(sweep, marks, state.x, state.degrees) : "", stops);
   }
 
   function play(seconds) {
@@ -238,7 +249,7 @@ export function start(report, solver) {
       return;
     }
     const change = state.forward * state.pace * seconds * Math.abs(state.design.speed) * secondsOf(model.units.time);
-    const moved = movedInput(model, sweep, state.x, change);
+    const moved = movedInput(sweep, state.x, change);
     state.x = moved.x;
     if (state.once > 0) {
       state.once -= Math.abs(change);
@@ -247,12 +258,12 @@ export function start(report, solver) {
       }
     }
     if (moved.stopped) {
-      sayStop(state.x);
+      sayStopIf(true);
       state.forward = model.drive.overTime ? 1 : -state.forward;
       state.held = 0.6;
-    } else if (part("message").textContent !== "" && state.held <= 0 && spanAt(sweep, state.x) !== null) {
+    } else {
       const span = spanAt(sweep, state.x);
-      if (Math.min(state.x - span.from, span.to - state.x) > 0.04 * (model.to - model.from)) {
+      if (span !== null && Math.min(state.x - span.from, span.to - state.x) > BESIDE_LIMIT * model.width) {
         say("", false);
       }
     }
@@ -275,31 +286,17 @@ export function start(report, solver) {
     if (!quietly) {
       setPlaying(false);
     }
-    const span = spanAt(sweep, x);
-    if (span !== null) {
-      state.x = Math.min(span.to, Math.max(span.from, x));
-      if (isAtLimit(sweep, state.x)) {
-        sayStop(state.x);
-      } else {
-        say("", false);
-      }
-    } else if (sweep.spans.length > 0) {
-      const ends = sweep.spans.flatMap(({ from, to }) => [from, to]);
-      state.x = ends.reduce((near, end) => (Math.abs(end - x) < Math.abs(near - x) ? end : near));
-      sayStop(state.x);
-    }
+    state.x = heldInput(sweep, x);
+    sayStopIf(isAtLimit(sweep, state.x));
     later();
     ask();
   }
 
   function stepBy(change) {
     setPlaying(false);
-    const moved = movedInput(model, sweep, state.x, change);
+    const moved = movedInput(sweep, state.x, change);
     state.x = moved.x;
-    say("", false);
-    if (moved.stopped) {
-      sayStop(state.x);
-    }
+    sayStopIf(moved.stopped);
     later();
     ask();
   }
@@ -309,22 +306,41 @@ export function start(report, solver) {
   }
 
   function shownNow() {
-    const all = model.quantities.map((_, index) => index).filter((index) => model.quantities[index].dimension === state.group);
+    const all = model.quantities
+      .map((_, index) => index)
+      .filter((index) => model.quantities[index].dimension === state.group);
     const seen = all.filter((index) => !state.hidden.has(model.quantities[index].name));
     return seen.length > 0 ? seen : all.slice(0, 1);
   }
 
   function drawStill() {
     measure();
-    marks = marksOf(model, sweep, state.assembly, isGiven());
+    marks = marksOf(sweep);
     const shown = shownNow();
-    const reference = state.reference ? state.reference.sweep : null;
-    plots.draw({ width: state.plotSize[0], height: state.plotSize[1], shown, degrees: state.degrees, time: state.time, zoom: state.zoom, sweep, reference, marks, speed: state.design.speed, orders: model.orders });
-    const exact = isGiven() && state.assembly === (report.assembly ?? 0);
-    const poor = poorTransmission(model, sweep, exact);
+    const { reference } = state;
+    plots.draw({
+      width: state.plotSize[0],
+      height: state.plotSize[1],
+      shown,
+      degrees: state.degrees,
+      time: state.time,
+      zoom: state.zoom,
+      sweep,
+      reference,
+      marks,
+      speed: state.design.speed,
+      orders: model.orders,
+    });
+    const poor = poorTransmission(sweep);
     scrubber.draw({ width: state.scrubWidth, sweep, marks, poor, degrees: state.degrees, amount });
-    const keys = [["closes", "closes", sweep.spans], ["poor", "transmission angle below 40°", poor], ["gap", "does not close", sweep.gaps]];
-    const key = keys.filter(([, , bands]) => bands.length > 0).map(([name, words]) => made("span", {}, made("i", { className: `key-${name}` }), words));
+    const keys = [
+      ["closes", "closes", sweep.spans],
+      ["poor", "transmission angle below 40°", poor],
+      ["gap", "does not close", sweep.gaps],
+    ];
+    const key = keys
+      .filter(([, , bands]) => bands.length > 0)
+      .map(([name, words]) => made("span", {}, made("i", { className: `key-${name}` }), words));
     part("key").replaceChildren(...(key.length > 1 ? key : []));
     sliders.show(state.design, state.degrees);
     [...part("assembly").options].forEach((option, index) => tell(option, nameOfAssembly(report.assemblies[index])));
@@ -332,7 +348,9 @@ export function start(report, solver) {
   }
 
   function measure() {
-    const sizes = state.printing ? PRINTED : ["picture", "plots"].map((name) => [part(name).clientWidth, part(name).clientHeight]);
+    const sizes = state.printing
+      ? PRINTED
+      : ["picture", "plots"].map((name) => [part(name).clientWidth, part(name).clientHeight]);
     const [before] = [state.size];
     [state.size, state.plotSize] = sizes;
     state.scrubWidth = state.printing ? 688 : part("scrubber").clientWidth;
@@ -347,10 +365,17 @@ export function start(report, solver) {
 
   function fit() {
     const rows = allRows(sweep).filter((_, index) => index % 3 === 0);
-    const places = rows.flatMap(({ pose }) => [...pose.joints, ...state.followed.map((followed) => placeOf(model, followed, pose.joints))]);
+    const places = rows.flatMap(({ pose }) => [
+      ...pose.joints,
+      ...state.followed.map((followed) => placeOf(model, followed, pose.joints)),
+    ]);
     if (state.shows.ghosts) {
       for (const other of otherSweeps()) {
-        places.push(...allRows(other.sweep).filter((_, index) => index % 6 === 0).flatMap(({ pose }) => pose.joints));
+        places.push(
+          ...allRows(other.sweep)
+            .filter((_, index) => index % 6 === 0)
+            .flatMap(({ pose }) => pose.joints),
+        );
       }
     }
     const [width, height] = state.size;
@@ -361,13 +386,13 @@ export function start(report, solver) {
   /** The other assemblies, each with its sweep, solved when they are first looked at. */
   function otherSweeps() {
     others ??= report.assemblies.flatMap((assembly, index) =>
-      index === state.assembly ? [] : [{ assembly, index, sweep: sweepDesign(model, state.design, assembly) }],
+      index === state.assembly ? [] : [{ assembly, index, sweep: createSweep(model, state.design, assembly) }],
     );
     return others;
   }
 
   function colourOfCircuit(assembly, index) {
-    const circuitOf = (one, place) => (isGiven() ? (one.circuit ?? place) : place);
+    const circuitOf = (one, place) => (sweep.given ? (one.circuit ?? place) : place);
     const circuit = circuitOf(assembly, index);
     const own = circuitOf(assemblyNow(), state.assembly);
     // the circuit on which the mechanism is has the first colour
@@ -377,17 +402,31 @@ export function start(report, solver) {
 
   function trailsOf(of, colour) {
     return state.followed.flatMap((followed) =>
-      of.spans.map(({ rows }) => ({ points: rows.map(({ pose }) => placeOf(model, followed, pose.joints)), colour, closed: of.full })),
+      of.spans.map(({ rows }) => ({
+        points: rows.map(({ pose }) => placeOf(model, followed, pose.joints)),
+        colour,
+        closed: of.full,
+      })),
     );
   }
 
   function allTrails() {
     const others = state.shows.ghosts ? otherSweeps() : [];
-    return [...others.flatMap(({ assembly, index, sweep: own }) => trailsOf(own, colourOfCircuit(assembly, index))), ...trailsOf(sweep, colourOfCircuit(assemblyNow(), state.assembly))];
+    return [
+      ...others.flatMap(({ assembly, index, sweep: own }) => trailsOf(own, colourOfCircuit(assembly, index))),
+      ...trailsOf(sweep, colourOfCircuit(assemblyNow(), state.assembly)),
+    ];
+  }
+
+  /** The sense in which an input turns its body now: 1 or -1, and 0 where it stands or is none. */
+  function senseOf(driver) {
+    return driver === null
+      ? 0
+      : state.forward * Math.sign(motionOf(model.drive, driver, lastRow.x, lastRow.piece, 1, 1)[1]);
   }
 
   function drawPose() {
-    row = sweep.spans.length > 0 ? rowAt(model, state.design, sweep, assemblyNow(), state.x) : null;
+    row = rowAt(sweep, state.x);
     part("picture").classList.toggle("broken", row === null);
     lastRow = row ?? lastRow;
     if (lastRow === null || anatomy === null) {
@@ -403,8 +442,15 @@ export function start(report, solver) {
       sweep,
       shows: state.shows,
       followed: state.followed,
-      senses: anatomy.drivers.map((driver) => (driver === null ? 0 : state.forward * Math.sign(motionOf(model.drive, driver, lastRow.x, lastRow.piece, 1, 1)[1]))),
-      still: [view.scale, view.x, view.y, view.yaw, view.pitch, ...state.size, version, state.shows.paths, state.shows.ghosts, state.followed.length].join(),
+      senses: anatomy.drivers.map(senseOf),
+      still: [
+        Object.values(view),
+        state.size,
+        version,
+        state.shows.paths,
+        state.shows.ghosts,
+        state.followed.length,
+      ].join(),
       trails: () => (state.shows.paths ? allTrails() : []),
       ghosts: [],
       reference: null,
@@ -415,16 +461,15 @@ export function start(report, solver) {
     };
     if (state.shows.ghosts) {
       for (const { assembly, index, sweep: own } of otherSweeps()) {
-        const there = rowAt(model, state.design, own, assembly, state.x);
-        const colour = colourOfCircuit(assembly, index);
-        if (there !== null) {
-          scene.ghosts.push({ pose: there.pose, index, colour, title: `${nameOfAssembly(assembly)}: click to change to it` });
+        const pose = rowAt(own, state.x)?.pose;
+        if (pose) {
+          const title = `${nameOfAssembly(assembly)}: click to change to it`;
+          scene.ghosts.push({ pose, index, colour: colourOfCircuit(assembly, index), title });
         }
       }
     }
     if (state.reference) {
-      const there = rowAt(model, state.reference.design, state.reference.sweep, assemblyNow(), state.x);
-      scene.reference = there?.pose ?? null;
+      scene.reference = rowAt(state.reference, state.x)?.pose ?? null;
     }
     if (row !== null) {
       addRates(scene);
@@ -445,8 +490,9 @@ export function start(report, solver) {
   }
 
   function addRates(scene) {
-    const wanted = ARROWS.some((name) => state.shows[name]) || (!model.space && (state.shows.curvature || state.shows.centres));
-    const rates = wanted && !model.frames ? ratesOfJoints(model, state.design, assemblyNow(), row) : null;
+    const wanted =
+      ARROWS.some((name) => state.shows[name]) || (!model.space && (state.shows.curvature || state.shows.centres));
+    const rates = wanted && !model.frames ? ratesOfJoints(sweep, row) : null;
     if (rates === null) {
       return;
     }
@@ -457,23 +503,25 @@ export function start(report, solver) {
       ARROWS.forEach((name, order) => {
         if (state.shows[name] && arrowScales[order] > 0) {
           const rate = placeOf(model, followed, ofOrder(order));
-          const long = 0.24 * Math.min(...state.size) * Math.min(1, (1.6 * arrowScales[order]) / (Math.hypot(...rate) || 1));
+          const long =
+            0.24 * Math.min(...state.size) * Math.min(1, (1.6 * arrowScales[order]) / (Math.hypot(...rate) || 1));
           const by = flat(view, rate).map((value) => (value / arrowScales[order]) * long);
           scene.arrows.push({ from: place, by, order });
         }
       });
-      if (state.shows.curvature && !model.space && followed !== undefined && (state.followed.length > 0 || !onCrank(followed))) {
-        const circle = circleOfCurvature(place, placeOf(model, followed, ofOrder(0)), placeOf(model, followed, ofOrder(1)));
+      if (state.shows.curvature && !model.space && (state.followed.length > 0 || !onCrank(followed))) {
+        const [velocity, acceleration] = [0, 1].map((order) => placeOf(model, followed, ofOrder(order)));
+        const circle = circleOfCurvature(place, velocity, acceleration);
         if (circle) {
           scene.circles.push({ ...circle, at: place });
         }
       }
     }
     if (state.shows.centres && !model.space) {
-      model.outline.bodies.forEach(({ name, joints }) => {
-        const moving = joints.length > 1 && !joints.some((joint) => anatomy.fixed[joint]);
-        const [one, other] = joints;
-        const at = moving ? instantCentre(row.pose.joints[one], row.pose.joints[other], rates[one][0], rates[other][0]) : null;
+      const floating = model.outline.bodies.filter(({ joints }) => joints.length > 1 && !joints.some(isFixed));
+      floating.forEach(({ name, joints: [one, other] }) => {
+        const places = [row.pose.joints[one], row.pose.joints[other]];
+        const at = instantCentre(...places, rates[one][0], rates[other][0]);
         if (at) {
           scene.centres.push({ at, name: `centre of ${name}` });
         }
@@ -481,8 +529,12 @@ export function start(report, solver) {
     }
   }
 
-  function onCrank(followed) {
-    return model.outline.bodies.some(({ joints }) => joints.includes(followed.joint) && joints.some((joint) => anatomy.fixed[joint]));
+  function isFixed(joint) {
+    return anatomy.fixed[joint];
+  }
+
+  function onCrank({ joint }) {
+    return model.outline.bodies.some(({ joints }) => joints.includes(joint) && joints.some(isFixed));
   }
 
   /** The largest rates of the turn, unless few are far larger than the others, so that arrows keep their scale. */
@@ -491,9 +543,17 @@ export function start(report, solver) {
     const sizes = [[], [], []];
     for (let part = 0; part < 24; part += 1) {
       const some = rows[Math.floor((part / 24) * rows.length)];
-      const rates = some ? ratesOfJoints(model, state.design, assemblyNow(), some) : null;
+      const rates = some ? ratesOfJoints(sweep, some) : null;
       for (const followed of rates ? carriers() : []) {
-        sizes.forEach((list, order) => list.push(Math.hypot(...placeOf(model, followed, rates.map((joint) => joint[order])))));
+        const sizeOf = (order) =>
+          Math.hypot(
+            ...placeOf(
+              model,
+              followed,
+              rates.map((joint) => joint[order]),
+            ),
+          );
+        sizes.forEach((list, order) => list.push(sizeOf(order)));
       }
     }
     return sizes.map((list) => {
@@ -506,51 +566,42 @@ export function start(report, solver) {
     state.assembly = index;
     part("assembly").value = String(index);
     if (state.reference) {
-      state.reference.sweep = sweepDesign(model, state.reference.design, assemblyNow());
+      state.reference = createSweep(model, state.reference.design, assemblyNow());
     }
-    unsolved = true;
-    ask();
+    solve();
   }
 
   function setGroup(group) {
     state.group = group;
-    redrawn = true;
     listQuantities();
-    ask();
+    redraw();
   }
 
   /** The choices above the plots. */
   function listQuantities() {
-    const place = part("plot-options");
     const words = { angle: "Angles", length: "Lengths", number: "Numbers" };
-    const content = [];
-    if (groups().length > 1) {
-      const select = made("select", { "aria-label": "Quantities" }, ...groups().map((name) => made("option", { value: name, selected: name === state.group }, words[name] ?? name)));
-      select.addEventListener("change", () => setGroup(select.value));
-      content.push(select);
-    }
-    model.quantities.forEach(({ name, text, dimension, documentation, colour, dashed }) => {
-      if (dimension === state.group) {
-        const box = made("input", { type: "checkbox", checked: !state.hidden.has(name) });
-        box.addEventListener("change", () => {
-          state.hidden[box.checked ? "delete" : "add"](name);
-          redrawn = true;
-          ask();
-        });
-        content.push(made("label", { title: documentation ?? "" }, box, made("span", { className: `legend c${colour}${dashed ? " dashed" : ""}` }), text));
-      }
+    const entries = groups().map((name) => [name, words[name] ?? name]);
+    const group = entries.length > 1 ? [choice("Quantities", entries, state.group, setGroup)] : [];
+    const own = model.quantities.filter(({ dimension }) => dimension === state.group);
+    const boxes = own.map(({ name, text, documentation, colour, dashed }) => {
+      const box = tick({ checked: !state.hidden.has(name) }, (shown) => {
+        state.hidden[shown ? "delete" : "add"](name);
+        redraw();
+      });
+      const legend = made("span", { className: `legend c${colour}${dashed ? " dashed" : ""}` });
+      return made("label", { title: documentation ?? "" }, box, legend, text);
     });
-    const over = made("select", { "aria-label": "Plotted over" }, made("option", { value: "input", selected: !state.time }, `over ${model.variable.text}`), made("option", { value: "time", selected: state.time }, "over time"));
+    const axes = [
+      ["input", `over ${model.variable.text}`],
+      ["time", "over time"],
+    ];
+    const over = choice("Plotted over", axes, state.time ? "time" : "input", (axis) => {
+      state.time = axis === "time";
+      redraw();
+    });
     over.hidden = model.drive.overTime;
-    over.addEventListener("change", () => {
-      state.time = over.value === "time";
-      redrawn = true;
-      ask();
-    });
-    const whole = made("button", { type: "button", id: "whole", hidden: isWhole() }, "Whole range");
-    whole.addEventListener("click", () => zoomTo([model.from, model.to]));
-    content.push(made("span", { className: "pushed" }, over), whole);
-    place.replaceChildren(...content);
+    const whole = button("Whole range", { id: "whole", hidden: isWhole() }, () => zoomTo([model.from, model.to]));
+    part("plot-options").replaceChildren(...group, ...boxes, made("span", { className: "pushed" }, over), whole);
   }
 
   function isWhole() {
@@ -558,22 +609,21 @@ export function start(report, solver) {
   }
 
   function zoomTo([from, to]) {
-    const least = 1e-4 * (model.to - model.from);
+    const least = 1e-4 * model.width;
     state.zoom = [Math.max(model.from, from), Math.min(model.to, Math.max(to, from + least))];
     part("whole").hidden = isWhole();
-    redrawn = true;
-    ask();
+    redraw();
   }
 
   function listOptions() {
-    const possible = OPTIONS.filter(([name]) => {
-      return !(name === "ghosts" && report.assemblies.length < 2) && !(model.space && (name === "curvature" || name === "centres"));
-    });
-    const boxes = possible.map(([name, words]) => {
-      const box = made("input", { type: "checkbox", checked: state.shows[name], id: `show-${name}` });
-      box.addEventListener("change", () => {
-        state.shows[name] = box.checked;
-        if (name === "ghosts" && box.checked) {
+    const impossible = [
+      ...(report.assemblies.length < 2 ? ["ghosts"] : []),
+      ...(model.space ? ["curvature", "centres"] : []),
+    ];
+    const boxes = OPTIONS.filter(([name]) => !impossible.includes(name)).map(([name, words]) => {
+      const box = tick({ checked: state.shows[name], id: `show-${name}` }, (shown) => {
+        state.shows[name] = shown;
+        if (name === "ghosts" && shown) {
           fit();
         }
         ask();
@@ -581,8 +631,7 @@ export function start(report, solver) {
       const order = ARROWS.indexOf(name);
       return made("label", {}, box, ...(order < 0 ? [] : [made("span", { className: `legend o${order} own` })]), words);
     });
-    const show = made("button", { type: "button", className: "pushed" }, "Fit");
-    show.addEventListener("click", () => {
+    const show = button("Fit", { className: "pushed" }, () => {
       fit();
       ask();
     });
@@ -594,13 +643,9 @@ export function start(report, solver) {
       return;
     }
     setPlaying(false);
-    const found = nearestInput(model, state.design, sweep, assemblyNow(), state.x, placed, pointer);
+    const found = nearestInput(sweep, state.x, placed, pointer);
     state.x = found.x;
-    if (found.beyond) {
-      sayStop(found.x);
-    } else {
-      say("", false);
-    }
+    sayStopIf(found.beyond);
     ask();
   }
 
@@ -611,39 +656,46 @@ export function start(report, solver) {
     ask();
   }
 
+  /** Shows another sweep beside, or none. */
+  function compare(reference) {
+    state.reference = reference;
+    redraw();
+  }
+
   function swap() {
-    const { design, sweep: own } = state.reference;
-    state.reference = { design: state.design, sweep };
-    state.design = structuredClone(design);
-    sweep = own;
-    unsolved = true;
-    ask();
+    [sweep, state.reference] = [state.reference, sweep];
+    state.design = sweep.design;
+    solve();
   }
 
   function openDrawer(open) {
     part("dimensions").hidden = !open;
     part("board").classList.toggle("with-drawer", open);
     part("open-dimensions").setAttribute("aria-expanded", String(open));
-    redrawn = true;
-    ask();
+    redraw();
   }
 
   function setUp() {
     document.title = report.title;
     tell(part("title"), report.title);
-    tell(part("subtitle"), (report.documentation ?? "").split(/\n\s*\n/)[0].replaceAll("\n", " ").replaceAll("`", ""));
-    part("pace").append(...pacesAround(watchable).map((pace) => made("option", { value: String(pace), selected: pace === watchable }, paceText(pace))));
-    part("assembly").append(
-      ...report.assemblies.map((assembly, index) => made("option", { value: String(index), selected: index === state.assembly }, nameOfAssembly(assembly))),
+    const [summary] = (report.documentation ?? "").split(/\n\s*\n/);
+    tell(part("subtitle"), summary.replaceAll("\n", " ").replaceAll("`", ""));
+    const option = (value, selected, words) => made("option", { value: String(value), selected }, words);
+    part("pace").append(...pacesAround(watchable).map((pace) => option(pace, pace === watchable, paceText(pace))));
+    const assemblies = report.assemblies.map((one, index) =>
+      option(index, index === state.assembly, nameOfAssembly(one)),
     );
+    part("assembly").append(...assemblies);
     part("assembly-choice").hidden = report.assemblies.length < 2;
     part("angles").value = state.degrees ? "degrees" : "radians";
-    const degreesFactor = model.variable.dimension === "angle" ? 180 / Math.PI : 1;
-    const scrub = part("scrubber");
-    scrub.setAttribute("aria-label", `${model.variable.text}${model.variable.documentation ? `, ${model.variable.documentation}` : ""}`);
-    scrub.setAttribute("aria-valuemin", String(Math.round(model.from * degreesFactor * 1000) / 1000));
-    scrub.setAttribute("aria-valuemax", String(Math.round(model.to * degreesFactor * 1000) / 1000));
-    state.followed = model.outline.points.map(({ name, joint }) => ({ name, joint })).filter(({ joint }) => !model.outline.ground.includes(joint));
+    const inDegrees = (x) => Math.round(x * unitFactor(model.variable.dimension, true) * 1000) / 1000;
+    const { text, documentation } = model.variable;
+    change(part("scrubber"), {
+      "aria-label": documentation ? `${text}, ${documentation}` : text,
+      "aria-valuemin": inDegrees(model.from),
+      "aria-valuemax": inDegrees(model.to),
+    });
+    state.followed = model.outline.points.filter(({ joint }) => !model.outline.ground.includes(joint));
     if (state.followed.length === 0 && anatomy !== null && anatomy.floating >= 0) {
       state.followed = [{ name: "P", body: anatomy.floating, along: 0.5, across: 0 }];
     }
@@ -653,7 +705,9 @@ export function start(report, solver) {
     const plotted = model.quantities.filter(({ declared }) => report.plots?.includes(declared));
     state.group = plotted[0]?.dimension ?? groups()[0] ?? "number";
     if (plotted.length > 0) {
-      model.quantities.filter(({ dimension }) => dimension === state.group).forEach((one) => !plotted.includes(one) && state.hidden.add(one.name));
+      model.quantities
+        .filter(({ dimension }) => dimension === state.group)
+        .forEach((one) => !plotted.includes(one) && state.hidden.add(one.name));
     }
     part("open-dimensions").hidden = model.frames !== null;
     listOptions();
@@ -662,44 +716,54 @@ export function start(report, solver) {
       say(`Dimensions cannot be changed here${report.unrecorded ? `: ${report.unrecorded}` : ""}.`, false);
     } else if (report.not_closed) {
       const { text, unknowns, margin, at } = report.not_closed;
-      const reason = margin === null ? text : `out of reach by ${amount(Math.abs(margin))} at ${model.variable.text} = ${inputText(model, at, state.degrees)}${unknowns ? ` (${blockText(model, unknowns)})` : ""}`;
+      const place = `${model.variable.text} = ${inputText(model, at, state.degrees)}`;
+      const block = unknowns ? ` (${blockText(model, unknowns)})` : "";
+      const reason = margin === null ? text : `out of reach by ${amount(Math.abs(margin))} at ${place}${block}`;
       say(`It does not close everywhere: ${reason}.`, false);
     }
   }
 
+  /** Acts when a part of the page is clicked. */
+  function clicked(name, action) {
+    part(name).addEventListener("click", action);
+  }
+
+  /** Acts when another value of a part is chosen. */
+  function chosen(name, action) {
+    part(name).addEventListener("change", () => action(part(name).value));
+  }
+
   function listen() {
-    part("play").addEventListener("click", () => setPlaying(!state.playing));
-    part("pace").addEventListener("change", () => (state.pace = Number(part("pace").value)));
-    part("assembly").addEventListener("change", () => changeAssembly(Number(part("assembly").value)));
-    part("angles").addEventListener("change", () => {
-      state.degrees = part("angles").value === "degrees";
-      redrawn = true;
+    clicked("play", () => setPlaying(!state.playing));
+    chosen("pace", (pace) => (state.pace = Number(pace)));
+    chosen("assembly", (index) => changeAssembly(Number(index)));
+    chosen("angles", (unit) => {
+      state.degrees = unit === "degrees";
       say("", false);
       showPeaks();
-      ask();
+      redraw();
     });
-    part("open-dimensions").addEventListener("click", () => openDrawer(part("dimensions").hidden));
-    part("close-dimensions").addEventListener("click", () => {
+    clicked("open-dimensions", () => openDrawer(part("dimensions").hidden));
+    clicked("close-dimensions", () => {
       openDrawer(false);
       part("open-dimensions").focus();
     });
-    part("reset").addEventListener("click", () => {
-      state.design = structuredClone(given);
-      unsolved = true;
-      ask();
+    clicked("reset", () => {
+      state.design = given;
+      solve();
     });
-    part("keep").addEventListener("click", () => {
-      state.reference = { design: structuredClone(state.design), sweep };
-      redrawn = true;
-      ask();
+    clicked("keep", () => compare(sweep));
+    clicked("drop", () => compare(null));
+    clicked("swap", swap);
+    handlePicture(part("picture"), model, {
+      view,
+      pose: () => lastRow.pose,
+      drag,
+      end: later,
+      changed: ask,
+      assembly: changeAssembly,
+      trace,
     });
-    part("drop").addEventListener("click", () => {
-      state.reference = null;
-      redrawn = true;
-      ask();
-    });
-    part("swap").addEventListener("click", swap);
-    handlePicture(part("picture"), model, { view, pose: () => lastRow.pose, drag, end: later, changed: ask, assembly: changeAssembly, trace });
     handlePlots(part("plots"), {
       inputAt: (x) => plots.inputAt(x),
       select: (chosen) => plots.select(chosen),
@@ -722,7 +786,10 @@ export function start(report, solver) {
       all: () => zoomTo([model.from, model.to]),
     });
     handleScrubber(part("scrubber"), { inputAt: (x) => scrubber.inputAt(x), move: (x) => goTo(x), end: later });
-    for (const [event, printing] of [["beforeprint", true], ["afterprint", false]]) {
+    for (const [event, printing] of [
+      ["beforeprint", true],
+      ["afterprint", false],
+    ]) {
       addEventListener(event, () => {
         state.printing = printing;
         drawStill();
@@ -731,37 +798,37 @@ export function start(report, solver) {
     }
     document.addEventListener("keydown", pressed);
     document.addEventListener("pointerdown", (event) => {
-      if (!part("save").contains(/** @type {Node} */ (event.target))) {
+      if (!part("save").contains(event.target)) {
         part("save").open = false;
       }
     });
-    new ResizeObserver(() => {
-      redrawn = true;
-      ask();
-    }).observe(part("board"));
-    for (const name of ["picture", "plots"]) {
-      new ResizeObserver(() => {
-        redrawn = true;
-        ask();
-      }).observe(part(name));
-    }
+    const resized = new ResizeObserver(redraw);
+    ["board", "picture", "plots"].forEach((name) => resized.observe(part(name)));
     listenToSaving();
   }
 
   /** The numbers of the pose: each quantity with its rates, in radians. */
   function valuesNow() {
-    return row && Object.fromEntries(model.quantities.map(({ name, declared }, index) => [declared, row.pose[name].map((value, order) => value + (order === 0 ? row.shifts[index] : 0))]));
+    return (
+      row &&
+      Object.fromEntries(
+        model.quantities.map(({ name, declared }, index) => [
+          declared,
+          row.pose[name].map((_, order) => valueAt(model, row, index, order)),
+        ]),
+      )
+    );
   }
 
   function listenToSaving() {
     const name = (report.module ?? report.name).replace(/[^A-Za-z0-9_-]+/g, "_");
     const on = (id, action) =>
-      part(id).addEventListener("click", () => {
+      clicked(id, () => {
         part("save").open = false;
         action();
       });
     const text = (file, content, type) => handOver(file, new Blob([content], { type }));
-    on("save-csv", () => text(`${name}.csv`, sweepTable(model, sweep, state.degrees, state.design.speed), "text/csv"));
+    on("save-csv", () => text(`${name}.csv`, sweepTable(sweep, state.degrees), "text/csv"));
     on("save-svg", () => text(`${name}.svg`, pictureFile(part("picture"), report.title), "image/svg+xml"));
     on("save-plots", () => text(`${name}_plots.svg`, pictureFile(part("plots"), report.title), "image/svg+xml"));
     on("save-png", () => {
@@ -770,17 +837,20 @@ export function start(report, solver) {
         (error) => say(`No picture was written: ${error.message}.`, true),
       );
     });
-    on("save-json", () => text(`${name}.json`, `${JSON.stringify({ report, design: state.design, assembly: assemblyNow().name, input: state.x, pose: valuesNow() }, null, 1)}\n`, "application/json"));
+    on("save-json", () => {
+      const all = { report, design: state.design, assembly: assemblyNow().name, input: state.x, pose: valuesNow() };
+      text(`${name}.json`, `${JSON.stringify(all, null, 1)}\n`, "application/json");
+    });
     on("print", () => print());
   }
 
   function pressed(event) {
-    const target = /** @type {Element} */ (event.target);
+    const target = event.target;
     const busy = target.closest("input, select, button, textarea, summary, pre");
     if (busy || event.altKey || event.ctrlKey || event.metaKey) {
       return;
     }
-    const small = (model.to - model.from) / 360;
+    const small = model.width / PARTS;
     const span = spanAt(sweep, state.x);
     const actions = {
       " ": () => setPlaying(!state.playing),
@@ -811,7 +881,7 @@ export function start(report, solver) {
   if (sweep.spans.length === 0) {
     unsolved = true;
   } else if (!still) {
-    state.once = model.to - model.from;
+    state.once = model.width;
     setPlaying(true);
   }
   ask();
@@ -821,5 +891,10 @@ export function start(report, solver) {
 function refuse(report, reason) {
   const title = typeof report?.title === "string" ? report.title : "kin";
   document.title = title;
-  document.body.replaceChildren(made("main", { className: "refused" }, made("h1", {}, title), made("p", { role: "alert", id: "refusal" }, reason)));
+  document.body.replaceChildren(
+    made("main", { className: "refused" }, made("h1", {}, title), made("p", { role: "alert", id: "refusal" }, reason)),
+  );
 }
+
+// the solver stands before this script
+start(JSON.parse(part("report").textContent), kinSolver);

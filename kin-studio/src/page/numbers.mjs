@@ -2,12 +2,16 @@
 
 const SUPERSCRIPTS = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷", 8: "⁸", 9: "⁹" };
 
+/** A word with a capital letter. */
+export function capital(word) {
+  return `${word[0].toUpperCase()}${word.slice(1)}`;
+}
+
 /** The names of the derivatives by time, from the position on. */
 export const ORDERS = ["position", "velocity", "acceleration", "jerk", "snap"];
 
 /**
  * A number with a true minus sign, and a power of ten where it is very large or small.
- * @param {number} value
  * @param {number} digits significant ones; zeros at the end are left out
  * @returns {string}
  */
@@ -23,12 +27,13 @@ export function numberText(value, digits = 5) {
     const [digitsPart, power] = value.toExponential(digits - 1).split("e");
     return `${minus(trimmed(digitsPart))}×10${raised(Number(power))}`;
   }
-  return minus(trimmed(Number(value.toPrecision(digits)).toFixed(Math.max(0, digits - 1 - Math.floor(Math.log10(size))))));
+  return minus(
+    trimmed(Number(value.toPrecision(digits)).toFixed(Math.max(0, digits - 1 - Math.floor(Math.log10(size))))),
+  );
 }
 
 /**
  * A number with as many decimals as the largest number beside it needs for five digits, so that it does not jump about.
- * @param {number} value
  * @param {number} scale the size of the largest one
  * @returns {string}
  */
@@ -41,28 +46,19 @@ export function steadyText(value, scale) {
   return minus(Number(text) === 0 ? text.replace("-", "") : text);
 }
 
-/** @param {string} text */
 function trimmed(text) {
   return text.includes(".") ? text.replace(/\.?0+$/, "") : text;
 }
 
-/** @param {string} text */
 function minus(text) {
   return text.replace("-", "−");
 }
 
-/** @param {number} power */
 function raised(power) {
   return [...String(power)].map((letter) => SUPERSCRIPTS[letter]).join("");
 }
 
-/**
- * The unit of a quantity's derivative by time; an empty text if there is none.
- * @param {string} dimension
- * @param {number} order
- * @param {{length: string, time: string}} units
- * @param {boolean} degrees
- */
+/** The unit of a quantity's derivative by time; an empty text if there is none. */
 export function unitText(dimension, order, units, degrees) {
   const bases = { angle: degrees ? "°" : "rad", length: units.length, time: units.time };
   const base = bases[dimension] ?? "";
@@ -72,30 +68,27 @@ export function unitText(dimension, order, units, degrees) {
   return `${base || "1"}/${units.time}${order > 1 ? raised(order) : ""}`;
 }
 
-/**
- * A number and its unit, with the space that belongs between them.
- * @param {string} number
- * @param {string} unit
- */
+/** A number and its unit, with the space that belongs between them. */
 export function withUnit(number, unit) {
   return unit === "" ? number : unit.startsWith("°") ? `${number}${unit}` : `${number} ${unit}`;
 }
 
-/**
- * What radians are multiplied by.
- * @param {string} dimension
- * @param {boolean} degrees
- */
+/** A derivative of a quantity with its unit. */
+export function quantityText(value, { dimension, order = 0 }, { units }, degrees, digits = 5) {
+  return withUnit(
+    numberText(value * unitFactor(dimension, degrees), digits),
+    unitText(dimension, order, units, degrees),
+  );
+}
+
+/** What radians are multiplied by. */
 export function unitFactor(dimension, degrees) {
   return dimension === "angle" && degrees ? 180 / Math.PI : 1;
 }
 
 /**
  * Round numbers that divide a range: multiples of 1, 2 or 5 times a power of ten, or of parts of a turn for degrees.
- * @param {number} low
- * @param {number} high
  * @param {number} count about how many
- * @param {boolean} degrees
  * @returns {number[]}
  */
 export function ticks(low, high, count, degrees = false) {

@@ -1,17 +1,16 @@
 /** What stands below the fold: peaks, sensitivities, equations, how it was solved, the declaration. */
-import { motionOf } from "./drive.mjs";
-import { drawn, made } from "./elements.mjs";
+import { inputAt } from "./kinematics/drive.mjs";
+import { button, choice, definitions, drawn, made, table } from "./elements.mjs";
 import { formulaOf } from "./formulas.mjs";
-import { inputText } from "./marks.mjs";
-import { numberText, ORDERS, unitFactor, unitText, withUnit } from "./numbers.mjs";
+import { inputText } from "./kinematics/marks.mjs";
+import { blockText } from "./kinematics/model.mjs";
+import { capital, numberText, ORDERS, quantityText, unitFactor, unitText, withUnit } from "./numbers.mjs";
 import { quotedCell } from "./saving.mjs";
 
 /** The part of the larger extreme below which the smaller one is but rounding. */
 const ROUNDING = 1e-14;
 
 /**
- * @param {HTMLElement} place
- * @param {import("./model.mjs").Model} model
  * @param {(x: number) => void} go moves the mechanism to a place of the range
  */
 export function createPaper(place, model, go) {
@@ -22,22 +21,22 @@ export function createPaper(place, model, go) {
     return section;
   };
   if (report.documentation) {
-    const paragraphs = report.documentation.split(/\n\s*\n/).map((text) => made("p", {}, text.trim().replaceAll("`", "")));
+    const paragraphs = report.documentation
+      .split(/\n\s*\n/)
+      .map((text) => made("p", {}, text.trim().replaceAll("`", "")));
     add("About", made("div", { className: "prose" }, ...paragraphs));
   }
-  const body = made("tbody");
+  const peakTable = made("div", { className: "scroll" });
   const note = made("p", { className: "quiet-text" });
-  const copy = made("button", { type: "button", className: "no-print" }, "Copy as CSV");
-  const head = made("thead", {}, made("tr", {}, ...["Quantity", "", "Highest", "at", "Lowest", "at", "RMS"].map((text) => made("th", { scope: "col" }, text))));
-  add("Peaks", made("div", { className: "scroll" }, made("table", {}, head, body)), made("p", { className: "row" }, copy, note));
   let cells = [];
-  copy.addEventListener("click", () => {
+  const copy = button("Copy as CSV", { className: "no-print" }, () => {
     const text = cells.map((row) => `${row.map((cell) => quotedCell(String(cell))).join(",")}\r\n`).join("");
     copyText(text).then((done) => {
       copy.textContent = done ? "Copied" : "The browser refuses to copy";
       setTimeout(() => (copy.textContent = "Copy as CSV"), 1500);
     });
   });
+  add("Peaks", peakTable, made("p", { className: "row" }, copy, note));
   const showSensitivities = sensitivities(add, model);
   equations(add, model);
   howSolved(add, model);
@@ -45,74 +44,59 @@ export function createPaper(place, model, go) {
   manual(add, model);
 
   return {
-    /**
-     * @param {import("./peaks.mjs").Peak[]} peaks
-     * @param {boolean} degrees
-     * @param {string} source
-     */
     showPeaks(peaks, degrees, source) {
       showSensitivities(degrees);
       const reasons = new Set((report.unanswered ?? []).map(({ text }) => text));
       note.textContent = reasons.size > 0 ? `${source} Not found: ${[...reasons].join("; ")}.` : source;
-      const unit = (quantity, order) => unitText(quantity.dimension, order, model.units, degrees);
-      const inputUnit = unitText(model.variable.dimension, 0, model.units, degrees);
-      cells = [["quantity", "derivative", "unit", "highest", `at [${inputUnit}]`, "lowest", `at [${inputUnit}]`, "rms"]];
-      body.replaceChildren();
-      for (const { quantity: name, order, highest, lowest, rms } of peaks) {
-        const quantity = model.quantities.find((one) => one.name === name);
-        if (!quantity) {
-          continue;
-        }
-        const factor = unitFactor(quantity.dimension, degrees);
-        const inputFactor = unitFactor(model.variable.dimension, degrees);
-        const size = Math.max(Math.abs(highest?.value ?? 0), Math.abs(lowest?.value ?? 0));
-        const value = (peak) => {
-          if (!peak) {
-            return "–";
-          }
-          // beside the other extreme, what is left of a zero by rounding is zero
-          const own = Math.abs(peak.value) > ROUNDING * size ? peak.value : 0;
-          return peak.value === null ? "unbounded" : withUnit(numberText(own * factor, 6), unit(quantity, order));
-        };
-        const at = (peak) => {
-          if (!peak) {
-            return "";
-          }
-          const button = made("button", { type: "button", "aria-label": `Go to ${model.variable.text} = ${inputText(model, peak.at, degrees)}` }, inputText(model, peak.at, degrees));
-          button.dataset.at = String(peak.at);
-          button.addEventListener("click", () => go(peak.at));
-          return button;
-        };
-        const mean = rms === null ? "–" : withUnit(numberText(rms * factor, 6), unit(quantity, order));
+      const at = `at [${unitText(model.variable.dimension, 0, model.units, degrees)}]`;
+      cells = [["quantity", "derivative", "unit", "highest", at, "lowest", at, "rms"]];
+      const rows = peaks.map((peak, index) => {
+        const quantity = { ...model.quantities.find(({ name }) => name === peak.quantity), order: peak.order };
+        cells.push(numbersOf(model, peak, quantity, degrees));
         const swatch = made("span", { className: `legend c${quantity.colour}` });
-        body.append(
-          made(
-            "tr",
-            {},
-            order === 0 || body.lastChild?.dataset?.name !== name ? made("th", { scope: "row" }, swatch, ` ${quantity.text}`) : made("td"),
-            made("td", { className: "words" }, ORDERS[order]),
-            made("td", {}, value(highest)),
-            made("td", {}, at(highest)),
-            made("td", {}, value(lowest)),
-            made("td", {}, at(lowest)),
-            made("td", {}, mean),
-          ),
-        );
-        body.lastChild.dataset.name = name;
-        const number = (peak, part, by) => (peak && peak[part] !== null ? peak[part] * by : "");
-        cells.push([quantity.declared, ORDERS[order], unit(quantity, order), number(highest, "value", factor), number(highest, "at", inputFactor), number(lowest, "value", factor), number(lowest, "at", inputFactor), rms === null ? "" : rms * factor]);
-      }
+        const isFirst = peak.quantity !== peaks[index - 1]?.quantity;
+        const head = isFirst ? made("th", { scope: "row" }, swatch, ` ${quantity.text}`) : "";
+        const derivative = made("td", { className: "words" }, ORDERS[peak.order]);
+        return [head, derivative, ...textsOf(model, peak, quantity, degrees, go)];
+      });
+      peakTable.replaceChildren(table(["Quantity", "", "Highest", "at", "Lowest", "at", "RMS"], rows));
     },
   };
 }
 
-/** @param {string} text */
+/** A row of the peaks in numbers. */
+function numbersOf(model, { highest, lowest, rms }, quantity, degrees) {
+  const number = (value, { dimension }) =>
+    value === null || value === undefined ? "" : value * unitFactor(dimension, degrees);
+  const both = (peak) => [number(peak?.value, quantity), number(peak?.at, model.variable)];
+  const unit = unitText(quantity.dimension, quantity.order, model.units, degrees);
+  return [quantity.declared, ORDERS[quantity.order], unit, ...both(highest), ...both(lowest), number(rms, quantity)];
+}
+
+/** A row of the peaks in words, with buttons that go to their places. */
+function textsOf(model, { highest, lowest, rms }, quantity, degrees, go) {
+  const text = (value) => quantityText(value, quantity, model, degrees, 6);
+  // beside the other extreme, what is left of a zero by rounding is zero
+  const size = Math.max(Math.abs(highest?.value ?? 0), Math.abs(lowest?.value ?? 0));
+  const rounded = (value) => (Math.abs(value) > ROUNDING * size ? value : 0);
+  const both = (peak) => {
+    if (!peak) {
+      return ["–", ""];
+    }
+    const place = inputText(model, peak.at, degrees);
+    const there = button(place, { "aria-label": `Go to ${model.variable.text} = ${place}` }, () => go(peak.at));
+    there.dataset.at = String(peak.at);
+    return [peak.value === null ? "unbounded" : text(rounded(peak.value)), there];
+  };
+  return [...both(highest), ...both(lowest), rms === null ? "–" : text(rms)];
+}
+
 async function copyText(text) {
   try {
     await navigator.clipboard.writeText(text);
     return true;
   } catch {
-    const area = /** @type {HTMLTextAreaElement} */ (made("textarea", { value: text }));
+    const area = made("textarea", { value: text });
     document.body.append(area);
     area.select();
     const done = document.execCommand("copy");
@@ -127,14 +111,21 @@ function sensitivities(add, model) {
   if (all.length === 0) {
     return () => {};
   }
-  const select = made("select", { "aria-label": "Peak" }, ...all.map(({ quantity, text }, index) => made("option", { value: String(index) }, text || quantity)));
-  const first = all.findIndex(({ order }) => order === 2);
-  select.value = String(Math.max(0, first));
-  const table = made("div", { className: "sense" });
+  let chosen = Math.max(
+    0,
+    all.findIndex(({ order }) => order === 2),
+  );
+  let last = false;
+  const entries = all.map(({ quantity, text }, index) => [String(index), text || quantity]);
+  const select = choice("Peak", entries, String(chosen), (index) => {
+    chosen = Number(index);
+    show(last);
+  });
+  const bars = made("div", { className: "sense" });
   const note = made("p", { className: "quiet-text" });
-  add("Sensitivities", made("p", { className: "row" }, select), table, note);
+  add("Sensitivities", made("p", { className: "row" }, select), bars, note);
   const show = (degrees) => {
-    const { quantity: name, order, values } = all[Number(select.value)];
+    const { quantity: name, order, values } = all[chosen];
     const dimension = model.quantities.find(({ declared }) => declared === name)?.dimension ?? "number";
     const unit = unitText(dimension, order, model.units, degrees);
     const effects = model.parameters.map(({ value }, index) => values[index] * value);
@@ -142,17 +133,19 @@ function sensitivities(add, model) {
     const rows = model.parameters.flatMap(({ text, dimension: own }, index) => {
       const effect = (98 * effects[index]) / most;
       const bar = drawn("svg", { viewBox: "-100 0 200 14", preserveAspectRatio: "none", "aria-hidden": "true" });
-      drawn("rect", { x: Math.min(0, effect), width: Math.abs(effect), y: 2, height: 10, class: effect < 0 ? "bar-down" : "bar-up" }, bar);
+      const rect = { x: Math.min(0, effect), width: Math.abs(effect), y: 2, height: 10 };
+      drawn("rect", { ...rect, class: effect < 0 ? "bar-down" : "bar-up" }, bar);
       drawn("path", { d: "M0 0V14", class: "zero-line" }, bar);
       const rate = (values[index] * unitFactor(dimension, degrees)) / unitFactor(own, degrees);
       const each = unitText(own, 0, model.units, degrees);
-      return [made("span", {}, text), bar, made("span", { className: "number" }, `${withUnit(numberText(rate, 4), unit)}${each ? ` per ${each}` : ""}`)];
+      const number = `${withUnit(numberText(rate, 4), unit)}${each ? ` per ${each}` : ""}`;
+      return [made("span", {}, text), bar, made("span", { className: "number" }, number)];
     });
-    table.replaceChildren(...rows);
-    note.textContent = "Bars: the effect of the same part of each dimension. Numbers: the change of the peak for each unit of the dimension.";
+    bars.replaceChildren(...rows);
+    note.textContent =
+      "Bars: the effect of the same part of each dimension. " +
+      "Numbers: the change of the peak for each unit of the dimension.";
   };
-  let last = false;
-  select.addEventListener("change", () => show(last));
   return (degrees) => {
     last = degrees;
     show(degrees);
@@ -160,54 +153,31 @@ function sensitivities(add, model) {
 }
 
 function equations(add, model) {
-  const { formulas } = model.report;
-  if (!formulas) {
-    return;
-  }
-  const content = [];
-  const titles = { closure: "Closure", position: "Position", velocity: "Velocity", rates: "Rates", outputs: "Outputs" };
-  const walk = (value) => {
-    if (Array.isArray(value)) {
-      value.forEach(walk);
-    } else if (value && typeof value === "object") {
-      if (typeof value.mathml === "string" || typeof value.text === "string") {
-        const formula = value.mathml ? formulaOf(value.mathml) : null;
-        const text = value.text ?? "";
-        if (formula === null && text === "") {
-          return;
-        }
-        content.push(formula ? made("div", { className: "formula", tabIndex: 0, role: "group", "aria-label": text || "formula" }, formula) : made("pre", { tabIndex: 0 }, text));
-      } else {
-        Object.values(value).forEach(walk);
-      }
-    }
+  const shown = ({ text, mathml }) => {
+    const formula = mathml && formulaOf(mathml);
+    const properties = { className: "formula", tabIndex: 0, role: "group", "aria-label": text || "formula" };
+    return formula ? made("div", properties, formula) : made("pre", { tabIndex: 0 }, text);
   };
-  for (const [name, value] of Object.entries(formulas)) {
-    const before = content.length;
-    walk(value);
-    if (content.length > before) {
-      content.splice(before, 0, made("h3", {}, titles[name] ?? name));
-    }
-  }
+  const content = ["closure", "position", "velocity", "rates", "outputs"].flatMap((name) => {
+    const formulas = [model.report.formulas?.[name] ?? []].flat().filter(({ text, mathml }) => text || mathml);
+    const title = made("h3", {}, capital(name));
+    return formulas.length > 0 ? [title, ...formulas.map(shown)] : [];
+  });
   if (content.length > 0) {
     add("Equations", ...content);
   }
 }
 
 function howSolved(add, model) {
-  const { blocks = [], operations = [] } = model.report;
-  const head = (...texts) => made("thead", {}, made("tr", {}, ...texts.map((text) => made("th", { scope: "col", className: "words" }, text))));
-  const row = (...texts) => made("tr", {}, ...texts.map((text) => made("td", { className: "words" }, text)));
-  const names = (text) => text.split(", ").map((name) => model.quantities.find((one) => one.declared === name)?.text ?? name).join(", ");
-  const tables = [];
-  if (blocks.length > 0) {
-    tables.push(made("table", {}, head("Unknowns", "Solution"), made("tbody", {}, ...blocks.map(({ unknowns, solution }) => row(names(unknowns), solution)))));
-  }
-  if (operations.length > 0) {
-    tables.push(made("table", {}, head("Through", "Operations"), made("tbody", {}, ...operations.map(({ order, text }) => row(ORDERS[order] ?? String(order), text)))));
-  }
+  const { blocks, operations } = model.report;
+  const solutions = blocks.map(({ unknowns, solution }) => [blockText(model, unknowns), solution]);
+  const costs = operations.map(({ order, text }) => [ORDERS[order] ?? String(order), text]);
+  const tables = [
+    table(["Unknowns", "Solution"], solutions, "words"),
+    table(["Through", "Operations"], costs, "words"),
+  ].filter((one) => one.tBodies[0].rows.length > 0);
   if (tables.length > 0) {
-    add("How it was solved", ...tables.map((table) => made("div", { className: "scroll" }, table)));
+    add("How it was solved", ...tables.map((one) => made("div", { className: "scroll" }, one)));
   }
 }
 
@@ -217,49 +187,52 @@ function dragText(model) {
   if (model.drive.overTime) {
     return `goes to the time at which the laws lead it nearest; the inputs keep to their laws, and ${stops}`;
   }
-  return model.moving.length > 1 ? `moves all inputs along their line to the nearest pose; ${stops}` : `moves the mechanism to the nearest pose; ${stops}`;
+  return model.moving.length > 1
+    ? `moves all inputs along their line to the nearest pose; ${stops}`
+    : `moves the mechanism to the nearest pose; ${stops}`;
 }
 
 /** What hands can do. */
 function manual(add, model) {
-  const list = made("dl");
-  for (const [deed, effect] of [
+  const beside = model.space
+    ? ["Drag beside the links", "turns the view; with Shift it shifts the view"]
+    : ["Drag the empty plane", "shifts the view"];
+  const deeds = definitions([
     ["Drag a link", dragText(model)],
     ["Double click on a link", "draws the path of that point"],
-    [model.space ? "Drag beside the links" : "Drag the empty plane", model.space ? "turns the view; with Shift it shifts the view" : "shifts the view"],
+    beside,
     ["Click into a picture, then the wheel", "enlarges it; with Ctrl at once"],
     ["Point at a plot", "moves the mechanism; a drag enlarges that part, a double click shows all again"],
     ["Click on another assembly", "changes to it"],
     ["Arrow keys", "one part in 360 of the range; with Shift ten; Home and End go to the ends of what closes"],
     ["Space", "plays and pauses"],
-  ]) {
-    list.append(made("dt", {}, deed), made("dd", {}, effect));
-  }
-  add("Using this page", list).classList.add("no-print");
+  ]);
+  add("Using this page", deeds).classList.add("no-print");
 }
 
 function declaration(add, model) {
   const { report } = model;
-  const list = made("dl");
-  const entry = (name, text) => text && list.append(made("dt", {}, name), made("dd", {}, text));
-  const { parameters } = report;
   const unit = (dimension, order) => unitText(dimension, order, model.units, false);
-  entry("Mechanism", report.name);
-  entry("Dimensions", parameters.map(({ name, value, dimension }) => withUnit(`${name} = ${value}`, unit(dimension, 0))).join(", "));
-  entry(model.moving.length > 1 ? "Moving inputs" : "Moving input", motionText(model, unit));
-  const others = model.inputs.filter(({ moves }) => !moves).map(({ declared: name, value, dimension }) => ({ name, value, dimension }));
-  entry("Other inputs", others.map(({ name, value, dimension }) => withUnit(`${name} = ${value}`, unit(dimension, 0))).join(", "));
-  entry("Assembly", report.assemblies?.[report.assembly]?.name);
-  entry("Written by", `kin ${report.kin}`);
-  entry("Hash", report.hash);
+  const values = (list) =>
+    list.map(({ declared, value, dimension }) => withUnit(`${declared} = ${value}`, unit(dimension, 0))).join(", ");
+  const entries = [
+    ["Mechanism", report.name],
+    ["Dimensions", values(model.parameters)],
+    [model.moving.length > 1 ? "Moving inputs" : "Moving input", motionText(model, unit)],
+    ["Other inputs", values(model.inputs.filter(({ moves }) => !moves))],
+    ["Assembly", report.assemblies[report.assembly]?.name],
+    ["Written by", `kin ${report.kin}`],
+    ["Hash", report.hash],
+  ];
   const source = report.declaration ? [made("pre", { tabIndex: 0 }, report.declaration)] : [];
-  add("Declaration", ...source, made("h3", {}, "This report"), list);
+  add("Declaration", ...source, made("h3", {}, "This report"), definitions(entries.filter(([, text]) => text)));
 }
 
 /** How the inputs move, with all digits. */
 function motionText(model, unit) {
   const { drive, variable } = model;
-  const range = (from, to, dimension) => `from ${withUnit(String(from), unit(dimension, 0))} to ${withUnit(String(to), unit(dimension, 0))}`;
+  const range = (from, to, dimension) =>
+    `from ${withUnit(String(from), unit(dimension, 0))} to ${withUnit(String(to), unit(dimension, 0))}`;
   if (model.moving.length === 0) {
     return "none";
   }
@@ -267,11 +240,14 @@ function motionText(model, unit) {
     const names = model.moving.map(({ declared }) => declared).join(", ");
     return `${names} under ${model.moving.length > 1 ? "laws" : "a law"}, ${range(model.from, model.to, "time")}`;
   }
-  const last = drive.pieces.length - 1;
-  const value = (index, x, piece) => motionOf(drive, index, x, piece, 1, 0)[0];
+  const [first, last] = [
+    { x: model.from, piece: 0 },
+    { x: model.to, piece: drive.pieces.length - 1 },
+  ];
   const ways = model.moving.map(({ declared, index, dimension, name }) => {
-    const ends = name === variable.name ? [model.from, model.to] : [value(index, model.from, 0), value(index, model.to, last)];
-    return `${declared} ${range(ends[0], ends[1], dimension)}`;
+    const value = (place) => (name === variable.name ? place.x : inputAt(drive, index, place));
+    return `${declared} ${range(value(first), value(last), dimension)}`;
   });
-  return `${ways.join(", ")}, ${model.moving.length > 1 ? `${variable.declared} ` : ""}at ${withUnit(String(model.report.speed), unit(variable.dimension, 1))}`;
+  const speed = withUnit(String(model.report.speed), unit(variable.dimension, 1));
+  return `${ways.join(", ")}, ${model.moving.length > 1 ? `${variable.declared} ` : ""}at ${speed}`;
 }

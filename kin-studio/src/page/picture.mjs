@@ -1,14 +1,28 @@
 /** The mechanism to scale: ground, links, sliders, pins, paths, arrows and names. */
-import { placeOf } from "./anatomy.mjs";
+import { placeOf } from "./kinematics/anatomy.mjs";
 import { change, drawn, line, tell, tenth } from "./elements.mjs";
 import { createRoom, keepLines, keepSquare, placeName } from "./labels.mjs";
 import { numberText, ticks, withUnit } from "./numbers.mjs";
-import { alongSlide } from "./sweep.mjs";
+import { alongSlide } from "./kinematics/sweep.mjs";
+import { ROUNDING } from "./kinematics/tolerances.mjs";
 import { flat, onPage } from "./view.mjs";
 
 /** Half the length and half the width of a slider's block, in pixels. */
 const BLOCK = [13, 7.5];
-const LAYERS = ["grid", "trails", "ghosts", "reference", "ground", "bodies", "sliders", "pins", "marks", "arrows", "names", "hits"];
+const LAYERS = [
+  "grid",
+  "trails",
+  "ghosts",
+  "reference",
+  "ground",
+  "bodies",
+  "sliders",
+  "pins",
+  "marks",
+  "arrows",
+  "names",
+  "hits",
+];
 
 /**
  * @typedef {object} Scene
@@ -16,8 +30,8 @@ const LAYERS = ["grid", "trails", "ghosts", "reference", "ground", "bodies", "sl
  * @property {number} width
  * @property {number} height
  * @property {any} pose
- * @property {import("./anatomy.mjs").Anatomy} anatomy
- * @property {import("./sweep.mjs").Sweep} sweep
+ * @property {import("./kinematics/anatomy.mjs").Anatomy} anatomy
+ * @property {import("./kinematics/sweep.mjs").Sweep} sweep
  * @property {{name: boolean, [option: string]: boolean}} shows
  * @property {any[]} followed
  * @property {string} still what grid and trails depend on: they are drawn again when it differs
@@ -27,21 +41,16 @@ const LAYERS = ["grid", "trails", "ghosts", "reference", "ground", "bodies", "sl
  * @property {{from: number[], by: number[], order: number}[]} arrows by, in pixels
  * @property {{centre: number[], radius: number, at: number[]}[]} circles
  * @property {{at: number[], name: string}[]} centres
- * @property {number[]} senses for each body the sense in which its input turns it: 1, -1, or 0 if none does or it stands
+ * @property {number[]} senses for each body the sense in which its input turns it: 1, -1, or 0 if none does
  * @property {boolean} moves whether names should keep their places
  */
 
-/**
- * @param {SVGElement} svg
- * @param {import("./model.mjs").Model} model
- */
 export function createPicture(svg, model) {
   const layers = Object.fromEntries(LAYERS.map((name) => [name, pool(drawn("g", { class: name }, svg))]));
   const choices = new Map();
   let still = "";
   let kept = createRoom(0, 0);
   return {
-    /** @param {Scene} scene */
     draw(scene) {
       const room = createRoom(scene.width, scene.height);
       const joints = scene.pose.joints.map((joint) => onPage(scene.view, joint));
@@ -182,7 +191,12 @@ function guideOf(model, scene, slide, pose) {
   const length = Math.hypot(...direction);
   const here = alongSlide(model, pose, slide);
   const travel = scene.sweep.travel[slide].map((end) => (Number.isFinite(end) ? end : here));
-  return travel.map((end) => onPage(scene.view, pose.joints[joint].map((value, axis) => value + (direction[axis] / length) * (end - here))));
+  return travel.map((end) =>
+    onPage(
+      scene.view,
+      pose.joints[joint].map((value, axis) => value + (direction[axis] / length) * (end - here)),
+    ),
+  );
 }
 
 /** Whether a slide is the stroke of a cylinder: it is driven, or seen in space. */
@@ -193,7 +207,7 @@ function isCylinder(model, scene, slide) {
 /** Whether a slide stands: its joint keeps its place on the body, which is as long as an input that does not move. */
 function standsStill(model, scene, slide) {
   const [low, high] = scene.sweep.travel[slide];
-  return model.outline.slides[slide].guide !== null && high - low <= 1e-9 * Math.max(Math.abs(low), Math.abs(high));
+  return model.outline.slides[slide].guide !== null && high - low <= ROUNDING * Math.max(Math.abs(low), Math.abs(high));
 }
 
 function cornersOf(model, scene, body, joints, pose) {
@@ -245,7 +259,10 @@ function ground(layer, model, scene, joints, room) {
     if (below[1] < -1e-9 || (Math.abs(below[1]) <= 1e-9 && below[0] < 0)) {
       below = [y, -x];
     }
-    const shift = (place, sign) => [place[0] + sign * 18 * x + below[0] * (BLOCK[1] + 1), place[1] + sign * 18 * y + below[1] * (BLOCK[1] + 1)];
+    const shift = (place, sign) => [
+      place[0] + sign * 18 * x + below[0] * (BLOCK[1] + 1),
+      place[1] + sign * 18 * y + below[1] * (BLOCK[1] + 1),
+    ];
     const forward = (end[0] - start[0]) * x + (end[1] - start[1]) * y >= 0;
     const [from, to] = forward ? [shift(start, -1), shift(end, 1)] : [shift(end, -1), shift(start, 1)];
     layer.add("path", { d: line([from, to]), class: "ground-line" });
@@ -256,8 +273,21 @@ function ground(layer, model, scene, joints, room) {
     if (!scene.anatomy.pins[joint] || !scene.anatomy.fixed[joint]) {
       return;
     }
-    layer.add("path", { d: line([[x, y], [x - 9, y + 16], [x + 9, y + 16]], true), class: "foot" });
-    const [from, to] = [[x - 14, y + 16], [x + 14, y + 16]];
+    layer.add("path", {
+      d: line(
+        [
+          [x, y],
+          [x - 9, y + 16],
+          [x + 9, y + 16],
+        ],
+        true,
+      ),
+      class: "foot",
+    });
+    const [from, to] = [
+      [x - 14, y + 16],
+      [x + 14, y + 16],
+    ];
     layer.add("path", { d: line([from, to]), class: "ground-line" });
     layer.add("path", { d: hatch(from, to, [0, 1]), class: "hatch" });
     room.boxes.push([x - 15, y - 5, x + 15, y + 22]);
@@ -275,9 +305,13 @@ function bodies(layer, hits, model, scene, joints, room) {
   model.outline.bodies.forEach((_, body) => {
     const { driven, colours } = scene.anatomy;
     const corners = cornersOf(model, scene, body, joints, scene.pose);
-    const cylinder = model.outline.slides.some(({ guide }, slide) => guide === body && isCylinder(model, scene, slide) && !standsStill(model, scene, slide));
+    const cylinder = model.outline.slides.some(
+      ({ guide }, slide) => guide === body && isCylinder(model, scene, slide) && !standsStill(model, scene, slide),
+    );
     const outer = hull(corners);
-    const shifted = model.outline.slides.some(({ guide }, slide) => guide === body && scene.anatomy.drivenSlides[slide]);
+    const shifted = model.outline.slides.some(
+      ({ guide }, slide) => guide === body && scene.anatomy.drivenSlides[slide],
+    );
     const colour = driven[body] || shifted ? "driven" : colours[body] === null ? "plain" : `c${colours[body]}`;
     const d = line(outer, outer.length > 2);
     if (cylinder && outer.length === 2) {
@@ -357,7 +391,11 @@ function marks(layer, model, scene, joints, room) {
     });
     layer.add("path", { d: line(arc), class: "drive" });
     layer.add("path", { d: arrowHead(arc[16], arc[15]), class: "drive-head" });
-    keepLines(room, arc.filter((_, index) => index % 4 === 0), 3);
+    keepLines(
+      room,
+      arc.filter((_, index) => index % 4 === 0),
+      3,
+    );
   });
   for (const { centre, radius, at } of scene.circles) {
     const [[x, y], place] = [onPage(scene.view, centre), onPage(scene.view, at)];
@@ -390,8 +428,14 @@ function arrows(layer, scene, room) {
     const start = onPage(scene.view, from);
     const end = [start[0] + by[0], start[1] + by[1]];
     if (Math.hypot(...by) > 6) {
-      layer.add("path", { d: line([start, [end[0] - 4 * unitOf(start, end)[0], end[1] - 4 * unitOf(start, end)[1]]]), class: `arrow o${order}` });
-      layer.add("path", { d: arrowHead([end[0] - 4 * unitOf(start, end)[0], end[1] - 4 * unitOf(start, end)[1]], start), class: `arrow-head o${order}` });
+      layer.add("path", {
+        d: line([start, [end[0] - 4 * unitOf(start, end)[0], end[1] - 4 * unitOf(start, end)[1]]]),
+        class: `arrow o${order}`,
+      });
+      layer.add("path", {
+        d: arrowHead([end[0] - 4 * unitOf(start, end)[0], end[1] - 4 * unitOf(start, end)[1]], start),
+        class: `arrow-head o${order}`,
+      });
       keepLines(room, [start, end], 2);
     }
   }
@@ -431,11 +475,7 @@ function names(layer, model, scene, joints, room, choices) {
   layer.end();
 }
 
-/**
- * The corners of the smallest convex polygon around some places; two if all lie on one line.
- * @param {number[][]} places
- * @returns {number[][]}
- */
+/** The corners of the smallest convex polygon around some places; two if all lie on one line. @returns {number[][]} */
 export function hull(places) {
   const sorted = [...places].sort((one, other) => one[0] - other[0] || one[1] - other[1]);
   const chain = (all) => {

@@ -1,9 +1,9 @@
 /** Position through snap over one common axis, with one cursor. */
-import { isBroken } from "./drive.mjs";
+import { isBroken } from "./kinematics/drive.mjs";
 import { change, drawn, line, tell, tenth } from "./elements.mjs";
-import { inputText } from "./marks.mjs";
-import { numberText, ORDERS, steadyText, ticks, unitFactor, unitText, withUnit } from "./numbers.mjs";
-import { innerRows, isAtLimit, rowBefore, spanAt } from "./sweep.mjs";
+import { inputText } from "./kinematics/marks.mjs";
+import { capital, numberText, ORDERS, steadyText, ticks, unitFactor, unitText, withUnit } from "./numbers.mjs";
+import { innerRows, isUnbounded, rowBefore, valueAt } from "./kinematics/sweep.mjs";
 
 const LEFT = 58;
 const RIGHT = 16;
@@ -20,17 +20,13 @@ const FOOT = 34;
  * @property {boolean} degrees
  * @property {boolean} time
  * @property {[number, number]} zoom the part of the range that is seen
- * @property {import("./sweep.mjs").Sweep} sweep
- * @property {import("./sweep.mjs").Sweep | null} reference
- * @property {import("./sweep.mjs").Mark[]} marks
+ * @property {import("./kinematics/sweep.mjs").Sweep} sweep
+ * @property {import("./kinematics/sweep.mjs").Sweep | null} reference
+ * @property {import("./kinematics/marks.mjs").Mark[]} marks
  * @property {number} speed
  * @property {number} orders how many derivatives
  */
 
-/**
- * @param {SVGElement} svg
- * @param {import("./model.mjs").Model} model
- */
 export function createPlots(svg, model) {
   let rows = [];
   let now = null;
@@ -38,11 +34,10 @@ export function createPlots(svg, model) {
   const moving = drawn("g", {}, svg);
   const selection = drawn("rect", { class: "selection", display: "none" }, svg);
   const across = (x) => LEFT + ((x - now.zoom[0]) / (now.zoom[1] - now.zoom[0])) * (now.width - LEFT - RIGHT);
-  const valueOf = (row, index, order) =>
-    (row.pose[model.quantities[index].name][order] + (order === 0 ? row.shifts[index] : 0)) *
-    unitFactor(model.quantities[index].dimension, now.degrees);
+  const factorOf = (index) => unitFactor(model.quantities[index].dimension, now.degrees);
+  const valueOf = (row, index, order) => valueAt(model, row, index, order) * factorOf(index);
 
-  /** Everything but the cursor. @param {Plotted} plotted */
+  /** Everything but the cursor. */
   function draw(plotted) {
     now = plotted;
     still.replaceChildren();
@@ -65,11 +60,15 @@ export function createPlots(svg, model) {
     const lower = top + high - 6;
     const down = (value) => lower - ((value - low) / (most - low)) * (lower - upper);
     const title = drawn("text", { x: LEFT, y: top + 14, class: "plot-title" }, still);
-    const name = ORDERS[order];
-    title.textContent = `${name[0].toUpperCase()}${name.slice(1)}`;
+    title.textContent = capital(ORDERS[order]);
     drawn("tspan", { class: "quiet", dx: 6 }, title).textContent = unit;
     const clip = `clip-${order}`;
-    const frame = { x: LEFT, y: upper - 3, width: Math.max(1, now.width - LEFT - RIGHT), height: Math.max(1, lower - upper + 6) };
+    const frame = {
+      x: LEFT,
+      y: upper - 3,
+      width: Math.max(1, now.width - LEFT - RIGHT),
+      height: Math.max(1, lower - upper + 6),
+    };
     drawn("rect", frame, drawn("clipPath", { id: clip }, still));
     for (const value of ticks(low, most, (lower - upper) / 20, dimension === "angle" && order === 0 && now.degrees)) {
       const y = tenth(down(value));
@@ -81,7 +80,11 @@ export function createPlots(svg, model) {
     }
     for (const { x, kind } of now.marks) {
       if (x >= now.zoom[0] && x <= now.zoom[1]) {
-        drawn("path", { d: `M${tenth(across(x))} ${upper}V${tenth(lower)}`, class: kind === "Joint" ? "joint-line" : "limit-line" }, still);
+        drawn(
+          "path",
+          { d: `M${tenth(across(x))} ${upper}V${tenth(lower)}`, class: kind === "Joint" ? "joint-line" : "limit-line" },
+          still,
+        );
       }
     }
     const curves = drawn("g", { "clip-path": `url(#${clip})` }, still);
@@ -95,15 +98,31 @@ export function createPlots(svg, model) {
     const [dots, dotsBefore] = [now.shown.map(dot), now.shown.map(dot)];
     const wide = now.shown.reduce((sum, index) => sum + DIGIT * (model.quantities[index].text.length + 9) + 14, 0);
     const named = wide < now.width - LEFT - RIGHT - 120;
-    const own = now.shown.slice(0, named ? 99 : Math.max(1, Math.floor((now.width - LEFT - RIGHT - 118) / (DIGIT * 8))));
+    const own = now.shown.slice(
+      0,
+      named ? 99 : Math.max(1, Math.floor((now.width - LEFT - RIGHT - 118) / (DIGIT * 8))),
+    );
     const values = drawn("text", { x: now.width - RIGHT, y: top + 14, class: "plot-values end" }, moving);
     const texts = own.map((index, place) => {
-      const swatch = drawn("tspan", { class: `swatch c${model.quantities[index].colour}`, ...(place > 0 ? { dx: 7 } : {}) }, values);
+      const swatch = drawn(
+        "tspan",
+        { class: `swatch c${model.quantities[index].colour}`, ...(place > 0 ? { dx: 7 } : {}) },
+        values,
+      );
       swatch.textContent = "●";
       return { element: drawn("tspan", { dx: 3 }, values), name: named ? `${model.quantities[index].text} ` : "" };
     });
-    const scales = now.shown.map((index) => now.sweep.scales[index][order] * unitFactor(model.quantities[index].dimension, now.degrees));
-    return { upper, lower, down: held, dots, dotsBefore, texts, scales, visible: (y) => y >= upper - 3 && y <= lower + 3 };
+    const scales = now.shown.map((index) => now.sweep.scales[index][order] * factorOf(index));
+    return {
+      upper,
+      lower,
+      down: held,
+      dots,
+      dotsBefore,
+      texts,
+      scales,
+      visible: (y) => y >= upper - 3 && y <= lower + 3,
+    };
   }
 
   function curvesOf(sweep, order, down, parent, style) {
@@ -118,7 +137,14 @@ export function createPlots(svg, model) {
           }
           pieces[pieces.length - 1].push([across(row.x), down(valueOf(row, index, order))]);
         });
-        drawn("path", { d: pieces.map((points) => line(points)).join(""), class: `curve c${colour}${dashed ? " dashed" : ""}${style}` }, parent);
+        drawn(
+          "path",
+          {
+            d: pieces.map((points) => line(points)).join(""),
+            class: `curve c${colour}${dashed ? " dashed" : ""}${style}`,
+          },
+          parent,
+        );
       }
     }
   }
@@ -140,9 +166,10 @@ export function createPlots(svg, model) {
     if (!(high >= low)) {
       return [-1, 1];
     }
-    const scale = Math.max(...now.shown.map((index) => now.sweep.scales[index][order] * unitFactor(model.quantities[index].dimension, now.degrees)), 1e-300);
+    const scale = Math.max(...now.shown.map((index) => now.sweep.scales[index][order] * factorOf(index)), 1e-300);
     // what does not change but for rounding is a straight line
-    const least = high - low < 1e-9 * Math.max(Math.abs(high), Math.abs(low), scale) ? Math.max(0.1 * Math.abs(high), 1e-3) : 0;
+    const least =
+      high - low < 1e-9 * Math.max(Math.abs(high), Math.abs(low), scale) ? Math.max(0.1 * Math.abs(high), 1e-3) : 0;
     const room = 0.08 * (high - low) + least;
     return [low - room, high + room];
   }
@@ -170,17 +197,19 @@ export function createPlots(svg, model) {
     label.textContent = now.time || model.drive.overTime ? withUnit("time,", model.units.time) : model.variable.text;
   }
 
-  /** The cursor and the values at it. @param {import("./sweep.mjs").Row} row */
+  /** The cursor and the values at it. */
   function point(row) {
     if (now === null) {
       return;
     }
     const x = across(row.x);
     const inside = x >= LEFT - 0.5 && x <= now.width - RIGHT + 0.5;
-    change(rows.cursor, { d: rows.map(({ upper, lower }) => `M${tenth(x)} ${tenth(upper)}V${tenth(lower)}`).join(""), display: inside ? "inline" : "none" });
-    const ends = isAtLimit(now.sweep, row.x);
+    change(rows.cursor, {
+      d: rows.map(({ upper, lower }) => `M${tenth(x)} ${tenth(upper)}V${tenth(lower)}`).join(""),
+      display: inside ? "inline" : "none",
+    });
     // at a joint there is a value before it and one behind it
-    const before = rowBefore(model, now.sweep, row);
+    const before = rowBefore(now.sweep, row);
     rows.forEach(({ down, dots, dotsBefore, texts, scales, visible }, order) => {
       const jumps = before !== null && isBroken(model.drive, before, row, order);
       now.shown.forEach((index, place) => {
@@ -191,10 +220,12 @@ export function createPlots(svg, model) {
         put(dots[place], row, true);
         put(dotsBefore[place], before ?? row, jumps);
         if (texts[place]) {
-          const value = valueOf(row, index, order);
-          const text = (number) => (ends && Math.abs(number) > 1e3 * scales[place] ? "unbounded" : steadyText(number, scales[place]));
+          const text = (own) =>
+            isUnbounded(now.sweep, own, index, order)
+              ? "unbounded"
+              : steadyText(valueOf(own, index, order), scales[place]);
           const both = jumps && 2 * texts.length * DIGIT * 11 < now.width - LEFT - RIGHT;
-          tell(texts[place].element, `${texts[place].name}${both ? `${text(valueOf(before, index, order))} → ` : ""}${text(value)}`);
+          tell(texts[place].element, `${texts[place].name}${both ? `${text(before)} → ` : ""}${text(row)}`);
         }
       });
     });
@@ -209,17 +240,20 @@ export function createPlots(svg, model) {
     draw,
     point,
     inputAt,
-    /** Marks a part that is being chosen; none for null. @param {[number, number] | null} part */
+    /** Marks a part that is being chosen; none for null. */
     select(part) {
       if (part === null) {
         change(selection, { display: "none" });
         return;
       }
       const [from, to] = part.map((x) => across(x));
-      const box = { x: Math.min(from, to), width: Math.abs(to - from), y: HEAD - 6, height: now.height - FOOT - HEAD + 6 };
+      const box = {
+        x: Math.min(from, to),
+        width: Math.abs(to - from),
+        y: HEAD - 6,
+        height: now.height - FOOT - HEAD + 6,
+      };
       change(selection, { ...box, display: "inline" });
     },
-    /** Whether anything closes at an input. @param {number} x */
-    closes: (x) => now !== null && spanAt(now.sweep, x) !== null,
   };
 }

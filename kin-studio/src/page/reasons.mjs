@@ -1,17 +1,20 @@
 /** Why a mechanism does not close somewhere, in words, and by how much. */
-import { blockText } from "./model.mjs";
+import { blockText } from "./kinematics/model.mjs";
 
 /** The checks of links that reach or do not, whose margin is a length. */
-const REACHES = ["reach of two circles", "reach of a circle and a line", "reach of a circle and an axis", "reach of a link", "reach of an offset slide"];
+const REACHES = [
+  "reach of two circles",
+  "reach of a circle and a line",
+  "reach of a circle and an axis",
+  "reach of a link",
+  "reach of an offset slide",
+];
 /** The checks whose margin is the square of a length. */
 const SQUARES = ["sqrt", "positive square"];
 /** The check of Newton's method, whose margin is a residual. */
 const SEARCH = "root of coupled equations";
 
-/**
- * The length that is missing, or NaN where the margin of the check is none.
- * @param {{check: string, margin: number}} gap
- */
+/** The length that is missing, or NaN where the margin of the check is none. */
 export function shortfallOf({ check, margin }) {
   if (!(margin < 0) || !Number.isFinite(margin)) {
     return NaN;
@@ -21,8 +24,6 @@ export function shortfallOf({ check, margin }) {
 
 /**
  * The reason for a gap, in words.
- * @param {import("./model.mjs").Model} model
- * @param {import("./sweep.mjs").Gap} gap
  * @param {((length: number) => string) | null} amount a length in words; null to leave it out
  */
 export function gapText(model, gap, amount) {

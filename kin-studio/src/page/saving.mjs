@@ -1,62 +1,51 @@
 /** What can be taken away: tables as CSV, the picture as SVG and PNG, the report and the design as JSON. */
-import { motionOf } from "./drive.mjs";
-import { made } from "./elements.mjs";
+import { inputAt } from "./kinematics/drive.mjs";
+import { change, drawn, made } from "./elements.mjs";
 import { ORDERS, unitFactor, unitText } from "./numbers.mjs";
-import { allRows } from "./sweep.mjs";
+import { allRows, valueAt } from "./kinematics/sweep.mjs";
 
 /** The properties of a drawn element that a style sheet sets. */
-const STYLED = ["fill", "fill-opacity", "stroke", "stroke-width", "stroke-dasharray", "stroke-linecap", "stroke-linejoin", "stroke-opacity", "opacity", "font-size", "font-family", "font-style", "font-weight", "text-anchor"];
+const STYLED = (
+  "fill fill-opacity stroke stroke-width stroke-dasharray stroke-linecap stroke-linejoin stroke-opacity opacity " +
+  "font-size font-family font-style font-weight text-anchor"
+).split(" ");
 
-/**
- * All poses of a sweep as comma-separated values, every number with all its digits.
- * @param {import("./model.mjs").Model} model
- * @param {import("./sweep.mjs").Sweep} sweep
- * @param {boolean} degrees
- * @param {number} speed
- */
-export function sweepTable(model, sweep, degrees, speed) {
+/** All poses of a sweep as comma-separated values, every number with all its digits. */
+export function sweepTable(sweep, degrees) {
+  const { model, design } = sweep;
   const heading = (name, dimension, order) => {
     const unit = unitText(dimension, order, model.units, degrees).replace("°", "deg");
     return quotedCell(`${name}${order > 0 ? ` ${ORDERS[order]}` : ""}${unit ? ` [${unit}]` : ""}`);
   };
   const orders = [...Array(model.orders + 1).keys()];
   const columns = model.quantities.flatMap((quantity, index) => orders.map((order) => ({ quantity, index, order })));
-  const { variable, drive } = model;
-  // over time the inputs are among the quantities, with their rates
-  const others = drive.overTime ? [] : model.moving.filter(({ name }) => name !== variable.name);
+  const { variable, drive, others } = model;
+  const time = drive.overTime
+    ? []
+    : [{ head: quotedCell(`time [${model.units.time}]`), at: (x) => (x - model.from) / design.speed }];
   const head = [
-    heading(variable.declared, variable.dimension, 0),
-    ...others.map(({ declared, dimension }) => heading(declared, dimension, 0)),
-    ...(drive.overTime ? [] : [quotedCell(`time [${model.units.time}]`)]),
+    ...[variable, ...others].map(({ declared, dimension }) => heading(declared, dimension, 0)),
+    ...time.map((column) => column.head),
     ...columns.map(({ quantity, order }) => heading(quantity.declared, quantity.dimension, order)),
   ];
+  const inUnit = (value, { dimension }) => value * unitFactor(dimension, degrees);
   const rows = allRows(sweep).map((row) => [
-    row.x * unitFactor(variable.dimension, degrees),
-    ...others.map(({ index, dimension }) => motionOf(drive, index, row.x, row.piece, 1, 0)[0] * unitFactor(dimension, degrees)),
-    ...(drive.overTime ? [] : [(row.x - model.from) / speed]),
-    ...columns.map(({ quantity, index, order }) => {
-      const value = row.pose[quantity.name][order] + (order === 0 ? row.shifts[index] : 0);
-      return value * unitFactor(quantity.dimension, degrees);
-    }),
+    inUnit(row.x, variable),
+    ...others.map((input) => inUnit(inputAt(drive, input.index, row), input)),
+    ...time.map(({ at }) => at(row.x)),
+    ...columns.map(({ quantity, index, order }) => inUnit(valueAt(model, row, index, order), quantity)),
   ]);
   return [head, ...rows].map((row) => `${row.join(",")}\r\n`).join("");
 }
 
-/**
- * A cell of a table of comma-separated values.
- * @param {string} text
- */
+/** A cell of a table of comma-separated values. */
 export function quotedCell(text) {
   return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 }
 
-/**
- * A picture of the page as a file of its own.
- * @param {SVGElement} svg
- * @param {string} title
- */
+/** A picture of the page as a file of its own. */
 export function pictureFile(svg, title) {
-  const copy = /** @type {SVGElement} */ (svg.cloneNode(true));
+  const copy = svg.cloneNode(true);
   const originals = [...svg.querySelectorAll("*")];
   const copies = [...copy.querySelectorAll("*")];
   copies.forEach((element, index) => {
@@ -75,28 +64,18 @@ export function pictureFile(svg, title) {
     element.removeAttribute("class");
   });
   const { width, height } = svg.getBoundingClientRect();
-  copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");
-  copy.setAttribute("width", String(Math.round(width)));
-  copy.setAttribute("height", String(Math.round(height)));
+  change(copy, { xmlns: "http://www.w3.org/2000/svg", width: Math.round(width), height: Math.round(height) });
   for (const name of ["class", "tabindex", "id", "aria-label", "role"]) {
     copy.removeAttribute(name);
   }
-  const paper = document.createElementNS("http://www.w3.org/2000/svg", "rect");
-  paper.setAttribute("width", "100%");
-  paper.setAttribute("height", "100%");
-  paper.setAttribute("fill", getComputedStyle(document.body).backgroundColor);
-  const name = document.createElementNS("http://www.w3.org/2000/svg", "title");
+  const paper = drawn("rect", { width: "100%", height: "100%", fill: getComputedStyle(document.body).backgroundColor });
+  const name = drawn("title");
   name.textContent = title;
   copy.prepend(name, paper);
   return `${new XMLSerializer().serializeToString(copy)}\n`;
 }
 
-/**
- * A picture of the page as pixels, twice as many as on the screen.
- * @param {SVGElement} svg
- * @param {string} title
- * @returns {Promise<Blob>}
- */
+/** A picture of the page as pixels, twice as many as on the screen. @returns {Promise<Blob>} */
 export async function pictureOfPixels(svg, title) {
   const { width, height } = svg.getBoundingClientRect();
   const source = URL.createObjectURL(new Blob([pictureFile(svg, title)], { type: "image/svg+xml" }));
@@ -107,18 +86,17 @@ export async function pictureOfPixels(svg, title) {
     const canvas = made("canvas", { width: Math.round(2 * width), height: Math.round(2 * height) });
     canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
     return await new Promise((done, failed) => {
-      canvas.toBlob((blob) => (blob ? done(blob) : failed(new Error("the browser draws no picture of this size"))), "image/png");
+      canvas.toBlob(
+        (blob) => (blob ? done(blob) : failed(new Error("the browser draws no picture of this size"))),
+        "image/png",
+      );
     });
   } finally {
     URL.revokeObjectURL(source);
   }
 }
 
-/**
- * Hands a file to the reader.
- * @param {string} name
- * @param {Blob} content
- */
+/** Hands a file to the reader. */
 export function handOver(name, content) {
   const link = made("a", { href: URL.createObjectURL(content), download: name });
   document.body.append(link);

@@ -2,21 +2,12 @@
 
 /** @typedef {{space: boolean, scale: number, x: number, y: number, yaw: number, pitch: number}} View */
 
-/**
- * A view along the diagonal of space, or straight upon the plane.
- * @param {boolean} space
- * @returns {View}
- */
+/** A view along the diagonal of space, or straight upon the plane. @returns {View} */
 export function createView(space) {
   return { space, scale: 1, x: 0, y: 0, yaw: Math.PI / 4, pitch: Math.PI / 6 };
 }
 
-/**
- * A place or direction without scale and offset; y points down.
- * @param {View} view
- * @param {number[]} place
- * @returns {[number, number]}
- */
+/** A place or direction without scale and offset; y points down. @returns {[number, number]} */
 export function flat(view, place) {
   if (!view.space) {
     return [place[0], -place[1]];
@@ -27,22 +18,13 @@ export function flat(view, place) {
   return [y * cosine - x * sine, towards * Math.sin(view.pitch) - z * Math.cos(view.pitch)];
 }
 
-/**
- * @param {View} view
- * @param {number[]} place
- * @returns {[number, number]}
- */
+/** @returns {[number, number]} */
 export function onPage(view, place) {
   const [x, y] = flat(view, place);
   return [x * view.scale + view.x, y * view.scale + view.y];
 }
 
-/**
- * Shows some places as large as a rectangle allows.
- * @param {View} view
- * @param {number[][]} places
- * @param {{left: number, right: number, top: number, bottom: number}} room
- */
+/** Shows some places as large as a rectangle allows. */
 export function fitView(view, places, room) {
   const seen = places.map((place) => flat(view, place)).filter(([x, y]) => Number.isFinite(x) && Number.isFinite(y));
   if (seen.length === 0) {
@@ -58,12 +40,7 @@ export function fitView(view, places, room) {
   view.y = 0.5 * (room.top + room.bottom) - 0.5 * (low[1] + high[1]) * view.scale;
 }
 
-/**
- * Enlarges about a place of the picture.
- * @param {View} view
- * @param {[number, number]} at
- * @param {number} factor
- */
+/** Enlarges about a place of the picture. */
 export function zoomView(view, at, factor) {
   view.scale *= factor;
   view.x = at[0] + (view.x - at[0]) * factor;
@@ -72,7 +49,6 @@ export function zoomView(view, at, factor) {
 
 /**
  * Turns a view of space about a place of the picture.
- * @param {View} view
  * @param {[number, number]} by in pixels
  * @param {number[]} centre what stays where it is
  */

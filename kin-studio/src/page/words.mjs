@@ -1,26 +1,14 @@
 /** The pose in words, for the screen reader and for the line below the picture. */
-import { motionOf } from "./drive.mjs";
-import { inputText } from "./marks.mjs";
-import { numberText, unitFactor, unitText, withUnit } from "./numbers.mjs";
+import { inputAt } from "./kinematics/drive.mjs";
+import { inputText } from "./kinematics/marks.mjs";
+import { valueAt } from "./kinematics/sweep.mjs";
+import { quantityText } from "./numbers.mjs";
 
-/**
- * @param {import("./model.mjs").Model} model
- * @param {import("./sweep.mjs").Row} row
- * @param {boolean} degrees
- * @param {string} assembly
- * @param {number[]} shown
- */
+/** The variable, the other inputs and the quantities shown, and the assembly if it has a name. */
 export function poseText(model, row, degrees, assembly, shown) {
-  const values = shown.map((index) => {
-    const { name, text, dimension } = model.quantities[index];
-    const value = (row.pose[name][0] + row.shifts[index]) * unitFactor(dimension, degrees);
-    return `${text} = ${withUnit(numberText(value), unitText(dimension, 0, model.units, degrees))}`;
-  });
+  const entry = (quantity, value) => `${quantity.text} = ${quantityText(value, quantity, model, degrees)}`;
+  const values = shown.map((index) => entry(model.quantities[index], valueAt(model, row, index, 0)));
   const place = `${model.variable.text} = ${inputText(model, row.x, degrees)}`;
-  // along a line the other inputs move as well; over time they are among the quantities
-  const others = (model.drive.overTime ? [] : model.moving.filter(({ name }) => name !== model.variable.name)).map(({ index, text, dimension }) => {
-    const value = motionOf(model.drive, index, row.x, row.piece, 1, 0)[0] * unitFactor(dimension, degrees);
-    return `${text} = ${withUnit(numberText(value), unitText(dimension, 0, model.units, degrees))}`;
-  });
+  const others = model.others.map((input) => entry(input, inputAt(model.drive, input.index, row)));
   return `${[place, ...others, ...values].join(", ")}${assembly ? `; ${assembly}` : ""}`;
 }

@@ -8,7 +8,8 @@ use super::command::Task;
 /// The languages of `code`.
 const LANGUAGES: [&str; 6] = ["c", "js", "javascript", "python", "py", "numpy"];
 
-/// What to type in place of these arguments, whose first one is the program. `has_library` tells that a mechanism is named behind the command.
+/// What to type in place of these arguments, whose first one is the program. `has_library` tells that a mechanism is
+/// named behind the command.
 pub(super) fn advice(arguments: &[OsString], has_library: bool) -> Option<String> {
     let words: Vec<&str> = arguments.iter().skip(1).filter_map(|word| word.to_str()).collect();
     let own = |word: &&str| !word.starts_with('-');

@@ -130,9 +130,12 @@ impl Typed {
             let name = quantity.name;
             match value {
                 _ if !is_link => None,
-                0.0 => Some(format!("`{name}` is zero: a link of this length joins its pins into one")),
+                0.0 => Some(format!(
+                    "`{name}` is zero: a link of this length joins its pins into one"
+                )),
                 value if value < 0.0 => Some(format!(
-                    "`{name}` is negative: a link of this length points half a turn away from its angle; an offset lies on the other side"
+                    "`{name}` is negative: a link of this length points half a turn away from its angle; an offset \
+                     lies on the other side"
                 )),
                 _ => None,
             }
@@ -215,8 +218,8 @@ impl Typed {
                 .map(|unknown| format!("{}=…", unknown.name))
                 .collect();
             return Err(Fault::wrong(format!(
-                "the positions of this mechanism have no names: give values of its unknowns near the one you mean, as in \
-                 `--assembly {}`",
+                "the positions of this mechanism have no names: give values of its unknowns near the one you mean, as \
+                 in `--assembly {}`",
                 example.join(",")
             )));
         }
@@ -353,7 +356,8 @@ impl Typed {
         })
     }
 
-    /// A motion that the options for a speed or a law do not change. They are refused beside a law, since they would not be read.
+    /// A motion that the options for a speed or a law do not change. They are refused beside a law, since they would
+    /// not be read.
     fn unchanged(&self, motion: InputMotion, name: &str) -> Result<InputMotion, Fault> {
         let options = [("--speed", &self.speed), ("--law", &self.law), ("--time", &self.time)];
         let unread = options
@@ -361,8 +365,8 @@ impl Typed {
             .find_map(|(option, text)| text.as_ref().map(|_| option));
         match unread {
             Some(option) if motion.moves() => Err(Fault::wrong(format!(
-                "`{name}` has a law already, behind `by`, which `{option}` does not change: leave `{option}` out, or write another \
-                 motion, as in `--over '{name}=…'`"
+                "`{name}` has a law already, behind `by`, which `{option}` does not change: leave `{option}` out, or \
+                 write another motion, as in `--over '{name}=…'`"
             ))),
             _ => Ok(motion),
         }
@@ -370,7 +374,8 @@ impl Typed {
 }
 
 impl Case {
-    /// Without laws the leading input alone has a speed. One of another input is refused, unless both take the same time.
+    /// Without laws the leading input alone has a speed. One of another input is refused, unless both take the same
+    /// time.
     fn check_pace(&self, inputs: &[Quantity]) -> Result<(), Fault> {
         if self.time_of_laws().is_some() {
             return Ok(());
@@ -384,8 +389,8 @@ impl Case {
         let Some(index) = unread else { return Ok(()) };
         let (lead, own) = (inputs[self.lead].name, inputs[index].name);
         Err(Fault::wrong(format!(
-            "`{own}` moves together with `{lead}`, whose speed alone is read: leave the speed of `{own}` out, or write `by \
-             constant-speed in 0.4s` in its place"
+            "`{own}` moves together with `{lead}`, whose speed alone is read: leave the speed of `{own}` out, or write \
+             `by constant-speed in 0.4s` in its place"
         )))
     }
 

@@ -115,7 +115,8 @@ pub(crate) struct Sweep {
     #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-", conflicts_with = "columns")]
     pub(crate) csv: Option<PathBuf>,
     /// Write all columns as JSON, to a file or to the output
-    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-", conflicts_with_all = ["csv", "columns"])]
+    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-")]
+    #[arg(conflicts_with_all = ["csv", "columns"])]
     pub(crate) json: Option<PathBuf>,
 }
 

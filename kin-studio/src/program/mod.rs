@@ -49,7 +49,8 @@ use file::{Run, Told, cache};
 /// }
 /// ```
 ///
-/// Then `cargo run -- sweep --set crank=30mm --set rod=80mm --over 60..100mm` prints a table, and `cargo run -- --help` tells the rest.
+/// Then `cargo run -- sweep --set crank=30mm --set rod=80mm --over 60..100mm` prints a table, and `cargo run -- --help`
+/// tells the rest.
 #[must_use]
 pub fn main<M: Mechanism<Scalar = f64>>() -> ExitCode {
     let subject = Subject::of::<M>();
@@ -226,7 +227,12 @@ fn of_files(command: Command) -> Command {
         .subcommand(
             Command::new("run")
                 .about("Do any of this with a mechanism of one's own, from a .kin file")
-                .arg(Arg::new("fetch").long("fetch").action(ArgAction::SetTrue).help("Fetch crates that are not on this machine"))
+                .arg(
+                    Arg::new("fetch")
+                        .long("fetch")
+                        .action(ArgAction::SetTrue)
+                        .help("Fetch crates that are not on this machine"),
+                )
                 .arg(
                     Arg::new("source")
                         .long("kin-source")
@@ -239,7 +245,10 @@ fn of_files(command: Command) -> Command {
                         .required(true)
                         .value_name("FILE.kin")
                         .value_parser(clap::value_parser!(PathBuf))
-                        .help("The file: `kin 1`, the declaration, `dimensions { .. }`, `motion { .. }`, `assembly = ..;`"),
+                        .help(
+                            "The file: `kin 1`, the declaration, `dimensions { .. }`, `motion { .. }`, \
+                             `assembly = ..;`",
+                        ),
                 )
                 .arg(
                     Arg::new("command")
@@ -252,14 +261,19 @@ fn of_files(command: Command) -> Command {
                         .help("A command for one mechanism with its options, such as `report` or `sweep --csv`"),
                 )
                 .after_help(
-                    "Examples:\n  kin run pump.kin report\n  kin run pump.kin serve\n  kin run pump.kin sweep --set rod=70mm --csv\n  \
-                     kin run --fetch pump.kin peaks",
+                    "Examples:\n  kin run pump.kin report\n  kin run pump.kin serve\n  \
+                     kin run pump.kin sweep --set rod=70mm --csv\n  kin run --fetch pump.kin peaks",
                 ),
         )
         .subcommand(
             Command::new("check")
                 .about("Find the mistakes of a .kin file, without building it")
-                .arg(Arg::new("steps").long("steps").action(ArgAction::SetTrue).help("Print the steps of the solvers with their costs"))
+                .arg(
+                    Arg::new("steps")
+                        .long("steps")
+                        .action(ArgAction::SetTrue)
+                        .help("Print the steps of the solvers with their costs"),
+                )
                 .arg(
                     Arg::new("file")
                         .required(true)

@@ -109,8 +109,8 @@ fn connection(mut stream: &TcpStream, port: u16, answer: &dyn Fn(&str) -> Option
     Ok(())
 }
 
-/// Whether the request is for this machine by its own name. A page of another site, whose name was made to lead here, has the name of that
-/// site.
+/// Whether the request is for this machine by its own name. A page of another site, whose name was made to lead here,
+/// has the name of that site.
 fn is_own(hosts: &[String], port: u16) -> bool {
     let [host] = hosts else { return false };
     let (name, of_host) = match host.split_once(':') {

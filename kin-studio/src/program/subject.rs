@@ -68,7 +68,8 @@ pub(crate) struct Reached {
     pub(crate) is_limit: bool,
 }
 
-/// One pose: the value of each unknown, then of each scalar output, with the derivatives by the dimensions and by the inputs.
+/// One pose: the value of each unknown, then of each scalar output, with the derivatives by the dimensions and by the
+/// inputs.
 #[derive(Clone, Debug)]
 pub(crate) struct Partial {
     /// The values.
@@ -95,7 +96,8 @@ pub(crate) struct PageWishes {
 /// A dimension or an input that changes.
 type Change = Changing<f64>;
 
-/// The functions of a mechanism for the program. They are compiled for each mechanism; all else is compiled once, in this crate.
+/// The functions of a mechanism for the program. They are compiled for each mechanism; all else is compiled once, in
+/// this crate.
 pub(crate) trait ProgramFunctions:
     ReportFunctions + TabledMechanism + PositionOver<Change> + OutputsOver<Change>
 {

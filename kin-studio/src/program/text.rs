@@ -97,7 +97,8 @@ pub(crate) fn digits(value: f64) -> String {
     }
 }
 
-/// A column of numbers with as many decimals as six significant digits of the largest one take, so that their points stand below each other.
+/// A column of numbers with as many decimals as six significant digits of the largest one take, so that their points
+/// stand below each other.
 pub(crate) fn aligned(values: &[f64]) -> Vec<String> {
     let sizes = values.iter().filter(|value| value.is_finite()).map(|value| value.abs());
     let largest = sizes.fold(0.0, f64::max);

@@ -163,7 +163,8 @@ pub(crate) fn speed(dimension: Dimension, text: &str, lengths: &mut Lengths) -> 
             "rad/s" => Ok(number),
             "deg/s" | "°/s" => Ok(number * PI / 180.0),
             _ => Err(format!(
-                "`{}` is not the speed of an angle: write `{number}rpm`, `{number}rad/s`, `{number}deg/s` or `{number}Hz`",
+                "`{}` is not the speed of an angle: write `{number}rpm`, `{number}rad/s`, `{number}deg/s` or \
+                 `{number}Hz`",
                 text.trim()
             )),
         };

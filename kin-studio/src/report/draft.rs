@@ -14,7 +14,8 @@ use super::functions::ReportFunctions;
 use super::model::Report;
 use super::{ReportError, gather};
 
-/// A report that is to be made: a mechanism, and what is wanted beside the defaults. [`report`](super::report) begins it.
+/// A report that is to be made: a mechanism, and what is wanted beside the defaults. [`report`](super::report) begins
+/// it.
 #[derive(Clone, Debug)]
 #[must_use = "write it, or ask for its `report`"]
 pub struct Draft<'l, M: Mechanism<Scalar = f64>> {
@@ -101,8 +102,8 @@ impl<'l, M: Mechanism<Scalar = f64>> Draft<'l, M> {
         }
     }
 
-    /// The assembly that is shown first; otherwise the first one that closes. [`Near`](kin_core::Near) values hold where
-    /// [`at`](Self::at) says, or where the line of [`between`](Self::between) or the laws begin.
+    /// The assembly that is shown first; otherwise the first one that closes. [`Near`](kin_core::Near) values hold
+    /// where [`at`](Self::at) says, or where the line of [`between`](Self::between) or the laws begin.
     pub fn assembly(mut self, assembly: M::Assembly) -> Self {
         self.wishes.assembly = Some(AssemblyChoice::of::<M>(assembly));
         self
@@ -126,15 +127,15 @@ impl<'l, M: Mechanism<Scalar = f64>> Draft<'l, M> {
         self
     }
 
-    /// The speed of the moving input, or of the first one that moves along the line of [`between`](Self::between); otherwise 1, so that
-    /// rates are per unit of the input.
+    /// The speed of the moving input, or of the first one that moves along the line of [`between`](Self::between);
+    /// otherwise 1, so that rates are per unit of the input.
     pub fn speed(mut self, speed: f64) -> Self {
         self.wishes.speed = Some(speed);
         self
     }
 
-    /// All inputs move together, along the straight line between two places in the space of the inputs. The variable of the page is the
-    /// first input that moves, as for a [sweep](kin_core::sweep::Assembled::between).
+    /// All inputs move together, along the straight line between two places in the space of the inputs. The variable of
+    /// the page is the first input that moves, as for a [sweep](kin_core::sweep::Assembled::between).
     ///
     /// ```
     /// use kin_core::library::FiveBar;
@@ -150,8 +151,8 @@ impl<'l, M: Mechanism<Scalar = f64>> Draft<'l, M> {
     }
 
     /// Each input moves under a [motion law](kin_core::law), in brackets, over a range of the time, as for a
-    /// [sweep](kin_core::sweep::Assembled::under_laws). The variable of the page is the time. An input that stands takes a
-    /// [`Dwell`](kin_core::law::Dwell).
+    /// [sweep](kin_core::sweep::Assembled::under_laws). The variable of the page is the time. An input that stands
+    /// takes a [`Dwell`](kin_core::law::Dwell).
     ///
     /// ```
     /// use kin_core::law::{Dwell, Rise, Sequence, Shape};
@@ -212,7 +213,8 @@ impl<'l, M: Mechanism<Scalar = f64>> Draft<'l, M> {
     /// The report.
     ///
     /// # Errors
-    /// [`ReportError`] if the mechanism closes nowhere, if a number or a name is not one, or if the inputs cannot move so.
+    /// [`ReportError`] if the mechanism closes nowhere, if a number or a name is not one, or if the inputs cannot move
+    /// so.
     pub fn report(&self) -> Result<Report, ReportError> {
         self.wishes.report()
     }

@@ -110,7 +110,8 @@ impl fmt::Display for ReportError {
             ),
             Self::NotFinite { quantity } => write!(formatter, "{quantity} is not finite: give a number"),
             Self::NoSpeed => formatter.write_str(
-                "the speed of the moving input is zero, with which nothing moves: give a positive or negative one, or none for 1",
+                "the speed of the moving input is zero, with which nothing moves: give a positive or negative one, or \
+                 none for 1",
             ),
             Self::NoSuchInput { name, inputs } => {
                 write!(formatter, "no input is called `{name}`: there is {}", listed(inputs))
@@ -137,8 +138,8 @@ impl fmt::Display for ReportError {
             Self::Motion(error) => write!(formatter, "the inputs cannot move so: {error}"),
             Self::NotSmooth { input, at } => write!(
                 formatter,
-                "the derivatives that the law of `{input}` writes near the time {at} are not those of one smooth function: let it have a \
-                 piece of its own for each formula, and derivatives to the order 16"
+                "the derivatives that the law of `{input}` writes near the time {at} are not those of one smooth \
+                 function: let it have a piece of its own for each formula, and derivatives to the order 16"
             ),
             Self::TooManyPieces { most } => write!(
                 formatter,
@@ -146,11 +147,13 @@ impl fmt::Display for ReportError {
             ),
             Self::OlderFormat { found, known } => write!(
                 formatter,
-                "the report has the format {found}, and this version of kin reads the format {known}: make the report again"
+                "the report has the format {found}, and this version of kin reads the format {known}: make the report \
+                 again"
             ),
             Self::NewerFormat { found, known } => write!(
                 formatter,
-                "the report has the format {found}, and this version of kin reads formats up to {known}: use a later version"
+                "the report has the format {found}, and this version of kin reads formats up to {known}: use a later \
+                 version"
             ),
             Self::Json(error) => write!(formatter, "this is no report: {error}"),
             Self::File { path, error } => write!(formatter, "{} cannot be written: {error}", path.display()),

@@ -5,7 +5,8 @@ use kin_core::linkage::LinkageFunctions;
 use kin_core::tape::{self, Options, RecordError, Tape};
 use kin_core::{Formulas, Mechanism, Outline, PlaneOrSpace, PointArray};
 
-/// The functions of a mechanism for its report. They are compiled for each mechanism; all else is compiled once, in this crate.
+/// The functions of a mechanism for its report. They are compiled for each mechanism; all else is compiled once, in
+/// this crate.
 pub(crate) trait ReportFunctions: LinkageFunctions {
     /// The solver as data.
     fn record(&self, options: &Options) -> Result<Tape, RecordError>;

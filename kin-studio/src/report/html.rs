@@ -6,23 +6,29 @@ use std::path::Path;
 use data_encoding::BASE64;
 use hmac_sha256::Hash;
 
-use super::page::{MARKUP, MODULES, STYLE};
 use super::{Report, ReportError};
+
+/// The markup of the body.
+const MARKUP: &str = include_str!("../page/page.html");
+/// The style.
+const STYLE: &str = include_str!("../page/bundle/page.css");
+/// The modules of the page as one script, which asks for `kinSolver`.
+const SCRIPT: &str = include_str!("../page/bundle/main.js");
 
 impl Report {
     /// The page: one HTML file that needs no other and no network. The same report gives the same bytes.
     ///
-    /// Texts of the report are data in JSON, which the page's script sets as text. A content security policy admits the page's own script
-    /// and style by their hashes, and nothing else.
+    /// Texts of the report are data in JSON, which the page's script sets as text. A content security policy admits the
+    /// page's own script and style by their hashes, and nothing else.
     #[must_use]
     pub fn html(&self) -> String {
         let script = script(self.solver.as_deref());
-        let style = plain(STYLE);
         let data = data(self);
         let policy = format!(
-            "default-src 'none'; script-src '{}'; style-src '{}'; img-src data: blob:; base-uri 'none'; form-action 'none'",
+            "default-src 'none'; script-src '{}'; style-src '{}'; img-src data: blob:; base-uri 'none'; \
+             form-action 'none'",
             source(&script),
-            source(&style)
+            source(STYLE)
         );
         let title = escaped(&self.title);
         let mut page = String::new();
@@ -33,7 +39,7 @@ impl Report {
              <meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">\n\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
              <meta name=\"generator\" content=\"kin {}\">\n\
-             <title>{title}</title>\n<style>{style}</style>\n</head>\n<body>\n{MARKUP}\n\
+             <title>{title}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n{MARKUP}\n\
              <script type=\"application/json\" id=\"report\">{data}</script>\n\
              <script type=\"module\">{script}</script>\n</body>\n</html>\n",
             escaped(&self.kin),
@@ -59,7 +65,8 @@ fn source(content: &str) -> String {
     format!("sha256-{}", BASE64.encode(&Hash::hash(content.as_bytes())))
 }
 
-/// The data as JSON that ends no element: `<` and the line separators of Unicode are escaped. The solver is a script of its own.
+/// The data as JSON that ends no element: `<` and the line separators of Unicode are escaped. The solver is a script of
+/// its own.
 fn data(report: &Report) -> String {
     let mut report = report.clone();
     report.solver = None;
@@ -91,71 +98,22 @@ fn escaped(text: &str) -> String {
     escaped
 }
 
-/// The script: the solver in a scope of its own, the modules one after the other, and the call that starts the page.
+/// The script: the solver in a scope of its own, and the modules of the page.
 fn script(solver: Option<&str>) -> String {
-    let mut script = String::from("\n");
-    match solver {
-        Some(text) => {
-            let mut names = Vec::new();
-            let own = without_exports(text, &mut names);
-            let _ = write!(
-                script,
-                "const kinSolver = (() => {{\n{own}return {{ {} }};\n}})();\n",
-                names.join(", ")
-            );
-        }
-        None => script.push_str("const kinSolver = null;\n"),
-    }
-    for (_, text) in MODULES {
-        script.push_str(&without_exports(&plain(text), &mut Vec::new()));
-    }
-    script.push_str("start(JSON.parse(document.getElementById(\"report\").textContent), kinSolver);\n");
-    closed(&script)
+    let solver = solver.map_or_else(
+        || "null".to_owned(),
+        |module| {
+            let own = closed(&module.replace("\nexport ", "\n"));
+            format!("(() => {{\n{own}return {{ solve }};\n}})()")
+        },
+    );
+    format!("\nconst kinSolver = {solver};\n{SCRIPT}")
 }
 
-/// A file of the page without comments that fill lines, without empty lines, and without the blanks at the beginning of lines. No text of
-/// the page's files goes over several lines.
-fn plain(file: &str) -> String {
-    let mut text = String::new();
-    let mut is_comment = false;
-    for line in file.lines().map(str::trim) {
-        is_comment |= line.starts_with("/*");
-        if !(is_comment || line.is_empty() || line.starts_with("//")) {
-            text.push_str(line);
-            text.push('\n');
-        }
-        is_comment &= !line.ends_with("*/");
-    }
-    text
-}
-
-/// A module without its lines of imports, and without the word `export`; the names that it exports are added to a list.
-fn without_exports(module: &str, names: &mut Vec<String>) -> String {
-    let mut text = String::new();
-    for line in module.lines() {
-        if line.starts_with("import ") || line.starts_with("export {") {
-            continue;
-        }
-        let own = match line.strip_prefix("export ") {
-            Some(item) => {
-                let words = item.split(|letter: char| !(letter.is_alphanumeric() || letter == '_' || letter == '$'));
-                let mut words =
-                    words.filter(|word| !matches!(*word, "" | "async" | "function" | "const" | "let" | "class"));
-                names.extend(words.next().map(str::to_owned));
-                item
-            }
-            None => line,
-        };
-        text.push_str(own);
-        text.push('\n');
-    }
-    text
-}
-
-/// A script that ends no element, whatever its texts and comments say.
+/// A solver that ends no element, whatever its texts and comments say.
 ///
-/// In a script `<!--`, `<script` and `</script` mean something to HTML. They occur in the solver alone, in texts of the declaration. Within
-/// quotes a backslash before the sign changes nothing, and in comments it does no harm.
+/// In a script `<!--`, `<script` and `</script` mean something to HTML. In the solver they occur in texts of the
+/// declaration. Within quotes a backslash before the sign changes nothing, and in comments it does no harm.
 fn closed(script: &str) -> String {
     let script = script.replace("<!", "<\\!").replace("</", "<\\/");
     script.replace("<script", "<\\script")

@@ -1,7 +1,7 @@
 //! Pages on which a mechanism moves: one file each, without network.
 //!
-//! A [`Report`] holds what a page shows: motion, limits, peaks, equations, and the solver in JavaScript. [`report`] makes it, and the page
-//! is a function of it alone.
+//! A [`Report`] holds what a page shows: motion, limits, peaks, equations, and the solver in JavaScript. [`report`]
+//! makes it, and the page is a function of it alone.
 //!
 //! ```
 //! use kin_core::library::FourBar;
@@ -19,7 +19,6 @@ mod functions;
 mod gather;
 mod html;
 mod model;
-mod page;
 mod read;
 
 pub use draft::Draft;

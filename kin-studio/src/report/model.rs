@@ -12,8 +12,8 @@ pub const FORMAT: u32 = 3;
 
 /// A mechanism with its motion, its limits, its peaks and its equations: all that a page shows.
 ///
-/// [`Draft`](super::Draft) makes it, and [`Report::html`] writes the page. It holds numbers and texts alone, so that it can be stored and
-/// read again.
+/// [`Draft`](super::Draft) makes it, and [`Report::html`] writes the page. It holds numbers and texts alone, so that it
+/// can be stored and read again.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Report {
@@ -57,7 +57,8 @@ pub struct Report {
     pub range: [f64; 2],
     /// The way of the variable after which all positions repeat themselves, if the range closes.
     pub period: Option<f64>,
-    /// The change of the variable for each unit of time: the speed of the moving input, or 1 if the variable is the time.
+    /// The change of the variable for each unit of time: the speed of the moving input, or 1 if the variable is the
+    /// time.
     pub speed: f64,
     /// The assemblies.
     pub assemblies: Vec<Assembly>,
@@ -108,9 +109,9 @@ pub struct Units {
 
 /// How the inputs move: a function of one variable for each of them.
 ///
-/// In each piece of the range an input is a power series, whose derivatives with respect to the variable are exact through snap, up to
-/// rounding. With respect to time, the derivative of order `k` is that with respect to the variable times the `k`-th power of
-/// [`speed`](Report::speed).
+/// In each piece of the range an input is a power series, whose derivatives with respect to the variable are exact
+/// through snap, up to rounding. With respect to time, the derivative of order `k` is that with respect to the variable
+/// times the `k`-th power of [`speed`](Report::speed).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Drive {
     /// What the inputs move over.
@@ -208,8 +209,9 @@ pub enum Argument {
 
 /// All circuits and branches.
 ///
-/// This is what a report keeps of a [`CycleData`](kin_core::cycle::CycleData). That can be written but not read again, because it borrows the
-/// names of unknowns from the mechanism. A page needs no positions along branches, and has assemblies of its own.
+/// This is what a report keeps of a [`CycleData`](kin_core::cycle::CycleData). That can be written but not read again,
+/// because it borrows the names of unknowns from the mechanism. A page needs no positions along branches, and has
+/// assemblies of its own.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Cycle {
     /// The reasons why there may be other branches, each a clause; none if it is proved that there is no other one.

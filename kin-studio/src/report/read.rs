@@ -15,8 +15,8 @@ impl Report {
     /// A report from JSON.
     ///
     /// # Errors
-    /// [`ReportError::NewerFormat`] and [`ReportError::OlderFormat`] if another version has written it in its own format, and
-    /// [`ReportError::Json`] if it is no report.
+    /// [`ReportError::NewerFormat`] and [`ReportError::OlderFormat`] if another version has written it in its own
+    /// format, and [`ReportError::Json`] if it is no report.
     pub fn from_json(text: &str) -> Result<Self, ReportError> {
         /// The version alone, so that a later format is told as such.
         #[derive(Deserialize)]

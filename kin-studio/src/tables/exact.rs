@@ -29,9 +29,10 @@ const VERSION: u64 = 1;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait ExactJson: Sized {
-    /// One object: `format` and `version`; `name`; the `parameter` and the `columns` with `name` and `dimension`, which is `angle`,
-    /// `length` or `number`; for each column its `turn`, the change over a period, and its measured `errors`; `order`; `closed`, whether
-    /// the table repeats itself; and `rows`, each a list of the place and, column after column, the value and its derivatives.
+    /// One object: `format` and `version`; `name`; the `parameter` and the `columns` with `name` and `dimension`, which
+    /// is `angle`, `length` or `number`; for each column its `turn`, the change over a period, and its measured
+    /// `errors`; `order`; `closed`, whether the table repeats itself; and `rows`, each a list of the place and, column
+    /// after column, the value and its derivatives.
     fn to_json(&self) -> String;
 
     /// The table of such an object.
@@ -75,8 +76,8 @@ impl fmt::Display for JsonError {
             Self::NotATable => write!(formatter, "the text is no exact table: it has no format `{FORMAT}`"),
             Self::Newer { found, known } => write!(
                 formatter,
-                "the exact table has version {found} of its format, and this version of kin reads versions up to {known}: \
-                 read it with a newer version, or write it again"
+                "the exact table has version {found} of its format, and this version of kin reads versions up to \
+                 {known}: read it with a newer version, or write it again"
             ),
             Self::Entry { name } => write!(
                 formatter,

@@ -29,20 +29,25 @@ use std::path::Path;
 use kin_core::batch::Outcome;
 use kin_core::sweep::Table;
 
-/// Tables as text for other programs. Angles, lengths and times have the units of the table, which its `in_degrees` and `units` choose.
+/// Tables as text for other programs. Angles, lengths and times have the units of the table, which its `in_degrees` and
+/// `units` choose.
 pub trait Export {
-    /// Comma-separated values (RFC 4180, with line feeds): the names of the columns with their units, then a line for each row.
+    /// Comma-separated values (RFC 4180, with line feeds): the names of the columns with their units, then a line for
+    /// each row.
     ///
-    /// Two columns follow those of the table. `outcome` is `closes`, `does not close`, `singular` or `failed`. `margin` is the missing
-    /// length of a row that does not close, as a negative number. Numbers that are not there are left empty.
+    /// Two columns follow those of the table. `outcome` is `closes`, `does not close`, `singular` or `failed`. `margin`
+    /// is the missing length of a row that does not close, as a negative number. Numbers that are not there are left
+    /// empty.
     ///
-    /// A limit that lies between two rows has a line of its own between theirs. It holds the inputs and the unknowns there, and its kind
-    /// as the outcome: `limit position`, `change point`, `pole` or `end of a domain or range`. Its rates and outputs are empty.
+    /// A limit that lies between two rows has a line of its own between theirs. It holds the inputs and the unknowns
+    /// there, and its kind as the outcome: `limit position`, `change point`, `pole` or `end of a domain or range`. Its
+    /// rates and outputs are empty.
     fn to_csv(&self) -> String;
 
-    /// One object: `variable`, the name of the column over which the sweep runs; `columns`, each with `name`, `unit`, `order` and
-    /// `values`; `outcome` and `margin` with an entry for each row; and `limits`, each with `at`, `kind`, `block`, the `row` before it,
-    /// `closes` (`before` or `behind`) and the `values` by the names of their columns. Numbers that are not there are `null`.
+    /// One object: `variable`, the name of the column over which the sweep runs; `columns`, each with `name`, `unit`,
+    /// `order` and `values`; `outcome` and `margin` with an entry for each row; and `limits`, each with `at`, `kind`,
+    /// `block`, the `row` before it, `closes` (`before` or `behind`) and the `values` by the names of their columns.
+    /// Numbers that are not there are `null`.
     fn to_json(&self) -> String;
 
     /// Writes [`to_csv`](Self::to_csv) to a file.

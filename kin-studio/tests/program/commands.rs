@@ -55,7 +55,8 @@ fn sweep() {
         "sweep under a law",
         typed(
             "law",
-            "kin sweep slider-crank --over 0..90deg --law modified_sine --time 400ms --rows 5 --columns s,s_jerk --radians"
+            "kin sweep slider-crank --over 0..90deg --law modified_sine --time 400ms --rows 5 --columns s,s_jerk \
+             --radians"
         )
     );
     assert_snapshot!(
@@ -198,8 +199,8 @@ fn hoeken_path(folder: &Folder, options: &str) {
     folder.write("path.csv", &points.collect::<String>());
 }
 
-/// Points beside the seam of a turn, from where the search starts exactly at the seam, and a dimension that starts at its bound. Neither
-/// holds the others back.
+/// Points beside the seam of a turn, from where the search starts exactly at the seam, and a dimension that starts at
+/// its bound. Neither holds the others back.
 #[test]
 fn fit_of_a_path() {
     let folder = Folder::new("fit-path");
@@ -277,8 +278,8 @@ fn fit_without_a_range() {
     assert!(told.contains("--set factor=") && told.ends_with("code 0\n"), "{told}");
 }
 
-/// The values of an assembly are those where the motion begins. Each row is reached from there, and not from the position that is nearest
-/// to them at its own input.
+/// The values of an assembly are those where the motion begins. Each row is reached from there, and not from the
+/// position that is nearest to them at its own input.
 #[test]
 fn fit_follows_the_assembly() {
     let folder = Folder::new("fit-assembly");

@@ -43,7 +43,8 @@ pub(crate) fn kin(folder: &Folder) -> Command {
     command
 }
 
-/// Everything that comes back from a line that is typed: the output, the messages and the code. Single quotes hold words together.
+/// Everything that comes back from a line that is typed: the output, the messages and the code. Single quotes hold
+/// words together.
 pub(crate) fn typed_in(folder: &Folder, line: &str) -> String {
     let mut words: Vec<String> = Vec::new();
     for (index, part) in line.split('\'').enumerate() {

@@ -59,20 +59,30 @@ pub trait Visitor {
     fn visit<M: ThroughSnap>(&mut self, case: Case);
 }
 
+/// Dimensions as numbers, or by the name of a constant of the mechanism.
+macro_rules! dimensions {
+    ($mechanism:ty, [$($number:expr),*]) => {
+        &[$($number),*]
+    };
+    ($mechanism:ty, $constant:ident) => {
+        <$mechanism>::$constant.parameters().to_vec().leak()
+    };
+}
+
 /// A function for each group of mechanisms, that leads a visitor through it. The mechanisms after `besides` are solved as
 /// others of their group are, and are visited only with the feature `every-case`: each of them is compiled again for each
 /// visitor.
 macro_rules! groups {
     ($(
         $(#[$documentation:meta])*
-        $group:ident of $module:ident { $($mechanism:ident [$($parameter:expr),*] at $([$low:expr, $high:expr])+;)+ }
-        $(+ besides { $($other:ident [$($number:expr),*] at $([$from:expr, $to:expr])+;)+ })?
+        $group:ident of $module:ident { $($mechanism:ident $parameters:tt at $([$low:expr, $high:expr])+;)+ }
+        $(+ besides { $($other:ident $numbers:tt at $([$from:expr, $to:expr])+;)+ })?
     )+) => {
         $(
             $(#[$documentation])*
             pub fn $group(visitor: &mut impl Visitor) {
                 $(visitor.visit::<$module::$mechanism>(Case {
-                    parameters: &[$($parameter),*],
+                    parameters: dimensions!($module::$mechanism, $parameters),
                     inputs: &[$(($low, $high)),+],
                 });)+
                 #[cfg(feature = "every-case")]
@@ -88,7 +98,7 @@ macro_rules! groups {
                 #[allow(unused, reason = "a group may leave nothing out, and some groups are not described")]
                 pub(super) fn $group(visitor: &mut impl Visitor) {
                     $($(visitor.visit::<$module::$other>(Case {
-                        parameters: &[$($number),*],
+                        parameters: dimensions!($module::$other, $numbers),
                         inputs: &[$(($from, $to)),+],
                     });)+)?
                 }
@@ -370,9 +380,7 @@ groups! {
         ScotchYoke [2.0, 1.4] at [-3.1, 3.1];
         PeaucellierLinkage [2.0, 2.0, 6.0, 4.0] at [-1.8, 1.8];
         GearedFiveBar [2.0, 0.5, 2.5, 2.5, 0.5, -2.0, 0.7] at [-3.1, 3.1];
-        KlannLeg [
-            0.268, 0.59, 0.5221, 0.2241, -0.59, -0.176, 0.3206, -0.233, 0.616, 0.5177, 0.8966, 0.8966, 2.618
-        ] at [-3.1, 3.1];
+        KlannLeg PATENT at [-3.1, 3.1];
         Rssr [1.0, 3.0, 0.5, 0.8, 0.2, 0.9, 0.3, 0.4, -0.3, 1.9, 3.3] at [-3.1, 3.1];
         Rssp [1.0, 1.5, 0.4, 0.3, 0.3, -0.4, 1.2, 3.0] at [-3.1, 3.1];
         UniversalJoint [0.7] at [-3.1, 3.1];
@@ -390,8 +398,8 @@ groups! {
         SliderCrankFirstApproximation [1.0, 3.5] at [-3.1, 3.1];
         SliderCrankHigherApproximation [1.0, 3.5] at [-3.1, 3.1];
         WhitworthQuickReturn [0.05, 0.12, 0.15, 0.5] at [-3.1, 3.1];
-        ChebyshevLinkage [4.0, 5.0, 2.0] at [0.7, 1.7];
-        HoekenLinkage [2.0, 1.0, 2.5] at [-3.1, 3.1];
+        ChebyshevLinkage PUBLISHED at [0.7, 1.7];
+        HoekenLinkage PUBLISHED at [-3.1, 3.1];
         RobertsLinkage [1.0, 1.2] at [0.6, 1.4];
         Pantograph [2.0, 1.5, 2.5] at [0.5, 2.2] [-1.5, 1.5];
         FiveBar [2.0, 1.5, 2.0, 2.0, 1.5] at [0.2, 2.9] [0.3, 3.0];
@@ -400,12 +408,8 @@ groups! {
         StephensonI [4.0, 1.0, 3.0, 2.5, 0.5, 1.0, 1.5, 1.0, 2.5, 2.0] at [-3.1, 3.1];
         StephensonIIByElbow [4.0, 2.0, 1.5, 1.2, 3.0, 0.3, 1.0, 0.5, 1.6, 3.0] at [-3.1, 3.1];
         StephensonIII [4.0, 1.0, 3.0, 2.5, 1.5, 1.0, 3.0, 5.0, 3.0, 2.5] at [-3.1, 3.1];
-        JansenLeg [
-            38.0, 41.5, 39.3, 40.1, 55.8, 39.4, 36.7, 65.7, 49.0, 50.0, 61.9, 7.8, 15.0
-        ] at [-3.1, 3.1];
-        AndrewsSqueezer [
-            0.007, 0.028, 0.035, 0.02, 0.04, 0.02, 0.04, -0.06934, -0.00227, -0.03635, 0.03273
-        ] at [-1.0, 1.0];
+        JansenLeg HOLY_NUMBERS at [-3.1, 3.1];
+        AndrewsSqueezer PUBLISHED at [-1.0, 1.0];
     }
 
     /// The library's mechanisms with coupled blocks, the assemblies of which have no names.

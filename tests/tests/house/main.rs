@@ -4,6 +4,7 @@
 
 mod errors;
 mod source;
+mod width;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

@@ -90,14 +90,16 @@ impl Builder {
         format!(
             "[package]\nname = \"kin-file\"\nversion = \"0.0.0\"\nedition = \"2024\"\npublish = false\n\n\
              [dependencies]\nkin-core = {{ path = {} }}\nkin-studio = {{ path = {}, features = [\"program\"] }}\n\n\
-             [workspace]\n\n[profile.dev]\ndebug = false\nincremental = false\ndebug-assertions = false\nopt-level = 1\n\n\
+             [workspace]\n\n\
+             [profile.dev]\ndebug = false\nincremental = false\ndebug-assertions = false\nopt-level = 1\n\n\
              [profile.dev.package.\"*\"]\nopt-level = 0\n\n[profile.dev.package.kin-core]\nopt-level = 1\n",
             path("kin-core"),
             path("kin-studio"),
         )
     }
 
-    /// A lock file with the versions that kin was built with. Cargo adds the package itself, and takes away what it does not need.
+    /// A lock file with the versions that kin was built with. Cargo adds the package itself, and takes away what it
+    /// does not need.
     fn lock(&self, cache: &Cache, package: &Path) -> Result<(), Fault> {
         let lock = package.join("Cargo.lock");
         // the lock of kin's own source and the manifest tell whether it was made already
@@ -231,7 +233,8 @@ fn run(command: &mut Command, name: &str) -> Result<String, Fault> {
 fn missing(name: &str, error: &std::io::Error) -> Fault {
     if error.kind() == std::io::ErrorKind::NotFound {
         Fault::build(format!(
-            "`{name}` is not found: a .kin file is built by Rust; install it from https://rustup.rs, and open a new terminal"
+            "`{name}` is not found: a .kin file is built by Rust; install it from https://rustup.rs, and \
+             open a new terminal"
         ))
     } else {
         Fault::build(format!("`{name}` cannot be run: {error}"))

@@ -1,7 +1,7 @@
 //! A `.kin` file, taken apart: the declaration, which becomes Rust, and the numbers, which never do.
 //!
-//! The declaration comes from anybody, and the macro passes attributes on. So everything is refused that is not a doc comment, a name, a
-//! number or an operator of the grammar.
+//! The declaration comes from anybody, and the macro passes attributes on. So everything is refused that is not a doc
+//! comment, a name, a number or an operator of the grammar.
 
 use std::ops::Range;
 
@@ -358,7 +358,8 @@ fn harmless(tokens: &[TokenTree], is_outside: bool) -> Result<(), Mistake> {
                     Delimiter::Brace if is_outside && braces_seen == 0 => braces_seen += 1,
                     Delimiter::Brace => {
                         return Err(Mistake::new(
-                            "these braces have no place here: a file has one structure, `dimensions { .. }` and `motion { .. }`",
+                            "these braces have no place here: a file has one structure, `dimensions { .. }` and \
+                             `motion { .. }`",
                             group.span_open().byte_range(),
                         ));
                     }

@@ -26,7 +26,8 @@ async function look() {\n\
 look();\n";
 const STYLE: &str =
     "html, body { margin: 0; height: 100%; } iframe { border: 0; width: 100%; height: 100%; display: block; }";
-const MISTAKE_STYLE: &str = "body { font: 15px/1.5 ui-monospace, monospace; margin: 2rem; } pre { white-space: pre-wrap; } \
+const MISTAKE_STYLE: &str = "\
+body { font: 15px/1.5 ui-monospace, monospace; margin: 2rem; } pre { white-space: pre-wrap; } \
 @media (prefers-color-scheme: dark) { body { background: #111; color: #ddd; } }";
 
 /// The page that is shown.
@@ -138,7 +139,8 @@ fn answer(path: &str) -> Option<Answer> {
                 Answer {
                     kind: html,
                     body: format!(
-                        "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>A mistake</title><style>{MISTAKE_STYLE}</style>\
+                        "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>A mistake</title>\
+                         <style>{MISTAKE_STYLE}</style>\
                          <h1>A mistake</h1><pre>{}</pre><p>The page comes back when the file is mended.</p></html>",
                         escaped(&text)
                     ),

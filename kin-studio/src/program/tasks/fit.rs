@@ -1,8 +1,8 @@
 //! `kin fit`: dimensions by least squares, from points of a path or from values of an unknown.
 //!
-//! The minimiser is basin's bounded Levenberg-Marquardt method. It cuts a whole step where one number meets its bound, so that all may stand
-//! still there. Then a reflective trust region goes on, whose steps take much longer for long files. The derivatives by the dimensions come
-//! from the solver in numbers that carry them.
+//! The minimiser is basin's bounded Levenberg-Marquardt method. It cuts a whole step where one number meets its bound,
+//! so that all may stand still there. Then a reflective trust region goes on, whose steps take much longer for long
+//! files. The derivatives by the dimensions come from the solver in numbers that carry them.
 
 use std::convert::Infallible;
 use std::f64::consts::{PI, TAU};
@@ -25,14 +25,16 @@ use super::super::text::{self, Column, Units};
 use super::super::value::{self, Lengths};
 use super::print;
 
-/// The deviation of a row that does not close, in units of the spread of the data: larger than any that does, so that the step is refused.
+/// The deviation of a row that does not close, in units of the spread of the data: larger than any that does, so that
+/// the step is refused.
 const OPEN: f64 = 100.0;
 /// The places of the leading input among which the start of a row without an input is sought.
 const PLACES: u32 = 72;
-/// The mean deviation, in units of the spread of the data, below which the numbers are met: what is left of it are roundings.
+/// The mean deviation, in units of the spread of the data, below which the numbers are met: what is left of it are
+/// roundings.
 const MET: f64 = 1e-8;
-/// The part of the sum of squares that one change alone takes away where no minimum was reached. Slow ends in long valleys leave less, and
-/// steps that were cut leave much more.
+/// The part of the sum of squares that one change alone takes away where no minimum was reached. Slow ends in long
+/// valleys leave less, and steps that were cut leave much more.
 const LOWERED: f64 = 1e-4;
 
 /// The numbers that are to be met.
@@ -510,13 +512,14 @@ impl<'s> Problem<'s> {
             None => description.inputs[self.lead].name,
         };
         Err(Fault::open(format!(
-            "what was found is no minimum: a change of `{name}` alone takes away {:.2} % of the sum of squares. Fit again from there \
-             with the `--set` above, or vary fewer dimensions",
+            "what was found is no minimum: a change of `{name}` alone takes away {:.2} % of the sum of squares. Fit \
+             again from there with the `--set` above, or vary fewer dimensions",
             100.0 * part
         )))
     }
 
-    /// The place whose change alone takes most of the sum of squares away, and the part of it, unless the point is a minimum.
+    /// The place whose change alone takes most of the sum of squares away, and the part of it, unless the point is a
+    /// minimum.
     fn lowering(&self, point: &[f64]) -> Option<(usize, f64)> {
         let squares = |differences: &[f64]| differences.iter().map(|one| one * one).sum::<f64>();
         let differences = self.scaled(point);
@@ -545,7 +548,8 @@ impl<'s> Problem<'s> {
         lowered.max_by(|one, other| one.1.total_cmp(&other.1))
     }
 
-    /// The root of the mean square of each column, in its own unit, with the number of its rows that close, if any does.
+    /// The root of the mean square of each column, in its own unit, with the number of its rows that close, if any
+    /// does.
     fn deviations(&self, point: &[f64]) -> Vec<Option<(f64, u32)>> {
         let poses = self.poses(point);
         (0..self.data.columns.len())
@@ -646,7 +650,8 @@ impl<'s> Problem<'s> {
     }
 }
 
-/// The bounds of an input that is sought. Whole turns have no ends: a point beside the seam may lie on either side of it.
+/// The bounds of an input that is sought. Whole turns have no ends: a point beside the seam may lie on either side of
+/// it.
 fn ends(dimension: Dimension, from: f64, to: f64) -> (f64, f64) {
     if dimension == Dimension::Angle && (to - from).abs() > TAU - 1e-9 {
         (f64::NEG_INFINITY, f64::INFINITY)

@@ -54,8 +54,8 @@ pub(super) fn on_line(
     (all, index)
 }
 
-/// All assemblies under laws that close somewhere, and the index of the report's own. Those of coupled blocks are the positions where the
-/// laws begin. `inputs` gives the inputs at a time.
+/// All assemblies under laws that close somewhere, and the index of the report's own. Those of coupled blocks are the
+/// positions where the laws begin. `inputs` gives the inputs at a time.
 pub(super) fn under_laws(
     solver: &Solver,
     linkage: &AnyLinkage<'static>,
@@ -123,8 +123,8 @@ pub(super) fn of_branch(cycle: &AnyCycle<'static>, own: &Own, range: [f64; 2], b
     numbers.position(|number| assembly == Some(number))
 }
 
-/// The branches of which a part lies in the range, and the report's own. An assembly of another one would show the numbers of a branch to
-/// which Newton's method goes from values nearby.
+/// The branches of which a part lies in the range, and the report's own. An assembly of another one would show the
+/// numbers of a branch to which Newton's method goes from values nearby.
 fn shown(cycle: &AnyCycle<'static>, own: &Own, range: [f64; 2]) -> Vec<usize> {
     let is_own = |index: usize| own.branches.first() == Some(&index);
     let branches = cycle.branches().iter().enumerate();

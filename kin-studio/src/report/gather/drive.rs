@@ -1,7 +1,7 @@
 //! The drive as data: power series of the inputs, piece by piece.
 //!
-//! A law may be any formula. Its pieces are halved until their Taylor series are exact, so that a page needs no formulas of laws, and one
-//! way of reading serves lines and laws.
+//! A law may be any formula. Its pieces are halved until their Taylor series are exact, so that a page needs no
+//! formulas of laws, and one way of reading serves lines and laws.
 
 use kin_core::Description;
 use kin_core::law::Side;

@@ -96,7 +96,8 @@ impl Question {
             }),
             Err(error) => found.unanswered.push(self.unanswered(&error)),
         }
-        // where there is no peak, or where it moves with a limit, there is no sensitivity, and no dimension moves that of an input
+        // where there is no peak, or where it moves with a limit, there is no sensitivity, and no dimension moves that
+        // of an input
         if let Some(own) = sensitivity(way, &self.column).filter(|own| own.by.iter().any(|by| by.value != 0.0)) {
             let values = own.by.iter().map(|by| by.value).collect();
             found.sensitivities.push(Sensitivity {

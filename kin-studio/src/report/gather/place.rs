@@ -77,8 +77,8 @@ impl Own {
         })
     }
 
-    /// The assembly under laws: the wanted one, or the first one that closes. Values nearby hold where the laws begin. `inputs` gives the
-    /// inputs at a time.
+    /// The assembly under laws: the wanted one, or the first one that closes. Values nearby hold where the laws begin.
+    /// `inputs` gives the inputs at a time.
     pub(super) fn under_laws(
         wishes: &Wishes<'_>,
         range: [f64; 2],

@@ -14,7 +14,8 @@ pub(super) const ROWS: usize = 181;
 /// A value of the variable, and the pose there.
 pub(super) type At = (f64, Result<AnyPose, SolveError>);
 
-/// The sweeps over the range. Closed forms and laws need one. Along a line, coupled blocks are followed from a position to both ends.
+/// The sweeps over the range. Closed forms and laws need one. Along a line, coupled blocks are followed from a position
+/// to both ends.
 pub(super) struct Way<D> {
     /// The sweep downwards comes first, if there are two.
     pub(super) sweeps: Vec<AnySweep<'static, D>>,

@@ -1,50 +1,31 @@
 /** How the inputs move over the variable: power series, piece by piece. */
+import { lastIndex } from "./search.mjs";
+import { SAME } from "./tolerances.mjs";
 
 /**
  * A place where derivatives jump, from an order on, with the index of the piece that begins there.
  * @typedef {{at: number, order: number, piece: number}} Joint
  */
 
-/**
- * The drive of a report, with the pieces that begin at joints.
- * @param {any} report
- */
+/** The drive of a report, with the pieces that begin at joints. */
 export function driveOf({ drive }) {
   const pieces = drive.pieces;
-  const joints = drive.joints.map(({ at, order }) => ({ at, order, piece: pieces.findIndex(({ from }) => from === at) }));
+  const joints = drive.joints.map(({ at, order }) => ({
+    at,
+    order,
+    piece: pieces.findIndex(({ from }) => from === at),
+  }));
   return { overTime: drive.variable === "time", pieces, joints };
 }
 
-/** @typedef {ReturnType<typeof driveOf>} Drive */
-
-/**
- * The index of the piece on which a place lies. Where two pieces meet, it is the later one.
- * @param {Drive} drive
- * @param {number} x
- */
+/** The index of the piece on which a place lies. Where two pieces meet, it is the later one. */
 export function pieceAt({ pieces }, x) {
-  let low = 0;
-  let high = pieces.length;
-  while (high - low > 1) {
-    const middle = (low + high) >> 1;
-    if (pieces[middle].from <= x) {
-      low = middle;
-    } else {
-      high = middle;
-    }
-  }
-  return low;
+  return lastIndex(pieces, x, ({ from }) => from);
 }
 
 /**
- * An input with its derivatives by time, by the series of one piece, which goes on beyond its ends.
- * @param {Drive} drive
- * @param {number} input its index
- * @param {number} x
- * @param {number} piece
+ * An input, by its index, with its derivatives by time, by the series of one piece, which goes on beyond its ends.
  * @param {number} speed the change of the variable for each unit of time
- * @param {number} orders
- * @returns {number[]}
  */
 export function motionOf({ pieces }, input, x, piece, speed, orders) {
   const { at, inputs } = pieces[piece];
@@ -66,12 +47,14 @@ export function motionOf({ pieces }, input, x, piece, speed, orders) {
   return motion;
 }
 
+/** The value of an input, by its index, at a place. */
+export function inputAt(drive, input, { x, piece }) {
+  return motionOf(drive, input, x, piece, 1, 0)[0];
+}
+
 /**
- * Places from the beginning of the range to its end: parts of it, some in each short piece, and both sides of every joint.
- * @param {Drive} drive
- * @param {number} from
- * @param {number} to
- * @param {number} parts
+ * Places from the beginning of the range to its end: parts of it, some in each short piece, and both sides of every
+ * joint.
  * @param {number} least the parts of each piece
  * @returns {{x: number, piece: number}[]}
  */
@@ -87,22 +70,18 @@ export function placesOf(drive, from, to, parts, least) {
       places.push(piece.from + (own * index) / least);
     }
   }
-  const apart = (x) => drive.joints.every(({ at }) => Math.abs(x - at) > 1e-9 * width);
+  const apart = (x) => drive.joints.every(({ at }) => Math.abs(x - at) > SAME * width);
   const all = places.filter(apart).map((x) => ({ x, piece: pieceAt(drive, x) }));
   for (const { at, piece } of drive.joints) {
     all.push({ x: at, piece: piece - 1 }, { x: at, piece });
   }
   all.sort((one, other) => one.x - other.x || one.piece - other.piece);
-  return all.filter(({ x, piece }, index) => index === 0 || x - all[index - 1].x > 1e-12 * width || piece !== all[index - 1].piece);
+  return all.filter(
+    ({ x, piece }, index) => index === 0 || x - all[index - 1].x > SAME * width || piece !== all[index - 1].piece,
+  );
 }
 
-/**
- * Whether a derivative has two values between two places: then no line leads from the one to the other.
- * @param {Drive} drive
- * @param {{piece: number}} one
- * @param {{piece: number}} other
- * @param {number} order
- */
+/** Whether a derivative has two values between two places: then no line leads from the one to the other. */
 export function isBroken(drive, one, other, order) {
   const [low, high] = [Math.min(one.piece, other.piece), Math.max(one.piece, other.piece)];
   return low < high && drive.joints.some((joint) => low < joint.piece && joint.piece <= high && joint.order <= order);

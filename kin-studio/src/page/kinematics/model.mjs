@@ -12,16 +12,14 @@ export const FORMAT = 3;
  * @typedef {{name: string, text: string, documentation: string, dimension: string, colour: number}} Quantity
  */
 
-/**
- * What is wrong with a report, or an empty text.
- * @param {any} report
- */
+/** What is wrong with a report, or an empty text. */
 export function reasonToRefuse(report) {
   if (typeof report?.format !== "number") {
     return "This page holds no report.";
   }
   if (report.format > FORMAT) {
-    return `The report has format ${report.format}; this page reads formats up to ${FORMAT}. Write the page again with the kin that wrote the report.`;
+    const both = `The report has format ${report.format}; this page reads formats up to ${FORMAT}.`;
+    return `${both} Write the page again with the kin that wrote the report.`;
   }
   if (report.format < FORMAT) {
     return `The report has format ${report.format}; this page reads format ${FORMAT}. Make the report again.`;
@@ -32,16 +30,23 @@ export function reasonToRefuse(report) {
 /** The time as a quantity. */
 const TIME = { name: "time", declared: "time", text: "time", documentation: "", dimension: "time" };
 
-/**
- * @param {any} report
- * @param {any} solver
- */
+/** The mechanism of a report. */
 export function createModel(report, solver) {
   // the solver's own names are used throughout; the declared ones are for the reader
-  const named = (quantity) => ({ ...quantity, name: quantity.key ?? quantity.name, declared: quantity.name, text: quantity.text || quantity.name });
+  const named = (quantity) => ({
+    ...quantity,
+    name: quantity.key ?? quantity.name,
+    declared: quantity.name,
+    text: quantity.text || quantity.name,
+  });
   const drive = driveOf(report);
-  const inputs = report.inputs.map((input, index) => ({ ...named(input), index, moves: typeof input.value !== "number" }));
+  const inputs = report.inputs.map((input, index) => ({
+    ...named(input),
+    index,
+    moves: typeof input.value !== "number",
+  }));
   const moving = inputs.filter(({ moves }) => moves);
+  const variable = drive.overTime ? TIME : inputs[report.moving];
   const unknowns = report.unknowns.map(named);
   // over time the inputs are plotted as well
   const plotted = drive.overTime ? moving.map((input) => ({ ...input, isInput: true })) : [];
@@ -58,15 +63,18 @@ export function createModel(report, solver) {
     /** The inputs that move. */
     moving,
     drive,
+    /** The moving inputs that are neither the variable nor, over time, among the quantities. */
+    others: drive.overTime ? [] : moving.filter(({ name }) => name !== variable.name),
     /** What the range is of. */
-    variable: drive.overTime ? TIME : (inputs[report.moving] ?? inputs[0]),
+    variable,
     parameters: report.parameters.map(named),
     unknowns,
     quantities,
     frames: solver ? null : framesOf(report, drive, quantities),
-    outline: report.outline ?? solver?.OUTLINE ?? { ground: [], bodies: [], slides: [], points: [] },
+    outline: report.outline,
     from: report.range[0],
     to: report.range[1],
+    width: report.range[1] - report.range[0],
     period: report.period ?? 0,
     orders: Math.min(4, report.order ?? 4),
     coupled: Boolean(report.coupled),
@@ -80,18 +88,15 @@ export function createModel(report, solver) {
 function framesOf({ frames, order, speed }, drive, quantities) {
   return (frames ?? []).map(({ input, values, joints, slides }) => {
     const piece = pieceAt(drive, input);
-    const entries = quantities.map(({ name, isInput, index: own }, index) => [name, isInput ? motionOf(drive, own, input, piece, speed, order) : values[index]]);
+    const entries = quantities.map(({ name, isInput, index: own }, index) => [
+      name,
+      isInput ? motionOf(drive, own, input, piece, speed, order) : values[index],
+    ]);
     return { x: input, piece, pose: values.length > 0 ? { ...Object.fromEntries(entries), joints, slides } : null };
   });
 }
 
-/** @typedef {ReturnType<typeof createModel>} Model */
-
-/**
- * The design of the report.
- * @param {Model} model
- * @returns {Design}
- */
+/** The design of the report. @returns {Design} */
 export function givenDesign(model) {
   return {
     parameters: Object.fromEntries(model.parameters.map(({ name, value }) => [name, value])),
@@ -100,10 +105,7 @@ export function givenDesign(model) {
   };
 }
 
-/**
- * @param {Design} one
- * @param {Design} other
- */
+/** Whether two designs have the same numbers. */
 export function sameDesign(one, other) {
   const same = (left, right) => Object.keys(left).every((name) => left[name] === right[name]);
   return one.speed === other.speed && same(one.parameters, other.parameters) && same(one.standing, other.standing);
@@ -111,9 +113,6 @@ export function sameDesign(one, other) {
 
 /**
  * The pose at a value of the variable.
- * @param {Model} model
- * @param {Design} design
- * @param {number} x
  * @param {any} argument the assembly, or values nearby
  * @param {number} piece the piece of the drive
  * @returns {Solved}
@@ -122,7 +121,9 @@ export function solveAt(model, design, x, argument, piece = pieceAt(model.drive,
   const orders = Math.max(4, model.report.order ?? 4);
   const inputs = {};
   for (const { name, index, moves } of model.inputs) {
-    inputs[name] = moves ? motionOf(model.drive, index, x, piece, design.speed, orders) : [design.standing[name], ...Array(orders).fill(0)];
+    inputs[name] = moves
+      ? motionOf(model.drive, index, x, piece, design.speed, orders)
+      : [design.standing[name], ...Array(orders).fill(0)];
   }
   const solved = model.solver.solve(design.parameters, inputs, argument);
   if (solved.ok) {
@@ -131,23 +132,13 @@ export function solveAt(model, design, x, argument, piece = pieceAt(model.drive,
   return solved;
 }
 
-/**
- * The unknowns of a pose as values nearby, moved on by a change of the variable.
- * @param {Model} model
- * @param {Design} design
- * @param {Pose} pose
- * @param {number} change
- */
+/** The unknowns of a pose as values nearby, moved on by a change of the variable. */
 export function valuesNear(model, design, pose, change = 0) {
   const time = change / design.speed;
   return Object.fromEntries(model.unknowns.map(({ name }) => [name, movedOn(pose[name], time)]));
 }
 
-/**
- * A Taylor polynomial.
- * @param {number[]} rates
- * @param {number} time
- */
+/** A Taylor polynomial. */
 export function movedOn(rates, time) {
   let sum = 0;
   for (let order = rates.length - 1; order >= 0; order -= 1) {
@@ -156,12 +147,9 @@ export function movedOn(rates, time) {
   return sum;
 }
 
-/**
- * The names of a block with the texts of its unknowns.
- * @param {Model} model
- * @param {string} block
- */
+/** The names of a block with the texts of its unknowns. */
 export function blockText(model, block) {
-  const text = (name) => model.quantities.find((quantity) => quantity.declared === name || quantity.name === name)?.text ?? name;
+  const text = (name) =>
+    model.quantities.find((quantity) => quantity.declared === name || quantity.name === name)?.text ?? name;
   return block.split(", ").map(text).join(", ");
 }

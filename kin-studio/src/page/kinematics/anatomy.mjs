@@ -1,20 +1,16 @@
 /** What belongs to what in a mechanism's picture: pins, driven bodies, and the unknown that a body's angle is. */
-import { motionOf } from "./drive.mjs";
+import { inputAt } from "./drive.mjs";
 import { alongSlide, innerRows } from "./sweep.mjs";
-
-/** How far an angle may differ from that of a body which it describes, in radians. */
-const AGREES = 1e-6;
+import { DESCRIBES, ROUNDING, TURNS } from "./tolerances.mjs";
 
 /**
- * @typedef {{pins: boolean[], fixed: boolean[], colours: (number | null)[], drivers: (number | null)[], driven: boolean[], drivenSlides: boolean[], keeps: boolean[], floating: number}} Anatomy
+ * @typedef {{pins: boolean[], fixed: boolean[], colours: (number | null)[], drivers: (number | null)[],
+ *   driven: boolean[], drivenSlides: boolean[], keeps: boolean[], floating: number}} Anatomy
  */
 
-/**
- * @param {import("./model.mjs").Model} model
- * @param {import("./sweep.mjs").Sweep} sweep
- * @returns {Anatomy | null} null if it closes nowhere
- */
-export function anatomyOf(model, sweep) {
+/** @returns {Anatomy | null} null if it closes nowhere */
+export function anatomyOf(sweep) {
+  const { model } = sweep;
   const rows = innerRows(sweep);
   if (rows.length === 0) {
     return null;
@@ -28,29 +24,40 @@ export function anatomyOf(model, sweep) {
   });
   const follows = (body, value) => {
     const apart = some.map((row) => angleOf(model, row.pose, body) - value(row));
-    return apart.every((angle) => Number.isFinite(angle) && Math.abs(Math.sin(0.5 * (angle - apart[0]))) < AGREES);
+    return apart.every((angle) => Number.isFinite(angle) && Math.abs(Math.sin(0.5 * (angle - apart[0]))) < DESCRIBES);
   };
-  const turns = (value) => some.some((row) => Math.abs(value(row) - value(some[0])) > 1e-3);
+  const turns = (value) => some.some((row) => Math.abs(value(row) - value(some[0])) > TURNS);
   // the values of the inputs that move, of which no dimension changes anything
-  const inputs = model.moving.map(({ index, dimension }) => ({ index, dimension, value: ({ x, piece }) => motionOf(model.drive, index, x, piece, 1, 0)[0] }));
+  const inputs = model.moving.map(({ index, dimension }) => ({
+    index,
+    dimension,
+    value: (row) => inputAt(model.drive, index, row),
+  }));
   const angles = inputs.filter(({ dimension }) => dimension === "angle");
   const lengths = inputs.filter(({ dimension }) => dimension === "length");
   const colours = outline.bodies.map((_, body) => {
     const owner = model.quantities.find(({ name, dimension, isInput }) => {
       const value = (row) => row.pose[name][0];
       const opposite = (row) => -value(row);
-      return dimension === "angle" && !isInput && !model.space && turns(value) && (follows(body, value) || follows(body, opposite));
+      return (
+        dimension === "angle" &&
+        !isInput &&
+        !model.space &&
+        turns(value) &&
+        (follows(body, value) || follows(body, opposite))
+      );
     });
     return owner ? owner.colour : null;
   });
   const drivers = outline.bodies.map(({ joints }, body) => {
-    const turns = ({ value }) => (model.space ? joints.some((joint) => fixed[joint]) && turnsAlong(rows, joints, value) : follows(body, value));
+    const turns = ({ value }) =>
+      model.space ? joints.some((joint) => fixed[joint]) && turnsAlong(rows, joints, value) : follows(body, value);
     return angles.find(turns)?.index ?? null;
   });
   const drivenSlides = outline.slides.map((_, slide) => {
     return lengths.some(({ value }) => {
       const apart = some.map((row) => Math.abs(alongSlide(model, row.pose, slide)) - Math.abs(value(row)));
-      return apart.every((shift) => Math.abs(shift - apart[0]) < AGREES * (1 + Math.abs(apart[0])));
+      return apart.every((shift) => Math.abs(shift - apart[0]) < DESCRIBES * (1 + Math.abs(apart[0])));
     });
   });
   const pins = some[0].pose.joints.map((_, joint) => {
@@ -61,7 +68,16 @@ export function anatomyOf(model, sweep) {
     return turning > 1 || (turning === 1 && (fixed[joint] || outline.slides.some((slide) => slide.joint === joint)));
   });
   const floating = outline.bodies.findIndex(({ joints }) => joints.length > 1 && !joints.some((joint) => fixed[joint]));
-  return { pins, fixed, colours, drivers, driven: drivers.map((driver) => driver !== null), drivenSlides, keeps, floating };
+  return {
+    pins,
+    fixed,
+    colours,
+    drivers,
+    driven: drivers.map((driver) => driver !== null),
+    drivenSlides,
+    keeps,
+    floating,
+  };
 }
 
 /** Whether a body of space turns as far as the input, at right angles to its axis. */
@@ -75,15 +91,16 @@ function turnsAlong(rows, [first, second], value) {
   const one = direction(rows[0]);
   return close.every((row) => {
     const other = direction(row);
-    const cosine = one.reduce((sum, value, axis) => sum + value * other[axis], 0) / (Math.hypot(...one) * Math.hypot(...other));
-    return Math.abs(cosine - Math.cos(way(row))) < AGREES;
+    const cosine =
+      one.reduce((sum, value, axis) => sum + value * other[axis], 0) / (Math.hypot(...one) * Math.hypot(...other));
+    return Math.abs(cosine - Math.cos(way(row))) < DESCRIBES;
   });
 }
 
 function parallel(one, other) {
   const product = one.reduce((sum, value, axis) => sum + value * other[axis], 0);
   const [long, wide] = [Math.hypot(...one), Math.hypot(...other)];
-  return Math.abs(Math.abs(product) - long * wide) <= 1e-9 * long * wide;
+  return Math.abs(Math.abs(product) - long * wide) <= ROUNDING * long * wide;
 }
 
 /** The direction of a plane body: from its first joint to the second, or that of its slide. */
@@ -98,17 +115,12 @@ function angleOf(model, pose, body) {
 }
 
 /**
- * A place that is followed: a joint, or a place of a body as a part of the way from its first joint to the second and across.
+ * A place that is followed: a joint, or a place of a body as parts of the way from its first joint to the second, along
+ * and across.
  * @typedef {{name: string, joint: number} | {name: string, body: number, along: number, across: number}} Followed
  */
 
-/**
- * The coordinates of a followed place, or its rates if those of the joints are given.
- * @param {import("./model.mjs").Model} model
- * @param {any} followed
- * @param {number[][]} joints
- * @returns {number[]}
- */
+/** The coordinates of a followed place, or its rates if those of the joints are given. @returns {number[]} */
 export function placeOf(model, followed, joints) {
   if (followed.joint !== undefined) {
     return joints[followed.joint];
@@ -121,11 +133,7 @@ export function placeOf(model, followed, joints) {
 
 /**
  * The place of a body under the pointer, as something to follow.
- * @param {import("./model.mjs").Model} model
- * @param {number} body
  * @param {number[][]} flatJoints the joints in the picture's plane, y upwards
- * @param {number[]} at
- * @returns {any}
  */
 export function followedAt(model, body, flatJoints, at) {
   const { joints } = model.outline.bodies[body];
