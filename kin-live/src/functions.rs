@@ -260,7 +260,7 @@ impl<T: Scalar> ClosureTermsOver<T> for Mechanism {
 }
 
 impl AnyMechanism for Mechanism {
-    fn assembly_near(&self, parameters: &[f64], inputs: &[f64], unknowns: &[f64]) -> Option<usize> {
+    fn assembly_at(&self, parameters: &[f64], inputs: &[f64], unknowns: &[f64]) -> Option<usize> {
         if self.motion.is_coupled {
             return None;
         }
@@ -279,7 +279,7 @@ fn run_sheet<T: Scalar>(code: &SheetCode, given: [&[T]; 3], results: &mut [T]) {
 }
 
 impl<T: Scalar> ClosureOver<T> for Mechanism {
-    fn residuals(&self, parameters: &[T], inputs: &[T], unknowns: &[T], residuals: &mut [T]) {
+    fn closure(&self, parameters: &[T], inputs: &[T], unknowns: &[T], residuals: &mut [T]) {
         run_sheet(&self.closure, [parameters, inputs, unknowns], residuals);
     }
 }

@@ -22,7 +22,7 @@ pub(crate) fn agreeing<M: Mechanism<Scalar = f64>, T: Bits>(declaration: &Declar
     ];
     let sheets = declaration.sheets();
     let residuals = |[parameters, inputs, unknowns]: &Numbers<T>, found: &mut [T]| {
-        Of::<M>::FUNCTIONS.residuals(parameters, inputs, unknowns, found);
+        Of::<M>::FUNCTIONS.closure(parameters, inputs, unknowns, found);
     };
     let outputs = |[parameters, inputs, unknowns]: &Numbers<T>, found: &mut [T]| {
         Of::<M>::FUNCTIONS.outputs(parameters, inputs, unknowns, found);

@@ -200,7 +200,7 @@ pub(crate) fn assert_same_positions<M: Mechanism<Scalar = f64>>(
             assert_eq!(own, expected);
             for unknowns in &found {
                 let [own, expected] =
-                    [live as &dyn AnyMechanism, compiled].map(|own| own.assembly_near(parameters, inputs, unknowns));
+                    [live as &dyn AnyMechanism, compiled].map(|own| own.assembly_at(parameters, inputs, unknowns));
                 assert_eq!(own, expected.filter(|_| M::ASSEMBLY_COUNT > 0));
             }
             assert_eq!(found, wanted);
