@@ -8,6 +8,7 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use kin_core::any::{AssemblyMotionOver, Described, MotionNearOver, Of};
+use kin_core::batch::{AnyBatch, Column, ColumnChoice, GivenColumns, Outcome, Place, Vectors, WantedColumns};
 use kin_core::library::{ClassThreeTriad, FourBar, JansenLeg, SliderCrank, WattI};
 use kin_core::{Mechanism, Plane};
 
@@ -82,6 +83,50 @@ fn compare<M: Mechanism<Scalar = f64>>(file: &str, mechanism: &M, input: impl Fn
         nanoseconds(expected),
         nanoseconds(own) / nanoseconds(expected),
     );
+    let given: Vec<Column<'_>> = parameters.iter().map(|value| Column::Same(*value)).collect();
+    let positions: Vec<f64> = (0..POSES).map(|pose| input(pose as f64 / POSES as f64)).collect();
+    let columns = [Column::Each(&positions), Column::Same(10.0)];
+    let columns = vec![columns.as_slice(); description.inputs.len()];
+    let near: Vec<Column<'_>> = near.iter().map(|value| Column::Same(*value)).collect();
+    let given = GivenColumns {
+        parameters: &given,
+        inputs: &columns,
+        choice: if M::ASSEMBLY_COUNT == 0 {
+            ColumnChoice::Near(&near)
+        } else {
+            ColumnChoice::Assembly(0)
+        },
+    };
+    let mut places: Vec<Place> = Vec::new();
+    for order in 0..orders {
+        places.extend((0..description.unknowns.len()).map(|index| Place::Unknown(index, order)));
+    }
+    let mut numbers = vec![vec![0.0; POSES]; places.len()];
+    let mut outcomes = vec![Outcome::Unsolved; POSES];
+    for vectors in [Vectors::Compiled, Vectors::Avx2, Vectors::Avx512] {
+        if !vectors.are_there() {
+            continue;
+        }
+        let mut run = |own: &dyn AnyBatch| {
+            let wanted = places.iter().zip(&mut numbers);
+            let wanted = wanted.map(|(place, column)| (*place, column.as_mut_slice())).collect();
+            let mut wanted = WantedColumns::new(wanted);
+            let summary = own.solve_batch(given, &mut wanted, &mut outcomes, vectors);
+            assert_eq!(summary.expect("the columns have one length").solved, POSES);
+        };
+        let (mut own, mut expected) = (Duration::MAX, Duration::MAX);
+        for _ in 0..100 {
+            own = own.min(shortest(1, || run(&live)));
+            expected = expected.min(shortest(1, || run(compiled)));
+        }
+        println!(
+            "{:20} in batches of {vectors:?} {:6.1} ns, compiled {:6.1} ns: {:4.1} times",
+            "",
+            nanoseconds(own),
+            nanoseconds(expected),
+            nanoseconds(own) / nanoseconds(expected),
+        );
+    }
 }
 
 trait Both: AssemblyMotionOver<f64> + MotionNearOver<f64> {}

@@ -149,7 +149,7 @@ impl<T: Scalar> MotionNearOver<T> for Mechanism {
 }
 
 impl Mechanism {
-    fn motions<'i, T>(&self, motions: &'i [T]) -> Inputs<'i, T> {
+    pub(crate) fn motions<'i, T>(&self, motions: &'i [T]) -> Inputs<'i, T> {
         Inputs {
             motions,
             orders: self.motion.order + 1,

@@ -4,6 +4,7 @@ use kin_compiler::lowered::{self, Label, Symbol};
 use kin_core::__private::live::{agreeing_in, within_turns_in};
 use kin_core::Scalar;
 use kin_core::any::{Name, NameKind};
+use kin_core::batch::Numbers;
 use kin_core::{Assembly, Direction, Failure, Plane};
 
 use crate::code::{Assembler, Code, Labels, Register, TooLarge};
@@ -35,6 +36,8 @@ pub(crate) struct Motion {
 #[derive(Debug)]
 struct Unknown {
     value: Value,
+    /// Cosine and sine, if it is returned as a unit vector.
+    vector: Option<[Register; 2]>,
     rates: Box<[Register]>,
 }
 
@@ -71,6 +74,7 @@ impl Motion {
                         },
                     },
                 },
+                vector: direction.map(|vector| [vector.cosine, vector.sine].map(|symbol| assembler.register(symbol))),
                 rates: (1..=order)
                     .map(|order| assembler.register(Symbol::UnknownRate(index, order)))
                     .collect(),
@@ -90,8 +94,11 @@ impl Motion {
         let telltales = telltales.map(|&(unknown, order)| assembler.register(Symbol::UnknownRate(unknown, order)));
         let telltales = telltales.collect();
         let all: Vec<usize> = (0..mechanism.directions.len()).collect();
+        let telltales: Box<[Register]> = telltales;
+        let mut code = assembler.finish()?;
+        code.lengths.row = code.lengths.row.max(telltales.len());
         Ok(Self {
-            code: assembler.finish()?,
+            code,
             given,
             unknowns,
             outputs,
@@ -165,6 +172,26 @@ impl<T: Scalar> FoundMotion<'_, T> {
         }
     }
 
+    /// Writes the motions as columns: a direction has its cosine in the place of its angle, and a sine.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn write_columns(&self, numbers: &mut Numbers<T>) {
+        let orders = self.motion.order + 1;
+        let of_each = numbers.unknowns.chunks_exact_mut(orders).zip(&mut numbers.sines);
+        for ((places, sine), unknown) in of_each.zip(&self.motion.unknowns) {
+            places[0] = match (unknown.value, unknown.vector) {
+                (_, Some([cosine, own])) => {
+                    *sine = Some(self.at(own));
+                    self.at(cosine)
+                }
+                (Value::Number(register) | Value::Direction { cosine: register, .. }, None) => self.at(register),
+            };
+            for (place, register) in places[1..].iter_mut().zip(&unknown.rates) {
+                *place = self.at(*register);
+            }
+        }
+        self.write_outputs(&mut numbers.outputs);
+    }
+
     /// Writes the motions of the scalar outputs that there is a place for.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn write_outputs(&self, outputs: &mut [T]) {
@@ -188,19 +215,14 @@ impl<T: Scalar> FoundMotion<'_, T> {
 
     /// Whether all numbers are finite. If a rate were not finite, a telltale would not be finite either.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn is_finite(&self) -> bool {
+    fn is_finite(&self, row: &mut [T]) -> bool {
         let telltales = &self.motion.telltales;
         let rates_are_finite = telltales.is_empty() || {
-            let lengths = Lengths {
-                registers: telltales.len(),
-                ..Lengths::default()
-            };
-            lengths.lend(|memory| {
-                for (place, register) in memory.registers.iter_mut().zip(telltales) {
-                    *place = self.at(*register);
-                }
-                T::are_finite(memory.registers)
-            })
+            let rates = &mut row[..telltales.len()];
+            for (place, register) in rates.iter_mut().zip(telltales) {
+                *place = self.at(*register);
+            }
+            T::are_finite(rates)
         };
         rates_are_finite
             && self
@@ -249,26 +271,40 @@ impl Motion {
         choice: Choice<'_, T>,
         found: impl FnOnce(FoundMotion<'_, T>) -> R,
     ) -> Result<R, Fault> {
-        self.code.lengths.lend(|memory: Memory<'_, T>| {
-            self.given.write(memory.registers, parameters, inputs);
-            let mut run = Run {
-                code: &self.code,
-                memory,
-                choice,
-                way: SinglePosition,
-            };
-            for order in 0..inputs.orders {
-                run.routine(order)?;
-            }
-            let motion = FoundMotion {
-                motion: self,
-                registers: run.memory.registers,
-            };
-            if inputs.orders > 1 && !motion.is_finite() {
-                return Err(self.not_finite(&motion, inputs));
-            }
-            Ok(found(motion))
-        })
+        self.code
+            .lengths
+            .lend(|memory| self.solve_in(memory, parameters, inputs, choice, found))
+    }
+
+    /// Solves in memory that the caller lends.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn solve_in<T: Scalar, R>(
+        &self,
+        memory: Memory<'_, T>,
+        parameters: &[T],
+        inputs: Inputs<'_, T>,
+        choice: Choice<'_, T>,
+        found: impl FnOnce(FoundMotion<'_, T>) -> R,
+    ) -> Result<R, Fault> {
+        self.given.write(memory.registers, parameters, inputs);
+        let mut run = Run {
+            code: &self.code,
+            memory,
+            choice,
+            way: SinglePosition,
+        };
+        for order in 0..inputs.orders {
+            run.routine(order)?;
+        }
+        let Memory { registers, row, .. } = run.memory;
+        let motion = FoundMotion {
+            motion: self,
+            registers,
+        };
+        if inputs.orders > 1 && !motion.is_finite(row) {
+            return Err(self.not_finite(&motion, inputs));
+        }
+        Ok(found(motion))
     }
 
     /// Names the first input that is not finite, or else the first such result.
@@ -299,36 +335,58 @@ impl Motion {
         function: impl FnOnce(Choice<'_, T>) -> Result<R, Fault>,
     ) -> Result<R, Fault> {
         let lengths = Lengths {
-            registers: self.unknowns.len() + self.choices,
+            registers: self.near_length(),
             ..Lengths::default()
         };
-        lengths.lend(|memory: Memory<'_, T>| {
-            let (values, orientations) = memory.registers.split_at_mut(self.unknowns.len());
-            values.copy_from_slice(&near[..values.len()]);
-            if !self.angles.is_empty() {
-                let label = self.all_unknowns;
-                within_turns_in(values, &self.angles).map_err(|failure| Fault { failure, label })?;
-            }
-            let mut assembly = 0;
-            if self.choices > 0 {
-                self.orientations.run(parameters, inputs, values, |result| {
-                    for (index, place) in orientations[..self.choices].iter_mut().enumerate() {
-                        *place = result(index);
-                    }
-                });
-                for orientation in &orientations[..self.choices] {
-                    assembly = 2 * assembly + usize::from(orientation.side() == Assembly::Crossed);
+        lengths.lend(|memory| self.near_in(memory.registers, parameters, inputs, near, function))
+    }
+
+    /// The numbers that values nearby take.
+    pub(crate) fn near_length(&self) -> usize {
+        self.unknowns.len() + self.choices
+    }
+
+    /// Calls a function with the choice that values of the unknowns stand for, in memory that the caller lends.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn near_in<T: Scalar, R>(
+        &self,
+        memory: &mut [T],
+        parameters: &[T],
+        inputs: Inputs<'_, T>,
+        near: &[T],
+        function: impl FnOnce(Choice<'_, T>) -> Result<R, Fault>,
+    ) -> Result<R, Fault> {
+        let (values, orientations) = memory.split_at_mut(self.unknowns.len());
+        let orientations = &mut orientations[..self.choices];
+        values.copy_from_slice(&near[..values.len()]);
+        if !self.angles.is_empty() {
+            let label = self.all_unknowns;
+            within_turns_in(values, &self.angles).map_err(|failure| Fault { failure, label })?;
+        }
+        let mut assembly = 0;
+        if self.choices > 0 {
+            self.orientations.run(parameters, inputs, values, |result| {
+                for (index, place) in orientations.iter_mut().enumerate() {
+                    *place = result(index);
                 }
-                if self.is_coupled {
-                    agreeing_in(values, &orientations[..self.choices]);
-                }
+            });
+            for orientation in &*orientations {
+                assembly = 2 * assembly + usize::from(orientation.side() == Assembly::Crossed);
             }
-            function(Choice {
-                near: Some(values),
-                assembly,
-                choices: self.choices,
-            })
+            if self.is_coupled {
+                agreeing_in(values, orientations);
+            }
+        }
+        function(Choice {
+            near: Some(values),
+            assembly,
+            choices: self.choices,
         })
+    }
+
+    /// The memory that a run takes.
+    pub(crate) fn lengths(&self) -> Lengths {
+        self.code.lengths
     }
 
     /// The index of the assembly to which values of the unknowns belong.

@@ -34,6 +34,7 @@
 mod column;
 #[cfg(test)]
 mod comparison_tests;
+mod conclusion;
 mod destination;
 mod dispatch;
 mod fold;
@@ -42,6 +43,8 @@ mod loads;
 mod outcome;
 #[cfg(feature = "rayon")]
 mod parallel;
+#[cfg(feature = "alloc")]
+mod slices;
 mod sweep;
 mod target;
 #[cfg(test)]
@@ -64,6 +67,10 @@ pub use outcome::{LengthMismatch, Outcome, Summary};
 #[cfg(feature = "rayon")]
 #[cfg_attr(docsrs, doc(cfg(feature = "rayon")))]
 pub use parallel::ParallelBatch;
+#[cfg(feature = "alloc")]
+#[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
+#[doc(hidden)]
+pub use slices::{Numbers, SliceSolver, solve_slices};
 pub use sweep::Batch;
 #[doc(hidden)]
 pub use sweep::{Guide, InAssembly, Nearest};

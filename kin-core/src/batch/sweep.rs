@@ -2,9 +2,10 @@
 
 use core::ops::Range;
 
-use num_traits::{Float, Zero};
+use num_traits::Float;
 
 use super::Column;
+use super::conclusion::Chunk;
 use super::destination::Destination;
 use super::dispatch::{Kernel, Vectors};
 use super::outcome::{LengthMismatch, Outcome, Summary};
@@ -227,10 +228,12 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Batch<'a, M, G> {
         outcomes: &mut [Outcome],
     ) -> Summary {
         self.vectors.run(BatchRun {
-            batch: self,
-            near: &self.guide.near(),
-            destination,
-            angles,
+            alone: PoseByPose {
+                batch: self,
+                near: &self.guide.near(),
+                destination,
+                angles,
+            },
             outcomes,
         })
     }
@@ -281,14 +284,19 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Batch<'a, M, G> {
 
 /// A batch with the places for its results.
 struct BatchRun<'p, 'd, 'a, M: Mechanism<Scalar: Element>, G> {
+    alone: PoseByPose<'p, 'd, 'a, M, G>,
+    outcomes: &'p mut [Outcome],
+}
+
+/// A batch whose poses can be solved alone.
+struct PoseByPose<'p, 'd, 'a, M: Mechanism<Scalar: Element>, G> {
     batch: &'p Batch<'a, M, G>,
     near: &'p M::Unknowns<Column<'a, M::Scalar>>,
     destination: &'p Destination<'d, M>,
     angles: &'p TransmissionEntries<'d, M>,
-    outcomes: &'p mut [Outcome],
 }
 
-impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> BatchRun<'_, '_, 'a, M, G> {
+impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> PoseByPose<'_, '_, 'a, M, G> {
     /// Solves a pose alone and stores it.
     #[cold]
     #[inline(never)]
@@ -328,74 +336,6 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> BatchRun<'_, '_, 'a, M,
         );
         result
     }
-
-    /// Writes the outcomes of a chunk in which poses have failed, by their margins. A failed pose without a margin is solved
-    /// alone, and so is the first failed pose of the batch, whose whole error is kept. The poses before `next` have their
-    /// outcomes.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn conclude<const W: usize, const FUSED: bool>(
-        &mut self,
-        start: usize,
-        next: usize,
-        sum: Lanes<W, FUSED, M::Scalar>,
-        margins: Lanes<W, FUSED, M::Scalar>,
-        failed: &mut Lanes<W, FUSED, M::Scalar>,
-        summary: &mut Summary,
-    ) {
-        let mut is_told = start == next && summary.first_failure.is_some();
-        for lane in 0..W {
-            is_told &= Float::is_finite(sum.0[lane]) | (margins.0[lane] < M::Scalar::zero());
-        }
-        if !is_told {
-            self.settle_all(start, next, &sum.0, &margins.0, summary);
-            return;
-        }
-        *failed = *failed + sum.gone();
-        if let Some(outcomes) = self.outcomes.get_mut(start..start + W) {
-            for (lane, outcome) in outcomes.iter_mut().enumerate() {
-                let margin = margins.0[lane].real();
-                *outcome = if Float::is_finite(sum.0[lane]) {
-                    Outcome::Solved
-                } else {
-                    Outcome::OutOfReach { margin }
-                };
-            }
-        }
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn settle_all(
-        &mut self,
-        start: usize,
-        next: usize,
-        sums: &[M::Scalar],
-        margins: &[M::Scalar],
-        summary: &mut Summary,
-    ) {
-        for (index, (sum, margin)) in (start..).zip(sums.iter().zip(margins)) {
-            if Float::is_finite(*sum) {
-                continue;
-            }
-            let margin = margin.real();
-            let is_told = margin < 0.0 && summary.first_failure.is_some();
-            if index < next {
-                // Its outcome is known, but its numbers have been overwritten.
-                if self.outcomes[index].is_solved() {
-                    let _ = self.settle(index);
-                }
-            } else if is_told {
-                summary.fail(1);
-                self.outcomes[index] = Outcome::OutOfReach { margin };
-            } else {
-                self.outcomes[index] = match summary.note(index, self.settle(index)) {
-                    // The margin of a pose does not depend on whether the pose is the first to fail.
-                    Outcome::OutOfReach { .. } if margin < 0.0 => Outcome::OutOfReach { margin },
-                    outcome => outcome,
-                };
-            }
-        }
-    }
 }
 
 impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_, '_, 'a, M, G> {
@@ -403,16 +343,17 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
     type Element = M::Scalar;
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn run<const W: usize, const FUSED: bool>(mut self) -> Summary {
-        let batch = self.batch;
-        let count = self.outcomes.len();
+    fn run<const W: usize, const FUSED: bool>(self) -> Summary {
+        let Self { alone, outcomes } = self;
+        let batch = alone.batch;
+        let count = outcomes.len();
         let mut summary = Summary {
             solved: count,
             ..Summary::default()
         };
         // Assume every pose is solved; failures overwrite this below. Copy in chunks, because single stores would use
         // the narrowest instructions.
-        let (chunks, rest) = self.outcomes.as_chunks_mut::<W>();
+        let (chunks, rest) = outcomes.as_chunks_mut::<W>();
         for chunk in chunks {
             chunk.copy_from_slice(const { &[Outcome::Solved; W] });
         }
@@ -430,7 +371,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
         for ((views, columns), same) in inputs.as_mut().iter_mut().zip(columns).zip(same.as_ref()) {
             look(views.as_mut(), columns.as_ref(), same.as_ref());
         }
-        let (columns, mut same) = (self.near.as_ref(), M::Unknowns::splat(zero));
+        let (columns, mut same) = (alone.near.as_ref(), M::Unknowns::splat(zero));
         let mut near = M::Unknowns::splat(View::default());
         if G::IS_NEAR {
             repeat(same.as_mut(), columns);
@@ -439,7 +380,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
         let mut dimensions = Row::splat(zero);
         let mut guess = Row::splat(zero);
         let mut motions: MotionsInLanes<M, W, FUSED> = Row::splat(Row::splat(zero));
-        let has_sines = self.destination.has_sines();
+        let has_sines = alone.destination.has_sines();
         // Lanes of single precision count to 2²⁴. The count is emptied long before.
         let (mut next, mut failed, mut emptied) = (0, zero, 0);
         // If there are fewer poses than lanes, they are solved one by one.
@@ -457,7 +398,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
             let mut sum = Lanes([M::Scalar::nan(); W]);
             verdicts::forget::<M::Scalar>();
             if let Ok(pose) = batch.guide.solve(&mechanism, motions, guess) {
-                let angles = self.angles.store(start, &mechanism, &motions, &pose);
+                let angles = alone.angles.store(start, &mechanism, &motions, &pose);
                 let (unknowns, outputs) = (pose.unknown_columns(), pose.output_motions());
                 let sines = pose.unknown_sines();
                 // The sum is finite if and only if all numbers are, unless the sum itself overflows. Start with a
@@ -478,7 +419,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
                 }
                 sum = sum + angles;
                 let (motions, unknowns, sines) = (motions.as_ref(), unknowns.as_ref(), sines.as_ref());
-                let (destination, outputs) = (self.destination, outputs.as_ref());
+                let (destination, outputs) = (alone.destination, outputs.as_ref());
                 if sum.is_finite_throughout() {
                     destination.store(start, motions, unknowns, sines, outputs, None);
                     next = start + W;
@@ -486,9 +427,9 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
                 }
                 destination.store(start, motions, unknowns, sines, outputs, Some(sum.gaps()));
             } else {
-                self.destination.fill(start, motions.as_ref(), sum);
+                alone.destination.fill(start, motions.as_ref(), sum);
             }
-            self.angles.clear(start, sum.gaps());
+            alone.angles.clear(start, sum.gaps());
             // A margin counts only if no other number of its pose can be the cause.
             let mut squares = Lanes::constant(0.0);
             for entry in dimensions.as_ref() {
@@ -498,15 +439,21 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
                 squares = squares.plus_product(motion[0], motion[0]);
             }
             let margins = verdicts::read().within(squares);
-            self.conclude(start, next, sum, margins, &mut failed, &mut summary);
+            let chunk = Chunk {
+                start,
+                next,
+                sum,
+                margins,
+            };
+            failed = failed + chunk.conclude(outcomes, &mut summary, |index| alone.settle(index));
             if start - emptied >= 1 << 16 {
                 summary.fail(failed.count());
                 (failed, emptied) = (zero, start);
             }
             if has_sines {
                 for index in start..start + W {
-                    if !self.outcomes[index].is_solved() {
-                        self.destination.leave_out_sines(index);
+                    if !outcomes[index].is_solved() {
+                        alone.destination.leave_out_sines(index);
                     }
                 }
             }
@@ -514,7 +461,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
         }
         summary.fail(failed.count());
         for index in next..count {
-            self.outcomes[index] = summary.note(index, self.settle(index));
+            outcomes[index] = summary.note(index, alone.settle(index));
         }
         summary
     }

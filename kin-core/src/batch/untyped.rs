@@ -49,6 +49,10 @@ impl<'w> WantedColumns<'w> {
     pub fn new(columns: Vec<(Place, &'w mut [f64])>) -> Self {
         Self { columns }
     }
+
+    pub(super) fn iter_mut(&mut self) -> impl Iterator<Item = &mut (Place, &'w mut [f64])> {
+        self.columns.iter_mut()
+    }
 }
 
 impl<'w> Columns<&'w mut [f64]> for WantedColumns<'w> {

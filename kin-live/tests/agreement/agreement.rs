@@ -3,7 +3,7 @@
 use kin_core::Mechanism;
 use kin_core::series::Series;
 
-use crate::{sheets, solvers};
+use crate::{batches, sheets, solvers};
 
 /// The positions, possible or not, at which everything is compared.
 pub(crate) const SAMPLES: usize = 200;
@@ -21,6 +21,7 @@ pub(crate) fn assert_agreement<M: Mechanism<Scalar = f64>>(text: &str) -> [usize
     solvers::assert_same_description::<M>(&live);
     let solved = solvers::agreeing::<M, f64>(&live)
         + solvers::agreeing::<M, f32>(&live)
-        + solvers::agreeing::<M, Series<4>>(&live);
+        + solvers::agreeing::<M, Series<4>>(&live)
+        + batches::agreeing::<M>(&live);
     [finite, solved]
 }

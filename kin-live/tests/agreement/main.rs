@@ -1,6 +1,7 @@
 //! Declarations as texts, compared with the mechanisms that rustc compiled, to the last bit.
 
 mod agreement;
+mod batches;
 mod bits;
 mod library;
 mod own;

@@ -1,0 +1,322 @@
+//! Batches of a solver that works on slices.
+
+use alloc::vec;
+use alloc::vec::Vec;
+use core::cell::Cell;
+
+use super::conclusion::Chunk;
+use super::destination::{Entries, Stored};
+use super::dispatch::{Kernel, Vectors};
+use super::lanes::{Lanes, verdicts};
+use super::outcome::{LengthMismatch, Outcome, Summary};
+use super::untyped::{ColumnChoice, GivenColumns, WantedColumns};
+use super::view::{View, gather_all, look, repeat};
+use super::{Column, Place};
+use crate::any::{Described, PositionChoice};
+use crate::failure::SolveError;
+use crate::number::Number;
+use crate::quantity::NameKind;
+use crate::solve::Scalar;
+
+/// A solver in numbers of any type, with memory that serves many poses.
+pub trait SliceSolver: Described {
+    /// The memory of the solver.
+    type Memory<T>;
+
+    /// Memory for numbers of one type.
+    fn memory<T: Scalar>(&self) -> Self::Memory<T>;
+
+    /// Solves a pose, or several. The inputs are given with all orders.
+    ///
+    /// # Errors
+    /// Those of the solver.
+    fn solve<T: Scalar>(
+        &self,
+        memory: &mut Self::Memory<T>,
+        parameters: &[T],
+        inputs: &[T],
+        choice: PositionChoice<'_, T>,
+        found: &mut Numbers<T>,
+    ) -> Result<(), SolveError>;
+}
+
+/// The numbers of a pose, or of several.
+#[derive(Debug)]
+pub struct Numbers<T> {
+    /// The motions of the unknowns, one after the other. A direction has its cosine in the place of its angle.
+    pub unknowns: Vec<T>,
+    /// The sines of directions.
+    pub sines: Vec<Option<T>>,
+    /// The motions of the outputs.
+    pub outputs: Vec<T>,
+}
+
+impl<T: Scalar> Numbers<T> {
+    fn of(solver: &impl Described) -> Self {
+        let description = solver.description();
+        let orders = description.order + 1;
+        let zero = T::constant(0.0);
+        Self {
+            unknowns: vec![zero; description.unknowns.len() * orders],
+            sines: vec![None; description.unknowns.len()],
+            outputs: vec![zero; description.outputs.len() * orders],
+        }
+    }
+}
+
+/// Solves a batch of a solver that works on slices, as [`AnyBatch`](super::AnyBatch) does.
+///
+/// # Errors
+/// [`LengthMismatch`] if the length of a column differs from the number of outcomes.
+pub fn solve_slices<S: SliceSolver>(
+    solver: &S,
+    given: GivenColumns<'_>,
+    wanted: &mut WantedColumns<'_>,
+    outcomes: &mut [Outcome],
+    vectors: Vectors,
+) -> Result<Summary, LengthMismatch> {
+    let description = solver.description();
+    let orders = description.order + 1;
+    let count = outcomes.len();
+    let assemblies = solver.assembly_count();
+    let (guide, near) = match given.choice {
+        ColumnChoice::Near(near) if assemblies == 0 => (None, near),
+        ColumnChoice::Assembly(index) if index < assemblies => (Some(index), [].as_slice()),
+        _ => {
+            outcomes.fill(Outcome::Failed);
+            return Ok(Summary {
+                failed: count,
+                ..Summary::default()
+            });
+        }
+    };
+    let inputs: Vec<Column<'_>> = given.inputs[..description.inputs.len()]
+        .iter()
+        .flat_map(|columns| (0..orders).map(|order| columns.get(order).copied().unwrap_or(Column::Same(0.0))))
+        .collect();
+    let check = |kind, index: usize, length: Option<usize>| match length {
+        Some(length) if length != count => Err(LengthMismatch {
+            quantity: solver.name(kind, index),
+            poses: count,
+            length,
+        }),
+        _ => Ok(()),
+    };
+    let parameters = &given.parameters[..description.parameters.len()];
+    let near = &near[..if guide.is_none() { description.unknowns.len() } else { 0 }];
+    for (index, column) in parameters.iter().enumerate() {
+        check(NameKind::Parameter, index, column.length())?;
+    }
+    for (index, column) in inputs.iter().enumerate() {
+        check(NameKind::Input, index / orders, column.length())?;
+    }
+    for (index, column) in near.iter().enumerate() {
+        check(NameKind::Unknown, index, column.length())?;
+    }
+    let mut entries = Vec::new();
+    for (place, column) in wanted.iter_mut() {
+        let (kind, index) = match *place {
+            Place::Input(index, _) => (NameKind::Input, index),
+            Place::Unknown(index, _) | Place::Sine(index) => (NameKind::Unknown, index),
+            Place::Output(index, _) => (NameKind::Output, index),
+        };
+        check(kind, index, Some(column.len()))?;
+        entries.push((*place, Cell::from_mut(&mut **column).as_slice_of_cells()));
+    }
+    Ok(vectors.run(SliceRun {
+        alone: PoseByPose {
+            solver,
+            parameters,
+            inputs: &inputs,
+            near,
+            assembly: guide,
+            entries: &entries,
+            orders,
+        },
+        outcomes,
+    }))
+}
+
+/// A batch with the places for its results.
+struct SliceRun<'r, S> {
+    alone: PoseByPose<'r, S>,
+    outcomes: &'r mut [Outcome],
+}
+
+/// A batch whose poses can be solved alone.
+struct PoseByPose<'r, S> {
+    solver: &'r S,
+    parameters: &'r [Column<'r>],
+    /// All orders of the first input, then of the second, ….
+    inputs: &'r [Column<'r>],
+    near: &'r [Column<'r>],
+    /// The assembly, unless values nearby choose the position.
+    assembly: Option<usize>,
+    entries: &'r [(Place, Entries<'r, f64>)],
+    orders: usize,
+}
+
+impl<S: SliceSolver> PoseByPose<'_, S> {
+    fn choice<'n, T>(&self, near: &'n [T]) -> PositionChoice<'n, T> {
+        self.assembly
+            .map_or(PositionChoice::Near(near), PositionChoice::Assembly)
+    }
+
+    /// Solves a pose alone and stores it.
+    #[cold]
+    #[inline(never)]
+    fn settle(&self, index: usize) -> Result<(), SolveError> {
+        let at = |columns: &[Column<'_>]| columns.iter().map(|column| column.at(index)).collect::<Vec<f64>>();
+        let (parameters, inputs, near) = (at(self.parameters), at(self.inputs), at(self.near));
+        let mut found = Numbers::of(self.solver);
+        let mut memory = self.solver.memory();
+        let result = self
+            .solver
+            .solve(&mut memory, &parameters, &inputs, self.choice(&near), &mut found);
+        if result.is_err() {
+            found.unknowns.fill(f64::NAN);
+            found.sines.fill(Some(f64::NAN));
+            found.outputs.fill(f64::NAN);
+        }
+        self.store(index, &inputs, &found, None);
+        result
+    }
+
+    /// Stores the numbers that are wanted, starting at a pose. If poses have failed, `gone` is NaN for these and zero for
+    /// the others, and is taken away from all numbers except those of the inputs.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn store<V: Stored<Element = f64>>(&self, start: usize, inputs: &[V], found: &Numbers<V>, gone: Option<V>) {
+        let less = |number: V| gone.map_or(number, |gone| number - gone);
+        for (place, entries) in self.entries {
+            match *place {
+                Place::Input(index, order) => inputs[index * self.orders + order].store(entries, start),
+                Place::Unknown(index, order) => {
+                    less(found.unknowns[index * self.orders + order]).store(entries, start);
+                }
+                Place::Sine(index) => {
+                    if let Some(sine) = found.sines[index] {
+                        less(sine).store(entries, start);
+                    }
+                }
+                Place::Output(index, order) => less(found.outputs[index * self.orders + order]).store(entries, start),
+            }
+        }
+    }
+
+    /// Stores NaN in the place of the sines of a pose that has failed.
+    fn leave_out_sines(&self, index: usize) {
+        for (place, entries) in self.entries {
+            if matches!(place, Place::Sine(_)) {
+                f64::NAN.store(entries, index);
+            }
+        }
+    }
+}
+
+impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
+    type Result = Summary;
+    type Element = f64;
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn run<const W: usize, const FUSED: bool>(self) -> Summary {
+        let Self { alone, outcomes } = self;
+        let count = outcomes.len();
+        let mut summary = Summary {
+            solved: count,
+            ..Summary::default()
+        };
+        outcomes.fill(Outcome::Solved);
+        let zero = Lanes::<W, FUSED>::constant(0.0);
+        let lanes = |columns: &[Column<'_>]| {
+            let mut same = vec![zero; columns.len()];
+            repeat(&mut same, columns);
+            same
+        };
+        let (same_parameters, same_inputs, same_near) =
+            (lanes(alone.parameters), lanes(alone.inputs), lanes(alone.near));
+        let mut views = [
+            vec![View::default(); alone.parameters.len()],
+            vec![View::default(); alone.inputs.len()],
+            vec![View::default(); alone.near.len()],
+        ];
+        look(&mut views[0], alone.parameters, &same_parameters);
+        look(&mut views[1], alone.inputs, &same_inputs);
+        look(&mut views[2], alone.near, &same_near);
+        let [parameter_views, input_views, near_views] = &views;
+        let (mut parameters, mut inputs, mut near) = (same_parameters.clone(), same_inputs.clone(), same_near.clone());
+        let mut memory = alone.solver.memory::<Lanes<W, FUSED>>();
+        let mut found = Numbers::<Lanes<W, FUSED>>::of(alone.solver);
+        // Lanes of single precision count to 2²⁴. The count is emptied long before.
+        let (mut next, mut failed, mut emptied) = (0, zero, 0);
+        // If there are fewer poses than lanes, they are solved one by one.
+        while next < count && count >= W {
+            // The last chunk overlaps the one before it. The overlapped poses are solved twice, with the same result.
+            let start = next.min(count - W);
+            gather_all(&mut parameters, parameter_views, start);
+            gather_all(&mut inputs, input_views, start);
+            gather_all(&mut near, near_views, start);
+            let mut sum = Lanes([f64::NAN; W]);
+            verdicts::forget::<f64>();
+            let choice = alone.choice(&near);
+            if alone
+                .solver
+                .solve(&mut memory, &parameters, &inputs, choice, &mut found)
+                .is_ok()
+            {
+                // The sum is finite if and only if all numbers are, unless the sum itself overflows.
+                sum = Lanes::constant(-0.0);
+                for entry in &found.unknowns {
+                    sum = sum + *entry;
+                }
+                for sine in found.sines.iter().flatten() {
+                    sum = sum + *sine;
+                }
+                for entry in &found.outputs {
+                    sum = sum + *entry;
+                }
+                if sum.is_finite_throughout() {
+                    alone.store(start, &inputs, &found, None);
+                    next = start + W;
+                    continue;
+                }
+                alone.store(start, &inputs, &found, Some(sum.gaps()));
+            } else {
+                found.unknowns.fill(sum);
+                found.outputs.fill(sum);
+                found.sines.fill(None);
+                alone.store(start, &inputs, &found, None);
+            }
+            // A margin counts only if no other number of its pose can be the cause.
+            let mut squares = Lanes::constant(0.0);
+            for entry in &parameters {
+                squares = squares.plus_product(*entry, *entry);
+            }
+            for entry in inputs.iter().step_by(alone.orders) {
+                squares = squares.plus_product(*entry, *entry);
+            }
+            let margins = verdicts::read().within(squares);
+            let chunk = Chunk {
+                start,
+                next,
+                sum,
+                margins,
+            };
+            failed = failed + chunk.conclude(outcomes, &mut summary, |index| alone.settle(index));
+            if start - emptied >= 1 << 16 {
+                summary.fail(failed.count());
+                (failed, emptied) = (zero, start);
+            }
+            for index in start..start + W {
+                if !outcomes[index].is_solved() {
+                    alone.leave_out_sines(index);
+                }
+            }
+            next = start + W;
+        }
+        summary.fail(failed.count());
+        for index in next..count {
+            outcomes[index] = summary.note(index, alone.settle(index));
+        }
+        summary
+    }
+}
