@@ -1,0 +1,102 @@
+//! A four-bar linkage with a point of its coupler, anywhere in the plane.
+
+use kin_core::prelude::*;
+
+mechanism! {
+    /// A four-bar linkage with a tracer on its coupler, turned and moved to any place of the plane.
+    ///
+    /// The crank's angle is measured from the ground link. These are the nine dimensions of the papers on path generation:
+    /// r1, r2, r3, r4, the tracer's coordinates `r_cx` and `r_cy` along and beside the coupler, the angle θ0 of the ground
+    /// link, and the place (x0, y0) of the crank's pivot.
+    ///
+    /// ```
+    /// use kin_core::prelude::*;
+    /// use kin_fit::TracedFourBar;
+    ///
+    /// let linkage = TracedFourBar {
+    ///     r1: 2.0, r2: 1.0, r3: 2.5, r4: 2.5,
+    ///     point: Plane::new(5.0, 0.0), turn: 0.0, pivot: Plane::new(0.0, 0.0),
+    /// };
+    /// // Hoeken's linkage: the tracer is at the height 4 over the crank's pivot
+    /// let tracer = linkage.position(std::f64::consts::PI, Assembly::Open)?.tracer.value();
+    /// assert!((tracer.x - 2.0).abs() < 1e-12 && (tracer.y - 4.0).abs() < 1e-12);
+    /// # Ok::<(), SolveError>(())
+    /// ```
+    #[derive(PartialEq)]
+    pub struct TracedFourBar {
+        /// Ground link.
+        pub r1: Length,
+        /// Crank.
+        pub r2: Length,
+        /// Coupler.
+        pub r3: Length,
+        /// Rocker.
+        pub r4: Length,
+        /// The tracer in the coupler's frame: from the crank's pin, x along the coupler.
+        pub point: Vector,
+        /// The angle of the ground link.
+        pub turn: Angle,
+        /// The crank's pivot.
+        pub pivot: Point,
+    }
+    input
+        /// The crank's angle from the ground link.
+        theta2: Angle;
+    unknown
+        /// The coupler's angle from the ground link.
+        theta3: Angle,
+        /// The rocker's angle from the ground link.
+        theta4: Angle;
+
+    r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+
+    /// The tracer.
+    output tracer: Point = pivot + cis(turn) * (r2 * cis(theta2) + point * cis(theta3));
+
+    with sensitivities;
+}
+
+impl TracedFourBar {
+    /// The number of its dimensions.
+    pub const DIMENSIONS: usize = 9;
+
+    /// From r1, r2, r3, r4, the tracer's coordinates, the angle of the ground link and the coordinates of the crank's pivot.
+    #[must_use]
+    pub fn from_numbers(numbers: &[f64; Self::DIMENSIONS]) -> Self {
+        let [r1, r2, r3, r4, along, beside, turn, x, y] = *numbers;
+        Self {
+            r1,
+            r2,
+            r3,
+            r4,
+            point: Plane::new(along, beside),
+            turn,
+            pivot: Plane::new(x, y),
+        }
+    }
+
+    /// By how much the crank fails to make full turns, as a share of the longest link; zero or less if it makes them.
+    ///
+    /// The crank makes full turns if the diagonal from its pin to the rocker's pivot, which lies between |r1 - r2| and
+    /// r1 + r2, always stays between |r3 - r4| and r3 + r4.
+    #[must_use]
+    pub fn shortfall(&self) -> f64 {
+        let longest = self.r1.max(self.r2).max(self.r3).max(self.r4);
+        let far = self.r1 + self.r2 - self.r3 - self.r4;
+        let near = (self.r3 - self.r4).abs() - (self.r1 - self.r2).abs();
+        far.max(near) / longest
+    }
+
+    /// The smallest transmission angle over a full turn of the crank, at most a right angle; zero if the crank makes none.
+    #[must_use]
+    pub fn worst_transmission(&self) -> f64 {
+        if self.shortfall() > 0.0 {
+            return 0.0;
+        }
+        let angle = |diagonal: f64| {
+            let cosine = (self.r3.powi(2) + self.r4.powi(2) - diagonal.powi(2)) / (2.0 * self.r3 * self.r4);
+            cosine.abs().min(1.0).acos()
+        };
+        angle(self.r1 - self.r2).min(angle(self.r1 + self.r2))
+    }
+}
