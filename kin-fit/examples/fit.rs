@@ -1,11 +1,11 @@
-//! Fits the dimensions of a four-bar linkage to a D-shaped path that a point of its coupler is to follow, as the foot of a walking
-//! machine does.
+//! Fits the dimensions of a four-bar linkage to a D-shaped path that a point of its coupler is to follow, as the foot
+//! of a walking machine does.
 //!
-//! The path is given at 24 angles of the crank: a straight stride at constant speed, and a half circle back. Every dimension has bounds,
-//! points of the stride weigh more than those of the return, and length counts a little, by a term of our own. The result is a linkage that
-//! can be built: 2.3 mm from the stride and 5.4 mm from the return, on average, with a ground link of 93 mm. Without bounds and without the
-//! count of lengths, the ground link grows to 339 mm and the coupler's point moves 549 mm away, to trace the path only a little better:
-//! 2.2 mm and 4.3 mm.
+//! The path is given at 24 angles of the crank: a straight stride at constant speed, and a half circle back. Every
+//! dimension has bounds, points of the stride weigh more than those of the return, and length counts a little, by a
+//! term of our own. The result is a linkage that can be built: 2.3 mm from the stride and 5.4 mm from the return, on
+//! average, with a ground link of 93 mm. Without bounds and without the count of lengths, the ground link grows to 339
+//! mm and the coupler's point moves 549 mm away, to trace the path only a little better: 2.2 mm and 4.3 mm.
 //!
 //! ```sh
 //! cargo run --release -p kin-fit --example fit

@@ -5,17 +5,22 @@
 //! cargo run --release -p kin-fit --example problems -- path --starts 300 --generations 1000 --seed 0
 //! ```
 
-#[allow(dead_code, reason = "a test uses the rest")]
 mod published;
 
 use std::process::ExitCode;
 
-use published::report::Problem;
+use kin_fit::Effort;
+use published::report::{PROBLEMS, Problem};
 
 /// The problem of the arguments with its effort, or `None` if they are wrong.
-fn asked(mut arguments: impl Iterator<Item = String>) -> Option<(Problem, kin_fit::Effort)> {
-    let problem = Problem::named(&arguments.next()?)?;
-    let mut effort = problem.effort();
+fn asked(mut arguments: impl Iterator<Item = String>) -> Option<(&'static Problem, Effort)> {
+    let name = arguments.next()?;
+    let problem = PROBLEMS.iter().find(|problem| problem.name == name)?;
+    let mut effort = Effort {
+        starts: problem.starts,
+        generations: problem.generations,
+        seed: 0,
+    };
     while let Some(name) = arguments.next() {
         let number = arguments.next()?.parse().ok()?;
         match name.as_str() {
@@ -33,7 +38,7 @@ fn main() -> ExitCode {
         print!("{}", problem.solve(effort));
         return ExitCode::SUCCESS;
     }
-    let names = Problem::ALL.map(Problem::name).join("|");
+    let names = PROBLEMS.each_ref().map(|problem| problem.name).join("|");
     eprintln!("usage: problems {names} [--starts N] [--generations N] [--seed N]");
     ExitCode::from(2)
 }

@@ -2,6 +2,8 @@
 
 use std::ops::RangeInclusive;
 
+use serde::Deserialize;
+
 use crate::error::ObjectiveError;
 
 /// A number that is given, or sought between two bounds.
@@ -12,7 +14,8 @@ use crate::error::ObjectiveError;
 /// assert_eq!(Adjustable::from(2.0), Adjustable::Fixed(2.0));
 /// assert_eq!(Adjustable::from(0.0..=1.0), Adjustable::Free([0.0, 1.0]));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(untagged)]
 pub enum Adjustable {
     /// It is this number.
     Fixed(f64),

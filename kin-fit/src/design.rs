@@ -2,11 +2,11 @@
 
 use std::f64::consts::{PI, TAU};
 
-use kin_core::{Dimension, Mechanism, Row};
+use kin_core::{Dimension, Mechanism, Number as _, Row};
 
 use crate::adjustable::Adjustable;
 use crate::error::ObjectiveError;
-use crate::functions::{Choice, FitFunctions};
+use crate::functions::{Change, Choice, FitFunctions};
 use crate::minimise::{self, Squares};
 use crate::objective::{Goal, Objective, PART_NAMES, PARTS, Part};
 use crate::rows::{OPEN, share};
@@ -33,8 +33,8 @@ pub struct Candidate {
 }
 
 impl Candidate {
-    /// A candidate of which only the dimensions and the assembly are known. Values nearby, which stand for the assembly of coupled blocks, are
-    /// those at inputs of zero.
+    /// A candidate of which only the dimensions and the assembly are known. Values nearby, which stand for the assembly
+    /// of coupled blocks, are those at inputs of zero.
     #[must_use]
     pub fn new<M: Mechanism<Scalar = f64>>(mechanism: &M, assembly: M::Assembly) -> Self {
         let inputs: M::Inputs<f64> = Row::splat(0.0);
@@ -76,8 +76,8 @@ pub struct Design {
 /// How far a design is from its targets, without weights.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Misfit {
-    /// The sum of the squares of all errors: of distances in a path, of distances and of angles times the length `radian` in a motion, of
-    /// the values of a function.
+    /// The sum of the squares of all errors: of distances in a path, of distances and of angles times the length
+    /// `radian` in a motion, of the values of a function.
     pub sum_of_squares: f64,
     /// The root of the mean square over the targets.
     pub root_mean_square: f64,
@@ -137,11 +137,12 @@ impl Design {
 }
 
 impl Objective {
-    /// The design with which a candidate begins. Numbers that it does not give are chosen, and all are moved between their bounds.
+    /// The design with which a candidate begins. Numbers that it does not give are chosen, and all are moved between
+    /// their bounds.
     ///
     /// # Errors
-    /// [`ObjectiveError`], if a number of the candidate is not finite, if it has another number of inputs than there are targets, or if a full
-    /// turn of a length is wanted.
+    /// [`ObjectiveError`], if a number of the candidate is not finite, if it has another number of inputs than there
+    /// are targets, or if a full turn of a length is wanted.
     pub fn design(&self, candidate: &Candidate) -> Result<Design, ObjectiveError> {
         let input = self.description().inputs[self.moving];
         let turns = self.travel == Travel::Turn || self.has_free_inputs() && self.range.is_turn;
@@ -159,6 +160,7 @@ impl Objective {
                 wanted: self.parameters.len(),
             });
         }
+        self.check(&candidate.choice)?;
         for (quantity, value) in self.description().parameters.iter().zip(&values) {
             Adjustable::Fixed(*value).checked(quantity.name)?;
         }
@@ -178,6 +180,10 @@ impl Objective {
             values,
             choice: candidate.choice.clone(),
         };
+        if self.goal == Goal::Rows {
+            // a fit finds their inputs
+            return Ok(design);
+        }
         self.begin(&mut design, candidate);
         if let (Some(inputs), Some(first)) = (&candidate.inputs, self.input_place(0)) {
             self.same_count("inputs", inputs.len())?;
@@ -192,6 +198,24 @@ impl Objective {
             }
         }
         Ok(design)
+    }
+
+    fn check(&self, choice: &Choice) -> Result<(), ObjectiveError> {
+        let same = |list, given: usize, wanted: usize| {
+            let wrong = ObjectiveError::WrongCount { list, given, wanted };
+            if given == wanted { Ok(()) } else { Err(wrong) }
+        };
+        match choice {
+            Choice::Assembly(index) if *index < self.functions.assembly_count() => Ok(()),
+            Choice::Assembly(_) => Err(ObjectiveError::NoSuchPart {
+                part: "assembly of this number",
+                goal: "the mechanism",
+            }),
+            Choice::From { inputs, near } => {
+                same("inputs", inputs.len(), self.others.len())?;
+                same("unknowns", near.len(), self.description().unknowns.len())
+            }
+        }
     }
 
     /// Moves every value between its bounds.
@@ -214,7 +238,8 @@ impl Objective {
             .collect()
     }
 
-    /// The places of all values that are sought, with their bounds. An input on a turn may move half a turn from its place.
+    /// The places of all values that are sought, with their bounds. An input on a turn may move half a turn from its
+    /// place.
     pub(crate) fn sought_with_inputs(&self, values: &[f64]) -> Vec<(usize, [f64; 2])> {
         let inputs = values.iter().enumerate().skip(self.first_input());
         let bounds = |input: f64| {
@@ -229,11 +254,13 @@ impl Objective {
         sought
     }
 
-    /// Half of the sum of squares of a design. The inputs of the targets are chosen anew, where they are sought. The share of the motion at
-    /// which it does not close is returned if there is no such sum.
+    /// Half of the sum of squares of a design. The inputs of the targets are chosen anew, where they are sought. The
+    /// share of the motion at which it does not close is returned if there is no such sum.
     pub(crate) fn cost(&self, design: &mut Design) -> Result<f64, f64> {
         let mut cost = 0.0;
-        if let Some(first) = self.input_place(0) {
+        if self.goal != Goal::Rows
+            && let Some(first) = self.input_place(0)
+        {
             let assigned = self.assign(&design.values, &design.choice)?;
             design.values[first..].copy_from_slice(&assigned.inputs);
             cost = assigned.cost;
@@ -245,7 +272,7 @@ impl Objective {
             let targets = self.targets.len();
             let mut open = 0;
             for target in 0..targets {
-                match self.errors(&posed, &design.values, target) {
+                match self.errors(&posed, target) {
                     Some(errors) => cost += half_square(&errors),
                     None => open += 1,
                 }
@@ -255,7 +282,7 @@ impl Objective {
             }
         }
         let posed = self.posed(&design.values, &design.choice);
-        for (_, rows) in self.all_term_rows(&posed, &design.values) {
+        for (_, rows) in self.all_term_rows(&posed) {
             // the places of the terms lie between the targets
             cost += half_square(&rows.ok_or(0.0)?);
         }
@@ -320,8 +347,8 @@ impl Objective {
         }
     }
 
-    /// Places the mechanism so that the centre of its motion lies in the centre of the targets: of the motion at the targets, or over the
-    /// whole range if their inputs are sought.
+    /// Places the mechanism so that the centre of its motion lies in the centre of the targets: of the motion at the
+    /// targets, or over the whole range if their inputs are sought.
     fn centre(&self, design: &mut Design) {
         let inputs: Vec<f64> = if self.has_free_inputs() {
             let [low, high] = self.range.ends;
@@ -336,8 +363,8 @@ impl Objective {
         let mut count = 0.0;
         for input in inputs {
             let posed = self.posed(&values, &design.choice);
-            if let Some(found) = self.traced(&posed, &values, 0, input) {
-                sums = [sums[0] + found[0], sums[1] + found[1]];
+            if let Some(found) = self.traced(&posed, 0, Change::constant(input)) {
+                sums = [sums[0] + found[0].value, sums[1] + found[1].value];
                 count += 1.0;
             }
         }
@@ -357,26 +384,28 @@ impl Objective {
         }
     }
 
-    /// The values that a design reaches at each target, in the frame of the targets: x and y, with the angle in a motion, or the value of
-    /// the function. `None` if it does not close at all of them.
+    /// The values that a design reaches at each target, in the frame of the targets: x and y, with the angle in a
+    /// motion, or the value of the function. `None` if it does not close at all of them.
     #[must_use]
     pub fn reached(&self, design: &Design) -> Option<Vec<Vec<f64>>> {
         let posed = self.posed(&design.values, &design.choice);
-        let reached = (0..self.targets.len())
-            .map(|target| self.traced(&posed, &design.values, target, self.input(&design.values, target)));
+        let reached = (0..self.targets.len()).map(|target| {
+            let found = self.traced(&posed, target, self.input(&posed, target))?;
+            Some(found.iter().map(|value| value.value).collect())
+        });
         reached.collect()
     }
 
     /// The inputs of the targets in a design.
     #[must_use]
     pub fn inputs_of(&self, design: &Design) -> Vec<f64> {
-        (0..self.targets.len())
-            .map(|target| self.input(&design.values, target))
-            .collect()
+        let posed = self.posed(&design.values, &design.choice);
+        let targets = 0..self.targets.len();
+        targets.map(|target| self.input(&posed, target).value).collect()
     }
 
-    /// The numbers that are sought in a design: their names, their values and their bounds. The input of a target is called `input` with the
-    /// number of the target.
+    /// The numbers that are sought in a design: their names, their values and their bounds. The input of a target is
+    /// called `input` with the number of the target.
     #[must_use]
     pub fn variables(&self, design: &Design) -> Vec<(String, f64, [f64; 2])> {
         let parameters = self.description().parameters.iter().map(|quantity| quantity.name);
@@ -412,16 +441,17 @@ impl Objective {
         Ok(design)
     }
 
-    /// The rows of the sum of squares: the weighted errors of each target, then the terms. `None` if the mechanism does not close at a
-    /// target or at a place of a term.
+    /// The rows of the sum of squares: the weighted errors of each target, then the terms. `None` if the mechanism does
+    /// not close at a target or at a place of a term.
     #[must_use]
     pub fn residuals(&self, design: &Design) -> Option<Vec<f64>> {
         let (rows, open) = self.rows(&design.values, &design.choice);
         (open == 0).then_some(rows)
     }
 
-    /// The partial derivatives of all [`residuals`](Self::residuals), row by row, by the numbers that are sought, in the order of
-    /// [`variables`](Self::variables): exact but for rounding. A term whose margin is kept has the derivative zero.
+    /// The partial derivatives of all [`residuals`](Self::residuals), row by row, by the numbers that are sought, in
+    /// the order of [`variables`](Self::variables): exact but for rounding. A term whose margin is kept has the
+    /// derivative zero.
     #[must_use]
     pub fn jacobian(&self, design: &Design) -> Option<Vec<f64>> {
         let sought = self.sought_with_inputs(&design.values);
@@ -431,8 +461,9 @@ impl Objective {
         derivatives.iter().all(|one| one.is_finite()).then_some(derivatives)
     }
 
-    /// What an evolution strategy minimises: half of the sum of squares, [penalised](crate::penalised) beyond the limit that belongs to errors
-    /// of a hundred times the spread of the targets. Where the inputs of the targets are sought, the design takes the best ones in order.
+    /// What an evolution strategy minimises: half of the sum of squares, [penalised](crate::penalised) beyond the limit
+    /// that belongs to errors of a hundred times the spread of the targets. Where the inputs of the targets are sought,
+    /// the design takes the best ones in order.
     pub fn penalised_cost(&self, design: &mut Design) -> f64 {
         let weights: f64 = self.targets.iter().map(|target| target.weight * target.weight).sum();
         let limit = weights * (OPEN * self.spread()).powi(2);
@@ -441,8 +472,9 @@ impl Objective {
         penalised(self.cost(design), limit)
     }
 
-    /// The design with the least sum of squares near another one, by the least squares of [`polish`](crate::polish) alone: no search comes
-    /// first, and the full cycle is not checked. Both methods take this many steps at most, the second one no more than 50.
+    /// The design with the least sum of squares near another one, by the least squares of [`polish`](crate::polish)
+    /// alone: no search comes first, and the full cycle is not checked. Both methods take this many steps at most, the
+    /// second one no more than 50.
     #[must_use]
     pub fn nearest_minimum(&self, design: &Design, steps: u64) -> Design {
         let sought = Sought::all(self, design);
@@ -460,10 +492,9 @@ impl Objective {
             target: 0,
         };
         for target in 0..self.targets.len() {
-            let input = self.input(&design.values, target);
-            let found = self.traced(&posed, &design.values, target, input)?;
-            let errors = found.iter().enumerate().map(|(quantity, value)| {
-                self.traced[quantity].unit * self.error(&design.values, target, quantity, *value)
+            let found = self.traced(&posed, target, self.input(&posed, target))?;
+            let errors = found.into_iter().enumerate().map(|(quantity, value)| {
+                self.traced[quantity].unit * self.error(&posed, target, quantity, value).value
             });
             let square = errors.map(|error| error * error).sum::<f64>();
             misfit.sum_of_squares += square;
@@ -534,14 +565,15 @@ impl Squares for Sought<'_> {
     }
 }
 
-fn half_square(rows: &[f64]) -> f64 {
-    rows.iter().map(|row| 0.5 * row * row).sum()
+fn half_square(rows: &[Change]) -> f64 {
+    rows.iter().map(|row| 0.5 * row.value * row.value).sum()
 }
 
-/// A cost by which designs are compared, from the cost of one that closes or, of one that does not, the share of the motion that is open.
+/// A cost by which designs are compared, from the cost of one that closes or, of one that does not, the share of the
+/// motion that is open.
 ///
-/// A cost up to the limit is itself. A larger one is bent down to less than twice the limit, without a change of the order. What does not
-/// close has more than twice the limit, and the more the less of the motion closes.
+/// A cost up to the limit is itself. A larger one is bent down to less than twice the limit, without a change of the
+/// order. What does not close has more than twice the limit, and the more the less of the motion closes.
 ///
 /// ```
 /// use kin_fit::penalised;

@@ -27,7 +27,7 @@ pub enum ObjectiveError {
     NoTargets,
     /// A list has another number of entries than are wanted.
     WrongCount {
-        /// The list: `weights`, `inputs`, `values` or `variables`.
+        /// The list, such as `weights`, `inputs` or `variables`.
         list: &'static str,
         /// Its entries.
         given: usize,

@@ -2,38 +2,25 @@
 
 use std::f64::consts::TAU;
 
-use kin_core::any::{AssemblyOver, FormsOver, NearOver, Of, OutputsOver, PositionChoice, TransmissionOver};
+use kin_core::any::{FormsOver, Of, OutputsOver, PositionChoice, PositionOver, TransmissionOver};
 use kin_core::extremes::{At, ExtremesError, Peak};
 use kin_core::linkage::{AnyLinkage, LinkageFunctions};
 use kin_core::sweep::{Local, Sweep as _};
-use kin_core::{
-    BlockForm, Changing, Mechanism, Number, PlaneOrSpace as _, PointArray as _, Row, Scalar, TransmissionAngle,
-};
+use kin_core::{BlockForm, Changing, Mechanism, Number, PlaneOrSpace as _, PointArray as _, Row, TransmissionAngle};
 
 use crate::quantity::Place;
 
 /// A number and its derivative with respect to one of the numbers that are sought.
 pub type Change = Changing<f64>;
 
-/// Joints of the skeleton in numbers of one type.
-pub trait JointsOver<T> {
-    /// Passes on x and y of every joint of the skeleton, in the mechanism's own frame.
-    fn joints(&self, parameters: &[T], inputs: &[T], unknowns: &[T], found: &mut dyn FnMut([T; 2]));
-}
-
-/// The functions of a mechanism in numbers of one type.
-pub trait FitOver<T>:
-    AssemblyOver<T> + NearOver<T> + OutputsOver<T> + FormsOver<T> + TransmissionOver<T> + JointsOver<T>
-{
-}
-
-impl<T, F> FitOver<T> for F where
-    F: AssemblyOver<T> + NearOver<T> + OutputsOver<T> + FormsOver<T> + TransmissionOver<T> + JointsOver<T>
-{
-}
-
 /// The functions of a mechanism from which it is fitted: `Of::<M>::FUNCTIONS` has them for every declared mechanism.
-pub trait FitFunctions: LinkageFunctions + FitOver<f64> + FitOver<Change> {
+pub trait FitFunctions:
+    LinkageFunctions + PositionOver<Change> + OutputsOver<Change> + FormsOver<Change> + TransmissionOver<Change>
+{
+    /// Passes on x and y of every joint of the skeleton, in the mechanism's own frame.
+    #[doc(hidden)]
+    fn joints(&self, parameters: &[Change], inputs: &[Change], unknowns: &[Change], found: &mut dyn FnMut([Change; 2]));
+
     /// The largest length of a derivative of a point, over a line of inputs on which the moving one has the speed 1.
     ///
     /// # Errors
@@ -59,17 +46,21 @@ fn row<T: Copy, R: Row<T>>(values: &[T]) -> R {
     R::from_fn(|index| values[index])
 }
 
-impl<M: Mechanism, T: Scalar> JointsOver<T> for Of<M> {
-    fn joints(&self, parameters: &[T], inputs: &[T], unknowns: &[T], found: &mut dyn FnMut([T; 2])) {
-        let own: M::With<T> = M::With::from_parameters(row(parameters));
+impl<M: Mechanism<Scalar = f64>> FitFunctions for Of<M> {
+    fn joints(
+        &self,
+        parameters: &[Change],
+        inputs: &[Change],
+        unknowns: &[Change],
+        found: &mut dyn FnMut([Change; 2]),
+    ) {
+        let own: M::With<Change> = M::With::from_parameters(row(parameters));
         for joint in own.places(row(inputs), row(unknowns)).as_slice() {
             let joint = joint.in_space();
             found([joint.x, joint.y]);
         }
     }
-}
 
-impl<M: Mechanism<Scalar = f64>> FitFunctions for Of<M> {
     fn peak_of_point(&self, way: &PointWay<'_>) -> Result<Peak, ExtremesError> {
         let own = M::from_parameters(row(way.parameters));
         let assembly = M::assembly(way.assembly).ok_or(ExtremesError::Gap { at: f64::NAN })?;
@@ -109,7 +100,8 @@ pub enum Choice {
 }
 
 impl Choice {
-    /// The choice of a typed assembly. `inputs` are those at which a coupled mechanism is known; assemblies with closed forms need none.
+    /// The choice of a typed assembly. `inputs` are those at which a coupled mechanism is known; assemblies with closed
+    /// forms need none.
     #[must_use]
     pub fn of<M: Mechanism>(assembly: M::Assembly, inputs: &[f64]) -> Self {
         match kin_core::any::AssemblyChoice::of::<M>(assembly) {
@@ -133,74 +125,78 @@ impl Choice {
 
 /// A position.
 #[derive(Clone, Debug)]
-pub(crate) struct Solved<T> {
-    pub(crate) inputs: Vec<T>,
-    pub(crate) unknowns: Vec<T>,
+pub(crate) struct Solved {
+    pub(crate) inputs: Vec<Change>,
+    pub(crate) unknowns: Vec<Change>,
 }
 
-/// A mechanism with its dimensions and its choice of a position, in numbers of one type.
-#[derive(Clone, Copy)]
-pub(crate) struct Posed<'p, T: 'static> {
+/// A mechanism with its dimensions and its choice of a position.
+pub(crate) struct Posed<'p> {
     pub(crate) functions: &'static dyn FitFunctions,
-    pub(crate) over: &'static dyn FitOver<T>,
-    pub(crate) parameters: &'p [T],
+    /// The parameters, and behind them the other numbers of a design.
+    pub(crate) values: Vec<Change>,
     pub(crate) choice: &'p Choice,
 }
 
-impl<T: Scalar> Posed<'_, T> {
+impl Posed<'_> {
+    pub(crate) fn parameters(&self) -> &[Change] {
+        &self.values[..self.functions.description().parameters.len()]
+    }
+
     /// The position at these inputs, or `None` where the mechanism does not close.
-    pub(crate) fn solve(&self, inputs: Vec<T>) -> Option<Solved<T>> {
-        let mut unknowns = vec![T::constant(0.0); self.functions.description().unknowns.len()];
+    pub(crate) fn solve(&self, inputs: Vec<Change>) -> Option<Solved> {
+        let functions: &dyn PositionOver<Change> = self.functions;
+        let mut unknowns = vec![Change::constant(0.0); self.functions.description().unknowns.len()];
+        let mut position = |choice| {
+            functions
+                .position(self.parameters(), &inputs, choice, &mut unknowns)
+                .ok()
+        };
         match self.choice {
-            Choice::Assembly(index) => {
-                self.over
-                    .position_of_assembly(self.parameters, &inputs, *index, &mut unknowns)
-                    .ok()?;
-            }
+            Choice::Assembly(index) => position(PositionChoice::Assembly(*index))?,
             Choice::From { inputs: known, near } => {
-                let real = |values: &[T]| values.iter().map(|value| value.real()).collect::<Vec<f64>>();
-                let linkage = AnyLinkage::new(self.functions, &real(self.parameters));
+                let real = |values: &[Change]| values.iter().map(|value| value.value).collect::<Vec<f64>>();
+                let linkage = AnyLinkage::new(self.functions, &real(self.parameters()));
                 let start = linkage.position(known, PositionChoice::Near(near)).ok()?;
-                let to = real(&inputs);
-                let there = linkage.track(known, &start, &to).ok()?;
-                let near: Vec<T> = there.into_iter().map(T::constant).collect();
-                self.over
-                    .position_near(self.parameters, &inputs, &near, &mut unknowns)
-                    .ok()?;
+                let there = linkage.track(known, &start, &real(&inputs)).ok()?;
+                let near: Vec<Change> = there.into_iter().map(Change::constant).collect();
+                position(PositionChoice::Near(&near))?;
             }
         }
         Some(Solved { inputs, unknowns })
     }
 
-    pub(crate) fn outputs(&self, at: &Solved<T>) -> Vec<T> {
-        let mut outputs = vec![T::constant(0.0); self.functions.description().outputs.len()];
-        self.over
-            .outputs(self.parameters, &at.inputs, &at.unknowns, &mut outputs);
+    pub(crate) fn outputs(&self, at: &Solved) -> Vec<Change> {
+        let functions: &dyn OutputsOver<Change> = self.functions;
+        let mut outputs = vec![Change::constant(0.0); self.functions.description().outputs.len()];
+        functions.outputs(self.parameters(), &at.inputs, &at.unknowns, &mut outputs);
         outputs
     }
 
     /// The smallest transmission angle, folded to at most a right angle.
-    pub(crate) fn transmission(&self, at: &Solved<T>) -> Option<T> {
-        let mut angles =
-            vec![TransmissionAngle::of("", T::constant(0.0), T::constant(1.0)); self.functions.dyad_count()];
-        self.over
-            .angles_of_dyads(self.parameters, &at.inputs, &at.unknowns, &mut angles);
+    pub(crate) fn transmission(&self, at: &Solved) -> Option<Change> {
+        let functions: &dyn TransmissionOver<Change> = self.functions;
+        let one = TransmissionAngle::of("", Change::constant(0.0), Change::constant(1.0));
+        let mut angles = vec![one; self.functions.dyad_count()];
+        functions.angles_of_dyads(self.parameters(), &at.inputs, &at.unknowns, &mut angles);
         let folded = angles.iter().map(TransmissionAngle::folded);
-        folded.min_by(|one, other| one.real().total_cmp(&other.real()))
+        folded.min_by(|one, other| one.value.total_cmp(&other.value))
     }
 
-    pub(crate) fn joints(&self, at: &Solved<T>, found: &mut dyn FnMut([T; 2])) {
-        self.over.joints(self.parameters, &at.inputs, &at.unknowns, found);
+    pub(crate) fn joints(&self, at: &Solved, found: &mut dyn FnMut([Change; 2])) {
+        self.functions
+            .joints(self.parameters(), &at.inputs, &at.unknowns, found);
     }
 
-    pub(crate) fn forms(&self) -> Vec<BlockForm<T>> {
+    pub(crate) fn forms(&self) -> Vec<BlockForm<Change>> {
+        let functions: &dyn FormsOver<Change> = self.functions;
         let mut forms = Vec::new();
-        self.over.block_forms(self.parameters, &mut |form| forms.push(form));
+        functions.block_forms(self.parameters(), &mut |form| forms.push(form));
         forms
     }
 }
 
 /// An angle within half a turn of zero, with the same derivative.
-pub(crate) fn unturned<T: Number>(angle: T) -> T {
-    angle - T::constant(TAU * (angle.real() / TAU).round())
+pub(crate) fn unturned(angle: Change) -> Change {
+    angle - Change::constant(TAU * (angle.value / TAU).round())
 }

@@ -48,17 +48,17 @@ pub struct Job {
     weights: Option<Vec<f64>>,
     #[serde(default)]
     bounds: BTreeMap<String, [f64; 2]>,
-    placement: Option<[Number; 3]>,
-    phase: Option<Number>,
-    pace: Option<Number>,
-    offset: Option<Number>,
-    scale: Option<Number>,
+    placement: Option<[Adjustable; 3]>,
+    phase: Option<Adjustable>,
+    pace: Option<Adjustable>,
+    offset: Option<Adjustable>,
+    scale: Option<Adjustable>,
     #[serde(default)]
-    terms: Vec<JobTerm>,
+    terms: Vec<Term>,
     #[serde(default)]
-    travel: JobTravel,
+    travel: Travel,
     #[serde(default)]
-    sense: JobSense,
+    sense: Sense,
     moving: Option<String>,
     #[serde(default)]
     at: BTreeMap<String, f64>,
@@ -85,61 +85,6 @@ enum Goal {
         quantity: String,
         pairs: Vec<[f64; 2]>,
     },
-}
-
-#[derive(Clone, Copy, Debug, Deserialize)]
-#[serde(untagged)]
-enum Number {
-    Fixed(f64),
-    Free([f64; 2]),
-}
-
-impl From<Number> for Adjustable {
-    fn from(number: Number) -> Self {
-        match number {
-            Number::Fixed(value) => Self::Fixed(value),
-            Number::Free(bounds) => Self::Free(bounds),
-        }
-    }
-}
-
-#[derive(Clone, Copy, Debug, Deserialize)]
-#[serde(rename_all = "snake_case", deny_unknown_fields)]
-enum JobTerm {
-    Lengths { weight: f64 },
-    Box { width: f64, height: f64, weight: f64 },
-    Grashof { aim: f64, weight: f64 },
-    DriverTurns { aim: f64, weight: f64 },
-    Transmission { aim: f64, floor: f64, weight: f64 },
-}
-
-impl From<JobTerm> for Term {
-    fn from(term: JobTerm) -> Self {
-        match term {
-            JobTerm::Lengths { weight } => Self::Lengths { weight },
-            JobTerm::Box { width, height, weight } => Self::Box { width, height, weight },
-            JobTerm::Grashof { aim, weight } => Self::Grashof { aim, weight },
-            JobTerm::DriverTurns { aim, weight } => Self::DriverTurns { aim, weight },
-            JobTerm::Transmission { aim, floor, weight } => Self::Transmission { aim, floor, weight },
-        }
-    }
-}
-
-#[derive(Clone, Copy, Debug, Default, Deserialize)]
-#[serde(rename_all = "snake_case")]
-enum JobTravel {
-    #[default]
-    Targets,
-    Turn,
-}
-
-#[derive(Clone, Copy, Debug, Default, Deserialize)]
-#[serde(rename_all = "snake_case")]
-enum JobSense {
-    #[default]
-    Either,
-    Forward,
-    Backward,
 }
 
 /// The reason why a job or its candidates cannot be read.
@@ -210,52 +155,23 @@ impl Job {
             } => Objective::motion(functions, point, angle, *radian, targets.iter().copied()),
             Goal::Function { quantity, pairs } => Objective::function(functions, quantity, pairs.iter().copied()),
         }?;
-        if let Some(inputs) = &self.inputs {
-            objective = objective.prescribed(inputs.iter().copied())?;
-        }
-        if let Some([low, high]) = self.within {
-            objective = objective.within(low..=high)?;
-        }
-        if let Some(weights) = &self.weights {
-            objective = objective.weights(weights.iter().copied())?;
-        }
         for (name, [low, high]) in &self.bounds {
             objective = objective.bounds(name, *low..=*high)?;
         }
-        if let Some([x, y, turn]) = self.placement {
-            objective = objective.placement(x, y, turn)?;
-        }
-        if let Some(phase) = self.phase {
-            objective = objective.phase(phase)?;
-        }
-        if let Some(pace) = self.pace {
-            objective = objective.pace(pace)?;
-        }
-        if let Some(offset) = self.offset {
-            objective = objective.offset(offset)?;
-        }
-        if let Some(scale) = self.scale {
-            objective = objective.scale(scale)?;
-        }
-        for term in &self.terms {
-            objective = objective.term((*term).into());
-        }
-        if let Some(moving) = &self.moving {
-            objective = objective.moving(moving)?;
-        }
+        objective = with(objective, self.inputs.clone(), Objective::prescribed)?;
+        objective = with(objective, self.within, |own, [low, high]| own.within(low..=high))?;
+        objective = with(objective, self.weights.clone(), Objective::weights)?;
+        objective = with(objective, self.placement, |own, [x, y, turn]| own.placement(x, y, turn))?;
+        objective = with(objective, self.phase, Objective::phase)?;
+        objective = with(objective, self.pace, Objective::pace)?;
+        objective = with(objective, self.offset, Objective::offset)?;
+        objective = with(objective, self.scale, Objective::scale)?;
+        objective = with(objective, self.moving.as_deref(), Objective::moving)?;
         for (name, value) in &self.at {
             objective = objective.standing(name, *value)?;
         }
-        let travel = match self.travel {
-            JobTravel::Targets => Travel::Targets,
-            JobTravel::Turn => Travel::Turn,
-        };
-        let sense = match self.sense {
-            JobSense::Either => Sense::Either,
-            JobSense::Forward => Sense::Forward,
-            JobSense::Backward => Sense::Backward,
-        };
-        Ok(objective.travel(travel).sense(sense))
+        objective = self.terms.iter().copied().fold(objective, Objective::term);
+        Ok(objective.travel(self.travel).sense(self.sense))
     }
 
     /// How candidates are polished, on a number of threads; 0 stands for all that the machine has.
@@ -274,9 +190,10 @@ impl Job {
         }
     }
 
-    /// Candidates from the `best` first rows of a table, as a query writes it: comma-separated values with a line of names. It has a column for each parameter, in
-    /// which a dot may be written `_`. Columns `id`, `assembly`, `placed_x`, `placed_y`, `placed_turn` and `input_phase` are read too, and others are left aside.
-    /// Without an assembly, every one of the mechanism is a candidate of its own.
+    /// Candidates from the `best` first rows of a table, as a query writes it: comma-separated values with a line of
+    /// names. It has a column for each parameter, in which a dot may be written `_`. Columns `id`, `assembly`,
+    /// `placed_x`, `placed_y`, `placed_turn` and `input_phase` are read too, and others are left aside. Without an
+    /// assembly, every one of the mechanism is a candidate of its own.
     ///
     /// # Errors
     /// [`JobError::Candidate`].
@@ -288,5 +205,17 @@ impl Job {
     ) -> Result<Vec<Candidate>, JobError> {
         let read = crate::table::read(functions, table, best)?;
         Ok(read.into_iter().map(|(candidate, _)| candidate).collect())
+    }
+}
+
+/// The objective with what a job says, if it does.
+fn with<V>(
+    objective: Objective,
+    value: Option<V>,
+    set: impl FnOnce(Objective, V) -> Result<Objective, ObjectiveError>,
+) -> Result<Objective, ObjectiveError> {
+    match value {
+        Some(value) => set(objective, value),
+        None => Ok(objective),
     }
 }

@@ -1,9 +1,9 @@
 //! Dimensions of mechanisms by least squares and by search.
 //!
-//! An [`Objective`] holds what is wanted: path, function or motion generation, or measured rows. [`polish`] takes candidates through an
-//! evolution strategy and through least squares, and checks the results over the full cycle; [`Fit`] finds the dimensions that meet measured
-//! rows; [`smallest`] minimises a cost of one's own from many starts. Mechanisms are taken without their types, by
-//! [`Of::<M>::FUNCTIONS`](kin_core::any::Of::FUNCTIONS).
+//! An [`Objective`] holds what is wanted: path, function or motion generation, or measured rows. [`polish`] takes
+//! candidates through an evolution strategy and through least squares, and checks the results over the full cycle;
+//! [`Fit`] finds the dimensions that meet measured rows; [`smallest`] minimises a cost of one's own from many starts.
+//! Mechanisms are taken without their types, by [`Of::<M>::FUNCTIONS`](kin_core::any::Of::FUNCTIONS).
 //!
 //! ```
 //! use kin_core::any::Of;
@@ -32,10 +32,11 @@
 //!
 //! # Where the mechanism does not close
 //!
-//! There is one rule. A row of the sum of squares whose position does not exist is as large as an error of a hundred spreads of the targets,
-//! and has the derivative zero; where a full turn is wanted and does not close, these are all rows. So least squares refuse a step that opens
-//! a position, and a start with open positions improves by the others. A search compares designs by [`penalised`] costs, whose limit belongs
-//! to the same size: whatever closes is better than whatever does not.
+//! There is one rule. A row of the sum of squares whose position does not exist is as large as an error of a hundred
+//! spreads of the targets, and has the derivative zero; where a full turn is wanted and does not close, these are all
+//! rows. So least squares refuse a step that opens a position, and a start with open positions improves by the others.
+//! A search compares designs by [`penalised`] costs, whose limit belongs to the same size: whatever closes is better
+//! than whatever does not.
 
 mod adjustable;
 mod design;
@@ -58,7 +59,7 @@ mod traced_four_bar;
 pub use adjustable::Adjustable;
 pub use design::{Candidate, Design, Misfit, penalised};
 pub use error::ObjectiveError;
-pub use functions::{Change, Choice, FitFunctions, FitOver, JointsOver};
+pub use functions::{Change, Choice, FitFunctions};
 pub use job::{Job, JobError};
 pub use measured::{Deviation, Fit, FitError, Fitted, Measured, usual_bounds};
 pub use minimise::{Effort, Evolution, Found, smallest, spread};

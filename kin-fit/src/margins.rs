@@ -1,17 +1,19 @@
 //! Margins of a block by which its links turn.
 
-use kin_core::{BlockForm, Number};
+use kin_core::BlockForm;
 
-fn absolute<S: Number>(value: S) -> S {
-    if value.real() < 0.0 { -value } else { value }
+use crate::functions::Change;
+
+fn absolute(value: Change) -> Change {
+    if value.value < 0.0 { -value } else { value }
 }
 
-fn smaller<S: Number>(one: S, other: S) -> S {
-    if other.real() < one.real() { other } else { one }
+fn smaller(one: Change, other: Change) -> Change {
+    if other.value < one.value { other } else { one }
 }
 
 /// Grashof's margin of a four-bar with this driver: the middle links less the shortest and the longest one.
-pub(crate) fn grashof<S: Number>(form: &BlockForm<S>, input: &str) -> Option<S> {
+pub(crate) fn grashof(form: &BlockForm<Change>, input: &str) -> Option<Change> {
     let BlockForm::FourBar {
         driver,
         ground,
@@ -23,14 +25,14 @@ pub(crate) fn grashof<S: Number>(form: &BlockForm<S>, input: &str) -> Option<S> 
         return None;
     };
     let mut links = [ground, crank, coupler, rocker];
-    links.sort_by(|one, other| one.real().total_cmp(&other.real()));
+    links.sort_by(|one, other| one.value.total_cmp(&other.value));
     let [shortest, one, other, longest] = links;
     (driver == input).then(|| one + other - shortest - longest)
 }
 
-/// The margin by which the driver turns fully: its pin passes all distances from the other pivot between the difference and the sum of
-/// ground and crank, which the other two links must reach.
-pub(crate) fn driver_turns<S: Number>(form: &BlockForm<S>, input: &str) -> Option<S> {
+/// The margin by which the driver turns fully: its pin passes all distances from the other pivot between the difference
+/// and the sum of ground and crank, which the other two links must reach.
+pub(crate) fn driver_turns(form: &BlockForm<Change>, input: &str) -> Option<Change> {
     match *form {
         BlockForm::FourBar {
             driver,

@@ -1,4 +1,5 @@
-//! Dimensions that meet measured rows: points of a path, or values of unknowns and outputs, with the inputs that led to them or without.
+//! Dimensions that meet measured rows: points of a path, or values of unknowns and outputs, with the inputs that led to
+//! them or without.
 
 use std::error::Error;
 use std::f64::consts::{PI, TAU};
@@ -18,10 +19,11 @@ use crate::rows::share;
 
 /// The places of the moving input among which the start of a row without an input is sought.
 const PLACES: usize = 72;
-/// The mean deviation, in units of the spread of the data, below which the numbers are met: what is left of it are roundings.
+/// The mean deviation, in units of the spread of the data, below which the numbers are met: what is left of it are
+/// roundings.
 const MET: f64 = 1e-8;
-/// The part of the sum of squares that one change alone takes away where no minimum was reached. Slow ends in long valleys leave less, and
-/// steps that were cut leave much more.
+/// The part of the sum of squares that one change alone takes away where no minimum was reached. Slow ends in long
+/// valleys leave less, and steps that were cut leave much more.
 const LOWERED: f64 = 1e-4;
 /// The steps of each method, and the relative change of the sum of squares of a last one.
 const STEPS: u64 = 500;
@@ -45,8 +47,8 @@ impl Measured {
         self.values.iter().flatten().flatten().count()
     }
 
-    /// The spread of the values of each column, in which its errors are counted: that of the lengths together, since the coordinates of a
-    /// point count alike; one radian and one for the others.
+    /// The spread of the values of each column, in which its errors are counted: that of the lengths together, since
+    /// the coordinates of a point count alike; one radian and one for the others.
     fn scales(&self, traced: &[Traced]) -> Vec<f64> {
         let spread = |column: usize| {
             let values = self.values.iter().filter_map(|row| row[column]);
@@ -64,11 +66,13 @@ impl Measured {
 }
 
 impl Objective {
-    /// Measured rows, in no order. `moving` is the index of the input that is sought in rows without it, in a range; a whole turn of an angle
-    /// has no ends. Other inputs that a row does not give stand at `standing`, which has a value for each input.
+    /// Measured rows, in no order. `moving` is the index of the input that is sought in rows without it, in a range; a
+    /// whole turn of an angle has no ends. Other inputs that a row does not give stand at `standing`, which has a value
+    /// for each input.
     ///
     /// # Errors
-    /// [`ObjectiveError`], if there is no row, if a number is not finite, or if a list has another length than the mechanism asks for.
+    /// [`ObjectiveError`], if there is no row, if a number is not finite, or if a list has another length than the
+    /// mechanism asks for.
     pub fn measured(
         functions: &'static dyn FitFunctions,
         measured: &Measured,
@@ -78,6 +82,11 @@ impl Objective {
     ) -> Result<Self, ObjectiveError> {
         let description = functions.description();
         let all: Vec<Traced> = Traced::all(description).collect();
+        let none = |part| ObjectiveError::NoSuchPart {
+            part,
+            goal: "the mechanism",
+        };
+        let lead = description.inputs.get(moving).ok_or(none("input of this number"))?;
         let same = |list: &'static str, given: usize, wanted: usize| {
             if given == wanted {
                 Ok(())
@@ -94,10 +103,7 @@ impl Objective {
         }
         let known = |column: &usize| all.get(*column).copied();
         let traced: Option<Vec<Traced>> = measured.columns.iter().map(known).collect();
-        let mut traced = traced.ok_or(ObjectiveError::NoSuchPart {
-            part: "quantity of this number",
-            goal: "the mechanism",
-        })?;
+        let mut traced = traced.ok_or(none("quantity of this number"))?;
         let scales = measured.scales(&traced);
         for (traced, scale) in traced.iter_mut().zip(scales) {
             traced.unit = 1.0 / scale;
@@ -115,7 +121,7 @@ impl Objective {
         });
         let objective = Self::new(functions, Goal::Rows, traced, targets.collect())?;
         let [from, to] = range;
-        let is_angle = description.inputs[moving].dimension == Dimension::Angle;
+        let is_angle = lead.dimension == Dimension::Angle;
         Ok(Self {
             moving,
             others: standing.to_vec(),
@@ -216,7 +222,8 @@ pub struct Fit {
 pub struct Fitted {
     /// The dimensions.
     pub design: Design,
-    /// Where the fit ended before a minimum: the name of a number, and the part of the sum of squares that a change of it alone takes away.
+    /// Where the fit ended before a minimum: the name of a number, and the part of the sum of squares that a change of
+    /// it alone takes away.
     pub lowering: Option<(String, f64)>,
 }
 
@@ -272,10 +279,10 @@ impl Fit {
         for step in 0..=PLACES {
             values[place] = from + (to - from) * share(step, PLACES);
             let posed = self.objective.posed(&values, &self.start.choice);
-            let Some(errors) = self.objective.errors(&posed, &values, target) else {
+            let Some(errors) = self.objective.errors(&posed, target) else {
                 continue;
             };
-            let sum = errors.iter().map(|error| error * error).sum();
+            let sum = errors.iter().map(|error| error.value * error.value).sum();
             if best.is_none_or(|(least, _)| sum < least) {
                 best = Some((sum, values[place]));
             }
@@ -285,8 +292,8 @@ impl Fit {
 
     /// The nearest minimum, or where the search for it ended.
     ///
-    /// A bounded Levenberg-Marquardt method comes first. Where it does not end in a minimum, a reflective trust region goes on, whose steps
-    /// take much longer for many rows.
+    /// A bounded Levenberg-Marquardt method comes first. Where it does not end in a minimum, a reflective trust region
+    /// goes on, whose steps take much longer for many rows.
     #[must_use]
     pub fn least(&self) -> Fitted {
         let sought = Sought::all(&self.objective, &self.start);
@@ -311,7 +318,8 @@ impl Fit {
         MET * MET * share(given.flatten().count(), 1)
     }
 
-    /// The number whose change alone takes most of the sum of squares away, and the part of it, unless the point is a minimum.
+    /// The number whose change alone takes most of the sum of squares away, and the part of it, unless the point is a
+    /// minimum.
     fn lowering(&self, sought: &Sought<'_>, point: &[f64]) -> Option<(String, f64)> {
         let rows = sought.rows(point);
         let sum = 2.0 * sought.cost(point);
@@ -354,7 +362,7 @@ impl Fit {
     pub fn open_rows(&self, design: &Design) -> usize {
         let posed = self.objective.posed(&design.values, &design.choice);
         let targets = 0..self.objective.targets.len();
-        let open = targets.filter(|target| self.objective.errors(&posed, &design.values, *target).is_none());
+        let open = targets.filter(|target| self.objective.errors(&posed, *target).is_none());
         open.count()
     }
 
@@ -365,14 +373,14 @@ impl Fit {
         let posed = objective.posed(&design.values, &design.choice);
         let mut sums = vec![(0.0, 0); objective.traced.len()];
         for (target, own) in objective.targets.iter().enumerate() {
-            let Some(errors) = objective.errors(&posed, &design.values, target) else {
+            let Some(errors) = objective.errors(&posed, target) else {
                 continue;
             };
             let given = errors.iter().zip(&own.values).zip(&objective.traced);
             for (((error, _), traced), (sum, count)) in
                 given.zip(&mut sums).filter(|(((_, value), _), _)| value.is_some())
             {
-                *sum += (error / traced.unit).powi(2);
+                *sum += (error.value / traced.unit).powi(2);
                 *count += 1;
             }
         }
@@ -440,5 +448,27 @@ mod tests {
             assert!(!name.is_empty() && part > LOWERED, "{name}: {part}");
         }
         assert!(fit.lowering(&sought, &sought.numbers()).is_some());
+
+        // some rows have their input, and mistakes are errors
+        let mut mixed = data.clone();
+        mixed.inputs[1] = vec![Some(right[4])];
+        let objective = |data: &Measured| Objective::measured(functions, data, 0, &[0.0], [0.0, TAU]);
+        let fit = |data: &Measured, choice: usize| {
+            let start = Candidate::with_parameters(vec![2.0, 1.0, 2.5], crate::Choice::Assembly(choice));
+            Fit::new(objective(data)?.bounds("crank", 0.5..=2.0)?, &start)
+        };
+        assert_eq!(
+            fit(&mixed, 0).expect("it closes").least().design.values.len(),
+            3 + 7 + 5
+        );
+        assert!(matches!(
+            fit(&mixed, 2),
+            Err(FitError::Objective(ObjectiveError::NoSuchPart { .. }))
+        ));
+        mixed.columns[0] = 9;
+        assert!(matches!(objective(&mixed), Err(ObjectiveError::NoSuchPart { .. })));
+        mixed.values[0].pop();
+        assert!(matches!(objective(&mixed), Err(ObjectiveError::WrongCount { .. })));
+        assert!(crate::polish(&objective(&data).expect("good rows"), &[], &crate::Settings::default()).is_err());
     }
 }

@@ -13,7 +13,8 @@ use crate::functions::{Change, FitFunctions};
 use crate::quantity::{self, Traced};
 use crate::term::{OwnTerm, Sense, Term, TermAt, Travel};
 
-/// The numbers of a design that are no dimensions, in their order after the parameters. Their names are not those of parameters.
+/// The numbers of a design that are no dimensions, in their order after the parameters. Their names are not those of
+/// parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(usize)]
 pub(crate) enum Part {
@@ -84,9 +85,9 @@ pub(crate) struct InputRange {
 
 /// Targets with weights, what is sought, and the terms beside them. The [crate](crate) has an example.
 ///
-/// It also says which numbers are sought, and between which bounds: dimensions, the placement of the mechanism in the plane, the input of
-/// each target, offsets and scales. Its errors are differentiated by numbers that carry a derivative, so the partial derivatives are exact
-/// but for rounding.
+/// It also says which numbers are sought, and between which bounds: dimensions, the placement of the mechanism in the
+/// plane, the input of each target, offsets and scales. Its errors are differentiated by numbers that carry a
+/// derivative, so the partial derivatives are exact but for rounding.
 #[derive(Clone, Debug)]
 pub struct Objective {
     pub(crate) functions: &'static dyn FitFunctions,
@@ -163,8 +164,9 @@ impl Objective {
         self.functions.description()
     }
 
-    /// Path generation: a point of the plane, an output by its name, is to pass the targets in their order. The input of each target is
-    /// sought over a full turn, unless [`prescribed`](Self::prescribed) gives it or [`within`](Self::within) a range.
+    /// Path generation: a point of the plane, an output by its name, is to pass the targets in their order. The input
+    /// of each target is sought over a full turn, unless [`prescribed`](Self::prescribed) gives it or
+    /// [`within`](Self::within) a range.
     ///
     /// # Errors
     /// [`ObjectiveError`], if there is no such point, no target, or a block without closed form.
@@ -177,8 +179,9 @@ impl Objective {
         Self::new(functions, Goal::Path, traced, plain(targets))
     }
 
-    /// Motion generation: a body, by a point on it and an angle that turns with it, is to pass the targets x, y and angle (rad) in their
-    /// order. An error of one radian counts as much as one of the length `radian`. Inputs as for [`path`](Self::path).
+    /// Motion generation: a body, by a point on it and an angle that turns with it, is to pass the targets x, y and
+    /// angle (rad) in their order. An error of one radian counts as much as one of the length `radian`. Inputs as for
+    /// [`path`](Self::path).
     ///
     /// # Errors
     /// As for [`path`](Self::path), and if the quantity `angle` is none.
@@ -205,9 +208,10 @@ impl Objective {
         Self::new(functions, Goal::Motion, traced, plain(targets))
     }
 
-    /// Function generation: an unknown or a scalar output is to be a function of the input, given by pairs. A pair is an input and the value
-    /// there, or numbers from which [`phase`](Self::phase), [`pace`](Self::pace), [`offset`](Self::offset) and [`scale`](Self::scale) make
-    /// them: `value = offset + scale * y` at `input = phase + pace * x`. Angles are compared up to whole turns.
+    /// Function generation: an unknown or a scalar output is to be a function of the input, given by pairs. A pair is
+    /// an input and the value there, or numbers from which [`phase`](Self::phase), [`pace`](Self::pace),
+    /// [`offset`](Self::offset) and [`scale`](Self::scale) make them: `value = offset + scale * y` at `input = phase +
+    /// pace * x`. Angles are compared up to whole turns.
     ///
     /// # Errors
     /// [`ObjectiveError`], if there is no such quantity, no pair, or a block without closed form.
@@ -287,8 +291,9 @@ impl Objective {
         Ok(self)
     }
 
-    /// Where the mechanism stands in the plane of the targets: the place of the origin of its own frame, and the angle (rad) by which that
-    /// frame is turned. Each is a number, or bounds between which it is sought. Without this call the two frames are the same.
+    /// Where the mechanism stands in the plane of the targets: the place of the origin of its own frame, and the angle
+    /// (rad) by which that frame is turned. Each is a number, or bounds between which it is sought. Without this call
+    /// the two frames are the same.
     ///
     /// # Errors
     /// [`ObjectiveError::NoSuchPart`] for a function, or bounds that are not in order.
@@ -397,8 +402,8 @@ impl Objective {
         self
     }
 
-    /// Adds a term of one's own: a function that gives rows of the sum of squares, or `None` where the mechanism does not close. Its
-    /// numbers carry derivatives, so it must be written in them.
+    /// Adds a term of one's own: a function that gives rows of the sum of squares, or `None` where the mechanism does
+    /// not close. Its numbers carry derivatives, so it must be written in them.
     ///
     /// ```
     /// use kin_core::any::Of;

@@ -22,14 +22,14 @@ pub(crate) struct Assigned {
 }
 
 impl Objective {
-    /// The best inputs in order among samples of the motion, by dynamic programming. Between the samples the motion counts as straight.
+    /// The best inputs in order among samples of the motion, by dynamic programming. Between the samples the motion
+    /// counts as straight.
     ///
     /// The share of samples at which the mechanism does not close is returned if it passes no sequence of the targets.
     pub(crate) fn assign(&self, values: &[f64], choice: &Choice) -> Result<Assigned, f64> {
         let ([low, high], is_turn) = (self.range.ends, self.range.is_turn);
         // the inputs alone have derivatives
-        let constants: Vec<Change> = values.iter().map(|value| Change::new(*value, 0.0)).collect();
-        let posed = self.posed(&constants, choice);
+        let posed = self.posed(values, choice);
         let step = (high - low) / share(SAMPLES, 1);
         let count = if is_turn { SAMPLES } else { SAMPLES + 1 };
         let targets = self.targets.len();
@@ -37,7 +37,7 @@ impl Objective {
         let mut is_closed = Vec::with_capacity(count);
         for sample in 0..count {
             let input = low + step * share(sample, 1);
-            let found = self.traced(&posed, &constants, 0, Change::new(input, 1.0));
+            let found = self.traced(&posed, 0, Change::new(input, 1.0));
             is_closed.push(found.is_some());
             for (target, near) in near.iter_mut().enumerate() {
                 let Some(found) = &found else {
@@ -47,8 +47,8 @@ impl Objective {
                 let (mut square, mut along, mut rates) = (0.0, 0.0, 0.0);
                 for (quantity, found) in found.iter().enumerate() {
                     let weight = self.targets[target].weight * self.traced[quantity].unit;
-                    let error = weight * self.error(values, target, quantity, found.value);
-                    let rate = weight * found.change;
+                    let error = self.error(&posed, target, quantity, *found);
+                    let (error, rate) = (weight * error.value, weight * error.change);
                     square += error * error;
                     along += error * rate;
                     rates += rate * rate;
@@ -107,8 +107,8 @@ fn wrapped(sample: isize, count: usize) -> usize {
     sample.rem_euclid(count.cast_signed()).cast_unsigned()
 }
 
-/// The sequences of closed samples along which the targets may follow each other, and whether a sequence is a full turn. On a full turn the
-/// first target is met at the first sample.
+/// The sequences of closed samples along which the targets may follow each other, and whether a sequence is a full
+/// turn. On a full turn the first target is met at the first sample.
 fn sequences(is_closed: &[bool], is_turn: bool, sense: Sense, first: &[Near]) -> Vec<(Vec<isize>, bool)> {
     let count = is_closed.len().cast_signed();
     let closed = |sample: isize| is_closed[wrapped(sample, is_closed.len())];

@@ -11,29 +11,16 @@ use crate::refine::Refinement;
 
 /// The cells of a line. A cell in quotes may hold commas, and a quote is written twice in it.
 fn cells(line: &str) -> Vec<String> {
-    let mut cells = vec![String::new()];
-    let mut is_quoted = false;
-    let mut letters = line.chars().peekable();
-    while let Some(letter) = letters.next() {
-        let last = cells.len() - 1;
-        match letter {
-            '"' if is_quoted && letters.peek() == Some(&'"') => {
-                letters.next();
-                cells[last].push('"');
-            }
-            '"' => is_quoted = !is_quoted,
-            ',' if !is_quoted => cells.push(String::new()),
-            _ => cells[last].push(letter),
-        }
-    }
-    for cell in &mut cells {
-        *cell = cell.trim().to_owned();
-    }
-    cells
+    let mut reader = csv::ReaderBuilder::new()
+        .has_headers(false)
+        .trim(csv::Trim::All)
+        .from_reader(line.as_bytes());
+    let record = reader.records().next().and_then(Result::ok).unwrap_or_default();
+    record.iter().map(str::to_owned).collect()
 }
 
-/// The candidates of the first rows of a table, each with what the other columns of its line say. A row without an assembly is a
-/// candidate in each. Rows without an id count from 0.
+/// The candidates of the first rows of a table, each with what the other columns of its line say. A row without an
+/// assembly is a candidate in each. Rows without an id count from 0.
 ///
 /// # Errors
 /// [`JobError::Candidate`].
@@ -118,8 +105,9 @@ pub fn read(
 }
 
 impl Refinement {
-    /// All results as comma-separated values, those that were dropped with their defect. Errors are roots of mean squares, the largest error
-    /// is that of one target, and the transmission angle is the smallest one over the travel, in degrees.
+    /// All results as comma-separated values, those that were dropped with their defect. Errors are roots of mean
+    /// squares, the largest error is that of one target, and the transmission angle is the smallest one over the
+    /// travel, in degrees.
     #[must_use]
     pub fn table(&self) -> String {
         let mut table = "id,defect,start,evolved,polished,largest,transmission".to_owned();

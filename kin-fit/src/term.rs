@@ -4,14 +4,16 @@ use std::fmt;
 use std::sync::Arc;
 
 use kin_core::{BlockForm, Number as _};
+use serde::Deserialize;
 
 use crate::functions::{Change, Posed};
 
 /// A term beside the targets. Each adds rows to the sum of squares.
 ///
-/// A weight is in the unit of the targets' errors over the unit of the term: with the weight 0.1 a deficit of 10 counts as much as an
-/// error of 1.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A weight is in the unit of the targets' errors over the unit of the term: with the weight 0.1 a deficit of 10 counts
+/// as much as an error of 1.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Term {
     /// The sum of the sizes of all lengths among the parameters, which is to be small. A coordinate is a length too.
@@ -19,7 +21,8 @@ pub enum Term {
         /// The weight.
         weight: f64,
     },
-    /// The box around all joints, along the axes of the mechanism's own frame: how far its width and height exceed these.
+    /// The box around all joints, along the axes of the mechanism's own frame: how far its width and height exceed
+    /// these.
     Box {
         /// The width that is free of charge.
         width: f64,
@@ -28,25 +31,27 @@ pub enum Term {
         /// The weight.
         weight: f64,
     },
-    /// Grashof's margin of each four-bar: both middle links less the shortest and the longest one. Its deficit from `aim` counts; a result
-    /// in which it is not positive is dropped. (F. Grashof, *Theoretische Maschinenlehre* 2, 1883.)
+    /// Grashof's margin of each four-bar: both middle links less the shortest and the longest one. Its deficit from
+    /// `aim` counts; a result in which it is not positive is dropped. (F. Grashof, *Theoretische Maschinenlehre* 2,
+    /// 1883.)
     Grashof {
         /// The margin that is wanted.
         aim: f64,
         /// The weight.
         weight: f64,
     },
-    /// The margin by which the driver of each four-bar, slider-crank and inverted slider-crank turns fully: how much shorter one of its
-    /// links could be before the driver no longer turns. Its deficit from `aim` counts; a result in which it is not positive is dropped.
+    /// The margin by which the driver of each four-bar, slider-crank and inverted slider-crank turns fully: how much
+    /// shorter one of its links could be before the driver no longer turns. Its deficit from `aim` counts; a result in
+    /// which it is not positive is dropped.
     DriverTurns {
         /// The margin that is wanted.
         aim: f64,
         /// The weight.
         weight: f64,
     },
-    /// The transmission angle of the worst dyad, folded to at most a right angle, at 24 places of the travel. Its deficit from `aim` counts.
-    /// A result whose smallest angle over the exact travel lies below `floor` is dropped. An aim a little above the floor lets the result
-    /// keep to it.
+    /// The transmission angle of the worst dyad, folded to at most a right angle, at 24 places of the travel. Its
+    /// deficit from `aim` counts. A result whose smallest angle over the exact travel lies below `floor` is dropped. An
+    /// aim a little above the floor lets the result keep to it.
     Transmission {
         /// The angle that is wanted, rad.
         aim: f64,
@@ -58,7 +63,8 @@ pub enum Term {
 }
 
 /// Which part of the motion must close, stay in its branch, and keep to the terms.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Travel {
     /// From the first target to the last.
     #[default]
@@ -68,7 +74,8 @@ pub enum Travel {
 }
 
 /// In which direction of the input the targets follow each other.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Sense {
     /// All with a growing input, or all with a falling one.
     #[default]
@@ -96,7 +103,7 @@ impl fmt::Debug for OwnTerm {
 
 /// A design at which a term of one's own is evaluated, in numbers that carry derivatives.
 pub struct TermAt<'t> {
-    pub(crate) posed: &'t Posed<'t, Change>,
+    pub(crate) posed: &'t Posed<'t>,
 }
 
 impl fmt::Debug for TermAt<'_> {
@@ -109,7 +116,7 @@ impl TermAt<'_> {
     /// The scalar parameters.
     #[must_use]
     pub fn parameters(&self) -> &[Change] {
-        self.posed.parameters
+        self.posed.parameters()
     }
 
     /// The form of each block, with the lengths of its links.
@@ -118,7 +125,8 @@ impl TermAt<'_> {
         self.posed.forms()
     }
 
-    /// The unknowns and the scalar outputs at some inputs, in the order of the declaration, or `None` where the mechanism does not close.
+    /// The unknowns and the scalar outputs at some inputs, in the order of the declaration, or `None` where the
+    /// mechanism does not close.
     #[must_use]
     pub fn position(&self, inputs: &[f64]) -> Option<[Vec<Change>; 2]> {
         let solved = self

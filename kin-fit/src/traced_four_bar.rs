@@ -5,9 +5,9 @@ use kin_core::prelude::*;
 mechanism! {
     /// A four-bar linkage with a tracer on its coupler, turned and moved to any place of the plane.
     ///
-    /// The crank's angle is measured from the ground link. These are the nine dimensions of the papers on path generation:
-    /// r1, r2, r3, r4, the tracer's coordinates `r_cx` and `r_cy` along and beside the coupler, the angle θ0 of the ground
-    /// link, and the place (x0, y0) of the crank's pivot.
+    /// The crank's angle is measured from the ground link. These are the nine dimensions of the papers on path
+    /// generation: r1, r2, r3, r4, the tracer's coordinates `r_cx` and `r_cy` along and beside the coupler, the angle
+    /// θ0 of the ground link, and the place (x0, y0) of the crank's pivot.
     ///
     /// ```
     /// use kin_core::prelude::*;
@@ -57,24 +57,6 @@ mechanism! {
 }
 
 impl TracedFourBar {
-    /// The number of its dimensions.
-    pub const DIMENSIONS: usize = 9;
-
-    /// From r1, r2, r3, r4, the tracer's coordinates, the angle of the ground link and the coordinates of the crank's pivot.
-    #[must_use]
-    pub fn from_numbers(numbers: &[f64; Self::DIMENSIONS]) -> Self {
-        let [r1, r2, r3, r4, along, beside, turn, x, y] = *numbers;
-        Self {
-            r1,
-            r2,
-            r3,
-            r4,
-            point: Plane::new(along, beside),
-            turn,
-            pivot: Plane::new(x, y),
-        }
-    }
-
     /// By how much the crank fails to make full turns, as a share of the longest link; zero or less if it makes them.
     ///
     /// The crank makes full turns if the diagonal from its pin to the rocker's pivot, which lies between |r1 - r2| and
@@ -85,18 +67,5 @@ impl TracedFourBar {
         let far = self.r1 + self.r2 - self.r3 - self.r4;
         let near = (self.r3 - self.r4).abs() - (self.r1 - self.r2).abs();
         far.max(near) / longest
-    }
-
-    /// The smallest transmission angle over a full turn of the crank, at most a right angle; zero if the crank makes none.
-    #[must_use]
-    pub fn worst_transmission(&self) -> f64 {
-        if self.shortfall() > 0.0 {
-            return 0.0;
-        }
-        let angle = |diagonal: f64| {
-            let cosine = (self.r3.powi(2) + self.r4.powi(2) - diagonal.powi(2)) / (2.0 * self.r3 * self.r4);
-            cosine.abs().min(1.0).acos()
-        };
-        angle(self.r1 - self.r2).min(angle(self.r1 + self.r2))
     }
 }

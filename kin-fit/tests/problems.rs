@@ -11,7 +11,6 @@ use published::dwell::{self, Dwell};
 use published::half_turn::Stroke;
 use published::logarithm::{self, chebyshev, three_points};
 use published::path::{CASES, CLOSED, HALF_CIRCLE, LINE, PathCase, TIMED};
-use published::report::Problem;
 use published::straight_line::{MOST_EVEN, STRAIGHTEST, TRANSMISSION, best_hoeken, straightest, turn_of};
 use published::walking::{better_jansen, jansen, klann};
 
@@ -121,7 +120,8 @@ fn norton_s_table_follows_from_its_proportions() {
     }
 }
 
-/// The straightest linkage that is no less even than Norton's straightest one over half a turn, as the command finds it.
+/// The straightest linkage that is no less even than Norton's straightest one over half a turn, as the command finds
+/// it.
 #[test]
 fn a_four_bar_linkage_is_straighter_than_hoeken_s_and_no_less_even() {
     let effort = Effort {
@@ -137,7 +137,7 @@ fn a_four_bar_linkage_is_straighter_than_hoeken_s_and_no_less_even() {
         let hoeken = best_hoeken(norton.unevenness, effort).unwrap().stroke;
         assert!(hoeken.deviation < norton.deviation * 1.01);
         let [r1, r3, along, beside] = found;
-        let linkage = TracedFourBar::from_numbers(&[r1, 1.0, r3, r3, along, beside, 0.0, 0.0, 0.0]);
+        let linkage = TracedFourBar::from_parameters([r1, 1.0, r3, r3, along, beside, 0.0, 0.0, 0.0]);
         assert!(linkage.shortfall() <= 0.0);
         let start = std::f64::consts::FRAC_PI_2;
         let samples = turn_of(&linkage, Assembly::Open, start, 7200).unwrap();
@@ -236,8 +236,9 @@ fn three_precision_points_are_met() {
     panic!("no assembly meets the points");
 }
 
-/// With five numbers free, the largest error is smallest where six extremes have the same size and alternating signs (F. Freudenstein,
-/// "Structural error analysis in plane kinematic synthesis", Journal of Engineering for Industry 81, 1959).
+/// With five numbers free, the largest error is smallest where six extremes have the same size and alternating signs
+/// (F. Freudenstein, "Structural error analysis in plane kinematic synthesis", Journal of Engineering for Industry 81,
+/// 1959).
 #[test]
 fn equal_errors_are_a_quarter_of_those_of_five_precision_points() {
     let best = logarithm::NEAR_EQUAL.equalised(2000).unwrap();
@@ -277,12 +278,4 @@ fn a_short_search_beats_three_precision_points() {
         .unwrap();
     assert!(found.error < three.error, "{found:?}, {three:?}");
     assert!(found.transmission > limit - 1e-3);
-}
-
-#[test]
-fn problems_are_named() {
-    for problem in Problem::ALL {
-        assert_eq!(Problem::named(problem.name()), Some(problem));
-    }
-    assert_eq!(Problem::named("perpetual-motion"), None);
 }

@@ -95,7 +95,12 @@ fn summary(result: &Refined, objective: &Objective) -> String {
 }
 
 /// The report of kin-studio about a mechanism in an assembly, which is chosen by its index.
-fn draft<M: Mechanism<Scalar = f64>>(mechanism: &M, assembly: Option<usize>, id: u64, said: String) -> Draft<'static, M> {
+fn draft<M: Mechanism<Scalar = f64>>(
+    mechanism: &M,
+    assembly: Option<usize>,
+    id: u64,
+    said: String,
+) -> Draft<'static, M> {
     let draft = kin_studio::report(mechanism)
         .title(format!("{}, candidate {id}", M::DESCRIPTION.name))
         .documentation(said);
@@ -109,10 +114,15 @@ fn draft<M: Mechanism<Scalar = f64>>(mechanism: &M, assembly: Option<usize>, id:
 fn report<M: Mechanism<Scalar = f64>>(result: &Refined, objective: &Objective) -> Draft<'static, M> {
     let inputs = objective.inputs_at(result.inputs[0]);
     let assembly = result.design.choice().index();
-    let draft = draft::<M>(&result.design.mechanism(), assembly, result.id, summary(result, objective))
-        .at(Row::from_fn(|index| inputs[index]))
-        .moving(objective.moving_input())
-        .plots(objective.quantities());
+    let draft = draft::<M>(
+        &result.design.mechanism(),
+        assembly,
+        result.id,
+        summary(result, objective),
+    )
+    .at(Row::from_fn(|index| inputs[index]))
+    .moving(objective.moving_input())
+    .plots(objective.quantities());
     let [from, to] = result.figures.travel;
     if result.figures.is_full_turn || from == to {
         draft
@@ -121,8 +131,8 @@ fn report<M: Mechanism<Scalar = f64>>(result: &Refined, objective: &Objective) -
     }
 }
 
-/// Writes a page for each result into a folder, which is made if need be, and returns their paths. `M` is the mechanism of the objective.
-/// The files are called after the mechanism, the place of the result and the number of its candidate.
+/// Writes a page for each result into a folder, which is made if need be, and returns their paths. `M` is the mechanism
+/// of the objective. The files are called after the mechanism, the place of the result and the number of its candidate.
 ///
 /// # Errors
 /// [`PageError`].
@@ -138,8 +148,8 @@ pub fn write_pages<M: Mechanism<Scalar = f64>>(
 
 /// Writes a page for each row of a table into a folder, which is made if need be, and returns their paths.
 ///
-/// The table is one that a query writes, as for [`Job::candidates`](kin_fit::Job::candidates). What its other columns say stands on the
-/// page. The input moves as far as the mechanism closes.
+/// The table is one that a query writes, as for [`Job::candidates`](kin_fit::Job::candidates). What its other columns
+/// say stands on the page. The input moves as far as the mechanism closes.
 ///
 /// # Errors
 /// [`PageError`].
@@ -161,14 +171,17 @@ pub fn write_pages_of<M: Mechanism<Scalar = f64>>(
 ) -> Result<Vec<PathBuf>, PageError> {
     let rows = read_candidates(Of::<M>::FUNCTIONS, table, usize::MAX).map_err(PageError::Table)?;
     let reports = rows.into_iter().map(|(candidate, said)| {
-        let Candidate { id, parameters, choice, .. } = candidate;
+        let Candidate {
+            id, parameters, choice, ..
+        } = candidate;
         let mechanism = M::from_parameters(Row::from_fn(|index| parameters[index]));
         (id, draft(&mechanism, choice.index(), id, said))
     });
     write(reports, folder.as_ref())
 }
 
-/// Writes reports, each with the number of its candidate. The files are called after the mechanism, the place of the report and this number.
+/// Writes reports, each with the number of its candidate. The files are called after the mechanism, the place of the
+/// report and this number.
 fn write<M: Mechanism<Scalar = f64>>(
     reports: impl Iterator<Item = (u64, Draft<'static, M>)>,
     folder: &Path,

@@ -7,7 +7,7 @@ use kin_core::prelude::*;
 use kin_core::{Plane, TransmissionAngle};
 use kin_fit::{Effort, TracedFourBar, penalised, smallest};
 
-use super::number;
+use super::{number, smallest_of};
 
 /// The part of the crank's turn for which the output is to rest.
 pub(crate) const REST: f64 = 2.0 * PI / 3.0;
@@ -39,8 +39,8 @@ pub(crate) struct Dwell {
 const COARSE: usize = 144;
 const FINE: usize = 3600;
 
-/// The four-bar linkage that carries the coupler point, from the numbers that are searched: r1, r3 and r4 by their logarithms,
-/// and the coupler point.
+/// The four-bar linkage that carries the coupler point, from the numbers that are searched: r1, r3 and r4 by their
+/// logarithms, and the coupler point.
 fn four_bar(numbers: &[f64]) -> TracedFourBar {
     TracedFourBar {
         r1: numbers[0].exp(),
@@ -176,11 +176,12 @@ fn ranges() -> [[f64; 2]; 8] {
     ]
 }
 
-/// The construction of the textbooks: a symmetrical coupler curve, the circle through three of its points, and a link from its
-/// centre. The best one over all proportions of the four-bar linkage, places of the coupler point, starts and links 6.
+/// The construction of the textbooks: a symmetrical coupler curve, the circle through three of its points, and a link
+/// from its centre. The best one over all proportions of the four-bar linkage, places of the coupler point, starts and
+/// links 6.
 ///
-/// A coupler curve is symmetrical if coupler, rocker and the distance of the coupler point from their joint are equal (R. L.
-/// Norton, Design of Machinery, McGraw-Hill, section 3.6).
+/// A coupler curve is symmetrical if coupler, rocker and the distance of the coupler point from their joint are equal
+/// (R. L. Norton, Design of Machinery, McGraw-Hill, section 3.6).
 #[must_use]
 pub(crate) fn constructed(effort: Effort) -> Option<Dwell> {
     let [size, _, _, _, _, angle, link, _] = ranges();
@@ -194,8 +195,8 @@ pub(crate) fn constructed(effort: Effort) -> Option<Dwell> {
     best_of(&bounds, effort, of)
 }
 
-/// The best linkage whose end of link 5 rests at the centre of the circle through three places of the coupler point, polished
-/// over all of its dimensions.
+/// The best linkage whose end of link 5 rests at the centre of the circle through three places of the coupler point,
+/// polished over all of its dimensions.
 #[must_use]
 pub(crate) fn best(effort: Effort) -> Option<Dwell> {
     let bounds = ranges();
@@ -233,19 +234,13 @@ fn best_of(
     effort: Effort,
     of: impl Fn(&[f64], (Assembly, Assembly)) -> Made + Sync,
 ) -> Option<Dwell> {
-    let found = KINDS.map(|assembly| {
-        let found = smallest(bounds, effort, |numbers| {
-            let made = of(numbers, assembly).ok_or(1.0);
-            penalised(
-                made.and_then(|(linkage, assembly, start)| cost(&linkage, assembly, start)),
-                1.0,
-            )
-        });
-        (found, assembly)
-    });
-    let (found, assembly) = found
-        .into_iter()
-        .min_by(|one, other| one.0.cost.total_cmp(&other.0.cost))?;
+    let (found, assembly) = smallest_of(KINDS, bounds, effort, |numbers, assembly| {
+        let made = of(numbers, assembly).ok_or(1.0);
+        penalised(
+            made.and_then(|(linkage, assembly, start)| cost(&linkage, assembly, start)),
+            1.0,
+        )
+    })?;
     let (linkage, assembly, start) = of(&found.point, assembly)?;
     Dwell::of(&linkage, assembly, start, FINE)
 }

@@ -39,12 +39,6 @@ pub(crate) struct Stroke {
     pub(crate) lift: f64,
     /// How far the rest of the turn falls below the lowest place of the stroke, as a share of the chord.
     pub(crate) fall: f64,
-    /// The unit vector along the chord.
-    pub(crate) along: Plane,
-    /// The unit vector across the chord, towards the side on which the tracer returns.
-    pub(crate) up: Plane,
-    /// The place at the start.
-    pub(crate) from: Plane,
 }
 
 /// The samples of a full turn at equal steps, or `None` where the linkage does not close.
@@ -56,8 +50,8 @@ pub(crate) fn turn(steps: usize, start: f64, sample: impl Fn(f64) -> Option<Samp
 }
 
 impl Stroke {
-    /// The stroke that starts at the first sample of a turn and ends a number of steps later. The turn is closed: it goes on
-    /// with the first sample after the last one.
+    /// The stroke that starts at the first sample of a turn and ends a number of steps later. The turn is closed: it
+    /// goes on with the first sample after the last one.
     ///
     /// `None` if the ends coincide.
     #[must_use]
@@ -105,9 +99,6 @@ impl Stroke {
             worst_transmission,
             lift: rise.1 / chord,
             fall: (heights.0 - rise.0).max(0.0) / chord,
-            along,
-            up,
-            from: from.place,
         })
     }
 

@@ -2,9 +2,10 @@
 
 use std::f64::consts::{PI, TAU};
 
+use kin_core::any::Of;
 use kin_core::library::FourBar;
 use kin_core::prelude::*;
-use kin_fit::{Effort, penalised, smallest};
+use kin_fit::{Candidate, Choice, Effort, Measured, Objective, penalised, smallest};
 
 use super::number;
 
@@ -70,11 +71,6 @@ impl Generator {
         }
     }
 
-    fn numbers(&self) -> [f64; 5] {
-        let FourBar { r2, r3, r4, .. } = self.linkage;
-        [r2.ln(), r3.ln(), r4.ln(), self.crank, self.follower]
-    }
-
     /// The structural error at x, in -π ..= π, and the transmission angle.
     ///
     /// # Errors
@@ -115,14 +111,14 @@ impl Generator {
         Some(self)
     }
 
-    /// The generator without an error at five values of x, from one nearby, by Newton's method.
+    /// The generator without an error at five values of x, from one nearby.
     ///
-    /// This is the synthesis for five precision points of F. Freudenstein, "Approximate synthesis of four-bar linkages",
-    /// Transactions of the ASME 77, 1955, with the start angles of both cranks free.
+    /// This is the synthesis for five precision points of F. Freudenstein, "Approximate synthesis of four-bar
+    /// linkages", Transactions of the ASME 77, 1955, with the start angles of both cranks free.
     #[must_use]
     pub(crate) fn exact_at(self, points: [f64; 5]) -> Option<Self> {
         let wanted = points.map(|x| (x, 0.0));
-        self.with_errors(&wanted, false).map(|(generator, _)| generator)
+        self.with_errors(&wanted, false)
     }
 
     /// The generator with equal errors of alternating sign at six values of x, from one nearby.
@@ -137,7 +133,7 @@ impl Generator {
             if signs.len() != 6 || signs.windows(2).any(|pair| pair[0].1 == pair[1].1) {
                 return None;
             }
-            let (next, _) = best.with_errors(&signs, true)?;
+            let next = best.with_errors(&signs, true)?;
             let (old, new) = (best.quality(steps).ok()?, next.quality(steps).ok()?);
             let settled = (old.error - new.error).abs() <= 1e-12 * old.error;
             best = next;
@@ -169,82 +165,63 @@ impl Generator {
         Some(extremes)
     }
 
-    /// Newton's method for given errors, which are multiples of a sixth unknown if they are to be equalised.
-    fn with_errors(self, wanted: &[(f64, f64)], equalise: bool) -> Option<(Self, f64)> {
-        let mut numbers = self.numbers().to_vec();
+    /// The generator with given errors, which are multiples of a sixth unknown if they are to be equalised, by least
+    /// squares without a rest.
+    fn with_errors(self, wanted: &[(f64, f64)], equalise: bool) -> Option<Self> {
+        let FourBar { r1, r2, r3, r4 } = self.linkage;
+        let level = if equalise {
+            self.error_at(wanted[0].0).ok()?.0 * wanted[0].1
+        } else {
+            0.0
+        };
+        let values = |(x, _): &(f64, f64)| vec![Some(self.direction * FOLLOWER * share(*x))];
+        let rows = Measured {
+            columns: vec![2],
+            inputs: wanted
+                .iter()
+                .map(|(x, sign)| vec![Some(CRANK * (x - 1.0)), Some(*sign)])
+                .collect(),
+            values: wanted.iter().map(values).collect(),
+        };
+        let functions = Of::<WithErrors>::FUNCTIONS;
+        let mut objective = Objective::measured(functions, &rows, 0, &[0.0; 2], [0.0, CRANK]).ok()?;
+        for (name, own) in [("r2", r2), ("r3", r3), ("r4", r4)] {
+            objective = objective.bounds(name, 0.5 * own..=2.0 * own).ok()?;
+        }
+        for (name, own) in [("crank", self.crank), ("follower", self.follower)] {
+            objective = objective.bounds(name, own - 0.5..=own + 0.5).ok()?;
+        }
         if equalise {
-            let first = self.error_at(wanted[0].0).ok()?.0;
-            numbers.push(first * wanted[0].1);
+            objective = objective.bounds("level", level - 0.5..=level + 0.5).ok()?;
         }
-        for _ in 0..40 {
-            let generator = Self::of(&numbers, self.assembly, self.direction);
-            let mut rows = Vec::new();
-            for (x, sign) in wanted {
-                let pose = generator
-                    .linkage
-                    .solve(
-                        Motion::at_constant_speed(generator.crank + CRANK * (x - 1.0), 1.0),
-                        self.assembly,
-                    )
-                    .ok()?;
-                let by = kin_core::sensitivities_of(&generator.linkage, [pose.theta2], self.assembly).ok()?;
-                let of = |index: usize| kin_core::prelude::Partials::unknown_partials(&by[index])[1].position();
-                let FourBar { r2, r3, r4, .. } = generator.linkage;
-                let mut row = vec![r2 * of(1), r3 * of(2), r4 * of(3), pose.theta4.velocity(), -1.0];
-                let mut error = generator.error_at(*x).ok()?.0;
-                if equalise {
-                    row.push(-sign);
-                    error -= sign * numbers[5];
-                }
-                row.push(-error);
-                rows.push(row);
-            }
-            let step = solve(rows)?;
-            let largest = step.iter().fold(0.0_f64, |largest, step| largest.max(step.abs()));
-            // steps beyond a few degrees leave the region in which the linear equations hold
-            let scale = (0.2 / largest).min(1.0);
-            for (number, step) in numbers.iter_mut().zip(&step) {
-                *number += scale * step;
-            }
-            if largest < 1e-14 {
-                break;
-            }
-        }
-        let generator = Self::of(&numbers, self.assembly, self.direction);
-        let level = numbers.get(5).copied().unwrap_or(0.0);
-        let met = wanted.iter().all(|(x, sign)| {
-            generator
+        let start = vec![r1, r2, r3, r4, self.crank, self.follower, level];
+        let start = Candidate::with_parameters(start, Choice::of::<WithErrors>(self.assembly, &[]));
+        let found = objective.nearest_minimum(&objective.design(&start).ok()?, 200);
+        let &[r1, r2, r3, r4, crank, follower, level] = found.parameters() else {
+            return None;
+        };
+        let found = Self {
+            linkage: FourBar { r1, r2, r3, r4 },
+            crank,
+            follower,
+            ..self
+        };
+        let is_met = |(x, sign): &(f64, f64)| {
+            found
                 .error_at(*x)
                 .is_ok_and(|(error, _)| (error - sign * level).abs() < 1e-11)
-        });
-        met.then_some((generator, level.abs()))
+        };
+        wanted.iter().all(is_met).then_some(found)
     }
 }
 
-/// Gauss's elimination with the largest pivot of each column; each row ends with its right-hand side.
-fn solve(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
-    let count = rows.len();
-    for column in 0..count {
-        let pivot =
-            (column..count).max_by(|one, other| rows[*one][column].abs().total_cmp(&rows[*other][column].abs()))?;
-        rows.swap(column, pivot);
-        if rows[column][column] == 0.0 {
-            return None;
-        }
-        let above = rows[column].clone();
-        for row in &mut rows[column + 1..] {
-            let factor = row[column] / above[column];
-            for (cell, above) in row[column..].iter_mut().zip(&above[column..]) {
-                *cell -= factor * above;
-            }
-        }
-    }
-    let mut found = vec![0.0; count];
-    for row in (0..count).rev() {
-        let known: f64 = (row + 1..count).map(|cell| rows[row][cell] * found[cell]).sum();
-        found[row] = (rows[row][count] - known) / rows[row][row];
-    }
-    Some(found)
+mechanism! {
+    /// A function generator whose structural error is a multiple of a level.
+    struct WithErrors { r1: Length, r2: Length, r3: Length, r4: Length, crank: Angle, follower: Angle, level: Angle }
+    input turned: Angle, multiple: Scalar;
+    unknown theta3: Angle, theta4: Angle;
+    r2 * cis(crank + turned) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+    output travel: Angle = theta4 - follower - multiple * level;
 }
 
 /// Chebyshev's places of precision points for x from 1 to 2.
@@ -253,18 +230,24 @@ pub(crate) fn chebyshev<const N: usize>() -> [f64; N] {
     std::array::from_fn(|index| 1.5 - 0.5 * (PI * number(2 * index + 1) / number(2 * N)).cos())
 }
 
-/// The generators without an error at three given values of x, for given start angles: Freudenstein's three linear equations.
+/// The generators without an error at three given values of x, for given start angles: Freudenstein's three linear
+/// equations.
 #[must_use]
 pub(crate) fn three_points(points: [f64; 3], crank: f64, follower: f64, direction: f64) -> Vec<Generator> {
-    let rows = points.map(|x| {
-        let (input, output) = (crank + CRANK * (x - 1.0), follower + direction * FOLLOWER * share(x));
-        vec![output.cos(), -input.cos(), 1.0, (input - output).cos()]
-    });
-    let Some(k) = solve(rows.to_vec()) else {
-        return Vec::new();
+    let angles = points.map(|x| (crank + CRANK * (x - 1.0), follower + direction * FOLLOWER * share(x)));
+    let column = |of: fn((f64, f64)) -> f64| angles.map(of);
+    let [outputs, inputs] = [column(|(_, output)| output.cos()), column(|(input, _)| -input.cos())];
+    let right = column(|(input, output)| (input - output).cos());
+    // Cramer's rule
+    let volume = |[a, b, c]: [f64; 3], [d, e, f]: [f64; 3], [g, h, i]: [f64; 3]| {
+        a * (e * i - f * h) + b * (f * g - d * i) + c * (d * h - e * g)
     };
-    let (r2, r4) = (1.0 / k[0], 1.0 / k[1]);
-    let squared = 1.0 + r2 * r2 + r4 * r4 - 2.0 * r2 * r4 * k[2];
+    let all = volume(outputs, inputs, [1.0; 3]);
+    let (r2, r4) = (
+        all / volume(right, inputs, [1.0; 3]),
+        all / volume(outputs, right, [1.0; 3]),
+    );
+    let squared = 1.0 + r2 * r2 + r4 * r4 - 2.0 * r2 * r4 * volume(outputs, inputs, right) / all;
     if !(squared.is_finite() && squared > 0.0) {
         return Vec::new();
     }
@@ -340,8 +323,8 @@ pub(crate) fn best_of_three_points(transmission: f64, effort: Effort) -> Option<
     found.map(|(_, generator)| generator)
 }
 
-/// The generator with the smallest largest error, over all dimensions and start angles, with at least a given transmission
-/// angle.
+/// The generator with the smallest largest error, over all dimensions and start angles, with at least a given
+/// transmission angle.
 #[must_use]
 pub(crate) fn best(transmission: f64, effort: Effort) -> Option<Generator> {
     let size = [LINKS[0].ln(), LINKS[1].ln()];

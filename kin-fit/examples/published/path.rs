@@ -30,7 +30,7 @@ pub(crate) struct Published {
     /// The unit of the last digit of that error.
     pub(crate) rounding: f64,
     /// r1, r2, r3, r4, the tracer's coordinates, the angle of the ground link and the coordinates of the crank's pivot.
-    pub(crate) dimensions: [f64; TracedFourBar::DIMENSIONS],
+    pub(crate) dimensions: [f64; 9],
     /// The crank's angles: at every point if they are free, at the first one if the crank turns evenly.
     pub(crate) angles: &'static [f64],
     /// How the coupler meets the rocker.
@@ -244,7 +244,7 @@ impl PathCase {
     /// # Errors
     /// The error of the first point for which the linkage does not close.
     pub(crate) fn recomputed(&self, published: &Published) -> Result<f64, SolveError> {
-        let linkage = TracedFourBar::from_numbers(&published.dimensions);
+        let linkage = TracedFourBar::from_parameters(published.dimensions);
         self.error(&linkage, published.assembly, &self.angles(published.angles))
     }
 
@@ -275,7 +275,8 @@ impl PathCase {
         }
     }
 
-    /// Whether the crank makes full turns and, where its angles are free, passes the points in their order within one turn.
+    /// Whether the crank makes full turns and, where its angles are free, passes the points in their order within one
+    /// turn.
     #[must_use]
     pub(crate) fn accepts(&self, linkage: &TracedFourBar, angles: &[f64]) -> bool {
         let [r1, r2, r3, r4] = [linkage.r1, linkage.r2, linkage.r3, linkage.r4];

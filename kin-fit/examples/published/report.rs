@@ -13,83 +13,40 @@ use super::straight_line::{MOST_EVEN, STRAIGHTEST, StraightLine, best_hoeken, st
 use super::walking::{Leg, Limits};
 use super::{dwell, logarithm, walking};
 
-/// A problem that can be asked for by its name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Problem {
-    /// A straight line at an even speed.
-    StraightLine,
-    /// A foot that walks.
-    Walking,
-    /// A six-bar linkage whose output rests.
-    Dwell,
-    /// A function generator of the logarithm.
-    Logarithm,
-    /// Paths through given points.
-    Path,
+/// A problem with the effort with which the book's numbers were found.
+pub(crate) struct Problem {
+    /// Its name in a terminal.
+    pub(crate) name: &'static str,
+    pub(crate) starts: u64,
+    pub(crate) generations: u64,
+    report: fn(Effort) -> String,
 }
 
+const fn problem(name: &'static str, starts: u64, generations: u64, report: fn(Effort) -> String) -> Problem {
+    Problem {
+        name,
+        starts,
+        generations,
+        report,
+    }
+}
+
+/// All problems.
+pub(crate) static PROBLEMS: [Problem; 5] = [
+    problem("straight-line", 16, 300, straight_line),
+    problem("walking", 8, 300, legs),
+    problem("dwell", 4, 300, dwells),
+    problem("logarithm", 32, 300, generators),
+    problem("path", 300, 1000, paths),
+];
+
 impl Problem {
-    /// All problems.
-    pub(crate) const ALL: [Self; 5] = [
-        Self::StraightLine,
-        Self::Walking,
-        Self::Dwell,
-        Self::Logarithm,
-        Self::Path,
-    ];
-
-    /// Its name in a terminal.
-    #[must_use]
-    pub(crate) const fn name(self) -> &'static str {
-        match self {
-            Self::StraightLine => "straight-line",
-            Self::Walking => "walking",
-            Self::Dwell => "dwell",
-            Self::Logarithm => "logarithm",
-            Self::Path => "path",
-        }
-    }
-
-    /// The problem of a name.
-    #[must_use]
-    pub(crate) fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|problem| problem.name() == name)
-    }
-
-    /// The effort with which the book's numbers were found.
-    #[must_use]
-    pub(crate) const fn effort(self) -> Effort {
-        let (starts, generations) = match self {
-            Self::StraightLine => (16, 300),
-            Self::Walking => (8, 300),
-            Self::Dwell => (4, 300),
-            Self::Logarithm => (32, 300),
-            Self::Path => (300, 1000),
-        };
-        Effort {
-            starts,
-            generations,
-            seed: 0,
-        }
-    }
-
     /// Searches, and writes what the literature reached and what was found.
     ///
     /// The text depends on the effort alone, but for the seconds in its last line.
-    #[must_use]
-    pub(crate) fn solve(self, effort: Effort) -> String {
+    pub(crate) fn solve(&self, effort: Effort) -> String {
         let clock = Instant::now();
-        let mut text = match self {
-            Self::StraightLine => straight_line(effort),
-            Self::Walking => legs(effort),
-            Self::Dwell => dwells(effort),
-            Self::Logarithm => generators(effort),
-            Self::Path => CASES
-                .iter()
-                .map(|case| path(case, effort))
-                .collect::<Vec<_>>()
-                .join("\n"),
-        };
+        let mut text = (self.report)(effort);
         let _ = writeln!(
             text,
             "\n{} starts, {} generations, seed {}: {:.1} s",
@@ -338,6 +295,11 @@ fn generators(effort: Effort) -> String {
         "log x, 1 ≤ x ≤ 2: crank 60°, follower 90°, ground link 1\n{}{notes}",
         table(&rows)
     )
+}
+
+fn paths(effort: Effort) -> String {
+    let all = CASES.iter().map(|case| path(case, effort));
+    all.collect::<Vec<_>>().join("\n")
 }
 
 fn path(case: &PathCase, effort: Effort) -> String {

@@ -1,6 +1,6 @@
 //! A straight line at an even speed, over half a turn of the crank.
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use kin_core::Plane;
 use kin_core::library::HoekenLinkage;
@@ -8,7 +8,7 @@ use kin_core::prelude::*;
 use kin_fit::{Effort, TracedFourBar, penalised, smallest};
 
 use super::half_turn::{Sample, Stroke, turn};
-use super::number;
+use super::smallest_of;
 
 /// A row of a table of Hoeken's linkages, for a crank of length 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -137,27 +137,26 @@ pub(crate) fn linkage(numbers: &[f64]) -> (TracedFourBar, f64) {
 /// What a limit that is broken costs, for each unit by which it is broken.
 const PRICE: f64 = 1e3;
 
-/// The straightest half turn of any four-bar linkage whose crank makes full turns, with a speed that is at least as even as
-/// wanted, in both assemblies.
+/// The straightest half turn of any four-bar linkage whose crank makes full turns, with a speed that is at least as
+/// even as wanted, in both assemblies.
 ///
-/// Each link, and the tracer's distance from both joints of the coupler, lie within [`LINKS`]; the transmission angle stays above
-/// [`TRANSMISSION`] during the stroke.
+/// Each link, and the tracer's distance from both joints of the coupler, lie within [`LINKS`]; the transmission angle
+/// stays above [`TRANSMISSION`] during the stroke.
 #[must_use]
 pub(crate) fn straightest(unevenness: f64, effort: Effort) -> Option<StraightLine> {
     let size = [0.1_f64.ln(), 30.0_f64.ln()];
     let bounds = [size, size, size, size, [-PI, PI], [-PI, PI]];
-    let found = [Assembly::Open, Assembly::Crossed].map(|assembly| {
-        let cost = |numbers: &[f64]| {
+    let (found, assembly) = smallest_of(
+        [Assembly::Open, Assembly::Crossed],
+        &bounds,
+        effort,
+        |numbers, assembly| {
             let (linkage, start) = linkage(numbers);
             cost(&linkage, assembly, start, unevenness)
-        };
-        (smallest(&bounds, effort, cost), assembly)
-    });
-    let (found, assembly) = found
-        .into_iter()
-        .min_by(|one, other| one.0.cost.total_cmp(&other.0.cost))?;
+        },
+    )?;
     let (linkage, start) = linkage(&found.point);
-    let stroke = Stroke::of(&turn_of(&linkage, assembly, start, FINE)?, start, FINE / 2)?;
+    let stroke = stroke_of(&linkage, assembly, start, FINE).ok()?;
     Some(StraightLine {
         linkage,
         assembly,
@@ -219,36 +218,10 @@ pub(crate) fn best_hoeken(unevenness: f64, effort: Effort) -> Option<StraightLin
         cost(&as_traced(numbers), Assembly::Open, FRAC_PI_2, unevenness)
     });
     let linkage = as_traced(&found.point);
-    let stroke = Stroke::of(
-        &turn_of(&linkage, Assembly::Open, FRAC_PI_2, FINE)?,
-        FRAC_PI_2,
-        FINE / 2,
-    )?;
+    let stroke = stroke_of(&linkage, Assembly::Open, FRAC_PI_2, FINE).ok()?;
     Some(StraightLine {
         linkage,
         assembly: Assembly::Open,
         stroke,
     })
-}
-
-/// A place along and across the chord of a stroke, in shares of the chord.
-#[must_use]
-pub(crate) fn shares(place: Plane, stroke: &Stroke) -> Plane {
-    let dot = |one: Plane, other: Plane| one.x * other.x + one.y * other.y;
-    let way = place - stroke.from;
-    Plane::new(dot(way, stroke.along), dot(way, stroke.up)).scale(1.0 / stroke.chord)
-}
-
-impl StraightLine {
-    /// The path of the tracer over the whole turn, along and above the line, in shares of the line.
-    #[must_use]
-    pub(crate) fn path(&self, steps: usize) -> Vec<Plane> {
-        (0..=steps)
-            .filter_map(|step| {
-                let angle = self.stroke.start + TAU * number(step) / number(steps);
-                let place = self.linkage.position(angle, self.assembly).ok()?.tracer.value();
-                Some(shares(place, &self.stroke))
-            })
-            .collect()
-    }
 }

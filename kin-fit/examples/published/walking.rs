@@ -8,19 +8,16 @@ use kin_core::{Plane, TransmissionAngle};
 use kin_fit::{Effort, TracedFourBar, penalised, smallest};
 
 use super::half_turn::{Sample, Stroke, turn};
-use super::straight_line::{StraightLine, linkage, shares, stroke_of, turn_of};
+use super::smallest_of;
+use super::straight_line::{StraightLine, linkage, stroke_of};
 
 /// A leg with its step.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Leg {
-    /// What it is called.
-    pub(crate) name: &'static str,
     /// The number of its moving links.
     pub(crate) links: usize,
     /// Its straightest half turn, on which it stands.
     pub(crate) step: Stroke,
-    /// The path of its foot over a turn, along and above the ground, in shares of the step.
-    pub(crate) path: Vec<Plane>,
 }
 
 /// What the leg of a search has to keep.
@@ -39,28 +36,12 @@ const COARSE: usize = 144;
 const FINE: usize = 3600;
 
 /// The smallest of some transmission angles, at most a right angle.
-fn smallest_of(angles: impl AsRef<[TransmissionAngle]>) -> f64 {
+fn least_of(angles: impl AsRef<[TransmissionAngle]>) -> f64 {
     angles
         .as_ref()
         .iter()
         .map(TransmissionAngle::folded)
         .fold(f64::INFINITY, f64::min)
-}
-
-impl Leg {
-    fn of(name: &'static str, links: usize, samples: &[Sample], step: Stroke) -> Self {
-        let path = samples
-            .iter()
-            .chain(&samples[..1])
-            .map(|sample| shares(sample.place, &step))
-            .collect();
-        Self {
-            name,
-            links,
-            step,
-            path,
-        }
-    }
 }
 
 impl Limits {
@@ -76,14 +57,12 @@ impl Limits {
 
 /// A mechanism with a foot.
 trait Walker: Mechanism<Scalar = f64> + Sync {
-    const NAME: &'static str;
     const LINKS: usize;
 
     fn sample(&self, angle: f64) -> Option<Sample>;
 }
 
 impl Walker for JansenLeg {
-    const NAME: &'static str = "Jansen's leg";
     const LINKS: usize = 7;
 
     fn sample(&self, angle: f64) -> Option<Sample> {
@@ -91,13 +70,12 @@ impl Walker for JansenLeg {
         Some(Sample {
             place: pose.foot.value(),
             rate: pose.foot.velocity(),
-            transmission: smallest_of(self.transmission_angles(&pose)),
+            transmission: least_of(self.transmission_angles(&pose)),
         })
     }
 }
 
 impl Walker for KlannLeg {
-    const NAME: &'static str = "Klann's leg";
     const LINKS: usize = 5;
 
     fn sample(&self, angle: f64) -> Option<Sample> {
@@ -105,7 +83,7 @@ impl Walker for KlannLeg {
         Some(Sample {
             place: pose.foot.value(),
             rate: pose.foot.velocity(),
-            transmission: smallest_of(self.transmission_angles(&pose)),
+            transmission: least_of(self.transmission_angles(&pose)),
         })
     }
 }
@@ -113,7 +91,7 @@ impl Walker for KlannLeg {
 fn walking<M: Walker>(own: &M) -> Option<Leg> {
     let samples = turn(FINE, 0.0, |angle| own.sample(angle))?;
     let step = Stroke::straightest_half(&samples, 0.0)?;
-    Some(Leg::of(M::NAME, M::LINKS, &samples, step))
+    Some(Leg { links: M::LINKS, step })
 }
 
 /// Jansen's leg with his dimensions.
@@ -134,7 +112,8 @@ pub(crate) fn better_jansen(within: f64, effort: Effort) -> Option<(JansenLeg, L
     better(&JansenLeg::HOLY_NUMBERS, within, effort)
 }
 
-/// Klann's leg with the flattest step among dimensions within a share of those of his patent, and no worse in any other measure.
+/// Klann's leg with the flattest step among dimensions within a share of those of his patent, and no worse in any other
+/// measure.
 #[must_use]
 pub(crate) fn better_klann(within: f64, effort: Effort) -> Option<(KlannLeg, Leg)> {
     better(&KlannLeg::PATENT, within, effort)
@@ -167,7 +146,7 @@ fn better<M: Walker>(given: &M, within: f64, effort: Effort) -> Option<(M, Leg)>
     let start = found.point[numbers.len()];
     let samples = turn(FINE, start, |angle| own.sample(angle))?;
     let step = Stroke::of(&samples, start, FINE / 2)?;
-    Some((own, Leg::of(M::NAME, M::LINKS, &samples, step)))
+    Some((own, Leg { links: M::LINKS, step }))
 }
 
 /// The four-bar linkage whose tracer stands flattest within some limits, with links up to [`LONGEST`] steps.
@@ -175,25 +154,23 @@ fn better<M: Walker>(given: &M, within: f64, effort: Effort) -> Option<(M, Leg)>
 pub(crate) fn four_bar(limits: &Limits, effort: Effort) -> Option<(StraightLine, Leg)> {
     let size = [0.5_f64.ln(), 10.0_f64.ln()];
     let bounds = [size, size, size, size, [-PI, PI], [-PI, PI]];
-    let found = [Assembly::Open, Assembly::Crossed].map(|assembly| {
-        let found = smallest(&bounds, effort, |numbers| {
+    let (found, assembly) = smallest_of(
+        [Assembly::Open, Assembly::Crossed],
+        &bounds,
+        effort,
+        |numbers, assembly| {
             let (linkage, start) = linkage(numbers);
             cost(&linkage, assembly, start, limits)
-        });
-        (found, assembly)
-    });
-    let (found, assembly) = found
-        .into_iter()
-        .min_by(|one, other| one.0.cost.total_cmp(&other.0.cost))?;
+        },
+    )?;
     let (linkage, start) = linkage(&found.point);
-    let samples = turn_of(&linkage, assembly, start, FINE)?;
-    let stroke = Stroke::of(&samples, start, FINE / 2)?;
+    let stroke = stroke_of(&linkage, assembly, start, FINE).ok()?;
     let own = StraightLine {
         linkage,
         assembly,
         stroke,
     };
-    Some((own, Leg::of("four-bar linkage", 3, &samples, stroke)))
+    Some((own, Leg { links: 3, step: stroke }))
 }
 
 /// The longest link of [`four_bar`], in steps.

@@ -53,8 +53,9 @@ impl<C: Fn(&[f64]) -> f64> CostFunction for Scaled<'_, C> {
     }
 }
 
-/// The best numbers between bounds that the covariance matrix adaptation evolution strategy finds (N. Hansen, "The CMA evolution strategy:
-/// a tutorial", arXiv 1604.00772), and their cost. It ends where its distribution is narrower than a share of the bounds. `None` if it fails.
+/// The best numbers between bounds that the covariance matrix adaptation evolution strategy finds (N. Hansen, "The CMA
+/// evolution strategy: a tutorial", arXiv 1604.00772), and their cost. It ends where its distribution is narrower than
+/// a share of the bounds. `None` if it fails.
 pub(crate) fn evolve<C: Fn(&[f64]) -> f64>(
     bounds: &[[f64; 2]],
     start: &[f64],

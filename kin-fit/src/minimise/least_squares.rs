@@ -107,7 +107,8 @@ where
     }
 }
 
-/// The method of normal equations, which is fast. It cuts a whole step where one number meets its bound, so that all may stand still there.
+/// The method of normal equations, which is fast. It cuts a whole step where one number meets its bound, so that all
+/// may stand still there.
 pub(crate) fn levenberg_marquardt(squares: &impl Squares, start: &[f64], ending: Ending) -> (Vec<f64>, u64) {
     let method = BoundedLevenbergMarquardt::new()
         .with_absolute_scaled_gradient_tolerance(None)
@@ -115,7 +116,8 @@ pub(crate) fn levenberg_marquardt(squares: &impl Squares, start: &[f64], ending:
     searched(squares, method, start, ending)
 }
 
-/// The method of singular values, which lose no digits to their squares, and which goes on along bounds. Its steps take long for many rows.
+/// The method of singular values, which lose no digits to their squares, and which goes on along bounds. Its steps take
+/// long for many rows.
 pub(crate) fn trust_region(squares: &impl Squares, start: &[f64], ending: Ending) -> (Vec<f64>, u64) {
     // the slopes have no scale of their own, so that only the sum of squares says when to end
     let method = TrustRegionReflective::new()

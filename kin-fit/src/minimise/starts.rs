@@ -26,8 +26,8 @@ pub struct Found {
     pub start: u64,
 }
 
-/// A point of the unit cube for each index, spread evenly: the additive recurrence with the powers of the generalised golden
-/// ratio (M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018).
+/// A point of the unit cube for each index, spread evenly: the additive recurrence with the powers of the generalised
+/// golden ratio (M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018).
 #[must_use]
 pub fn spread(index: u64, dimensions: usize) -> Vec<f64> {
     let mut ratio = 2.0_f64;
@@ -50,11 +50,12 @@ const STEPS: [f64; 3] = [0.2, 0.02, 0.002];
 /// The width of the distribution, in shares of the bounds, below which a run ends.
 const NARROW: f64 = 1e-13;
 
-/// The smallest cost between bounds, by the covariance matrix adaptation evolution strategy, for costs that are no sums of squares. What
-/// does not close costs as [`penalised`](crate::penalised) says.
+/// The smallest cost between bounds, by the covariance matrix adaptation evolution strategy, for costs that are no sums
+/// of squares. What does not close costs as [`penalised`](crate::penalised) says.
 ///
-/// Each start is the best of many points that are spread evenly; further runs from its result, with smaller steps, sharpen it. The starts
-/// run in parallel; the best cost wins, and of equal costs the earliest start, so the result depends on the effort alone.
+/// Each start is the best of many points that are spread evenly; further runs from its result, with smaller steps,
+/// sharpen it. The starts run in parallel; the best cost wins, and of equal costs the earliest start, so the result
+/// depends on the effort alone.
 ///
 /// ```
 /// use kin_fit::{Effort, smallest};

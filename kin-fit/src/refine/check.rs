@@ -2,12 +2,14 @@
 
 use std::f64::consts::TAU;
 
+use kin_core::Number as _;
 use kin_core::cycle::{Branch, Incomplete};
 use kin_core::linkage::{AnyCycle, AnyLinkage};
 
 use super::defect::Defect;
 use super::figures::{self, Figures};
 use crate::design::Design;
+use crate::functions::Change;
 use crate::margins::{driver_turns, grashof};
 use crate::objective::Objective;
 use crate::term::{Sense, Term, Travel};
@@ -28,7 +30,7 @@ pub(super) fn check(objective: &Objective, design: &Design) -> Result<Figures, D
         return Err(undecided("its assembly depends on the dimensions".to_owned()));
     };
     margins(objective, design)?;
-    let from = objective.inputs(0.0);
+    let from = objective.inputs_at(0.0);
     let mut direction = vec![0.0; from.len()];
     direction[objective.moving] = 1.0;
     let linkage = AnyLinkage::new(objective.functions, design.parameters());
@@ -77,7 +79,7 @@ pub(super) fn check(objective: &Objective, design: &Design) -> Result<Figures, D
 pub(super) fn first_open(objective: &Objective, design: &Design) -> Defect {
     let inputs = objective.inputs_of(design);
     let posed = objective.posed(&design.values, &design.choice);
-    let is_open = |input: &&f64| posed.solve(objective.inputs(**input)).is_none();
+    let is_open = |input: &&f64| posed.solve(objective.inputs(Change::constant(**input))).is_none();
     let open = inputs.iter().find(is_open).or(inputs.first());
     Defect::Closure {
         input: open.copied().unwrap_or(f64::NAN),
@@ -96,8 +98,9 @@ fn margins(objective: &Objective, design: &Design) -> Result<(), Defect> {
                 _ => continue,
             };
             if let Some(margin) = margin
-                && margin <= 0.0
+                && margin.value <= 0.0
             {
+                let margin = margin.value;
                 return Err(Defect::Margin { term: name, margin });
             }
         }

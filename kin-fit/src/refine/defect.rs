@@ -3,7 +3,8 @@
 use std::error::Error;
 use std::fmt;
 
-/// The reason for which a result is dropped, with its numbers. Targets are counted from zero, inputs are in radians or lengths.
+/// The reason for which a result is dropped, with its numbers. Targets are counted from zero, inputs are in radians or
+/// lengths.
 #[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Defect {

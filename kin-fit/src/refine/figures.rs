@@ -1,13 +1,13 @@
 //! The figures of a result over its exact travel.
 
-use kin_core::RATES;
 use kin_core::any::AssemblyChoice;
 use kin_core::cycle::Branch;
 use kin_core::extremes::Peak;
 use kin_core::linkage::AnyLinkage;
+use kin_core::{Number as _, RATES};
 
 use super::check::Way;
-use crate::functions::{Choice, PointWay};
+use crate::functions::{Change, Choice, PointWay};
 use crate::objective::Objective;
 use crate::term::Travel;
 
@@ -36,8 +36,8 @@ pub struct Range {
     pub high: Least,
 }
 
-/// The figures of a result: limits of its branch, and extremes over its travel, which are the zeros of derivatives and not the best of
-/// samples.
+/// The figures of a result: limits of its branch, and extremes over its travel, which are the zeros of derivatives and
+/// not the best of samples.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figures {
     /// The index of its circuit in the cycle.
@@ -50,12 +50,13 @@ pub struct Figures {
     pub limits: [f64; 2],
     /// Where its travel begins and ends, in the order in which it passes its targets.
     pub travel: [f64; 2],
-    /// The smallest transmission angle of all dyads over the travel, folded to at most a right angle (rad); `None` without dyads.
+    /// The smallest transmission angle of all dyads over the travel, folded to at most a right angle (rad); `None`
+    /// without dyads.
     pub transmission: Option<Least>,
     /// How far each traced quantity goes over the travel.
     pub strokes: Vec<Range>,
-    /// The largest velocity, acceleration, jerk and snap over the travel, at the speed 1 of the input: of a point their lengths. Empty if the
-    /// travel is a single place.
+    /// The largest velocity, acceleration, jerk and snap over the travel, at the speed 1 of the input: of a point their
+    /// lengths. Empty if the travel is a single place.
     pub peaks: Vec<(String, Least)>,
 }
 
@@ -85,15 +86,15 @@ pub(super) fn figures(
     if travel[0] == travel[1] {
         let choice = Choice::Assembly(assembly);
         let posed = objective.posed(linkage.parameters(), &choice);
-        let solved = posed.solve(objective.inputs(travel[0]));
+        let solved = posed.solve(objective.inputs(Change::constant(travel[0])));
         let solved = solved.ok_or_else(|| "the mechanism does not close at its only target".to_owned())?;
-        figures.transmission = posed.transmission(&solved).map(|value| Least {
-            value,
+        figures.transmission = posed.transmission(&solved).map(|angle| Least {
+            value: angle.value,
             input: travel[0],
         });
         return Ok(figures);
     }
-    let [from, to] = travel.map(|input| objective.inputs(input));
+    let [from, to] = travel.map(|input| objective.inputs_at(input));
     // the input has the speed 1, whichever way it travels
     let speed = (travel[1] - travel[0]).signum();
     let sweep = linkage

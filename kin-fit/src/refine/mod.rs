@@ -1,11 +1,12 @@
 //! The best candidates of a search, polished and checked.
 //!
 //! [`polish`] takes each candidate through a bounded evolution strategy (CMA-ES) and through bounded least squares
-//! (Levenberg-Marquardt, then a reflective trust region) with exact derivatives. Then the full cycle of the result decides: a result stays in one circuit and one branch, passes its
-//! targets in order, and closes between them. Results that fail are dropped, each with its [`Defect`].
+//! (Levenberg-Marquardt, then a reflective trust region) with exact derivatives. Then the full cycle of the result
+//! decides: a result stays in one circuit and one branch, passes its targets in order, and closes between them. Results
+//! that fail are dropped, each with its [`Defect`].
 //!
-//! Candidates are refined on several threads. Each has random numbers of its own, from the seed and its place in the list, so the results
-//! are the same to the last bit whatever the number of threads.
+//! Candidates are refined on several threads. Each has random numbers of its own, from the seed and its place in the
+//! list, so the results are the same to the last bit whatever the number of threads.
 //!
 //! ```
 //! use kin_core::any::Of;
@@ -50,7 +51,7 @@ pub use refined::{Dropped, Refined, Refinement};
 use crate::design::{Candidate, Design, Sought};
 use crate::error::ObjectiveError;
 use crate::minimise::{self, Evolution, Squares as _, evolve};
-use crate::objective::Objective;
+use crate::objective::{Goal, Objective};
 use crate::threads::each;
 
 /// How candidates are polished.
@@ -80,13 +81,20 @@ impl Default for Settings {
 /// Polishes candidates, and drops those that fail. Results are in ascending order of their sum of squares.
 ///
 /// # Errors
-/// [`ObjectiveError`], if a candidate does not fit the objective, nothing is sought, or the spread is not positive. A result that fails is no error: it is listed
-/// under [`dropped`](Refinement::dropped).
+/// [`ObjectiveError`], if a candidate does not fit the objective, nothing is sought, the spread is not positive, or the
+/// objective is one of measured rows, for which there is [`Fit`](crate::Fit). A result that fails is no error: it is
+/// listed under [`dropped`](Refinement::dropped).
 pub fn polish(
     objective: &Objective,
     candidates: &[Candidate],
     settings: &Settings,
 ) -> Result<Refinement, ObjectiveError> {
+    if objective.goal == Goal::Rows {
+        return Err(ObjectiveError::NoSuchPart {
+            part: "order, which a full cycle could be checked for",
+            goal: "an objective of measured rows",
+        });
+    }
     if objective.sought().is_empty() && !objective.has_free_inputs() {
         return Err(ObjectiveError::NothingToSeek);
     }
@@ -114,8 +122,8 @@ pub fn check(objective: &Objective, design: &Design) -> Result<Figures, Defect> 
     check::check(objective, design)
 }
 
-/// Random numbers of a candidate: the finaliser of `SplitMix64` (G. L. Steele, D. Lea and C. H. Flood, *Fast splittable pseudorandom number
-/// generators*, OOPSLA 2014), so that neighbouring places have unrelated seeds.
+/// Random numbers of a candidate: the finaliser of `SplitMix64` (G. L. Steele, D. Lea and C. H. Flood, *Fast splittable
+/// pseudorandom number generators*, OOPSLA 2014), so that neighbouring places have unrelated seeds.
 fn seed_of(seed: u64, index: usize) -> u64 {
     let mut mixed = seed.wrapping_add((index as u64).wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15));
     mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

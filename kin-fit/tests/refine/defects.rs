@@ -36,7 +36,8 @@ fn own_path(linkage: &Coupler, inputs: &[f64]) -> Objective {
 
 #[test]
 fn in_two_circuits() {
-    // The output is the shortest link of a Grashof linkage, so the driver swings above or below the ground, never from one to the other.
+    // The output is the shortest link of a Grashof linkage, so the driver swings above or below the ground, never from
+    // one to the other.
     let swinging = Coupler {
         r1: 4.0,
         r2: 3.0,
@@ -65,8 +66,8 @@ fn in_two_circuits() {
 
 #[test]
 fn in_two_branches() {
-    // The first loop swings. In one of its assemblies the second loop opens on the way, so the crank's range has two parts, which the
-    // circuit connects by the other assemblies only.
+    // The first loop swings. In one of its assemblies the second loop opens on the way, so the crank's range has two
+    // parts, which the circuit connects by the other assemblies only.
     let six_bar = WattI {
         r1: 2.5,
         r2: 2.1,

@@ -5,7 +5,8 @@ use kin_fit::{Candidate, Design, Objective, Term, Travel};
 
 use super::{COUPLER, Coupler, KNOWN, off, placed};
 
-/// The change of a number for a central difference. Its square, and the rounding of the rows over it, are both below 1e-10.
+/// The change of a number for a central difference. Its square, and the rounding of the rows over it, are both below
+/// 1e-10.
 const STEP: f64 = 1e-5;
 const TOLERANCE: f64 = 1e-8;
 

@@ -8,7 +8,8 @@ use super::{COUPLER, Coupler, KNOWN, off, placed};
 const PLACED: [f64; 3] = [3.0, -1.0, 0.4];
 const LENGTHS: [&str; 6] = ["r1", "r2", "r3", "r4", "along", "beside"];
 
-/// Ten units in the last place of a length of the linkage, which is a few units long: its position has a condition of about ten.
+/// Ten units in the last place of a length of the linkage, which is a few units long: its position has a condition of
+/// about ten.
 const ROUNDING: f64 = 1e-12;
 
 fn inputs(count: u32) -> impl Iterator<Item = f64> {
