@@ -140,7 +140,7 @@ pub(crate) fn report(out: &mut impl Write) -> Result<(), Box<dyn Error>> {
     }
     let start = Linkage::from_parameters(BOUNDS.map(|[_, start, _]| start));
     let design = objective.design(&Candidate::new(&start, Assembly::Open))?;
-    let found: Linkage = objective.nearest_minimum(&design, 500).mechanism();
+    let found: Linkage = objective.nearest_minimum(&design, [500, 50]).mechanism();
 
     writeln!(
         out,

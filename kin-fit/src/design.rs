@@ -473,10 +473,10 @@ impl Objective {
     }
 
     /// The design with the least sum of squares near another one, by the least squares of [`polish`](crate::polish)
-    /// alone: no search comes first, and the full cycle is not checked. Both methods take this many steps at most, the
-    /// second one no more than 50.
+    /// alone: no search comes first, and the full cycle is not checked. `steps` limits the steps of both methods; the
+    /// second finds the last digits, and each of its steps takes as long as thirty of the first.
     #[must_use]
-    pub fn nearest_minimum(&self, design: &Design, steps: u64) -> Design {
+    pub fn nearest_minimum(&self, design: &Design, steps: [u64; 2]) -> Design {
         let sought = Sought::all(self, design);
         sought.at(&minimise::polish(&sought, &sought.numbers(), steps).0)
     }

@@ -196,7 +196,7 @@ impl Generator {
         }
         let start = vec![r1, r2, r3, r4, self.crank, self.follower, level];
         let start = Candidate::with_parameters(start, Choice::of::<WithErrors>(self.assembly, &[]));
-        let found = objective.nearest_minimum(&objective.design(&start).ok()?, 200);
+        let found = objective.nearest_minimum(&objective.design(&start).ok()?, [200, 50]);
         let &[r1, r2, r3, r4, crank, follower, level] = found.parameters() else {
             return None;
         };

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use kin_core::Plane;
 use kin_core::any::Of;
 use kin_core::prelude::*;
-use kin_fit::{Candidate, Effort, Objective, ObjectiveError, TracedFourBar, spread};
+use kin_fit::{Candidate, Design, Effort, Objective, ObjectiveError, TracedFourBar, spread};
 
 use super::number;
 
@@ -299,27 +299,34 @@ impl PathCase {
     /// None for the cases above.
     pub(crate) fn search(&self, effort: Effort) -> Result<Option<PathFound>, ObjectiveError> {
         let objective = self.objective()?;
-        let mut best: Option<PathFound> = None;
+        let found = |design: &Design, assembly: Assembly| {
+            let (linkage, angles) = (design.mechanism(), objective.inputs_of(design));
+            let misfit = objective.misfit(design).filter(|_| self.accepts(&linkage, &angles))?;
+            Some(PathFound {
+                linkage,
+                assembly,
+                angles,
+                error: misfit.sum_of_squares,
+            })
+        };
+        let mut best: Option<(f64, Design, Assembly)> = None;
         for start in 0..effort.starts {
             let unit = spread(effort.seed.wrapping_add(start), 11);
             for assembly in [Assembly::Open, Assembly::Crossed] {
                 let candidate = objective.design(&self.start(&unit, assembly))?;
-                let design = objective.nearest_minimum(&candidate, effort.generations);
-                let (linkage, angles) = (design.mechanism(), objective.inputs_of(&design));
-                if let Some(misfit) = objective.misfit(&design)
-                    && best.as_ref().is_none_or(|best| misfit.sum_of_squares < best.error)
-                    && self.accepts(&linkage, &angles)
+                let design = objective.nearest_minimum(&candidate, [effort.generations, 0]);
+                if let Some(PathFound { error, .. }) = found(&design, assembly)
+                    && best.as_ref().is_none_or(|best| error < best.0)
                 {
-                    best = Some(PathFound {
-                        linkage,
-                        assembly,
-                        angles,
-                        error: misfit.sum_of_squares,
-                    });
+                    best = Some((error, design, assembly));
                 }
             }
         }
-        Ok(best)
+        let polished = |(_, design, assembly): (f64, Design, Assembly)| {
+            let polished = objective.nearest_minimum(&design, [0, LAST_STEPS]);
+            found(&polished, assembly).or_else(|| found(&design, assembly))
+        };
+        Ok(best.and_then(polished))
     }
 
     /// The width and height of the points, and their middle.
@@ -372,5 +379,7 @@ impl PathCase {
     }
 }
 
+/// The steps that find the last digits of the best linkage.
+const LAST_STEPS: u64 = 100;
 /// The shortest link, as a share of the longest one that is allowed, where a case allows links of no length.
 const SHORTEST: f64 = 1e-3;

@@ -11,8 +11,6 @@ use super::Cube;
 
 /// The relative change of the sum of squares below which the second method takes over from the first.
 const NEARLY_SETTLED: f64 = 1e-9;
-/// The largest number of steps of the second method, each of which takes as long as thirty of the first.
-const LAST_STEPS: u64 = 50;
 /// The relative change of the sum of squares, and of the point, below which a step is the last one: a few roundings.
 const SETTLED: f64 = 4.0 * f64::EPSILON;
 
@@ -127,22 +125,20 @@ pub(crate) fn trust_region(squares: &impl Squares, start: &[f64], ending: Ending
     searched(squares, method, start, ending)
 }
 
-/// The numbers with the least sum of squares near others, to the last digits, and the steps of both methods.
-pub(crate) fn polish(squares: &impl Squares, start: &[f64], steps: u64) -> (Vec<f64>, u64) {
-    if steps == 0 || start.is_empty() {
-        return (start.to_vec(), 0);
-    }
-    let first = Ending {
+/// The numbers with the least sum of squares near others, and the steps of both methods, the second of which finds the last digits.
+pub(crate) fn polish(squares: &impl Squares, start: &[f64], [first, last]: [u64; 2]) -> (Vec<f64>, u64) {
+    let ending = |steps: u64, change: f64| Ending {
         steps,
-        change: NEARLY_SETTLED,
+        change,
         cost: 0.0,
     };
-    let last = Ending {
-        steps: steps.min(LAST_STEPS),
-        change: SETTLED,
-        cost: 0.0,
-    };
-    let (near, taken) = levenberg_marquardt(squares, start, first);
-    let (found, more) = trust_region(squares, &near, last);
-    (found, taken + more)
+    let (mut found, mut taken) = (start.to_vec(), 0);
+    if first > 0 && !start.is_empty() {
+        (found, taken) = levenberg_marquardt(squares, start, ending(first, NEARLY_SETTLED));
+    }
+    if last > 0 && !start.is_empty() {
+        let (polished, more) = trust_region(squares, &found, ending(last, SETTLED));
+        return (polished, taken + more);
+    }
+    (found, taken)
 }

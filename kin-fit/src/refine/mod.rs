@@ -131,6 +131,8 @@ fn seed_of(seed: u64, index: usize) -> u64 {
     mixed ^ (mixed >> 31)
 }
 
+/// The largest number of steps of the second method of least squares, each of which takes as long as thirty of the first.
+const LAST_STEPS: u64 = 50;
 /// The width of the distribution, in shares of the bounds, below which the evolution strategy ends.
 const NARROW: f64 = 1e-9;
 
@@ -174,7 +176,11 @@ fn one(objective: &Objective, id: u64, index: usize, start: &Design, settings: &
         best = begun.clone();
     }
     let sought = Sought::all(objective, &best);
-    let (numbers, steps) = minimise::polish(&sought, &sought.numbers(), settings.steps);
+    let (numbers, steps) = minimise::polish(
+        &sought,
+        &sought.numbers(),
+        [settings.steps, settings.steps.min(LAST_STEPS)],
+    );
     let polished = sought.at(&numbers);
     let misfits = [&begun, &best, &polished].map(|design| objective.misfit(design));
     let [at_start, at_evolved, Some(at_polished)] = misfits else {

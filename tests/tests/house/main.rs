@@ -46,7 +46,7 @@ const FIT: Package = Package {
     faces: &["lib"],
     root_items: &[],
     rooms: "threads minimise error adjustable quantity functions margins term objective rows order design refine \
-            measured job table traced_four_bar",
+            measured job+table traced_four_bar",
 };
 
 const STUDIO: Package = Package {
@@ -62,7 +62,12 @@ const SEARCH: Package = Package {
     name: "kin-search",
     faces: &["lib", "program"],
     root_items: &[],
-    rooms: "say digest function::arguments candidates function session cluster pages",
+    rooms: "say digest \
+            function::arguments+function::assembly+function::names+function::settings+function::solver \
+            function::pose candidates function session \
+            cluster::address+cluster::identity+cluster::fault+cluster::options+cluster::progress+cluster::stop+\
+            cluster::job+cluster::cores+cluster::assigned \
+            cluster::ids+cluster::tables+cluster::codec+cluster::cut+cluster::parts cluster pages",
 };
 
 /// Names of kin-core's root that have other declarations. kin-compiler calls so what it knows of the thing; the words for
