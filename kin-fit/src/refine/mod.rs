@@ -159,7 +159,13 @@ fn cost(objective: &Objective, design: &Design) -> f64 {
     })
 }
 
-fn one(objective: &Objective, id: u64, index: usize, start: &Design, settings: &Settings) -> Result<Refined, Dropped> {
+fn one(
+    objective: &Objective,
+    id: u64,
+    index: usize,
+    start: &Design,
+    settings: &Settings,
+) -> Result<Refined, Box<Dropped>> {
     let mut best = start.clone();
     // The design takes its inputs before errors are compared.
     let _ = objective.penalised_cost(&mut best);
@@ -184,12 +190,12 @@ fn one(objective: &Objective, id: u64, index: usize, start: &Design, settings: &
     let polished = sought.at(&numbers);
     let misfits = [&begun, &best, &polished].map(|design| objective.misfit(design));
     let [at_start, at_evolved, Some(at_polished)] = misfits else {
-        return Err(Dropped {
+        return Err(Box::new(Dropped {
             id,
             defect: check::first_open(objective, &polished),
             design: polished,
             misfit: None,
-        });
+        }));
     };
     match check::check(objective, &polished) {
         Ok(figures) => Ok(Refined {
@@ -203,11 +209,11 @@ fn one(objective: &Objective, id: u64, index: usize, start: &Design, settings: &
             design: polished,
             figures,
         }),
-        Err(defect) => Err(Dropped {
+        Err(defect) => Err(Box::new(Dropped {
             id,
             defect,
             design: polished,
             misfit: Some(at_polished),
-        }),
+        })),
     }
 }

@@ -53,12 +53,12 @@ pub struct Refinement {
 }
 
 impl Refinement {
-    pub(crate) fn sorted(functions: &'static dyn FitFunctions, refined: Vec<Result<Refined, Dropped>>) -> Self {
+    pub(crate) fn sorted(functions: &'static dyn FitFunctions, refined: Vec<Result<Refined, Box<Dropped>>>) -> Self {
         let (mut results, mut dropped) = (Vec::new(), Vec::new());
         for one in refined {
             match one {
                 Ok(one) => results.push(one),
-                Err(one) => dropped.push(one),
+                Err(one) => dropped.push(*one),
             }
         }
         results.sort_by(|one, other| one.cost.total_cmp(&other.cost).then(one.id.cmp(&other.id)));
