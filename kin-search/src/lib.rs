@@ -6,9 +6,7 @@
 //! | `function` | kin's solvers as functions of SQL |
 //! | `session` | a session of queries: its functions, its memory, its files, its end |
 //! | `cluster` | the same queries on several machines |
-//! | `objective` | path, function and motion generation as sums of squares |
-//! | `refine` | the best candidates polished, and checked over the full cycle |
-//! | `problem` | published problems, with what the literature reached |
+//! | `pages` | pages of refined candidates, and of the rows of a query |
 //! | `program` | what is typed in a terminal |
 //! | `say` | messages on the standard error stream |
 
@@ -20,17 +18,12 @@ pub mod cluster;
 mod digest;
 #[cfg(feature = "sql")]
 pub mod function;
-pub mod objective;
-#[cfg(feature = "problem")]
-pub mod problem;
 #[cfg(feature = "refine")]
-pub mod refine;
+pub mod pages;
 #[cfg(feature = "sql")]
 mod say;
 #[cfg(feature = "sql")]
 pub mod session;
-#[cfg(any(feature = "refine", feature = "problem"))]
-mod threads;
 
 #[cfg(feature = "sql")]
 pub use function::{Functions, functions, register};

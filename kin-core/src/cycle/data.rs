@@ -187,6 +187,13 @@ impl CycleData {
         &self.incomplete
     }
 
+    /// Where it is not decided whether an assembly closes: its index, and a range of the input. [`Cycle::undecided`](super::Cycle::undecided)
+    /// has the assemblies themselves.
+    #[must_use]
+    pub fn undecided_assemblies(&self) -> &[(usize, [f64; 2])] {
+        &self.undecided
+    }
+
     /// The inputs at which all positions were sought, in ascending order: the ends of the range, and others if limits are not enough. It is
     /// empty if every block has a closed form.
     #[must_use]

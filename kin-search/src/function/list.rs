@@ -54,7 +54,7 @@ impl Functions {
     }
 
     /// The functions of all mechanisms of kin's library, and those that make [candidates](crate::candidates), and
-    /// with the feature `problem` those of a four-bar linkage with a tracer on its coupler.
+    /// with the feature `refine` those of a four-bar linkage with a tracer on its coupler.
     #[must_use]
     pub fn library() -> Self {
         macro_rules! of_the_library {
@@ -67,8 +67,8 @@ impl Functions {
             .into_iter()
             .fold(Self::none(), Self::with_function);
         let library = solvers.into_iter().fold(candidates, Self::with_solver);
-        #[cfg(feature = "problem")]
-        let library = library.with::<crate::problem::TracedFourBar>();
+        #[cfg(feature = "refine")]
+        let library = library.with::<kin_fit::TracedFourBar>();
         library
     }
 

@@ -11,8 +11,6 @@ mod memory;
 #[cfg(feature = "refine")]
 mod pages;
 mod print;
-#[cfg(feature = "problem")]
-mod problem;
 mod processor;
 mod query;
 #[cfg(feature = "refine")]
@@ -55,9 +53,6 @@ enum Command {
     /// Search the same ids in this process and on executors of one core each, and print what each takes
     #[cfg(feature = "cluster")]
     Scaling(scaling::ScalingArguments),
-    /// Search a published problem, and tell what the literature reached
-    #[cfg(feature = "problem")]
-    Problem(problem::ProblemArguments),
 }
 
 #[tokio::main]
@@ -75,8 +70,6 @@ async fn main() -> ExitCode {
         Command::Executor(arguments) => arguments.run(&functions).await,
         #[cfg(feature = "cluster")]
         Command::Scaling(arguments) => arguments.run(&functions).await,
-        #[cfg(feature = "problem")]
-        Command::Problem(arguments) => problem::run(&arguments),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -7,7 +7,7 @@ macro_rules! of_mechanism {
     ($name:expr, |$M:ident| $call:expr) => {
         of_mechanism! {
             @of $name, $M, $call,
-            kin_core::library::FourBar, kin_core::library::SliderCrank, kin_core::library::OffsetSliderCrank,
+            kin_fit::TracedFourBar, kin_core::library::FourBar, kin_core::library::SliderCrank, kin_core::library::OffsetSliderCrank,
             kin_core::library::HoekenLinkage, kin_core::library::ChebyshevLinkage, kin_core::library::RobertsLinkage,
             kin_core::library::WattI, kin_core::library::WattII, kin_core::library::StephensonIII,
             kin_core::library::JansenLeg, kin_core::library::KlannLeg
@@ -17,8 +17,6 @@ macro_rules! of_mechanism {
         let wanted: &str = $name;
         let mut names = Vec::new();
         'found: {
-            #[cfg(feature = "problem")]
-            of_mechanism!(@try 'found wanted, names, $M, $call, kin_search::problem::TracedFourBar);
             $(of_mechanism!(@try 'found wanted, names, $M, $call, $mechanism);)+
             Err($crate::fault::Fault::Wrong(format!(
                 "`{wanted}` is no mechanism that this program refines or shows; there are {}",

@@ -6,7 +6,7 @@ use std::process::{Command, Stdio};
 use datafusion::arrow::array::{AsArray, RecordBatch};
 use datafusion::arrow::compute::cast;
 use datafusion::arrow::datatypes::DataType;
-use kin_search::refine::write_pages_of;
+use kin_search::pages::write_pages_of;
 
 use super::fault::Fault;
 use super::mechanisms::of_mechanism;

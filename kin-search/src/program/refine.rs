@@ -6,7 +6,9 @@ use std::path::{Path, PathBuf};
 
 use datafusion::parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use kin_core::Mechanism;
-use kin_search::refine::{Job, polish};
+use kin_core::any::Of;
+use kin_fit::{Job, polish};
+use kin_search::pages::write_pages;
 use kin_search::say;
 
 use super::fault::Fault;
@@ -59,15 +61,11 @@ fn wrong(error: impl std::fmt::Display) -> Fault {
     Fault::Wrong(error.to_string())
 }
 
-fn refined<M>(arguments: &RefineArguments, job: &Job, candidates: &str) -> Result<(), Fault>
-where
-    M: Mechanism<Scalar = f64> + Send + Sync,
-    M::Assembly: Send + Sync,
-    M::Unknowns<f64>: Send + Sync,
-{
-    let objective = job.objective::<M>().map_err(wrong)?;
+fn refined<M: Mechanism<Scalar = f64>>(arguments: &RefineArguments, job: &Job, candidates: &str) -> Result<(), Fault> {
+    let functions = Of::<M>::FUNCTIONS;
+    let objective = job.objective(functions).map_err(wrong)?;
     let best = arguments.best.unwrap_or(usize::MAX);
-    let candidates = job.candidates::<M>(candidates, best).map_err(wrong)?;
+    let candidates = job.candidates(functions, candidates, best).map_err(wrong)?;
     let found = polish(&objective, &candidates, &job.settings(arguments.threads.unwrap_or(0))).map_err(wrong)?;
     print(&found.table())?;
     say(format_args!(
@@ -79,7 +77,7 @@ where
         say(format_args!("{count} dropped: {kind}"));
     }
     if let Some(folder) = &arguments.pages {
-        for path in found.write_pages(&objective, folder).map_err(wrong)? {
+        for path in write_pages::<M>(&found, &objective, folder).map_err(wrong)? {
             say(format_args!("{}", path.display()));
         }
     }

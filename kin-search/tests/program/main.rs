@@ -6,7 +6,12 @@ use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-#[cfg(all(feature = "problem", feature = "refine"))]
+// the measures of a straight line, without SQL
+#[cfg(feature = "refine")]
+#[allow(dead_code, reason = "only a part is used")]
+#[path = "../../../kin-fit/examples/published/mod.rs"]
+mod published;
+#[cfg(feature = "refine")]
 mod straight_line;
 mod whole_files;
 

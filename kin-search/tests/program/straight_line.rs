@@ -7,9 +7,11 @@ use std::time::Instant;
 
 use kin_core::Plane;
 use kin_core::prelude::*;
-use kin_search::problem::straight_line::{LINKS, TRANSMISSION, turn_of};
-use kin_search::problem::{Stroke, TracedFourBar};
+use kin_fit::TracedFourBar;
 use serde_json::Value;
+
+use super::published::half_turn::Stroke;
+use super::published::straight_line::{LINKS, TRANSMISSION, turn_of};
 
 /// The steps of a turn whose half has the poses at which the last query measures.
 const STEPS: usize = 7200;

@@ -1,6 +1,6 @@
 //! A mechanism of the program.
 
-use kin_core::any::{AssemblyChoice, Of, OutputsOver, PositionChoice, PositionOver};
+use kin_core::any::{AssemblyChoice, Of, PositionChoice};
 use kin_core::batch::LengthMismatch;
 use kin_core::cycle::BlockClass;
 use kin_core::exact::{ExactTable, ExactTableError, Precision};
@@ -10,7 +10,8 @@ use kin_core::linkage::{AnyCycle, AnyLinkage, AnySweep, TabledMechanism};
 use kin_core::prelude::*;
 use kin_core::sweep::{Laws, SmoothDrive, StraightLine, SweepError, Table};
 use kin_core::tape::{self, RecordError, Tape};
-use kin_core::{Changing, Description, Number, Row, TrackError, verify};
+use kin_core::{Description, Row, TrackError, verify};
+use kin_fit::{Choice, FitFunctions};
 
 use super::case::Case;
 use super::fault::Fault;
@@ -68,16 +69,6 @@ pub(crate) struct Reached {
     pub(crate) is_limit: bool,
 }
 
-/// One pose: the value of each unknown, then of each scalar output, with the derivatives by the dimensions and by the
-/// inputs.
-#[derive(Clone, Debug)]
-pub(crate) struct Partial {
-    /// The values.
-    pub(crate) values: Vec<f64>,
-    /// For each value its derivatives by the parameters and then by the inputs.
-    pub(crate) by: Vec<Vec<f64>>,
-}
-
 /// What is wanted of a page.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct PageWishes {
@@ -93,14 +84,9 @@ pub(crate) struct PageWishes {
     pub(crate) has_range: bool,
 }
 
-/// A dimension or an input that changes.
-type Change = Changing<f64>;
-
 /// The functions of a mechanism for the program. They are compiled for each mechanism; all else is compiled once, in
 /// this crate.
-pub(crate) trait ProgramFunctions:
-    ReportFunctions + TabledMechanism + PositionOver<Change> + OutputsOver<Change>
-{
+pub(crate) trait ProgramFunctions: ReportFunctions + TabledMechanism + FitFunctions {
     /// Both oracles, with a range for each input.
     fn verify(&self, parameters: &[f64], ranges: &[(f64, f64)]) -> verify::Report;
 }
@@ -429,43 +415,26 @@ impl Subject {
         .map_err(of_exact_table)
     }
 
-    /// One pose and its derivatives.
-    pub(crate) fn partial(&self, parameters: &[f64], inputs: &[f64], assembly: &Wanted) -> Result<Partial, Fault> {
-        let description = self.description();
-        let choice = assembly_at(assembly, &self.linkage(parameters), inputs)?;
-        let near: Vec<Change> = match &choice {
-            AssemblyChoice::Index(_) => Vec::new(),
-            AssemblyChoice::Near(near) => near.iter().map(|value| Change::constant(*value)).collect(),
+    /// The functions from which it is fitted.
+    pub(crate) fn fit_functions(&self) -> &'static dyn FitFunctions {
+        self.functions
+    }
+
+    /// The choice of a position for all dimensions. Values nearby are those where the motion begins, and other positions are reached from
+    /// there.
+    pub(crate) fn choice(&self, case: &Case, start: &[f64]) -> Result<Choice, Fault> {
+        let from = |inputs: &[f64], near: &[f64]| Choice::From {
+            inputs: inputs.to_vec(),
+            near: near.to_vec(),
         };
-        let choice = choice
-            .index()
-            .map_or(PositionChoice::Near(&near), PositionChoice::Assembly);
-        let mut values = Vec::new();
-        let mut by: Vec<Vec<f64>> = Vec::new();
-        for place in 0..parameters.len() + inputs.len() {
-            let given = parameters.iter().chain(inputs).enumerate();
-            let given: Vec<Change> = given
-                .map(|(index, value)| Change::new(*value, f64::from(u8::from(index == place))))
-                .collect();
-            let (parameters, inputs) = given.split_at(parameters.len());
-            let count = description.unknowns.len();
-            let mut all = vec![Change::constant(0.0); count + description.outputs.len()];
-            let (unknowns, outputs) = all.split_at_mut(count);
-            let positions: &dyn PositionOver<Change> = self.functions;
-            positions
-                .position(parameters, inputs, choice, unknowns)
-                .map_err(Fault::open)?;
-            let functions: &dyn OutputsOver<Change> = self.functions;
-            functions.outputs(parameters, inputs, unknowns, outputs);
-            if place == 0 {
-                values = all.iter().map(|number| number.value).collect();
-                by = vec![Vec::new(); all.len()];
-            }
-            for (own, number) in by.iter_mut().zip(&all) {
-                own.push(number.change);
+        match &case.assembly {
+            Wanted::Near(near) => Ok(from(start, near)),
+            Wanted::At { inputs, near } => Ok(from(inputs, near)),
+            wanted @ (Wanted::Named(_) | Wanted::Unknown) => {
+                let found = assembly_at(wanted, &self.linkage(&case.parameters), start)?;
+                Ok(found.index().map_or_else(|| from(start, &[]), Choice::Assembly))
             }
         }
-        Ok(Partial { values, by })
     }
 }
 

@@ -6,10 +6,6 @@ use std::path::Path;
 #[allow(dead_code, reason = "the test calls what `main` calls")]
 #[path = "../../examples/cam.rs"]
 mod cam;
-#[cfg(feature = "other-crates")]
-#[allow(dead_code, reason = "the test calls what `main` calls")]
-#[path = "../../examples/fit.rs"]
-mod fit;
 
 /// The text of a file of the repository, by its path from the folder of this package.
 fn read(path: &str) -> String {
@@ -25,14 +21,6 @@ fn head(example: &str) -> String {
         .take_while(|line| *line != "//! ```")
         .flat_map(|line| [line.strip_prefix("//! ").unwrap_or_default(), "\n"])
         .collect()
-}
-
-#[cfg(feature = "other-crates")]
-#[test]
-fn the_fit_prints_what_its_head_says() {
-    let mut printed = Vec::new();
-    fit::report(&mut printed).expect("it ends");
-    assert_eq!(String::from_utf8(printed).expect("it is text"), head("fit"));
 }
 
 #[test]
