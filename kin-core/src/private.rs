@@ -50,14 +50,15 @@ pub mod methods {
 /// |---|---|
 /// | [`newton_in`] in [`NewtonMemory`] | `solve::newton` |
 /// | [`factor_in`] and [`substitute_in`] with [`FactorRow`]s | `solve::factor` and `Factors::solve` |
-/// | [`decisive_in`] and [`decisive_vector_in`]; the terms matter only if `T::DOUBT > 0.0` | `solve::decisive` and `solve::decisive_vector` |
+/// | [`decisive_in`]; the terms matter only if `T::DOUBT > 0.0` | `solve::decisive` |
+/// | [`decisive_vector_in`], likewise | `solve::decisive_vector` |
 /// | [`choose_in`] among [`SolutionInRange`]s | `solve::choose` |
 /// | `T::assembled` for each value | `T::all_assembled` |
 /// | [`agreeing_in`] | `solve::agreeing` |
 /// | [`within_turns_in`] | `solve::within_turns` |
 /// | [`nearest_turn`] for each angle, if there is a guess | `solve::on_turn` |
 /// | [`largest_in`] | `solve::largest` |
-/// | [`culprit_in`], then [`failed_in`] with [`Name::by_index`](crate::Name::by_index) and [`InputNames`] | `culprit` and `failed` |
+/// | [`culprit_in`], then [`failed_in`] with `Name::by_index` and [`InputNames`] | `culprit` and `failed` |
 /// | [`every_in`], [`Choices::solution_in`] and [`is_same_position`] | `every` and `Choices::solution` |
 ///
 /// Functions without sizes in their types are the same for both: the closed forms, directions, domains, `both`,

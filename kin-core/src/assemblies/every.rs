@@ -207,8 +207,8 @@ pub fn every<const N: usize, const CAPACITY: usize, const ROOM: usize>(
     Ok(all)
 }
 
-/// Takes all paths, each a combination of choices, and returns the number of solutions that may be lost. `solutions` has
-/// room for the solutions of all blocks without a closed form.
+/// Takes all paths, each a combination of choices, and returns the number of solutions that may be lost. `solutions`
+/// has room for the solutions of all blocks without a closed form.
 ///
 /// # Errors
 /// The error of a path that says that a parameter or an input is not finite.

@@ -400,8 +400,8 @@ fn real_root<T: Scalar>(
     }
 }
 
-/// Writes the real parts of residuals and Jacobian, the latter in the units of the unknowns, and returns whether all are
-/// finite.
+/// Writes the real parts of residuals and Jacobian, the latter in the units of the unknowns, and returns whether all
+/// are finite.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn are_real<T: Scalar>(own: [&[T]; 2], units: &[f64], residuals: &mut [f64], jacobian: &mut [f64]) -> bool {
     for (entry, own) in residuals.iter_mut().zip(own[0]) {

@@ -183,8 +183,8 @@ pub trait Scalar: Number {
         self.real()
     }
 
-    /// The pivot row of one step of the elimination of a matrix with `count` rows: the row of the largest entry from the
-    /// diagonal down, or the first of several.
+    /// The pivot row of one step of the elimination of a matrix with `count` rows: the row of the largest entry from
+    /// the diagonal down, or the first of several.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn pivot(entries: &[Self], count: usize, step: usize) -> usize {

@@ -25,8 +25,8 @@ const IN_DOUBT: Failure = Failure::NotFinite {
 /// that coincide count as one, the first. An angle lies in its range if whole turns can bring it there.
 ///
 /// # Errors
-/// [`Failure::OutOfRange`] with the solution closest to the range that decides if neither lies in it, [`Failure::Ambiguous`] if
-/// both lie in all ranges, [`Failure::NotFinite`].
+/// [`Failure::OutOfRange`] with the solution closest to the range that decides if neither lies in it,
+/// [`Failure::Ambiguous`] if both lie in all ranges, [`Failure::NotFinite`].
 ///
 /// ```
 /// use kin_core::Assembly;
