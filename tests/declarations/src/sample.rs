@@ -2,7 +2,6 @@
 
 use std::f64::consts::PI;
 use std::fmt::{self, Display, Formatter, Write};
-use std::ops::Range;
 
 use crate::closing::{Linearised, closed};
 use crate::names::Naming;
@@ -97,6 +96,25 @@ impl Sample {
     #[must_use]
     pub fn unknowns(&self) -> Vec<Quantity> {
         numbers(self.quantities("unknown"))
+    }
+
+    /// The highest order: that of the snap, 4, if the declaration says nothing.
+    ///
+    /// # Panics
+    /// If the text gives an order that is no number, which it does not.
+    #[must_use]
+    pub fn order(&self) -> usize {
+        let said = self.text.formulas.iter().find_map(|statement| match statement {
+            Statement::Wish(wish) => wish.strip_prefix("order = "),
+            _ => None,
+        });
+        said.map_or(4, |order| order.parse().expect("it is a number"))
+    }
+
+    /// Whether unknowns are confined to ranges.
+    #[must_use]
+    pub fn has_ranges(&self) -> bool {
+        self.quantities("unknown").any(|item| !item.range.is_empty())
     }
 
     fn quantities<'a>(&'a self, word: &'a str) -> impl Iterator<Item = &'a Item> {
@@ -243,7 +261,7 @@ fn linearised(values: &[f64], is_angle: impl Fn(usize) -> bool, equations: impl 
 /// Rust code with the samples of these seeds: a module for each, and `SAMPLE`, a list of pairs of a function and the seed. The function's type is
 /// `Find`, which returns what the macro `of!` makes of the mechanism, a `Found`.
 #[must_use]
-pub fn code(seeds: Range<u64>) -> String {
+pub fn code(seeds: impl IntoIterator<Item = u64>) -> String {
     let (mut modules, mut entries) = (String::new(), String::new());
     for seed in seeds {
         let sample = Sample::new(seed);

@@ -65,6 +65,30 @@ impl Bounded {
         self.series.coefficients()
     }
 
+    fn sum(self, other: Self) -> Self {
+        let series = self.series + other.series;
+        let rounded = series.coefficients();
+        Self {
+            series,
+            error: std::array::from_fn(|k| self.error[k] + other.error[k] + rounded[k].abs() / 2.0),
+        }
+    }
+
+    fn product(self, other: Self) -> Self {
+        let (own, others) = (self.value(), other.value());
+        let error = |k: usize| {
+            let terms = (0..=k).map(|j| {
+                let (a, b) = (own[j], others[k - j]);
+                (a * b).abs() + self.error[j] * b.abs() + a.abs() * other.error[k - j]
+            });
+            terms.sum::<f64>() + UNDERFLOW
+        };
+        Self {
+            series: self.series * other.series,
+            error: std::array::from_fn(error),
+        }
+    }
+
     /// The error of the k-th coefficient of f, where f' = `slope` · g' and g is `self`.
     fn chained(self, k: usize, slope: Self) -> f64 {
         let (g, h) = (self.value(), slope.value());
@@ -108,12 +132,7 @@ impl Add for Bounded {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        let series = self.series + other.series;
-        let rounded = series.coefficients();
-        Self {
-            series,
-            error: std::array::from_fn(|k| self.error[k] + other.error[k] + rounded[k].abs() / 2.0),
-        }
+        self.sum(other)
     }
 }
 
@@ -140,18 +159,7 @@ impl Mul for Bounded {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        let (own, others) = (self.value(), other.value());
-        let error = |k: usize| {
-            let terms = (0..=k).map(|j| {
-                let (a, b) = (own[j], others[k - j]);
-                (a * b).abs() + self.error[j] * b.abs() + a.abs() * other.error[k - j]
-            });
-            terms.sum::<f64>() + UNDERFLOW
-        };
-        Self {
-            series: self.series * other.series,
-            error: std::array::from_fn(error),
-        }
+        self.product(other)
     }
 }
 
