@@ -1,9 +1,10 @@
 //! A batch finds the same poses as one call per pose. The package of tests solves many mechanisms in batches.
 
+use std::string::ToString;
 use std::vec;
 use std::vec::Vec;
 
-use super::{Batch, Column, LengthMismatch, MotionColumns, Outcome, Place, Summary, Target, Vectors, Visitor};
+use super::{Column, LengthMismatch, MotionColumns, Outcome, Place, Target, Vectors, Visitor, solve, solve_near};
 use crate::assembly::Assembly;
 use crate::geometry::Space;
 use crate::library::{FourBar, FourBarBatch};
@@ -54,77 +55,6 @@ fn vectors() -> impl Iterator<Item = Vectors> {
         .filter(|vectors| vectors.are_there())
 }
 
-/// Compares a batch with the poses solved one by one.
-fn compare(angles: &[f64], poses: &Poses, outcomes: &[Outcome], summary: Summary) {
-    let (mut failed, mut first_failure) = (0, None);
-    for (index, angle) in angles.iter().enumerate() {
-        let crank = Motion::new([*angle, 2.0, 0.5, -1.0, 0.25]);
-        match LINKAGE.solve(crank, Assembly::Open) {
-            Ok(pose) => {
-                assert_eq!(outcomes[index], Outcome::Solved, "{index}");
-                // Near its limits the linkage magnifies rounding, more with each order.
-                let margin = (pose.theta3.position() - pose.theta4.position()).sin().abs();
-                for order in 0..5 {
-                    for (found, expected) in [
-                        (&poses.theta2, crank[order]),
-                        (&poses.theta3, pose.theta3[order]),
-                        (&poses.theta4, pose.theta4[order]),
-                    ] {
-                        let found = found[order][index];
-                        assert!(
-                            (found - expected).abs() * margin.powi(2) <= 1e-12 * expected.abs().max(1.0),
-                            "{index} {order}: {found} {expected}"
-                        );
-                    }
-                }
-            }
-            Err(error) => {
-                failed += 1;
-                first_failure = first_failure.or(Some((index, error)));
-                check_failure(outcomes[index], Outcome::from(&error), index);
-                for order in 0..5 {
-                    assert!(poses.theta3[order][index].is_nan() && poses.theta4[order][index].is_nan());
-                }
-            }
-        }
-    }
-    assert_eq!((summary.solved, summary.failed), (angles.len() - failed, failed));
-    assert_eq!(summary.first_failure, first_failure);
-}
-
-/// Margins are differences of lengths, which lanes round differently. Each of the four lengths has an error of a few ε.
-fn check_failure(found: Outcome, expected: Outcome, index: usize) {
-    let lengths = LINKAGE.r1 + LINKAGE.r2 + LINKAGE.r3 + LINKAGE.r4;
-    match (found.margin(), expected.margin()) {
-        (Some(found), Some(expected)) => {
-            assert!(
-                (found - expected).abs() <= 4.0 * f64::EPSILON * lengths,
-                "{index}: {found} {expected}"
-            );
-        }
-        _ => assert_eq!(found, expected, "{index}"),
-    }
-}
-
-#[test]
-fn batches_of_any_size_in_all_vectors() {
-    for vectors in vectors() {
-        for count in [0, 1, 3, 4, 5, 7, 8, 9, 15, 16, 17, 33, 100] {
-            let angles = angles(count);
-            let (mut poses, mut outcomes) = targets(angles.len());
-            let summary = Batch::<FourBar, _>::new(parameters(), turning(&angles), Assembly::Open)
-                .vectors(vectors)
-                .solve(&mut poses, &mut outcomes)
-                .unwrap();
-            compare(&angles, &poses, &outcomes, summary);
-            if count == 100 {
-                // This includes the poses that failed: poses solved in lanes are not solved alone.
-                assert!(summary.failed > 10 && summary.alone < 5, "{summary:?}");
-            }
-        }
-    }
-}
-
 /// Values near each position select the assembly to which they belong.
 #[test]
 fn values_near_by_tell_the_assembly() {
@@ -143,13 +73,14 @@ fn values_near_by_tell_the_assembly() {
         let near = [beside(0, 0.01), beside(1, -0.01)];
         for vectors in vectors() {
             let (mut poses, mut outcomes) = targets(50);
-            let summary = Batch::<FourBar, _>::near(
+            let summary = solve_near::<FourBar, _, _>(
                 parameters(),
                 turning(&angles),
                 [Column::Each(&near[0]), Column::Each(&near[1])],
+                &mut poses,
+                &mut outcomes,
+                vectors,
             )
-            .vectors(vectors)
-            .solve(&mut poses, &mut outcomes)
             .unwrap();
             let mut solved = 0;
             for (index, pose) in expected.iter().enumerate() {
@@ -168,43 +99,34 @@ fn values_near_by_tell_the_assembly() {
     }
 }
 
-/// The last piece is shorter than the others, and longer than the lanes.
+/// The first failure lies behind the first piece.
 #[cfg(feature = "rayon")]
 #[test]
-fn all_cores_find_what_one_finds() {
-    for count in [0, 3, 512, 3 * 512 + 3, 3 * 512 + 40] {
-        let angles = angles(count);
-        for vectors in vectors() {
-            let (mut poses, mut outcomes) = targets(angles.len());
-            let crank = turning(&angles);
-            let summary = Batch::<FourBar, _>::new(parameters(), crank, Assembly::Open)
-                .vectors(vectors)
-                .on_all_cores()
-                .solve(&mut poses, &mut outcomes)
-                .unwrap();
-            compare(&angles, &poses, &outcomes, summary);
-        }
-    }
-    // The first failure lies behind the first piece.
+fn all_cores_find_the_first_failure() {
     let angles: Vec<f64> = (0..2000).map(|index| 0.001 * f64::from(index)).collect();
     let (mut poses, mut outcomes) = targets(2000);
-    let crank = turning(&angles);
-    let vectors = Vectors::widest();
-    let summary = Batch::<FourBar, _>::new(parameters(), crank, Assembly::Open)
-        .vectors(vectors)
-        .on_all_cores()
-        .solve(&mut poses, &mut outcomes)
-        .unwrap();
-    compare(&angles, &poses, &outcomes, summary);
-    assert!(
-        summary.first_failure.is_some_and(|(index, _)| index > 512),
-        "{summary:?}"
-    );
-    let error = Batch::<FourBar, _>::new(parameters(), crank, Assembly::Open)
-        .vectors(vectors)
-        .on_all_cores()
-        .solve(&mut poses, &mut outcomes[1..])
-        .unwrap_err();
+    let [crank] = turning(&angles);
+    let FourBar { r1, r2, r3, r4 } = LINKAGE;
+    let linkage = FourBar {
+        r1: Column::Same(r1),
+        r2: Column::Same(r2),
+        r3: Column::Same(r3),
+        r4: Column::Same(r4),
+    };
+    let summary = linkage.solve_batch_in_parallel(crank, Assembly::Open, &mut poses, &mut outcomes);
+    let alone = |angle: &f64| {
+        LINKAGE
+            .solve(Motion::new([*angle, 2.0, 0.5, -1.0, 0.25]), Assembly::Open)
+            .err()
+    };
+    let mut errors = (0..)
+        .zip(&angles)
+        .filter_map(|(index, angle)| Some((index, alone(angle)?)));
+    let first = errors.next();
+    assert_eq!(summary.unwrap().first_failure, first);
+    assert!(first.is_some_and(|(index, _)| index > 512), "{first:?}");
+    let error = linkage.solve_batch_in_parallel(crank, Assembly::Open, &mut poses, &mut outcomes[1..]);
+    let error = error.unwrap_err();
     assert_eq!(
         (error.quantity, error.poses, error.length),
         ("theta2".into(), 1999, 2000)
@@ -212,7 +134,52 @@ fn all_cores_find_what_one_finds() {
 }
 
 #[test]
-fn whatever_is_of_another_length_is_named() {
+fn a_pose_out_of_reach_has_a_margin() {
+    let angles = [0.1, 0.2, 0.3];
+    let mut poses = FourBarBatch::filled(|| vec![0.0_f64; 3]);
+    let mut outcomes = [Outcome::Unsolved; 3];
+    let rocker = [45.0, 10.0, 45.0];
+    let linkage = FourBar {
+        r1: Column::Same(90.0),
+        r2: Column::Same(30.0),
+        r3: Column::Same(40.0),
+        r4: Column::Each(&rocker),
+    };
+    let theta2 = Motion::new([
+        Column::Each(&angles),
+        Column::Same(1.0),
+        Column::Same(0.0),
+        Column::Same(0.0),
+        Column::Same(0.0),
+    ]);
+    let summary = linkage
+        .solve_batch(theta2, Assembly::Open, &mut poses, &mut outcomes)
+        .unwrap();
+    assert_eq!((summary.solved, summary.failed), (2, 1));
+    let error = FourBar {
+        r1: 90.0,
+        r2: 30.0,
+        r3: 40.0,
+        r4: 10.0,
+    }
+    .position(0.2, Assembly::Open)
+    .expect_err("too short");
+    assert_eq!(
+        outcomes[1].margin(),
+        error.margin(),
+        "three poses are solved one by one"
+    );
+    assert!(error.margin().is_some_and(|margin| margin < -10.0));
+    assert_eq!(
+        summary.first_failure.map(|(index, error)| (index, error.failure)),
+        Some((1, error.failure))
+    );
+    assert!(poses.theta4[0][1].is_nan() && poses.theta4[4][2].is_finite());
+    assert_eq!(poses.theta2[0], angles);
+}
+
+#[test]
+fn columns_of_other_lengths_are_named() {
     let (four, five) = (&[0.1; 4], &[0.1; 5]);
     let mismatch = |quantity, length| {
         Err(LengthMismatch {
@@ -224,7 +191,14 @@ fn whatever_is_of_another_length_is_named() {
     let solved = |parameters: Parameters<'_>, crank: &[f64], near: [Column<'_>; 2], rocker: usize| {
         let (mut poses, mut outcomes) = targets(5);
         poses.theta4[3] = vec![0.0; rocker];
-        let result = Batch::<FourBar, _>::near(parameters, turning(crank), near).solve(&mut poses, &mut outcomes);
+        let result = solve_near::<FourBar, _, _>(
+            parameters,
+            turning(crank),
+            near,
+            &mut poses,
+            &mut outcomes,
+            Vectors::widest(),
+        );
         assert_eq!(outcomes.iter().all(Outcome::is_solved), result.is_ok());
         assert_eq!(
             outcomes.iter().all(|outcome| *outcome == Outcome::Unsolved),
@@ -249,6 +223,10 @@ fn whatever_is_of_another_length_is_named() {
         mismatch("theta4".into(), 4)
     );
     assert_eq!(solved(parameters(), five, near, 6), mismatch("theta4".into(), 6));
+    assert_eq!(
+        solved(parameters(), four, near, 5).unwrap_err().to_string(),
+        "a column of `theta2` has 4 entries, but there are 5 outcomes: give one entry and one outcome for each pose"
+    );
 }
 
 #[test]
@@ -260,10 +238,7 @@ fn what_is_not_wanted_is_left_out() {
     let mut outcomes = [Outcome::Unsolved; 5];
     let vectors = Vectors::Compiled;
     let crank = turning(&angles);
-    Batch::<FourBar, _>::new(parameters(), crank, Assembly::Open)
-        .vectors(vectors)
-        .solve(&mut poses, &mut outcomes)
-        .unwrap();
+    solve::<FourBar, _, _>(parameters(), crank, Assembly::Open, &mut poses, &mut outcomes, vectors).unwrap();
     for (angle, found) in angles.into_iter().zip(wanted) {
         let crank = Motion::new([angle, 2.0, 0.5, -1.0, 0.25]);
         let expected = LINKAGE.solve(crank, Assembly::Open).unwrap().theta4[2];
@@ -311,7 +286,7 @@ impl<'a> Visitor<'a, f64> for Seen {
 
 /// The coordinates of a point in space count one after the other, each with all its orders.
 #[test]
-fn the_parts_of_a_point_have_places_of_their_own() {
+fn coordinates_have_places_of_their_own() {
     let mut number = 0.0;
     let mut next = || {
         number += 1.0;

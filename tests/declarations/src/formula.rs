@@ -1,4 +1,4 @@
-//! Formulas as text, with the parentheses that they need.
+//! Formulas, which are printed with the parentheses that they need.
 
 use std::fmt::{self, Display, Formatter};
 
@@ -11,106 +11,153 @@ enum Binding {
     Operand,
 }
 
+/// An operation of two formulas.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Operator {
+    Plus,
+    Minus,
+    Times,
+    Over,
+}
+
 /// A formula that can be combined with others.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Formula {
-    text: String,
-    binding: Binding,
+pub(crate) enum Formula {
+    /// A name, a number, or `PI`.
+    Operand(String),
+    /// `function(arguments)`
+    Call(&'static str, Vec<Self>),
+    /// `first.function(others)`
+    Method(&'static str, Vec<Self>),
+    Binary(Operator, Box<[Self; 2]>),
+    Negated(Box<Self>),
+    /// A coordinate.
+    Part(Box<Self>, &'static str),
+    Parentheses(Box<Self>),
 }
 
 impl Formula {
-    /// A name, a number, or whatever else stands by itself.
     pub(crate) fn operand(text: impl Into<String>) -> Self {
-        Self {
-            text: text.into(),
-            binding: Binding::Operand,
-        }
+        Self::Operand(text.into())
     }
 
-    /// `function(arguments)`
-    pub(crate) fn call(function: &str, arguments: &[Self]) -> Self {
-        let arguments: Vec<&str> = arguments.iter().map(|argument| argument.text.as_str()).collect();
-        Self::operand(format!("{function}({})", arguments.join(", ")))
+    pub(crate) fn call(function: &'static str, arguments: &[Self]) -> Self {
+        Self::Call(function, arguments.to_vec())
     }
 
-    /// `first.function(others)`
-    pub(crate) fn method(function: &str, arguments: &[Self]) -> Self {
-        let (first, others) = arguments.split_first().expect("a method has a receiver");
-        let others: Vec<&str> = others.iter().map(|argument| argument.text.as_str()).collect();
-        Self::operand(format!(
-            "{}.{function}({})",
-            first.bound(Binding::Operand),
-            others.join(", ")
-        ))
+    pub(crate) fn method(function: &'static str, arguments: &[Self]) -> Self {
+        Self::Method(function, arguments.to_vec())
+    }
+
+    /// A call whose arguments are numbers.
+    pub(crate) fn of_numbers(function: &'static str, numbers: &[&str]) -> Self {
+        Self::Call(function, numbers.iter().copied().map(Self::operand).collect())
+    }
+
+    fn binary(&self, operator: Operator, other: &Self) -> Self {
+        Self::Binary(operator, Box::new([self.clone(), other.clone()]))
     }
 
     pub(crate) fn plus(&self, other: &Self) -> Self {
-        Self {
-            text: format!("{self} + {}", other.bound(Binding::Product)),
-            binding: Binding::Sum,
-        }
+        self.binary(Operator::Plus, other)
     }
 
     pub(crate) fn minus(&self, other: &Self) -> Self {
-        Self {
-            text: format!("{self} - {}", other.bound(Binding::Product)),
-            binding: Binding::Sum,
-        }
+        self.binary(Operator::Minus, other)
     }
 
     pub(crate) fn times(&self, other: &Self) -> Self {
-        Self {
-            text: format!("{} * {}", self.bound(Binding::Product), other.bound(Binding::Sign)),
-            binding: Binding::Product,
-        }
+        self.binary(Operator::Times, other)
     }
 
     pub(crate) fn over(&self, other: &Self) -> Self {
-        Self {
-            text: format!("{} / {}", self.bound(Binding::Product), other.bound(Binding::Sign)),
-            binding: Binding::Product,
-        }
+        self.binary(Operator::Over, other)
     }
 
     pub(crate) fn negated(&self) -> Self {
-        Self {
-            text: format!("-{}", self.bound(Binding::Sign)),
-            binding: Binding::Sign,
-        }
+        Self::Negated(Box::new(self.clone()))
     }
 
-    /// `self.x`
-    pub(crate) fn part(&self, axis: &str) -> Self {
-        Self::operand(format!("{}.{axis}", self.bound(Binding::Operand)))
-    }
-
-    /// Whether it is made of numbers alone.
-    pub(crate) fn is_constant(&self) -> bool {
-        let is_of_word = |letter: char| letter.is_alphanumeric() || letter == '_';
-        let mut words = self
-            .text
-            .split(|letter| !is_of_word(letter))
-            .filter(|word| !word.is_empty());
-        words.all(|word| word == "PI" || word.starts_with(|letter: char| letter.is_ascii_digit()))
+    pub(crate) fn part(&self, axis: &'static str) -> Self {
+        Self::Part(Box::new(self.clone()), axis)
     }
 
     pub(crate) fn in_parentheses(&self) -> Self {
-        Self::operand(format!("({self})"))
+        Self::Parentheses(Box::new(self.clone()))
+    }
+
+    /// Whether it is made of numbers alone, without a function.
+    pub(crate) fn is_constant(&self) -> bool {
+        match self {
+            Self::Operand(text) => text == "PI" || text.starts_with(|letter: char| letter.is_ascii_digit()),
+            Self::Call(..) | Self::Method(..) | Self::Part(..) => false,
+            Self::Binary(_, sides) => sides.iter().all(Self::is_constant),
+            Self::Negated(inner) | Self::Parentheses(inner) => inner.is_constant(),
+        }
+    }
+
+    const fn binding(&self) -> Binding {
+        match self {
+            Self::Binary(Operator::Plus | Operator::Minus, _) => Binding::Sum,
+            Self::Binary(Operator::Times | Operator::Over, _) => Binding::Product,
+            Self::Negated(_) => Binding::Sign,
+            _ => Binding::Operand,
+        }
     }
 
     /// In parentheses if it binds more loosely.
-    fn bound(&self, least: Binding) -> String {
-        if self.binding < least {
-            format!("({})", self.text)
+    fn write(&self, f: &mut Formatter<'_>, least: Binding) -> fmt::Result {
+        if self.binding() < least {
+            write!(f, "({self})")
         } else {
-            self.text.clone()
+            write!(f, "{self}")
         }
     }
 }
 
 impl Display for Formula {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.text)
+        let listed = |f: &mut Formatter<'_>, arguments: &[Self]| {
+            arguments.iter().enumerate().try_for_each(|(place, argument)| {
+                let comma = if place == 0 { "" } else { ", " };
+                write!(f, "{comma}{argument}")
+            })
+        };
+        match self {
+            Self::Operand(text) => f.write_str(text),
+            Self::Call(function, arguments) => {
+                write!(f, "{function}(")?;
+                listed(f, arguments)?;
+                f.write_str(")")
+            }
+            Self::Method(function, arguments) => {
+                let (first, others) = arguments.split_first().expect("a method has a receiver");
+                first.write(f, Binding::Operand)?;
+                write!(f, ".{function}(")?;
+                listed(f, others)?;
+                f.write_str(")")
+            }
+            Self::Binary(operator, sides) => {
+                let (sign, left, right) = match operator {
+                    Operator::Plus => ("+", Binding::Sum, Binding::Product),
+                    Operator::Minus => ("-", Binding::Sum, Binding::Product),
+                    Operator::Times => ("*", Binding::Product, Binding::Sign),
+                    Operator::Over => ("/", Binding::Product, Binding::Sign),
+                };
+                sides[0].write(f, left)?;
+                write!(f, " {sign} ")?;
+                sides[1].write(f, right)
+            }
+            Self::Negated(inner) => {
+                f.write_str("-")?;
+                inner.write(f, Binding::Sign)
+            }
+            Self::Part(whole, axis) => {
+                whole.write(f, Binding::Operand)?;
+                write!(f, ".{axis}")
+            }
+            Self::Parentheses(inner) => write!(f, "({inner})"),
+        }
     }
 }
 
@@ -120,11 +167,18 @@ mod tests {
 
     #[test]
     fn numbers_are_constant_and_names_are_not() {
-        for text in ["2f64", "-1E0 / 0.1_5", "25e-2 * (PI - 3.0f64)"] {
-            assert!(Formula::operand(text).is_constant(), "{text}");
-        }
-        for text in ["a1", "cos(2)", "2 * _a", "PI2"] {
-            assert!(!Formula::operand(text).is_constant(), "{text}");
+        let [number, pi, name] = ["25e-2", "PI", "PI2"].map(Formula::operand);
+        assert!(
+            number
+                .times(&pi.minus(&number).in_parentheses().negated())
+                .is_constant()
+        );
+        for formula in [
+            number.times(&name),
+            number.part("x"),
+            Formula::of_numbers("cos", &["2"]),
+        ] {
+            assert!(!formula.is_constant(), "{formula}");
         }
     }
 

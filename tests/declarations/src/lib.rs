@@ -1,20 +1,26 @@
 //! Random declarations of mechanisms, for the tests of `mechanism!`.
 //!
 //! A declaration is text, as it would stand between the braces of the macro. Each kind and seed give the same one in every run.
+//! A [`Sample`] is a sound one, as data too: its quantities, its residuals, and poses at which it closes.
 
 mod adversarial;
+mod closing;
 mod damage;
 mod formula;
 mod measure;
 mod names;
 mod numbers;
 mod random;
+mod sample;
 mod sound;
 mod text;
+mod value;
 mod well_typed;
 
 pub use adversarial::{FAMILIES, Family};
+pub use closing::{Linearised, closed};
 pub use random::Random;
+pub use sample::{Dimension, Pose, Quantity, Sample, code};
 
 use names::Naming;
 use sound::Style;
@@ -92,19 +98,7 @@ fn sound(random: &mut Random, scale: Scale) -> String {
         },
         tests: true,
     };
-    sound::declaration(random, "Mechanism", style)
-}
-
-/// A sound declaration of a structure of the given name, small enough to be compiled and solved with many others.
-#[must_use]
-pub fn sample(name: &str, seed: u64) -> String {
-    let style = Style {
-        blocks: 3,
-        order: 6,
-        naming: Naming::Plain,
-        tests: false,
-    };
-    sound::declaration(&mut Random::new(seed), name, style)
+    sound::declaration(random, "Mechanism", style).to_string()
 }
 
 #[cfg(test)]

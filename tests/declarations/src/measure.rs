@@ -135,7 +135,7 @@ impl Writer<'_> {
         })
     }
 
-    fn call(&mut self, function: &str, arguments: &[Measure], depth: usize) -> Formula {
+    fn call(&mut self, function: &'static str, arguments: &[Measure], depth: usize) -> Formula {
         let arguments: Vec<Formula> = arguments
             .iter()
             .map(|&argument| self.formula(argument, depth))
@@ -333,7 +333,7 @@ impl Writer<'_> {
             1 => {
                 let axis = match self.temper {
                     // known not to vanish
-                    Temper::Tame => Formula::operand("vec3(1, 2, 2)"),
+                    Temper::Tame => Formula::of_numbers("vec3", &["1", "2", "2"]),
                     Temper::Wild => {
                         let exponent = i32::from(self.random.one_in(2));
                         self.formula(Measure::new(Shape::Space, exponent), depth)

@@ -28,6 +28,12 @@ impl Random {
         usize::try_from(self.bits() % bound).expect("it is below a count")
     }
 
+    /// A number in `0..1`.
+    #[expect(clippy::cast_precision_loss, reason = "these are as many bits as a number has")]
+    pub(crate) fn fraction(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
     /// A number in `low..=high`.
     pub(crate) fn between(&mut self, low: usize, high: usize) -> usize {
         low + self.below(high - low + 1)

@@ -9,7 +9,7 @@ use crate::measure::{Measure, Temper, Writer};
 use crate::names::{Names, Naming};
 use crate::numbers;
 use crate::random::Random;
-use crate::text::Text;
+use crate::text::{Item, Statement, Text};
 
 /// The choices from which sound declarations are drawn.
 #[derive(Clone, Copy, Debug)]
@@ -39,7 +39,7 @@ struct Mechanism<'a> {
 }
 
 /// A mechanism that the macro must accept.
-pub(crate) fn declaration(random: &mut Random, name: &str, style: Style) -> String {
+pub(crate) fn declaration(random: &mut Random, name: &str, style: Style) -> Text {
     let blocks = random.size(style.blocks);
     let mut mechanism = Mechanism {
         names: Names::new(style.naming),
@@ -64,13 +64,13 @@ pub(crate) fn declaration(random: &mut Random, name: &str, style: Style) -> Stri
         mechanism
             .text
             .formulas
-            .push(format!("output {name}: Length = {formula}"));
+            .push(Statement::Output(Item::new("", name, "Length"), formula));
     }
     mechanism.outputs();
     mechanism.wishes(style);
     let Mechanism { random, mut text, .. } = mechanism;
     text.scatter(random);
-    text.to_string()
+    text
 }
 
 fn head(random: &mut Random) -> String {
@@ -89,7 +89,7 @@ fn head(random: &mut Random) -> String {
 
 impl Mechanism<'_> {
     /// A new dimension.
-    fn parameter(&mut self, letters: &str, dimension: &str) -> Formula {
+    fn parameter(&mut self, letters: &str, dimension: &'static str) -> Formula {
         let name = self.names.name(self.random, letters);
         let marks = [
             "",
@@ -101,16 +101,15 @@ impl Mechanism<'_> {
             "#[allow(dead_code)] pub(crate) ",
         ];
         let mark = self.random.pick(&marks);
-        self.text.fields.push(format!("{mark}{name}: {dimension}"));
-        self.text.knows(&name, dimension);
+        self.text.field(Item::new(mark, name.as_str(), dimension));
         Formula::operand(name)
     }
 
-    fn input(&mut self, dimension: &str) -> Formula {
+    fn input(&mut self, dimension: &'static str) -> Formula {
         let name = self.names.name(self.random, "t");
         self.inputs += 1;
-        let item = format!("{}{name}: {dimension}", self.mark());
-        self.quantity("input", &item);
+        let item = Item::new(self.mark(), name.as_str(), dimension);
+        self.quantity("input", item);
         self.text.knows(&name, dimension);
         let formula = Formula::operand(name);
         if dimension == "Angle" {
@@ -120,16 +119,18 @@ impl Mechanism<'_> {
     }
 
     /// A new unknown, which may not be used before its block is there. `range` is what stands after its dimension.
-    fn unknown(&mut self, letters: &str, dimension: &str, range: &str) -> Formula {
+    fn unknown(&mut self, letters: &str, dimension: &'static str, range: &str) -> Formula {
         let name = self.names.name(self.random, letters);
         let dimension = if dimension == "Angle" && range.is_empty() && self.random.one_in(5) {
             "Direction"
         } else {
             dimension
         };
-        let range = range.replace('_', &name);
-        let item = format!("{}{name}: {dimension}{range}", self.mark());
-        self.quantity("unknown", &item);
+        let item = Item {
+            range: range.replace('_', &name),
+            ..Item::new(self.mark(), name.as_str(), dimension)
+        };
+        self.quantity("unknown", item);
         Formula::operand(name)
     }
 
@@ -138,13 +139,10 @@ impl Mechanism<'_> {
     }
 
     /// A statement of its own, or an item more of the one before.
-    fn quantity(&mut self, word: &str, item: &str) {
+    fn quantity(&mut self, word: &'static str, item: Item) {
         match self.text.quantities.last_mut() {
-            Some(last) if last.starts_with(word) && self.random.one_in(2) => {
-                last.push_str(", ");
-                last.push_str(item);
-            }
-            _ => self.text.quantities.push(format!("{word} {item}")),
+            Some(Statement::Quantities(last, items)) if *last == word && self.random.one_in(2) => items.push(item),
+            _ => self.text.quantities.push(Statement::Quantities(word, vec![item])),
         }
     }
 
@@ -204,18 +202,18 @@ impl Mechanism<'_> {
 
     fn named(&mut self, formula: &Formula) -> Formula {
         let name = self.names.name(self.random, "l");
-        self.text.formulas.push(format!("let {name} = {formula}"));
+        self.text.formulas.push(Statement::Let(name.clone(), formula.clone()));
         Formula::operand(name)
     }
 
     /// An equation, either way round.
     fn equate(&mut self, left: &Formula, right: &Formula) {
-        let equation = match self.random.below(4) {
-            0 => format!("{right} == {left}"),
-            1 => format!("{} == 0", left.minus(right)),
-            _ => format!("{left} == {right}"),
+        let (left, right) = match self.random.below(4) {
+            0 => (right.clone(), left.clone()),
+            1 => (left.minus(right), Formula::operand("0")),
+            _ => (left.clone(), right.clone()),
         };
-        self.text.formulas.push(equation);
+        self.text.formulas.push(Statement::Equation(left, right));
     }
 
     /// A formula of what is known by now.
@@ -239,10 +237,8 @@ impl Mechanism<'_> {
             let depth = self.random.between(1, 3);
             let formula = self.tame(Measure::of(dimension), depth);
             let name = self.names.name(self.random, "o");
-            let mark = self.mark();
-            self.text
-                .formulas
-                .push(format!("{mark}output {name}: {dimension} = {formula}"));
+            let item = Item::new(self.mark(), name, dimension);
+            self.text.formulas.push(Statement::Output(item, formula));
         }
     }
 

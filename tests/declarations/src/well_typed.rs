@@ -6,7 +6,7 @@ use crate::measure::{Known, Measure, Shape, Temper, Writer};
 use crate::names::{Names, Naming};
 use crate::numbers;
 use crate::random::Random;
-use crate::text::Text;
+use crate::text::{Item, Statement, Text};
 
 const DIMENSIONS: [&str; 7] = ["Length", "Angle", "Scalar", "Point", "Vector", "Point3", "Vector3"];
 
@@ -62,7 +62,7 @@ pub(crate) fn declaration(random: &mut Random, scale: Scale) -> String {
             let sum = left.plus(&carrier(random, &text.known[0].name, &sought, measure));
             if random.one_in(4) { sum.in_parentheses() } else { sum }
         };
-        text.formulas.push(format!("{left} == {right}"));
+        text.formulas.push(Statement::Equation(left, right));
     }
     uses(random, &mut names, &mut text);
     if highest < 4 || random.one_in(3) {
@@ -87,17 +87,16 @@ fn writer<'a>(random: &'a mut Random, text: &'a Text, temper: Temper) -> Writer<
 fn quantities(random: &mut Random, names: &mut Names, text: &mut Text) {
     // without a length some dimensions could not be written
     let name = names.name(random, "a");
-    text.fields.push(format!("{name}: Length"));
-    text.knows(&name, "Length");
+    text.field(Item::new("", name, "Length"));
     for _ in 0..random.below(5) {
         let (name, dimension) = (names.name(random, "a"), *random.pick(&DIMENSIONS));
-        text.fields.push(format!("{name}: {dimension}"));
-        text.knows(&name, dimension);
+        text.field(Item::new("", name, dimension));
     }
     for _ in 0..random.between(1, 3) {
         let (name, dimension) = (names.name(random, "t"), *random.pick(&DIMENSIONS[..3]));
-        text.quantities.push(format!("input {name}: {dimension}"));
         text.knows(&name, dimension);
+        let item = Item::new("", name, dimension);
+        text.quantities.push(Statement::Quantities("input", vec![item]));
     }
 }
 
@@ -112,7 +111,11 @@ fn unknowns(random: &mut Random, names: &mut Names, text: &mut Text) -> Vec<Know
         } else {
             String::new()
         };
-        text.quantities.push(format!("unknown {name}: {dimension}{range}"));
+        let item = Item {
+            range,
+            ..Item::new("", name.as_str(), dimension)
+        };
+        text.quantities.push(Statement::Quantities("unknown", vec![item]));
         for _ in 0..3 {
             // more likely than others in formulas
             text.knows(&name, dimension);
@@ -185,30 +188,30 @@ fn abbreviation(random: &mut Random, names: &mut Names, text: &mut Text, depth: 
     let measure = Measure::new(shape, exponent);
     let value = writer(random, text, temper).formula(measure, depth);
     let name = names.name(random, "l");
-    text.formulas.push(format!("let {name} = {value}"));
+    text.formulas.push(Statement::Let(name.clone(), value));
     text.known.push(Known { name, measure });
 }
 
 /// An output that uses everything, so that nothing is declared in vain.
 fn uses(random: &mut Random, names: &mut Names, text: &mut Text) {
-    let length = text.known[0].name.clone();
-    let terms: Vec<String> = text
-        .known
-        .iter()
-        .map(|known| {
-            let name = &known.name;
-            match (known.measure.shape, known.measure.exponent) {
-                (Shape::Scalar, 1) => name.clone(),
-                (Shape::Scalar, _) => format!("{length} * {name}"),
-                (Shape::Plane, 1) => format!("{name}.x"),
-                (Shape::Plane, _) => format!("{length} * {name}.y"),
-                (Shape::Space, 1) => format!("{name}.z"),
-                (Shape::Space, _) => format!("norm({name}) * {length}"),
-                (Shape::Rotation, _) => format!("({name} * vec3({length}, 0, 0)).x"),
+    let length = Formula::operand(text.known[0].name.as_str());
+    let terms = text.known.iter().map(|known| {
+        let name = Formula::operand(known.name.as_str());
+        match (known.measure.shape, known.measure.exponent) {
+            (Shape::Scalar, 1) => name,
+            (Shape::Scalar, _) => length.times(&name),
+            (Shape::Plane, 1) => name.part("x"),
+            (Shape::Plane, _) => length.times(&name.part("y")),
+            (Shape::Space, 1) => name.part("z"),
+            (Shape::Space, _) => Formula::call("norm", &[name]).times(&length),
+            (Shape::Rotation, _) => {
+                let [zero, other] = ["0"; 2].map(Formula::operand);
+                name.times(&Formula::call("vec3", &[length.clone(), zero, other]))
+                    .part("x")
             }
-        })
-        .collect();
-    let name = names.name(random, "o");
-    text.formulas
-        .push(format!("output {name}: Length = {}", terms.join(" + ")));
+        }
+    });
+    let sum = terms.reduce(|sum, term| sum.plus(&term)).expect("there is a length");
+    let item = Item::new("", names.name(random, "o"), "Length");
+    text.formulas.push(Statement::Output(item, sum));
 }

@@ -15,6 +15,7 @@ use kin_core::prelude::*;
 use kin_core::tape::structure::{Condition, Function, TapeNode};
 use kin_core::tape::{self, Options, RecordError, Tape};
 use kin_core::verify::Random;
+use kin_declarations::Sample;
 
 use calls::{Call, kernel};
 
@@ -84,7 +85,7 @@ include!(concat!(env!("OUT_DIR"), "/sample.rs"));
 /// The mechanisms of the sample. Each of them has a tape.
 fn mechanisms() -> Vec<Solved> {
     let recorded =
-        |(solved, declaration): &(Find, &str)| solved().unwrap_or_else(|error| panic!("{error}\n{declaration}"));
+        |(solved, seed): &(Find, u64)| solved().unwrap_or_else(|error| panic!("{error}\n{}", Sample::new(*seed)));
     let all: Vec<Solved> = SAMPLE.iter().map(recorded).collect();
     println!("{} mechanisms", all.len());
     all

@@ -2,10 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use kin_core::{Dimension, Quantity};
+use kin_core::{Description, Dimension, Quantity};
+use kin_declarations::Linearised;
 
-use super::linear::least_norm;
-use super::taylor::{TERMS, Taylor};
+use super::bounded::{Bounded, TERMS};
 use super::topology::{Problem, Rates, Topology};
 use kin_tests::random::Random;
 
@@ -212,66 +212,36 @@ fn turn<'a>(quantities: &[Quantity], values: impl Iterator<Item = &'a mut f64>, 
 
 /// Dimensions and unknowns that close, as near to the given ones as Newton's method with steps of least norm leads.
 fn closed(topology: &Topology, parameters: &[f64], inputs: &[f64], unknowns: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
-    const STEPS: usize = 40;
-    let description = topology.description();
-    let quantities: Vec<Quantity> = description
-        .parameters
-        .iter()
-        .chain(description.unknowns)
-        .copied()
-        .collect();
-    let mut values: Vec<Taylor> = parameters
-        .iter()
-        .chain(unknowns)
-        .copied()
-        .map(Taylor::rounded)
-        .collect();
-    let inputs: Vec<Taylor> = inputs.iter().copied().map(Taylor::rounded).collect();
-    for _ in 0..STEPS {
-        let closure = |values: &[Taylor]| {
-            let (parameters, unknowns) = values.split_at(parameters.len());
-            (topology.closure)(parameters, &inputs, unknowns)
-        };
-        let rows = closure(&values);
-        if rows.iter().all(|row| row.value[0].abs() <= f64::EPSILON * row.error[0]) {
-            let numbers: Vec<f64> = values.iter().map(|value| value.value[0]).collect();
-            let (parameters, unknowns) = numbers.split_at(parameters.len());
-            return Some((parameters.to_vec(), unknowns.to_vec()));
-        }
-        let sizes: Vec<f64> = values
-            .iter()
-            .zip(&quantities)
-            .map(|(value, quantity)| match quantity.dimension {
-                Dimension::Angle => 1.0,
-                _ => value.value[0].abs(),
-            })
-            .collect();
-        let mut matrix = vec![Vec::new(); rows.len()];
-        for place in 0..values.len() {
-            values[place].value[1] = sizes[place];
-            for (row, left) in matrix.iter_mut().zip(closure(&values)) {
-                row.push(left.value[1]);
+    let Description {
+        parameters: dimensions,
+        unknowns: sought,
+        ..
+    } = topology.description();
+    let quantities: Vec<&Quantity> = dimensions.iter().chain(*sought).collect();
+    let inputs: Vec<Bounded> = inputs.iter().copied().map(Bounded::rounded).collect();
+    let closure = |values: &[Bounded]| {
+        let (parameters, unknowns) = values.split_at(parameters.len());
+        topology.closure(parameters, &inputs, unknowns)
+    };
+    let linearised = |values: &[f64]| {
+        let mut leaves: Vec<Bounded> = values.iter().copied().map(Bounded::rounded).collect();
+        let rows = closure(&leaves);
+        let mut jacobian = vec![Vec::new(); rows.len()];
+        for (place, value) in values.iter().enumerate() {
+            let still = std::mem::replace(&mut leaves[place], Bounded::moving(*value, 1.0));
+            for (row, left) in jacobian.iter_mut().zip(closure(&leaves)) {
+                row.push(left.value()[1]);
             }
-            values[place].value[1] = 0.0;
+            leaves[place] = still;
         }
-        let mut right: Vec<f64> = rows.iter().map(|row| -row.value[0]).collect();
-        for (row, right) in matrix.iter_mut().zip(&mut right) {
-            let largest = row.iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
-            for entry in row.iter_mut() {
-                *entry /= largest;
-            }
-            *right /= largest;
+        Linearised {
+            left: rows.iter().map(|row| row.value()[0]).collect(),
+            rounding: rows.iter().map(|row| f64::EPSILON * row.error[0]).collect(),
+            jacobian,
         }
-        let step = least_norm(&matrix, &right);
-        let longest = step.iter().fold(0.0_f64, |longest, entry| longest.max(entry.abs()));
-        if !longest.is_finite() {
-            return None;
-        }
-        // A length changes by less than half in one step, so that it keeps its sign.
-        let shortened = (0.4 / longest).min(1.0);
-        for ((value, size), step) in values.iter_mut().zip(sizes).zip(step) {
-            *value = Taylor::rounded(value.value[0] + shortened * size * step);
-        }
-    }
-    None
+    };
+    let is_angle = |place: usize| quantities[place].dimension == Dimension::Angle;
+    let closed = kin_declarations::closed(&[parameters, unknowns].concat(), is_angle, linearised)?;
+    let (parameters, unknowns) = closed.split_at(parameters.len());
+    Some((parameters.to_vec(), unknowns.to_vec()))
 }

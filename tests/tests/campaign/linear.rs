@@ -85,30 +85,6 @@ pub(super) fn determinant(matrix: Matrix) -> f64 {
     eliminate(matrix, vec![Vec::new(); size]).1
 }
 
-/// The solution of least norm of fewer equations than there are unknowns.
-pub(super) fn least_norm(matrix: &Matrix, right: &[f64]) -> Vec<f64> {
-    let product: Matrix = matrix
-        .iter()
-        .map(|row| {
-            matrix
-                .iter()
-                .map(|other| row.iter().zip(other).map(|(a, b)| a * b).sum())
-                .collect()
-        })
-        .collect();
-    let (weights, _) = eliminate(product, right.iter().map(|value| vec![*value]).collect());
-    let columns = matrix.first().map_or(0, Vec::len);
-    (0..columns)
-        .map(|column| {
-            matrix
-                .iter()
-                .zip(&weights)
-                .map(|(row, weight)| row[column] * weight[0])
-                .sum()
-        })
-        .collect()
-}
-
 fn scaled(matrix: &Matrix, rows: &[f64], columns: &[f64]) -> Matrix {
     matrix
         .iter()
@@ -124,7 +100,7 @@ fn scaled(matrix: &Matrix, rows: &[f64], columns: &[f64]) -> Matrix {
 
 #[cfg(test)]
 mod tests {
-    use super::{determinant, inverse, least_norm};
+    use super::{determinant, inverse};
 
     #[test]
     fn an_inverse_of_entries_of_all_sizes() {
@@ -148,10 +124,5 @@ mod tests {
     fn the_sign_of_a_determinant() {
         assert_eq!(determinant(vec![vec![0.0, 4.0], vec![0.5, 0.0]]), -2.0);
         assert_eq!(determinant(vec![vec![1.0, 2.0], vec![2.0, 4.0]]), 0.0);
-    }
-
-    #[test]
-    fn the_shortest_of_many_solutions() {
-        assert_eq!(least_norm(&vec![vec![3.0, 4.0]], &[50.0]), [6.0, 8.0]);
     }
 }

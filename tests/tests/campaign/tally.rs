@@ -7,7 +7,7 @@ use kin_core::any::AssemblyChoice;
 use kin_core::{Failure, SolveError, TrackError};
 use kin_tests::counting::Calls;
 
-use super::taylor::TERMS;
+use super::bounded::TERMS;
 use super::topology::{Ending, Problem};
 
 /// Kinds of refusals, as the table names them.

@@ -1,13 +1,13 @@
 //! What the campaign knows of a mechanism and asks of it, by slices of numbers, so that each check is compiled once.
 
-use kin_core::any::{AnyMechanism, AssemblyChoice, MotionOver, PositionChoice};
+use kin_core::any::{AnyMechanism, AssemblyChoice, ClosureOver, MotionOver, PositionChoice};
 use kin_core::batch::{AnyBatch, Column, ColumnChoice, GivenColumns, Outcome, Summary, Vectors};
 use kin_core::prelude::*;
 use kin_core::{CurveFunctions, Description, Quantity, TrackError, track_between};
 use kin_tests::batches::{Poses, Table};
 use kin_tests::counting::{Calls, calls_of};
 
-use super::taylor::{TERMS, Taylor};
+use super::bounded::{Bounded, TERMS};
 
 /// A value and its derivatives through snap.
 pub(crate) type Rates = [f64; TERMS];
@@ -71,22 +71,21 @@ impl Found {
 /// The results of a batch.
 pub(crate) type Batch = (Table, Vec<Outcome>, Summary);
 
-/// The solvers that the campaign compares.
-pub(crate) trait Solvers: AnyMechanism + AnyBatch + MotionOver<f64> + MotionOver<f32> {}
+/// The solvers that the campaign compares, and the closure, of which they know nothing.
+pub(crate) trait Solvers:
+    AnyMechanism + AnyBatch + MotionOver<f64> + MotionOver<f32> + ClosureOver<Bounded>
+{
+}
 
-impl<F: AnyMechanism + AnyBatch + MotionOver<f64> + MotionOver<f32>> Solvers for F {}
+impl<F: AnyMechanism + AnyBatch + MotionOver<f64> + MotionOver<f32> + ClosureOver<Bounded>> Solvers for F {}
 
-/// From parameters, inputs and unknowns the residual of each scalar equation, in the order of the declaration, left side less right.
-pub(crate) type Closure = fn(&[Taylor], &[Taylor], &[Taylor]) -> Vec<Taylor>;
-
-/// A mechanism, and its closure in series that have nothing in common with the generated code.
+/// A mechanism.
+#[derive(Clone, Copy)]
 pub(crate) struct Topology {
-    /// The mechanism.
+    /// Its functions.
     pub(crate) solvers: &'static dyn Solvers,
     /// The same, with its calls counted.
     pub(crate) counted: &'static dyn CurveFunctions,
-    /// Its closure.
-    pub(crate) closure: Closure,
     /// [`Poses::solve_in_parallel`], the bounds of which a mechanism meets and a type parameter cannot promise in one place.
     pub(crate) in_parallel: fn(&[Problem], &[AssemblyChoice], Vectors) -> Batch,
 }
@@ -95,6 +94,13 @@ impl Topology {
     /// Its summary.
     pub(crate) fn description(&self) -> &'static Description {
         self.solvers.description()
+    }
+
+    /// The residual of each scalar equation, in the order of the declaration, left side less right.
+    pub(crate) fn closure(&self, parameters: &[Bounded], inputs: &[Bounded], unknowns: &[Bounded]) -> Vec<Bounded> {
+        let mut residuals = vec![Bounded::constant(0.0); unknowns.len()];
+        self.solvers.residuals(parameters, inputs, unknowns, &mut residuals);
+        residuals
     }
 
     /// Through snap.

@@ -1,9 +1,9 @@
-//! How well a pose is known, and how well it closes: both from the closure that is written by hand.
+//! How well a pose is known, and how well it closes: both from the closure.
 
-use kin_core::{Description, Dimension};
+use kin_core::{Description, Dimension, Number};
 
+use super::bounded::{Bounded, FACTORIAL, TERMS};
 use super::linear::{Matrix, determinant, inverse};
-use super::taylor::{FACTORIAL, TERMS, Taylor};
 use super::topology::{Problem, Rates, Topology};
 
 /// The facts that are known of a pose.
@@ -11,7 +11,7 @@ use super::topology::{Problem, Rates, Topology};
 /// The unit of error of a derivative is ε times its condition. The condition is the sum of all changes that the following make of
 /// it, each rounded once and by itself, divided by the relative error of rounding: every parameter, input and derivative of an input, every
 /// operation by which the closure is evaluated, the derivative itself, and the derivatives below it, which are known to their own units. It
-/// is found by the bounds that [`Taylor`] carries through the closure and the inverse of the Jacobian. An angle's own rounding is that of a
+/// is found by the bounds that [`Bounded`] carries through the closure and the inverse of the Jacobian. An angle's own rounding is that of a
 /// radian, as it is the direction that is rounded.
 ///
 /// The second link of a dyad is the difference of two vectors, either of which may be the longer one, so that it is known to ε of that, and
@@ -44,7 +44,7 @@ pub(crate) fn units(topology: &Topology, problem: &Problem, unknowns: &[Rates]) 
             let (mut error, mut correction) = (0.0, 0.0);
             for (entry, left) in row.iter().zip(&rows) {
                 error += entry.abs() * left.error[order];
-                correction += entry * left.value[order];
+                correction += entry * left.value()[order];
             }
             let own = &mut leaves.unknowns[place].error[order];
             *own = own.max(error);
@@ -89,28 +89,28 @@ pub(crate) fn determinants(topology: &Topology, problem: &Problem, unknowns: &[R
 
 /// The arguments of the closure, all of them rounded.
 struct Leaves {
-    parameters: Vec<Taylor>,
-    inputs: Vec<Taylor>,
-    unknowns: Vec<Taylor>,
+    parameters: Vec<Bounded>,
+    inputs: Vec<Bounded>,
+    unknowns: Vec<Bounded>,
 }
 
 impl Leaves {
     fn new(description: &Description, problem: &Problem, unknowns: &[Rates]) -> Self {
-        let mut unknowns: Vec<Taylor> = unknowns.iter().copied().map(Taylor::from_derivatives).collect();
+        let mut unknowns: Vec<Bounded> = unknowns.iter().copied().map(Bounded::from_derivatives).collect();
         for (leaf, quantity) in unknowns.iter_mut().zip(description.unknowns) {
             if quantity.dimension == Dimension::Angle {
                 leaf.error[0] = leaf.error[0].max(1.0);
             }
         }
         Self {
-            parameters: problem.parameters.iter().copied().map(Taylor::rounded).collect(),
-            inputs: problem.inputs.iter().copied().map(Taylor::from_derivatives).collect(),
+            parameters: problem.parameters.iter().copied().map(Bounded::rounded).collect(),
+            inputs: problem.inputs.iter().copied().map(Bounded::from_derivatives).collect(),
             unknowns,
         }
     }
 
-    fn closure(&self, topology: &Topology) -> Vec<Taylor> {
-        (topology.closure)(&self.parameters, &self.inputs, &self.unknowns)
+    fn closure(&self, topology: &Topology) -> Vec<Bounded> {
+        topology.closure(&self.parameters, &self.inputs, &self.unknowns)
     }
 }
 
@@ -165,16 +165,16 @@ fn lengths(description: &Description, problem: &Problem) -> Vec<f64> {
 
 /// The derivatives of the rows of the closure by the unknowns.
 fn jacobian(topology: &Topology, problem: &Problem, unknowns: &[Rates]) -> Matrix {
-    let parameters: Vec<Taylor> = problem.parameters.iter().copied().map(Taylor::constant).collect();
-    let inputs: Vec<Taylor> = problem.inputs.iter().map(|rates| Taylor::constant(rates[0])).collect();
-    let mut leaves: Vec<Taylor> = unknowns.iter().map(|rates| Taylor::constant(rates[0])).collect();
-    let mut rows = vec![Vec::new(); (topology.closure)(&parameters, &inputs, &leaves).len()];
-    for place in 0..leaves.len() {
-        leaves[place].value[1] = 1.0;
-        for (row, left) in rows.iter_mut().zip((topology.closure)(&parameters, &inputs, &leaves)) {
-            row.push(left.value[1]);
+    let parameters: Vec<Bounded> = problem.parameters.iter().copied().map(Bounded::constant).collect();
+    let inputs: Vec<Bounded> = problem.inputs.iter().map(|rates| Bounded::constant(rates[0])).collect();
+    let still: Vec<Bounded> = unknowns.iter().map(|rates| Bounded::constant(rates[0])).collect();
+    let mut rows = vec![Vec::new(); still.len()];
+    for (place, rates) in unknowns.iter().enumerate() {
+        let mut leaves = still.clone();
+        leaves[place] = Bounded::moving(rates[0], 1.0);
+        for (row, left) in rows.iter_mut().zip(topology.closure(&parameters, &inputs, &leaves)) {
+            row.push(left.value()[1]);
         }
-        leaves[place].value[1] = 0.0;
     }
     rows
 }

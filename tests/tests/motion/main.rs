@@ -6,5 +6,4 @@ mod point_paths;
 mod sweeps;
 mod tracking;
 mod tracking_coupled_blocks;
-mod tracking_ends;
 mod tracking_steps;

@@ -1,5 +1,8 @@
-//! Positions and their derivatives where they are known beforehand or hard to find, and inputs that are refused.
+//! Positions and their derivatives where they are known beforehand or hard to find, inputs that are refused, and the same in batches.
 
+mod batches;
+mod batches_at_dead_points;
+mod batches_that_fail;
 mod block_after_block;
 mod condition_numbers;
 mod coupled_blocks;

@@ -11,7 +11,7 @@ impl Mechanism<'_> {
                 let axis = self.parameter("w", "Vector3");
                 Formula::call("rot", &[axis, angle.clone()])
             }
-            1 => Formula::call("rot", &[Formula::operand("vec3(1, 2, 2)"), angle.clone()]),
+            1 => Formula::call("rot", &[Formula::of_numbers("vec3", &["1", "2", "2"]), angle.clone()]),
             2 => Formula::method("rot_x", std::slice::from_ref(angle)),
             3 => Formula::call("rot_y", std::slice::from_ref(angle)),
             _ => Formula::call("rot_z", std::slice::from_ref(angle)),
@@ -106,7 +106,7 @@ impl Mechanism<'_> {
         let s = self.unknown("s", "Length", "");
         let along = match self.random.below(3) {
             0 => Formula::call("vec3", &[s.clone(), Formula::operand("0"), Formula::operand("0")]),
-            1 => s.times(&Formula::operand("vec3(0, 0.6, 0.8)")),
+            1 => s.times(&Formula::of_numbers("vec3", &["0", "0.6", "0.8"])),
             _ => {
                 let axis = self.parameter("w", "Vector3");
                 s.times(&axis).over(&Formula::call("norm", &[axis]))
@@ -123,10 +123,10 @@ impl Mechanism<'_> {
         let angle = self.angle();
         let u = self.unknown("u", "Angle", "");
         let bend = self.parameter("d", "Angle");
-        let first = Formula::call("rot_x", &[angle]).times(&Formula::operand("vec3(0, 0, 1)"));
+        let first = Formula::call("rot_x", &[angle]).times(&Formula::of_numbers("vec3", &["0", "0", "1"]));
         let second = Formula::call("rot_y", &[bend])
             .times(&Formula::call("rot_x", std::slice::from_ref(&u)))
-            .times(&Formula::operand("vec3(0, 1, 0)"));
+            .times(&Formula::of_numbers("vec3", &["0", "1", "0"]));
         self.equate(&Formula::call("dot", &[first, second]), &Formula::operand("0"));
         self.solved(&u, "Angle");
     }

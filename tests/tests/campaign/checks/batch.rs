@@ -128,7 +128,7 @@ impl Campaign {
                     rates
                 })
                 .collect();
-            units(self.topology, &solved.problem, &unknowns).map(|units| units.condition)
+            units(&self.topology, &solved.problem, &unknowns).map(|units| units.condition)
         };
         own.unwrap_or(f64::NAN)
     }

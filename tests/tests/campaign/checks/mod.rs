@@ -63,7 +63,7 @@ impl Pose {
 
 /// The campaign through one topology.
 struct Campaign {
-    topology: &'static Topology,
+    topology: Topology,
     tally: Tally,
     findings: Vec<Finding>,
     /// The case under test, to be reported after a panic.
@@ -71,7 +71,7 @@ struct Campaign {
 }
 
 /// Runs the campaign through a topology, and enters it into the report.
-pub(crate) fn run(topology: &'static Topology, size: Size, report: &mut Report) {
+pub(crate) fn run(topology: Topology, size: Size, report: &mut Report) {
     let mut campaign = Campaign {
         topology,
         tally: Tally {
@@ -123,7 +123,7 @@ impl Campaign {
             problem,
             near,
             is_closed,
-        } = draw(self.topology, family, random);
+        } = draw(&self.topology, family, random);
         let assemblies: Vec<AssemblyChoice> = match self.topology.solvers.assembly_count() {
             0 => vec![AssemblyChoice::Near(near.clone())],
             // Four of them at most, lest the batches of each be small.

@@ -4,7 +4,7 @@ use kin_core::Failure;
 use kin_core::any::AssemblyChoice;
 
 use super::{Campaign, Pose, Solved};
-use crate::taylor::TERMS;
+use crate::bounded::TERMS;
 use crate::topology::{Problem, at_rest};
 use crate::unit::units;
 
@@ -35,7 +35,7 @@ impl Campaign {
                     let what = format!("{position:?} alone, {:?} with rates", found.position());
                     self.find("position", what, problem, &assembly);
                 }
-                let units = units(self.topology, problem, &found.unknowns);
+                let units = units(&self.topology, problem, &found.unknowns);
                 let pose = Pose { found, units };
                 self.closes(problem, &assembly, &pose);
                 self.is_of_its_assembly(problem, &assembly, &pose);
@@ -75,7 +75,7 @@ impl Campaign {
     pub(super) fn is_not_missed(&mut self, problem: &Problem, near: &[f64]) {
         let still = problem.at(&problem.values());
         let unknowns: Vec<_> = near.iter().copied().map(at_rest).collect();
-        let Some(units) = units(self.topology, &still, &unknowns) else {
+        let Some(units) = units(&self.topology, &still, &unknowns) else {
             return;
         };
         if units.condition * f64::EPSILON > WELL_KNOWN {

@@ -55,7 +55,7 @@ impl Campaign {
             Ok(end) => self.has_arrived(solved, &to, end),
             Err(TrackError::TurningPoint(place) | TrackError::ChangePoint(place)) => {
                 let rates: Vec<_> = place.unknowns.iter().copied().map(at_rest).collect();
-                let determinants = determinants(self.topology, &solved.problem.at(&place.inputs), &rates);
+                let determinants = determinants(&self.topology, &solved.problem.at(&place.inputs), &rates);
                 let is_singular = determinants.iter().any(|determinant| determinant.abs() <= SINGULAR);
                 if !is_on_the_way(place) || (!is_singular && family != Family::Spread) {
                     self.find_track(
@@ -115,7 +115,7 @@ impl Campaign {
         let problem = solved.problem.at(to);
         let rates: Vec<_> = end.iter().copied().map(at_rest).collect();
         let units =
-            units(self.topology, &problem, &rates).filter(|units| units.condition <= most_condition(f64::EPSILON));
+            units(&self.topology, &problem, &rates).filter(|units| units.condition <= most_condition(f64::EPSILON));
         let Some(units) = units else {
             return;
         };
@@ -161,7 +161,7 @@ impl Campaign {
                 let Ok(pose) = &solved.result else {
                     return;
                 };
-                let before = determinants(self.topology, &solved.problem, &pose.found.unknowns);
+                let before = determinants(&self.topology, &solved.problem, &pose.found.unknowns);
                 for (before, after) in before.iter().zip(&units.determinants) {
                     if before * after < 0.0 {
                         let what = format!("{end:?}: a determinant of {before:e} becomes {after:e}");

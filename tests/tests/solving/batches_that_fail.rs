@@ -99,7 +99,7 @@ impl cases::Visitor for Compare {
 }
 
 #[test]
-fn outcomes_are_those_of_single_poses_whatever_the_share_that_fails() {
+fn any_share_may_fail() {
     let mut compare = Compare::default();
     cases::some_of_the_library(&mut compare);
     let Compare {
