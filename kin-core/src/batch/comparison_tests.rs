@@ -4,7 +4,7 @@ use std::string::ToString;
 use std::vec;
 use std::vec::Vec;
 
-use super::{Column, LengthMismatch, MotionColumns, Outcome, Place, Target, Vectors, Visitor, solve, solve_near};
+use super::{Batch, Column, LengthMismatch, MotionColumns, Outcome, Place, Target, Vectors, Visitor};
 use crate::assembly::Assembly;
 use crate::geometry::Space;
 use crate::library::{FourBar, FourBarBatch};
@@ -73,14 +73,13 @@ fn values_near_by_tell_the_assembly() {
         let near = [beside(0, 0.01), beside(1, -0.01)];
         for vectors in vectors() {
             let (mut poses, mut outcomes) = targets(50);
-            let summary = solve_near::<FourBar, _, _>(
+            let summary = Batch::<FourBar, _>::near(
                 parameters(),
                 turning(&angles),
                 [Column::Each(&near[0]), Column::Each(&near[1])],
-                &mut poses,
-                &mut outcomes,
-                vectors,
             )
+            .vectors(vectors)
+            .solve(&mut poses, &mut outcomes)
             .unwrap();
             let mut solved = 0;
             for (index, pose) in expected.iter().enumerate() {
@@ -113,7 +112,10 @@ fn all_cores_find_the_first_failure() {
         r3: Column::Same(r3),
         r4: Column::Same(r4),
     };
-    let summary = linkage.solve_batch_in_parallel(crank, Assembly::Open, &mut poses, &mut outcomes);
+    let summary = linkage
+        .batch(crank, Assembly::Open)
+        .on_all_cores()
+        .solve(&mut poses, &mut outcomes);
     let alone = |angle: &f64| {
         LINKAGE
             .solve(Motion::new([*angle, 2.0, 0.5, -1.0, 0.25]), Assembly::Open)
@@ -125,7 +127,10 @@ fn all_cores_find_the_first_failure() {
     let first = errors.next();
     assert_eq!(summary.unwrap().first_failure, first);
     assert!(first.is_some_and(|(index, _)| index > 512), "{first:?}");
-    let error = linkage.solve_batch_in_parallel(crank, Assembly::Open, &mut poses, &mut outcomes[1..]);
+    let error = linkage
+        .batch(crank, Assembly::Open)
+        .on_all_cores()
+        .solve(&mut poses, &mut outcomes[1..]);
     let error = error.unwrap_err();
     assert_eq!(
         (error.quantity, error.poses, error.length),
@@ -153,7 +158,8 @@ fn a_pose_out_of_reach_has_a_margin() {
         Column::Same(0.0),
     ]);
     let summary = linkage
-        .solve_batch(theta2, Assembly::Open, &mut poses, &mut outcomes)
+        .batch(theta2, Assembly::Open)
+        .solve(&mut poses, &mut outcomes)
         .unwrap();
     assert_eq!((summary.solved, summary.failed), (2, 1));
     let error = FourBar {
@@ -191,14 +197,7 @@ fn columns_of_other_lengths_are_named() {
     let solved = |parameters: Parameters<'_>, crank: &[f64], near: [Column<'_>; 2], rocker: usize| {
         let (mut poses, mut outcomes) = targets(5);
         poses.theta4[3] = vec![0.0; rocker];
-        let result = solve_near::<FourBar, _, _>(
-            parameters,
-            turning(crank),
-            near,
-            &mut poses,
-            &mut outcomes,
-            Vectors::widest(),
-        );
+        let result = Batch::<FourBar, _>::near(parameters, turning(crank), near).solve(&mut poses, &mut outcomes);
         assert_eq!(outcomes.iter().all(Outcome::is_solved), result.is_ok());
         assert_eq!(
             outcomes.iter().all(|outcome| *outcome == Outcome::Unsolved),
@@ -238,7 +237,10 @@ fn what_is_not_wanted_is_left_out() {
     let mut outcomes = [Outcome::Unsolved; 5];
     let vectors = Vectors::Compiled;
     let crank = turning(&angles);
-    solve::<FourBar, _, _>(parameters(), crank, Assembly::Open, &mut poses, &mut outcomes, vectors).unwrap();
+    Batch::<FourBar, _>::new(parameters(), crank, Assembly::Open)
+        .vectors(vectors)
+        .solve(&mut poses, &mut outcomes)
+        .unwrap();
     for (angle, found) in angles.into_iter().zip(wanted) {
         let crank = Motion::new([angle, 2.0, 0.5, -1.0, 0.25]);
         let expected = LINKAGE.solve(crank, Assembly::Open).unwrap().theta4[2];

@@ -29,7 +29,7 @@ impl DrivenBack {
         }
         let name = M::DESCRIPTION.name;
         let near = M::Unknowns::from_fn(|index| expected[index].value() + 1e-3);
-        let found = match driven.solve_motion_near(inputs, near) {
+        let found = match driven.solve_near(inputs, near) {
             Ok(pose) => pose.unknown_motions(),
             Err(error) => panic!("{name}: {error}"),
         };
@@ -67,7 +67,7 @@ impl FullTurn {
         let name = M::DESCRIPTION.name;
         let mut to = from;
         to[0] += TAU;
-        let assembly = mechanism.assembly_near(from, start);
+        let assembly = mechanism.assembly_at(from, start);
         match track(mechanism, from, start, to) {
             Ok(end) => {
                 self.turned.push(name);
@@ -77,7 +77,7 @@ impl FullTurn {
                     Err(error) => self.wrong.push(format!("{name}: back {error}")),
                 }
                 if M::ASSEMBLY_COUNT > 0 {
-                    if mechanism.assembly_near(to, end) != assembly {
+                    if mechanism.assembly_at(to, end) != assembly {
                         self.wrong.push(format!("{name}: {assembly:?} is left"));
                     }
                     self.compare::<M>("after a turn", start, end);
@@ -130,7 +130,7 @@ impl Visitor for FullTurn {
         let from = at(0.6);
         if M::ASSEMBLY_COUNT > 0 {
             for assembly in M::assemblies() {
-                if let Ok(start) = mechanism.solve_position(from, assembly) {
+                if let Ok(start) = mechanism.position(from, assembly) {
                     self.go(&mechanism, from, start);
                 }
             }
@@ -140,7 +140,7 @@ impl Visitor for FullTurn {
         for step in 0..40 {
             let from = at(f64::from(step % 8) / 8.0);
             let guess = M::Unknowns::from_fn(|_| random.between(-PI, PI));
-            if let Ok(start) = mechanism.solve_position_near(from, guess) {
+            if let Ok(start) = mechanism.position_near(from, guess) {
                 self.go(&mechanism, from, start);
             }
         }
@@ -155,10 +155,10 @@ fn full_turns() {
         for degrees in 0..=360 {
             let crank = f64::from(degrees).to_radians();
             let inputs = M::Inputs::from_fn(|_| Motion::at_constant_speed(crank, 1.0));
-            let pose = mechanism.solve_motion(inputs, assembly).expect("it turns");
+            let pose = mechanism.solve(inputs, assembly).expect("it turns");
             let unknowns: Vec<f64> = pose.unknown_motions().as_ref().iter().map(Motion::value).collect();
             assert_eq!(
-                mechanism.assembly_near(M::Inputs::from_fn(|_| crank), M::Unknowns::from_fn(|i| unknowns[i])),
+                mechanism.assembly_at(M::Inputs::from_fn(|_| crank), M::Unknowns::from_fn(|i| unknowns[i])),
                 assembly,
                 "{} at {degrees}°",
                 M::DESCRIPTION.name

@@ -13,11 +13,11 @@ use kin_tests::mechanisms::scalar_forms::ExplicitFunctions;
 fn go_round<M: Mechanism<Scalar = f64>>(mechanism: &M, assembly: M::Assembly, places: &[f64], tolerance: f64) {
     let inputs = |value| M::Inputs::from_fn(|_| value);
     let mut at = places[0];
-    let mut unknowns = mechanism.solve_position(inputs(at), assembly).unwrap();
+    let mut unknowns = mechanism.position(inputs(at), assembly).unwrap();
     for &next in &places[1..] {
         let there = track(mechanism, inputs(at), unknowns, inputs(next))
             .unwrap_or_else(|error| panic!("{} {assembly:?} from {at} to {next}: {error:?}", M::DESCRIPTION.name));
-        let direct = mechanism.solve_position(inputs(next), assembly).unwrap();
+        let direct = mechanism.position(inputs(next), assembly).unwrap();
         for (index, (one, other)) in there.as_ref().iter().zip(direct.as_ref()).enumerate() {
             let mut difference = one - other;
             if M::DESCRIPTION.unknowns[index].dimension == kin_core::Dimension::Angle {

@@ -28,9 +28,7 @@ fn limit_of<M: Mechanism<Scalar = f64>>(
     from: f64,
     to: f64,
 ) -> (Name, f64, M::Unknowns<f64>) {
-    let start = mechanism
-        .solve_position(M::Inputs::from_fn(|_| from), assembly)
-        .unwrap();
+    let start = mechanism.position(M::Inputs::from_fn(|_| from), assembly).unwrap();
     match track(
         mechanism,
         M::Inputs::from_fn(|_| from),
@@ -268,7 +266,7 @@ fn the_block_that_stops_is_named() {
     };
     let mut found = 0;
     for assembly in <InSeries as Mechanism>::assemblies() {
-        let Ok(start) = linkage.solve_position([1.0], assembly) else {
+        let Ok(start) = Mechanism::position(&linkage, [1.0], assembly) else {
             continue;
         };
         for to in [10.0, -10.0] {
@@ -293,7 +291,7 @@ fn several_limits_at_once_are_a_limit() {
     let linkage = PeaucellierLinkage::from_parameters([2.0, 2.0, 6.0, 4.0]);
     let mut ended = 0;
     for assembly in PeaucellierLinkage::<f64>::assemblies() {
-        let Ok(start) = linkage.solve_position([0.6], assembly) else {
+        let Ok(start) = Mechanism::position(&linkage, [0.6], assembly) else {
             continue;
         };
         let Err(TrackError::TurningPoint(limit)) = track(&linkage, [0.6], start, [3.0]) else {
@@ -323,7 +321,7 @@ fn messages_say_where_it_is() {
     };
     let debugged = format!("{obstacle:?}");
     assert!(
-        debugged.starts_with("Obstacle { block: \"theta3, theta4\", fraction: 0.58"),
+        debugged.starts_with("TrackLimit { block: \"theta3, theta4\", fraction: 0.58"),
         "{debugged}"
     );
 }

@@ -123,7 +123,7 @@ fn steps_end_where_predicted() {
     for linkage in [CRANK_ROCKER, DOUBLE_ROCKER] {
         for assembly in Assembly::BOTH {
             for from in [-1.5, -0.4, 0.3, 1.1] {
-                let start = linkage.solve_position([from], assembly).unwrap();
+                let start = Mechanism::position(&linkage, [from], assembly).unwrap();
                 on_the_way(&linkage, start, [from, from + 10.0], |way, point, scratch| {
                     let here = station(way, 0.0, point.unknowns, scratch).ok().unwrap();
                     for hundredths in 1..400 {

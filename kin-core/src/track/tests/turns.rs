@@ -19,12 +19,12 @@ pub(super) fn go_round<M: Mechanism<Scalar = f64>>(
 ) {
     let inputs = |value| M::Inputs::from_fn(|_| value);
     let mut at = places[0];
-    let start = mechanism.solve_position(inputs(at), assembly).unwrap();
+    let start = mechanism.position(inputs(at), assembly).unwrap();
     let mut unknowns = start;
     for &next in &places[1..] {
         let there = track(mechanism, inputs(at), unknowns, inputs(next))
             .unwrap_or_else(|error| panic!("{} {assembly:?} from {at} to {next}: {error:?}", M::DESCRIPTION.name));
-        let direct = mechanism.solve_position(inputs(next), assembly).unwrap();
+        let direct = mechanism.position(inputs(next), assembly).unwrap();
         for (index, (one, other)) in there.as_ref().iter().zip(direct.as_ref()).enumerate() {
             let mut difference = one - other;
             if M::DESCRIPTION.unknowns[index].dimension == crate::Dimension::Angle {
@@ -161,7 +161,7 @@ crate::mechanism! {
 fn both_cranks<M: Mechanism<Scalar = f64, Assembly = Assembly>>(mechanism: &M) {
     let inputs = |left: f64, right: f64| M::Inputs::from_fn(|index| [left, right][index]);
     for assembly in Assembly::BOTH {
-        let start = mechanism.solve_position(inputs(0.5, 1.5), assembly).unwrap();
+        let start = mechanism.position(inputs(0.5, 1.5), assembly).unwrap();
         let corners = [(0.5, 1.5), (0.5 + TAU, 1.5 - TAU), (0.5 + TAU, 1.5), (0.5, 1.5)];
         let mut unknowns = start;
         for legs in corners.windows(2) {
@@ -178,7 +178,7 @@ fn both_cranks<M: Mechanism<Scalar = f64, Assembly = Assembly>>(mechanism: &M) {
         }
         // Spread too far, the pins are as far apart as both links are long.
         let small = M::from_parameters(M::Parameters::from_fn(|index| [10.0, 3.0, 4.0, 100.0][index]));
-        let start = small.solve_position(inputs(0.5, PI - 0.4), assembly).unwrap();
+        let start = small.position(inputs(0.5, PI - 0.4), assembly).unwrap();
         let result = track(&small, inputs(0.5, PI - 0.4), start, inputs(1.5, 1.0));
         let Err(error) = result else {
             panic!("it does not reach");
