@@ -55,7 +55,7 @@ fn main() -> Result<(), kin_core::batch::LengthMismatch> {
         poses.psi[0] = Some(rocker.as_mut_slice());
         let mut outcomes = vec![Outcome::Unsolved; MADE];
         let theta = Motion::constant(degrees.to_radians()).map(Column::Same);
-        let summary = wipers.solve_batch(theta, Assembly::Open, &mut poses, &mut outcomes)?;
+        let summary = wipers.batch(theta, Assembly::Open).solve(&mut poses, &mut outcomes)?;
         assert_eq!(summary.failed, 0);
         for (swing, rocker) in swing.iter_mut().zip(&rocker) {
             *swing += sign * rocker.to_degrees();

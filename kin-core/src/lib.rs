@@ -497,22 +497,6 @@ macro_rules! __with_memory {
     ($($tokens:tt)*) => {};
 }
 
-/// The items that a mechanism has only with the feature `rayon`.
-#[cfg(feature = "rayon")]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __in_parallel {
-    ($($tokens:tt)*) => { $($tokens)* };
-}
-
-/// The items that a mechanism has only with the feature `rayon`: without it, none.
-#[cfg(not(feature = "rayon"))]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __in_parallel {
-    ($($tokens:tt)*) => {};
-}
-
 /// The implementations of serde's traits for generated items: without the feature `serde`, none.
 #[cfg(not(feature = "serde"))]
 #[doc(hidden)]
@@ -661,46 +645,6 @@ macro_rules! __single_position {
                 inputs: <Self as $crate::Mechanism>::Inputs<::core::primitive::f64>,
             ) -> ::core::result::Result<$crate::load::EquivalentInertia<Self>, $crate::load::LoadError> {
                 $crate::load::Loaded::equivalent_inertia(self, loads, inputs, ())
-            }
-
-            /// `LoadedBatch::balance_batch` in the only position.
-            ///
-            /// # Errors
-            /// As there.
-            pub fn balance_batch<'a, R>(
-                loads: &impl $crate::load::LoadsOf<Self>,
-                parameters: <Self as $crate::Mechanism>::Parameters<$crate::batch::Column<'a>>,
-                inputs: <Self as $crate::Mechanism>::Inputs<
-                    <Self as $crate::Mechanism>::Motion<$crate::batch::Column<'a>>,
-                >,
-                read: impl ::core::ops::Fn(
-                    ::core::result::Result<$crate::load::Balance<Self>, $crate::load::LoadError>,
-                ) -> R,
-                results: &mut [R],
-            ) -> ::core::result::Result<(), $crate::batch::LengthMismatch> {
-                <Self as $crate::batch::LoadedBatch>::balance_batch(loads, parameters, inputs, (), read, results)
-            }
-
-            $crate::__in_parallel! {
-                /// `LoadedBatch::balance_batch_in_parallel` in the only position.
-                ///
-                /// # Errors
-                /// As there.
-                pub fn balance_batch_in_parallel<'a, R: ::core::marker::Send>(
-                    loads: &(impl $crate::load::LoadsOf<Self> + ::core::marker::Sync),
-                    parameters: <Self as $crate::Mechanism>::Parameters<$crate::batch::Column<'a>>,
-                    inputs: <Self as $crate::Mechanism>::Inputs<
-                        <Self as $crate::Mechanism>::Motion<$crate::batch::Column<'a>>,
-                    >,
-                    read: impl ::core::ops::Fn(
-                        ::core::result::Result<$crate::load::Balance<Self>, $crate::load::LoadError>,
-                    ) -> R + ::core::marker::Sync,
-                    results: &mut [R],
-                ) -> ::core::result::Result<(), $crate::batch::LengthMismatch> {
-                    <Self as $crate::batch::LoadedBatch>::balance_batch_in_parallel(
-                        loads, parameters, inputs, (), read, results,
-                    )
-                }
             }
         }
     };

@@ -8,7 +8,7 @@ pub use crate::mechanism::guessed::{
 #[doc(no_inline)]
 pub use crate::{
     Assembly, Direction, Failure, Mechanism, Motion, Near, Number, Partials, Plane, Pose, PoseOf, Row, Scalar,
-    Sensitive, SolveError, Space, batch::LoadedBatch, load::Loaded, mechanism, rpm,
+    Sensitive, SolveError, Space, load::Loaded, mechanism, rpm,
 };
 #[cfg(feature = "alloc")]
 #[doc(no_inline)]

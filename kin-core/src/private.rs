@@ -3,7 +3,6 @@
 pub use crate::__assert_verified as assert_verified;
 pub use crate::__choices as choices;
 pub use crate::__fields as fields;
-pub use crate::__in_parallel as in_parallel;
 pub use crate::__lent as lent;
 pub use crate::__locals as locals;
 pub use crate::__not_all_positions as not_all_positions;

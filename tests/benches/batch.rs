@@ -10,7 +10,7 @@ mod measure;
 
 use core::hint::black_box;
 
-use kin_core::batch::{self, Column, Fold, FoldedNumber, Outcome, Place, Turn, Vectors};
+use kin_core::batch::{Batch, Column, Fold, FoldedNumber, Outcome, Place, Turn, Vectors};
 use kin_core::library::{ClassThreeTriad, ClassThreeTriadBatch, FourBar, FourBarBatch, SliderCrank, SliderCrankBatch};
 use kin_core::prelude::*;
 use kin_tests::notes::{self, four_bar_geometric, sample};
@@ -104,9 +104,10 @@ fn four_bar() {
         race.enter_batch(format!("four_bar.batch.{name}"), move || {
             let parameters = black_box(linkage).parameters().map(Column::Same);
             let (inputs, assembly) = ([each(columns)], Assembly::Open);
-            let summary =
-                batch::solve::<FourBar, _, _>(parameters, inputs, assembly, &mut poses, &mut outcomes, vectors)
-                    .expect("the columns are of one length");
+            let summary = Batch::<FourBar, _>::new(parameters, inputs, assembly)
+                .vectors(vectors)
+                .solve(&mut poses, &mut outcomes)
+                .expect("the columns are of one length");
             assert_eq!((summary.solved, summary.alone), (POSES, 0));
             black_box((&mut poses, &mut outcomes));
         });
@@ -120,9 +121,10 @@ fn four_bar() {
         race.enter_batch(format!("four_bar.batch_to_unit_vectors.{name}"), move || {
             let parameters = black_box(to_unit_vectors).parameters().map(Column::Same);
             let (inputs, assembly) = ([each(columns)], Assembly::Open);
-            let summary =
-                batch::solve::<ToUnitVectors, _, _>(parameters, inputs, assembly, &mut poses, &mut outcomes, vectors)
-                    .expect("the columns are of one length");
+            let summary = Batch::<ToUnitVectors, _>::new(parameters, inputs, assembly)
+                .vectors(vectors)
+                .solve(&mut poses, &mut outcomes)
+                .expect("the columns are of one length");
             assert_eq!((summary.solved, summary.alone), (POSES, 0));
             black_box((&mut poses, &mut outcomes));
         });
@@ -139,7 +141,8 @@ fn four_bar() {
             r4: linkage[3],
         };
         let summary = linkage
-            .solve_batch(each(columns), Assembly::Open, &mut poses, &mut outcomes)
+            .batch(each(columns), Assembly::Open)
+            .solve(&mut poses, &mut outcomes)
             .expect("the columns are of one length");
         assert_eq!(summary.solved, POSES);
         black_box((&mut poses, &mut outcomes));
@@ -171,15 +174,10 @@ macro_rules! enter_in_precision {
         $race.enter_batch($name, move || {
             let parameters = black_box(parameters).map(Column::Same);
             let theta2 = Motion::new([0, 1, 2, 3, 4].map(|order| Column::Each(black_box(&columns[order]))));
-            let summary = batch::solve::<FourBar<$float>, _, _>(
-                parameters,
-                [theta2],
-                Assembly::Open,
-                &mut poses,
-                &mut outcomes,
-                $vectors,
-            )
-            .expect("the columns are of one length");
+            let summary = Batch::<FourBar<$float>, _>::new(parameters, [theta2], Assembly::Open)
+                .vectors($vectors)
+                .solve(&mut poses, &mut outcomes)
+                .expect("the columns are of one length");
             assert_eq!((summary.solved, summary.alone), (POSES, 0));
             black_box((&mut poses, &mut outcomes));
         });
@@ -246,9 +244,10 @@ fn out_of_reach() {
             race.enter_batch(format!("four_bar.batch_out_of_reach.{name}.{share}"), move || {
                 let parameters = black_box(linkage).parameters().map(Column::Same);
                 let (inputs, assembly) = ([each(&columns)], Assembly::Open);
-                let summary =
-                    batch::solve::<FourBar, _, _>(parameters, inputs, assembly, &mut poses, &mut outcomes, vectors)
-                        .expect("the columns are of one length");
+                let summary = Batch::<FourBar, _>::new(parameters, inputs, assembly)
+                    .vectors(vectors)
+                    .solve(&mut poses, &mut outcomes)
+                    .expect("the columns are of one length");
                 assert_eq!((summary.failed, summary.alone), (failed, 0));
                 black_box((&mut poses, &mut outcomes));
             });
@@ -276,7 +275,8 @@ fn slider_crank() {
     let mut outcomes = vec![Outcome::Unsolved; POSES];
     race.enter_batch("slider_crank.batch", move || {
         let summary = black_box(crank)
-            .solve_batch(each(&columns), Assembly::Open, &mut poses, &mut outcomes)
+            .batch(each(&columns), Assembly::Open)
+            .solve(&mut poses, &mut outcomes)
             .expect("the columns are of one length");
         assert_eq!(summary.solved, POSES);
         black_box((&mut poses, &mut outcomes));
@@ -310,7 +310,8 @@ fn coupled() {
     race.enter_batch("triad.batch", move || {
         let near = near.map(Column::Same);
         let summary = black_box(triad)
-            .solve_batch(each(&leg), each(&leg), each(&leg), near, &mut poses, &mut outcomes)
+            .batch(each(&leg), each(&leg), each(&leg), near)
+            .solve(&mut poses, &mut outcomes)
             .expect("the columns are of one length");
         assert_eq!(summary.solved, POSES);
         black_box((&mut poses, &mut outcomes));
@@ -345,14 +346,9 @@ fn folds() {
                 let mut outcomes = vec![Outcome::Unsolved; count];
                 race.enter_batch(format!("turn.{count}.stored.{}.{name}", orders.len()), move || {
                     let (inputs, assembly) = ([theta2], Assembly::Open);
-                    let summary = batch::solve::<FourBar, _, _>(
-                        parameters(),
-                        inputs,
-                        assembly,
-                        &mut poses,
-                        &mut outcomes,
-                        vectors,
-                    );
+                    let summary = Batch::<FourBar, _>::new(parameters(), inputs, assembly)
+                        .vectors(vectors)
+                        .solve(&mut poses, &mut outcomes);
                     assert_eq!(summary.expect("the columns are of one length").solved, count);
                     black_box((&mut poses, &mut outcomes));
                 });
@@ -365,8 +361,9 @@ fn folds() {
             ] {
                 let mut folds: Vec<Fold> = numbers.into_iter().map(Fold::of).collect();
                 race.enter_batch(format!("turn.{count}.folded.{kind}.{name}"), move || {
-                    let summary =
-                        batch::fold::<FourBar>(turn, parameters(), [theta2], Assembly::Open, &mut folds, vectors);
+                    let summary = Batch::<FourBar, _>::new(parameters(), [theta2], Assembly::Open)
+                        .vectors(vectors)
+                        .fold(turn, &mut folds);
                     assert_eq!(summary.expect("the columns are of one length").solved, count);
                     black_box(&mut folds);
                 });
@@ -397,9 +394,14 @@ fn all_cores() {
         };
         race.enter_batch(name, move || {
             let summary = if parallel {
-                linkage.solve_batch_in_parallel(each(columns), Assembly::Open, &mut poses, &mut outcomes)
+                linkage
+                    .batch(each(columns), Assembly::Open)
+                    .on_all_cores()
+                    .solve(&mut poses, &mut outcomes)
             } else {
-                linkage.solve_batch(each(columns), Assembly::Open, &mut poses, &mut outcomes)
+                linkage
+                    .batch(each(columns), Assembly::Open)
+                    .solve(&mut poses, &mut outcomes)
             };
             assert_eq!(summary.expect("the columns are of one length").solved, MANY);
             black_box((&mut poses, &mut outcomes));

@@ -33,7 +33,8 @@ fn main() {
         let mut crank = Motion::new([0.0; 5].map(Column::Same));
         (crank[0], crank[1]) = (Column::Each(black_box(&own)), Column::Same(10.0));
         let summary = black_box(linkage)
-            .solve_batch(crank, Assembly::Open, &mut poses, &mut outcomes)
+            .batch(crank, Assembly::Open)
+            .solve(&mut poses, &mut outcomes)
             .expect("the columns are of one length");
         assert_eq!(summary.solved, POSES);
         black_box((&mut poses, &mut outcomes));
@@ -46,7 +47,8 @@ fn main() {
         let mut crank = Motion::new([0.0; 5].map(Column::Same));
         (crank[0], crank[1]) = (Column::Each(black_box(&angles)), Column::Same(10.0));
         let summary = black_box(linkage)
-            .solve_batch(crank, Assembly::Open, &mut poses, &mut outcomes)
+            .batch(crank, Assembly::Open)
+            .solve(&mut poses, &mut outcomes)
             .expect("the columns are of one length");
         assert_eq!(summary.solved, POSES);
         black_box((&mut poses, &mut outcomes));

@@ -1,7 +1,7 @@
 //! Batches of any mechanism, with dimensions and inputs of its own for each pose.
 
 use kin_core::Description;
-use kin_core::batch::{self, Column, Columns, Element, Outcome, Place, Summary, Vectors, Visitor, WantedColumns};
+use kin_core::batch::{Batch, Column, Columns, Element, Outcome, Place, Summary, Vectors, Visitor, WantedColumns};
 use kin_core::prelude::*;
 
 use crate::mechanisms::cases::ThroughSnap;
@@ -160,10 +160,14 @@ impl<M: Mechanism<Scalar: Element>> Poses<M> {
         // A constant condition, so that only one of the two is compiled.
         let summary = if const { M::ASSEMBLY_COUNT > 0 } {
             let assembly = assembly.expect("there are assemblies");
-            batch::solve::<M, _, _>(parameters, inputs, assembly, &mut table, &mut outcomes, vectors)
+            Batch::<M, _>::new(parameters, inputs, assembly)
+                .vectors(vectors)
+                .solve(&mut table, &mut outcomes)
         } else {
             let near = numbers.near::<M>();
-            batch::solve_near::<M, _, _>(parameters, inputs, near, &mut table, &mut outcomes, vectors)
+            Batch::<M, _>::near(parameters, inputs, near)
+                .vectors(vectors)
+                .solve(&mut table, &mut outcomes)
         };
         (table, outcomes, summary.expect("all columns are of one length"))
     }
@@ -189,10 +193,16 @@ impl<M: Mechanism<Scalar: Element>> Poses<M> {
         let (mut table, mut outcomes) = self.places();
         let summary = if const { M::ASSEMBLY_COUNT > 0 } {
             let assembly = assembly.expect("there are assemblies");
-            batch::solve_in_parallel::<M, _, _>(parameters, inputs, assembly, &mut table, &mut outcomes, vectors)
+            Batch::<M, _>::new(parameters, inputs, assembly)
+                .vectors(vectors)
+                .on_all_cores()
+                .solve(&mut table, &mut outcomes)
         } else {
             let near = numbers.near::<M>();
-            batch::solve_near_in_parallel::<M, _, _>(parameters, inputs, near, &mut table, &mut outcomes, vectors)
+            Batch::<M, _>::near(parameters, inputs, near)
+                .vectors(vectors)
+                .on_all_cores()
+                .solve(&mut table, &mut outcomes)
         };
         (table, outcomes, summary.expect("all columns are of one length"))
     }

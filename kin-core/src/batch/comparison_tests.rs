@@ -3,9 +3,7 @@
 use std::vec;
 use std::vec::Vec;
 
-use super::{
-    Column, LengthMismatch, MotionColumns, Outcome, Place, Summary, Target, Vectors, Visitor, solve, solve_near,
-};
+use super::{Batch, Column, LengthMismatch, MotionColumns, Outcome, Place, Summary, Target, Vectors, Visitor};
 use crate::assembly::Assembly;
 use crate::geometry::Space;
 use crate::library::{FourBar, FourBarBatch};
@@ -114,15 +112,10 @@ fn batches_of_any_size_in_all_vectors() {
         for count in [0, 1, 3, 4, 5, 7, 8, 9, 15, 16, 17, 33, 100] {
             let angles = angles(count);
             let (mut poses, mut outcomes) = targets(angles.len());
-            let summary = solve::<FourBar, _, _>(
-                parameters(),
-                turning(&angles),
-                Assembly::Open,
-                &mut poses,
-                &mut outcomes,
-                vectors,
-            )
-            .unwrap();
+            let summary = Batch::<FourBar, _>::new(parameters(), turning(&angles), Assembly::Open)
+                .vectors(vectors)
+                .solve(&mut poses, &mut outcomes)
+                .unwrap();
             compare(&angles, &poses, &outcomes, summary);
             if count == 100 {
                 // This includes the poses that failed: poses solved in lanes are not solved alone.
@@ -150,14 +143,13 @@ fn values_near_by_tell_the_assembly() {
         let near = [beside(0, 0.01), beside(1, -0.01)];
         for vectors in vectors() {
             let (mut poses, mut outcomes) = targets(50);
-            let summary = solve_near::<FourBar, _, _>(
+            let summary = Batch::<FourBar, _>::near(
                 parameters(),
                 turning(&angles),
                 [Column::Each(&near[0]), Column::Each(&near[1])],
-                &mut poses,
-                &mut outcomes,
-                vectors,
             )
+            .vectors(vectors)
+            .solve(&mut poses, &mut outcomes)
             .unwrap();
             let mut solved = 0;
             for (index, pose) in expected.iter().enumerate() {
@@ -180,22 +172,16 @@ fn values_near_by_tell_the_assembly() {
 #[cfg(feature = "rayon")]
 #[test]
 fn all_cores_find_what_one_finds() {
-    use super::solve_in_parallel;
-
     for count in [0, 3, 512, 3 * 512 + 3, 3 * 512 + 40] {
         let angles = angles(count);
         for vectors in vectors() {
             let (mut poses, mut outcomes) = targets(angles.len());
             let crank = turning(&angles);
-            let summary = solve_in_parallel::<FourBar, _, _>(
-                parameters(),
-                crank,
-                Assembly::Open,
-                &mut poses,
-                &mut outcomes,
-                vectors,
-            )
-            .unwrap();
+            let summary = Batch::<FourBar, _>::new(parameters(), crank, Assembly::Open)
+                .vectors(vectors)
+                .on_all_cores()
+                .solve(&mut poses, &mut outcomes)
+                .unwrap();
             compare(&angles, &poses, &outcomes, summary);
         }
     }
@@ -204,23 +190,21 @@ fn all_cores_find_what_one_finds() {
     let (mut poses, mut outcomes) = targets(2000);
     let crank = turning(&angles);
     let vectors = Vectors::widest();
-    let summary =
-        solve_in_parallel::<FourBar, _, _>(parameters(), crank, Assembly::Open, &mut poses, &mut outcomes, vectors)
-            .unwrap();
+    let summary = Batch::<FourBar, _>::new(parameters(), crank, Assembly::Open)
+        .vectors(vectors)
+        .on_all_cores()
+        .solve(&mut poses, &mut outcomes)
+        .unwrap();
     compare(&angles, &poses, &outcomes, summary);
     assert!(
         summary.first_failure.is_some_and(|(index, _)| index > 512),
         "{summary:?}"
     );
-    let error = solve_in_parallel::<FourBar, _, _>(
-        parameters(),
-        crank,
-        Assembly::Open,
-        &mut poses,
-        &mut outcomes[1..],
-        vectors,
-    )
-    .unwrap_err();
+    let error = Batch::<FourBar, _>::new(parameters(), crank, Assembly::Open)
+        .vectors(vectors)
+        .on_all_cores()
+        .solve(&mut poses, &mut outcomes[1..])
+        .unwrap_err();
     assert_eq!(
         (error.quantity, error.poses, error.length),
         ("theta2".into(), 1999, 2000)
@@ -240,14 +224,7 @@ fn whatever_is_of_another_length_is_named() {
     let solved = |parameters: Parameters<'_>, crank: &[f64], near: [Column<'_>; 2], rocker: usize| {
         let (mut poses, mut outcomes) = targets(5);
         poses.theta4[3] = vec![0.0; rocker];
-        let result = solve_near::<FourBar, _, _>(
-            parameters,
-            turning(crank),
-            near,
-            &mut poses,
-            &mut outcomes,
-            Vectors::widest(),
-        );
+        let result = Batch::<FourBar, _>::near(parameters, turning(crank), near).solve(&mut poses, &mut outcomes);
         assert_eq!(outcomes.iter().all(Outcome::is_solved), result.is_ok());
         assert_eq!(
             outcomes.iter().all(|outcome| *outcome == Outcome::Unsolved),
@@ -283,7 +260,10 @@ fn what_is_not_wanted_is_left_out() {
     let mut outcomes = [Outcome::Unsolved; 5];
     let vectors = Vectors::Compiled;
     let crank = turning(&angles);
-    solve::<FourBar, _, _>(parameters(), crank, Assembly::Open, &mut poses, &mut outcomes, vectors).unwrap();
+    Batch::<FourBar, _>::new(parameters(), crank, Assembly::Open)
+        .vectors(vectors)
+        .solve(&mut poses, &mut outcomes)
+        .unwrap();
     for (angle, found) in angles.into_iter().zip(wanted) {
         let crank = Motion::new([angle, 2.0, 0.5, -1.0, 0.25]);
         let expected = LINKAGE.solve(crank, Assembly::Open).unwrap().theta4[2];

@@ -2,17 +2,18 @@
 
 use super::Column;
 use super::outcome::LengthMismatch;
-use super::sweep::{InAssembly, Problem};
-use crate::load::{Balance, LoadError, Loaded, LoadsOf};
+#[cfg(feature = "rayon")]
+use super::parallel::ParallelBatch;
+use super::sweep::{Batch, Guide};
+use crate::load::{Balance, LoadError, LoadsOf};
 use crate::mechanism::Mechanism;
 use crate::number::Row;
 
-/// The balances of many poses.
-pub trait LoadedBatch: Mechanism<Scalar = f64> {
-    /// The balances of many poses, of one mechanism or of one with columns of dimensions. `read` takes from each what is wanted,
-    /// or handles its error: the results are stored in the order of the columns.
+impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Batch<'a, M, G> {
+    /// The balances of all poses. `read` takes from each what is wanted, or handles its error: the results are stored in the order of the
+    /// columns.
     ///
-    /// Each result is that of [`balance`](Loaded::balance), to the last bit. Nothing is allocated.
+    /// Each result is that of [`Loaded::balance`](crate::load::Loaded::balance), to the last bit. Nothing is allocated.
     ///
     /// ```
     /// use kin_core::batch::Column;
@@ -28,16 +29,14 @@ pub trait LoadedBatch: Mechanism<Scalar = f64> {
     ///     output piston: Point = vec2(s, 0);
     /// }
     ///
-    /// let engine: Engine = Engine { crank: 0.05, rod: 0.15 };
     /// let loads = Loads::<Engine>::new().mass(0.8, |pose| pose.piston);
     /// // rods of several lengths, in one position of the crank
     /// let rods = [0.12, 0.15, 0.18, 0.04];
+    /// let engines = Engine { crank: Column::Same(0.05), rod: Column::Each(&rods) };
+    /// let crank = Motion::at_constant_speed(1.0, rpm(3000.0)).map(Column::Same);
     /// let mut torques = [0.0; 4];
-    /// Engine::balance_batch(
+    /// engines.batch(crank, Assembly::Open).balance(
     ///     &loads,
-    ///     [Column::Same(engine.crank), Column::Each(&rods)],
-    ///     [Motion::at_constant_speed(1.0, rpm(3000.0)).map(Column::Same)],
-    ///     Assembly::Open,
     ///     |balance| balance.map_or(f64::NAN, |balance| balance.efforts()[0].value()),
     ///     &mut torques,
     /// )?;
@@ -49,77 +48,55 @@ pub trait LoadedBatch: Mechanism<Scalar = f64> {
     ///
     /// # Errors
     /// [`LengthMismatch`] if the length of a column differs from the number of results. Nothing is solved then.
-    fn balance_batch<'a, R>(
-        loads: &impl LoadsOf<Self>,
-        parameters: Self::Parameters<Column<'a>>,
-        inputs: Self::Inputs<Self::Motion<Column<'a>>>,
-        assembly: Self::Assembly,
-        read: impl Fn(Result<Balance<Self>, LoadError>) -> R,
+    pub fn balance<R>(
+        &self,
+        loads: &impl LoadsOf<M>,
+        read: impl Fn(Result<Balance<M>, LoadError>) -> R,
         results: &mut [R],
     ) -> Result<(), LengthMismatch> {
-        let problem = problem::<Self>(parameters, inputs, assembly);
-        problem.check_lengths(results.len())?;
+        self.check_lengths(results.len())?;
         for (index, result) in results.iter_mut().enumerate() {
-            *result = read(of_row(loads, &problem, index));
+            *result = read(self.balance_of(loads, index));
         }
         Ok(())
     }
 
-    /// [`balance_batch`](Self::balance_batch) on all cores, in the thread pool of rayon.
-    ///
-    /// # Errors
-    /// As for [`balance_batch`](Self::balance_batch).
-    #[cfg(feature = "rayon")]
-    #[cfg_attr(docsrs, doc(cfg(feature = "rayon")))]
-    fn balance_batch_in_parallel<'a, R: Send>(
-        loads: &(impl LoadsOf<Self> + Sync),
-        parameters: Self::Parameters<Column<'a>>,
-        inputs: Self::Inputs<Self::Motion<Column<'a>>>,
-        assembly: Self::Assembly,
-        read: impl Fn(Result<Balance<Self>, LoadError>) -> R + Sync,
-        results: &mut [R],
-    ) -> Result<(), LengthMismatch>
-    where
-        Self: Mechanism<Assembly: Sync>,
-        Self::Parameters<Column<'a>>: Sync,
-        Self::Inputs<Self::Motion<Column<'a>>>: Sync,
-    {
-        use rayon::prelude::*;
-
-        let problem = problem::<Self>(parameters, inputs, assembly);
-        problem.check_lengths(results.len())?;
-        results
-            .par_iter_mut()
-            .enumerate()
-            .for_each(|(index, result)| *result = read(of_row(loads, &problem, index)));
-        Ok(())
+    fn balance_of(&self, loads: &impl LoadsOf<M>, index: usize) -> Result<Balance<M>, LoadError> {
+        let near = self.guide.near();
+        let mechanism = M::from_parameters(Row::from_fn(|parameter| self.parameters[parameter].at(index)));
+        let inputs = M::Inputs::from_fn(|input| {
+            let orders: M::Motion<Column<'_>> = self.inputs[input];
+            M::Motion::from_fn(|order| orders[order].at(index))
+        });
+        let near = Row::from_fn(|unknown| near[unknown].at(index));
+        self.guide.balance(&mechanism, loads, inputs, near)
     }
 }
 
-impl<M: Mechanism<Scalar = f64>> LoadedBatch for M {}
+#[cfg(feature = "rayon")]
+impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> ParallelBatch<'a, M, G>
+where
+    Batch<'a, M, G>: Sync,
+{
+    /// [`Batch::balance`] on all cores.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn balance<R: Send>(
+        &self,
+        loads: &(impl LoadsOf<M> + Sync),
+        read: impl Fn(Result<Balance<M>, LoadError>) -> R + Sync,
+        results: &mut [R],
+    ) -> Result<(), LengthMismatch> {
+        use rayon::prelude::*;
 
-fn of_row<M: Mechanism<Scalar = f64>>(
-    loads: &impl LoadsOf<M>,
-    problem: &Problem<'_, M, InAssembly<M::Assembly>>,
-    index: usize,
-) -> Result<Balance<M>, LoadError> {
-    let mechanism = M::from_parameters(Row::from_fn(|parameter| problem.parameters[parameter].at(index)));
-    let inputs = M::Inputs::from_fn(|input| {
-        let orders: M::Motion<Column<'_>> = problem.inputs[input];
-        M::Motion::from_fn(|order| orders[order].at(index))
-    });
-    mechanism.balance(loads, inputs, problem.guide.0)
-}
-
-fn problem<'a, M: Mechanism<Scalar = f64>>(
-    parameters: M::Parameters<Column<'a>>,
-    inputs: M::Inputs<M::Motion<Column<'a>>>,
-    assembly: M::Assembly,
-) -> Problem<'a, M, InAssembly<M::Assembly>> {
-    Problem {
-        parameters,
-        inputs,
-        guide: InAssembly(assembly),
+        let batch = &self.0;
+        batch.check_lengths(results.len())?;
+        results
+            .par_iter_mut()
+            .enumerate()
+            .for_each(|(index, result)| *result = read(batch.balance_of(loads, index)));
+        Ok(())
     }
 }
 
@@ -127,11 +104,11 @@ fn problem<'a, M: Mechanism<Scalar = f64>>(
 mod tests {
     use std::vec::Vec;
 
-    use super::{Balance, Column, LengthMismatch, LoadError, Loaded, LoadedBatch};
+    use super::{Balance, Batch, Column, LengthMismatch, LoadError};
     use crate::assembly::{Assembly, Near};
     use crate::geometry::Plane;
     use crate::library::{ClassThreeTriad, FiveBar};
-    use crate::load::{Load, Loads};
+    use crate::load::{Load, Loaded as _, Loads};
     use crate::mechanism::Mechanism;
     use crate::number::{Number, Row};
 
@@ -210,17 +187,20 @@ mod tests {
         assert_eq!(single.iter().any(Result::is_err), with_failures);
         assert!(single.iter().any(Result::is_ok));
         let mut found = std::vec![Ok(Vec::new()); COUNT];
-        M::balance_batch(loads, parameters, inputs, assembly, all, &mut found).expect("the columns fit");
+        let batch = Batch::<M, _>::new(parameters, inputs, assembly);
+        batch.balance(loads, all, &mut found).expect("the columns fit");
         assert!(found == single);
         #[cfg(feature = "rayon")]
         {
             let mut found = std::vec![Ok(Vec::new()); COUNT];
-            M::balance_batch_in_parallel(loads, parameters, inputs, assembly, all, &mut found)
+            batch
+                .on_all_cores()
+                .balance(loads, all, &mut found)
                 .expect("the columns fit");
             assert!(found == single);
         }
         let mut few = std::vec![Ok(Vec::new()); COUNT - 1];
-        let mismatch = M::balance_batch(loads, parameters, inputs, assembly, all, &mut few);
+        let mismatch = batch.balance(loads, all, &mut few);
         let quantity = M::DESCRIPTION.parameters[0].name;
         assert_eq!(
             mismatch,

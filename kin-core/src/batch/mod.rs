@@ -1,11 +1,11 @@
 //! Many poses in one call: columns of parameters and inputs give columns of motions.
 //!
-//! Every mechanism has a method `solve_batch`. It takes a [`Column`] for each number that `solve` takes: one value for
-//! all poses, or one value per pose. It stores the motions in a pose of [targets](Target), which are vectors or slices.
+//! Every mechanism has a method `batch`. It takes a [`Column`] for each number that `solve` takes: one value for
+//! all poses, or one value per pose. The [`Batch`] stores the motions in a pose of [targets](Target), which are vectors or slices.
 //! It calculates several poses at once, in the widest vectors of the machine, which it detects at run time (feature
 //! `std`, on x86), so no compiler flag is needed. It finds the poses that `solve` finds, up to rounding. Where it
 //! fails, it reports the same [outcome](Outcome): a pose out of reach does not affect the others. With the feature
-//! `rayon`, `solve_batch_in_parallel` does the same on all cores.
+//! `rayon`, `on_all_cores` does the same on all cores.
 //!
 //! ```
 //! use kin_core::library::{FourBar, FourBarBatch};
@@ -24,7 +24,7 @@
 //!     Column::Same(0.0),
 //!     Column::Same(0.0),
 //! ]);
-//! let summary = linkage.solve_batch(theta2, Assembly::Open, &mut poses, &mut outcomes)?;
+//! let summary = linkage.batch(theta2, Assembly::Open).solve(&mut poses, &mut outcomes)?;
 //! assert_eq!(summary.solved, 180);
 //! let theta4 = &poses.theta4;
 //! println!("at 65 degrees: {} rad, {} rad/s\u{2074}", theta4[0][155], theta4[4][155]);
@@ -57,14 +57,16 @@ pub use column::Parameter;
 #[cfg(feature = "alloc")]
 pub(crate) use dispatch::Kernel;
 pub use dispatch::Vectors;
-pub use fold::{Fold, FoldError, Folded, FoldedNumber, Poses, Turn, fold, fold_near};
+pub use fold::{Fold, FoldError, Folded, FoldedNumber, Poses, Turn};
 #[doc(hidden)]
 pub use lanes::Element;
-pub use loads::LoadedBatch;
 pub use outcome::{LengthMismatch, Outcome, Summary};
 #[cfg(feature = "rayon")]
-pub use parallel::{solve_in_parallel, solve_near_in_parallel};
-pub use sweep::{solve, solve_near};
+#[cfg_attr(docsrs, doc(cfg(feature = "rayon")))]
+pub use parallel::ParallelBatch;
+pub use sweep::Batch;
+#[doc(hidden)]
+pub use sweep::{Guide, InAssembly, Nearest};
 #[doc(hidden)]
 pub use target::{Columns, MotionColumns, Visitor};
 pub use target::{Place, Target};

@@ -1,90 +1,70 @@
 //! A batch on all cores.
 
+use core::fmt;
 use std::vec::Vec;
 
 use rayon::prelude::*;
 
-use super::Column;
 use super::destination::Destination;
-use super::dispatch::{MOST_SINGLES, Vectors};
+use super::dispatch::MOST_SINGLES;
 use super::lanes::Element;
 use super::outcome::{LengthMismatch, Outcome, Summary};
-use super::sweep::{Guide, InAssembly, Nearest, Problem};
+use super::sweep::{Batch, Guide};
 use super::target::{Columns, Place, Target, Visitor};
 use crate::mechanism::Mechanism;
 
 /// The number of poses solved in one go: enough to be worth handing over, and few enough for the first-level cache.
 const PIECE: usize = 512;
 
-/// [`solve`](super::solve) on all cores, in the thread pool of rayon.
-///
-/// # Errors
-/// As for [`solve`](super::solve).
-pub fn solve_in_parallel<'a, M, P, C>(
-    parameters: M::Parameters<Column<'a, M::Scalar>>,
-    inputs: M::Inputs<M::Motion<Column<'a, M::Scalar>>>,
-    assembly: M::Assembly,
-    poses: &mut P,
-    outcomes: &mut [Outcome],
-    vectors: Vectors,
-) -> Result<Summary, LengthMismatch>
-where
-    M: Mechanism<Scalar: Element, Assembly: Sync>,
-    M::Parameters<Column<'a, M::Scalar>>: Sync,
-    M::Inputs<M::Motion<Column<'a, M::Scalar>>>: Sync,
-    P: Columns<C>,
-    C: Target<M::Scalar>,
-{
-    let problem = Problem::<M, _> {
-        parameters,
-        inputs,
-        guide: InAssembly(assembly),
-    };
-    solve_pieces(&problem, poses, outcomes, vectors)
+/// A batch that is solved on all cores, in the thread pool of rayon. [`Batch::on_all_cores`] makes it.
+#[must_use = "`solve` it, or ask for its `balance`"]
+#[derive(Clone, Copy)]
+pub struct ParallelBatch<'a, M: Mechanism, G>(pub(super) Batch<'a, M, G>);
+
+impl<M: Mechanism, G> fmt::Debug for ParallelBatch<'_, M, G> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.debug_struct("ParallelBatch").finish_non_exhaustive()
+    }
 }
 
-/// [`solve_near`](super::solve_near) on all cores, in the thread pool of rayon.
-///
-/// # Errors
-/// As for [`solve`](super::solve).
-pub fn solve_near_in_parallel<'a, M, P, C>(
-    parameters: M::Parameters<Column<'a, M::Scalar>>,
-    inputs: M::Inputs<M::Motion<Column<'a, M::Scalar>>>,
-    near: M::Unknowns<Column<'a, M::Scalar>>,
-    poses: &mut P,
-    outcomes: &mut [Outcome],
-    vectors: Vectors,
-) -> Result<Summary, LengthMismatch>
+impl<'a, M: Mechanism, G> Batch<'a, M, G> {
+    /// The same on all cores, in the thread pool of rayon. The numbers are the same to the last bit.
+    #[cfg_attr(docsrs, doc(cfg(feature = "rayon")))]
+    pub fn on_all_cores(self) -> ParallelBatch<'a, M, G> {
+        ParallelBatch(self)
+    }
+}
+
+impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> ParallelBatch<'a, M, G>
 where
-    M: Mechanism<Scalar: Element>,
-    M::Parameters<Column<'a, M::Scalar>>: Sync,
-    M::Inputs<M::Motion<Column<'a, M::Scalar>>>: Sync,
-    M::Unknowns<Column<'a, M::Scalar>>: Sync,
-    P: Columns<C>,
-    C: Target<M::Scalar>,
+    Batch<'a, M, G>: Sync,
 {
-    let problem = Problem::<M, _> {
-        parameters,
-        inputs,
-        guide: Nearest(near),
-    };
-    solve_pieces(&problem, poses, outcomes, vectors)
+    /// [`Batch::solve`] on all cores.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn solve<P: Columns<C>, C: Target<M::Scalar>>(
+        &self,
+        poses: &mut P,
+        outcomes: &mut [Outcome],
+    ) -> Result<Summary, LengthMismatch> {
+        solve_pieces(&self.0, poses, outcomes)
+    }
 }
 
 fn solve_pieces<'a, M, G, P, C>(
-    problem: &Problem<'a, M, G>,
+    batch: &Batch<'a, M, G>,
     poses: &mut P,
     outcomes: &mut [Outcome],
-    vectors: Vectors,
 ) -> Result<Summary, LengthMismatch>
 where
     M: Mechanism<Scalar: Element>,
     G: Guide<'a, M>,
-    Problem<'a, M, G>: Sync,
+    Batch<'a, M, G>: Sync,
     P: Columns<C>,
     C: Target<M::Scalar>,
 {
-    problem.check_lengths(outcomes.len())?;
+    batch.check_lengths(outcomes.len())?;
     Destination::<M>::nowhere().find(poses, outcomes.len())?;
     let mut targets = Targets(Vec::new());
     poses.each(&mut targets);
@@ -105,7 +85,7 @@ where
         .into_par_iter()
         .map(|(mut targets, outcomes, range)| {
             let first = range.start;
-            let mut summary = problem.part(range).sweep(&mut targets, outcomes, vectors)?;
+            let mut summary = batch.part(range).sweep(&mut targets, outcomes)?;
             if let Some((index, _)) = &mut summary.first_failure {
                 *index += first;
             }

@@ -13,6 +13,7 @@ use super::transmission::TransmissionEntries;
 use super::view::{View, gather, look, repeat};
 use crate::batch::lanes::{Element, Lanes, verdicts};
 use crate::failure::SolveError;
+use crate::load::{Balance, LoadError, Loaded as _, LoadsOf};
 use crate::mechanism::{Mechanism, Pose};
 use crate::number::{Number, Row};
 
@@ -22,67 +23,68 @@ type MotionsInLanes<M, const W: usize, const FUSED: bool> =
         <M as Mechanism>::Motion<Lanes<W, FUSED, <M as Mechanism>::Scalar>>,
     >;
 
-/// Solves a batch, as the method `solve_batch` of a mechanism does. Columns are given by the indices of parameters,
-/// inputs, unknowns and outputs.
+/// Many poses of one mechanism, or of many that differ in their dimensions: columns in, columns out.
 ///
-/// # Errors
-/// [`LengthMismatch`] if the length of a column or a target differs from the number of outcomes. Nothing is solved
-/// then.
-pub fn solve<'a, M, P, C>(
-    parameters: M::Parameters<Column<'a, M::Scalar>>,
-    inputs: M::Inputs<M::Motion<Column<'a, M::Scalar>>>,
-    assembly: M::Assembly,
-    poses: &mut P,
-    outcomes: &mut [Outcome],
-    vectors: Vectors,
-) -> Result<Summary, LengthMismatch>
-where
-    M: Mechanism<Scalar: Element>,
-    P: Columns<C>,
-    C: Target<M::Scalar>,
-{
-    let problem = Problem::<M, _> {
-        parameters,
-        inputs,
-        guide: InAssembly(assembly),
-    };
-    problem.solve(poses, outcomes, vectors)
-}
-
-/// [`solve`] with values of the unknowns near each position, instead of an assembly.
+/// The method `batch` of a mechanism makes it. [`new`](Self::new) and [`near`](Self::near) make it for any mechanism, with the columns in
+/// the order of parameters, inputs and unknowns. `G` is the choice among several positions, which these methods set.
 ///
-/// # Errors
-/// As for [`solve`].
-pub fn solve_near<'a, M, P, C>(
-    parameters: M::Parameters<Column<'a, M::Scalar>>,
-    inputs: M::Inputs<M::Motion<Column<'a, M::Scalar>>>,
-    near: M::Unknowns<Column<'a, M::Scalar>>,
-    poses: &mut P,
-    outcomes: &mut [Outcome],
-    vectors: Vectors,
-) -> Result<Summary, LengthMismatch>
-where
-    M: Mechanism<Scalar: Element>,
-    P: Columns<C>,
-    C: Target<M::Scalar>,
-{
-    let problem = Problem::<M, _> {
-        parameters,
-        inputs,
-        guide: Nearest(near),
-    };
-    problem.solve(poses, outcomes, vectors)
-}
-
-/// The columns of a batch, in rows.
-pub(super) struct Problem<'a, M: Mechanism, G> {
+/// | for | see |
+/// |---|---|
+/// | the motions of all poses, in columns | [`solve`](Self::solve) |
+/// | summaries of their numbers, without storing the poses | [`fold`](Self::fold) |
+/// | the balance of loads in all poses | [`balance`](Self::balance) |
+/// | all cores | `on_all_cores` (feature `rayon`) |
+#[must_use = "`solve` it, `fold` it or ask for its `balance`"]
+#[derive(Clone, Copy, Debug)]
+pub struct Batch<'a, M: Mechanism, G> {
     pub(super) parameters: M::Parameters<Column<'a, M::Scalar>>,
     pub(super) inputs: M::Inputs<M::Motion<Column<'a, M::Scalar>>>,
     pub(super) guide: G,
+    pub(super) vectors: Vectors,
 }
 
-/// The choice among several positions, for each pose.
-pub(super) trait Guide<'a, M: Mechanism<Scalar: Element>>: Copy {
+impl<'a, M: Mechanism> Batch<'a, M, InAssembly<M::Assembly>> {
+    /// All poses in one assembly.
+    pub fn new(
+        parameters: M::Parameters<Column<'a, M::Scalar>>,
+        inputs: M::Inputs<M::Motion<Column<'a, M::Scalar>>>,
+        assembly: M::Assembly,
+    ) -> Self {
+        Self {
+            parameters,
+            inputs,
+            guide: InAssembly(assembly),
+            vectors: Vectors::widest(),
+        }
+    }
+}
+
+impl<'a, M: Mechanism> Batch<'a, M, Nearest<M::Unknowns<Column<'a, M::Scalar>>>> {
+    /// Each pose closest to values of the unknowns: a column for each of them.
+    pub fn near(
+        parameters: M::Parameters<Column<'a, M::Scalar>>,
+        inputs: M::Inputs<M::Motion<Column<'a, M::Scalar>>>,
+        near: M::Unknowns<Column<'a, M::Scalar>>,
+    ) -> Self {
+        Self {
+            parameters,
+            inputs,
+            guide: Nearest(near),
+            vectors: Vectors::widest(),
+        }
+    }
+}
+
+impl<M: Mechanism, G> Batch<'_, M, G> {
+    /// Other vectors than the widest of the machine. The numbers of a pose differ between them by rounding.
+    pub fn vectors(mut self, vectors: Vectors) -> Self {
+        self.vectors = vectors;
+        self
+    }
+}
+
+/// The choice among several positions, for each pose. A new version may add items.
+pub trait Guide<'a, M: Mechanism<Scalar: Element>>: Copy {
     /// Whether values near each pose make the choice.
     const IS_NEAR: bool;
 
@@ -101,15 +103,24 @@ pub(super) trait Guide<'a, M: Mechanism<Scalar: Element>>: Copy {
         inputs: T::Inputs<T::Motion<T::Scalar>>,
         near: T::Unknowns<T::Scalar>,
     ) -> Result<T::Pose, SolveError>;
+
+    /// The balance of one pose.
+    fn balance(
+        self,
+        mechanism: &M,
+        loads: &impl LoadsOf<M>,
+        inputs: M::Inputs<M::Motion<M::Scalar>>,
+        near: M::Unknowns<M::Scalar>,
+    ) -> Result<Balance<M>, LoadError>;
 }
 
 /// A guide that chooses positions by assembly.
-#[derive(Clone, Copy)]
-pub(super) struct InAssembly<A>(pub(super) A);
+#[derive(Clone, Copy, Debug)]
+pub struct InAssembly<A>(pub(super) A);
 
 /// A guide that chooses the positions closest to values of the unknowns.
-#[derive(Clone, Copy)]
-pub(super) struct Nearest<C>(pub(super) C);
+#[derive(Clone, Copy, Debug)]
+pub struct Nearest<C>(pub(super) C);
 
 impl<'a, M: Mechanism<Scalar: Element>> Guide<'a, M> for InAssembly<M::Assembly> {
     const IS_NEAR: bool = false;
@@ -133,6 +144,16 @@ impl<'a, M: Mechanism<Scalar: Element>> Guide<'a, M> for InAssembly<M::Assembly>
         _: T::Unknowns<T::Scalar>,
     ) -> Result<T::Pose, SolveError> {
         mechanism.solve(inputs, self.0)
+    }
+
+    fn balance(
+        self,
+        mechanism: &M,
+        loads: &impl LoadsOf<M>,
+        inputs: M::Inputs<M::Motion<M::Scalar>>,
+        _: M::Unknowns<M::Scalar>,
+    ) -> Result<Balance<M>, LoadError> {
+        mechanism.balance(loads, inputs, self.0)
     }
 }
 
@@ -160,17 +181,31 @@ impl<'a, M: Mechanism<Scalar: Element>, C: Row<Column<'a, M::Scalar>>> Guide<'a,
     ) -> Result<T::Pose, SolveError> {
         mechanism.solve_near(inputs, near)
     }
+
+    fn balance(
+        self,
+        mechanism: &M,
+        loads: &impl LoadsOf<M>,
+        inputs: M::Inputs<M::Motion<M::Scalar>>,
+        near: M::Unknowns<M::Scalar>,
+    ) -> Result<Balance<M>, LoadError> {
+        mechanism.balance_near(loads, inputs, near)
+    }
 }
 
-impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Problem<'a, M, G> {
-    pub(super) fn solve<P: Columns<C>, C: Target<M::Scalar>>(
+impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Batch<'a, M, G> {
+    /// Solves all poses: writes their motions to the columns of `poses`, and an outcome for each pose. Nothing is allocated.
+    ///
+    /// # Errors
+    /// [`LengthMismatch`] if the length of a column differs from the number of outcomes. Nothing is solved then. The outcome of a pose
+    /// tells whether it was solved.
+    pub fn solve<P: Columns<C>, C: Target<M::Scalar>>(
         &self,
         poses: &mut P,
         outcomes: &mut [Outcome],
-        vectors: Vectors,
     ) -> Result<Summary, LengthMismatch> {
         self.check_lengths(outcomes.len())?;
-        self.sweep(poses, outcomes, vectors)
+        self.sweep(poses, outcomes)
     }
 
     /// [`solve`](Self::solve) with input columns whose lengths have been checked.
@@ -178,11 +213,10 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Problem<'a, M, G> {
         &self,
         poses: &mut P,
         outcomes: &mut [Outcome],
-        vectors: Vectors,
     ) -> Result<Summary, LengthMismatch> {
         let mut destination = Destination::nowhere();
         destination.find(poses, outcomes.len())?;
-        Ok(self.store(&destination, &TransmissionEntries::nowhere(), outcomes, vectors))
+        Ok(self.store(&destination, &TransmissionEntries::nowhere(), outcomes))
     }
 
     /// Solves poses and stores their numbers and their transmission angles.
@@ -191,10 +225,9 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Problem<'a, M, G> {
         destination: &Destination<'d, M>,
         angles: &TransmissionEntries<'d, M>,
         outcomes: &mut [Outcome],
-        vectors: Vectors,
     ) -> Summary {
-        vectors.run(BatchRun {
-            problem: self,
+        self.vectors.run(BatchRun {
+            batch: self,
             near: &self.guide.near(),
             destination,
             angles,
@@ -203,12 +236,13 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Problem<'a, M, G> {
     }
 
     /// The columns of a range of poses.
-    pub(super) fn part<'b>(&self, range: Range<usize>) -> Problem<'b, M, impl Guide<'b, M>>
+    pub(super) fn part<'b>(&self, range: Range<usize>) -> Batch<'b, M, impl Guide<'b, M>>
     where
         'a: 'b,
     {
         let (parameters, inputs) = (self.parameters.as_ref(), self.inputs.as_ref());
-        Problem {
+        Batch {
+            vectors: self.vectors,
             parameters: Row::from_fn(|parameter| parameters[parameter].part(range.clone())),
             inputs: M::Inputs::from_fn(|input| {
                 let motion = inputs[input].as_ref();
@@ -245,9 +279,9 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Problem<'a, M, G> {
     }
 }
 
-/// A problem with the places for its results.
+/// A batch with the places for its results.
 struct BatchRun<'p, 'd, 'a, M: Mechanism<Scalar: Element>, G> {
-    problem: &'p Problem<'a, M, G>,
+    batch: &'p Batch<'a, M, G>,
     near: &'p M::Unknowns<Column<'a, M::Scalar>>,
     destination: &'p Destination<'d, M>,
     angles: &'p TransmissionEntries<'d, M>,
@@ -259,12 +293,12 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> BatchRun<'_, '_, 'a, M,
     #[cold]
     #[inline(never)]
     fn settle(&self, index: usize) -> Result<(), SolveError> {
-        let (parameters, inputs) = (self.problem.parameters.as_ref(), self.problem.inputs.as_ref());
+        let (parameters, inputs) = (self.batch.parameters.as_ref(), self.batch.inputs.as_ref());
         let mechanism = M::from_parameters(Row::from_fn(|parameter| parameters[parameter].at(index)));
         let inputs = M::Inputs::from_fn(|input| M::Motion::from_fn(|order| inputs[input][order].at(index)));
         let near = M::Unknowns::from_fn(|unknown| self.near[unknown].at(index));
         let nothing = M::Motion::splat(M::Scalar::nan());
-        let (unknowns, sines, outputs, result) = match self.problem.guide.solve(&mechanism, inputs, near) {
+        let (unknowns, sines, outputs, result) = match self.batch.guide.solve(&mechanism, inputs, near) {
             Ok(pose) => {
                 let _ = self.angles.store(index, &mechanism, &inputs, &pose);
                 (
@@ -370,7 +404,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<const W: usize, const FUSED: bool>(mut self) -> Summary {
-        let problem = self.problem;
+        let batch = self.batch;
         let count = self.outcomes.len();
         let mut summary = Summary {
             solved: count,
@@ -384,11 +418,11 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
         }
         rest.fill(Outcome::Solved);
         let zero = Lanes::<W, FUSED, M::Scalar>::constant(0.0);
-        let (columns, mut same) = (problem.parameters.as_ref(), M::Parameters::splat(zero));
+        let (columns, mut same) = (batch.parameters.as_ref(), M::Parameters::splat(zero));
         repeat(same.as_mut(), columns);
         let mut parameters = M::Parameters::splat(View::default());
         look(parameters.as_mut(), columns, same.as_ref());
-        let (columns, mut same) = (problem.inputs.as_ref(), M::Inputs::splat(M::Motion::splat(zero)));
+        let (columns, mut same) = (batch.inputs.as_ref(), M::Inputs::splat(M::Motion::splat(zero)));
         for (same, columns) in same.as_mut().iter_mut().zip(columns) {
             repeat(same.as_mut(), columns.as_ref());
         }
@@ -422,7 +456,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
             let mechanism = M::With::from_parameters(dimensions);
             let mut sum = Lanes([M::Scalar::nan(); W]);
             verdicts::forget::<M::Scalar>();
-            if let Ok(pose) = problem.guide.solve(&mechanism, motions, guess) {
+            if let Ok(pose) = batch.guide.solve(&mechanism, motions, guess) {
                 let angles = self.angles.store(start, &mechanism, &motions, &pose);
                 let (unknowns, outputs) = (pose.unknown_columns(), pose.output_motions());
                 let sines = pose.unknown_sines();

@@ -5,8 +5,7 @@ use std::vec;
 use std::vec::Vec;
 
 #[cfg(feature = "rayon")]
-use super::solve_in_parallel;
-use super::{Column, Outcome, Vectors, solve, solve_near};
+use super::{Batch, Column, Outcome, Vectors};
 use crate::library::{ClassThreeTriad, ClassThreeTriadBatch, FourBar, FourBarBatch};
 use crate::prelude::*;
 
@@ -62,7 +61,9 @@ fn four_bars_of_as_many_poses_as_you_like() {
                 Column::Same(0.2),
             ]);
             let assembly = Assembly::Open;
-            let summary = solve::<FourBar, _, _>(parameters, [theta2], assembly, &mut poses, &mut outcomes, vectors);
+            let summary = Batch::<FourBar, _>::new(parameters, [theta2], assembly)
+                .vectors(vectors)
+                .solve(&mut poses, &mut outcomes);
             let summary = summary.unwrap();
             assert_eq!(summary.solved + summary.failed, count);
             for index in 0..count {
@@ -104,8 +105,9 @@ fn failures_of_a_long_batch() {
     for vectors in vectors() {
         let mut poses = FourBarBatch::filled(|| None::<Vec<f32>>);
         let mut outcomes = vec![Outcome::Unsolved; count];
-        let summary =
-            solve::<FourBar<f32>, _, _>(linkage, [theta2], Assembly::Open, &mut poses, &mut outcomes, vectors);
+        let summary = Batch::<FourBar<f32>, _>::new(linkage, [theta2], Assembly::Open)
+            .vectors(vectors)
+            .solve(&mut poses, &mut outcomes);
         let summary = summary.unwrap();
         assert_eq!([summary.solved, summary.failed], [count / 2; 2], "{vectors:?}");
     }
@@ -134,9 +136,14 @@ fn all_cores_write_what_one_writes() {
     };
     for vectors in vectors() {
         let [(mut poses, mut outcomes), (mut other_poses, mut other_outcomes)] = [places(), places()];
-        let summary = solve::<FourBar, _, _>(parameters, [theta2], assembly, &mut poses, &mut outcomes, vectors);
+        let summary = Batch::<FourBar, _>::new(parameters, [theta2], assembly)
+            .vectors(vectors)
+            .solve(&mut poses, &mut outcomes);
         let (other, others) = (&mut other_poses, &mut other_outcomes);
-        let parallel = solve_in_parallel::<FourBar, _, _>(parameters, [theta2], assembly, other, others, vectors);
+        let parallel = Batch::<FourBar, _>::new(parameters, [theta2], assembly)
+            .vectors(vectors)
+            .on_all_cores()
+            .solve(other, others);
         assert_eq!(summary.unwrap().solved, parallel.unwrap().solved);
         assert_eq!(outcomes, other_outcomes);
         for order in 0..5 {
@@ -172,15 +179,10 @@ fn triads_by_iteration() {
         leg[0] = Column::Each(&legs);
         let mut near = start.map(Column::Same);
         near[0] = Column::Each(&guesses);
-        solve_near::<ClassThreeTriad, _, _>(
-            parameters,
-            [leg, still, still],
-            near,
-            &mut poses,
-            &mut outcomes,
-            vectors,
-        )
-        .unwrap();
+        Batch::<ClassThreeTriad, _>::near(parameters, [leg, still, still], near)
+            .vectors(vectors)
+            .solve(&mut poses, &mut outcomes)
+            .unwrap();
         assert!(
             outcomes.iter().filter(|outcome| outcome.is_solved()).count() > 10,
             "{outcomes:?}"

@@ -2,8 +2,7 @@
 
 use alloc::vec::Vec;
 
-use super::{Column, Columns, Fold, FoldError, LengthMismatch, Outcome, Place, Summary, Turn, Vectors, Visitor};
-use super::{fold, solve, solve_near};
+use super::{Batch, Column, Columns, Fold, FoldError, LengthMismatch, Outcome, Place, Summary, Turn, Vectors, Visitor};
 use crate::any::{Described, Of};
 use crate::mechanism::Mechanism;
 use crate::number::Row;
@@ -65,7 +64,7 @@ impl<'w> Columns<&'w mut [f64]> for WantedColumns<'w> {
 
 /// Batches on columns by their indices.
 pub trait AnyBatch: Described {
-    /// Solves a batch, as `solve_batch` does. Without such an assembly, all poses fail.
+    /// Solves a batch, as [`Batch::solve`] does. Without such an assembly, all poses fail.
     ///
     /// # Errors
     /// [`LengthMismatch`] if the length of a column differs from the number of outcomes.
@@ -91,11 +90,15 @@ impl<M: Mechanism<Scalar = f64>> AnyBatch for Of<M> {
         match given.choice {
             ColumnChoice::Near(near) if const { M::ASSEMBLY_COUNT == 0 } => {
                 let near = Row::from_fn(|unknown| near[unknown]);
-                solve_near::<M, _, _>(parameters, inputs, near, wanted, outcomes, vectors)
+                Batch::<M, _>::near(parameters, inputs, near)
+                    .vectors(vectors)
+                    .solve(wanted, outcomes)
             }
             ColumnChoice::Assembly(index) if const { M::ASSEMBLY_COUNT > 0 } && index < M::ASSEMBLY_COUNT => {
                 let assembly = M::assembly(index).unwrap_or_else(|| unreachable!("the index is one of an assembly"));
-                solve::<M, _, _>(parameters, inputs, assembly, wanted, outcomes, vectors)
+                Batch::<M, _>::new(parameters, inputs, assembly)
+                    .vectors(vectors)
+                    .solve(wanted, outcomes)
             }
             _ => {
                 outcomes.fill(Outcome::Failed);
@@ -113,7 +116,7 @@ pub trait AnyFold: Described {
     /// Solves the poses of a turn, and summarises some of their numbers. What is given for the position of the input that turns is not read.
     ///
     /// # Errors
-    /// As for [`fold`]. A coupled mechanism has no turn: its position is only known from values nearby.
+    /// As for [`Batch::fold`]. A coupled mechanism has no turn: its position is only known from values nearby.
     fn fold_batch(
         &self,
         turn: Turn,
@@ -136,7 +139,9 @@ impl<M: Mechanism<Scalar = f64>> AnyFold for Of<M> {
             && let ColumnChoice::Assembly(index) = given.choice
             && let Some(assembly) = M::assembly(index)
         {
-            return fold::<M>(turn, parameters, inputs, assembly, folds, vectors);
+            return Batch::<M, _>::new(parameters, inputs, assembly)
+                .vectors(vectors)
+                .fold(turn, folds);
         }
         Err(FoldError::NoSuchInput {
             mechanism: M::DESCRIPTION.name,

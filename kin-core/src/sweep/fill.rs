@@ -33,7 +33,7 @@ pub(super) fn part(done: usize, count: usize) -> f64 {
 impl<M: Mechanism<Scalar = f64>, D: Drive> Sweep<M, D> {
     /// The poses as a table. See [`Table`] for its columns, and for rows that do not close.
     ///
-    /// Where every block has a closed form, `solve_batch` solves several rows at once.
+    /// Where every block has a closed form, a batch solves several rows at once.
     ///
     /// # Errors
     /// [`SweepError`] if an end of the range or the speed is not finite, if there are no rows or no speed, if a law jumps, or if given columns have

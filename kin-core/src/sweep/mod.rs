@@ -242,7 +242,7 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
         )
     }
 
-    /// Along columns: one for each order of each input, as `solve_batch` takes them. The number of rows is the length of the first column
+    /// Along columns: one for each order of each input, as a [batch](crate::batch) takes them. The number of rows is the length of the first column
     /// that has one.
     ///
     /// Limits between two rows are those on the straight line between their inputs, and their places are parts of the way from one row to the next.

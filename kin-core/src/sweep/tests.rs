@@ -12,7 +12,7 @@ use crate::batch::{Column, Outcome};
 use crate::curve::LimitKind;
 use crate::law::{ConstantSpeed, Law, Rise, Sequence, Shape};
 use crate::library::{FiveBar, FourBar, GearedFiveBar, ScotchYoke};
-use crate::load::{Loaded, Loads};
+use crate::load::{Balance, LoadError, Loaded, Loads};
 use crate::mechanism::{Mechanism, OneInput};
 use crate::motion::Motion;
 use crate::number::{Number, samples};
@@ -767,14 +767,9 @@ fn a_single_position_takes_no_assembly() {
     assert!((acceleration + 2.0).abs() < 1e-13);
     assert_eq!(yoke.equivalent_inertia(&loads, [0.7]).unwrap().matrix, [[0.5]]);
     let mut found = [0.0; 2];
-    ScotchYoke::balance_batch(
-        &loads,
-        [Column::Same(2.0), Column::Same(1.5)],
-        [motion.map(Column::Same)],
-        |balance| balance.unwrap().efforts()[0].value(),
-        &mut found,
-    )
-    .unwrap();
+    let batch = yoke.batch(motion.map(Column::Same));
+    let read = |balance: Result<Balance<ScotchYoke>, LoadError>| balance.unwrap().efforts()[0].value();
+    batch.balance(&loads, read, &mut found).unwrap();
     assert_eq!(found, [effort.value(); 2]);
 }
 

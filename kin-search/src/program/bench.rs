@@ -4,7 +4,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use kin_core::Mechanism;
-use kin_core::batch::{self, Column, Fold, FoldedNumber, Outcome, Place, Turn, Vectors};
+use kin_core::batch::{Batch, Column, Fold, FoldedNumber, Outcome, Place, Turn, Vectors};
 use kin_core::library::{FourBar, FourBarBatch};
 use kin_core::prelude::*;
 use kin_search::candidates::Sequence;
@@ -252,7 +252,7 @@ fn three() -> Sequence {
     Sequence::new(3).unwrap_or_else(|| unreachable!("three dimensions are allowed"))
 }
 
-/// The same candidates by `solve_batch`: every number of every pose is stored.
+/// The same candidates by a batch: every number of every pose is stored.
 fn raw_turns(ids: u32) -> f64 {
     let sequence = three();
     let turn = Turn::whole(0, ANGLES);
@@ -263,7 +263,9 @@ fn raw_turns(ids: u32) -> f64 {
     (motion[0], motion[1]) = (Column::Each(&angles), Column::Same(1.0));
     let mut least = f64::INFINITY;
     for id in 0..u64::from(ids) {
-        let done = linkage(&sequence, id).solve_batch(Motion::from(motion), Assembly::Open, &mut poses, &mut outcomes);
+        let done = linkage(&sequence, id)
+            .batch(Motion::from(motion), Assembly::Open)
+            .solve(&mut poses, &mut outcomes);
         least = least.min(poses.theta4[4][0]);
         black_box(&poses);
         if done.is_err() {
@@ -283,14 +285,7 @@ fn folded_turns(ids: u32) -> f64 {
     for id in 0..u64::from(ids) {
         let parameters = linkage(&sequence, id).parameters().map(Column::Same);
         let turn = Turn::whole(0, ANGLES);
-        let done = batch::fold::<FourBar>(
-            turn,
-            parameters,
-            [motion],
-            Assembly::Open,
-            &mut folds,
-            Vectors::widest(),
-        );
+        let done = Batch::<FourBar, _>::new(parameters, [motion], Assembly::Open).fold(turn, &mut folds);
         if done.is_ok() {
             least = folds[0].folded().peak().map_or(least, |peak| least.min(peak.1));
         }
@@ -298,7 +293,7 @@ fn folded_turns(ids: u32) -> f64 {
     least
 }
 
-/// Single poses by `solve_batch`, with columns that are made on the way.
+/// Single poses by batches, with columns that are made on the way.
 fn raw_poses(ids: u32) -> f64 {
     let (sequence, angle) = (three(), Sequence::new(4));
     let mut columns = [const { Vec::new() }; 4];
@@ -317,14 +312,12 @@ fn raw_poses(ids: u32) -> f64 {
         let [r2, r3, r4, theta2] = &columns;
         let mut motion = [Column::Same(0.0); 5];
         (motion[0], motion[1]) = (Column::Each(theta2), Column::Same(1.0));
-        let done = batch::solve::<FourBar, _, _>(
+        let done = Batch::<FourBar, _>::new(
             [Column::Same(1.0), Column::Each(r2), Column::Each(r3), Column::Each(r4)],
             [Motion::from(motion)],
             Assembly::Open,
-            &mut poses,
-            &mut outcomes,
-            Vectors::widest(),
-        );
+        )
+        .solve(&mut poses, &mut outcomes);
         if done.is_err() {
             return f64::NAN;
         }

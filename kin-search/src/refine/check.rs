@@ -76,10 +76,7 @@ pub(super) fn check<M: Mechanism<Scalar = f64>>(
 pub(super) fn first_open<M: Mechanism<Scalar = f64>>(objective: &Objective<M>, design: &Design<M>) -> Defect {
     let own = design.mechanism();
     let inputs = objective.inputs_of(design);
-    let is_open = |input: &&f64| {
-        own.position(objective.inputs::<M>(**input), design.assembly)
-            .is_err()
-    };
+    let is_open = |input: &&f64| own.position(objective.inputs::<M>(**input), design.assembly).is_err();
     let open = inputs.iter().find(is_open).or(inputs.first());
     Defect::Closure {
         input: open.copied().unwrap_or(f64::NAN),

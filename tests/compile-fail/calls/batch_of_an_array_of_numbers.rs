@@ -15,5 +15,5 @@ mechanism! {
 fn main() {
     let linkage: FourBar = FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
     let angles = [0.1, 0.2, 0.3];
-    let _ = linkage.solve_batch(&angles, Assembly::Open);
+    let _ = linkage.batch(&angles, Assembly::Open);
 }

@@ -17,7 +17,7 @@ pub(crate) enum Naming {
 const UNUSUAL: &str = "θ φ größe длина 角度 ελ naïve é ﬁ ß ǅ İ ſ µ μ ℓ ª a_ _a __a a__b _0 x y z i n m s t e pi Pi p_x p_y p_z \
     x_y sin_t cos_t assembly near failure pose position result candidate size first second value values velocity \
     acceleration jerk snap crackle pop derivative_7 motion motions rate rates order with test sensitivities \
-    transmission_angles solve solve_all solve_near solve_batch position_near assembly_at assemblies_at closure \
+    transmission_angles solve solve_all solve_near batch position_near assembly_at assemblies_at closure \
     skeleton track convert parameters inputs unknowns outputs clone eq fmt deref into from default kin core std \
     alloc kin_core kin_macros f64 usize bool str Length Angle Scalar Point Motion Assembly Mechanism Option Result \
     union auto raw safe macro_rules index guess input_ lanes batch by turn";

@@ -289,7 +289,8 @@ fn a_linear_chain_is_one_system_in_every_number() {
     let mut outcomes = vec![Outcome::Unsolved; inputs.len()];
     let motion = Motion::from([Column::Each(&inputs), Column::Same(1.0)]);
     chain
-        .solve_batch(motion, &mut table, &mut outcomes)
+        .batch(motion)
+        .solve(&mut table, &mut outcomes)
         .expect("the columns are of one length");
     for (index, &t) in inputs.iter().enumerate() {
         let pose = chain.solve(Motion::from([t, 1.0])).expect("it is regular");

@@ -536,7 +536,8 @@ fn columns_of_unit_vectors() {
     let (unit, rates) = poses.theta3.parts_mut();
     (unit.y, rates[1]) = (None, None);
     linkage
-        .solve_batch(theta2, Assembly::Crossed, &mut poses, &mut outcomes)
+        .batch(theta2, Assembly::Crossed)
+        .solve(&mut poses, &mut outcomes)
         .expect("lengths");
     let wanted = |column: &Option<Vec<f64>>, index: usize| column.as_ref().expect("it is wanted")[index];
     for (index, angle) in angles.iter().enumerate() {
@@ -557,16 +558,20 @@ fn columns_of_unit_vectors() {
     let mut one = FourBarBatch::filled(|| vec![0.0; 41]);
     let mut all = FourBarBatch::filled(|| vec![0.0; 41]);
     linkage
-        .solve_batch(theta2, Assembly::Open, &mut one, &mut outcomes)
+        .batch(theta2, Assembly::Open)
+        .solve(&mut one, &mut outcomes)
         .expect("lengths");
     linkage
-        .solve_batch_in_parallel(theta2, Assembly::Open, &mut all, &mut outcomes)
+        .batch(theta2, Assembly::Open)
+        .on_all_cores()
+        .solve(&mut all, &mut outcomes)
         .expect("lengths");
     assert_eq!(one, all);
 
     all.theta4.parts_mut().0.y.pop();
     let error = linkage
-        .solve_batch(theta2, Assembly::Open, &mut all, &mut outcomes)
+        .batch(theta2, Assembly::Open)
+        .solve(&mut all, &mut outcomes)
         .expect_err("too short");
     let expected = LengthMismatch {
         quantity: "theta4".into(),

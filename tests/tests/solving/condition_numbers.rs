@@ -332,7 +332,8 @@ fn turns_on_which_newtons_method_finds_nothing() {
     let mut columns = near.map(Column::Same);
     columns[2] = Column::Each(&guesses);
     let summary = triad
-        .solve_batch(legs[0], legs[1], legs[2], columns, &mut poses, &mut outcomes)
+        .batch(legs[0], legs[1], legs[2], columns)
+        .solve(&mut poses, &mut outcomes)
         .expect("the columns are of one length");
     assert_eq!(summary.failed, 6);
     assert_eq!(summary.first_failure, Some((3, error)));

@@ -7,7 +7,7 @@ use core::any::type_name;
 use core::hint::black_box;
 
 use allocation_counter::measure;
-use kin_core::batch::{Column, Fold, FoldedNumber, Outcome, Place, Turn, Vectors, fold};
+use kin_core::batch::{Batch, Column, Fold, FoldedNumber, Outcome, Place, Turn, Vectors};
 use kin_core::library::{
     self, ClassThreeTriad, ClassThreeTriadBatch, FourBar, FourBarBatch, StephensonII, WattIByDyad,
 };
@@ -169,8 +169,8 @@ fn batches_do_not_allocate() {
     };
     let mut poses = FourBarBatch::filled(|| [0.0; 100]);
     let mut outcomes = [Outcome::Unsolved; 100];
-    let summary = without_allocation::<FourBar, _>("solve_batch", || {
-        linkage.solve_batch(theta2, Assembly::Open, &mut poses, &mut outcomes)
+    let summary = without_allocation::<FourBar, _>("batch", || {
+        linkage.batch(theta2, Assembly::Open).solve(&mut poses, &mut outcomes)
     });
     let summary = summary.expect("the columns are of one length");
     assert!(summary.solved > 50 && summary.failed > 10, "{summary:?}");
@@ -182,7 +182,9 @@ fn batches_do_not_allocate() {
     let turn = Turn::whole(0, 1000);
     let summary = without_allocation::<FourBar, _>("fold", || {
         let vectors = Vectors::widest();
-        fold::<FourBar>(turn, parameters, [theta2], Assembly::Open, &mut folds, vectors)
+        Batch::<FourBar, _>::new(parameters, [theta2], Assembly::Open)
+            .vectors(vectors)
+            .fold(turn, &mut folds)
     });
     let summary = summary.expect("the inputs that do not turn are the same");
     assert!(summary.solved > 500 && summary.failed > 100, "{summary:?}");
@@ -201,8 +203,10 @@ fn batches_do_not_allocate() {
     let lengths: [f64; 100] = core::array::from_fn(|index| 2.1 + 1e-3 * index as f64);
     let leg = Motion::from([Column::Each(&lengths), 1.0.into(), 0.0.into(), 0.0.into(), 0.0.into()]);
     let mut poses = ClassThreeTriadBatch::filled(|| [0.0; 100]);
-    let summary = without_allocation::<ClassThreeTriad, _>("solve_batch", || {
-        triad.solve_batch(leg, leg, leg, near.map(Column::Same), &mut poses, &mut outcomes)
+    let summary = without_allocation::<ClassThreeTriad, _>("batch", || {
+        triad
+            .batch(leg, leg, leg, near.map(Column::Same))
+            .solve(&mut poses, &mut outcomes)
     });
     let summary = summary.expect("the columns are of one length");
     assert!(summary.solved > 50, "{summary:?}");

@@ -278,7 +278,8 @@ fn a_pose_out_of_reach_has_a_margin() {
         Column::Same(0.0),
     ]);
     let summary = linkage
-        .solve_batch(theta2, Assembly::Open, &mut poses, &mut outcomes)
+        .batch(theta2, Assembly::Open)
+        .solve(&mut poses, &mut outcomes)
         .expect("lengths");
     assert_eq!((summary.solved, summary.failed), (2, 1));
     let error = FourBar {
@@ -312,7 +313,8 @@ fn batches_of_any_size() {
         let mut outcomes = vec![Outcome::Unsolved; angles.len()];
         let theta2 = Motion::from([Column::Each(&angles), 2.0.into(), 0.0.into(), 0.0.into(), 0.0.into()]);
         let summary = linkage
-            .solve_batch(theta2, Assembly::Crossed, &mut poses, &mut outcomes)
+            .batch(theta2, Assembly::Crossed)
+            .solve(&mut poses, &mut outcomes)
             .expect("lengths");
         assert_eq!(summary.solved, angles.len());
         for (index, angle) in angles.iter().enumerate() {
@@ -343,9 +345,12 @@ fn all_cores_find_what_one_finds() {
         let mut poses = FourBarBatch::filled(|| vec![0.0; angles.len()]);
         let mut outcomes = vec![Outcome::Unsolved; angles.len()];
         let summary = if parallel {
-            linkage.solve_batch_in_parallel(theta2, Assembly::Open, &mut poses, &mut outcomes)
+            linkage
+                .batch(theta2, Assembly::Open)
+                .on_all_cores()
+                .solve(&mut poses, &mut outcomes)
         } else {
-            linkage.solve_batch(theta2, Assembly::Open, &mut poses, &mut outcomes)
+            linkage.batch(theta2, Assembly::Open).solve(&mut poses, &mut outcomes)
         };
         (poses, outcomes, summary.expect("lengths"))
     };
@@ -382,7 +387,8 @@ fn what_is_not_wanted_is_left_out() {
     let mut outcomes = [Outcome::Unsolved; 40];
     let theta2 = Motion::from([Column::Each(&angles), 2.0.into(), 0.0.into(), 0.0.into(), 0.0.into()]);
     linkage()
-        .solve_batch(theta2, Assembly::Open, &mut poses, &mut outcomes)
+        .batch(theta2, Assembly::Open)
+        .solve(&mut poses, &mut outcomes)
         .expect("lengths");
     let pose = linkage()
         .solve(Motion::at_constant_speed(angles[33], 2.0), Assembly::Open)
@@ -405,7 +411,8 @@ fn columns_of_other_lengths_are_named() {
     let mut outcomes = [Outcome::Unsolved; 5];
     let mut poses = FourBarBatch::filled(|| vec![0.0; 5]);
     let error = linkage()
-        .solve_batch(theta2(4), Assembly::Open, &mut poses, &mut outcomes)
+        .batch(theta2(4), Assembly::Open)
+        .solve(&mut poses, &mut outcomes)
         .expect_err("too short");
     let expected = LengthMismatch {
         quantity: "theta2".into(),
@@ -419,7 +426,8 @@ fn columns_of_other_lengths_are_named() {
     );
     poses.theta4[3] = vec![0.0; 6];
     let error = linkage()
-        .solve_batch(theta2(5), Assembly::Open, &mut poses, &mut outcomes)
+        .batch(theta2(5), Assembly::Open)
+        .solve(&mut poses, &mut outcomes)
         .expect_err("too long");
     assert_eq!((error.quantity, error.length), ("theta4".into(), 6));
     assert_eq!(outcomes, [Outcome::Unsolved; 5]);

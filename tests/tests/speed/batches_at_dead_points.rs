@@ -6,7 +6,7 @@
 use core::f64::consts::{FRAC_PI_4, FRAC_PI_6, PI, TAU};
 
 use kin_core::Dimension;
-use kin_core::batch::{self, Column, Columns, Element, Outcome, Place, Vectors, Visitor};
+use kin_core::batch::{Batch, Column, Columns, Element, Outcome, Place, Vectors, Visitor};
 use kin_core::prelude::*;
 use kin_tests::mechanisms::multi_loop::TwoDyads;
 use kin_tests::random::Random;
@@ -296,10 +296,14 @@ fn compare<M: Mechanism<Scalar: Element>>(poses: &[Given], assembly: Option<M::A
             })
         });
         let summary = if let Some(assembly) = assembly {
-            batch::solve::<M, _, _>(parameters, inputs, assembly, &mut table, &mut outcomes, vectors)
+            Batch::<M, _>::new(parameters, inputs, assembly)
+                .vectors(vectors)
+                .solve(&mut table, &mut outcomes)
         } else {
             let near = Row::from_fn(|place| Column::Each(&near[place]));
-            batch::solve_near::<M, _, _>(parameters, inputs, near, &mut table, &mut outcomes, vectors)
+            Batch::<M, _>::near(parameters, inputs, near)
+                .vectors(vectors)
+                .solve(&mut table, &mut outcomes)
         };
         let summary = summary.expect("all columns are of one length");
         assert_eq!(summary.solved + summary.failed, count, "{name}");

@@ -58,7 +58,7 @@ pub(in crate::emit) fn structure(mechanism: &Compiled<'_>) -> TokenStream {
     }
 }
 
-/// `solve_batch`, for constant parameters and for columns of parameters, and the function that fills the structure.
+/// `batch`, for constant parameters and for columns of parameters, and the function that fills the structure.
 pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let methods = methods(mechanism);
     let columns = columns(mechanism);
@@ -67,21 +67,25 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
 
 fn methods(mechanism: &Compiled<'_>) -> TokenStream {
     let (runtime, model) = (mechanism.runtime, mechanism.model);
-    let (name, structure) = (&model.name, type_name(mechanism));
+    let name = &model.name;
     let inputs = mechanism.input_names();
     let length = Literal::usize_unsuffixed(mechanism.order() + 1);
-    let [near, poses, outcomes] = ["near", "poses", "outcomes"].map(|name| mechanism.own(name));
-    let [column, value] = ["Column", "Value"].map(|name| mechanism.type_parameter(name));
+    let near = mechanism.own("near");
+    let value = mechanism.type_parameter("Value");
     let same = quote!(#name<#value::Element>);
-    let columns = quote!(#runtime::batch::Column<'_, #value::Element>);
-    let (choice, chosen, solve) = if mechanism.is_coupled() {
+    let columns = quote!(#runtime::batch::Column<'a, #value::Element>);
+    let in_assembly = |kind: TokenStream| quote!(#runtime::batch::InAssembly<#kind>);
+    let (choice, chosen, new, guide) = if mechanism.is_coupled() {
         let count = Literal::usize_unsuffixed(model.unknowns.len());
-        (quote!(#near: [#columns; #count],), quote!(#near), "solve_near")
+        let near_columns = quote!([#columns; #count]);
+        let guide = quote!(#runtime::batch::Nearest<#near_columns>);
+        (quote!(#near: #near_columns,), quote!(#near), local("near"), guide)
     } else if mechanism.choices().is_empty() {
-        (TokenStream::new(), quote!(()), "solve")
+        (TokenStream::new(), quote!(()), local("new"), in_assembly(quote!(())))
     } else {
         let (argument, value) = (mechanism.assembly_argument(), mechanism.assembly_value());
-        (quote!(#argument,), value, "solve")
+        let kind = mechanism.assembly_type();
+        (quote!(#argument,), value, local("new"), in_assembly(quote!(#kind)))
     };
     let summary = format!(
         " Position and all time derivatives to {} of many poses.",
@@ -92,44 +96,19 @@ fn methods(mechanism: &Compiled<'_>) -> TokenStream {
         .into_iter()
         .map(|(_, value, ..)| value)
         .collect();
-    let method = |name: &str, solve: &str| {
-        let (name, solve) = (local(name), local(solve));
-        quote! {
-            #[inline]
-            pub fn #name<#column: #runtime::batch::Target<#value::Element>>(
-                &self,
-                #(#inputs: #runtime::Motion<#columns, #length>,)*
-                #choice
-                #poses: &mut #structure<#column>,
-                #outcomes: &mut [#runtime::batch::Outcome],
-            ) -> ::core::result::Result<#runtime::batch::Summary, #runtime::batch::LengthMismatch> {
-                #runtime::batch::#solve::<#same, _, _>(
-                    [#(#scalars.column()),*],
-                    [#(#inputs),*],
-                    #chosen,
-                    #poses,
-                    #outcomes,
-                    #runtime::batch::Vectors::widest(),
-                )
-            }
-        }
-    };
-    let one = method("solve_batch", solve);
-    let all = method("solve_batch_in_parallel", &format!("{solve}_in_parallel"));
     quote! {
         impl<#value: #runtime::batch::Parameter> #name<#value> {
             #[doc = #summary]
             ///
-            /// Each parameter and input is one number for all poses, or a column with one number for each pose.
-            ///
-            /// # Errors
-            /// Returns an error if the length of a column differs from the number of outcomes. The outcome of a pose
-            /// reports whether the pose was solved.
-            #one
-
-            #runtime::in_parallel! {
-                /// [`solve_batch`](Self::solve_batch) on all cores, with the same errors.
-                #all
+            /// Each parameter and input is one number for all poses, or a column with one number for each pose. `solve` of the
+            /// batch stores the motions, `fold` summarises them.
+            #[inline]
+            pub fn batch<'a>(
+                &'a self,
+                #(#inputs: #runtime::Motion<#columns, #length>,)*
+                #choice
+            ) -> #runtime::batch::Batch<'a, #same, #guide> {
+                #runtime::batch::Batch::#new([#(#scalars.column()),*], [#(#inputs),*], #chosen)
             }
         }
     }
@@ -157,7 +136,7 @@ fn columns(mechanism: &Compiled<'_>) -> TokenStream {
         .flat_map(|(kind, count)| std::iter::repeat_n(local(kind), count));
     quote! {
         impl<Column> #structure<Column> {
-            /// Columns made by a function: vectors that `solve_batch` fills, or nothing for numbers that are not needed.
+            /// Columns made by a function: vectors that a batch fills, or nothing for numbers that are not needed.
             pub fn filled(mut #fill: impl ::core::ops::FnMut() -> Column) -> Self {
                 Self {
                     #(#fields: #runtime::batch::MotionColumns::filled(&mut #fill)),*

@@ -16,4 +16,3 @@ pub use folded::Folded;
 pub use number::{FoldError, FoldedNumber};
 pub use poses::{Poses, Turn};
 pub use reduce::Fold;
-pub use run::{fold, fold_near};

@@ -25,7 +25,7 @@ pub(super) struct Room(pub(super) [f64; ROOM]);
 /// A number to be folded over many poses, with its summary and with room for the values of a few hundred poses: about four
 /// kilobytes.
 ///
-/// Use it again for the next batch: [`fold`](super::fold()) starts the summary anew.
+/// Use it again for the next batch: [`fold`](crate::batch::Batch::fold) starts the summary anew.
 #[derive(Clone, Copy, Debug)]
 pub struct Fold {
     pub(super) number: FoldedNumber,

@@ -9,92 +9,51 @@ use super::poses::{Poses, Turn};
 use super::reduce::{Fold, PIECE, ROOM, Reduction, Room};
 use crate::batch::Column;
 use crate::batch::destination::Destination;
-use crate::batch::dispatch::{MOST_LANES, Vectors};
+use crate::batch::dispatch::MOST_LANES;
 use crate::batch::outcome::{Outcome, Summary};
-use crate::batch::sweep::{Guide, InAssembly, Nearest, Problem};
+use crate::batch::sweep::{Batch, Guide};
 use crate::batch::target::Place;
 use crate::batch::transmission::TransmissionEntries;
 use crate::mechanism::Mechanism;
 
-/// Solves many poses, as [`solve`](crate::batch::solve) does, and summarises numbers of them instead of storing them.
-///
-/// `poses` is the number of poses, or a [`Turn`](super::Turn). Each [`Fold`] then holds the summary of its number over the
-/// poses that close; the returned [`Summary`] counts these and those that fail. Nothing is allocated.
-///
-/// The minima and the maxima, and their poses, are those of the numbers that a batch in the same vectors stores, to the
-/// last bit. Each sum adds the values of 512 poses in 16 running sums, joins these in pairs, and adds the sums of these
-/// pieces from the first to the last. The order is the same in all vectors, whatever their width; the sums themselves differ
-/// as the poses do, by rounding.
-///
-/// # Errors
-/// Returns a [`FoldError`] if the length of a column differs from the number of poses, or if the mechanism does not have a
-/// number or the input that turns. Nothing is solved then.
-///
-/// ```
-/// use kin_core::batch::{Column, Fold, FoldedNumber, Place, Turn, Vectors, fold};
-/// use kin_core::library::FourBar;
-/// use kin_core::prelude::*;
-///
-/// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 80.0, r4: 60.0 };
-/// let mut folds = [
-///     Fold::of(Place::Unknown(1, 0)),
-///     Fold::of(Place::Unknown(1, 4)),
-///     Fold::of(FoldedNumber::SmallestTransmissionAngle),
-/// ];
-/// let summary = fold::<FourBar>(
-///     Turn::whole(0, 360),
-///     linkage.parameters().map(Column::Same),
-///     [Motion::at_constant_speed(0.0, 10.0).map(Column::Same)],
-///     Assembly::Open,
-///     &mut folds,
-///     Vectors::widest(),
-/// )?;
-/// assert_eq!(summary.share_solved(), Some(1.0));
-///
-/// let [rocker, snap, transmission] = folds.map(|fold| *fold.folded());
-/// // the transmission angle is smallest where the crank lies on the ground line
-/// assert_eq!(transmission.least.map(|(pose, _)| pose), Some(0));
-/// println!("swing {:?}, peak snap {:?}", rocker.range(), snap.peak());
-/// # Ok::<(), kin_core::batch::FoldError>(())
-/// ```
-pub fn fold<'a, M: Mechanism<Scalar = f64>>(
-    poses: impl Into<Poses>,
-    parameters: M::Parameters<Column<'a>>,
-    inputs: M::Inputs<M::Motion<Column<'a>>>,
-    assembly: M::Assembly,
-    folds: &mut [Fold],
-    vectors: Vectors,
-) -> Result<Summary, FoldError> {
-    let problem = Problem::<M, _> {
-        parameters,
-        inputs,
-        guide: InAssembly(assembly),
-    };
-    problem.fold(poses.into(), folds, vectors)
-}
-
-/// [`fold`](fold()) with values of the unknowns near each position, instead of an assembly.
-///
-/// # Errors
-/// As for [`fold`](fold()).
-pub fn fold_near<'a, M: Mechanism<Scalar = f64>>(
-    poses: impl Into<Poses>,
-    parameters: M::Parameters<Column<'a>>,
-    inputs: M::Inputs<M::Motion<Column<'a>>>,
-    near: M::Unknowns<Column<'a>>,
-    folds: &mut [Fold],
-    vectors: Vectors,
-) -> Result<Summary, FoldError> {
-    let problem = Problem::<M, _> {
-        parameters,
-        inputs,
-        guide: Nearest(near),
-    };
-    problem.fold(poses.into(), folds, vectors)
-}
-
-impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Problem<'a, M, G> {
-    fn fold(mut self, poses: Poses, folds: &mut [Fold], vectors: Vectors) -> Result<Summary, FoldError> {
+impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Batch<'a, M, G> {
+    /// Solves all poses, as [`solve`](Self::solve) does, and summarises numbers of them instead of storing them.
+    ///
+    /// `poses` is the number of poses, or a [`Turn`]. Each [`Fold`] then holds the summary of its number over the
+    /// poses that close; the returned [`Summary`] counts these and those that fail. Nothing is allocated.
+    ///
+    /// The minima and the maxima, and their poses, are those of the numbers that a batch in the same vectors stores, to the
+    /// last bit. Each sum adds the values of 512 poses in 16 running sums, joins these in pairs, and adds the sums of these
+    /// pieces from the first to the last. The order is the same in all vectors, whatever their width; the sums themselves differ
+    /// as the poses do, by rounding.
+    ///
+    /// # Errors
+    /// Returns a [`FoldError`] if the length of a column differs from the number of poses, or if the mechanism does not have a
+    /// number or the input that turns. Nothing is solved then.
+    ///
+    /// ```
+    /// use kin_core::batch::{Column, Fold, FoldedNumber, Place, Turn};
+    /// use kin_core::library::FourBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 80.0, r4: 60.0 };
+    /// let mut folds = [
+    ///     Fold::of(Place::Unknown(1, 0)),
+    ///     Fold::of(Place::Unknown(1, 4)),
+    ///     Fold::of(FoldedNumber::SmallestTransmissionAngle),
+    /// ];
+    /// let crank = Motion::at_constant_speed(0.0, 10.0).map(Column::Same);
+    /// let summary = linkage.batch(crank, Assembly::Open).fold(Turn::whole(0, 360), &mut folds)?;
+    /// assert_eq!(summary.share_solved(), Some(1.0));
+    ///
+    /// let [rocker, snap, transmission] = folds.map(|fold| *fold.folded());
+    /// // the transmission angle is smallest where the crank lies on the ground line
+    /// assert_eq!(transmission.least.map(|(pose, _)| pose), Some(0));
+    /// println!("swing {:?}, peak snap {:?}", rocker.range(), snap.peak());
+    /// # Ok::<(), kin_core::batch::FoldError>(())
+    /// ```
+    pub fn fold(mut self, poses: impl Into<Poses>, folds: &mut [Fold]) -> Result<Summary, FoldError> {
+        let poses = poses.into();
         self.check(&poses, folds)?;
         start(folds);
         let mut scratch = Scratch {
@@ -104,14 +63,14 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Problem<'a, M, G> {
         let (mut summary, mut first) = (Summary::default(), 0);
         while first < poses.count() {
             let range = piece(first, poses.count());
-            summary = summary.and(self.fold_piece(&poses, range.clone(), &mut scratch, folds, vectors));
+            summary = summary.and(self.fold_piece(&poses, range.clone(), &mut scratch, folds));
             first = range.end;
         }
         copy_twins(folds);
         Ok(summary)
     }
 
-    /// Takes the column of the input that turns out of the problem, and checks all others.
+    /// Takes the column of the input that turns out of the batch, and checks all others.
     fn check(&mut self, poses: &Poses, folds: &[Fold]) -> Result<(), FoldError> {
         let mechanism = M::DESCRIPTION.name;
         if let Poses::Turn(Turn { input, .. }) = *poses {
@@ -128,20 +87,13 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Problem<'a, M, G> {
     }
 
     /// Solves a piece and adds it to the summaries.
-    fn fold_piece(
-        &self,
-        poses: &Poses,
-        range: Range<usize>,
-        scratch: &mut Scratch,
-        folds: &mut [Fold],
-        vectors: Vectors,
-    ) -> Summary {
+    fn fold_piece(&self, poses: &Poses, range: Range<usize>, scratch: &mut Scratch, folds: &mut [Fold]) -> Summary {
         let (first, count) = (range.start, range.len());
         let (turning, outcomes) = (&mut scratch.turning.0[..count], &mut scratch.outcomes[..count]);
-        let mut problem = self.part(range);
+        let mut batch = self.part(range);
         if let Poses::Turn(turn) = poses {
             turn.fill(first, turning);
-            problem.inputs[turn.input][0] = Column::Each(turning);
+            batch.inputs[turn.input][0] = Column::Each(turning);
         }
         let mut destination = Destination::nowhere();
         let mut angles = TransmissionEntries::<M>::nowhere();
@@ -153,14 +105,14 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Problem<'a, M, G> {
                 FoldedNumber::SmallestTransmissionAngle => angles.smallest = entries,
             }
         }
-        let mut summary = problem.store(&destination, &angles, outcomes, vectors);
+        let mut summary = batch.store(&destination, &angles, outcomes);
         if let Some((index, _)) = &mut summary.first_failure {
             *index += first;
         }
         if summary.failed > 0 {
             leave_out(folds, outcomes);
         }
-        vectors.run(Reduction {
+        self.vectors.run(Reduction {
             folds,
             first,
             count,

@@ -3,8 +3,8 @@
 use std::vec;
 use std::vec::Vec;
 
-use super::{Fold, FoldError, Folded, FoldedNumber, Turn, fold, fold_near};
-use crate::batch::{Column, LengthMismatch, Outcome, Place, Vectors, solve};
+use super::{Fold, FoldError, Folded, FoldedNumber, Turn};
+use crate::batch::{Batch, Column, LengthMismatch, Outcome, Place, Vectors};
 use crate::library::{FourBar, FourBarBatch};
 use crate::prelude::*;
 
@@ -96,11 +96,16 @@ fn folds_find_what_a_loop_over_a_batch_finds() {
             let mut poses = FourBarBatch::filled(|| vec![0.0; count]);
             let mut outcomes = vec![Outcome::Unsolved; count];
             let assembly = Assembly::Open;
-            let expected =
-                solve::<FourBar, _, _>(parameters, inputs, assembly, &mut poses, &mut outcomes, vectors).unwrap();
+            let expected = Batch::<FourBar, _>::new(parameters, inputs, assembly)
+                .vectors(vectors)
+                .solve(&mut poses, &mut outcomes)
+                .unwrap();
             let numbers = [Place::Input(0, 0), POSITION, Place::Unknown(0, 2), SNAP, POSITION];
             let mut folds = numbers.map(Fold::of);
-            let summary = fold::<FourBar>(count, parameters, inputs, assembly, &mut folds, vectors).unwrap();
+            let summary = Batch::<FourBar, _>::new(parameters, inputs, assembly)
+                .vectors(vectors)
+                .fold(count, &mut folds)
+                .unwrap();
             assert_eq!((summary.solved, summary.failed), (expected.solved, expected.failed));
             assert_eq!(summary.first_failure, expected.first_failure);
             // An input is not summarised where the pose fails, though the batch stores it there.
@@ -143,9 +148,15 @@ fn a_turn_needs_no_column() {
             let mut folds = numbers.map(Fold::of);
             let mut by_column = folds;
             let inputs = crank(Column::Same(f64::NAN));
-            let summary = fold::<FourBar>(turn, same(linkage), inputs, assembly, &mut folds, vectors).unwrap();
+            let summary = Batch::<FourBar, _>::new(same(linkage), inputs, assembly)
+                .vectors(vectors)
+                .fold(turn, &mut folds)
+                .unwrap();
             let inputs = crank(Column::Each(&angles));
-            let expected = fold::<FourBar>(720, same(linkage), inputs, assembly, &mut by_column, vectors).unwrap();
+            let expected = Batch::<FourBar, _>::new(same(linkage), inputs, assembly)
+                .vectors(vectors)
+                .fold(720, &mut by_column)
+                .unwrap();
             assert_eq!(summary, expected);
             for (fold, by_column) in folds.iter().zip(&by_column) {
                 assert_eq!(fold.folded(), by_column.folded());
@@ -186,7 +197,10 @@ fn transmission_angles_need_no_common_sign() {
     for vectors in vectors() {
         let mut folds = [Fold::of(FoldedNumber::SmallestTransmissionAngle)];
         let inputs = crank(Column::Each(&angles));
-        let summary = fold_near::<FourBar>(64, same(CRANK_ROCKER), inputs, near_columns, &mut folds, vectors).unwrap();
+        let summary = Batch::<FourBar, _>::near(same(CRANK_ROCKER), inputs, near_columns)
+            .vectors(vectors)
+            .fold(64, &mut folds)
+            .unwrap();
         assert_eq!(summary.solved, 64);
         let expected = plain((0..64).map(|pose| {
             let difference: f64 = near[0][pose] - near[1][pose];
@@ -211,7 +225,10 @@ fn ties_go_to_the_first_pose() {
     for vectors in vectors() {
         let mut folds = [Fold::of(Place::Input(0, 0)), Fold::of(Place::Input(0, 1))];
         let inputs = crank(Column::Each(&angles));
-        fold::<FourBar>(600, same(LINKAGE), inputs, Assembly::Open, &mut folds, vectors).unwrap();
+        Batch::<FourBar, _>::new(same(LINKAGE), inputs, Assembly::Open)
+            .vectors(vectors)
+            .fold(600, &mut folds)
+            .unwrap();
         let [angle, speed] = folds.map(|fold| *fold.folded());
         assert_eq!((angle.least, angle.greatest), (Some((30, 0.0)), Some((20, 0.9))));
         assert!(angle.least.is_some_and(|(_, value)| value.is_sign_negative()));
@@ -228,9 +245,15 @@ fn nothing_is_the_summary_of_no_pose() {
         let mut folds = [Fold::of(SNAP), Fold::of(FoldedNumber::SmallestTransmissionAngle)];
         // What was there before is forgotten.
         let turn = Turn::whole(0, 20);
-        fold::<FourBar>(turn, same(CRANK_ROCKER), inputs, Assembly::Open, &mut folds, vectors).unwrap();
+        Batch::<FourBar, _>::new(same(CRANK_ROCKER), inputs, Assembly::Open)
+            .vectors(vectors)
+            .fold(turn, &mut folds)
+            .unwrap();
         assert!(folds[0].folded().count == 20);
-        let summary = fold::<FourBar>(poses, same(LINKAGE), inputs, Assembly::Open, &mut folds, vectors).unwrap();
+        let summary = Batch::<FourBar, _>::new(same(LINKAGE), inputs, Assembly::Open)
+            .vectors(vectors)
+            .fold(poses, &mut folds)
+            .unwrap();
         assert_eq!((summary.solved, summary.failed), (0, poses));
         assert_eq!(summary.share_solved(), (poses > 0).then_some(0.0));
         for fold in &folds {
@@ -253,14 +276,20 @@ fn a_number_that_is_not_there_is_named() {
         FoldedNumber::TransmissionAngle(1),
     ] {
         let mut folds = [Fold::of(SNAP), Fold::of(number)];
-        let result = fold::<FourBar>(5, same(LINKAGE), inputs, Assembly::Open, &mut folds, vectors);
+        let result = Batch::<FourBar, _>::new(same(LINKAGE), inputs, Assembly::Open)
+            .vectors(vectors)
+            .fold(5, &mut folds);
         assert_eq!(result, Err(FoldError::NoSuchNumber { mechanism, number }));
     }
     let turn = Turn::whole(1, 5);
-    let result = fold::<FourBar>(turn, same(LINKAGE), inputs, Assembly::Open, &mut [], vectors);
+    let result = Batch::<FourBar, _>::new(same(LINKAGE), inputs, Assembly::Open)
+        .vectors(vectors)
+        .fold(turn, &mut []);
     assert_eq!(result, Err(FoldError::NoSuchInput { mechanism, input: 1 }));
     let inputs = crank(Column::Each(&[0.1; 4]));
-    let result = fold::<FourBar>(5, same(LINKAGE), inputs, Assembly::Open, &mut [], vectors);
+    let result = Batch::<FourBar, _>::new(same(LINKAGE), inputs, Assembly::Open)
+        .vectors(vectors)
+        .fold(5, &mut []);
     let mismatch = LengthMismatch {
         quantity: "theta2".into(),
         poses: 5,
@@ -269,13 +298,18 @@ fn a_number_that_is_not_there_is_named() {
     assert_eq!(result, Err(FoldError::Length(mismatch)));
     // The column of the input that turns is not read.
     let turn = Turn::between(0, 0.1, 0.5, 5);
-    let result = fold::<FourBar>(turn, same(LINKAGE), inputs, Assembly::Open, &mut [], vectors);
+    let result = Batch::<FourBar, _>::new(same(LINKAGE), inputs, Assembly::Open)
+        .vectors(vectors)
+        .fold(turn, &mut []);
     assert_eq!(result.map(|summary| summary.solved), Ok(5));
     // An unknown that is an angle has no sine, in short batches or long ones.
     for poses in [5, 1000] {
         let mut folds = [Fold::of(Place::Sine(0))];
         let turn = Turn::whole(0, poses);
-        fold::<FourBar>(turn, same(LINKAGE), inputs, Assembly::Open, &mut folds, vectors).unwrap();
+        Batch::<FourBar, _>::new(same(LINKAGE), inputs, Assembly::Open)
+            .vectors(vectors)
+            .fold(turn, &mut folds)
+            .unwrap();
         assert_eq!(*folds[0].folded(), Folded::default());
     }
 }

@@ -79,7 +79,9 @@ pub(crate) fn race_all(environment: &Environment) {
         let mut outcomes = vec![Outcome::Unsolved; motions.len()];
         let mut batch = |columns: &[Vec<f64>; 5]| {
             let crank = Motion::new(core::array::from_fn(|order| Column::Each(columns[order].as_slice())));
-            let summary = black_box(linkage).solve_batch(crank, Assembly::Open, &mut poses, &mut outcomes);
+            let summary = black_box(linkage)
+                .batch(crank, Assembly::Open)
+                .solve(&mut poses, &mut outcomes);
             assert_eq!(summary.expect("the columns are of one length").solved, columns[0].len());
             black_box((&mut poses, &mut outcomes));
         };
@@ -90,7 +92,9 @@ pub(crate) fn race_all(environment: &Environment) {
         let mut outcomes = vec![Outcome::Unsolved; motions.len()];
         let mut batch = |columns: &[Vec<f64>; 5]| {
             let crank = Motion::new(core::array::from_fn(|order| Column::Each(columns[order].as_slice())));
-            let summary = black_box(piston).solve_batch(crank, Assembly::Open, &mut poses, &mut outcomes);
+            let summary = black_box(piston)
+                .batch(crank, Assembly::Open)
+                .solve(&mut poses, &mut outcomes);
             assert_eq!(summary.expect("the columns are of one length").solved, columns[0].len());
             black_box((&mut poses, &mut outcomes));
         };
