@@ -187,7 +187,8 @@ impl Generator {
                         self.assembly,
                     )
                     .ok()?;
-                let by = kin_core::sensitivities_of(&generator.linkage, [pose.theta2], self.assembly).ok()?;
+                let by =
+                    kin_core::Mechanism::sensitivities_at(&generator.linkage, [pose.theta2], self.assembly).ok()?;
                 let of = |index: usize| kin_core::prelude::Partials::unknown_partials(&by[index])[1].position();
                 let FourBar { r2, r3, r4, .. } = generator.linkage;
                 let mut row = vec![r2 * of(1), r3 * of(2), r4 * of(3), pose.theta4.velocity(), -1.0];
