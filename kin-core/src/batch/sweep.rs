@@ -97,6 +97,9 @@ pub trait Guide<'a, M: Mechanism<Scalar: Element>>: Copy {
         'a: 'b;
 
     /// Solves one pose, or several.
+    ///
+    /// # Errors
+    /// Those of the solvers.
     fn solve<T: Mechanism<Assembly = M::Assembly>>(
         self,
         mechanism: &T,
@@ -105,6 +108,9 @@ pub trait Guide<'a, M: Mechanism<Scalar: Element>>: Copy {
     ) -> Result<T::Pose, SolveError>;
 
     /// The balance of one pose.
+    ///
+    /// # Errors
+    /// Those of [`Loaded::balance`](crate::load::Loaded::balance).
     fn balance(
         self,
         mechanism: &M,
