@@ -56,7 +56,7 @@
 //! | all circuits and branches with their limits, Grashof's type | `cycle` (feature `alloc`) |
 //! | the reason why there is no position | [`SolveError`], [`Failure`] |
 //! | code for any mechanism | [`Mechanism`], [`Pose`] |
-//! | how the motion depends on the dimensions | [`Sensitive`], [`sensitivities_of`] |
+//! | how the motion depends on the dimensions | [`Mechanism::sensitivities_at`], [`Sensitive`] |
 //! | how unknowns and outputs depend on the inputs | [`Mechanism::jacobian`] |
 //! | all positions of any mechanism | [`Mechanism::positions_at`] |
 //! | the forms of the blocks, with the lengths of links | [`BlockForm`] |
@@ -165,7 +165,7 @@ pub use geometry::{Plane, Rotation, Space};
 #[doc(hidden)]
 pub use mechanism::guessed::WriteTheParametersByName;
 pub use mechanism::{
-    BlockForm, Mechanism, OneInput, PartialMotions, Partials, Pose, PoseOf, PositionSearch, Sensitive, sensitivities_of,
+    BlockForm, Mechanism, OneInput, PartialMotions, Partials, Pose, PoseOf, PositionSearch, Sensitive,
 };
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]

@@ -13,7 +13,7 @@
 
 use kin_core::prelude::*;
 use kin_core::verify::Inputs;
-use kin_core::{Dimension, Quantity, sensitivities_of};
+use kin_core::{Dimension, Quantity};
 use num_dual::{Dual, Dual3, Dual64};
 
 use crate::mechanisms::cases::ThroughSnap;
@@ -43,7 +43,7 @@ pub fn generated<M: SensitiveThroughSnap>(mechanism: &M, pose: &M::Pose) -> Vec<
 /// # Panics
 /// If the mechanism does not close.
 pub fn at_run_time<M: ThroughSnap>(mechanism: &M, inputs: &Inputs<M>, assembly: M::Assembly) -> Vec<Column> {
-    let partials = sensitivities_of(mechanism, *inputs, assembly).expect("it closes");
+    let partials = mechanism.sensitivities_at(*inputs, assembly).expect("it closes");
     partials.as_ref().iter().map(column).collect()
 }
 

@@ -98,6 +98,9 @@ pub trait Guide<'a, M: Mechanism<Scalar: Element>>: Copy {
         'a: 'b;
 
     /// Solves one pose, or several.
+    ///
+    /// # Errors
+    /// Those of the solvers.
     fn solve<T: Mechanism<Assembly = M::Assembly>>(
         self,
         mechanism: &T,
@@ -106,6 +109,9 @@ pub trait Guide<'a, M: Mechanism<Scalar: Element>>: Copy {
     ) -> Result<T::Pose, SolveError>;
 
     /// The balance of one pose.
+    ///
+    /// # Errors
+    /// Those of [`Loaded::balance`](crate::load::Loaded::balance).
     fn balance(
         self,
         mechanism: &M,

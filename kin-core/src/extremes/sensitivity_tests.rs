@@ -9,7 +9,7 @@ use crate::geometry::{Plane, Space};
 use crate::law::{Dwell, Law, Rise, Sequence, Shape};
 use crate::library::{ClassThreeTriad, FourBar, SliderCrank};
 use crate::load::{Load, LoadError, Loaded, Loads};
-use crate::mechanism::{Mechanism, Partials, sensitivities_of};
+use crate::mechanism::{Mechanism, Partials};
 use crate::motion::Motion;
 use crate::number::{Changing, Number, Row, samples};
 use crate::solve::Scalar;
@@ -175,7 +175,7 @@ fn peaks_of_a_turn() {
                 turn(linkage, assembly).of(name).peak().unwrap()
             });
             let crank = Motion::at_constant_speed(found.peak.at, 10.0);
-            let partials = sensitivities_of(&linkage, [crank], assembly).unwrap();
+            let partials = linkage.sensitivities_at([crank], assembly).unwrap();
             for (sensitivity, partial) in found.by.iter().zip(partials) {
                 let expected = partial.unknown_partials()[unknown][order];
                 // the terms are as large as the peak over a dimension

@@ -41,7 +41,7 @@ pub use one_input::OneInput;
 pub use pose_of::PoseOf;
 pub use position_search::PositionSearch;
 pub use sensitive::{Partials, Sensitive};
-pub use sensitivities::{PartialMotions, sensitivities_of};
+pub use sensitivities::PartialMotions;
 #[doc(hidden)]
 pub use shown::{Shown, fmt_pose};
 pub(crate) use sizes::Sizes;
@@ -220,6 +220,43 @@ pub trait Mechanism: Copy + Debug + 'static {
         Self: Sensitive,
     {
         self.sensitivities_of(pose)
+    }
+
+    /// The partial derivatives of the motion at given inputs with respect to each scalar parameter, in all its orders.
+    ///
+    /// The mechanism is solved once for each parameter, with numbers that carry the derivative with respect to it. So no
+    /// mechanism has to request them, and they are exact but for rounding. A mechanism that is declared `with sensitivities;` has
+    /// straight-line code for them: see [`Sensitive`], which is several times faster.
+    ///
+    /// Entry n of a motion is the derivative of the n-th time derivative, in the unit of the unknown or output over the unit
+    /// of the parameter and over the n-th power of the unit of time.
+    ///
+    /// # Errors
+    /// The errors of [`solve`](Self::solve) at these inputs and in this assembly.
+    ///
+    /// ```
+    /// use kin_core::library::FourBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
+    /// let crank = Motion::at_constant_speed(1.1, 10.0);
+    /// let by = linkage.sensitivities_at([crank], Assembly::Open)?;
+    /// // of the rocker's angular velocity, with respect to the length of the coupler
+    /// let [_, theta4] = by[2].unknown_partials();
+    /// let longer = FourBar { r3: 60.001, ..linkage };
+    /// let change = longer.solve(crank, Assembly::Open)?.theta4 - linkage.solve(crank, Assembly::Open)?.theta4;
+    /// assert!((theta4.velocity() - change.velocity() / 0.001).abs() < 1e-4);
+    /// # Ok::<(), SolveError>(())
+    /// ```
+    fn sensitivities_at(
+        &self,
+        inputs: Self::Inputs<Self::Motion<f64>>,
+        assembly: Self::Assembly,
+    ) -> Result<Self::Parameters<PartialMotions<Self>>, SolveError>
+    where
+        Self: Mechanism<Scalar = f64>,
+    {
+        sensitivities::sensitivities_at(self, inputs, assembly)
     }
 
     /// The joints of the skeleton and the directions of its slides, for any values of inputs and unknowns.

@@ -12,7 +12,7 @@ type FirstOrder = Series<2>;
 /// The outputs of a mechanism whose numbers carry a change.
 type Outputs<M, V> = <<<M as Mechanism>::With<FirstOrder> as Mechanism>::Pose as Pose>::Outputs<V>;
 
-/// The partial derivatives of a motion with respect to one parameter, as [`sensitivities_of`] returns them. They are read by
+/// The partial derivatives of a motion with respect to one parameter, as [`Mechanism::sensitivities_at`] returns them. They are read by
 /// the methods of [`Partials`].
 #[derive(Clone, Copy)]
 pub struct PartialMotions<M: Mechanism> {
@@ -47,34 +47,8 @@ impl<M: Mechanism> Partials for PartialMotions<M> {
     }
 }
 
-/// The partial derivatives of the motion of any mechanism with respect to each scalar parameter, in all its orders.
-///
-/// The mechanism is solved once for each parameter, with numbers that carry the derivative with respect to it. So no
-/// mechanism has to request them, and they are exact but for rounding. A mechanism that is declared `with sensitivities;` has
-/// straight-line code for them: see [`Sensitive`](crate::Sensitive), which is several times faster.
-///
-/// Entry n of a motion is the derivative of the n-th time derivative, in the unit of the unknown or output over the unit
-/// of the parameter and over the n-th power of the unit of time.
-///
-/// # Errors
-/// The errors of [`Mechanism::solve`] at these inputs and in this assembly.
-///
-/// ```
-/// use kin_core::library::FourBar;
-/// use kin_core::prelude::*;
-/// use kin_core::sensitivities_of;
-///
-/// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
-/// let crank = Motion::at_constant_speed(1.1, 10.0);
-/// let by = sensitivities_of(&linkage, [crank], Assembly::Open)?;
-/// // of the rocker's angular velocity, with respect to the length of the coupler
-/// let [_, theta4] = by[2].unknown_partials();
-/// let longer = FourBar { r3: 60.001, ..linkage };
-/// let change = longer.solve(crank, Assembly::Open)?.theta4 - linkage.solve(crank, Assembly::Open)?.theta4;
-/// assert!((theta4.velocity() - change.velocity() / 0.001).abs() < 1e-4);
-/// # Ok::<(), SolveError>(())
-/// ```
-pub fn sensitivities_of<M: Mechanism<Scalar = f64>>(
+/// Computes [`Mechanism::sensitivities_at`].
+pub(super) fn sensitivities_at<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
     inputs: M::Inputs<M::Motion<f64>>,
     assembly: M::Assembly,
