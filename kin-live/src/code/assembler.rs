@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use kin_compiler::lowered::{self, Statement, Symbol, Value};
 use kin_core::any::{Name, NameKind};
 
-use super::call::{self, Argument, Call, ClosedForm, Decisive, Guard, Terms};
+use super::call::{self, Argument, Call, ClosedForm, Guard};
 use super::{Code, Function, KeptFactors, Labels, Operation, Operations, Register};
 use crate::run::Lengths;
 
@@ -21,8 +21,6 @@ pub(crate) struct Assembler {
     sizes: Vec<usize>,
     /// Registers of intermediate values that are free again.
     free: Vec<Register>,
-    /// Registers that the terms of decisive numbers take. They are free after the call, within which terms are found.
-    taken_by_terms: Vec<Register>,
     next: usize,
     routines: Vec<Operations>,
     calls: Vec<Call>,
@@ -211,7 +209,6 @@ impl Assembler {
     }
 
     fn call(&mut self, call: Call, operations: &mut Vec<Operation>) {
-        self.free.append(&mut self.taken_by_terms);
         self.calls.push(call);
         if let Ok(index) = u16::try_from(self.calls.len() - 1) {
             operations.push(Operation::Call(index));
@@ -230,36 +227,58 @@ impl Assembler {
         (held.iter().map(|held| held.register).collect(), held)
     }
 
-    fn terms(&mut self, terms: &[Value]) -> Terms {
-        let mut operations = Vec::new();
-        let outside = std::mem::take(&mut self.free);
-        let (registers, held) = self.values(terms, &mut operations);
-        self.release(&held);
-        let mut taken = std::mem::replace(&mut self.free, outside);
-        self.taken_by_terms.append(&mut taken);
-        Terms {
-            operations: operations.into(),
-            registers,
+    /// A number that decides. With terms it is a copy, so that the number itself stays as it is.
+    fn decisive(&mut self, decisive: &lowered::Decisive, operations: &mut Vec<Operation>) -> Held {
+        let held = self.value(&decisive.value, operations);
+        if decisive.terms.is_empty() {
+            return held;
+        }
+        let copy = self.copy(held, operations);
+        let to = copy.register;
+        self.doubt(&decisive.terms, operations, |terms| Call::Decisive { to, terms });
+        copy
+    }
+
+    fn copy(&mut self, held: Held, operations: &mut Vec<Operation>) -> Held {
+        if held.is_temporary {
+            return held;
+        }
+        let to = self.temporary();
+        operations.push(Operation::Copy { to, a: held.register });
+        Held {
+            register: to,
+            is_temporary: true,
         }
     }
 
-    fn decisive(&mut self, decisive: &lowered::Decisive, operations: &mut Vec<Operation>) -> (Decisive, Held) {
-        let held = self.value(&decisive.value, operations);
-        let value = held.register;
-        let terms = self.terms(&decisive.terms);
-        (Decisive { value, terms }, held)
+    /// Writes terms, and the call that takes them. Numbers that always decide skip both.
+    fn doubt(&mut self, terms: &[Value], operations: &mut Vec<Operation>, call: impl FnOnce(Box<[Register]>) -> Call) {
+        let place = operations.len();
+        operations.push(Operation::Doubt { skip: 0 });
+        let (registers, held) = self.values(terms, operations);
+        self.release(&held);
+        self.call(call(registers), operations);
+        let skip = u16::try_from(operations.len() - place - 1).unwrap_or_else(|_| {
+            self.is_too_large = true;
+            0
+        });
+        operations[place] = Operation::Doubt { skip };
     }
 
     fn argument(&mut self, argument: &lowered::Argument, operations: &mut Vec<Operation>) -> (Argument, Vec<Held>) {
         match argument {
             lowered::Argument::Scalar(scalar) => {
-                let (decisive, held) = self.decisive(scalar, operations);
-                (Argument::Scalar(decisive), vec![held])
+                let held = self.decisive(scalar, operations);
+                (Argument::Scalar(held.register), vec![held])
             }
             lowered::Argument::Plane(vector, terms) => {
-                let held = vector.each_ref().map(|value| self.value(value, operations));
-                let terms = self.terms(terms);
-                (Argument::Plane(held.map(|held| held.register), terms), held.into())
+                let mut held = vector.each_ref().map(|value| self.value(value, operations));
+                if !terms.is_empty() {
+                    held = held.map(|held| self.copy(held, operations));
+                    let to = held.map(|held| held.register);
+                    self.doubt(terms, operations, |terms| Call::DecisiveVector { to, terms });
+                }
+                (Argument::Plane(held.map(|held| held.register)), held.into())
             }
             lowered::Argument::Pair(pair) => {
                 let held = pair.each_ref().map(|value| self.value(value, operations));
@@ -300,8 +319,9 @@ impl Assembler {
                 argument,
                 label,
             } => {
-                let (argument, held) = self.decisive(argument, operations);
+                let held = self.decisive(argument, operations);
                 self.release(&[held]);
+                let argument = held.register;
                 let (to, label) = (self.register(*symbol), labels.name(label));
                 let guard = Guard::named(function).unwrap_or_else(|| unreachable!("there is a guard {function}"));
                 self.call(
@@ -380,14 +400,18 @@ impl Assembler {
                 let ranges: Box<[call::Range]> = ranges.collect();
                 // a closed form has one unknown, or two
                 self.is_too_large |= ranges.len() > 2;
-                let body = self.operations(body, labels);
+                self.call(Call::Candidate, operations);
+                let place = operations.len();
+                for statement in body {
+                    self.statement(statement, labels, operations);
+                }
                 let mut row = || {
                     let registers: Vec<Register> = kept.iter().map(|_| self.new_register()).collect();
                     registers.first().copied().unwrap_or(0)
                 };
                 let candidates = [row(), row()];
-                let call = Call::Candidates {
-                    body,
+                let call = Call::Choose {
+                    back: operations.len() - place,
                     kept: kept.iter().map(|&symbol| self.register(symbol)).collect(),
                     candidates,
                     ranges,
@@ -441,8 +465,9 @@ impl Assembler {
                 self.call(call, operations);
             }
             Statement::Regular { symbol, value, label } => {
-                let (value, held) = self.decisive(value, operations);
+                let held = self.decisive(value, operations);
                 self.release(&[held]);
+                let value = held.register;
                 let (to, label) = (self.result(*symbol), labels.name(label));
                 self.call(Call::Regular { to, value, label }, operations);
             }
@@ -500,6 +525,8 @@ impl Assembler {
         let (residuals, held_residuals) = self.values(residuals, &mut inside);
         let (jacobian, held) = self.values(jacobian.iter().flatten(), &mut inside);
         self.release(&[held_residuals, held].concat());
+        // an iteration cannot fail, so it is arithmetic alone
+        debug_assert!(!inside.iter().any(|operation| matches!(operation, Operation::Call(_))));
         let call = Call::Newton {
             unknowns: unknowns.as_slice().into(),
             registers,

@@ -16,10 +16,20 @@ pub(crate) enum Call {
         a: Register,
         label: Name,
     },
+    /// A decisive number with its terms.
+    Decisive {
+        to: Register,
+        terms: Box<[Register]>,
+    },
+    /// A vector with the terms that decide whether it is zero.
+    DecisiveVector {
+        to: [Register; 2],
+        terms: Box<[Register]>,
+    },
     Check {
         to: Register,
         guard: Guard,
-        argument: Decisive,
+        argument: Register,
         label: Name,
     },
     Solve {
@@ -55,8 +65,12 @@ pub(crate) enum Call {
         unknown: Register,
         index: usize,
     },
-    Candidates {
-        body: Operations,
+    /// The beginning of a part of which both solutions are found.
+    Candidate,
+    /// The end of such a part. For the second solution it goes back.
+    Choose {
+        /// The number of operations from the beginning.
+        back: usize,
         /// The values that are kept, and two sets of registers for those of the candidates.
         kept: Box<[Register]>,
         candidates: [Register; 2],
@@ -96,7 +110,7 @@ pub(crate) enum Call {
     },
     Regular {
         to: Register,
-        value: Decisive,
+        value: Register,
         label: Name,
     },
 }
@@ -109,16 +123,7 @@ impl Call {
             ..Lengths::default()
         };
         match self {
-            Self::Check { argument, .. } => row(argument.terms.registers.len()),
-            Self::Regular { value, .. } => row(value.terms.registers.len()),
-            Self::Solve { arguments, .. } => {
-                let terms = arguments.iter().map(|argument| match argument {
-                    Argument::Scalar(decisive) => decisive.terms.registers.len(),
-                    Argument::Plane(_, terms) => terms.registers.len(),
-                    _ => 0,
-                });
-                row(terms.max().unwrap_or(0))
-            }
+            Self::Decisive { terms, .. } | Self::DecisiveVector { terms, .. } => row(terms.len()),
             Self::Newton {
                 unknowns,
                 lengths: sizes,
@@ -141,25 +146,11 @@ impl Call {
     }
 }
 
-/// A number that decides, with its terms.
-#[derive(Debug)]
-pub(crate) struct Decisive {
-    pub(crate) value: Register,
-    pub(crate) terms: Terms,
-}
-
-/// The terms of a decisive number. Numbers of one pose do not ask for them.
-#[derive(Debug, Default)]
-pub(crate) struct Terms {
-    pub(crate) operations: Operations,
-    pub(crate) registers: Box<[Register]>,
-}
-
 /// An argument of a closed form.
 #[derive(Debug)]
 pub(crate) enum Argument {
-    Scalar(Decisive),
-    Plane([Register; 2], Terms),
+    Scalar(Register),
+    Plane([Register; 2]),
     Pair([Register; 2]),
     Matrix([[Register; 2]; 2]),
     Known(f64),

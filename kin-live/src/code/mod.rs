@@ -8,7 +8,7 @@ mod call;
 mod labels;
 
 pub(crate) use assembler::{Assembler, TooLarge};
-pub(crate) use call::{Argument, Call, ClosedForm, Decisive, Terms};
+pub(crate) use call::{Argument, Call, ClosedForm, Range};
 pub(crate) use labels::Labels;
 
 use crate::run::Lengths;
@@ -78,6 +78,10 @@ pub(crate) enum Operation {
         to: Register,
         y: Register,
         x: Register,
+    },
+    /// Skips the next operations, which find the terms of a decisive number, for numbers that always decide.
+    Doubt {
+        skip: u16,
     },
     Call(u16),
 }

@@ -1,7 +1,6 @@
 //! The closed forms.
 
 use kin_compiler::lowered::Returns;
-use kin_core::__private::live::decisive_vector_in;
 use kin_core::__private::solve::{self, Root};
 use kin_core::{Assembly, Failure, Plane, Scalar};
 
@@ -22,25 +21,20 @@ enum Found<T> {
 
 impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn scalar(&mut self, argument: &Argument) -> T {
+    fn scalar(&self, argument: &Argument) -> T {
         match argument {
-            Argument::Scalar(decisive) => self.decisive(decisive),
+            Argument::Scalar(register) => self.get(*register),
             Argument::Known(number) => T::constant(*number),
             _ => unreachable!("the argument is a number"),
         }
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn plane(&mut self, argument: &Argument) -> Plane<T> {
-        let Argument::Plane([x, y], terms) = argument else {
+    fn plane(&self, argument: &Argument) -> Plane<T> {
+        let Argument::Plane([x, y]) = argument else {
             unreachable!("the argument is a vector");
         };
-        let vector = Plane::new(self.get(*x), self.get(*y));
-        if T::DOUBT == 0.0 || terms.registers.is_empty() {
-            return vector;
-        }
-        let terms = self.terms(terms);
-        decisive_vector_in(vector, terms)
+        Plane::new(self.get(*x), self.get(*y))
     }
 
     /// Solves a closed form.

@@ -9,14 +9,16 @@ mod memory;
 mod newton;
 
 use kin_compiler::lowered::Selection;
-use kin_core::__private::live::{SolutionInRange, choose_in, decisive_in, factor_in, nearest_turn, substitute_in};
+use kin_core::__private::live::{
+    SolutionInRange, choose_in, decisive_in, decisive_vector_in, factor_in, nearest_turn, substitute_in,
+};
 use kin_core::__private::solve::{check_angle, check_value, direction, directions, finite, regular};
 use kin_core::any::Name;
-use kin_core::{Assembly, Failure, Scalar};
+use kin_core::{Assembly, Failure, Plane, Scalar};
 
 pub(crate) use memory::{Lengths, Memory};
 
-use crate::code::{Call, Code, Decisive, Operation, Register, Terms};
+use crate::code::{Call, Code, Operation, Range, Register};
 
 /// A failure and its place.
 #[derive(Clone, Copy, Debug)]
@@ -80,21 +82,35 @@ pub(crate) struct Run<'r, 'm, T, W> {
 
 impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
     /// Runs a routine.
+    ///
+    /// Numbers of several poses have it inlined, so that it is compiled for the vectors of the machine. For numbers of one
+    /// pose it is compiled once.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn routine(&mut self, index: usize) -> Result<(), Fault> {
-        let code = self.code;
-        self.operations::<true>(&code.routines[index], Assembly::Open)
+        if const { T::DOUBT > 0.0 } {
+            self.run(index)
+        } else {
+            self.run_alone(index)
+        }
     }
 
-    /// Runs operations. Only those that are not `INNER` ones have candidates, Newton's method, and all solutions.
+    #[inline(never)]
+    fn run_alone(&mut self, index: usize) -> Result<(), Fault> {
+        self.run(index)
+    }
+
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn operations<const OUTER: bool>(&mut self, operations: &[Operation], candidate: Assembly) -> Result<(), Fault> {
-        for operation in operations {
-            if let Operation::Call(index) = *operation {
-                let code = self.code;
-                self.call::<OUTER>(&code.calls[usize::from(index)], candidate)?;
-            } else {
-                arithmetic(self.memory.registers, &self.code.constants, *operation);
+    fn run(&mut self, index: usize) -> Result<(), Fault> {
+        let code = self.code;
+        let operations = &*code.routines[index];
+        let mut candidate = Assembly::Open;
+        let mut next = 0;
+        while let Some(operation) = operations.get(next) {
+            next += 1;
+            match *operation {
+                Operation::Call(index) => self.call(&code.calls[usize::from(index)], &mut candidate, &mut next)?,
+                Operation::Doubt { skip } if T::DOUBT == 0.0 => next += usize::from(skip),
+                operation => arithmetic(self.memory.registers, &code.constants, operation),
             }
         }
         Ok(())
@@ -108,26 +124,6 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn set(&mut self, register: Register, value: T) {
         self.memory.registers[usize::from(register)] = value;
-    }
-
-    /// A number that decides.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn decisive(&mut self, decisive: &Decisive) -> T {
-        let value = self.get(decisive.value);
-        if T::DOUBT == 0.0 || decisive.terms.registers.is_empty() {
-            return value;
-        }
-        let terms = self.terms(&decisive.terms);
-        decisive_in(value, terms)
-    }
-
-    /// The terms of a decisive number. They stand in memory that Newton's method takes at other times.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn terms(&mut self, terms: &Terms) -> &[T] {
-        for operation in &*terms.operations {
-            arithmetic(self.memory.registers, &self.code.constants, *operation);
-        }
-        self.row(&terms.registers)
     }
 
     /// Copies registers side by side.
@@ -157,7 +153,7 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn call<const OUTER: bool>(&mut self, call: &Call, candidate: Assembly) -> Result<(), Fault> {
+    fn call(&mut self, call: &Call, candidate: &mut Assembly, next: &mut usize) -> Result<(), Fault> {
         let at = |label: &Name| {
             let label = *label;
             move |failure: Failure| Fault { failure, label }
@@ -173,8 +169,7 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
                 argument,
                 label,
             } => {
-                let argument = self.decisive(argument);
-                let value = guard.check(argument).map_err(at(label))?;
+                let value = guard.check(self.get(*argument)).map_err(at(label))?;
                 self.set(*to, value);
             }
             Call::Solve {
@@ -185,7 +180,7 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
                 results,
                 label,
             } => {
-                let assembly = selection.map_or(Assembly::Open, |selection| self.selected(selection, candidate));
+                let assembly = selection.map_or(Assembly::Open, |selection| self.selected(selection, *candidate));
                 self.solve(*form, arguments, assembly, *returns, results)
                     .map_err(at(label))?;
             }
@@ -227,65 +222,54 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
                     self.set(*unknown, angle);
                 }
             }
-            Call::Candidates {
-                body,
+            Call::Decisive { to, terms } => {
+                let value = self.get(*to);
+                let value = decisive_in(value, self.row(terms));
+                self.set(*to, value);
+            }
+            Call::DecisiveVector { to: [x, y], terms } => {
+                let vector = Plane::new(self.get(*x), self.get(*y));
+                let vector = decisive_vector_in(vector, self.row(terms));
+                self.set(*x, vector.x);
+                self.set(*y, vector.y);
+            }
+            Call::Candidate => *candidate = Assembly::Open,
+            Call::Choose {
+                back,
                 kept,
                 candidates,
                 ranges,
                 label,
             } => {
-                if OUTER {
-                    for (assembly, first) in Assembly::BOTH.into_iter().zip(candidates) {
-                        self.operations::<false>(body, assembly)?;
-                        for (place, register) in kept.iter().enumerate() {
-                            self.memory.registers[usize::from(*first) + place] = self.get(*register);
-                        }
-                    }
-                    let of = |run: &Self, which: usize, place: usize| {
-                        run.memory.registers[usize::from(candidates[which]) + place]
-                    };
-                    let mut own = [None; MOST_RANGES];
-                    for (place, range) in own.iter_mut().zip(ranges) {
-                        let solutions = [0, 1].map(|which| of(self, which, range.kept));
-                        let [low, high] = range.range;
-                        *place = Some(if range.turns {
-                            SolutionInRange::angle(range.name, solutions, low, high)
-                        } else {
-                            SolutionInRange::value(range.name, solutions, low, high)
-                        });
-                    }
-                    // a part with a closed form has one unknown, or two
-                    let chosen = match own {
-                        [Some(first), Some(second)] => choose_in(&[first, second]),
-                        [Some(first), None] => choose_in(&[first]),
-                        [None, _] => unreachable!("a range chooses"),
-                    };
-                    let chosen = chosen.map_err(at(label))?;
-                    for (place, register) in kept.iter().enumerate() {
-                        let [value] = T::all_assembled(chosen, [of(self, 0, place)], [of(self, 1, place)]);
-                        self.set(*register, value);
-                    }
+                let row = usize::from(candidates[usize::from(*candidate == Assembly::Crossed)]);
+                for (place, register) in kept.iter().enumerate() {
+                    self.memory.registers[row + place] = self.get(*register);
+                }
+                if *candidate == Assembly::Open {
+                    *candidate = Assembly::Crossed;
+                    // this call itself has been passed
+                    *next -= back + 1;
+                    return Ok(());
+                }
+                let chosen = self.chosen(ranges, *candidates).map_err(at(label))?;
+                for (place, register) in kept.iter().enumerate() {
+                    let [open, crossed] = self.candidates(*candidates, place);
+                    self.set(*register, T::assembled(chosen, || open, || crossed));
                 }
             }
-            Call::Newton { label, .. } => {
-                if OUTER {
-                    self.newton(call).map_err(at(label))?;
-                }
-            }
+            Call::Newton { label, .. } => self.newton(call).map_err(at(label))?,
             Call::Every {
                 block,
                 coefficients,
                 results,
                 label,
             } => {
-                if OUTER {
-                    self.row(coefficients);
-                    let (given, solution) = self.memory.row.split_at_mut(coefficients.len());
-                    let solution = &mut solution[..results.len()];
-                    self.way.solution(*block, given, solution).map_err(at(label))?;
-                    for (register, value) in results.iter().zip(solution) {
-                        self.memory.registers[usize::from(*register)] = *value;
-                    }
+                self.row(coefficients);
+                let (given, solution) = self.memory.row.split_at_mut(coefficients.len());
+                let solution = &mut solution[..results.len()];
+                self.way.solution(*block, given, solution).map_err(at(label))?;
+                for (register, value) in results.iter().zip(solution) {
+                    self.memory.registers[usize::from(*register)] = *value;
                 }
             }
             Call::Factor {
@@ -322,17 +306,39 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
                 }
             }
             Call::Regular { to, value, label } => {
-                let value = self.decisive(value);
-                let value = regular(value).map_err(at(label))?;
+                let value = regular(self.get(*value)).map_err(at(label))?;
                 self.set(*to, value);
             }
         }
         Ok(())
     }
-}
 
-/// The largest number of ranges of a part with a closed form.
-const MOST_RANGES: usize = 2;
+    /// A kept value of both candidates.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn candidates(&self, candidates: [Register; 2], place: usize) -> [T; 2] {
+        candidates.map(|first| self.memory.registers[usize::from(first) + place])
+    }
+
+    /// The choice between the candidates by ranges.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn chosen(&self, ranges: &[Range], candidates: [Register; 2]) -> Result<Assembly, Failure> {
+        let range = |range: &Range| {
+            let solutions = self.candidates(candidates, range.kept);
+            let [low, high] = range.range;
+            if range.turns {
+                SolutionInRange::angle(range.name, solutions, low, high)
+            } else {
+                SolutionInRange::value(range.name, solutions, low, high)
+            }
+        };
+        // a part with a closed form has one unknown, or two
+        match ranges {
+            [first, second, ..] => choose_in(&[range(first), range(second)]),
+            [first] => choose_in(&[range(first)]),
+            [] => unreachable!("a range chooses"),
+        }
+    }
+}
 
 /// A step of arithmetic.
 #[cfg_attr(not(debug_assertions), inline(always))]
@@ -359,7 +365,7 @@ fn arithmetic<T: Scalar>(registers: &mut [T], constants: &[f64], operation: Oper
         }
         Operation::Function { function, to, a } => at!(to) = function.of(at!(a)),
         Operation::ArcTangent { to, y, x } => at!(to) = at!(y).atan2(at!(x)),
-        // calls are taken elsewhere
-        Operation::Call(_) => {}
+        // calls are taken elsewhere, and terms are not skipped here
+        Operation::Call(_) | Operation::Doubt { .. } => {}
     }
 }
