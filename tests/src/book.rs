@@ -25,6 +25,7 @@ chapters! {
     search: "../../docs/search.md";
     program: "../../docs/program.md";
     languages: "../../docs/languages.md";
+    live: "../../docs/live.md";
     library: "../../docs/library.md";
     theory: "../../docs/theory.md";
     closed_forms: "../../docs/closed-forms.md";
