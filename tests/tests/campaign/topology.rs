@@ -99,7 +99,7 @@ impl Topology {
     /// The residual of each scalar equation, in the order of the declaration, left side less right.
     pub(crate) fn closure(&self, parameters: &[Bounded], inputs: &[Bounded], unknowns: &[Bounded]) -> Vec<Bounded> {
         let mut residuals = vec![Bounded::constant(0.0); unknowns.len()];
-        self.solvers.residuals(parameters, inputs, unknowns, &mut residuals);
+        self.solvers.closure(parameters, inputs, unknowns, &mut residuals);
         residuals
     }
 
