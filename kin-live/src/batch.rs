@@ -24,13 +24,13 @@ pub struct BatchMemory<T> {
 impl SliceSolver for Mechanism {
     type Memory<T> = BatchMemory<T>;
 
-    fn memory<T: Scalar>(&self) -> BatchMemory<T> {
+    fn memory<T: Scalar>(&self, chunks: usize) -> BatchMemory<T> {
         let Lengths {
             registers,
             row,
             reals,
             rows,
-        } = self.motion.lengths();
+        } = self.motion.lengths().of_chunks(chunks);
         let zero = T::constant(0.0);
         BatchMemory {
             numbers: vec![zero; registers + row],
@@ -68,6 +68,29 @@ impl SliceSolver for Mechanism {
             }),
         };
         result.map_err(|fault| self.error(fault, parameters, inputs))
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn solve_chunks<T: Scalar, const CHUNKS: usize>(
+        &self,
+        memory: &mut BatchMemory<T>,
+        parameters: &[T],
+        inputs: &[T],
+        assembly: usize,
+        found: &mut [Numbers<T>],
+    ) -> bool {
+        let BatchMemory {
+            numbers, reals, rows, ..
+        } = memory;
+        let lengths = self.motion.lengths().of_chunks(CHUNKS);
+        let memory = lengths.parts(numbers, reals, rows);
+        let choice = self.motion.in_assembly(assembly);
+        let write = |chunk: usize, motion: FoundMotion<'_, T>| motion.write_columns(&mut found[chunk]);
+        let motions = self.motions(inputs);
+        let result = self
+            .motion
+            .solve_chunks::<T, CHUNKS>(memory, parameters, motions, choice, write);
+        result.is_ok()
     }
 }
 

@@ -184,11 +184,12 @@ impl Mechanism {
             every.given.write(memory.registers, parameters, inputs);
             let mut run = Run {
                 code: &every.code,
+                chunk: 0,
                 memory,
                 choice: Choice::default(),
                 way: AllPositions { every, choices },
             };
-            run.routine(0)?;
+            run.routine::<1>(0)?;
             for (place, register) in unknowns.iter_mut().zip(&every.unknowns) {
                 *place = run.memory.registers[usize::from(*register)];
             }

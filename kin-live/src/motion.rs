@@ -289,12 +289,13 @@ impl Motion {
         self.given.write(memory.registers, parameters, inputs);
         let mut run = Run {
             code: &self.code,
+            chunk: 0,
             memory,
             choice,
             way: SinglePosition,
         };
         for order in 0..inputs.orders {
-            run.routine(order)?;
+            run.routine::<1>(order)?;
         }
         let Memory { registers, row, .. } = run.memory;
         let motion = FoundMotion {
@@ -305,6 +306,48 @@ impl Motion {
             return Err(self.not_finite(&motion, inputs));
         }
         Ok(found(motion))
+    }
+
+    /// Solves several chunks of poses side by side, in an assembly. The parameters and inputs of a chunk stand behind those
+    /// of the chunk before. Fails if a pose fails as a whole.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn solve_chunks<T: Scalar, const CHUNKS: usize>(
+        &self,
+        memory: Memory<'_, T>,
+        parameters: &[T],
+        inputs: Inputs<'_, T>,
+        choice: Choice<'_, T>,
+        mut found: impl FnMut(usize, FoundMotion<'_, T>),
+    ) -> Result<(), Fault> {
+        let stride = self.code.lengths.registers;
+        let (parameter_count, input_count) = (parameters.len() / CHUNKS, inputs.motions.len() / CHUNKS);
+        for chunk in 0..CHUNKS {
+            let own = &mut memory.registers[chunk * stride..(chunk + 1) * stride];
+            let parameters = &parameters[chunk * parameter_count..(chunk + 1) * parameter_count];
+            let motions = &inputs.motions[chunk * input_count..(chunk + 1) * input_count];
+            self.given.write(own, parameters, Inputs { motions, ..inputs });
+        }
+        let mut run = Run {
+            code: &self.code,
+            chunk: 0,
+            memory,
+            choice,
+            way: SinglePosition,
+        };
+        for order in 0..inputs.orders {
+            run.routine::<CHUNKS>(order)?;
+        }
+        for chunk in 0..CHUNKS {
+            let registers = &run.memory.registers[chunk * stride..(chunk + 1) * stride];
+            found(
+                chunk,
+                FoundMotion {
+                    motion: self,
+                    registers,
+                },
+            );
+        }
+        Ok(())
     }
 
     /// Names the first input that is not finite, or else the first such result.
@@ -379,6 +422,7 @@ impl Motion {
         }
         function(Choice {
             near: Some(values),
+            unknowns: self.unknowns.len(),
             assembly,
             choices: self.choices,
         })
@@ -403,6 +447,7 @@ impl Motion {
     pub(crate) fn in_assembly<T>(&self, assembly: usize) -> Choice<'_, T> {
         Choice {
             near: None,
+            unknowns: self.unknowns.len(),
             assembly,
             choices: self.choices,
         }

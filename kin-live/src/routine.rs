@@ -140,12 +140,13 @@ impl Routine {
             self.given.write_unknowns(memory.registers, unknowns);
             let mut run = Run {
                 code: &self.code,
+                chunk: 0,
                 memory,
                 choice: Choice::default(),
                 way: SinglePosition,
             };
             // none of these statements can fail
-            let _ = run.routine(0);
+            let _ = run.routine::<1>(0);
             let registers = run.memory.registers;
             results(&|index| registers[usize::from(self.results[index])])
         })

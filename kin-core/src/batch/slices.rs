@@ -23,8 +23,8 @@ pub trait SliceSolver: Described {
     /// The memory of the solver.
     type Memory<T>;
 
-    /// Memory for numbers of one type.
-    fn memory<T: Scalar>(&self) -> Self::Memory<T>;
+    /// Memory for numbers of one type, for several chunks of poses.
+    fn memory<T: Scalar>(&self, chunks: usize) -> Self::Memory<T>;
 
     /// Solves a pose, or several. The inputs are given with all orders.
     ///
@@ -38,7 +38,21 @@ pub trait SliceSolver: Described {
         choice: PositionChoice<'_, T>,
         found: &mut Numbers<T>,
     ) -> Result<(), SolveError>;
+
+    /// Solves several chunks of poses side by side, in an assembly. The parameters and inputs of a chunk stand behind those
+    /// of the chunk before. Returns false if they must be solved one by one.
+    fn solve_chunks<T: Scalar, const CHUNKS: usize>(
+        &self,
+        memory: &mut Self::Memory<T>,
+        parameters: &[T],
+        inputs: &[T],
+        assembly: usize,
+        found: &mut [Numbers<T>],
+    ) -> bool;
 }
+
+/// The chunks that are solved side by side: an operation is looked up once for all of them.
+const CHUNKS: usize = 4;
 
 /// The numbers of a pose, or of several.
 #[derive(Debug)]
@@ -61,6 +75,22 @@ impl<T: Scalar> Numbers<T> {
             sines: vec![None; description.unknowns.len()],
             outputs: vec![zero; description.outputs.len() * orders],
         }
+    }
+
+    /// The sum of all numbers, which is finite if and only if all of them are, unless the sum itself overflows.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn sum(&self) -> T {
+        let mut sum = T::constant(-0.0);
+        for entry in &self.unknowns {
+            sum = sum + *entry;
+        }
+        for sine in self.sines.iter().flatten() {
+            sum = sum + *sine;
+        }
+        for entry in &self.outputs {
+            sum = sum + *entry;
+        }
+        sum
     }
 }
 
@@ -169,7 +199,7 @@ impl<S: SliceSolver> PoseByPose<'_, S> {
         let at = |columns: &[Column<'_>]| columns.iter().map(|column| column.at(index)).collect::<Vec<f64>>();
         let (parameters, inputs, near) = (at(self.parameters), at(self.inputs), at(self.near));
         let mut found = Numbers::of(self.solver);
-        let mut memory = self.solver.memory();
+        let mut memory = self.solver.memory(1);
         let result = self
             .solver
             .solve(&mut memory, &parameters, &inputs, self.choice(&near), &mut found);
@@ -244,12 +274,49 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
         look(&mut views[2], alone.near, &same_near);
         let [parameter_views, input_views, near_views] = &views;
         let (mut parameters, mut inputs, mut near) = (same_parameters.clone(), same_inputs.clone(), same_near.clone());
-        let mut memory = alone.solver.memory::<Lanes<W, FUSED>>();
+        let is_wide = alone.assembly.is_some() && count >= CHUNKS * W;
+        let mut memory = alone.solver.memory::<Lanes<W, FUSED>>(if is_wide { CHUNKS } else { 1 });
+        let (mut many_parameters, mut many_inputs) = (same_parameters.repeat(CHUNKS), same_inputs.repeat(CHUNKS));
+        let mut many: Vec<_> = (0..CHUNKS)
+            .map(|_| Numbers::<Lanes<W, FUSED>>::of(alone.solver))
+            .collect();
+        // The poses before this one are solved chunk by chunk, because some of them fail.
+        let mut one_by_one = 0;
         let mut found = Numbers::<Lanes<W, FUSED>>::of(alone.solver);
         // Lanes of single precision count to 2²⁴. The count is emptied long before.
         let (mut next, mut failed, mut emptied) = (0, zero, 0);
         // If there are fewer poses than lanes, they are solved one by one.
         while next < count && count >= W {
+            if let Some(assembly) = alone.assembly
+                && next >= one_by_one
+                && next + CHUNKS * W <= count
+            {
+                let rows = many_parameters.chunks_exact_mut(parameters.len().max(1));
+                for (chunk, numbers) in rows.enumerate() {
+                    gather_all(numbers, parameter_views, next + chunk * W);
+                }
+                let rows = many_inputs.chunks_exact_mut(inputs.len().max(1));
+                for (chunk, numbers) in rows.enumerate() {
+                    gather_all(numbers, input_views, next + chunk * W);
+                }
+                let are_found = alone.solver.solve_chunks::<Lanes<W, FUSED>, CHUNKS>(
+                    &mut memory,
+                    &many_parameters,
+                    &many_inputs,
+                    assembly,
+                    &mut many,
+                );
+                if are_found && many.iter().all(|found| found.sum().is_finite_throughout()) {
+                    let stride = inputs.len();
+                    for (chunk, found) in many.iter().enumerate() {
+                        let own = &many_inputs[chunk * stride..(chunk + 1) * stride];
+                        alone.store(next + chunk * W, own, found, None);
+                    }
+                    next += CHUNKS * W;
+                    continue;
+                }
+                one_by_one = next + CHUNKS * W;
+            }
             // The last chunk overlaps the one before it. The overlapped poses are solved twice, with the same result.
             let start = next.min(count - W);
             gather_all(&mut parameters, parameter_views, start);
@@ -263,17 +330,7 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
                 .solve(&mut memory, &parameters, &inputs, choice, &mut found)
                 .is_ok()
             {
-                // The sum is finite if and only if all numbers are, unless the sum itself overflows.
-                sum = Lanes::constant(-0.0);
-                for entry in &found.unknowns {
-                    sum = sum + *entry;
-                }
-                for sine in found.sines.iter().flatten() {
-                    sum = sum + *sine;
-                }
-                for entry in &found.outputs {
-                    sum = sum + *entry;
-                }
+                sum = found.sum();
                 if sum.is_finite_throughout() {
                     alone.store(start, &inputs, &found, None);
                     next = start + W;

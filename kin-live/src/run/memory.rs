@@ -52,6 +52,15 @@ impl Lengths {
         function(self.parts(&mut numbers, &mut reals, &mut rows))
     }
 
+    /// The lengths of the memory of several chunks.
+    pub(crate) fn of_chunks(self, chunks: usize) -> Self {
+        Self {
+            registers: chunks * self.registers,
+            rows: chunks * self.rows,
+            ..self
+        }
+    }
+
     /// The parts of some memory that is large enough.
     pub(crate) fn parts<'m, T>(
         self,

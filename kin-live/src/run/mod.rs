@@ -30,8 +30,10 @@ pub(crate) struct Fault {
 /// The choices of a run.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Choice<'n, T> {
-    /// The values of the unknowns to which angles are turned, and from which Newton's method starts.
+    /// The values of the unknowns to which angles are turned, and from which Newton's method starts, of all chunks.
     pub(crate) near: Option<&'n [T]>,
+    /// The number of unknowns.
+    pub(crate) unknowns: usize,
     /// The index of the assembly. The choice of the first block changes slowest.
     pub(crate) assembly: usize,
     /// The number of choices.
@@ -42,6 +44,7 @@ impl<T> Default for Choice<'_, T> {
     fn default() -> Self {
         Self {
             near: None,
+            unknowns: 0,
             assembly: 0,
             choices: 0,
         }
@@ -72,9 +75,11 @@ impl<T> Way<T> for SinglePosition {
     }
 }
 
-/// A run of code.
+/// A run of code, over several chunks of poses side by side. Each of them has its own registers.
 pub(crate) struct Run<'r, 'm, T, W> {
     pub(crate) code: &'r Code,
+    /// The chunk at hand.
+    pub(crate) chunk: usize,
     pub(crate) memory: Memory<'m, T>,
     pub(crate) choice: Choice<'r, T>,
     pub(crate) way: W,
@@ -86,9 +91,9 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
     /// Numbers of several poses have it inlined, so that it is compiled for the vectors of the machine. For numbers of one
     /// pose it is compiled once.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(crate) fn routine(&mut self, index: usize) -> Result<(), Fault> {
+    pub(crate) fn routine<const CHUNKS: usize>(&mut self, index: usize) -> Result<(), Fault> {
         if const { T::DOUBT > 0.0 } {
-            self.run(index)
+            self.run::<CHUNKS>(index)
         } else {
             self.run_alone(index)
         }
@@ -96,11 +101,11 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
 
     #[inline(never)]
     fn run_alone(&mut self, index: usize) -> Result<(), Fault> {
-        self.run(index)
+        self.run::<1>(index)
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn run(&mut self, index: usize) -> Result<(), Fault> {
+    fn run<const CHUNKS: usize>(&mut self, index: usize) -> Result<(), Fault> {
         let code = self.code;
         let operations = &*code.routines[index];
         let mut candidate = Assembly::Open;
@@ -108,32 +113,52 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
         while let Some(operation) = operations.get(next) {
             next += 1;
             match *operation {
-                Operation::Call(index) => self.call(&code.calls[usize::from(index)], &mut candidate, &mut next)?,
+                Operation::Call(index) => {
+                    let call = &code.calls[usize::from(index)];
+                    let before = (candidate, next);
+                    // all chunks go the same way
+                    for chunk in 0..CHUNKS {
+                        self.chunk = chunk;
+                        (candidate, next) = before;
+                        self.call(call, &mut candidate, &mut next)?;
+                    }
+                }
                 Operation::Doubt { skip } if T::DOUBT == 0.0 => next += usize::from(skip),
-                operation => arithmetic(self.memory.registers, &code.constants, operation),
+                operation => {
+                    let (registers, stride) = (&mut *self.memory.registers, code.lengths.registers);
+                    arithmetic::<T, CHUNKS>(registers, stride, &code.constants, operation);
+                }
             }
         }
         Ok(())
     }
 
+    /// The registers of the chunk at hand.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn first_register(&self) -> usize {
+        self.chunk * self.code.lengths.registers
+    }
+
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn get(&self, register: Register) -> T {
-        self.memory.registers[usize::from(register)]
+        self.memory.registers[self.first_register() + usize::from(register)]
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn set(&mut self, register: Register, value: T) {
-        self.memory.registers[usize::from(register)] = value;
+        let first = self.first_register();
+        self.memory.registers[first + usize::from(register)] = value;
     }
 
     /// Copies registers side by side.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn row(&mut self, registers: &[Register]) -> &[T] {
+        let first = self.first_register();
         let Memory {
             registers: values, row, ..
         } = &mut self.memory;
         for (place, register) in row.iter_mut().zip(registers) {
-            *place = values[usize::from(*register)];
+            *place = values[first + usize::from(*register)];
         }
         &row[..registers.len()]
     }
@@ -217,7 +242,8 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
                 self.set(*unknown, value.map_err(at(label))?);
             }
             Call::OnTurn { unknown, index } => {
-                if let Some(guess) = self.choice.near.and_then(|near| near.get(*index)) {
+                let place = self.chunk * self.choice.unknowns + index;
+                if let Some(guess) = self.choice.near.and_then(|near| near.get(place)) {
                     let angle = nearest_turn(self.get(*unknown), *guess);
                     self.set(*unknown, angle);
                 }
@@ -242,6 +268,7 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
                 label,
             } => {
                 let row = usize::from(candidates[usize::from(*candidate == Assembly::Crossed)]);
+                let row = self.first_register() + row;
                 for (place, register) in kept.iter().enumerate() {
                     self.memory.registers[row + place] = self.get(*register);
                 }
@@ -268,8 +295,9 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
                 let (given, solution) = self.memory.row.split_at_mut(coefficients.len());
                 let solution = &mut solution[..results.len()];
                 self.way.solution(*block, given, solution).map_err(at(label))?;
+                let first = self.chunk * self.code.lengths.registers;
                 for (register, value) in results.iter().zip(solution) {
-                    self.memory.registers[usize::from(*register)] = *value;
+                    self.memory.registers[first + usize::from(*register)] = *value;
                 }
             }
             Call::Factor {
@@ -278,12 +306,14 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
                 matrix,
                 label,
             } => {
-                let lengths = self.code.factors[*factors];
-                let entries = lengths.first_entry..lengths.first_entry + size * size;
+                let kept = self.code.factors[*factors];
+                let first = self.first_register() + kept.first_entry;
+                let entries = first..first + size * size;
                 for (place, register) in entries.clone().zip(matrix) {
                     self.memory.registers[place] = self.get(*register);
                 }
-                let rows = &mut self.memory.rows[lengths.first_row..lengths.first_row + size];
+                let first = self.chunk * self.code.lengths.rows + kept.first_row;
+                let rows = &mut self.memory.rows[first..first + size];
                 factor_in(&mut self.memory.registers[entries], rows).map_err(at(label))?;
             }
             Call::Substitute {
@@ -292,17 +322,20 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
                 results,
             } => {
                 let size = right.len();
-                let lengths = self.code.factors[*factors];
+                let kept = self.code.factors[*factors];
+                let first = self.first_register();
+                let first_row = self.chunk * self.code.lengths.rows + kept.first_row;
                 self.row(right);
                 let Memory {
                     registers, row, rows, ..
                 } = &mut self.memory;
                 let (right, solution) = row.split_at_mut(size);
-                let entries = &registers[lengths.first_entry..lengths.first_entry + size * size];
-                let rows = &rows[lengths.first_row..lengths.first_row + size];
+                let first_entry = first + kept.first_entry;
+                let entries = &registers[first_entry..first_entry + size * size];
+                let rows = &rows[first_row..first_row + size];
                 substitute_in(entries, rows, right, &mut solution[..size]);
                 for (register, value) in results.iter().zip(solution) {
-                    registers[usize::from(*register)] = *value;
+                    registers[first + usize::from(*register)] = *value;
                 }
             }
             Call::Regular { to, value, label } => {
@@ -316,7 +349,8 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
     /// A kept value of both candidates.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn candidates(&self, candidates: [Register; 2], place: usize) -> [T; 2] {
-        candidates.map(|first| self.memory.registers[usize::from(first) + place])
+        let registers = &self.memory.registers[self.first_register()..];
+        candidates.map(|first| registers[usize::from(first) + place])
     }
 
     /// The choice between the candidates by ranges.
@@ -340,31 +374,49 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
     }
 }
 
-/// A step of arithmetic.
+/// A step of arithmetic, in several chunks. The registers of a chunk begin a stride behind those of the chunk before.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn arithmetic<T: Scalar>(registers: &mut [T], constants: &[f64], operation: Operation) {
-    macro_rules! at {
-        ($register:expr) => {
-            registers[usize::from($register)]
-        };
+fn arithmetic<T: Scalar, const CHUNKS: usize>(
+    registers: &mut [T],
+    stride: usize,
+    constants: &[f64],
+    operation: Operation,
+) {
+    macro_rules! each {
+        ($own:ident: $step:expr) => {{
+            let mut first = 0;
+            for _ in 0..CHUNKS {
+                let $own = &mut registers[first..first + stride];
+                $step;
+                first += stride;
+            }
+        }};
     }
+    let at = usize::from;
     match operation {
-        Operation::Constant { to, value } => at!(to) = T::constant(constants[usize::from(value)]),
-        Operation::Copy { to, a } => at!(to) = at!(a),
-        Operation::Add { to, a, b } => at!(to) = at!(a) + at!(b),
-        Operation::Subtract { to, a, b } => at!(to) = at!(a) - at!(b),
-        Operation::Multiply { to, a, b } => at!(to) = at!(a) * at!(b),
-        Operation::Divide { to, a, b } => at!(to) = at!(a) / at!(b),
-        Operation::Negate { to, a } => at!(to) = -at!(a),
-        Operation::PlusProduct { to, rest, a, b } => at!(to) = at!(rest).plus_product(at!(a), at!(b)),
-        Operation::MinusProduct { to, rest, a, b } => at!(to) = at!(rest).minus_product(at!(a), at!(b)),
-        Operation::SineCosine { sine, cosine, angle } => {
-            let (sine_value, cosine_value) = T::sin_cos(at!(angle));
-            at!(sine) = sine_value;
-            at!(cosine) = cosine_value;
+        Operation::Constant { to, value } => {
+            let value = T::constant(constants[at(value)]);
+            each!(own: own[at(to)] = value);
         }
-        Operation::Function { function, to, a } => at!(to) = function.of(at!(a)),
-        Operation::ArcTangent { to, y, x } => at!(to) = at!(y).atan2(at!(x)),
+        Operation::Copy { to, a } => each!(own: own[at(to)] = own[at(a)]),
+        Operation::Add { to, a, b } => each!(own: own[at(to)] = own[at(a)] + own[at(b)]),
+        Operation::Subtract { to, a, b } => each!(own: own[at(to)] = own[at(a)] - own[at(b)]),
+        Operation::Multiply { to, a, b } => each!(own: own[at(to)] = own[at(a)] * own[at(b)]),
+        Operation::Divide { to, a, b } => each!(own: own[at(to)] = own[at(a)] / own[at(b)]),
+        Operation::Negate { to, a } => each!(own: own[at(to)] = -own[at(a)]),
+        Operation::PlusProduct { to, rest, a, b } => {
+            each!(own: own[at(to)] = own[at(rest)].plus_product(own[at(a)], own[at(b)]));
+        }
+        Operation::MinusProduct { to, rest, a, b } => {
+            each!(own: own[at(to)] = own[at(rest)].minus_product(own[at(a)], own[at(b)]));
+        }
+        Operation::SineCosine { sine, cosine, angle } => each!(own: {
+            let (sine_value, cosine_value) = T::sin_cos(own[at(angle)]);
+            own[at(sine)] = sine_value;
+            own[at(cosine)] = cosine_value;
+        }),
+        Operation::Function { function, to, a } => each!(own: own[at(to)] = function.of(own[at(a)])),
+        Operation::ArcTangent { to, y, x } => each!(own: own[at(to)] = own[at(y)].atan2(own[at(x)])),
         // calls are taken elsewhere, and terms are not skipped here
         Operation::Call(_) | Operation::Doubt { .. } => {}
     }

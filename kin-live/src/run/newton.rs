@@ -23,8 +23,9 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
         else {
             return Ok(());
         };
-        let constants = &self.code.constants;
+        let (constants, stride, chunk) = (&self.code.constants, self.code.lengths.registers, self.chunk);
         let near = self.choice.near.unwrap_or_default();
+        let near = near.get(chunk * self.choice.unknowns..).unwrap_or_default();
         let count = unknowns.len();
         let size = if are_lengths.contains(&true) {
             largest_in(self.row(lengths))
@@ -37,6 +38,8 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
             reals,
             rows,
         } = &mut self.memory;
+        let values = &mut values[chunk * stride..(chunk + 1) * stride];
+        let rows = &mut rows[chunk * self.code.lengths.rows..(chunk + 1) * self.code.lengths.rows];
         let (solution, row) = row.split_at_mut(count);
         let (sizes, numbers) = row.split_at_mut(count);
         for (index, unknown) in unknowns.iter().enumerate() {
@@ -52,7 +55,7 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
                 values[usize::from(*register)] = *unknown;
             }
             for operation in &**body {
-                arithmetic(values, constants, *operation);
+                arithmetic::<T, 1>(values, stride, constants, *operation);
             }
             for (place, register) in found.iter_mut().zip(residuals) {
                 *place = values[usize::from(*register)];
