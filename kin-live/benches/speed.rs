@@ -4,6 +4,8 @@
 //! cargo bench -p kin-live
 //! ```
 
+#![allow(clippy::cast_precision_loss, reason = "there are a thousand poses")]
+
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 

@@ -9,8 +9,8 @@ use kin_core::batch::{
 use kin_core::{Scalar, SolveError};
 
 use crate::mechanism::Mechanism;
+use crate::memory::Lengths;
 use crate::motion::FoundMotion;
-use crate::run::Lengths;
 
 /// Memory that serves many poses.
 #[derive(Debug)]

@@ -2,14 +2,12 @@
 
 use kin_compiler::lowered::{self, Symbol, SystemForm};
 use kin_core::__private::continuation::{AllSolutions, BodySystem, BorrowedSystem, BorrowedTerm};
-use kin_core::__private::live::{Choices, every_in, is_same_position};
-use kin_core::any::{AssemblyOver, Described, EveryPosition, NearOver};
-use kin_core::{Assembly, Failure, PositionSearch, SolveError};
+use kin_core::__private::live::Choices;
+use kin_core::{Assembly, Failure};
 
 use crate::code::{Assembler, Code, Labels, Register, TooLarge};
-use crate::mechanism::Mechanism;
 use crate::routine::{Given, Inputs};
-use crate::run::{Choice, Run, Way};
+use crate::run::{Choice, Fault, Run, Way};
 
 /// The largest number of paths of a system.
 const MOST_PATHS: usize = 1024;
@@ -23,7 +21,7 @@ pub(crate) struct Every {
     /// The system of each coupled block, by the index of the block.
     systems: Vec<(usize, System)>,
     /// The numbers in which the solutions of all systems are kept.
-    room: usize,
+    pub(crate) room: usize,
 }
 
 /// The equations of a coupled block.
@@ -36,8 +34,15 @@ struct System {
 
 #[derive(Debug)]
 enum Form {
-    Terms(Vec<(u16, u16, Vec<(u16, u8)>)>),
+    Terms(Vec<Term>),
     Body(BodySystem),
+}
+
+#[derive(Debug)]
+struct Term {
+    equation: u16,
+    coefficient: u16,
+    powers: Vec<(u16, u8)>,
 }
 
 impl Every {
@@ -69,6 +74,30 @@ impl Every {
             room: every.room,
         })
     }
+
+    /// A position, as the choices on the way say.
+    pub(crate) fn one(
+        &self,
+        parameters: &[f64],
+        inputs: Inputs<'_, f64>,
+        choices: &mut Choices<'_>,
+        unknowns: &mut [f64],
+    ) -> Result<(), Fault> {
+        self.code.lengths.lend(|memory| {
+            self.given.write(memory.registers, parameters, inputs);
+            let mut run = Run {
+                code: &self.code,
+                memory,
+                choice: Choice::default(),
+                way: AllPositions { every: self, choices },
+            };
+            run.routine(0)?;
+            for (place, register) in unknowns.iter_mut().zip(&self.unknowns) {
+                *place = run.memory.registers[usize::from(*register)];
+            }
+            Ok(())
+        })
+    }
 }
 
 impl System {
@@ -83,7 +112,11 @@ impl System {
                         let powers = term.powers.iter();
                         let powers =
                             powers.map(|&(variable, power)| (small(variable), u8::try_from(power).unwrap_or(u8::MAX)));
-                        (small(term.equation), small(term.coefficient), powers.collect())
+                        Term {
+                            equation: small(term.equation),
+                            coefficient: small(term.coefficient),
+                            powers: powers.collect(),
+                        }
                     })
                     .collect(),
             ),
@@ -97,7 +130,7 @@ impl System {
             Form::Body(system) => return solve::<9>(system, coefficients, found),
             Form::Terms(terms) => terms
                 .iter()
-                .map(|(equation, coefficient, powers)| BorrowedTerm::new(*equation, *coefficient, powers))
+                .map(|term| BorrowedTerm::new(term.equation, term.coefficient, &term.powers))
                 .collect(),
         };
         macro_rules! by_size {
@@ -138,100 +171,5 @@ impl Way<f64> for AllPositions<'_, '_> {
         let known = self.choices.solution_in(system.variables, system.paths, all)?;
         solution.copy_from_slice(known);
         Ok(())
-    }
-}
-
-impl Mechanism {
-    /// The positions in all assemblies.
-    fn positions_by_assembly(
-        &self,
-        parameters: &[f64],
-        inputs: &[f64],
-        found: &mut dyn FnMut(&[f64]),
-    ) -> Result<PositionSearch, SolveError> {
-        let mut search = PositionSearch::default();
-        search.is_complete = self.assembly_count() > 0;
-        let mut unknowns = vec![0.0; self.description().unknowns.len()];
-        for assembly in 0..self.assembly_count() {
-            match self.position_of_assembly(parameters, inputs, assembly, &mut unknowns) {
-                Ok(()) => {
-                    search.found += 1;
-                    found(&unknowns);
-                }
-                Err(error) => match error.failure {
-                    Failure::NotFinite { .. } => return Err(error),
-                    Failure::Singular { .. } => search.singular += 1,
-                    // a position exists, but the range does not choose it
-                    Failure::Ambiguous { .. } => search.is_complete = false,
-                    _ => {}
-                },
-            }
-        }
-        Ok(search)
-    }
-
-    /// A position, as the choices on the way say.
-    fn one_of_all(
-        &self,
-        every: &Every,
-        parameters: &[f64],
-        inputs: &[f64],
-        choices: &mut Choices<'_>,
-        unknowns: &mut [f64],
-    ) -> Result<(), SolveError> {
-        let inputs = Inputs::positions(inputs);
-        let result = every.code.lengths.lend(|memory| {
-            every.given.write(memory.registers, parameters, inputs);
-            let mut run = Run {
-                code: &every.code,
-                chunk: 0,
-                memory,
-                choice: Choice::default(),
-                way: AllPositions { every, choices },
-            };
-            run.routine::<1>(0)?;
-            for (place, register) in unknowns.iter_mut().zip(&every.unknowns) {
-                *place = run.memory.registers[usize::from(*register)];
-            }
-            Ok(())
-        });
-        result.map_err(|fault| self.error(fault, parameters, inputs))
-    }
-}
-
-impl EveryPosition for Mechanism {
-    fn every_position(
-        &self,
-        parameters: &[f64],
-        inputs: &[f64],
-        found: &mut dyn FnMut(&[f64]),
-    ) -> Result<PositionSearch, SolveError> {
-        let Some(every) = &self.every else {
-            return self.positions_by_assembly(parameters, inputs, found);
-        };
-        let count = self.description().unknowns.len();
-        let mut all: Vec<Vec<f64>> = Vec::new();
-        let mut search = PositionSearch::default();
-        let (mut near, mut position) = (vec![0.0; count], vec![0.0; count]);
-        let lost = every_in(&mut vec![0.0; every.room], |choices| {
-            self.one_of_all(every, parameters, inputs, choices, &mut near)?;
-            match self.position_near(parameters, inputs, &near, &mut position) {
-                Ok(()) if all.iter().any(|known| is_same_position(known, &position)) => {}
-                Ok(()) => all.push(position.clone()),
-                Err(_) => search.singular += 1,
-            }
-            Ok(())
-        })?;
-        search.is_complete = lost == 0;
-        for near in &all {
-            match self.position_near(parameters, inputs, near, &mut position) {
-                Ok(()) => {
-                    search.found += 1;
-                    found(&position);
-                }
-                Err(_) => search.singular += 1,
-            }
-        }
-        Ok(search)
     }
 }

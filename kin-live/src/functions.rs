@@ -1,22 +1,21 @@
 //! The functions of a mechanism on slices.
 
-use kin_compiler::lowered::{BlockKind, Component, Form, Symbol};
-use kin_core::__private::length;
 use kin_core::__private::live::{
-    ChangedFunctions, Changing, PositionFunctions, READ, SearchMethod, SearchedFunctions, SweptMechanism,
+    ChangedFunctions, Changing, PositionFunctions, READ, SearchMethod, SearchedFunctions, SweptMechanism, every_in,
+    is_same_position,
 };
-use kin_core::any::ClosureTerm;
 use kin_core::any::{
-    AnyMechanism, AssemblyMotionOver, AssemblyOver, ClosureOver, ClosureTermsOver, Described, Description, FormsOver,
-    MotionNearOver, Name, NameKind, NearOver, OutputsOver, TransmissionOver,
+    AnyMechanism, AssemblyMotionOver, AssemblyOver, ClosureOver, ClosureTerm, ClosureTermsOver, Described, Description,
+    EveryPosition, FormsOver, MotionNearOver, Name, NameKind, NearOver, OutputsOver, TransmissionOver,
 };
 use kin_core::linkage::LinkageFunctions;
 use kin_core::series::Series;
-use kin_core::{BlockForm, Failure, InputValues, Scalar, SolveError, TransmissionAngle};
+use kin_core::{BlockForm, Failure, InputValues, PositionSearch, Scalar, SolveError, TransmissionAngle};
 
 use crate::mechanism::Mechanism;
+use crate::memory::Lengths;
 use crate::routine::Inputs;
-use crate::run::{Fault, Lengths};
+use crate::run::Fault;
 use crate::sheet::SheetCode;
 
 impl Mechanism {
@@ -170,69 +169,7 @@ impl<T: Scalar> TransmissionOver<T> for Mechanism {
 
 impl<T: Scalar> FormsOver<T> for Mechanism {
     fn block_forms(&self, parameters: &[T], found: &mut dyn FnMut(BlockForm<T>)) {
-        let none = Inputs::positions(&[]);
-        self.lengths.run(parameters, none, &[], |result| {
-            let mut next = 0;
-            let mut component = || {
-                next += 1;
-                result(next - 1)
-            };
-            let mut length = |parts: [Component; 2]| match parts {
-                [_, Component::Number(0.0)] | [Component::Number(0.0), _] => component(),
-                _ => {
-                    let (x, y) = (component(), component());
-                    length(x, y)
-                }
-            };
-            for form in &self.forms {
-                found(block_form(form, &mut length));
-            }
-        });
-    }
-}
-
-/// The components of some forms that are found while the mechanism runs, in the order in which `block_forms` reads them.
-pub(crate) fn components(forms: &[Form]) -> Vec<Component> {
-    let lengths = forms.iter().flat_map(|form| form.lengths.iter().flatten());
-    lengths
-        .flat_map(|parts| match parts {
-            [only, Component::Number(0.0)] | [Component::Number(0.0), only] => vec![*only],
-            both => both.to_vec(),
-        })
-        .collect()
-}
-
-fn block_form<T: Scalar>(form: &Form, length: &mut impl FnMut([Component; 2]) -> T) -> BlockForm<T> {
-    let mut lengths = form.lengths.iter().map(|parts| parts.map(&mut *length));
-    let mut next = || lengths.next().flatten();
-    let Some(driver) = form.driver else {
-        return match form.kind {
-            BlockKind::TwoLinks => {
-                let first = next();
-                BlockForm::two_links(first, next())
-            }
-            BlockKind::LinkAndSlider => BlockForm::link_and_slider(next()),
-            BlockKind::SliderOnLink => BlockForm::slider_on_link(next()),
-            BlockKind::PlacedLink => BlockForm::PlacedLink,
-            BlockKind::Linear => BlockForm::Linear,
-            BlockKind::Quadratic => BlockForm::Quadratic,
-            BlockKind::CosineSine => BlockForm::CosineSine,
-            BlockKind::Inverse => BlockForm::Inverse,
-            BlockKind::FourBar | BlockKind::SliderCrank | BlockKind::InvertedSliderCrank | BlockKind::Coupled => {
-                BlockForm::Coupled
-            }
-        };
-    };
-    let driver = match driver {
-        Symbol::Input(index) => Name::by_index(NameKind::Input, index),
-        Symbol::Unknown(index) => Name::by_index(NameKind::Unknown, index),
-        _ => unreachable!("only inputs and unknowns move"),
-    };
-    let mut known = || next().unwrap_or_else(|| unreachable!("a driven block has its lengths"));
-    match form.kind {
-        BlockKind::SliderCrank => BlockForm::slider_crank(driver, std::array::from_fn(|_| known())),
-        BlockKind::InvertedSliderCrank => BlockForm::inverted_slider_crank(driver, std::array::from_fn(|_| known())),
-        _ => BlockForm::four_bar(driver, std::array::from_fn(|_| known())),
+        self.forms.each(parameters, found);
     }
 }
 
@@ -265,6 +202,76 @@ impl AnyMechanism for Mechanism {
             return None;
         }
         Some(self.motion.assembly_at(parameters, inputs, unknowns))
+    }
+}
+
+impl Mechanism {
+    /// The positions in all assemblies.
+    fn positions_by_assembly(
+        &self,
+        parameters: &[f64],
+        inputs: &[f64],
+        found: &mut dyn FnMut(&[f64]),
+    ) -> Result<PositionSearch, SolveError> {
+        let mut search = PositionSearch::default();
+        search.is_complete = self.assembly_count() > 0;
+        let mut unknowns = vec![0.0; self.description().unknowns.len()];
+        for assembly in 0..self.assembly_count() {
+            match self.position_of_assembly(parameters, inputs, assembly, &mut unknowns) {
+                Ok(()) => {
+                    search.found += 1;
+                    found(&unknowns);
+                }
+                Err(error) => match error.failure {
+                    Failure::NotFinite { .. } => return Err(error),
+                    Failure::Singular { .. } => search.singular += 1,
+                    // a position exists, but the range does not choose it
+                    Failure::Ambiguous { .. } => search.is_complete = false,
+                    _ => {}
+                },
+            }
+        }
+        Ok(search)
+    }
+}
+
+impl EveryPosition for Mechanism {
+    fn every_position(
+        &self,
+        parameters: &[f64],
+        inputs: &[f64],
+        found: &mut dyn FnMut(&[f64]),
+    ) -> Result<PositionSearch, SolveError> {
+        let Some(every) = &self.every else {
+            return self.positions_by_assembly(parameters, inputs, found);
+        };
+        let given = Inputs::positions(inputs);
+        let count = self.description().unknowns.len();
+        let mut all: Vec<Vec<f64>> = Vec::new();
+        let mut search = PositionSearch::default();
+        let (mut near, mut position) = (vec![0.0; count], vec![0.0; count]);
+        let lost = every_in(&mut vec![0.0; every.room], |choices| {
+            every
+                .one(parameters, given, choices, &mut near)
+                .map_err(|fault| self.error(fault, parameters, given))?;
+            match self.position_near(parameters, inputs, &near, &mut position) {
+                Ok(()) if all.iter().any(|known| is_same_position(known, &position)) => {}
+                Ok(()) => all.push(position.clone()),
+                Err(_) => search.singular += 1,
+            }
+            Ok(())
+        })?;
+        search.is_complete = lost == 0;
+        for near in &all {
+            match self.position_near(parameters, inputs, near, &mut position) {
+                Ok(()) => {
+                    search.found += 1;
+                    found(&position);
+                }
+                Err(_) => search.singular += 1,
+            }
+        }
+        Ok(search)
     }
 }
 

@@ -22,8 +22,10 @@
 mod batch;
 mod code;
 mod every;
+mod forms;
 mod functions;
 mod mechanism;
+mod memory;
 mod motion;
 mod names;
 mod routine;

@@ -3,14 +3,14 @@
 use std::error::Error;
 use std::fmt;
 
-use kin_compiler::lowered::{self, ClosureTerm, Form};
+use kin_compiler::lowered::{self, ClosureTerm};
 use kin_compiler::{Declaration, Mistake};
 use kin_core::any::{Described, Name};
 use kin_core::linkage::AnyLinkage;
 
 use crate::code::{Labels, TooLarge};
 use crate::every::Every;
-use crate::functions::components;
+use crate::forms::Forms;
 use crate::motion::Motion;
 use crate::names::{Names, OwnedDescription};
 use crate::routine::Routine;
@@ -25,14 +25,12 @@ pub struct Mechanism {
     pub(crate) transmission: Routine,
     /// The names of the dyads.
     pub(crate) dyads: Vec<Name>,
-    pub(crate) lengths: Routine,
-    pub(crate) forms: Vec<Form>,
+    pub(crate) forms: Forms,
     pub(crate) closure_terms: Option<ClosureTerms>,
     pub(crate) every: Option<Every>,
     /// The translated methods.
     pub(crate) closure: SheetCode,
     pub(crate) outputs: SheetCode,
-    pub(crate) places: SheetCode,
     choices: Vec<String>,
 }
 
@@ -60,7 +58,7 @@ impl Mechanism {
         let motion = Motion::new(program, &mut labels)?;
         let lowered::Routine { statements, results } = &program.transmission;
         let transmission = Routine::new(statements, results, &mut labels)?;
-        let lengths = Routine::of_components(&program.lengths, &components(&program.forms), &mut labels)?;
+        let forms = Forms::new(&program.forms, &program.lengths, &mut labels)?;
         let closure_terms = match &program.closure {
             None => None,
             Some(closure) => Some(ClosureTerms {
@@ -76,9 +74,9 @@ impl Mechanism {
             description.inputs.len(),
             description.unknowns.len(),
         ];
-        let [closure, outputs, places] = {
+        let [closure, outputs] = {
             let sheets = declaration.sheets();
-            [&sheets.closure, &sheets.outputs, &sheets.places].map(|sheet| {
+            [&sheets.closure, &sheets.outputs].map(|sheet| {
                 let [parameters, inputs, unknowns] = counts;
                 SheetCode::new(sheet, parameters, inputs, unknowns)
                     .unwrap_or_else(|| unreachable!("a compiled declaration names its own quantities"))
@@ -94,14 +92,12 @@ impl Mechanism {
             motion,
             transmission,
             dyads,
-            lengths,
-            forms: program.forms.clone(),
+            forms,
             closure_terms,
             choices: program.choices.clone(),
             every,
             closure,
             outputs,
-            places,
             declaration,
         })
     }

@@ -8,8 +8,9 @@ use kin_core::batch::Numbers;
 use kin_core::{Assembly, Direction, Failure, Plane};
 
 use crate::code::{Assembler, Code, Labels, Register, TooLarge};
+use crate::memory::{Lengths, Memory};
 use crate::routine::{Given, Inputs, Routine};
-use crate::run::{Choice, Fault, Lengths, Memory, Run, SinglePosition};
+use crate::run::{Choice, Fault, Run, SinglePosition};
 
 /// The solver of a mechanism.
 #[derive(Debug)]

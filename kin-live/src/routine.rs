@@ -4,7 +4,8 @@ use kin_compiler::lowered::{Component, Statement, Symbol};
 use kin_core::Scalar;
 
 use crate::code::{Assembler, Code, Labels, Register, TooLarge};
-use crate::run::{Choice, Lengths, Run, SinglePosition};
+use crate::memory::Lengths;
+use crate::run::{Choice, Run, SinglePosition};
 
 /// Where quantities stand before a run.
 #[derive(Debug, Default)]

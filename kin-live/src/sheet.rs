@@ -33,8 +33,8 @@ pub struct SheetCode {
 }
 
 impl SheetCode {
-    /// The code of a method, for as many scalar parameters, inputs and unknowns as the mechanism has. `None` if the method
-    /// uses one that is not there; no method of a compiled declaration does.
+    /// The code of a method, for as many scalar parameters, inputs and unknowns as the mechanism has. `None` if the
+    /// method uses one that is not there; no method of a compiled declaration does.
     #[must_use]
     pub fn new(sheet: &Sheet, parameters: usize, inputs: usize, unknowns: usize) -> Option<Self> {
         compile::compiled(sheet, [parameters, inputs, unknowns])

@@ -61,8 +61,8 @@ fn summary(result: &Refined, objective: &Objective) -> String {
         )
     };
     let mut text = format!(
-        "Candidate {}, refined to {} targets. Error (root of the mean square): {} at the start, {} after the evolution strategy, {} \
-         after the least squares; {:.6e} at most, at target {}.",
+        "Candidate {}, refined to {} targets. Error (root of the mean square): {} at the start, {} after the evolution \
+         strategy, {} after the least squares; {:.6e} at most, at target {}.",
         result.id,
         objective.target_count(),
         error(result.start),

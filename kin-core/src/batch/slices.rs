@@ -363,16 +363,16 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
                 summary.fail(failed.count());
                 (failed, emptied) = (zero, start);
             }
-            for index in start..start + W {
-                if !outcomes[index].is_solved() {
+            for (index, outcome) in outcomes.iter().enumerate().skip(start).take(W) {
+                if !outcome.is_solved() {
                     alone.leave_out_sines(index);
                 }
             }
             next = start + W;
         }
         summary.fail(failed.count());
-        for index in next..count {
-            outcomes[index] = summary.note(index, alone.settle(index));
+        for (index, outcome) in outcomes.iter_mut().enumerate().skip(next) {
+            *outcome = summary.note(index, alone.settle(index));
         }
         summary
     }

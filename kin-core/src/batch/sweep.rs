@@ -457,8 +457,8 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
                 (failed, emptied) = (zero, start);
             }
             if has_sines {
-                for index in start..start + W {
-                    if !outcomes[index].is_solved() {
+                for (index, outcome) in outcomes.iter().enumerate().skip(start).take(W) {
+                    if !outcome.is_solved() {
                         alone.destination.leave_out_sines(index);
                     }
                 }
@@ -466,8 +466,8 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
             next = start + W;
         }
         summary.fail(failed.count());
-        for index in next..count {
-            outcomes[index] = summary.note(index, alone.settle(index));
+        for (index, outcome) in outcomes.iter_mut().enumerate().skip(next) {
+            *outcome = summary.note(index, alone.settle(index));
         }
         summary
     }

@@ -67,8 +67,9 @@ pub(crate) struct PathCase {
 pub(crate) const LINE: PathCase = PathCase {
     name: "line",
     title: "six points on a vertical line, timing free",
-    source: "J. A. Cabrera, A. Simon, M. Prado, \"Optimal synthesis of mechanisms with genetic algorithms\", Mechanism and \
-             Machine Theory 37 (2002); points and bounds as in J. Mejía's program eca-four-bar-mechanisms (tools.jl, case 1)",
+    source: "J. A. Cabrera, A. Simon, M. Prado, \"Optimal synthesis of mechanisms with genetic algorithms\", Mechanism \
+             and Machine Theory 37 (2002); points and bounds as in J. Mejía's program eca-four-bar-mechanisms \
+             (tools.jl, case 1)",
     points: &[
         [20.0, 20.0],
         [20.0, 25.0],
@@ -113,8 +114,9 @@ pub(crate) const LINE: PathCase = PathCase {
 pub(crate) const TIMED: PathCase = PathCase {
     name: "timed",
     title: "five points with given angles of the crank",
-    source: "A. Kunjur, S. Krishnamurty, \"Genetic algorithms in mechanism synthesis\", Journal of Applied Mechanisms and \
-             Robotics 4 (1997); points, angles and bounds as in J. Mejía's program eca-four-bar-mechanisms (tools.jl, case 2)",
+    source: "A. Kunjur, S. Krishnamurty, \"Genetic algorithms in mechanism synthesis\", Journal of Applied Mechanisms \
+             and Robotics 4 (1997); points, angles and bounds as in J. Mejía's program eca-four-bar-mechanisms \
+             (tools.jl, case 2)",
     points: &[
         [3.0, 3.0],
         [2.759, 3.363],
@@ -134,8 +136,9 @@ pub(crate) const TIMED: PathCase = PathCase {
 pub(crate) const CLOSED: PathCase = PathCase {
     name: "closed",
     title: "eighteen points of a closed path, 20° of the crank apart",
-    source: "A. Kunjur, S. Krishnamurty, \"Genetic algorithms in mechanism synthesis\", Journal of Applied Mechanisms and \
-             Robotics 4 (1997); points as in J. Mejía's program eca-four-bar-mechanisms (testTrajectories.jl, case 12)",
+    source: "A. Kunjur, S. Krishnamurty, \"Genetic algorithms in mechanism synthesis\", Journal of Applied Mechanisms \
+             and Robotics 4 (1997); points as in J. Mejía's program eca-four-bar-mechanisms \
+             (testTrajectories.jl, case 12)",
     points: &[
         [0.5, 1.1],
         [0.4, 1.1],
@@ -161,8 +164,8 @@ pub(crate) const CLOSED: PathCase = PathCase {
     tracer: [-50.0, 50.0],
     pivot: Some([-50.0, 50.0]),
     published: &[Published {
-        source: "Cabrera, Simon, Prado 2002 (dimensions and error quoted without the page, and confirmed by computing the \
-                 error from the dimensions)",
+        source: "Cabrera, Simon, Prado 2002 (dimensions and error quoted without the page, and confirmed by computing \
+                 the error from the dimensions)",
         error: 0.0337,
         rounding: 0.0001,
         dimensions: [
@@ -178,8 +181,8 @@ pub(crate) const CLOSED: PathCase = PathCase {
 pub(crate) const HALF_CIRCLE: PathCase = PathCase {
     name: "half-circle",
     title: "six points on a half circle with given angles of the crank",
-    source: "S. K. Acharyya, M. Mandal, \"Performance of EAs for four-bar linkage synthesis\", Mechanism and Machine Theory \
-             44 (2009)",
+    source: "S. K. Acharyya, M. Mandal, \"Performance of EAs for four-bar linkage synthesis\", Mechanism and Machine \
+             Theory 44 (2009)",
     points: &[
         [0.0, 0.0],
         [1.9098, 5.8779],
@@ -193,8 +196,8 @@ pub(crate) const HALF_CIRCLE: PathCase = PathCase {
     tracer: [-50.0, 50.0],
     pivot: Some([-50.0, 50.0]),
     published: &[],
-    remark: "papers after this one quote an error of 2.58, with the links 50, 5, 7.031 and 48.134; the least squares below \
-             have their minimum at these links, with the error 2.5804. No page could be had",
+    remark: "papers after this one quote an error of 2.58, with the links 50, 5, 7.031 and 48.134; the least squares \
+             below have their minimum at these links, with the error 2.5804. No page could be had",
 };
 
 /// All cases.

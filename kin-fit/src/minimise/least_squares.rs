@@ -125,7 +125,8 @@ pub(crate) fn trust_region(squares: &impl Squares, start: &[f64], ending: Ending
     searched(squares, method, start, ending)
 }
 
-/// The numbers with the least sum of squares near others, and the steps of both methods, the second of which finds the last digits.
+/// The numbers with the least sum of squares near others, and the steps of both methods. The second finds the last
+/// digits.
 pub(crate) fn polish(squares: &impl Squares, start: &[f64], [first, last]: [u64; 2]) -> (Vec<f64>, u64) {
     let ending = |steps: u64, change: f64| Ending {
         steps,

@@ -129,7 +129,8 @@ impl fmt::Display for Defect {
                 inputs: [before, input],
             } => write!(
                 formatter,
-                "target {target} is not passed in order: it is met at the input {input:.6}, the one before at {before:.6}"
+                "target {target} is not passed in order: it is met at the input {input:.6}, the one before at \
+                 {before:.6}"
             ),
             Self::Closure { input } => write!(formatter, "the mechanism does not close at the input {input:.6}"),
             Self::Margin { term, margin } => write!(formatter, "the margin of {term} is {margin:.6}"),

@@ -131,7 +131,7 @@ fn seed_of(seed: u64, index: usize) -> u64 {
     mixed ^ (mixed >> 31)
 }
 
-/// The largest number of steps of the second method of least squares, each of which takes as long as thirty of the first.
+/// The largest number of steps of the second method of least squares. Each takes as long as thirty of the first.
 const LAST_STEPS: u64 = 50;
 /// The width of the distribution, in shares of the bounds, below which the evolution strategy ends.
 const NARROW: f64 = 1e-9;

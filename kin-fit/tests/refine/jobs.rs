@@ -26,7 +26,10 @@ fn from_a_job_to_a_table() {
     .expect("a good job");
     // the second line has no margin, and every line has two assemblies
     let candidates = job
-        .candidates(COUPLER, "r1,r2,r3,r4,along,beside,mark,id,note\n2,0.55,1.8,1.5,1,0.7,0,8,\"a, \"\"b\"\"\"\n\n2,0.55,1.8,0.5,1,0.7,0,9,\n3,1,1,1,1,1,1,10,\n",
+        .candidates(
+            COUPLER,
+            "r1,r2,r3,r4,along,beside,mark,id,note\n2,0.55,1.8,1.5,1,0.7,0,8,\"a, \"\"b\"\"\"\n\n\
+             2,0.55,1.8,0.5,1,0.7,0,9,\n3,1,1,1,1,1,1,10,\n",
             2,
         )
         .expect("a good table");

@@ -7,7 +7,7 @@ use kin_core::any::{Name, NameKind};
 
 use super::call::{self, Argument, Call, ClosedForm, Guard};
 use super::{Code, Function, KeptFactors, Labels, Operation, Operations, Register};
-use crate::run::Lengths;
+use crate::memory::Lengths;
 
 /// A mechanism that is too large for the machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -394,7 +394,7 @@ impl Assembler {
                         kept: kept.iter().position(|&symbol| symbol == own)?,
                         name: Name::by_index(NameKind::Unknown, range.unknown),
                         turns: range.turns,
-                        range: [range.low, range.high],
+                        bounds: [range.low, range.high],
                     })
                 });
                 let ranges: Box<[call::Range]> = ranges.collect();

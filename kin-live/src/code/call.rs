@@ -6,7 +6,7 @@ use kin_core::any::Name;
 use kin_core::__private::live::NewtonMemory;
 
 use super::{Operations, Register};
-use crate::run::Lengths;
+use crate::memory::Lengths;
 
 /// A step with a decision in it. Its arguments stand in registers.
 #[derive(Debug)]
@@ -163,7 +163,7 @@ pub(crate) struct Range {
     pub(crate) kept: usize,
     pub(crate) name: Name,
     pub(crate) turns: bool,
-    pub(crate) range: [f64; 2],
+    pub(crate) bounds: [f64; 2],
 }
 
 macro_rules! guards {

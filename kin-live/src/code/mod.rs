@@ -1,7 +1,7 @@
 //! Flat code over registers.
 //!
-//! A number stands in a register. An [`Operation`] takes one step of arithmetic; a [`Call`] is a step with a decision in
-//! it, as a function of `kin_core::solve` takes it.
+//! A number stands in a register. An [`Operation`] takes one step of arithmetic; a [`Call`] is a step with a decision
+//! in it, as a function of `kin_core::solve` takes it.
 
 mod assembler;
 mod call;
@@ -11,7 +11,7 @@ pub(crate) use assembler::{Assembler, TooLarge};
 pub(crate) use call::{Argument, Call, ClosedForm, Range};
 pub(crate) use labels::Labels;
 
-use crate::run::Lengths;
+use crate::memory::Lengths;
 
 /// The index of a register.
 pub(crate) type Register = u16;

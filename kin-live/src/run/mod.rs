@@ -1,11 +1,10 @@
 //! The machine: it runs code over any number with which a mechanism is solved.
 //!
-//! It calls the functions of `kin_core::solve` that the generated code of a declared mechanism calls, in the same order,
-//! so its numbers are the same to the last bit. All of it is inlined, because a batch compiles it for the vectors of
-//! each machine.
+//! It calls the functions of `kin_core::solve` that the generated code of a declared mechanism calls, in the same
+//! order, so its numbers are the same to the last bit. All of it is inlined, because a batch compiles it for the
+//! vectors of each machine.
 
 mod closed_form;
-mod memory;
 mod newton;
 
 use kin_compiler::lowered::Selection;
@@ -16,9 +15,8 @@ use kin_core::__private::solve::{check_angle, check_value, direction, directions
 use kin_core::any::Name;
 use kin_core::{Assembly, Failure, Plane, Scalar};
 
-pub(crate) use memory::{Lengths, Memory};
-
 use crate::code::{Call, Code, Operation, Range, Register};
+use crate::memory::Memory;
 
 /// A failure and its place.
 #[derive(Clone, Copy, Debug)]
@@ -88,8 +86,8 @@ pub(crate) struct Run<'r, 'm, T, W> {
 impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
     /// Runs a routine.
     ///
-    /// Numbers of several poses have it inlined, so that it is compiled for the vectors of the machine. For numbers of one
-    /// pose it is compiled once.
+    /// Numbers of several poses have it inlined, so that it is compiled for the vectors of the machine. For numbers of
+    /// one pose it is compiled once.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn routine<const CHUNKS: usize>(&mut self, index: usize) -> Result<(), Fault> {
         if const { T::DOUBT > 0.0 } {
@@ -358,7 +356,7 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
     fn chosen(&self, ranges: &[Range], candidates: [Register; 2]) -> Result<Assembly, Failure> {
         let range = |range: &Range| {
             let solutions = self.candidates(candidates, range.kept);
-            let [low, high] = range.range;
+            let [low, high] = range.bounds;
             if range.turns {
                 SolutionInRange::angle(range.name, solutions, low, high)
             } else {

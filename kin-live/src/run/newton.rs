@@ -3,8 +3,9 @@
 use kin_core::__private::live::{NewtonMemory, largest_in, newton_in};
 use kin_core::{Failure, Scalar};
 
-use super::{Memory, Run, Way, arithmetic};
+use super::{Run, Way, arithmetic};
 use crate::code::Call;
+use crate::memory::Memory;
 
 impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
     /// Newton's method from the guess.

@@ -8,8 +8,8 @@ use crate::{batches, sheets, solvers};
 /// The positions, possible or not, at which everything is compared.
 pub(crate) const SAMPLES: usize = 200;
 
-/// Compares a mechanism with its text in several kinds of numbers. Returns how many results of its translated methods were
-/// finite, and how many positions were solved.
+/// Compares a mechanism with its text in several kinds of numbers. Returns how many results of its translated methods
+/// were finite, and how many positions were solved.
 pub(crate) fn assert_agreement<M: Mechanism<Scalar = f64>>(text: &str) -> [usize; 2] {
     let live = kin_live::Mechanism::declare(text).unwrap_or_else(|error| panic!("{error}"));
     let declaration = live.declaration();
@@ -19,6 +19,7 @@ pub(crate) fn assert_agreement<M: Mechanism<Scalar = f64>>(text: &str) -> [usize
         + sheets::agreeing::<M, f32>(declaration)
         + sheets::agreeing::<M, Series<4>>(declaration);
     solvers::assert_same_description::<M>(&live);
+    solvers::assert_same_positions::<M>(&live);
     let solved = solvers::agreeing::<M, f64>(&live)
         + solvers::agreeing::<M, f32>(&live)
         + solvers::agreeing::<M, Series<4>>(&live)

@@ -47,7 +47,8 @@ fn every_mechanism_of_the_library() {
         "scotch_yoke": ScotchYoke;
         "slider_crank": SliderCrank, OffsetSliderCrank;
         "spherical_four_bar": SphericalFourBar;
-        "stephenson_six_bars": StephensonI, StephensonIIByElbow, StephensonIII, StephensonIByDyad, StephensonII, StephensonIIIByDyad;
+        "stephenson_six_bars": StephensonI, StephensonIIByElbow, StephensonIII, StephensonIByDyad, StephensonII,
+            StephensonIIIByDyad;
         "stewart_gough_leg": StewartGoughLeg;
         "universal_joint": UniversalJoint;
         "watt_six_bars": WattI, WattII, WattIByDyad, WattIIByCouplers;

@@ -10,6 +10,9 @@ use crate::agreement::SAMPLES;
 use crate::bits::Bits;
 use crate::random::Random;
 
+/// The searches for all positions of a mechanism, each of which may follow hundreds of paths.
+const SEARCHES: usize = 2;
+
 /// A mechanism gives the description of its text.
 pub(crate) fn assert_same_description<M: Mechanism<Scalar = f64>>(live: &kin_live::Mechanism) {
     let (own, expected) = (live.description(), M::DESCRIPTION);
@@ -182,8 +185,18 @@ pub(crate) fn agreeing<M: Mechanism<Scalar = f64>, T: Bits>(live: &kin_live::Mec
     solved
 }
 
-/// Compares the choice of an assembly, and all positions, in double precision.
-pub(crate) fn assert_same_positions<M: Mechanism<Scalar = f64>>(
+/// Compares all positions at some random inputs, and the assemblies to which they belong, in double precision.
+pub(crate) fn assert_same_positions<M: Mechanism<Scalar = f64>>(live: &kin_live::Mechanism) {
+    let mut random = Random::new(12);
+    for _ in 0..SEARCHES {
+        let mut drawn = |count: usize| (0..count).map(|_| f64::drawn(&mut random)).collect::<Vec<_>>();
+        let parameters = drawn(M::DESCRIPTION.parameters.len());
+        let parameters: Vec<f64> = parameters.into_iter().map(|value| value * value + 0.5).collect();
+        assert_same_positions_at::<M>(live, &parameters, &drawn(M::DESCRIPTION.inputs.len()));
+    }
+}
+
+fn assert_same_positions_at<M: Mechanism<Scalar = f64>>(
     live: &kin_live::Mechanism,
     parameters: &[f64],
     inputs: &[f64],

@@ -7,7 +7,8 @@ macro_rules! of_mechanism {
     ($name:expr, |$M:ident| $call:expr) => {
         of_mechanism! {
             @of $name, $M, $call,
-            kin_fit::TracedFourBar, kin_core::library::FourBar, kin_core::library::SliderCrank, kin_core::library::OffsetSliderCrank,
+            kin_fit::TracedFourBar, kin_core::library::FourBar, kin_core::library::SliderCrank,
+            kin_core::library::OffsetSliderCrank,
             kin_core::library::HoekenLinkage, kin_core::library::ChebyshevLinkage, kin_core::library::RobertsLinkage,
             kin_core::library::WattI, kin_core::library::WattII, kin_core::library::StephensonIII,
             kin_core::library::JansenLeg, kin_core::library::KlannLeg

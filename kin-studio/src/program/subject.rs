@@ -420,8 +420,8 @@ impl Subject {
         self.functions
     }
 
-    /// The choice of a position for all dimensions. Values nearby are those where the motion begins, and other positions are reached from
-    /// there.
+    /// The choice of a position for all dimensions. Values nearby are those where the motion begins, and other
+    /// positions are reached from there.
     pub(crate) fn choice(&self, case: &Case, start: &[f64]) -> Result<Choice, Fault> {
         let from = |inputs: &[f64], near: &[f64]| Choice::From {
             inputs: inputs.to_vec(),

@@ -74,7 +74,7 @@ fn closures_are_those_of_the_text() {
             let mut numbers = [pose.parameters, pose.inputs, pose.unknowns];
             let residuals = |[parameters, inputs, unknowns]: &[Vec<f64>; 3]| {
                 let mut found = vec![0.0; unknowns.len()];
-                functions.residuals(parameters, inputs, unknowns, &mut found);
+                functions.closure(parameters, inputs, unknowns, &mut found);
                 (found, sample.residuals(parameters, inputs, unknowns))
             };
             let (_, closed) = residuals(&numbers);

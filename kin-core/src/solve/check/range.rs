@@ -678,7 +678,7 @@ mod tests {
         let range = |second| SolutionInRange::value(unknown, [2.0, second], 0.0, 1.0);
         assert_eq!(choose_in(&[range(3.0)]), Err(outside(2.0, false)));
         assert_eq!(choose_in(&[range(0.5)]), Ok(Assembly::Crossed));
-        assert!(choose_in::<f64>(&[range(0.5); 0]).is_err());
+        assert!(choose_in(&[range(0.5)][..0]).is_err());
     }
 
     #[test]

@@ -33,7 +33,8 @@ pub(super) fn run(subject: &Subject, options: &Options, told: &Told) -> Result<(
     let sought = fit.variables(fit.start()).len();
     if data.count() < sought {
         eprintln!(
-            "note: {} numbers are given for {sought} that may change, so many linkages fit alike: vary fewer dimensions",
+            "note: {} numbers are given for {sought} that may change, so many linkages fit alike: vary fewer \
+             dimensions",
             data.count()
         );
     }
@@ -52,8 +53,8 @@ pub(super) fn run(subject: &Subject, options: &Options, told: &Told) -> Result<(
     match fitted.lowering {
         None => Ok(()),
         Some((name, part)) => Err(Fault::open(format!(
-            "what was found is no minimum: a change of `{name}` alone takes away {:.2} % of the sum of squares. Fit again from there \
-             with the `--set` above, or vary fewer dimensions",
+            "what was found is no minimum: a change of `{name}` alone takes away {:.2} % of the sum of squares. Fit \
+             again from there with the `--set` above, or vary fewer dimensions",
             100.0 * part
         ))),
     }
