@@ -40,6 +40,27 @@ impl SliceSolver for Mechanism {
         }
     }
 
+    fn solve_alone(
+        &self,
+        parameters: &[f64],
+        inputs: &[f64],
+        choice: PositionChoice<'_, f64>,
+        found: &mut Numbers<f64>,
+    ) -> Result<(), SolveError> {
+        let inputs = self.motions(inputs);
+        let write = |motion: FoundMotion<'_, f64>| motion.write_columns(found);
+        let result = match choice {
+            PositionChoice::Assembly(index) => {
+                let choice = self.motion.in_assembly(index);
+                self.motion.solve(parameters, inputs, choice, write)
+            }
+            PositionChoice::Near(near) => self.motion.near(parameters, inputs, near, |choice| {
+                self.motion.solve(parameters, inputs, choice, write)
+            }),
+        };
+        result.map_err(|fault| self.error(fault, parameters, inputs))
+    }
+
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn solve<T: Scalar>(
         &self,
@@ -47,7 +68,7 @@ impl SliceSolver for Mechanism {
         parameters: &[T],
         inputs: &[T],
         choice: PositionChoice<'_, T>,
-        found: &mut Numbers<T>,
+        found: &mut [Numbers<T>],
     ) -> Result<(), SolveError> {
         let inputs = self.motions(inputs);
         let BatchMemory {
@@ -56,41 +77,19 @@ impl SliceSolver for Mechanism {
             reals,
             rows,
         } = memory;
-        let memory = self.motion.lengths().parts(numbers, reals, rows);
-        let write = |motion: FoundMotion<'_, T>| motion.write_columns(found);
-        let result = match choice {
-            PositionChoice::Assembly(index) => {
-                let choice = self.motion.in_assembly(index);
-                self.motion.solve_in(memory, parameters, inputs, choice, write)
-            }
-            PositionChoice::Near(near) => self.motion.near_in(values, parameters, inputs, near, |choice| {
-                self.motion.solve_in(memory, parameters, inputs, choice, write)
-            }),
+        let chunks = found.len();
+        let memory = self.motion.lengths().of_chunks(chunks).parts(numbers, reals, rows);
+        let choice = match choice {
+            PositionChoice::Assembly(index) => Ok(self.motion.in_assembly(index)),
+            PositionChoice::Near(near) => self.motion.near_in(values, parameters, inputs, near),
         };
-        result.map_err(|fault| self.error(fault, parameters, inputs))
-    }
-
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn solve_chunks<T: Scalar, const CHUNKS: usize>(
-        &self,
-        memory: &mut BatchMemory<T>,
-        parameters: &[T],
-        inputs: &[T],
-        assembly: usize,
-        found: &mut [Numbers<T>],
-    ) -> bool {
-        let BatchMemory {
-            numbers, reals, rows, ..
-        } = memory;
-        let lengths = self.motion.lengths().of_chunks(CHUNKS);
-        let memory = lengths.parts(numbers, reals, rows);
-        let choice = self.motion.in_assembly(assembly);
         let write = |chunk: usize, motion: FoundMotion<'_, T>| motion.write_columns(&mut found[chunk]);
-        let motions = self.motions(inputs);
-        let result = self
-            .motion
-            .solve_chunks::<T, CHUNKS>(memory, parameters, motions, choice, write);
-        result.is_ok()
+        choice
+            .and_then(|choice| {
+                self.motion
+                    .solve_chunks(memory, chunks, parameters, inputs, choice, write)
+            })
+            .map_err(|fault| self.error(fault, parameters, inputs))
     }
 }
 

@@ -87,11 +87,12 @@ impl Every {
             self.given.write(memory.registers, parameters, inputs);
             let mut run = Run {
                 code: &self.code,
+                chunk: 0,
                 memory,
                 choice: Choice::default(),
                 way: AllPositions { every: self, choices },
             };
-            run.routine(0)?;
+            run.routine(0, 1)?;
             for (place, register) in unknowns.iter_mut().zip(&self.unknowns) {
                 *place = run.memory.registers[usize::from(*register)];
             }

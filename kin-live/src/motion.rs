@@ -279,7 +279,7 @@ impl Motion {
 
     /// Solves in memory that the caller lends.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(crate) fn solve_in<T: Scalar, R>(
+    fn solve_in<T: Scalar, R>(
         &self,
         memory: Memory<'_, T>,
         parameters: &[T],
@@ -287,7 +287,6 @@ impl Motion {
         choice: Choice<'_, T>,
         found: impl FnOnce(FoundMotion<'_, T>) -> R,
     ) -> Result<R, Fault> {
-        self.given.write(memory.registers, parameters, inputs);
         let mut run = Run {
             code: &self.code,
             chunk: 0,
@@ -295,8 +294,9 @@ impl Motion {
             choice,
             way: SinglePosition,
         };
+        self.given.write(run.memory.registers, parameters, inputs);
         for order in 0..inputs.orders {
-            run.routine::<1>(order)?;
+            run.routine(order, 1)?;
         }
         let Memory { registers, row, .. } = run.memory;
         let motion = FoundMotion {
@@ -309,20 +309,21 @@ impl Motion {
         Ok(found(motion))
     }
 
-    /// Solves several chunks of poses side by side, in an assembly. The parameters and inputs of a chunk stand behind those
-    /// of the chunk before. Fails if a pose fails as a whole.
+    /// Solves several chunks of poses side by side. The parameters, inputs and values nearby of a chunk stand behind those
+    /// of the chunk before. Nothing is tested for being finite.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(crate) fn solve_chunks<T: Scalar, const CHUNKS: usize>(
+    pub(crate) fn solve_chunks<T: Scalar>(
         &self,
         memory: Memory<'_, T>,
+        chunks: usize,
         parameters: &[T],
         inputs: Inputs<'_, T>,
         choice: Choice<'_, T>,
         mut found: impl FnMut(usize, FoundMotion<'_, T>),
     ) -> Result<(), Fault> {
         let stride = self.code.lengths.registers;
-        let (parameter_count, input_count) = (parameters.len() / CHUNKS, inputs.motions.len() / CHUNKS);
-        for chunk in 0..CHUNKS {
+        let (parameter_count, input_count) = (parameters.len() / chunks, inputs.motions.len() / chunks);
+        for chunk in 0..chunks {
             let own = &mut memory.registers[chunk * stride..(chunk + 1) * stride];
             let parameters = &parameters[chunk * parameter_count..(chunk + 1) * parameter_count];
             let motions = &inputs.motions[chunk * input_count..(chunk + 1) * input_count];
@@ -336,17 +337,15 @@ impl Motion {
             way: SinglePosition,
         };
         for order in 0..inputs.orders {
-            run.routine::<CHUNKS>(order)?;
+            run.routine(order, chunks)?;
         }
-        for chunk in 0..CHUNKS {
+        for chunk in 0..chunks {
             let registers = &run.memory.registers[chunk * stride..(chunk + 1) * stride];
-            found(
-                chunk,
-                FoundMotion {
-                    motion: self,
-                    registers,
-                },
-            );
+            let motion = FoundMotion {
+                motion: self,
+                registers,
+            };
+            found(chunk, motion);
         }
         Ok(())
     }
@@ -382,7 +381,10 @@ impl Motion {
             registers: self.near_length(),
             ..Lengths::default()
         };
-        lengths.lend(|memory| self.near_in(memory.registers, parameters, inputs, near, function))
+        lengths.lend(|memory| {
+            let choice = self.near_in(memory.registers, parameters, inputs, near)?;
+            function(choice)
+        })
     }
 
     /// The numbers that values nearby take.
@@ -390,16 +392,15 @@ impl Motion {
         self.unknowns.len() + self.choices
     }
 
-    /// Calls a function with the choice that values of the unknowns stand for, in memory that the caller lends.
+    /// The choice that values of the unknowns stand for, in memory that the caller lends.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(crate) fn near_in<T: Scalar, R>(
+    pub(crate) fn near_in<'m, T: Scalar>(
         &self,
-        memory: &mut [T],
+        memory: &'m mut [T],
         parameters: &[T],
         inputs: Inputs<'_, T>,
         near: &[T],
-        function: impl FnOnce(Choice<'_, T>) -> Result<R, Fault>,
-    ) -> Result<R, Fault> {
+    ) -> Result<Choice<'m, T>, Fault> {
         let (values, orientations) = memory.split_at_mut(self.unknowns.len());
         let orientations = &mut orientations[..self.choices];
         values.copy_from_slice(&near[..values.len()]);
@@ -421,7 +422,7 @@ impl Motion {
                 agreeing_in(values, orientations);
             }
         }
-        function(Choice {
+        Ok(Choice {
             near: Some(values),
             unknowns: self.unknowns.len(),
             assembly,

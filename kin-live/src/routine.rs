@@ -5,7 +5,7 @@ use kin_core::Scalar;
 
 use crate::code::{Assembler, Code, Labels, Register, TooLarge};
 use crate::memory::Lengths;
-use crate::run::{Choice, Run, SinglePosition};
+use crate::run::arithmetic;
 
 /// Where quantities stand before a run.
 #[derive(Debug, Default)]
@@ -119,11 +119,9 @@ impl Routine {
 
     fn finish(assembler: Assembler, results: Box<[Register]>) -> Result<Self, TooLarge> {
         let given = Given::of(&assembler);
-        Ok(Self {
-            code: assembler.finish()?,
-            given,
-            results,
-        })
+        let code = assembler.finish()?;
+        debug_assert!(code.calls.is_empty());
+        Ok(Self { code, given, results })
     }
 
     /// Calls a function with the results.
@@ -139,16 +137,11 @@ impl Routine {
         lengths.lend(|memory| {
             self.given.write(memory.registers, parameters, inputs);
             self.given.write_unknowns(memory.registers, unknowns);
-            let mut run = Run {
-                code: &self.code,
-                chunk: 0,
-                memory,
-                choice: Choice::default(),
-                way: SinglePosition,
-            };
-            // none of these statements can fail
-            let _ = run.routine::<1>(0);
-            let registers = run.memory.registers;
+            // none of its statements can fail, so it is arithmetic alone
+            for operation in &*self.code.routines[0] {
+                arithmetic(memory.registers, lengths.registers, 1, &self.code.constants, *operation);
+            }
+            let registers = &*memory.registers;
             results(&|index| registers[usize::from(self.results[index])])
         })
     }

@@ -26,29 +26,32 @@ pub trait SliceSolver: Described {
     /// Memory for numbers of one type, for several chunks of poses.
     fn memory<T: Scalar>(&self, chunks: usize) -> Self::Memory<T>;
 
-    /// Solves a pose, or several. The inputs are given with all orders.
+    /// Solves a pose, as [`AnyMechanism`](crate::any::AnyMechanism) does.
     ///
     /// # Errors
     /// Those of the solver.
+    fn solve_alone(
+        &self,
+        parameters: &[f64],
+        inputs: &[f64],
+        choice: PositionChoice<'_, f64>,
+        found: &mut Numbers<f64>,
+    ) -> Result<(), SolveError>;
+
+    /// Solves a pose, or several chunks of poses side by side: as many as numbers are to be found for. The parameters and
+    /// inputs of a chunk stand behind those of the chunk before; inputs are given with all orders. Values nearby choose the
+    /// position of a single chunk only.
+    ///
+    /// # Errors
+    /// Those of the solver, in the first chunk that fails as a whole. Numbers may be found that are not finite.
     fn solve<T: Scalar>(
         &self,
         memory: &mut Self::Memory<T>,
         parameters: &[T],
         inputs: &[T],
         choice: PositionChoice<'_, T>,
-        found: &mut Numbers<T>,
-    ) -> Result<(), SolveError>;
-
-    /// Solves several chunks of poses side by side, in an assembly. The parameters and inputs of a chunk stand behind those
-    /// of the chunk before. Returns false if they must be solved one by one.
-    fn solve_chunks<T: Scalar, const CHUNKS: usize>(
-        &self,
-        memory: &mut Self::Memory<T>,
-        parameters: &[T],
-        inputs: &[T],
-        assembly: usize,
         found: &mut [Numbers<T>],
-    ) -> bool;
+    ) -> Result<(), SolveError>;
 }
 
 /// The chunks that are solved side by side: an operation is looked up once for all of them.
@@ -199,10 +202,9 @@ impl<S: SliceSolver> PoseByPose<'_, S> {
         let at = |columns: &[Column<'_>]| columns.iter().map(|column| column.at(index)).collect::<Vec<f64>>();
         let (parameters, inputs, near) = (at(self.parameters), at(self.inputs), at(self.near));
         let mut found = Numbers::of(self.solver);
-        let mut memory = self.solver.memory(1);
         let result = self
             .solver
-            .solve(&mut memory, &parameters, &inputs, self.choice(&near), &mut found);
+            .solve_alone(&parameters, &inputs, self.choice(&near), &mut found);
         if result.is_err() {
             found.unknowns.fill(f64::NAN);
             found.sines.fill(Some(f64::NAN));
@@ -273,79 +275,68 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
         look(&mut views[1], alone.inputs, &same_inputs);
         look(&mut views[2], alone.near, &same_near);
         let [parameter_views, input_views, near_views] = &views;
-        let (mut parameters, mut inputs, mut near) = (same_parameters.clone(), same_inputs.clone(), same_near.clone());
-        let is_wide = alone.assembly.is_some() && count >= CHUNKS * W;
-        let mut memory = alone.solver.memory::<Lanes<W, FUSED>>(if is_wide { CHUNKS } else { 1 });
-        let (mut many_parameters, mut many_inputs) = (same_parameters.repeat(CHUNKS), same_inputs.repeat(CHUNKS));
-        let mut many: Vec<_> = (0..CHUNKS)
+        let mut near = same_near.clone();
+        let (mut parameters, mut inputs) = (same_parameters.repeat(CHUNKS), same_inputs.repeat(CHUNKS));
+        let (parameter_count, input_count) = (alone.parameters.len(), alone.inputs.len());
+        let mut memory = alone.solver.memory::<Lanes<W, FUSED>>(CHUNKS);
+        let mut found: Vec<_> = (0..CHUNKS)
             .map(|_| Numbers::<Lanes<W, FUSED>>::of(alone.solver))
             .collect();
-        // The poses before this one are solved chunk by chunk, because some of them fail.
-        let mut one_by_one = 0;
-        let mut found = Numbers::<Lanes<W, FUSED>>::of(alone.solver);
         // Lanes of single precision count to 2²⁴. The count is emptied long before.
         let (mut next, mut failed, mut emptied) = (0, zero, 0);
+        // The poses before this one are solved chunk by chunk, because some of them fail.
+        let mut one_by_one = 0;
         // If there are fewer poses than lanes, they are solved one by one.
         while next < count && count >= W {
-            if let Some(assembly) = alone.assembly
-                && next >= one_by_one
-                && next + CHUNKS * W <= count
-            {
-                let rows = many_parameters.chunks_exact_mut(parameters.len().max(1));
-                for (chunk, numbers) in rows.enumerate() {
-                    gather_all(numbers, parameter_views, next + chunk * W);
-                }
-                let rows = many_inputs.chunks_exact_mut(inputs.len().max(1));
-                for (chunk, numbers) in rows.enumerate() {
-                    gather_all(numbers, input_views, next + chunk * W);
-                }
-                let are_found = alone.solver.solve_chunks::<Lanes<W, FUSED>, CHUNKS>(
-                    &mut memory,
-                    &many_parameters,
-                    &many_inputs,
-                    assembly,
-                    &mut many,
-                );
-                if are_found && many.iter().all(|found| found.sum().is_finite_throughout()) {
-                    let stride = inputs.len();
-                    for (chunk, found) in many.iter().enumerate() {
-                        let own = &many_inputs[chunk * stride..(chunk + 1) * stride];
-                        alone.store(next + chunk * W, own, found, None);
-                    }
-                    next += CHUNKS * W;
-                    continue;
-                }
-                one_by_one = next + CHUNKS * W;
-            }
+            let is_wide = alone.assembly.is_some() && next >= one_by_one && next + CHUNKS * W <= count;
+            let chunks = if is_wide { CHUNKS } else { 1 };
             // The last chunk overlaps the one before it. The overlapped poses are solved twice, with the same result.
             let start = next.min(count - W);
-            gather_all(&mut parameters, parameter_views, start);
-            gather_all(&mut inputs, input_views, start);
+            for chunk in 0..chunks {
+                let (own, first) = (chunk * parameter_count, chunk * input_count);
+                gather_all(
+                    &mut parameters[own..own + parameter_count],
+                    parameter_views,
+                    start + chunk * W,
+                );
+                gather_all(&mut inputs[first..first + input_count], input_views, start + chunk * W);
+            }
             gather_all(&mut near, near_views, start);
-            let mut sum = Lanes([f64::NAN; W]);
             verdicts::forget::<f64>();
-            let choice = alone.choice(&near);
-            if alone
-                .solver
-                .solve(&mut memory, &parameters, &inputs, choice, &mut found)
-                .is_ok()
-            {
-                sum = found.sum();
-                if sum.is_finite_throughout() {
-                    alone.store(start, &inputs, &found, None);
-                    next = start + W;
-                    continue;
+            let result = alone.solver.solve(
+                &mut memory,
+                &parameters[..chunks * parameter_count],
+                &inputs[..chunks * input_count],
+                alone.choice(&near),
+                &mut found[..chunks],
+            );
+            let is_found = result.is_ok();
+            if is_found && found[..chunks].iter().all(|found| found.sum().is_finite_throughout()) {
+                for (chunk, found) in found[..chunks].iter().enumerate() {
+                    let own = &inputs[chunk * input_count..(chunk + 1) * input_count];
+                    alone.store(start + chunk * W, own, found, None);
                 }
-                alone.store(start, &inputs, &found, Some(sum.gaps()));
+                next = start + chunks * W;
+                continue;
+            }
+            if is_wide {
+                one_by_one = next + CHUNKS * W;
+                continue;
+            }
+            let (parameters, inputs, found) = (&parameters[..parameter_count], &inputs[..input_count], &mut found[0]);
+            let mut sum = Lanes([f64::NAN; W]);
+            if is_found {
+                sum = found.sum();
+                alone.store(start, inputs, found, Some(sum.gaps()));
             } else {
                 found.unknowns.fill(sum);
                 found.outputs.fill(sum);
                 found.sines.fill(None);
-                alone.store(start, &inputs, &found, None);
+                alone.store(start, inputs, found, None);
             }
             // A margin counts only if no other number of its pose can be the cause.
             let mut squares = Lanes::constant(0.0);
-            for entry in &parameters {
+            for entry in parameters {
                 squares = squares.plus_product(*entry, *entry);
             }
             for entry in inputs.iter().step_by(alone.orders) {

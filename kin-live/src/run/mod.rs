@@ -89,9 +89,9 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
     /// Numbers of several poses have it inlined, so that it is compiled for the vectors of the machine. For numbers of
     /// one pose it is compiled once.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(crate) fn routine<const CHUNKS: usize>(&mut self, index: usize) -> Result<(), Fault> {
+    pub(crate) fn routine(&mut self, index: usize, chunks: usize) -> Result<(), Fault> {
         if const { T::DOUBT > 0.0 } {
-            self.run::<CHUNKS>(index)
+            self.run(index, chunks)
         } else {
             self.run_alone(index)
         }
@@ -99,11 +99,11 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
 
     #[inline(never)]
     fn run_alone(&mut self, index: usize) -> Result<(), Fault> {
-        self.run::<1>(index)
+        self.run(index, 1)
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn run<const CHUNKS: usize>(&mut self, index: usize) -> Result<(), Fault> {
+    fn run(&mut self, index: usize, chunks: usize) -> Result<(), Fault> {
         let code = self.code;
         let operations = &*code.routines[index];
         let mut candidate = Assembly::Open;
@@ -115,7 +115,7 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
                     let call = &code.calls[usize::from(index)];
                     let before = (candidate, next);
                     // all chunks go the same way
-                    for chunk in 0..CHUNKS {
+                    for chunk in 0..chunks {
                         self.chunk = chunk;
                         (candidate, next) = before;
                         self.call(call, &mut candidate, &mut next)?;
@@ -124,7 +124,7 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
                 Operation::Doubt { skip } if T::DOUBT == 0.0 => next += usize::from(skip),
                 operation => {
                     let (registers, stride) = (&mut *self.memory.registers, code.lengths.registers);
-                    arithmetic::<T, CHUNKS>(registers, stride, &code.constants, operation);
+                    arithmetic(registers, stride, chunks, &code.constants, operation);
                 }
             }
         }
@@ -374,16 +374,17 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
 
 /// A step of arithmetic, in several chunks. The registers of a chunk begin a stride behind those of the chunk before.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn arithmetic<T: Scalar, const CHUNKS: usize>(
+pub(crate) fn arithmetic<T: Scalar>(
     registers: &mut [T],
     stride: usize,
+    chunks: usize,
     constants: &[f64],
     operation: Operation,
 ) {
     macro_rules! each {
         ($own:ident: $step:expr) => {{
             let mut first = 0;
-            for _ in 0..CHUNKS {
+            for _ in 0..chunks {
                 let $own = &mut registers[first..first + stride];
                 $step;
                 first += stride;

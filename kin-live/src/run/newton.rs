@@ -56,7 +56,7 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
                 values[usize::from(*register)] = *unknown;
             }
             for operation in &**body {
-                arithmetic::<T, 1>(values, stride, constants, *operation);
+                arithmetic(values, stride, 1, constants, *operation);
             }
             for (place, register) in found.iter_mut().zip(residuals) {
                 *place = values[usize::from(*register)];
