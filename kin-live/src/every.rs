@@ -180,7 +180,7 @@ impl Mechanism {
         unknowns: &mut [f64],
     ) -> Result<(), SolveError> {
         let inputs = Inputs::positions(inputs);
-        let result = every.code.lengths.lend(|memory| {
+        let result = every.code.lengths.lend([parameters, inputs.motions], |memory| {
             every.given.write(memory.registers, parameters, inputs);
             let mut run = Run {
                 code: &every.code,

@@ -21,6 +21,7 @@
 
 mod code;
 mod every;
+mod formulas;
 mod functions;
 mod mechanism;
 mod motion;

@@ -2,6 +2,7 @@
 
 use std::error::Error;
 use std::fmt;
+use std::sync::OnceLock;
 
 use kin_compiler::lowered::{self, ClosureTerm, Form};
 use kin_compiler::{Declaration, Mistake};
@@ -10,6 +11,7 @@ use kin_core::linkage::AnyLinkage;
 
 use crate::code::{Labels, TooLarge};
 use crate::every::Every;
+use crate::formulas::OwnedFormulas;
 use crate::functions::components;
 use crate::motion::Motion;
 use crate::names::{Names, OwnedDescription};
@@ -33,7 +35,9 @@ pub struct Mechanism {
     pub(crate) closure: SheetCode,
     pub(crate) outputs: SheetCode,
     pub(crate) places: SheetCode,
-    choices: Vec<String>,
+    pub(crate) choices: Vec<String>,
+    /// Formulas, once they are asked for.
+    formulas: OnceLock<OwnedFormulas>,
 }
 
 /// The closure as polynomials.
@@ -50,6 +54,14 @@ impl Mechanism {
     /// Every mistake of the declaration, in the order of the text; or that it is too large for the machine.
     pub fn declare(text: &str) -> Result<Self, DeclareError> {
         let declaration = Declaration::parse(text).map_err(DeclareError::Mistakes)?;
+        Self::of(declaration)
+    }
+
+    /// The mechanism of a compiled declaration.
+    ///
+    /// # Errors
+    /// [`DeclareError::TooLarge`].
+    pub fn of(declaration: Declaration) -> Result<Self, DeclareError> {
         Self::new(declaration).map_err(|TooLarge| DeclareError::TooLarge)
     }
 
@@ -87,6 +99,7 @@ impl Mechanism {
         let dyads = program.dyads.iter().map(|unknowns| labels.unknowns(unknowns)).collect();
         let names = Names {
             groups: labels.groups,
+            outline: declaration.sheets().outline.clone(),
             description: description.clone(),
         };
         Ok(Self {
@@ -102,6 +115,7 @@ impl Mechanism {
             closure,
             outputs,
             places,
+            formulas: OnceLock::new(),
             declaration,
         })
     }
@@ -110,6 +124,12 @@ impl Mechanism {
     #[must_use]
     pub fn declaration(&self) -> &Declaration {
         &self.declaration
+    }
+
+    /// The equations and their solution.
+    pub(crate) fn formulas(&self) -> &OwnedFormulas {
+        self.formulas
+            .get_or_init(|| OwnedFormulas::of(self.declaration.formulas()))
     }
 
     /// The name of an assembly, as `kin_core::Mechanism::assembly_name` gives it.

@@ -195,7 +195,7 @@ impl<T: Scalar> FoundMotion<'_, T> {
                 registers: telltales.len(),
                 ..Lengths::default()
             };
-            lengths.lend(|memory| {
+            lengths.lend([&[self.at(telltales[0])], &[]], |memory| {
                 for (place, register) in memory.registers.iter_mut().zip(telltales) {
                     *place = self.at(*register);
                 }
@@ -249,26 +249,28 @@ impl Motion {
         choice: Choice<'_, T>,
         found: impl FnOnce(FoundMotion<'_, T>) -> R,
     ) -> Result<R, Fault> {
-        self.code.lengths.lend(|memory: Memory<'_, T>| {
-            self.given.write(memory.registers, parameters, inputs);
-            let mut run = Run {
-                code: &self.code,
-                memory,
-                choice,
-                way: SinglePosition,
-            };
-            for order in 0..inputs.orders {
-                run.routine(order)?;
-            }
-            let motion = FoundMotion {
-                motion: self,
-                registers: run.memory.registers,
-            };
-            if inputs.orders > 1 && !motion.is_finite() {
-                return Err(self.not_finite(&motion, inputs));
-            }
-            Ok(found(motion))
-        })
+        self.code
+            .lengths
+            .lend([parameters, inputs.motions], |memory: Memory<'_, T>| {
+                self.given.write(memory.registers, parameters, inputs);
+                let mut run = Run {
+                    code: &self.code,
+                    memory,
+                    choice,
+                    way: SinglePosition,
+                };
+                for order in 0..inputs.orders {
+                    run.routine(order)?;
+                }
+                let motion = FoundMotion {
+                    motion: self,
+                    registers: run.memory.registers,
+                };
+                if inputs.orders > 1 && !motion.is_finite() {
+                    return Err(self.not_finite(&motion, inputs));
+                }
+                Ok(found(motion))
+            })
     }
 
     /// Names the first input that is not finite, or else the first such result.
@@ -302,7 +304,7 @@ impl Motion {
             registers: self.unknowns.len() + self.choices,
             ..Lengths::default()
         };
-        lengths.lend(|memory: Memory<'_, T>| {
+        lengths.lend([parameters, inputs.motions], |memory: Memory<'_, T>| {
             let (values, orientations) = memory.registers.split_at_mut(self.unknowns.len());
             values.copy_from_slice(&near[..values.len()]);
             if !self.angles.is_empty() {

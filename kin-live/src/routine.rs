@@ -135,7 +135,7 @@ impl Routine {
         results: impl FnOnce(&dyn Fn(usize) -> T) -> R,
     ) -> R {
         let lengths: Lengths = self.code.lengths;
-        lengths.lend(|memory| {
+        lengths.lend([parameters, inputs.motions], |memory| {
             self.given.write(memory.registers, parameters, inputs);
             self.given.write_unknowns(memory.registers, unknowns);
             let mut run = Run {

@@ -71,5 +71,8 @@ pub use sweep::{Guide, InAssembly, Nearest};
 pub use target::{Columns, MotionColumns, Visitor};
 pub use target::{Place, Target};
 #[cfg(feature = "alloc")]
+#[doc(hidden)]
+pub use untyped::solve_each;
+#[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 pub use untyped::{AnyBatch, AnyFold, ColumnChoice, GivenColumns, WantedColumns};

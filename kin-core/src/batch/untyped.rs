@@ -1,11 +1,14 @@
 //! Batches of a mechanism without its type.
 
+use alloc::vec;
 use alloc::vec::Vec;
 
 use super::{Batch, Column, Columns, Fold, FoldError, LengthMismatch, Outcome, Place, Summary, Turn, Vectors, Visitor};
-use crate::any::{Described, Of};
+use crate::any::{Described, MotionOver, Of, PositionChoice};
+use crate::failure::SolveError;
 use crate::mechanism::Mechanism;
 use crate::number::Row;
+use crate::quantity::NameKind;
 
 /// The choice among several positions, for each row.
 #[derive(Clone, Copy, Debug)]
@@ -109,6 +112,85 @@ impl<M: Mechanism<Scalar = f64>> AnyBatch for Of<M> {
             }
         }
     }
+}
+
+/// [`AnyBatch::solve_batch`] pose by pose, for a mechanism without lanes. The columns of sines stay as they are: its directions are angles.
+///
+/// # Errors
+/// As there.
+pub fn solve_each(
+    mechanism: &(impl Described + MotionOver<f64>),
+    given: GivenColumns<'_>,
+    wanted: &mut WantedColumns<'_>,
+    outcomes: &mut [Outcome],
+) -> Result<Summary, LengthMismatch> {
+    let description = mechanism.description();
+    let (count, orders) = (outcomes.len(), description.order + 1);
+    let near = match given.choice {
+        ColumnChoice::Assembly(_) => &[],
+        ColumnChoice::Near(near) => near,
+    };
+    let fits = |of: NameKind, index: usize, length: Option<usize>| match length {
+        Some(length) if length != count => Err(LengthMismatch {
+            quantity: mechanism.name(of, index),
+            poses: count,
+            length,
+        }),
+        _ => Ok(()),
+    };
+    for (index, column) in given.parameters.iter().enumerate() {
+        fits(NameKind::Parameter, index, column.length())?;
+    }
+    for (index, columns) in given.inputs.iter().enumerate() {
+        for column in *columns {
+            fits(NameKind::Input, index, column.length())?;
+        }
+    }
+    for (index, column) in near.iter().enumerate() {
+        fits(NameKind::Unknown, index, column.length())?;
+    }
+    for (place, column) in &wanted.columns {
+        let (of, index) = match place {
+            Place::Input(index, _) => (NameKind::Input, *index),
+            Place::Unknown(index, _) | Place::Sine(index) => (NameKind::Unknown, *index),
+            Place::Output(index, _) => (NameKind::Output, *index),
+        };
+        fits(of, index, Some(column.len()))?;
+    }
+    let mut inputs = vec![0.0; description.inputs.len() * orders];
+    let [mut unknowns, mut outputs] =
+        [description.unknowns, description.outputs].map(|all| vec![0.0; all.len() * orders]);
+    let mut summary = Summary {
+        solved: count,
+        ..Summary::default()
+    };
+    for (row, outcome) in outcomes.iter_mut().enumerate() {
+        let at = |columns: &[Column<'_>]| columns.iter().map(|column| column.at(row)).collect::<Vec<f64>>();
+        for (motion, columns) in inputs.chunks_exact_mut(orders).zip(given.inputs) {
+            for (order, number) in motion.iter_mut().enumerate() {
+                *number = columns.get(order).map_or(0.0, |column| column.at(row));
+            }
+        }
+        let near = at(near);
+        let choice = match given.choice {
+            ColumnChoice::Assembly(index) => PositionChoice::Assembly(index),
+            ColumnChoice::Near(_) => PositionChoice::Near(&near),
+        };
+        let found: Result<(), SolveError> =
+            mechanism.motion(&at(given.parameters), &inputs, choice, &mut unknowns, &mut outputs);
+        *outcome = summary.note(row, found);
+        for (place, column) in &mut wanted.columns {
+            let number = match *place {
+                Place::Input(index, order) => inputs[index * orders + order],
+                Place::Sine(_) => continue,
+                _ if !outcome.is_solved() => f64::NAN,
+                Place::Unknown(index, order) => unknowns[index * orders + order],
+                Place::Output(index, order) => outputs[index * orders + order],
+            };
+            column[row] = number;
+        }
+    }
+    Ok(summary)
 }
 
 /// Summaries of the poses of a turn, on columns by their indices.

@@ -125,6 +125,7 @@ impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Mechanism for Hyperbo
         }],
         order: LENGTH - 1,
         operations: &[Operations::NONE; LENGTH],
+        groups: &[],
     };
     const FORMULAS: Formulas<'static> = Formulas::new(NO_FORMULA, &[], &[], NO_FORMULA, NO_FORMULA);
     const ASSEMBLY_COUNT: usize = 0;

@@ -7,3 +7,4 @@ mod own;
 mod random;
 mod sheets;
 mod solvers;
+mod tapes;

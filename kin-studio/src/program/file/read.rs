@@ -1,12 +1,10 @@
-//! A `.kin` file, taken apart: the declaration, which becomes Rust, and the numbers, which never do.
-//!
-//! The declaration comes from anybody, and the macro passes attributes on. So everything is refused that is not a doc
-//! comment, a name, a number or an operator of the grammar.
+//! A `.kin` file, taken apart: the declaration, and the numbers.
 
 use std::ops::Range;
 
-use kin_compiler::{Declaration, Quantity};
+use kin_compiler::Quantity;
 use kin_core::Dimension;
+use kin_live::{DeclareError, Mechanism};
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
 use super::super::fault::similar;
@@ -18,18 +16,12 @@ use super::place::Mistake;
 const FIRST_LINE: &str = "kin 1";
 
 /// A file that was read.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug)]
 pub(crate) struct KinFile {
-    /// The name of the mechanism.
-    pub(crate) name: String,
-    /// Its doc comment.
-    pub(crate) documentation: String,
+    /// The mechanism.
+    pub(crate) mechanism: Mechanism,
     /// The declaration as it was typed.
     pub(crate) declaration: String,
-    /// The whole file with all that is not the declaration as blanks, so that every token keeps its place.
-    pub(crate) rust: String,
-    /// The declaration, compiled.
-    pub(crate) compiled: Declaration,
     /// Dimensions and inputs that stand: `r1=90`.
     pub(crate) set: Vec<String>,
     /// Motions of inputs: `theta2=0deg..360deg at 60rpm`.
@@ -163,14 +155,19 @@ fn braces(token: Option<&TokenTree>) -> Option<&Group> {
 impl Reader<'_> {
     fn read(&self, blanked: &str) -> Result<KinFile, Vec<Mistake>> {
         let sections = self.sections().map_err(|mistake| vec![mistake])?;
-        let rust = blank(blanked, &sections.blanks);
-        let compiled = Declaration::parse(&rust).map_err(|mistakes| {
-            let mistakes = mistakes.into_iter();
-            mistakes
-                .map(|mistake| Mistake::new(mistake.message, mistake.bytes))
-                .collect::<Vec<_>>()
+        // with blanks in the place of all else, so that every token keeps its own
+        let declaration = blank(blanked, &sections.blanks);
+        let mechanism = Mechanism::declare(&declaration).map_err(|error| match error {
+            DeclareError::Mistakes(mistakes) => {
+                let mistakes = mistakes.into_iter();
+                mistakes
+                    .map(|mistake| Mistake::new(mistake.message, mistake.bytes))
+                    .collect::<Vec<_>>()
+            }
+            error => vec![Mistake::new(error.to_string(), 0..0)],
         })?;
-        self.file(sections, rust, compiled).map_err(|mistake| vec![mistake])
+        self.file(sections, &declaration, mechanism)
+            .map_err(|mistake| vec![mistake])
     }
 
     /// Divides the file into its sections.
@@ -227,20 +224,18 @@ impl Reader<'_> {
     }
 
     /// The file with the numbers of its sections.
-    fn file(&self, sections: Sections, rust: String, compiled: Declaration) -> Result<KinFile, Mistake> {
+    fn file(&self, sections: Sections, declaration: &str, mechanism: Mechanism) -> Result<KinFile, Mistake> {
+        let compiled = mechanism.declaration();
         let [fields, inputs] = [compiled.parameters(), compiled.inputs()]
             .map(|quantities| quantities.iter().map(Declared::from).collect::<Vec<_>>());
         let (dimensions, dimensions_at) = &sections.dimensions;
         let mut lengths = Lengths::default();
         let mut set = numbers(&fields, dimensions, dimensions_at, self.text, &mut lengths)?;
         let over = motions(&inputs, &sections.motion, &mut lengths, &mut set)?;
-        let declaration = rust.lines().map(str::trim_end).collect::<Vec<_>>().join("\n");
+        let declaration = declaration.lines().map(str::trim_end).collect::<Vec<_>>().join("\n");
         Ok(KinFile {
-            name: compiled.name().to_owned(),
-            documentation: compiled.documentation().to_owned(),
+            mechanism,
             declaration: declaration.trim().to_owned(),
-            rust,
-            compiled,
             set,
             over,
             assembly: sections.assembly,
@@ -556,17 +551,15 @@ assembly = open;
     #[test]
     fn a_file_is_taken_apart() {
         let file = KinFile::read(FILE).unwrap();
-        assert_eq!((file.name.as_str(), file.documentation.as_str()), ("Pump", "A pump."));
+        let declared = file.mechanism.declaration();
+        assert_eq!((declared.name(), declared.documentation()), ("Pump", "A pump."));
         assert_eq!(
             file.set,
             ["crank=30mm", "rod=80mm", "tilt=5deg", "pin.x=1", "pin.y=2cm"]
         );
         assert_eq!(file.over, ["s=60mm..100mm at 20mm/s"]);
         assert_eq!(file.assembly.as_deref(), Some("open"));
-        // every token of the declaration keeps its place, and nothing else is left
-        assert_eq!(file.rust.len(), FILE.len());
-        assert_eq!(file.rust.find("unknown"), FILE.find("unknown"));
-        assert!(!file.rust.contains("dimensions") && !file.rust.contains("kin 1"));
+        assert!(!file.declaration.contains("dimensions") && !file.declaration.contains("kin 1"));
         assert!(file.declaration.ends_with("vec2(s, 0);"));
     }
 

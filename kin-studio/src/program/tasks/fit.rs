@@ -12,7 +12,8 @@ use basin::{
     BoundedLevenbergMarquardt, BoxBounds, ConstraintDescription, ConstraintSet, Constraints, DenseMatrix, Executor,
     Jacobian, PointState, Residual, Solver, TrustRegionReflective,
 };
-use kin_core::{Description, Dimension, Quantity};
+use kin_core::Dimension;
+use kin_core::any::{Description, Quantity};
 
 use super::super::case::Case;
 use super::super::command::Fit;
@@ -97,7 +98,7 @@ fn read(subject: &Subject, options: &Fit, lengths: &mut Lengths) -> Result<Data,
     let text = std::fs::read_to_string(&options.data)
         .map_err(|error| Fault::wrong(format!("{path} cannot be read: {error}")))?;
     let description = subject.description();
-    let names: Vec<&Quantity> = quantities(description);
+    let names: Vec<&Quantity<'_>> = quantities(description);
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
         .flexible(true)
@@ -201,20 +202,20 @@ fn read(subject: &Subject, options: &Fit, lengths: &mut Lengths) -> Result<Data,
 }
 
 /// Whether a sweep writes a column of this name.
-fn is_of_a_sweep(description: &Description, name: &str) -> bool {
+fn is_of_a_sweep(description: &Description<'_>, name: &str) -> bool {
     let all = description
         .inputs
         .iter()
         .chain(description.unknowns)
         .chain(description.outputs);
-    let is_rate = |quantity: &Quantity| {
+    let is_rate = |quantity: &Quantity<'_>| {
         name.strip_prefix(quantity.name)
             .is_some_and(|rest| rest.starts_with('_'))
     };
     ["outcome", "margin", "time", "row", ""].contains(&name) || all.into_iter().any(is_rate)
 }
 
-fn quantities(description: &Description) -> Vec<&'static Quantity> {
+fn quantities<'d>(description: &'d Description<'d>) -> Vec<&'d Quantity<'d>> {
     description.unknowns.iter().chain(description.outputs).collect()
 }
 
@@ -574,7 +575,7 @@ impl<'s> Problem<'s> {
             in_degrees: case.in_degrees,
             length: case.length,
         };
-        let parameters: Vec<&Quantity> = self
+        let parameters: Vec<&Quantity<'_>> = self
             .varied
             .iter()
             .map(|index| &description.parameters[*index])
@@ -661,7 +662,7 @@ fn ends(dimension: Dimension, from: f64, to: f64) -> (f64, f64) {
 }
 
 /// The dimensions of these names; the name of a point stands for its coordinates.
-fn varied(description: &Description, names: &[String]) -> Result<Vec<usize>, Fault> {
+fn varied(description: &Description<'_>, names: &[String]) -> Result<Vec<usize>, Fault> {
     let all = description.parameters.iter().enumerate();
     if names.is_empty() {
         return Ok(all.map(|(index, _)| index).collect());
@@ -688,7 +689,7 @@ fn varied(description: &Description, names: &[String]) -> Result<Vec<usize>, Fau
 }
 
 /// The spread of the lengths together, since the coordinates of a point count alike; one radian and one for the others.
-fn scales(description: &Description, data: &Data) -> Vec<f64> {
+fn scales(description: &Description<'_>, data: &Data) -> Vec<f64> {
     let quantities = quantities(description);
     let spread = |column: usize| {
         let values = || data.values.iter().filter_map(move |row| row[column]);
