@@ -1,8 +1,8 @@
 //! The machine: it runs code over any number with which a mechanism is solved.
 //!
 //! It calls the functions of `kin_core::solve` that the generated code of a declared mechanism calls, in the same order,
-//! so its numbers are the same to the last bit. All of it is inlined, because a batch compiles it for the vectors of
-//! each machine.
+//! so its numbers are the same to the last bit. For several numbers at once all of it is inlined, because a batch
+//! compiles it for the vectors of each machine. For each other number it is compiled once.
 
 mod closed_form;
 mod memory;
@@ -82,6 +82,20 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
     /// Runs a routine.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn routine(&mut self, index: usize) -> Result<(), Fault> {
+        if T::DOUBT > 0.0 {
+            self.routine_inlined(index)
+        } else {
+            self.routine_called(index)
+        }
+    }
+
+    #[inline(never)]
+    fn routine_called(&mut self, index: usize) -> Result<(), Fault> {
+        self.routine_inlined(index)
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn routine_inlined(&mut self, index: usize) -> Result<(), Fault> {
         let code = self.code;
         self.operations::<true>(&code.routines[index], Assembly::Open)
     }

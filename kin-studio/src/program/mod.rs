@@ -1,6 +1,6 @@
 //! The program: a mechanism's sweeps, cycles, peaks, code and pages from the command line.
 //!
-//! [`main`] makes a program of one's own mechanism, [`library`] is the binary `kin`.
+//! [`main`] makes a program of one's own mechanism, [`library()`] is the binary `kin`.
 
 mod advice;
 mod case;
@@ -15,7 +15,6 @@ mod tasks;
 mod text;
 mod value;
 
-pub use subject::Entry;
 use subject::Subject;
 
 use std::ffi::OsString;
@@ -31,6 +30,8 @@ use kin_core::{Mechanism, in_small_letters};
 use command::Task;
 use fault::{Fault, similar};
 use file::Told;
+
+use crate::library::DESIGNS;
 
 /// A program of one mechanism: reads the arguments, does what they say, and returns the code to end with.
 ///
@@ -65,11 +66,11 @@ pub fn main<M: Mechanism<Scalar = f64>>() -> ExitCode {
     ended(done)
 }
 
-/// The program of many mechanisms. Each is called by its name in small letters, with or without underscores.
+/// The program of the library's mechanisms. Each is called by its name in small letters, with or without underscores.
 #[must_use]
-pub fn library(all: &[Entry]) -> ExitCode {
+pub fn library() -> ExitCode {
     let arguments: Vec<OsString> = std::env::args_os().collect();
-    ended(run_library(all, &arguments))
+    ended(run_library(&arguments))
 }
 
 /// Prints the reason why the program failed.
@@ -155,12 +156,12 @@ fn own_task(about: String, name: &str, arguments: &[OsString]) -> Result<Option<
     Task::from_arg_matches(&matches).map(Some).map_err(Fault::wrong)
 }
 
-fn run_library(all: &[Entry], arguments: &[OsString]) -> Result<(), Fault> {
+fn run_library(arguments: &[OsString]) -> Result<(), Fault> {
     let mut command = library_command();
     let matches = parsed(&command, arguments, true)?;
     match matches.subcommand() {
         Some(("completions", matches)) => completions(&mut command, "kin", matches),
-        Some(("list", _)) => tasks::list(all),
+        Some(("list", _)) => tasks::list(),
         Some(("run", own)) => run_file(own),
         Some(("check", own)) => {
             let path = own.get_one::<PathBuf>("file").cloned().unwrap_or_default();
@@ -168,12 +169,12 @@ fn run_library(all: &[Entry], arguments: &[OsString]) -> Result<(), Fault> {
         }
         Some((_, own)) => {
             let wanted = own.get_one::<String>("mechanism").map_or("", String::as_str);
-            let subject = match (find(all, wanted), advice::advice(arguments, true)) {
+            let subject = match (find(wanted), advice::advice(arguments, true)) {
                 (Err(_), Some(advice)) => return Err(Fault::wrong(advice)),
                 (found, _) => found?,
             };
             let task = Task::from_arg_matches(&matches).map_err(Fault::wrong)?;
-            tasks::run(subject, &task, &Told::default())
+            tasks::run(&subject, &task, &Told::default())
         }
         None => Ok(()),
     }
@@ -271,17 +272,12 @@ fn run_file(matches: &clap::ArgMatches) -> Result<(), Fault> {
     }
 }
 
-fn find<'s>(all: &'s [Entry], wanted: &str) -> Result<&'s Subject, Fault> {
+fn find(wanted: &str) -> Result<Subject, Fault> {
     let plain = |name: &str| name.replace(['_', '-', ' '], "").to_lowercase();
-    let found = all
-        .iter()
-        .find(|entry| plain(entry.0.description().name) == plain(wanted));
-    if let Some(found) = found {
-        return Ok(&found.0);
+    if let Some(found) = DESIGNS.iter().find(|design| plain(design.name) == plain(wanted)) {
+        return Subject::of_library(found);
     }
-    let names = all
-        .iter()
-        .map(|entry| in_small_letters(entry.0.description().name, '_'));
+    let names = DESIGNS.iter().map(|design| in_small_letters(design.name, '_'));
     let names: Vec<String> = names.collect();
     let close = similar(wanted, names.iter().map(String::as_str));
     let hint = if close.starts_with("did you mean") {

@@ -3,7 +3,9 @@
 use std::fmt;
 use std::sync::Arc;
 
-use kin_core::any::{AssemblyChoice, Description, Named, Of, OutputsOver, PositionChoice, PositionOver, Quantity};
+use kin_core::any::{
+    AssemblyChoice, Described as _, Description, Named, Of, OutputsOver, PositionChoice, PositionOver, Quantity,
+};
 use kin_core::batch::LengthMismatch;
 use kin_core::cycle::BlockClass;
 use kin_core::exact::{ExactTable, ExactTableError, Precision};
@@ -20,6 +22,7 @@ use kin_core::{Changing, Number, TrackError};
 use super::case::Case;
 use super::fault::Fault;
 use super::text;
+use crate::library::{Design, DesignAssembly};
 use crate::report::{ReportError, ReportFunctions, WayWished, Wishes};
 
 /// The assembly that is wanted.
@@ -117,32 +120,6 @@ impl<F: ReportFunctions + TabledMechanism + VerifiedFunctions + PositionOver<Cha
 pub(crate) struct Subject {
     functions: Arc<dyn ProgramFunctions>,
     example: Option<Example>,
-}
-
-/// A mechanism of a program that has many.
-pub struct Entry(pub(super) Subject);
-
-impl Entry {
-    /// A mechanism with dimensions, inputs and an assembly for which it closes.
-    #[must_use]
-    pub fn new<M: Mechanism<Scalar = f64>>(mechanism: &M, inputs: M::Inputs<f64>, assembly: M::Assembly) -> Self {
-        let inputs = inputs.as_ref().to_vec();
-        let example = Example {
-            parameters: mechanism.parameters().as_ref().to_vec(),
-            assembly: match AssemblyChoice::of::<M>(assembly) {
-                AssemblyChoice::Index(index) => Wanted::Named(index),
-                AssemblyChoice::Near(near) => Wanted::At {
-                    inputs: inputs.clone(),
-                    near,
-                },
-            },
-            inputs,
-        };
-        Self(Subject {
-            example: Some(example),
-            ..Subject::of::<M>()
-        })
-    }
 }
 
 /// The mechanism has several positions, and none was chosen.
@@ -250,6 +227,30 @@ impl Subject {
     /// A mechanism of which nothing is known but its declaration.
     pub(crate) fn of<M: Mechanism<Scalar = f64>>() -> Self {
         Self::new(*Of::<M>::FUNCTIONS)
+    }
+
+    /// A mechanism of the library.
+    pub(crate) fn of_library(design: &Design) -> Result<Self, Fault> {
+        let mechanism = kin_live::Mechanism::declare(design.declaration()).map_err(Fault::wrong)?;
+        let inputs = design.inputs.to_vec();
+        let assembly = match design.assembly {
+            DesignAssembly::Named(name) => {
+                let index = mechanism.assembly_names().iter().position(|own| own == name);
+                index.map_or(Wanted::Unknown, Wanted::Named)
+            }
+            DesignAssembly::Near(near) => Wanted::At {
+                inputs: inputs.clone(),
+                near: near.to_vec(),
+            },
+        };
+        Ok(Self {
+            example: Some(Example {
+                parameters: design.parameters.to_vec(),
+                inputs,
+                assembly,
+            }),
+            ..Self::new(mechanism)
+        })
     }
 
     /// A mechanism by its functions.
