@@ -285,11 +285,14 @@ impl<F, S> RecordedFunctions<F> for S where
 {
 }
 
+/// Finds further results.
+type More<'d, F> = fn(&SolverArguments<'_, Recorded<F>>) -> Result<Vec<TapeResult<'d>>, SolveError>;
+
 /// What is recorded.
 pub struct Solver<'d, F> {
     mechanism: &'d dyn RecordedFunctions<F>,
     /// Finds further results.
-    more: fn(&SolverArguments<'_, Recorded<F>>) -> Result<Vec<TapeResult<'d>>, SolveError>,
+    more: More<'d, F>,
 }
 
 /// What a solver is given.
@@ -513,7 +516,7 @@ fn solved<'d, F: Scalar>(
     if options.has_skeleton {
         let mut all: Vec<Vec<Recorded<F>>> = Vec::new();
         mechanism.places(parameters, &places, &values(&unknowns), &mut |place| {
-            all.push(place.to_vec())
+            all.push(place.to_vec());
         });
         let joints = all.len().saturating_sub(mechanism.outline().slides.len());
         for (index, place) in all.iter().enumerate() {

@@ -32,5 +32,5 @@ impl<'m> Motions<'m> {
 
 /// Typed motions as numbers one after the other.
 pub(super) fn flat<R: Row<f64>>(motions: &[R]) -> Vec<f64> {
-    motions.iter().flat_map(|motion| motion.as_ref()).copied().collect()
+    motions.iter().flat_map(AsRef::as_ref).copied().collect()
 }
