@@ -38,6 +38,8 @@ mod work;
 pub use algebra::Function;
 #[doc(hidden)]
 pub use bug::expand_or_tell;
+#[doc(hidden)]
+pub use formulas::{Formula, Formulas};
 /// Programs as data, for kin-live.
 #[doc(hidden)]
 pub mod lowered {

@@ -9,10 +9,13 @@ use quote::quote;
 use syn::{Attribute, Expr, ExprLit, Lit};
 
 use crate::bug::bug;
-use crate::expand::{expand, solved};
+use crate::expand::{expand, solved, structure};
+use crate::formulas::{Formulas, formulas};
 use crate::lower;
 use crate::mistakes::Mistakes;
+use crate::model;
 use crate::room::with_room;
+use crate::structure::Structure;
 use crate::syntax::{self, Dimension, QuantityItem, Statement};
 use crate::translate::sheets;
 use crate::translate::tree::Sheets;
@@ -165,12 +168,35 @@ impl Declaration {
         &self.sheets
     }
 
+    /// Its equations and their solution, to be read.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn formulas(&self) -> Formulas {
+        with_room(|| {
+            let mistakes = &mut Mistakes::new();
+            let found = syntax::parse(self.tokens(), mistakes).and_then(|declaration| {
+                let model = model::build(&declaration, mistakes)?;
+                let Structure {
+                    graph,
+                    residuals,
+                    blocks,
+                } = structure(&declaration, &model, mistakes)?;
+                Some(formulas(&declaration, &model, graph, &residuals, &blocks))
+            });
+            found.unwrap_or_else(|| unreachable!("a compiled declaration has no mistakes"))
+        })
+    }
+
+    /// The tokens of the text. What has been read once can be read again.
+    fn tokens(&self) -> TokenStream {
+        self.text.parse().unwrap_or_default()
+    }
+
     /// The code that the macro writes for it, in which `kin_core` stands for the library.
     #[must_use]
     pub fn rust(&self) -> String {
         with_room(|| {
-            // a text that has been read once can be read again
-            let tokens: TokenStream = self.text.parse().unwrap_or_default();
+            let tokens = self.tokens();
             expand(quote!((::kin_core) #tokens)).to_string()
         })
     }

@@ -33,7 +33,7 @@ pub use crate::failure::InputNames;
 use crate::failure::SolveError;
 use crate::mechanism::{BlockForm, Mechanism, Pose, PositionSearch};
 use crate::number::Row;
-use crate::picture::TransmissionAngle;
+use crate::picture::{PlaneOrSpace, PointArray, TransmissionAngle};
 use crate::solve::Scalar;
 
 pub use crate::mechanism::{Block, ClosureHarmonic, ClosureTerm, Description, Formula, Formulas, Named};
@@ -219,6 +219,25 @@ pub trait FormsOver<T> {
     fn block_forms(&self, parameters: &[T], found: &mut dyn FnMut(BlockForm<T>));
 }
 
+/// The places of the picture in numbers of one type.
+pub trait PlacesOver<T> {
+    /// Passes on the coordinates of each joint of the [`outline`](Pictured::outline), and then of the direction of each slide: two in the
+    /// plane, three in space.
+    fn places(&self, parameters: &[T], inputs: &[T], unknowns: &[T], found: &mut dyn FnMut(&[T]));
+}
+
+/// What is shown of a mechanism beside its motion.
+pub trait Pictured {
+    /// Which joints belong together, [`Outline::NONE`] if nothing can be drawn.
+    fn outline(&self) -> Outline<'_>;
+
+    /// Whether joints have three coordinates.
+    fn is_space(&self) -> bool;
+
+    /// The equations and their solution in the notation of textbooks.
+    fn formulas(&self) -> Formulas<'_>;
+}
+
 /// A search for all positions at given inputs.
 pub trait EveryPosition {
     /// Passes on the unknowns of every regular position.
@@ -265,6 +284,11 @@ pub trait Described {
         indices.filter_map(|index| self.assembly_name(index)).collect()
     }
 
+    /// The names of the choices between two assemblies: none if there is no choice, or if a position is chosen by values nearby.
+    #[cfg(feature = "alloc")]
+    #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
+    fn choices(&self) -> Vec<alloc::string::String>;
+
     /// The number of dyads.
     fn dyad_count(&self) -> usize;
 }
@@ -309,8 +333,16 @@ pub(crate) const fn description<M: Mechanism>() -> &'static Description<'static>
     const { &M::DESCRIPTION }
 }
 
+/// The names of the fields of an assembly structure, which is read as it shows itself: `Name { first: Open, second: Open }`.
+#[cfg(feature = "alloc")]
+fn fields(shown: &str) -> Vec<alloc::string::String> {
+    let fields = shown.split_once('{').map_or("", |(_, fields)| fields);
+    let names = fields.split(',').filter_map(|field| field.split_once(':'));
+    names.map(|(name, _)| name.trim().into()).collect()
+}
+
 /// The assembly of an index. An answer takes an index from the mechanism itself.
-fn assembly<M: Mechanism>(index: usize) -> M::Assembly {
+pub(crate) fn assembly<M: Mechanism>(index: usize) -> M::Assembly {
     M::assembly(index).unwrap_or_else(|| panic!("{} has {} assemblies", M::DESCRIPTION.name, M::ASSEMBLY_COUNT))
 }
 
@@ -407,6 +439,31 @@ impl<M: Mechanism, T: Scalar> FormsOver<T> for Of<M> {
     }
 }
 
+impl<M: Mechanism, T: Scalar> PlacesOver<T> for Of<M> {
+    fn places(&self, parameters: &[T], inputs: &[T], unknowns: &[T], found: &mut dyn FnMut(&[T])) {
+        let places = with::<M, T>(parameters).places(row(inputs), row(unknowns));
+        for place in places.as_slice() {
+            let point = place.in_space();
+            let count = if self.is_space() { 3 } else { 2 };
+            found(&[point.x, point.y, point.z][..count]);
+        }
+    }
+}
+
+impl<M: Mechanism> Pictured for Of<M> {
+    fn outline(&self) -> Outline<'_> {
+        M::OUTLINE
+    }
+
+    fn is_space(&self) -> bool {
+        !<<M::Places as PointArray>::Point as PlaneOrSpace>::IS_PLANE
+    }
+
+    fn formulas(&self) -> Formulas<'_> {
+        M::FORMULAS
+    }
+}
+
 impl<M: Mechanism<Scalar = f64>> EveryPosition for Of<M> {
     fn every_position(
         &self,
@@ -439,6 +496,15 @@ impl<M: Mechanism> Described for Of<M> {
     #[cfg(feature = "alloc")]
     fn assembly_name(&self, index: usize) -> Option<alloc::string::String> {
         M::assembly(index).map(M::assembly_name)
+    }
+
+    #[cfg(feature = "alloc")]
+    fn choices(&self) -> Vec<alloc::string::String> {
+        match M::ASSEMBLY_COUNT {
+            0 | 1 => Vec::new(),
+            2 => alloc::vec!["assembly".into()],
+            _ => M::assembly(0).map_or_else(Vec::new, |assembly| fields(&alloc::format!("{assembly:?}"))),
+        }
     }
 
     fn dyad_count(&self) -> usize {

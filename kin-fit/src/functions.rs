@@ -2,11 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use kin_core::any::{FormsOver, Of, OutputsOver, PositionChoice, PositionOver, TransmissionOver};
+use kin_core::any::{FormsOver, Of, OutputsOver, PlacesOver, PositionChoice, PositionOver, TransmissionOver};
 use kin_core::extremes::{At, ExtremesError, Peak};
 use kin_core::linkage::{AnyLinkage, LinkageFunctions};
 use kin_core::sweep::{Local, Swept as _};
-use kin_core::{BlockForm, Changing, Mechanism, Number, PlaneOrSpace as _, PointArray as _, Row, TransmissionAngle};
+use kin_core::{BlockForm, Changing, Mechanism, Number, Row, TransmissionAngle};
 
 use crate::quantity::Place;
 
@@ -14,20 +14,29 @@ use crate::quantity::Place;
 pub type Change = Changing<f64>;
 
 /// The functions of a mechanism from which it is fitted: `Of::<M>::FUNCTIONS` has them for every declared mechanism.
+/// `kin_live::Mechanism` has them, too, with the feature `live`.
 pub trait FitFunctions:
-    LinkageFunctions + PositionOver<Change> + OutputsOver<Change> + FormsOver<Change> + TransmissionOver<Change>
+    LinkageFunctions
+    + PositionOver<Change>
+    + OutputsOver<Change>
+    + FormsOver<Change>
+    + TransmissionOver<Change>
+    + PlacesOver<Change>
 {
-    /// Passes on x and y of every joint of the skeleton, in the mechanism's own frame.
-    #[doc(hidden)]
-    fn joints(&self, parameters: &[Change], inputs: &[Change], unknowns: &[Change], found: &mut dyn FnMut([Change; 2]));
-
-    /// The largest length of a derivative of a point, over a line of inputs on which the moving one has the speed 1.
+    /// The largest length of a derivative of a point, over a line of inputs on which the moving one has the speed 1. Only a
+    /// mechanism that rustc has compiled has this figure.
     ///
     /// # Errors
     /// Those of [`QuantityAlong::highest`](kin_core::extremes::QuantityAlong::highest).
     #[doc(hidden)]
-    fn peak_of_point(&self, way: &PointWay<'_>) -> Result<Peak, ExtremesError>;
+    fn peak_of_point(&self, way: &PointWay<'_>) -> Option<Result<Peak, ExtremesError>> {
+        let _ = way;
+        None
+    }
 }
+
+#[cfg(feature = "live")]
+impl FitFunctions for kin_live::Mechanism {}
 
 /// A derivative of a point along a line of inputs.
 #[doc(hidden)]
@@ -47,23 +56,9 @@ fn row<T: Copy, R: Row<T>>(values: &[T]) -> R {
 }
 
 impl<M: Mechanism<Scalar = f64>> FitFunctions for Of<M> {
-    fn joints(
-        &self,
-        parameters: &[Change],
-        inputs: &[Change],
-        unknowns: &[Change],
-        found: &mut dyn FnMut([Change; 2]),
-    ) {
-        let own: M::With<Change> = M::With::from_parameters(row(parameters));
-        for joint in own.places(row(inputs), row(unknowns)).as_slice() {
-            let joint = joint.in_space();
-            found([joint.x, joint.y]);
-        }
-    }
-
-    fn peak_of_point(&self, way: &PointWay<'_>) -> Result<Peak, ExtremesError> {
+    fn peak_of_point(&self, way: &PointWay<'_>) -> Option<Result<Peak, ExtremesError>> {
         let own = M::from_parameters(row(way.parameters));
-        let assembly = M::assembly(way.assembly).ok_or(ExtremesError::Gap { at: f64::NAN })?;
+        let assembly = M::assembly(way.assembly)?;
         let [from, to] = way.ends.map(row);
         let sweep = own.sweep(assembly).between(from, to, way.rows).speed(way.speed);
         // The square of the length has derivatives where the point stands still.
@@ -77,11 +72,11 @@ impl<M: Mechanism<Scalar = f64>> FitFunctions for Of<M> {
             });
             x * x + y * y
         };
-        let highest = sweep.of_expression(square).highest()?;
-        Ok(Peak {
+        let highest = sweep.of_expression(square).highest();
+        Some(highest.map(|highest| Peak {
             value: highest.value.sqrt(),
             ..highest
-        })
+        }))
     }
 }
 
@@ -184,8 +179,12 @@ impl Posed<'_> {
     }
 
     pub(crate) fn joints(&self, at: &Solved, found: &mut dyn FnMut([Change; 2])) {
-        self.functions
-            .joints(self.parameters(), &at.inputs, &at.unknowns, found);
+        let functions: &dyn PlacesOver<Change> = self.functions;
+        functions.places(self.parameters(), &at.inputs, &at.unknowns, &mut |place| {
+            if let [x, y, ..] = place {
+                found([*x, *y]);
+            }
+        });
     }
 
     pub(crate) fn forms(&self) -> Vec<BlockForm<Change>> {

@@ -83,7 +83,7 @@ impl Every {
         choices: &mut Choices<'_>,
         unknowns: &mut [f64],
     ) -> Result<(), Fault> {
-        self.code.lengths.lend(|memory| {
+        self.code.lengths.lend([parameters, inputs.motions], |memory| {
             self.given.write(memory.registers, parameters, inputs);
             let mut run = Run {
                 code: &self.code,

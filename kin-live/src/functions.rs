@@ -6,10 +6,12 @@ use kin_core::__private::live::{
 };
 use kin_core::any::{
     AnyMechanism, AssemblyMotionOver, AssemblyOver, ClosureOver, ClosureTerm, ClosureTermsOver, Described, Description,
-    EveryPosition, FormsOver, MotionNearOver, Name, NameKind, NearOver, OutputsOver, TransmissionOver,
+    EveryPosition, FormsOver, Formulas, MotionNearOver, Name, NameKind, NearOver, Outline, OutputsOver, Pictured,
+    PlacesOver, PositionChoice, TransmissionOver,
 };
 use kin_core::linkage::LinkageFunctions;
 use kin_core::series::Series;
+use kin_core::verify::{Differentiated, ThroughSnap, VerifiedFunctions, differentiated, left_over};
 use kin_core::{BlockForm, Failure, InputValues, PositionSearch, Scalar, SolveError, TransmissionAngle};
 
 use crate::mechanism::Mechanism;
@@ -71,6 +73,14 @@ impl Described for Mechanism {
 
     fn assembly_name(&self, index: usize) -> Option<String> {
         (index < self.assembly_count()).then(|| self.name_of_assembly(index))
+    }
+
+    fn choices(&self) -> Vec<String> {
+        match self.choices.len() {
+            _ if self.motion.is_coupled => Vec::new(),
+            1 => vec!["assembly".to_owned()],
+            _ => self.choices.clone(),
+        }
     }
 
     fn dyad_count(&self) -> usize {
@@ -275,6 +285,20 @@ impl EveryPosition for Mechanism {
     }
 }
 
+impl Pictured for Mechanism {
+    fn outline(&self) -> Outline<'_> {
+        self.names.outline()
+    }
+
+    fn is_space(&self) -> bool {
+        self.names.is_space()
+    }
+
+    fn formulas(&self) -> Formulas<'_> {
+        self.formulas().get()
+    }
+}
+
 /// Runs the code of a translated method.
 fn run_sheet<T: Scalar>(code: &SheetCode, given: [&[T]; 3], results: &mut [T]) {
     let [parameters, inputs, unknowns] = given;
@@ -282,7 +306,9 @@ fn run_sheet<T: Scalar>(code: &SheetCode, given: [&[T]; 3], results: &mut [T]) {
         registers: code.registers(),
         ..Lengths::default()
     };
-    lengths.lend(|memory| code.run(parameters, inputs, unknowns, memory.registers, results));
+    lengths.lend([parameters, inputs], |memory| {
+        code.run(parameters, inputs, unknowns, memory.registers, results);
+    });
 }
 
 impl<T: Scalar> ClosureOver<T> for Mechanism {
@@ -294,6 +320,16 @@ impl<T: Scalar> ClosureOver<T> for Mechanism {
 impl<T: Scalar> OutputsOver<T> for Mechanism {
     fn outputs(&self, parameters: &[T], inputs: &[T], unknowns: &[T], outputs: &mut [T]) {
         run_sheet(&self.outputs, [parameters, inputs, unknowns], outputs);
+    }
+}
+
+impl<T: Scalar> PlacesOver<T> for Mechanism {
+    fn places(&self, parameters: &[T], inputs: &[T], unknowns: &[T], found: &mut dyn FnMut(&[T])) {
+        let Some(any) = inputs.first() else { return };
+        // written over, as the memory of a run is
+        let mut places = vec![*any; self.places.results()];
+        run_sheet(&self.places, [parameters, inputs, unknowns], &mut places);
+        places.chunks_exact(if self.is_space() { 3 } else { 2 }).for_each(found);
     }
 }
 
@@ -317,3 +353,26 @@ impl SearchedFunctions for Mechanism {
 }
 
 impl LinkageFunctions for Mechanism {}
+
+impl VerifiedFunctions for Mechanism {
+    fn left_over(&self, parameters: &[f64], inputs: &[f64], unknowns: &[f64]) -> Vec<Vec<f64>> {
+        match self.motion.order {
+            ..=4 => left_over::<Series<5>>(self, parameters, inputs, unknowns),
+            5..=8 => left_over::<Series<9>>(self, parameters, inputs, unknowns),
+            _ => left_over::<Series<17>>(self, parameters, inputs, unknowns),
+        }
+    }
+
+    fn differentiated(
+        &self,
+        parameters: &[f64],
+        inputs: &[f64],
+        choice: PositionChoice<'_, f64>,
+    ) -> Result<Differentiated, SolveError> {
+        match self.motion.order {
+            ..=4 => differentiated::<ThroughSnap>(self, parameters, inputs, choice),
+            5..=8 => differentiated::<Series<9>>(self, parameters, inputs, choice),
+            _ => differentiated::<Series<17>>(self, parameters, inputs, choice),
+        }
+    }
+}

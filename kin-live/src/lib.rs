@@ -23,6 +23,7 @@ mod batch;
 mod code;
 mod every;
 mod forms;
+mod formulas;
 mod functions;
 mod mechanism;
 mod memory;

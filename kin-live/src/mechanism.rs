@@ -2,6 +2,7 @@
 
 use std::error::Error;
 use std::fmt;
+use std::sync::OnceLock;
 
 use kin_compiler::lowered::{self, ClosureTerm};
 use kin_compiler::{Declaration, Mistake};
@@ -11,6 +12,7 @@ use kin_core::linkage::AnyLinkage;
 use crate::code::{Labels, TooLarge};
 use crate::every::Every;
 use crate::forms::Forms;
+use crate::formulas::OwnedFormulas;
 use crate::motion::Motion;
 use crate::names::{Names, OwnedDescription};
 use crate::routine::Routine;
@@ -31,7 +33,10 @@ pub struct Mechanism {
     /// The translated methods.
     pub(crate) closure: SheetCode,
     pub(crate) outputs: SheetCode,
-    choices: Vec<String>,
+    pub(crate) places: SheetCode,
+    pub(crate) choices: Vec<String>,
+    /// Formulas, once they are asked for.
+    formulas: OnceLock<OwnedFormulas>,
 }
 
 /// The closure as polynomials.
@@ -48,6 +53,14 @@ impl Mechanism {
     /// Every mistake of the declaration, in the order of the text; or that it is too large for the machine.
     pub fn declare(text: &str) -> Result<Self, DeclareError> {
         let declaration = Declaration::parse(text).map_err(DeclareError::Mistakes)?;
+        Self::of(declaration)
+    }
+
+    /// The mechanism of a compiled declaration.
+    ///
+    /// # Errors
+    /// [`DeclareError::TooLarge`].
+    pub fn of(declaration: Declaration) -> Result<Self, DeclareError> {
         Self::new(declaration).map_err(|TooLarge| DeclareError::TooLarge)
     }
 
@@ -74,9 +87,9 @@ impl Mechanism {
             description.inputs.len(),
             description.unknowns.len(),
         ];
-        let [closure, outputs] = {
+        let [closure, outputs, places] = {
             let sheets = declaration.sheets();
-            [&sheets.closure, &sheets.outputs].map(|sheet| {
+            [&sheets.closure, &sheets.outputs, &sheets.places].map(|sheet| {
                 let [parameters, inputs, unknowns] = counts;
                 SheetCode::new(sheet, parameters, inputs, unknowns)
                     .unwrap_or_else(|| unreachable!("a compiled declaration names its own quantities"))
@@ -85,6 +98,7 @@ impl Mechanism {
         let dyads = program.dyads.iter().map(|unknowns| labels.unknowns(unknowns)).collect();
         let names = Names {
             groups: labels.groups,
+            outline: declaration.sheets().outline.clone(),
             description: description.clone(),
         };
         Ok(Self {
@@ -98,6 +112,8 @@ impl Mechanism {
             every,
             closure,
             outputs,
+            places,
+            formulas: OnceLock::new(),
             declaration,
         })
     }
@@ -106,6 +122,12 @@ impl Mechanism {
     #[must_use]
     pub fn declaration(&self) -> &Declaration {
         &self.declaration
+    }
+
+    /// The equations and their solution.
+    pub(crate) fn formulas(&self) -> &OwnedFormulas {
+        self.formulas
+            .get_or_init(|| OwnedFormulas::of(self.declaration.formulas()))
     }
 
     /// The name of an assembly, as `kin_core::Mechanism::assembly_name` gives it.
@@ -129,6 +151,8 @@ impl Mechanism {
     ///
     /// # Errors
     /// A dimension that is missing, unknown, or given twice.
+    // All answers are compiled for whoever calls it: so a program that has other ways to them does not compile them twice.
+    #[inline]
     pub fn linkage(&self, dimensions: &[(&str, f64)]) -> Result<AnyLinkage<'_>, DimensionError> {
         let parameters = self.description().parameters;
         let mut row = vec![None; parameters.len()];

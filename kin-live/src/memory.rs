@@ -35,19 +35,22 @@ const REALS: usize = 128;
 
 impl Lengths {
     /// Calls a function with memory of these lengths. It is on the stack, unless the mechanism is very large.
+    ///
+    /// The memory holds one of the numbers that are `given`, since making another one would be recorded in a tape.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(crate) fn lend<T: Scalar, R>(self, function: impl FnOnce(Memory<'_, T>) -> R) -> R {
-        let zero = T::constant(0.0);
+    pub(crate) fn lend<T: Scalar, R>(self, given: [&[T]; 2], function: impl FnOnce(Memory<'_, T>) -> R) -> R {
+        let given = given.into_iter().flatten().next();
+        let any = given.copied().unwrap_or_else(|| T::constant(0.0));
         let count = self.registers + self.row;
         if count <= FEW && self.rows == 0 && self.reals == 0 {
-            let mut numbers = [zero; FEW];
+            let mut numbers = [any; FEW];
             return function(self.parts(&mut numbers, &mut [], &mut []));
         }
         if count <= MOST && self.rows <= ROWS && self.reals <= REALS {
-            let mut numbers = [zero; MOST];
+            let mut numbers = [any; MOST];
             return function(self.parts(&mut numbers, &mut [0.0; REALS], &mut [FactorRow::default(); ROWS]));
         }
-        let mut numbers = vec![zero; count];
+        let mut numbers = vec![any; count];
         let (mut reals, mut rows) = (vec![0.0; self.reals], vec![FactorRow::default(); self.rows]);
         function(self.parts(&mut numbers, &mut reals, &mut rows))
     }

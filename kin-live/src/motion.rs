@@ -272,9 +272,9 @@ impl Motion {
         choice: Choice<'_, T>,
         found: impl FnOnce(FoundMotion<'_, T>) -> R,
     ) -> Result<R, Fault> {
-        self.code
-            .lengths
-            .lend(|memory| self.solve_in(memory, parameters, inputs, choice, found))
+        self.code.lengths.lend([parameters, inputs.motions], |memory| {
+            self.solve_in(memory, parameters, inputs, choice, found)
+        })
     }
 
     /// Solves in memory that the caller lends.
@@ -381,7 +381,7 @@ impl Motion {
             registers: self.near_length(),
             ..Lengths::default()
         };
-        lengths.lend(|memory| {
+        lengths.lend([parameters, inputs.motions], |memory| {
             let choice = self.near_in(memory.registers, parameters, inputs, near)?;
             function(choice)
         })

@@ -1,9 +1,8 @@
-//! The description of a mechanism, which owns its names.
+//! The description and the picture of a mechanism, which own their names.
 
-use kin_compiler::Dimension;
-use kin_compiler::lowered;
-use kin_core::Operations;
-use kin_core::any::{Block, Description, Quantity};
+use kin_compiler::{Dimension, ValueShape, lowered, tree};
+use kin_core::any::{Block, Body, Description, Outline, Quantity};
+use kin_core::{Operations, Slide};
 use self_cell::self_cell;
 
 /// What a description borrows from.
@@ -11,6 +10,7 @@ pub(crate) struct Names {
     pub(crate) description: lowered::Description,
     /// The names of groups in errors.
     pub(crate) groups: Vec<String>,
+    pub(crate) outline: tree::Outline,
 }
 
 /// Quantities and blocks, whose names are borrowed.
@@ -23,6 +23,9 @@ struct Tables<'n> {
     blocks: Vec<Block<'n>>,
     operations: Vec<Operations>,
     groups: Vec<&'n str>,
+    bodies: Vec<Body<'n>>,
+    slides: Vec<Slide>,
+    points: Vec<(&'n str, usize)>,
 }
 
 self_cell!(
@@ -70,10 +73,31 @@ impl OwnedDescription {
     pub(crate) fn get(&self) -> &Description<'_> {
         self.borrow_dependent()
     }
+
+    /// Whether the picture is one in space.
+    pub(crate) fn is_space(&self) -> bool {
+        self.borrow_owner().borrow_owner().outline.shape == ValueShape::Space
+    }
+
+    /// Which joints belong together.
+    pub(crate) fn outline(&self) -> Outline<'_> {
+        let tables = self.borrow_owner();
+        let Tables {
+            bodies, slides, points, ..
+        } = tables.borrow_dependent();
+        Outline {
+            ground: &tables.borrow_owner().outline.ground,
+            bodies,
+            slides,
+            points,
+        }
+    }
 }
 
 fn tables(names: &Names) -> Tables<'_> {
-    let description = &names.description;
+    let Names {
+        description, outline, ..
+    } = names;
     Tables {
         parameters: description.parameters.iter().map(quantity).collect(),
         inputs: description.inputs.iter().map(quantity).collect(),
@@ -87,6 +111,24 @@ fn tables(names: &Names) -> Tables<'_> {
             .collect(),
         operations: description.operations.iter().copied().map(Operations::__of).collect(),
         groups: names.groups.iter().map(String::as_str).collect(),
+        bodies: outline
+            .bodies
+            .iter()
+            .map(|body| Body::new(&body.name, &body.joints))
+            .collect(),
+        slides: outline
+            .slides
+            .iter()
+            .map(|slide| Slide {
+                joint: slide.joint,
+                guide: slide.guide,
+            })
+            .collect(),
+        points: outline
+            .points
+            .iter()
+            .map(|(name, joint)| (name.as_str(), *joint))
+            .collect(),
     }
 }
 

@@ -134,7 +134,7 @@ impl Routine {
         results: impl FnOnce(&dyn Fn(usize) -> T) -> R,
     ) -> R {
         let lengths: Lengths = self.code.lengths;
-        lengths.lend(|memory| {
+        lengths.lend([parameters, inputs.motions], |memory| {
             self.given.write(memory.registers, parameters, inputs);
             self.given.write_unknowns(memory.registers, unknowns);
             // none of its statements can fail, so it is arithmetic alone

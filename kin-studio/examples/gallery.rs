@@ -27,7 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         written: Vec::new(),
         mistake: None,
     };
-    library::visit(&mut pages)?;
+    library::visit(&mut pages);
     if let Some(error) = pages.mistake {
         return Err(error.into());
     }

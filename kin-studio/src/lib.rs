@@ -11,7 +11,7 @@
 pub mod drawing;
 #[cfg(feature = "gallery")]
 pub mod figures;
-#[cfg(feature = "gallery")]
+#[cfg(any(feature = "gallery", feature = "program"))]
 pub mod library;
 mod names;
 #[cfg(feature = "program")]

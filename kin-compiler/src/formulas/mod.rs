@@ -30,28 +30,31 @@ use term::{DisplayLine, Notation};
 use typed::term;
 
 /// A formula, or several below each other, in three forms.
-pub(crate) struct Formula {
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Formula {
     /// Lines for a terminal or an editor.
-    pub(crate) text: String,
-    pub(crate) mathml: String,
+    pub text: String,
+    /// A `<math>` element.
+    pub mathml: String,
     /// For the mathematical mode, with the relations below each other.
-    pub(crate) latex: String,
+    pub latex: String,
 }
 
 /// The formulas of a mechanism.
-pub(crate) struct Formulas {
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Formulas {
     /// The abbreviations, the equations, and the ranges of the unknowns.
-    pub(crate) closure: Formula,
+    pub closure: Formula,
     /// The solution of each block, in order.
-    pub(crate) position: Vec<Formula>,
+    pub position: Vec<Formula>,
     /// The linear equations of each block's velocities.
-    pub(crate) velocity: Vec<Formula>,
+    pub velocity: Vec<Formula>,
     /// The linear equations of each order from the acceleration on.
-    pub(crate) higher: Vec<Formula>,
+    pub higher: Vec<Formula>,
     /// The linear equations of all orders from the acceleration on.
-    pub(crate) rates: Formula,
+    pub rates: Formula,
     /// The outputs.
-    pub(crate) outputs: Formula,
+    pub outputs: Formula,
 }
 
 /// The formulas of a declaration without mistakes, whose scalar equations are `residual == 0`.

@@ -51,6 +51,10 @@ impl Described for Made<'_> {
         INNER.assembly_name(index)
     }
 
+    fn choices(&self) -> Vec<String> {
+        INNER.choices()
+    }
+
     fn dyad_count(&self) -> usize {
         INNER.dyad_count()
     }

@@ -9,7 +9,7 @@ use crate::any::{
 };
 use crate::cycle::{MeasuredFunctions, SearchedFunctions};
 use crate::extremes::ChangedFunctions;
-use crate::failure::SolveError;
+use crate::failure::{InputValues, SolveError};
 use crate::mechanism::{BlockForm, Description, Mechanism, PositionSearch};
 use crate::number::NumberRow;
 use crate::picture::TransmissionAngle;
@@ -77,6 +77,12 @@ impl<'m> AnyLinkage<'m> {
     #[must_use]
     pub fn parameters(&self) -> &[f64] {
         &self.parameters
+    }
+
+    /// Values of the inputs, as errors hold them.
+    #[must_use]
+    pub fn input_values(&self, inputs: &[f64]) -> InputValues {
+        InputValues::of(self.functions.input_names(), inputs)
     }
 
     /// The number of assemblies, or zero if it depends on the dimensions.

@@ -5,8 +5,9 @@ use std::vec::Vec;
 
 use crate::quantity::Name;
 use crate::tape::recorder::{Event, Noted, Recorder};
+use crate::tape::structure::Tape;
 use crate::tape::{
-    Argument, Condition, LinearSolution, NewtonSearch, Role, System, Tape, TapeCheck, TapeNode, TapeStep, Value,
+    Argument, Condition, LinearSolution, NewtonSearch, Role, System, TapeCheck, TapeNode, TapeStep, Value,
 };
 
 /// Which nodes are needed, and where.
@@ -79,7 +80,7 @@ impl<'a> Needs<'a> {
 }
 
 /// The highest order of an input on which each node depends, and the search on whose unknowns it depends.
-fn dependences(recorder: &Recorder, arguments: &[Argument]) -> (Vec<usize>, Vec<Option<usize>>) {
+fn dependences(recorder: &Recorder, arguments: &[Argument<'_>]) -> (Vec<usize>, Vec<Option<usize>>) {
     let (mut orders, mut searches) = (Vec::new(), Vec::new());
     for node in &recorder.nodes {
         let (mut order, mut search) = (0, None);
@@ -121,7 +122,7 @@ fn is_step(node: TapeNode) -> bool {
 }
 
 /// Fills the tape from the record. `block` is the block of a check.
-pub(super) fn arrange(recorder: &Recorder, tape: &mut Tape, block: impl Fn(&Noted) -> Name) {
+pub(super) fn arrange(recorder: &Recorder, tape: &mut Tape<'_>, block: impl Fn(&Noted) -> Name) {
     let (orders, searches) = dependences(recorder, &tape.arguments);
     let order_of = |check: &Noted| match check.condition {
         _ if check.is_of_position => 0,

@@ -6,8 +6,9 @@ use std::string::{String, ToString as _};
 use std::vec::Vec;
 
 use crate::tape::signature::Signature;
+use crate::tape::structure::Tape;
 use crate::tape::writer::{Dialect, Writer};
-use crate::tape::{Condition, Function, Tape, TapeNode, TapeStep, Value};
+use crate::tape::{Condition, Function, TapeNode, TapeStep, Value};
 
 /// The ways in which a language writes statements.
 pub(super) trait Language: Dialect + Sized {
@@ -61,7 +62,7 @@ pub(super) trait Language: Dialect + Sized {
 
 /// The body of a function.
 pub(super) struct FunctionBody<'a, L> {
-    pub(super) tape: &'a Tape,
+    pub(super) tape: &'a Tape<'a>,
     pub(super) writer: Writer<'a, L>,
     /// The longest operand without a name of its own.
     limit: Option<usize>,
@@ -72,7 +73,12 @@ pub(super) struct FunctionBody<'a, L> {
 
 impl<'a, L: Language> FunctionBody<'a, L> {
     /// A body in which the arguments have these names.
-    pub(super) fn new(tape: &'a Tape, language: L, limit: Option<usize>, argument: impl Fn(usize) -> String) -> Self {
+    pub(super) fn new(
+        tape: &'a Tape<'a>,
+        language: L,
+        limit: Option<usize>,
+        argument: impl Fn(usize) -> String,
+    ) -> Self {
         let mut writer = Writer::new(tape, language);
         for (place, node) in tape.nodes.iter().enumerate() {
             let name = match *node {
@@ -139,7 +145,7 @@ impl<'a, L: Language> FunctionBody<'a, L> {
     }
 
     /// The results, each with its name and its list of numbers. Those of the skeleton are lists of lists.
-    pub(super) fn results(&self, signature: &Signature) -> Vec<(String, String)> {
+    pub(super) fn results(&self, signature: &Signature<'_>) -> Vec<(String, String)> {
         let values = |places: &Vec<usize>| -> Vec<Value> {
             let results = places.iter().map(|place| &self.tape.results[*place]);
             results.map(|result| result.value).collect()

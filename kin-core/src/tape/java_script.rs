@@ -9,9 +9,10 @@ use crate::tape::expression::Code;
 use crate::tape::runtime::{self, RuntimeParts};
 use crate::tape::signature::{Signature, SignatureEntry, head};
 use crate::tape::spelling::Target;
+use crate::tape::structure::Tape;
 use crate::tape::words::{lines, quoted};
 use crate::tape::writer::Dialect;
-use crate::tape::{Function, Tape, TapeNode, Value};
+use crate::tape::{Function, TapeNode, Value};
 
 /// The words of the language, and the names that the module uses itself.
 const TAKEN: &[&str] = &[
@@ -220,7 +221,7 @@ function kinRound(number) {
 }
 ";
 
-impl Tape {
+impl Tape<'_> {
     /// The solver as a JavaScript module without dependencies, for browsers and for node. Its types are documented for
     /// editors by JSDoc.
     ///
@@ -282,7 +283,7 @@ pub struct JavaScriptNames {
     pub results: Vec<String>,
 }
 
-impl Tape {
+impl Tape<'_> {
     /// The names of all quantities in the module of [`java_script`](Self::java_script).
     #[must_use]
     pub fn java_script_names(&self) -> JavaScriptNames {
@@ -297,18 +298,18 @@ impl Tape {
     }
 }
 
-fn names(entries: &[SignatureEntry]) -> Vec<String> {
+fn names(entries: &[SignatureEntry<'_>]) -> Vec<String> {
     entries.iter().map(|entry| entry.name.clone()).collect()
 }
 
 /// A module while it is written.
 pub(super) struct JavaScriptModule<'a> {
-    signature: Signature,
+    signature: Signature<'a>,
     body: FunctionBody<'a, JavaScript>,
 }
 
 impl<'a> JavaScriptModule<'a> {
-    pub(super) fn new(tape: &'a Tape, limit: Option<usize>) -> Self {
+    pub(super) fn new(tape: &'a Tape<'a>, limit: Option<usize>) -> Self {
         let signature = Signature::new(tape, TAKEN);
         let mut arguments = std::vec![String::new(); tape.arguments.len()];
         // A name with a dollar sign is never that of a quantity.
@@ -413,7 +414,7 @@ impl<'a> JavaScriptModule<'a> {
             text.extend([format!(
                 "  {{ check: {}, block: {} }},\n",
                 quoted(check.name),
-                quoted(&check.block.to_string())
+                quoted(&tape.block_of(check).to_string())
             )]);
         }
         text.push_str("];\n");
@@ -470,7 +471,7 @@ impl<'a> JavaScriptModule<'a> {
     fn documentation(&self) -> String {
         let signature = &self.signature;
         let mut text = String::new();
-        let mut define = |name: &str, of: &str, entries: &[SignatureEntry], kind: &str| {
+        let mut define = |name: &str, of: &str, entries: &[SignatureEntry<'_>], kind: &str| {
             let mut lines = Vec::from([of.to_string(), format!("@typedef {{object}} {name}")]);
             lines.extend(
                 entries
@@ -555,7 +556,7 @@ fn comment(texts: &[String], star: &str) -> String {
 }
 
 /// The parts of the picture that do not move, as a constant.
-fn outline(tape: &Tape) -> String {
+fn outline(tape: &Tape<'_>) -> String {
     let outline = &tape.outline;
     let entry = |name: &str, items: Vec<String>| format!("  {name}: [{}],\n", items.join(", "));
     let bodies = outline

@@ -46,12 +46,13 @@ pub use c::C;
 pub use java_script::JavaScriptNames;
 #[doc(hidden)]
 pub use record::record_at;
-pub use record::{Options, Plain, RecordError, record, record_with_sensitivities};
+pub use record::{Options, Plain, RecordError, RecordedFunctions, record, record_any, record_with_sensitivities};
 pub use recorded::Recorded;
 pub use run::Stop;
-#[doc(inline)]
-pub use structure::Tape;
 pub(crate) use structure::{
     Argument, Comparison, Condition, Constant, Function, LinearSolution, NewtonSearch, NumberType, Operator, ResultOf,
-    Role, System, TapeCheck, TapeNode, TapeResult, TapeStep, Value,
+    Role, System, TapeCheck, TapeNode, TapeStep, Value,
 };
+
+/// The tape of a declared mechanism: see [`structure::Tape`].
+pub type Tape = structure::Tape<'static>;

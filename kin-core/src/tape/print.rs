@@ -2,10 +2,11 @@
 
 use core::fmt::{self, Display, Formatter};
 
-use crate::tape::{Comparison, Condition, Function, Operator, ResultOf, Role, Tape, TapeNode, TapeStep, Value};
+use crate::tape::structure::Tape;
+use crate::tape::{Comparison, Condition, Function, Operator, ResultOf, Role, TapeNode, TapeStep, Value};
 
 /// Writes the arguments, the steps and the results, one on each line.
-impl Display for Tape {
+impl Display for Tape<'_> {
     fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
         writeln!(formatter, "{} in {:?} precision", self.description.name, self.precision)?;
         for (place, node) in self.nodes.iter().enumerate() {
@@ -35,7 +36,7 @@ impl Display for Tape {
                 TapeStep::Compute(value) => self.line(formatter, "", value)?,
                 TapeStep::Check(index) => {
                     let check = &self.checks[index];
-                    write!(formatter, "check {} ({}): ", check.name, check.block)?;
+                    write!(formatter, "check {} ({}): ", check.name, self.block_of(check))?;
                     match check.condition {
                         Condition::Holds(truth) => writeln!(formatter, "{truth}")?,
                         Condition::Found(search) => writeln!(formatter, "search {search} found a root")?,
@@ -89,7 +90,7 @@ impl Display for Tape {
     }
 }
 
-impl Tape {
+impl Tape<'_> {
     fn line(&self, formatter: &mut Formatter<'_>, indent: &str, value: Value) -> fmt::Result {
         write!(formatter, "{indent}{value} = ")?;
         match self.nodes[value.index()] {

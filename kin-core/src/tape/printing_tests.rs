@@ -17,9 +17,11 @@ use crate::number::elementary::FUSED;
 use crate::picture::Outline;
 use crate::quantity::Dimension;
 use crate::tape::runtime::{self, RuntimeParts};
+use crate::tape::structure::Tape;
+use crate::tape::structure::TapeResult;
 use crate::tape::{
     Argument, Comparison, Condition, Constant, Function, LinearSolution, NewtonSearch, NumberType, Operator, ResultOf,
-    Role, System, Tape, TapeCheck, TapeNode, TapeResult, TapeStep, Value,
+    Role, System, TapeCheck, TapeNode, TapeStep, Value,
 };
 use crate::verify::Random;
 
@@ -335,7 +337,7 @@ impl Maker {
         computed.filter(|value| !used[value.index()]).collect()
     }
 
-    fn tape(mut self, seed: u64) -> Tape {
+    fn tape(mut self, seed: u64) -> Tape<'static> {
         self.operations(OPERATIONS / 3);
         if self.chance(0.3) {
             self.decision();
@@ -405,7 +407,7 @@ impl Maker {
     }
 }
 
-fn random_tapes() -> Vec<Tape> {
+fn random_tapes() -> Vec<Tape<'static>> {
     (1..=TAPES).map(|seed| Maker::new(seed).tape(seed)).collect()
 }
 
@@ -494,7 +496,7 @@ impl Folder {
 
     /// Compares what a program has written: for each tape and pose a code, which is 0 for a pose, otherwise the number of the check from
     /// 1 on, then the margin, then the results.
-    fn compare(&self, tapes: &[Tape]) {
+    fn compare(&self, tapes: &[Tape<'_>]) {
         let bytes = fs::read(self.0.join("out")).unwrap();
         let mut numbers = bytes.as_chunks::<8>().0.iter().map(|own| f64::from_le_bytes(*own));
         for (tape, seed) in tapes.iter().zip(1..) {

@@ -9,9 +9,10 @@ use crate::tape::expression::Code;
 use crate::tape::runtime::{self, RuntimeParts};
 use crate::tape::signature::{Signature, SignatureEntry, head};
 use crate::tape::spelling::Target;
+use crate::tape::structure::Tape;
 use crate::tape::words::{lines, quoted};
 use crate::tape::writer::Dialect;
-use crate::tape::{Function, Tape, TapeNode, Value};
+use crate::tape::{Function, TapeNode, Value};
 
 /// The words of the language, and the names that the module uses itself.
 const TAKEN: &[&str] = &[
@@ -224,7 +225,7 @@ def _stacked(entries: Sequence, poses: int) -> Array:
     return np.broadcast_to(np.asarray(entries, dtype=np.float64), poses)
 "#;
 
-impl Tape {
+impl Tape<'_> {
     /// The solver as a Python module that works on whole arrays and needs NumPy alone.
     ///
     /// The module has a function `solve(parameters, inputs, assembly)`:
@@ -260,7 +261,7 @@ impl Tape {
 }
 
 /// The line that refuses other names than these.
-fn named(what: &str, entries: &[SignatureEntry]) -> String {
+fn named(what: &str, entries: &[SignatureEntry<'_>]) -> String {
     let names: Vec<String> = entries
         .iter()
         .map(|entry| format!("{}, ", quoted(&entry.name)))
@@ -270,7 +271,7 @@ fn named(what: &str, entries: &[SignatureEntry]) -> String {
 
 /// A module while it is written.
 pub(super) struct PythonModule<'a> {
-    signature: Signature,
+    signature: Signature<'a>,
     body: FunctionBody<'a, Python>,
 }
 
@@ -280,7 +281,7 @@ fn argument(place: usize) -> String {
 }
 
 impl<'a> PythonModule<'a> {
-    pub(super) fn new(tape: &'a Tape, limit: Option<usize>) -> Self {
+    pub(super) fn new(tape: &'a Tape<'a>, limit: Option<usize>) -> Self {
         Self {
             signature: Signature::new(tape, TAKEN),
             body: FunctionBody::new(tape, Python, limit, argument),
@@ -387,7 +388,7 @@ impl<'a> PythonModule<'a> {
             text.extend([format!(
                 "    ({}, {}),\n",
                 quoted(check.name),
-                quoted(&check.block.to_string())
+                quoted(&tape.block_of(check).to_string())
             )]);
         }
         text.push_str(")\n");
@@ -418,7 +419,7 @@ impl<'a> PythonModule<'a> {
     fn documentation(&self) -> String {
         let signature = &self.signature;
         let mut text = String::new();
-        let mut define = |name: &str, of: &str, entries: &[SignatureEntry], kind: &str| {
+        let mut define = |name: &str, of: &str, entries: &[SignatureEntry<'_>], kind: &str| {
             text.extend([format!("\n\nclass {name}(TypedDict):\n")]);
             text.push_str(&docstring(&[of.to_string()], "    "));
             for entry in entries {

@@ -6,30 +6,34 @@ use std::format;
 use std::string::{String, ToString as _};
 use std::vec::Vec;
 
-use crate::any::{PositionChoice, description, motions, row};
+use crate::any::{
+    Described, MotionOver, Of, Pictured, PlacesOver, PositionChoice, PositionOver, assembly, motions, row,
+};
 use crate::assembly::Assembly;
-use crate::failure::{Failure, InputValues, SolveError};
-use crate::mechanism::{Description, Mechanism, Partials, Pose, Sensitive};
-use crate::number::{Number, Row};
-use crate::picture::{Outline, PlaneOrSpace, PointArray};
+use crate::failure::SolveError;
+use crate::mechanism::{Mechanism, Partials, Sensitive};
+use crate::number::Number;
+use crate::picture::Outline;
 use crate::quantity::{Dimension, Name, Quantity};
 use crate::solve::Scalar;
 use crate::tape::arrange::arrange;
 use sealed::Sealed as _;
 
 use crate::tape::recorder::{self, AssemblySource, Recorder, with};
-use crate::tape::{Argument, NumberType, Recorded, ResultOf, Role, Tape, TapeNode, TapeResult, Value};
+use crate::tape::structure::{self, Argument, NumberType, ResultOf, Role, TapeNode, TapeResult, Value};
+use crate::tape::{Recorded, Tape};
 
 /// A number type for which tapes are recorded: `f64` or `f32`.
 pub trait Plain: sealed::Sealed {}
 
 mod sealed {
-    use super::{Options, RecordError, RecordedSolver, Tape};
+    use super::{Options, RecordError, Solver};
     use crate::solve::Scalar;
+    use crate::tape::structure::Tape;
 
     pub trait Sealed: Scalar {
         /// The tape of a solver. It is compiled once, here.
-        fn tape(solver: &dyn RecordedSolver<Self>, options: &Options, at: &[f64]) -> Result<Tape, RecordError>;
+        fn tape<'d>(solver: Solver<'d, Self>, options: &Options, at: &[f64]) -> Result<Tape<'d>, RecordError>;
     }
 }
 
@@ -39,8 +43,12 @@ macro_rules! plain {
             impl Plain for $number {}
 
             impl sealed::Sealed for $number {
-                fn tape(solver: &dyn RecordedSolver<Self>, options: &Options, at: &[f64]) -> Result<Tape, RecordError> {
-                    recorded(solver, NumberType::$precision, options, at)
+                fn tape<'d>(
+                    solver: Solver<'d, Self>,
+                    options: &Options,
+                    at: &[f64],
+                ) -> Result<structure::Tape<'d>, RecordError> {
+                    recorded(&solver, NumberType::$precision, options, at)
                 }
             }
         )*
@@ -149,14 +157,43 @@ impl Error for RecordError {}
 /// # Ok::<(), tape::RecordError>(())
 /// ```
 pub fn record<M: Mechanism<Scalar: Plain>>(options: &Options) -> Result<Tape, RecordError> {
-    M::Scalar::tape(&RecordedMechanism::<M>(|_, _| Vec::new()), options, &[])
+    record_any::<M::Scalar>(Of::<M>::FUNCTIONS, options)
+}
+
+/// [`record`] without the type of the mechanism. The tape borrows its names.
+///
+/// # Errors
+/// See [`RecordError`].
+///
+/// ```
+/// use kin_core::any::Of;
+/// use kin_core::library::SliderCrank;
+/// use kin_core::tape::{self, Options};
+///
+/// let tape = tape::record_any::<f64>(Of::<SliderCrank>::FUNCTIONS, &Options::new())?;
+/// assert_eq!(tape, tape::record::<SliderCrank>(&Options::new())?);
+/// # Ok::<(), tape::RecordError>(())
+/// ```
+pub fn record_any<'d, F: Plain>(
+    mechanism: &'d dyn RecordedFunctions<F>,
+    options: &Options,
+) -> Result<structure::Tape<'d>, RecordError> {
+    let solver = Solver {
+        mechanism,
+        more: |_| Ok(Vec::new()),
+    };
+    F::tape(solver, options, &[])
 }
 
 /// [`record`] at a place: wherever the solver asks for the value of an argument, it is the one given here. The tape is the same at
 /// all places. Its checks do not know their blocks.
 #[doc(hidden)]
 pub fn record_at<M: Mechanism<Scalar: Plain>>(options: &Options, at: &[f64]) -> Result<Tape, RecordError> {
-    M::Scalar::tape(&RecordedMechanism::<M>(|_, _| Vec::new()), options, at)
+    let solver = Solver {
+        mechanism: Of::<M>::FUNCTIONS,
+        more: |_| Ok(Vec::new()),
+    };
+    M::Scalar::tape(solver, options, at)
 }
 
 /// [`record`], with the partial derivatives of every unknown and output with respect to each parameter.
@@ -168,21 +205,26 @@ where
     M: Mechanism<Scalar: Plain>,
     M::With<Recorded<M::Scalar>>: Sensitive,
 {
-    M::Scalar::tape(
-        &RecordedMechanism::<M>(partials::<M, M::With<Recorded<M::Scalar>>>),
-        options,
-        &[],
-    )
+    let solver = Solver {
+        mechanism: Of::<M>::FUNCTIONS,
+        more: partials::<M::With<Recorded<M::Scalar>>, _>,
+    };
+    M::Scalar::tape(solver, options, &[])
 }
 
-/// The partial derivatives as results.
-fn partials<M, R>(mechanism: &R, pose: &R::Pose) -> Vec<TapeResult>
+/// The partial derivatives as results. The pose is solved once more, which records nothing new.
+fn partials<R, F>(arguments: &SolverArguments<'_, Recorded<F>>) -> Result<Vec<TapeResult<'static>>, SolveError>
 where
-    M: Mechanism<Scalar: Plain>,
-    R: Sensitive + Mechanism<Scalar = Recorded<M::Scalar>>,
+    R: Sensitive + Mechanism<Scalar = Recorded<F>>,
 {
+    let mechanism = R::from_parameters(row(arguments.parameters));
+    let inputs = motions(arguments.inputs);
+    let pose = match arguments.choice {
+        PositionChoice::Assembly(index) => mechanism.solve(inputs, assembly::<R>(index)),
+        PositionChoice::Near(near) => mechanism.solve_near(inputs, row(near)),
+    }?;
     let description = R::DESCRIPTION;
-    let partials = mechanism.sensitivities_of(pose);
+    let partials = mechanism.sensitivities_of(&pose);
     let mut results = Vec::new();
     let parameters = description.parameters.iter().zip(partials.as_ref());
     for (parameter, (by, partials)) in parameters.enumerate() {
@@ -200,11 +242,11 @@ where
             results.extend(orders(own, &name, quantity, motion.as_ref()));
         }
     }
-    results
+    Ok(results)
 }
 
 /// All orders of a quantity.
-fn orders<F>(own: ResultOf, name: &str, quantity: &Quantity<'static>, motion: &[Recorded<F>]) -> Vec<TapeResult> {
+fn orders<'d, F>(own: ResultOf, name: &str, quantity: &Quantity<'d>, motion: &[Recorded<F>]) -> Vec<TapeResult<'d>> {
     let outcome = |(order, number): (usize, &Recorded<F>)| TapeResult {
         quantity: own,
         order,
@@ -226,153 +268,50 @@ struct RunOptions {
 }
 
 /// A record with its arguments, its results and its error.
-struct Run {
+struct Run<'d> {
     recorder: Recorder,
-    arguments: Vec<Argument>,
-    results: Result<Vec<TapeResult>, SolveError>,
+    arguments: Vec<Argument<'d>>,
+    results: Result<Vec<TapeResult<'d>>, SolveError>,
 }
 
-/// A solver in numbers that record, without the type of its mechanism.
-pub trait RecordedSolver<F> {
-    /// The names, dimensions and equations.
-    fn description(&self) -> &'static Description<'static>;
+/// The functions of a mechanism from which a tape is recorded.
+pub trait RecordedFunctions<F>:
+    Described + Pictured + PositionOver<Recorded<F>> + MotionOver<Recorded<F>> + PlacesOver<Recorded<F>>
+{
+}
 
-    /// Which joints belong together.
-    fn outline(&self) -> Outline<'static>;
+impl<F, S> RecordedFunctions<F> for S where
+    S: Described + Pictured + PositionOver<Recorded<F>> + MotionOver<Recorded<F>> + PlacesOver<Recorded<F>>
+{
+}
 
-    /// The names of the choices, or `None` if the assembly depends on the dimensions.
-    fn choices(&self) -> Option<Vec<String>>;
+/// Finds further results.
+type More<'d, F> = fn(&SolverArguments<'_, Recorded<F>>) -> Result<Vec<TapeResult<'d>>, SolveError>;
 
-    /// Solves the position alone.
-    fn position(&self, arguments: &SolverArguments<'_, F>) -> Result<(), SolveError>;
-
-    /// Solves all orders.
-    fn solve(&self, arguments: &SolverArguments<'_, F>) -> Result<RecordedMotion<F>, SolveError>;
-
-    /// The coordinates of all joints and then the directions of all slides.
-    fn joints(&self, arguments: &SolverArguments<'_, F>, unknowns: &[Recorded<F>]) -> Vec<Vec<Recorded<F>>>;
+/// What is recorded.
+pub struct Solver<'d, F> {
+    mechanism: &'d dyn RecordedFunctions<F>,
+    /// Finds further results.
+    more: More<'d, F>,
 }
 
 /// What a solver is given.
-pub struct SolverArguments<'s, F> {
-    parameters: &'s [Recorded<F>],
+pub(super) struct SolverArguments<'s, T> {
+    parameters: &'s [T],
     /// The motions of the inputs, one after the other, each with all its orders.
-    inputs: &'s [Recorded<F>],
-    choice: PositionChoice<'s, Recorded<F>>,
-}
-
-/// What a solver finds.
-pub struct RecordedMotion<F> {
-    /// The motions of unknowns and outputs, one after the other, each with all its orders.
-    unknowns: Vec<Recorded<F>>,
-    outputs: Vec<Recorded<F>>,
-    /// Further results.
-    more: Vec<TapeResult>,
-}
-
-/// Finds further results from a mechanism and its pose.
-type More<M> = fn(&In<M>, &<In<M> as Mechanism>::Pose) -> Vec<TapeResult>;
-
-/// A mechanism in numbers that record.
-type In<M> = <M as Mechanism>::With<Recorded<<M as Mechanism>::Scalar>>;
-
-/// The solver of a mechanism.
-struct RecordedMechanism<M: Mechanism<Scalar: Plain>>(More<M>);
-
-impl<M: Mechanism<Scalar: Plain>> RecordedMechanism<M> {
-    fn places(arguments: &SolverArguments<'_, M::Scalar>) -> <In<M> as Mechanism>::Inputs<Recorded<M::Scalar>> {
-        let orders = M::DESCRIPTION.order + 1;
-        Row::from_fn(|input| arguments.inputs[input * orders])
-    }
-
-    fn assembly(index: usize) -> Result<<In<M> as Mechanism>::Assembly, SolveError> {
-        In::<M>::assembly(index).ok_or_else(|| {
-            let none = InputValues::new(&[], &[0.0; InputValues::CAPACITY]);
-            Failure::not_finite("assembly").at("", none)
-        })
-    }
-}
-
-impl<M: Mechanism<Scalar: Plain>> RecordedSolver<M::Scalar> for RecordedMechanism<M> {
-    fn description(&self) -> &'static Description<'static> {
-        description::<M>()
-    }
-
-    fn outline(&self) -> Outline<'static> {
-        M::OUTLINE
-    }
-
-    fn choices(&self) -> Option<Vec<String>> {
-        let count = M::ASSEMBLY_COUNT.checked_ilog2()?;
-        let shown = M::assembly(0)
-            .filter(|_| count > 1)
-            .map(|assembly| format!("{assembly:?}"));
-        Some(shown.map_or_else(
-            || std::vec!["assembly".to_string(); count as usize],
-            |shown| fields(&shown),
-        ))
-    }
-
-    fn position(&self, arguments: &SolverArguments<'_, M::Scalar>) -> Result<(), SolveError> {
-        let mechanism = In::<M>::from_parameters(row(arguments.parameters));
-        match arguments.choice {
-            PositionChoice::Assembly(index) => {
-                mechanism.position(Self::places(arguments), Self::assembly(index)?)?;
-            }
-            PositionChoice::Near(near) => {
-                mechanism.position_near(Self::places(arguments), row(near))?;
-            }
-        }
-        Ok(())
-    }
-
-    fn solve(&self, arguments: &SolverArguments<'_, M::Scalar>) -> Result<RecordedMotion<M::Scalar>, SolveError> {
-        let mechanism = In::<M>::from_parameters(row(arguments.parameters));
-        let inputs = motions(arguments.inputs);
-        let pose = match arguments.choice {
-            PositionChoice::Assembly(index) => mechanism.solve(inputs, Self::assembly(index)?),
-            PositionChoice::Near(near) => mechanism.solve_near(inputs, row(near)),
-        }?;
-        let mut unknowns = Vec::new();
-        for motion in pose.unknown_motions().as_ref() {
-            unknowns.extend_from_slice(motion.as_ref());
-        }
-        let mut outputs = Vec::new();
-        for motion in pose.output_motions().as_ref() {
-            outputs.extend_from_slice(motion.as_ref());
-        }
-        Ok(RecordedMotion {
-            unknowns,
-            outputs,
-            more: (self.0)(&mechanism, &pose),
-        })
-    }
-
-    fn joints(
-        &self,
-        arguments: &SolverArguments<'_, M::Scalar>,
-        unknowns: &[Recorded<M::Scalar>],
-    ) -> Vec<Vec<Recorded<M::Scalar>>> {
-        let mechanism = In::<M>::from_parameters(row(arguments.parameters));
-        let places = mechanism.places(Self::places(arguments), row(unknowns));
-        let is_plane = <<<In<M> as Mechanism>::Places as PointArray>::Point as PlaneOrSpace>::IS_PLANE;
-        let coordinates = places.as_slice().iter().map(|place| {
-            let point = place.in_space();
-            let all = [point.x, point.y, point.z];
-            all[..if is_plane { 2 } else { 3 }].to_vec()
-        });
-        coordinates.collect()
-    }
+    inputs: &'s [T],
+    choice: PositionChoice<'s, T>,
 }
 
 /// The tape, with the values `at` of the arguments wherever the solver asks for values.
-fn recorded<F: Scalar>(
-    solver: &dyn RecordedSolver<F>,
+fn recorded<'d, F: Scalar>(
+    solver: &Solver<'d, F>,
     precision: NumberType,
     options: &Options,
     at: &[f64],
-) -> Result<Tape, RecordError> {
-    let description = solver.description();
+) -> Result<structure::Tape<'d>, RecordError> {
+    let mechanism = solver.mechanism;
+    let description = mechanism.description();
     if let Some(folded) = &options.folded
         && folded.len() != description.parameters.len()
     {
@@ -381,7 +320,7 @@ fn recorded<F: Scalar>(
             wanted: description.parameters.len(),
         });
     }
-    let choices = solver.choices();
+    let choices = (mechanism.assembly_count() > 0).then(|| mechanism.choices());
     let run = |sources: &[AssemblySource], probe: RunOptions| {
         let recorder = Recorder::new(precision, sources.to_vec(), at);
         run(solver, options, choices.as_deref(), recorder, probe)
@@ -429,11 +368,11 @@ fn recorded<F: Scalar>(
         return Err(RecordError::DecidedByValue);
     }
     let order = description.order.min(options.order.unwrap_or(usize::MAX));
-    let is_wanted = |result: &TapeResult| result.order <= order;
-    let mut tape = Tape {
+    let is_wanted = |result: &TapeResult<'_>| result.order <= order;
+    let mut tape = structure::Tape {
         description: *description,
         outline: if options.has_skeleton {
-            solver.outline()
+            mechanism.outline()
         } else {
             Outline::NONE
         },
@@ -466,19 +405,19 @@ fn recorded<F: Scalar>(
 }
 
 /// Runs the solver once.
-fn run<F: Scalar>(
-    solver: &dyn RecordedSolver<F>,
+fn run<'d, F: Scalar>(
+    solver: &Solver<'d, F>,
     options: &Options,
     choices: Option<&[String]>,
     mut recorder: Recorder,
     probe: RunOptions,
-) -> Run {
-    let description = solver.description();
+) -> Run<'d> {
+    let description = solver.mechanism.description();
     (recorder.fails, recorder.crossed_side) = (probe.fails, probe.crossed_side);
     let before = recorder::begin(recorder);
 
     let mut arguments = Vec::new();
-    let mut argument = |role: Role, name: &str, dimension: Dimension, text: &'static str| -> Recorded<F> {
+    let mut argument = |role: Role, name: &str, dimension: Dimension, text: &'d str| -> Recorded<F> {
         let index = arguments.len();
         arguments.push(Argument {
             role,
@@ -542,32 +481,45 @@ fn run<F: Scalar>(
 }
 
 /// The position first, so that its checks are told from those of its rates, then all orders.
-fn solved<F: Scalar>(
-    solver: &dyn RecordedSolver<F>,
+fn solved<'d, F: Scalar>(
+    solver: &Solver<'d, F>,
     options: &Options,
-    arguments: &SolverArguments<'_, F>,
-) -> Result<Vec<TapeResult>, SolveError> {
+    arguments: &SolverArguments<'_, Recorded<F>>,
+) -> Result<Vec<TapeResult<'d>>, SolveError> {
+    let mechanism = solver.mechanism;
+    let (description, count) = (mechanism.description(), mechanism.description().order + 1);
+    let &SolverArguments {
+        parameters,
+        inputs,
+        choice,
+    } = arguments;
+    // numbers that are written over, so that nothing is recorded for them
+    let room = |quantities: usize| std::vec![inputs[0]; quantities];
+    let values = |motions: &[Recorded<F>]| motions.iter().copied().step_by(count).collect::<Vec<_>>();
     let phase = |is_of_position: bool| with(|recorder| recorder.is_of_position = is_of_position);
     phase(true);
-    solver.position(arguments)?;
+    let places = values(inputs);
+    mechanism.position(parameters, &places, choice, &mut room(description.unknowns.len()))?;
     phase(false);
-    let found = solver.solve(arguments)?;
-    let (description, count) = (solver.description(), solver.description().order + 1);
+    let [mut unknowns, mut outputs] = [description.unknowns, description.outputs].map(|all| room(all.len() * count));
+    mechanism.motion(parameters, inputs, choice, &mut unknowns, &mut outputs)?;
     let mut results = Vec::new();
-    let unknowns = description.unknowns.iter().zip(found.unknowns.chunks_exact(count));
-    for (index, (quantity, motion)) in unknowns.enumerate() {
+    let motions = description.unknowns.iter().zip(unknowns.chunks_exact(count));
+    for (index, (quantity, motion)) in motions.enumerate() {
         results.extend(orders(ResultOf::Unknown(index), quantity.name, quantity, motion));
     }
-    let outputs = description.outputs.iter().zip(found.outputs.chunks_exact(count));
-    for (index, (quantity, motion)) in outputs.enumerate() {
+    let motions = description.outputs.iter().zip(outputs.chunks_exact(count));
+    for (index, (quantity, motion)) in motions.enumerate() {
         results.extend(orders(ResultOf::Output(index), quantity.name, quantity, motion));
     }
-    results.extend(found.more);
+    results.extend((solver.more)(arguments)?);
     if options.has_skeleton {
-        let unknowns: Vec<Recorded<F>> = found.unknowns.iter().copied().step_by(count).collect();
-        let places = solver.joints(arguments, &unknowns);
-        let joints = places.len().saturating_sub(solver.outline().slides.len());
-        for (index, place) in places.iter().enumerate() {
+        let mut all: Vec<Vec<Recorded<F>>> = Vec::new();
+        mechanism.places(parameters, &places, &values(&unknowns), &mut |place| {
+            all.push(place.to_vec());
+        });
+        let joints = all.len().saturating_sub(mechanism.outline().slides.len());
+        for (index, place) in all.iter().enumerate() {
             for (axis, (letter, number)) in ["x", "y", "z"].into_iter().zip(place).enumerate() {
                 let (quantity, name) = match index.checked_sub(joints) {
                     None => (
@@ -588,11 +540,4 @@ fn solved<F: Scalar>(
         }
     }
     Ok(results)
-}
-
-/// The names of the fields of an assembly structure, which is read as it shows itself: `Name { first: Open, second: Open }`.
-fn fields(shown: &str) -> Vec<String> {
-    let fields = shown.split_once('{').map_or("", |(_, fields)| fields);
-    let names = fields.split(',').filter_map(|field| field.split_once(':'));
-    names.map(|(name, _)| name.trim().to_string()).collect()
 }

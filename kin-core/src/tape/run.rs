@@ -10,7 +10,8 @@ use num_traits::Float;
 use crate::number::Number;
 use crate::quantity::Name;
 use crate::solve;
-use crate::tape::{Condition, Function, Operator, Plain, Tape, TapeNode, TapeStep, Value};
+use crate::tape::structure::Tape;
+use crate::tape::{Condition, Function, Operator, Plain, TapeNode, TapeStep, Value};
 
 /// The check that failed in a run of a tape.
 #[derive(Clone, Copy, PartialEq)]
@@ -42,7 +43,7 @@ crate::__debug_by_display!(Stop);
 
 impl Error for Stop {}
 
-impl Tape {
+impl Tape<'_> {
     /// Runs the tape on the [arguments](Self::arguments), in their order, in the number type for which it was recorded. The numbers
     /// found are in the order of the [results](Self::results).
     ///
@@ -88,7 +89,7 @@ impl Tape {
 
 /// What a run has found so far.
 struct Run<'a, F> {
-    tape: &'a Tape,
+    tape: &'a Tape<'a>,
     numbers: Vec<F>,
     truths: Vec<bool>,
     /// The roots of each search, or the residual where it stopped.
@@ -112,7 +113,7 @@ macro_rules! by_count {
 }
 
 impl<'a, F: Plain + Float> Run<'a, F> {
-    fn new(tape: &'a Tape, arguments: &[f64]) -> Self {
+    fn new(tape: &'a Tape<'a>, arguments: &[f64]) -> Self {
         let mut run = Self {
             tape,
             numbers: vec![F::nan(); tape.nodes.len()],

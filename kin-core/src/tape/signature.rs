@@ -7,22 +7,23 @@ use std::vec;
 use std::vec::Vec;
 
 use crate::quantity::Dimension;
+use crate::tape::structure::Tape;
 use crate::tape::words::DistinctNames;
-use crate::tape::{ResultOf, Role, Tape};
+use crate::tape::{ResultOf, Role};
 
 /// A quantity with its rates.
-pub(super) struct SignatureEntry {
+pub(super) struct SignatureEntry<'d> {
     /// Its name in the language.
     pub(super) name: String,
     /// Its name as declared.
     declared: String,
     dimension: Dimension,
-    description: &'static str,
+    description: &'d str,
     /// The index of each order among the arguments or the results of the tape.
     pub(super) places: Vec<usize>,
 }
 
-impl SignatureEntry {
+impl SignatureEntry<'_> {
     /// A line about the quantity: its description, its dimension and its rates.
     pub(super) fn text(&self) -> String {
         let mut text = self.description.trim().trim_end_matches('.').to_string();
@@ -47,21 +48,21 @@ impl SignatureEntry {
 }
 
 /// The quantities of a tape.
-pub(super) struct Signature {
-    pub(super) parameters: Vec<SignatureEntry>,
-    pub(super) inputs: Vec<SignatureEntry>,
+pub(super) struct Signature<'d> {
+    pub(super) parameters: Vec<SignatureEntry<'d>>,
+    pub(super) inputs: Vec<SignatureEntry<'d>>,
     /// The values near unknowns, of a mechanism with coupled blocks.
-    pub(super) near: Vec<SignatureEntry>,
-    pub(super) assemblies: Vec<SignatureEntry>,
+    pub(super) near: Vec<SignatureEntry<'d>>,
+    pub(super) assemblies: Vec<SignatureEntry<'d>>,
     /// The unknowns, the outputs and the partial derivatives.
-    pub(super) results: Vec<SignatureEntry>,
+    pub(super) results: Vec<SignatureEntry<'d>>,
     /// The places among the results of the coordinates of each joint.
     pub(super) joints: Vec<Vec<usize>>,
     /// The same of the direction of each slide.
     pub(super) slides: Vec<Vec<usize>>,
 }
 
-impl Signature {
+impl<'d> Signature<'d> {
     /// The entries that a motion may have: those through snap, and more if the mechanism goes on to higher orders.
     const ENTRIES: usize = 5;
 
@@ -79,7 +80,7 @@ impl Signature {
     }
 
     /// The quantities with names that are none of `taken`. A quantity has one name wherever it occurs.
-    pub(super) fn new(tape: &Tape, taken: &'static [&'static str]) -> Self {
+    pub(super) fn new(tape: &Tape<'d>, taken: &'static [&'static str]) -> Self {
         let mut names = DistinctNames::new(taken);
         let mut known = BTreeMap::new();
         let mut name = |declared: &str| -> String {
@@ -156,7 +157,7 @@ impl Signature {
 
 /// The lines at the head of a file: the mechanism, its equations, its dimensions if they are constants, the version and
 /// the licence.
-pub(super) fn head(tape: &Tape) -> Vec<String> {
+pub(super) fn head(tape: &Tape<'_>) -> Vec<String> {
     let description = &tape.description;
     let version = env!("CARGO_PKG_VERSION");
     let mut lines = Vec::new();

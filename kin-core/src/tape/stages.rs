@@ -3,7 +3,8 @@
 use std::vec;
 use std::vec::Vec;
 
-use crate::tape::{Condition, Tape, TapeNode, TapeStep, Value};
+use crate::tape::structure::Tape;
+use crate::tape::{Condition, TapeNode, TapeStep, Value};
 
 /// The lowest order that needs each node, search, system and solution; `usize::MAX` for a node that only a margin needs.
 pub(super) struct Stages {
@@ -17,7 +18,7 @@ pub(super) struct Stages {
 
 impl Stages {
     /// All orders as one, for a function that finds all of them.
-    pub(super) fn one(tape: &Tape) -> Self {
+    pub(super) fn one(tape: &Tape<'_>) -> Self {
         Self {
             nodes: vec![0; tape.nodes.len()],
             searches: vec![0; tape.searches.len()],
@@ -32,7 +33,7 @@ impl Stages {
         if self.is_one { 0 } else { order }
     }
 
-    pub(super) fn new(tape: &Tape) -> Self {
+    pub(super) fn new(tape: &Tape<'_>) -> Self {
         let never = usize::MAX;
         let mut own = Self {
             nodes: vec![never; tape.nodes.len()],
@@ -87,7 +88,7 @@ impl Stages {
         *own = order.min(*own);
     }
 
-    fn search(&mut self, tape: &Tape, search: usize, order: usize) {
+    fn search(&mut self, tape: &Tape<'_>, search: usize, order: usize) {
         self.searches[search] = self.searches[search].min(order);
         let own = &tape.searches[search];
         let values = own.guess.iter().chain(&own.sizes).chain(&own.residuals);
@@ -96,7 +97,7 @@ impl Stages {
         }
     }
 
-    fn system(&mut self, tape: &Tape, system: usize, order: usize) {
+    fn system(&mut self, tape: &Tape<'_>, system: usize, order: usize) {
         self.systems[system] = self.systems[system].min(order);
         for value in tape.systems[system].rows.iter().flatten() {
             self.need(*value, order);
@@ -114,7 +115,7 @@ impl Stages {
     }
 
     /// The order of a step.
-    pub(super) fn of_step(&self, tape: &Tape, step: TapeStep) -> usize {
+    pub(super) fn of_step(&self, tape: &Tape<'_>, step: TapeStep) -> usize {
         match step {
             TapeStep::Compute(value) => self.of(value),
             TapeStep::Check(check) => self.of_order(tape.checks[check].order),

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::string::String;
 use std::vec::Vec;
 
-use crate::mechanism::Description;
+use crate::mechanism::{Description, Named};
 use crate::picture::Outline;
 use crate::quantity::{Dimension, Name};
 
@@ -16,11 +16,11 @@ pub use super::node::{Comparison, Constant, Function, Operator, TapeNode, Value}
 /// computed, a check made, a search run. [`Tape::run`] does just that and is the shortest complete reading of this structure.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Tape {
+pub struct Tape<'d> {
     /// The description of the mechanism: its name, equations and blocks.
-    pub description: Description<'static>,
+    pub description: Description<'d>,
     /// Which of the joints among the results belong together. It is [`Outline::NONE`] unless the skeleton was asked for.
-    pub outline: Outline<'static>,
+    pub outline: Outline<'d>,
     /// The number type for which the tape was recorded. Its ε and its smallest number are in the constants.
     pub precision: NumberType,
     /// The highest time derivative among the results.
@@ -28,13 +28,13 @@ pub struct Tape {
     /// The dimensions that were folded in as constants: all of them in the order of the description, or none.
     pub folded: Vec<f64>,
     /// What the function is given, in the order of their indices.
-    pub arguments: Vec<Argument>,
+    pub arguments: Vec<Argument<'d>>,
     /// The operations. Every node is used, directly or indirectly, by a result or by a check.
     pub nodes: Vec<TapeNode>,
     /// What is done, in this order.
     pub steps: Vec<TapeStep>,
     /// What is found, position by position: all orders of a quantity follow each other.
-    pub results: Vec<TapeResult>,
+    pub results: Vec<TapeResult<'d>>,
     /// The decisions. If one fails, there is no pose.
     pub checks: Vec<TapeCheck>,
     /// The blocks that Newton's method solves.
@@ -45,7 +45,12 @@ pub struct Tape {
     pub solutions: Vec<LinearSolution>,
 }
 
-impl Tape {
+impl Tape<'_> {
+    /// The block of a check, with its name.
+    pub(super) fn block_of(&self, check: &TapeCheck) -> Named<'_, Name> {
+        Named::new(check.block, &self.description)
+    }
+
     /// The nodes outside of a search, and no constants, that its equations need, in ascending order.
     pub(super) fn given(&self, search: usize) -> Vec<Value> {
         let own = &self.searches[search];
@@ -80,7 +85,7 @@ pub enum NumberType {
 /// A number that a tape is given.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub struct Argument {
+pub struct Argument<'d> {
     /// The quantity to which it belongs.
     pub role: Role,
     /// The name of the quantity as declared. The parts of a point `p` are `p.x`, `p.y` and, in space, `p.z`. That of an assembly is
@@ -89,7 +94,7 @@ pub struct Argument {
     /// The dimension of the quantity. An input of order n has this over the n-th power of time.
     pub dimension: Dimension,
     /// The first paragraph of its documentation, or an empty string.
-    pub description: &'static str,
+    pub description: &'d str,
 }
 
 /// The quantity that a number belongs to.
@@ -114,7 +119,7 @@ pub enum Role {
 /// A number that a tape finds.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub struct TapeResult {
+pub struct TapeResult<'d> {
     /// The quantity to which it belongs.
     pub quantity: ResultOf,
     /// The order of its time derivative; 0 is the position.
@@ -126,7 +131,7 @@ pub struct TapeResult {
     /// over that of its parameter.
     pub dimension: Dimension,
     /// The first paragraph of its documentation, or an empty string.
-    pub description: &'static str,
+    pub description: &'d str,
     /// The node that finds it.
     pub value: Value,
 }
@@ -190,7 +195,8 @@ pub enum TapeStep {
 pub struct TapeCheck {
     /// The subject of the check, in a few words.
     pub name: &'static str,
-    /// The unknowns of the block in which it is made, separated by commas, as in the error of `solve`.
+    /// The unknowns of the block in which it is made, separated by commas, as in the error of `solve`. [`Named`](crate::any::Named) shows
+    /// an index with its name.
     pub block: Name,
     /// The lowest order that needs it: 0 if the position does.
     pub order: usize,

@@ -6,7 +6,8 @@ use std::vec::Vec;
 
 use crate::tape::expression::Code;
 use crate::tape::spelling::Target;
-use crate::tape::{Function, Tape, TapeNode, TapeStep, Value};
+use crate::tape::structure::Tape;
+use crate::tape::{Function, TapeNode, TapeStep, Value};
 
 /// The ways in which a language writes operands.
 pub(super) trait Dialect {
@@ -32,7 +33,7 @@ impl TapeStep {
 
 /// The nodes of a tape as expressions: names where a node has one, otherwise the operation.
 pub(super) struct Writer<'a, D> {
-    tape: &'a Tape,
+    tape: &'a Tape<'a>,
     dialect: D,
     names: Vec<Option<String>>,
     uses: Vec<usize>,
@@ -42,7 +43,7 @@ pub(super) struct Writer<'a, D> {
 const LONGEST: usize = 60;
 
 impl<'a, D: Dialect> Writer<'a, D> {
-    pub(super) fn new(tape: &'a Tape, dialect: D) -> Self {
+    pub(super) fn new(tape: &'a Tape<'a>, dialect: D) -> Self {
         let mut uses = vec![0_usize; tape.nodes.len()];
         for node in &tape.nodes {
             node.operands(|operand| uses[operand.index()] += 1);

@@ -7,7 +7,7 @@ use crate::number::series::Series;
 use crate::solve::Scalar;
 
 /// A number that represents a function of time by its value and its derivatives at one moment.
-pub(super) trait Carrier: Scalar {
+pub trait Carrier: Scalar {
     /// The function with the given derivatives, value first. Missing derivatives are zero.
     fn carrying(derivatives: &[f64]) -> Self;
 
@@ -26,11 +26,11 @@ pub(super) trait Carrier: Scalar {
 /// derivative (J. A. Fike and J. J. Alonso, "The development of hyper-dual numbers for exact second-derivative
 /// calculations", AIAA 2011-886).
 #[cfg(feature = "num-dual")]
-pub(super) type ThroughSnap = HyperDual<HyperDual64>;
+pub type ThroughSnap = HyperDual<HyperDual64>;
 
 /// The carrier up to the fourth order: a truncated Taylor series.
 #[cfg(not(feature = "num-dual"))]
-pub(super) type ThroughSnap = Series<5>;
+pub type ThroughSnap = Series<5>;
 
 /// The name of the numbers that carry derivatives up to an order.
 pub(super) const fn numbers_through(order: usize) -> &'static str {

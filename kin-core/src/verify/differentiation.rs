@@ -3,10 +3,11 @@
 use std::vec::Vec;
 
 use super::Inputs;
-use super::carrier::{Carrier, ThroughSnap};
+use super::functions::VerifiedFunctions as _;
+use super::motions::flat;
+use crate::any::{AssemblyChoice, Of};
 use crate::failure::SolveError;
-use crate::mechanism::{Mechanism, Pose};
-use crate::number::{Row, series::Series};
+use crate::mechanism::Mechanism;
 
 /// The result of differentiating the position solution.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,51 +43,7 @@ pub fn by_differentiation<M: Mechanism<Scalar = f64>>(
     inputs: &Inputs<M>,
     assembly: M::Assembly,
 ) -> Result<Differentiated, SolveError> {
-    // Constant conditions, so that only one of the solvers is compiled.
-    if const { M::DESCRIPTION.order <= 4 } {
-        carried::<M, ThroughSnap>(mechanism, inputs, assembly)
-    } else if const { M::DESCRIPTION.order <= 8 } {
-        carried::<M, Series<9>>(mechanism, inputs, assembly)
-    } else {
-        const { assert!(M::DESCRIPTION.order <= 16, "verification goes to the 16th derivative") };
-        carried::<M, Series<17>>(mechanism, inputs, assembly)
-    }
-}
-
-fn carried<M: Mechanism<Scalar = f64>, C: Carrier>(
-    mechanism: &M,
-    inputs: &Inputs<M>,
-    assembly: M::Assembly,
-) -> Result<Differentiated, SolveError> {
-    let lifted = mechanism.convert(C::constant);
-    let input = |index: usize| {
-        let motion: &M::Motion<f64> = &inputs[index];
-        C::carrying(motion.as_ref())
-    };
-    let through = |value: &C| value.derivatives_through(M::DESCRIPTION.order);
-    if const { M::DESCRIPTION.outputs.is_empty() } {
-        let at = <<M::With<C> as Mechanism>::Inputs<C> as Row<C>>::from_fn(input);
-        let unknowns = lifted.position(at, assembly)?;
-        return Ok(Differentiated {
-            unknowns: unknowns.as_ref().iter().map(through).collect(),
-            outputs: Vec::new(),
-        });
-    }
-    // Only a pose contains outputs. Of its motions, only the values are used.
-    let zero = C::constant(0.0);
-    let still = <<M::With<C> as Mechanism>::Inputs<M::Motion<C>> as Row<M::Motion<C>>>::from_fn(|index| {
-        <M::Motion<C> as Row<C>>::from_fn(|order| if order == 0 { input(index) } else { zero })
-    });
-    let pose = lifted.solve(still, assembly)?;
-    let values = |motions: &[M::Motion<C>]| -> Vec<Vec<f64>> {
-        motions
-            .iter()
-            .filter_map(|motion| motion.as_ref().first())
-            .map(through)
-            .collect()
-    };
-    Ok(Differentiated {
-        unknowns: values(pose.unknown_motions().as_ref()),
-        outputs: values(pose.output_motions().as_ref()),
-    })
+    let choice = AssemblyChoice::of::<M>(assembly);
+    let parameters = mechanism.parameters();
+    Of::<M>::FUNCTIONS.differentiated(parameters.as_ref(), &flat(inputs.as_ref()), choice.position())
 }

@@ -13,7 +13,7 @@ use crate::solve::Scalar;
 /// functions whose derivatives are quotients: a root, an angle of a vector, a logarithm. Near a zero of the divisor
 /// these terms are large and cancel, and their rounding errors remain.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Divided {
+pub struct Divided {
     /// The function itself.
     pub(super) value: Series<5>,
     /// The largest |b⁽ᵏ⁾/b|^(1/k) over all divisors b and orders k.

@@ -4,12 +4,15 @@ use std::vec;
 use std::vec::Vec;
 
 use super::carrier::Carrier;
-use super::gradients::{equations_along, gradients, jacobian_rates, rounding_errors, values};
+use super::functions::VerifiedFunctions;
+use super::gradients::{equations_along, gradients, jacobian_rates, rounding_errors};
 use super::matrix_condition::condition;
+use super::motions::{Motions, flat};
 use super::{Inputs, Unknowns};
+use crate::any::Of;
 use crate::mechanism::Mechanism;
+use crate::number::Number;
 use crate::number::series::Series;
-use crate::number::{Number, Row};
 use crate::quantity::{Dimension, Quantity};
 
 /// The units of error at a pose.
@@ -53,44 +56,51 @@ impl Gauge {
     /// The gauge at a pose.
     #[must_use]
     pub fn new<M: Mechanism<Scalar = f64>>(mechanism: &M, inputs: &Inputs<M>, unknowns: &Unknowns<M>) -> Self {
-        let description = M::DESCRIPTION;
-        let parameters = mechanism.parameters();
+        let (inputs, unknowns) = (flat(inputs.as_ref()), flat(unknowns.as_ref()));
+        Self::at(Of::<M>::FUNCTIONS, mechanism.parameters().as_ref(), &inputs, &unknowns)
+    }
+
+    /// The same for a mechanism without its type.
+    pub(super) fn at(functions: &dyn VerifiedFunctions, parameters: &[f64], inputs: &[f64], unknowns: &[f64]) -> Self {
+        let description = functions.description();
+        let orders = description.order + 1;
+        let [inputs, unknowns] = [inputs, unknowns].map(|numbers| Motions::new(numbers, orders));
         let length = description
             .parameters
             .iter()
-            .zip(parameters.as_ref())
-            .chain(description.inputs.iter().zip(&values(inputs.as_ref())))
-            .chain(description.unknowns.iter().zip(&values(unknowns.as_ref())))
+            .zip(parameters)
+            .chain(description.inputs.iter().zip(&inputs.values()))
+            .chain(description.unknowns.iter().zip(&unknowns.values()))
             .filter(|(quantity, _)| quantity.dimension == Dimension::Length)
             .fold(0.0_f64, |largest, (_, value)| largest.max(value.abs()));
-        let fastest = |quantities: &[Quantity<'_>], motions: &[M::Motion<f64>]| {
-            quantities
-                .iter()
-                .zip(motions)
-                .map(|(quantity, motion)| frequency(motion.as_ref(), natural(length, quantity, motion.as_ref())))
+        let fastest = |quantities: &[Quantity<'_>], motions: Motions<'_>| {
+            let motions = quantities.iter().zip(motions.each());
+            motions
+                .map(|(quantity, motion)| frequency(motion, natural(length, quantity, motion)))
                 .fold(0.0_f64, f64::max)
         };
-        let sizes: Vec<f64> = description
-            .unknowns
-            .iter()
-            .zip(unknowns.as_ref())
-            .map(|(quantity, motion)| natural(length, quantity, motion.as_ref()))
+        let sizes = description.unknowns.iter().zip(unknowns.each());
+        let sizes: Vec<f64> = sizes
+            .map(|(quantity, motion)| natural(length, quantity, motion))
             .collect();
-        let driving = fastest(description.inputs, inputs.as_ref());
-        let mut frequency = driving.max(fastest(description.unknowns, unknowns.as_ref()));
-        let (mut jacobian, others) = gradients(mechanism, inputs, unknowns);
-        let rates = jacobian_rates(mechanism, inputs, unknowns);
-        let rounding = rounding_errors(mechanism, inputs, unknowns);
-        let moving = |motion: &M::Motion<f64>| Series::carrying(motion.as_ref());
-        let input = |index: usize| moving(&inputs.as_ref()[index]);
-        for equation in equations_along(mechanism, input, |index| moving(&unknowns.as_ref()[index])) {
+        let driving = fastest(description.inputs, inputs);
+        let mut frequency = driving.max(fastest(description.unknowns, unknowns));
+        let (mut jacobian, others) = gradients(functions, parameters, inputs, unknowns);
+        let rates = jacobian_rates(functions, parameters, inputs, unknowns);
+        let rounding = rounding_errors(functions, parameters, inputs, unknowns);
+        let moving = || inputs.each().map(Series::carrying);
+        for equation in equations_along(functions, parameters, moving(), unknowns.each().map(Series::carrying)) {
             frequency = frequency.max(equation.frequency);
         }
-        let at = values(unknowns.as_ref());
-        let still = M::Unknowns::from_fn(|index| M::Motion::from_fn(|order| if order == 0 { at[index] } else { 0.0 }));
-        let forced = equations_along(mechanism, input, |index| moving(&still.as_ref()[index]));
-        let forced_rates = jacobian_rates(mechanism, inputs, &still);
-        let bends = bends(mechanism, &values(inputs.as_ref()), &at);
+        let at = unknowns.values();
+        let still = at.iter().map(|value| Number::constant(*value));
+        let forced = equations_along(functions, parameters, moving(), still);
+        let still = at
+            .iter()
+            .flat_map(|value| (0..orders).map(move |order| if order == 0 { *value } else { 0.0 }));
+        let still: Vec<f64> = still.collect();
+        let forced_rates = jacobian_rates(functions, parameters, inputs, Motions::new(&still, orders));
+        let bends = bends(functions, parameters, &inputs.values(), &at);
         let mut forcing = 0.0_f64;
         let mut rows = Vec::new();
         let beyond = rounding.into_iter().zip(bends).zip(forced).zip(forced_rates);
@@ -174,19 +184,21 @@ impl Gauge {
 /// right to the rounding of the quadratic term only. The step along an unknown is its value. It is at most a radian for
 /// an angle, within which its sine and cosine change, and ends where the polynomial means nothing: where a divisor of
 /// the equation may vanish.
-fn bends<M: Mechanism<Scalar = f64>>(mechanism: &M, inputs: &[f64], unknowns: &[f64]) -> Vec<f64> {
+fn bends(functions: &dyn VerifiedFunctions, parameters: &[f64], inputs: &[f64], unknowns: &[f64]) -> Vec<f64> {
+    let quantities = functions.description().unknowns;
     let mut largest = vec![0.0_f64; unknowns.len()];
     for along in 0..unknowns.len() {
         let unknown = |index: usize| {
             let value = unknowns[index];
-            let reach = match M::DESCRIPTION.unknowns[index].dimension {
+            let reach = match quantities[index].dimension {
                 _ if index != along => 0.0,
                 Dimension::Angle => value.clamp(-1.0, 1.0),
                 Dimension::Length | Dimension::Scalar => value,
             };
             Series::from_coefficients([value, reach, 0.0, 0.0, 0.0])
         };
-        let equations = equations_along(mechanism, |index| Series::constant(inputs[index]), unknown);
+        let inputs = inputs.iter().map(|value| Series::constant(*value));
+        let equations = equations_along(functions, parameters, inputs, (0..unknowns.len()).map(unknown));
         for (largest, equation) in largest.iter_mut().zip(equations) {
             let step = equation.frequency.max(1.0).recip();
             let [_, _, quadratic, ..] = equation.value.coefficients();

@@ -1,55 +1,47 @@
 //! The partial derivatives of a mechanism's equations, by numbers that carry a change, and the rounding errors of the equations.
 
+use std::vec;
 use std::vec::Vec;
 
 use super::carrier::Carrier;
 use super::divisors::Divided;
+use super::functions::VerifiedFunctions;
+use super::motions::Motions;
 use super::rounded::Rounded;
-use super::{Inputs, Unknowns};
-use crate::mechanism::Mechanism;
+use crate::any::ClosureOver;
 use crate::number::series::Series;
-use crate::number::{Changing, Number, Row};
+use crate::number::{Changing, Number};
 
-/// The value of each motion.
-pub(super) fn values<R: Row<f64>>(motions: &[R]) -> Vec<f64> {
-    motions.iter().map(|motion| derivative(motion, 0)).collect()
-}
-
-fn derivative<R: Row<f64>>(motion: &R, order: usize) -> f64 {
-    motion.as_ref().get(order).copied().unwrap_or(0.0)
+/// The residuals in numbers of one type. There are as many as unknowns.
+fn residuals<T: Number>(functions: &dyn ClosureOver<T>, parameters: &[T], inputs: &[T], unknowns: &[T]) -> Vec<T> {
+    let mut residuals = vec![T::constant(0.0); unknowns.len()];
+    functions.closure(parameters, inputs, unknowns, &mut residuals);
+    residuals
 }
 
 /// The partial derivatives of the equations, one row for each equation: with respect to the unknowns, and with respect
 /// to parameters and inputs, the latter multiplied by these quantities themselves. A product is the shift of the
 /// equation caused by a relative error in the quantity.
-pub(super) fn gradients<M: Mechanism<Scalar = f64>>(
-    mechanism: &M,
-    inputs: &Inputs<M>,
-    unknowns: &Unknowns<M>,
+pub(super) fn gradients(
+    functions: &dyn VerifiedFunctions,
+    parameters: &[f64],
+    inputs: Motions<'_>,
+    unknowns: Motions<'_>,
 ) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
     type D = Changing<f64>;
-    let (unknowns, inputs) = (values(unknowns.as_ref()), values(inputs.as_ref()));
-    let parameters = mechanism.parameters().as_ref().to_vec();
+    let (unknowns, inputs) = (unknowns.values(), inputs.values());
     // The column of one quantity, counted through unknowns, parameters and inputs.
     let column = |seeded: usize| -> Vec<f64> {
-        let number = |index: usize, value: f64| D::new(value, if index == seeded { 1.0 } else { 0.0 });
-        let mut next = unknowns.len();
-        let lifted = mechanism.convert(|value| {
-            next += 1;
-            number(next - 1, value)
+        let mut next = 0;
+        let [unknowns, parameters, inputs] = [&unknowns[..], parameters, &inputs].map(|values| {
+            let numbers = values.iter().map(|value| {
+                next += 1;
+                D::new(*value, if next - 1 == seeded { 1.0 } else { 0.0 })
+            });
+            numbers.collect::<Vec<D>>()
         });
-        let first_input = unknowns.len() + parameters.len();
-        let lifted_inputs = <<M::With<D> as Mechanism>::Inputs<D> as Row<D>>::from_fn(|index| {
-            number(first_input + index, inputs[index])
-        });
-        let lifted_unknowns =
-            <<M::With<D> as Mechanism>::Unknowns<D> as Row<D>>::from_fn(|index| number(index, unknowns[index]));
-        lifted
-            .closure(lifted_inputs, lifted_unknowns)
-            .as_ref()
-            .iter()
-            .map(|left| left.change)
-            .collect()
+        let found = residuals::<D>(functions, &parameters, &inputs, &unknowns);
+        found.iter().map(|left| left.change).collect()
     };
     let by_unknowns: Vec<Vec<f64>> = (0..unknowns.len()).map(column).collect();
     let by_others: Vec<Vec<f64>> = parameters
@@ -73,24 +65,25 @@ pub(super) fn gradients<M: Mechanism<Scalar = f64>>(
 
 /// The first four time derivatives of each partial derivative of the equations with respect to the unknowns, row by
 /// row.
-pub(super) fn jacobian_rates<M: Mechanism<Scalar = f64>>(
-    mechanism: &M,
-    inputs: &Inputs<M>,
-    unknowns: &Unknowns<M>,
+pub(super) fn jacobian_rates(
+    functions: &dyn VerifiedFunctions,
+    parameters: &[f64],
+    inputs: Motions<'_>,
+    unknowns: Motions<'_>,
 ) -> Vec<Vec<[f64; 4]>> {
     // The outer number differentiates along one unknown, the inner one along time.
     type Time = Series<5>;
     type D = Changing<Time>;
-    let lifted = mechanism.convert(<D as Number>::constant);
-    let number =
-        |motion: &M::Motion<f64>, seed: f64| D::new(Time::carrying(motion.as_ref()), <Time as Number>::constant(seed));
-    let columns: Vec<Vec<D>> = (0..unknowns.as_ref().len())
+    let parameters: Vec<D> = parameters.iter().map(|value| Number::constant(*value)).collect();
+    let number = |motion: &[f64], seed: f64| D::new(Time::carrying(motion), <Time as Number>::constant(seed));
+    let inputs: Vec<D> = inputs.each().map(|motion| number(motion, 0.0)).collect();
+    let columns: Vec<Vec<D>> = (0..unknowns.count())
         .map(|seeded| {
-            let inputs = <<M::With<D> as Mechanism>::Inputs<D> as Row<D>>::from_fn(|index| number(&inputs[index], 0.0));
-            let unknowns = <<M::With<D> as Mechanism>::Unknowns<D> as Row<D>>::from_fn(|index| {
-                number(&unknowns[index], if index == seeded { 1.0 } else { 0.0 })
-            });
-            lifted.closure(inputs, unknowns).as_ref().to_vec()
+            let unknowns = unknowns.each().enumerate();
+            let unknowns: Vec<D> = unknowns
+                .map(|(index, motion)| number(motion, if index == seeded { 1.0 } else { 0.0 }))
+                .collect();
+            residuals::<D>(functions, &parameters, &inputs, &unknowns)
         })
         .collect();
     let rates = |entry: &D| [1, 2, 3, 4].map(|order| entry.change.derivative(order));
@@ -100,36 +93,27 @@ pub(super) fn jacobian_rates<M: Mechanism<Scalar = f64>>(
 }
 
 /// The equations with inputs and unknowns that move, and the rates of their divisors.
-pub(super) fn equations_along<M: Mechanism<Scalar = f64>>(
-    mechanism: &M,
-    inputs: impl Fn(usize) -> Series<5>,
-    unknowns: impl Fn(usize) -> Series<5>,
+pub(super) fn equations_along(
+    functions: &dyn VerifiedFunctions,
+    parameters: &[f64],
+    inputs: impl Iterator<Item = Series<5>>,
+    unknowns: impl Iterator<Item = Series<5>>,
 ) -> Vec<Divided> {
-    type D = Divided;
-    let inputs = <<M::With<D> as Mechanism>::Inputs<D> as Row<D>>::from_fn(|index| D::given(inputs(index)));
-    let unknowns = <<M::With<D> as Mechanism>::Unknowns<D> as Row<D>>::from_fn(|index| D::given(unknowns(index)));
-    mechanism
-        .convert(D::constant)
-        .closure(inputs, unknowns)
-        .as_ref()
-        .to_vec()
+    let parameters: Vec<Divided> = parameters.iter().map(|value| Number::constant(*value)).collect();
+    let inputs: Vec<Divided> = inputs.map(Divided::given).collect();
+    let unknowns: Vec<Divided> = unknowns.map(Divided::given).collect();
+    residuals::<Divided>(functions, &parameters, &inputs, &unknowns)
 }
 
 /// A bound on the rounding error of each equation, in units of ε.
-pub(super) fn rounding_errors<M: Mechanism<Scalar = f64>>(
-    mechanism: &M,
-    inputs: &Inputs<M>,
-    unknowns: &Unknowns<M>,
+pub(super) fn rounding_errors(
+    functions: &dyn VerifiedFunctions,
+    parameters: &[f64],
+    inputs: Motions<'_>,
+    unknowns: Motions<'_>,
 ) -> Vec<f64> {
-    type R = Rounded;
-    let exactly = |motion: &M::Motion<f64>| R::exactly(derivative(motion, 0));
-    let inputs = <<M::With<R> as Mechanism>::Inputs<R> as Row<R>>::from_fn(|index| exactly(&inputs[index]));
-    let unknowns = <<M::With<R> as Mechanism>::Unknowns<R> as Row<R>>::from_fn(|index| exactly(&unknowns[index]));
-    mechanism
-        .convert(R::exactly)
-        .closure(inputs, unknowns)
-        .as_ref()
-        .iter()
-        .map(|left| left.error())
-        .collect()
+    let exactly = |values: &[f64]| values.iter().map(|value| Rounded::exactly(*value)).collect::<Vec<_>>();
+    let (inputs, unknowns) = (inputs.values(), unknowns.values());
+    let found = residuals::<Rounded>(functions, &exactly(parameters), &exactly(&inputs), &exactly(&unknowns));
+    found.iter().map(|left| left.error()).collect()
 }

@@ -51,9 +51,11 @@ mod carrier;
 mod closure;
 mod differentiation;
 mod divisors;
+mod functions;
 mod gauge;
 mod gradients;
 mod matrix_condition;
+mod motions;
 mod random;
 mod report;
 mod rounded;
@@ -62,8 +64,13 @@ mod sampling;
 mod tests;
 mod worst;
 
+#[doc(hidden)]
+pub use carrier::{Carrier, ThroughSnap};
 pub use closure::closure;
 pub use differentiation::{Differentiated, by_differentiation};
+pub use functions::VerifiedFunctions;
+#[doc(hidden)]
+pub use functions::{differentiated, left_over};
 pub use gauge::{Gauge, allowed};
 #[doc(hidden)]
 pub use random::Random;

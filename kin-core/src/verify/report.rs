@@ -1,6 +1,7 @@
 //! The report of a verification.
 
 use core::fmt;
+use std::string::String;
 
 use super::Worst;
 
@@ -18,7 +19,7 @@ use super::Worst;
 #[must_use = "a report that is not looked at proves nothing: call `assert` or `passed`"]
 pub struct Report {
     /// The name of the mechanism.
-    pub name: &'static str,
+    pub name: String,
     /// The worst errors, and the number of poses.
     pub worst: Worst,
     /// The number of combinations of dimensions and inputs drawn.

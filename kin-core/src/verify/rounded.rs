@@ -11,7 +11,7 @@ use crate::solve::Scalar;
 /// Derivatives show how much an error in the data shifts a result, but not the errors of large terms that cancel on the
 /// way. The bound includes those errors.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Rounded {
+pub struct Rounded {
     value: f64,
     /// The absolute error of the value.
     error: f64,

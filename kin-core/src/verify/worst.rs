@@ -3,10 +3,14 @@
 use core::fmt;
 use std::format;
 use std::string::String;
+use std::vec;
 use std::vec::Vec;
 
-use super::{Gauge, Inputs, allowed, by_differentiation, closure};
-use crate::mechanism::{Mechanism, Pose};
+use super::functions::VerifiedFunctions;
+use super::motions::flat;
+use super::{Gauge, Inputs, allowed};
+use crate::any::{AssemblyChoice, Named, Of, PositionChoice};
+use crate::mechanism::Mechanism;
 use crate::quantity::Quantity;
 
 /// The reference for a motion.
@@ -100,40 +104,62 @@ impl Worst {
         inputs: Inputs<M>,
         assembly: M::Assembly,
     ) -> bool {
-        let Ok(pose) = mechanism.solve(inputs, assembly) else {
+        let parameters = mechanism.parameters();
+        let choice = AssemblyChoice::of::<M>(assembly);
+        let inputs = flat(inputs.as_ref());
+        self.check_any(Of::<M>::FUNCTIONS, parameters.as_ref(), &inputs, choice.position())
+    }
+
+    /// [`check`](Self::check) of a mechanism without its type.
+    pub(super) fn check_any(
+        &mut self,
+        functions: &dyn VerifiedFunctions,
+        parameters: &[f64],
+        inputs: &[f64],
+        choice: PositionChoice<'_, f64>,
+    ) -> bool {
+        let description = functions.description();
+        let orders = description.order + 1;
+        let [mut unknowns, mut outputs] =
+            [description.unknowns, description.outputs].map(|all| vec![0.0; all.len() * orders]);
+        let solved = functions.motion(parameters, inputs, choice, &mut unknowns, &mut outputs);
+        if solved.is_err() {
             return false;
-        };
+        }
         self.poses += 1;
-        let place = || place(mechanism, &inputs, assembly);
-        let description = M::DESCRIPTION;
-        let (unknowns, outputs) = (pose.unknown_motions(), pose.output_motions());
-        let gauge = Gauge::new(mechanism, &inputs, &unknowns);
-        for (index, left) in closure(mechanism, &inputs, &unknowns).into_iter().enumerate() {
+        let place = || place(functions, parameters, inputs, choice);
+        let gauge = Gauge::at(functions, parameters, inputs, &unknowns);
+        for (index, left) in functions
+            .left_over(parameters, inputs, &unknowns)
+            .into_iter()
+            .enumerate()
+        {
             for (order, left) in left.into_iter().enumerate() {
                 let error = units(left.abs(), gauge.equation(index, order));
                 let name = || format!("scalar equation {}", index + 1);
                 self.note(Oracle::Closure, order, error, name, place);
             }
         }
-        let expected = match by_differentiation(mechanism, &inputs, assembly) {
+        let expected = match functions.differentiated(parameters, inputs, choice) {
             Ok(expected) => expected,
             Err(error) => {
+                let error = Named::new(error, description);
                 let name = || format!("{error} (on numbers that carry derivatives)");
                 self.note(Oracle::Differentiation, 0, f64::INFINITY, name, place);
                 return true;
             }
         };
-        let motions = unknowns.as_ref().iter().zip(description.unknowns);
+        let motions = unknowns.chunks_exact(orders).zip(description.unknowns);
         for (index, ((motion, quantity), expected)) in motions.zip(&expected.unknowns).enumerate() {
-            for (order, (own, other)) in motion.as_ref().iter().zip(expected).enumerate() {
+            for (order, (own, other)) in motion.iter().zip(expected).enumerate() {
                 let error = units((own - other).abs(), gauge.unknown(index, order));
                 self.note(Oracle::Differentiation, order, error, || quantity.name.into(), place);
             }
         }
-        let motions = outputs.as_ref().iter().zip(description.outputs);
+        let motions = outputs.chunks_exact(orders).zip(description.outputs);
         for ((motion, quantity), expected) in motions.zip(&expected.outputs) {
-            for (order, (own, other)) in motion.as_ref().iter().zip(expected).enumerate() {
-                let error = units((own - other).abs(), gauge.output(quantity, motion.as_ref(), order));
+            for (order, (own, other)) in motion.iter().zip(expected).enumerate() {
+                let error = units((own - other).abs(), gauge.output(quantity, motion, order));
                 self.note(Oracle::Outputs, order, error, || quantity.name.into(), place);
             }
         }
@@ -224,19 +250,30 @@ impl fmt::Display for Worst {
 }
 
 /// The place of a motion, with every number to the last digit.
-fn place<M: Mechanism<Scalar = f64>>(mechanism: &M, inputs: &Inputs<M>, assembly: M::Assembly) -> String {
-    let description = M::DESCRIPTION;
+fn place(
+    functions: &dyn VerifiedFunctions,
+    parameters: &[f64],
+    inputs: &[f64],
+    choice: PositionChoice<'_, f64>,
+) -> String {
+    let description = functions.description();
     let named = |quantity: &Quantity<'_>, value: String| format!("{} = {value}", quantity.name);
-    let parameters = mechanism.parameters();
-    let mut parts: Vec<String> = description
-        .parameters
-        .iter()
-        .zip(parameters.as_ref())
+    let values = description.parameters.iter().zip(parameters);
+    let mut parts: Vec<String> = values
         .map(|(quantity, value)| named(quantity, format!("{value:?}")))
         .collect();
-    let inputs = description.inputs.iter().zip(inputs.as_ref());
-    parts.extend(inputs.map(|(quantity, motion)| named(quantity, format!("{:?}", motion.as_ref()))));
-    parts.push(format!("assembly {assembly:?}"));
+    let inputs = description
+        .inputs
+        .iter()
+        .zip(inputs.chunks_exact(description.order + 1));
+    parts.extend(inputs.map(|(quantity, motion)| named(quantity, format!("{motion:?}"))));
+    match choice {
+        PositionChoice::Assembly(index) => match functions.assembly_name(index) {
+            Some(name) if !name.is_empty() => parts.push(format!("assembly {name}")),
+            _ => {}
+        },
+        PositionChoice::Near(near) => parts.push(format!("near {near:?}")),
+    }
     parts.join(", ")
 }
 

@@ -123,7 +123,7 @@ pub(super) fn figures(
     for (order, rate) in (1..=linkage.description().order.min(HIGHEST)).zip(RATES) {
         let first = objective.traced[0];
         let (name, peak) = if let [x, y, ..] = objective.traced[..] {
-            let peak = objective.functions.peak_of_point(&PointWay {
+            let found = objective.functions.peak_of_point(&PointWay {
                 parameters: linkage.parameters(),
                 assembly,
                 ends: [&from, &to],
@@ -132,6 +132,7 @@ pub(super) fn figures(
                 place: [x.place, y.place],
                 order,
             });
+            let Some(peak) = found else { break };
             (first.name.strip_suffix(".x").unwrap_or(first.name), peak)
         } else {
             (first.name, sweep.of(&format!("{}_{rate}", first.name)).peak())

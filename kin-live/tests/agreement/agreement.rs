@@ -14,7 +14,7 @@ pub(crate) fn assert_agreement<M: Mechanism<Scalar = f64>>(text: &str) -> [usize
     let live = kin_live::Mechanism::declare(text).unwrap_or_else(|error| panic!("{error}"));
     let declaration = live.declaration();
     assert_eq!(declaration.name(), M::DESCRIPTION.name);
-    sheets::assert_same_outline::<M>(&declaration.sheets().outline);
+    solvers::assert_same_picture::<M>(&live);
     let finite = sheets::agreeing::<M, f64>(declaration)
         + sheets::agreeing::<M, f32>(declaration)
         + sheets::agreeing::<M, Series<4>>(declaration);

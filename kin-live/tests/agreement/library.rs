@@ -3,7 +3,7 @@
 use crate::agreement::assert_agreement;
 
 /// The text between the braces of the declaration of a structure.
-fn declaration<'a>(file: &'a str, name: &str) -> &'a str {
+pub(crate) fn declaration<'a>(file: &'a str, name: &str) -> &'a str {
     let mut declarations = file.split("\ncrate::mechanism! {").skip(1);
     let found = declarations.find(|rest| rest.contains(&format!("pub struct {name} {{")));
     let rest = found.expect("the file declares it");

@@ -8,3 +8,4 @@ mod own;
 mod random;
 mod sheets;
 mod solvers;
+mod tapes;

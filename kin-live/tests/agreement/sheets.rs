@@ -1,9 +1,9 @@
 //! The translated methods: residuals, outputs, and places of the picture.
 
 use kin_compiler::Declaration;
-use kin_compiler::tree::{Outline, Sheet};
-use kin_core::any::{ClosureOver, Of, OutputsOver};
-use kin_core::{Mechanism, PlaneOrSpace, PointArray, Row};
+use kin_compiler::tree::Sheet;
+use kin_core::any::{ClosureOver, Of, OutputsOver, PlacesOver};
+use kin_core::{Mechanism, Row};
 use kin_live::sheet::SheetCode;
 
 use crate::agreement::SAMPLES;
@@ -34,19 +34,9 @@ pub(crate) fn agreeing<M: Mechanism<Scalar = f64>, T: Bits>(declaration: &Declar
 
 /// The places of the compiled mechanism, part by part.
 fn places<M: Mechanism<Scalar = f64>, T: Bits>([parameters, inputs, unknowns]: &Numbers<T>, found: &mut [T]) {
-    let mechanism = M::With::<T>::from_parameters(Row::from_fn(|index| parameters[index]));
-    let places = mechanism.places(
-        Row::from_fn(|index| inputs[index]),
-        Row::from_fn(|index| unknowns[index]),
-    );
-    let places = places.as_slice();
-    let is_plane = <<<M::With<T> as Mechanism>::Places as PointArray>::Point as PlaneOrSpace>::IS_PLANE;
-    let width = if is_plane { 2 } else { 3 };
-    assert_eq!(found.len(), places.len() * width);
-    for (place, found) in places.iter().zip(found.chunks_exact_mut(width)) {
-        let place = place.in_space();
-        found.copy_from_slice(&[place.x, place.y, place.z][..width]);
-    }
+    let mut all = Vec::new();
+    Of::<M>::FUNCTIONS.places(parameters, inputs, unknowns, &mut |place| all.extend_from_slice(place));
+    found.copy_from_slice(&all);
 }
 
 /// Compares one method, and returns how many of its results were finite.
@@ -73,22 +63,4 @@ fn assert_agreeing<T: Bits>(sheet: &Sheet, counts: [usize; 3], compiled: impl Fn
         }
     }
     finite
-}
-
-pub(crate) fn assert_same_outline<M: Mechanism>(own: &Outline) {
-    let expected = M::OUTLINE;
-    assert_eq!(own.ground, expected.ground);
-    let bodies: Vec<(&str, &[usize])> = own
-        .bodies
-        .iter()
-        .map(|body| (body.name.as_str(), body.joints.as_slice()))
-        .collect();
-    let expected_bodies: Vec<(&str, &[usize])> = expected.bodies.iter().map(|body| (body.name, body.joints)).collect();
-    assert_eq!(bodies, expected_bodies);
-    let slides: Vec<(usize, Option<usize>)> = own.slides.iter().map(|slide| (slide.joint, slide.guide)).collect();
-    let expected_slides: Vec<(usize, Option<usize>)> =
-        expected.slides.iter().map(|slide| (slide.joint, slide.guide)).collect();
-    assert_eq!(slides, expected_slides);
-    let points: Vec<(&str, usize)> = own.points.iter().map(|(name, joint)| (name.as_str(), *joint)).collect();
-    assert_eq!(points, expected.points);
 }

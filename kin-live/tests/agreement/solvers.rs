@@ -2,7 +2,7 @@
 
 use kin_core::any::{
     AnyMechanism, AssemblyMotionOver, AssemblyOver, ClosureTermsOver, Described, EveryPosition, FormsOver,
-    MotionNearOver, Named, NearOver, Of, TransmissionOver,
+    MotionNearOver, Named, NearOver, Of, Pictured, TransmissionOver,
 };
 use kin_core::{Mechanism, SolveError, TransmissionAngle};
 
@@ -25,7 +25,15 @@ pub(crate) fn assert_same_description<M: Mechanism<Scalar = f64>>(live: &kin_liv
     assert_eq!((own.order, own.operations), (expected.order, expected.operations));
     assert_eq!(live.assembly_count(), M::ASSEMBLY_COUNT);
     assert_eq!(live.assembly_names(), Of::<M>::FUNCTIONS.assembly_names());
+    assert_eq!(live.choices(), Of::<M>::FUNCTIONS.choices());
     assert_eq!(live.dyad_count(), Of::<M>::FUNCTIONS.dyad_count());
+}
+
+/// A mechanism is shown as its text is.
+pub(crate) fn assert_same_picture<M: Mechanism<Scalar = f64>>(live: &kin_live::Mechanism) {
+    let compiled = Of::<M>::FUNCTIONS;
+    assert_eq!((live.outline(), live.is_space()), (M::OUTLINE, compiled.is_space()));
+    assert_eq!(live.formulas(), M::FORMULAS);
 }
 
 /// The functions of a mechanism that are compared, in one kind of numbers.

@@ -13,7 +13,7 @@ use crate::library::{self, Visitor};
 /// Where a mechanism does not close.
 pub fn gallery() -> Result<Vec<Entry>, SolveError> {
     let mut drawn = Drawn(Ok(Vec::new()));
-    library::visit(&mut drawn)?;
+    library::visit(&mut drawn);
     drawn.0
 }
 

@@ -1,6 +1,7 @@
 //! What is asked of a mechanism: its dimensions, how its inputs move, and its assembly.
 
-use kin_core::{Description, Dimension, Quantity, assembly_named};
+use kin_core::any::{Description, Quantity};
+use kin_core::{Dimension, assembly_named};
 
 use super::fault::{Fault, listed, similar};
 use super::motion::{InputMotion, LawName, checked};
@@ -319,7 +320,7 @@ impl Typed {
     }
 
     /// The motion with the speed, or under the law, of the other options.
-    fn driven(&self, motion: InputMotion, input: &Quantity, lengths: &mut Lengths) -> Result<InputMotion, Fault> {
+    fn driven(&self, motion: InputMotion, input: &Quantity<'_>, lengths: &mut Lengths) -> Result<InputMotion, Fault> {
         let InputMotion::Moves { from, to, speed } = motion else {
             return self.unchanged(motion, input.name);
         };
@@ -376,7 +377,7 @@ impl Typed {
 impl Case {
     /// Without laws the leading input alone has a speed. One of another input is refused, unless both take the same
     /// time.
-    fn check_pace(&self, inputs: &[Quantity]) -> Result<(), Fault> {
+    fn check_pace(&self, inputs: &[Quantity<'_>]) -> Result<(), Fault> {
         if self.time_of_laws().is_some() {
             return Ok(());
         }
@@ -495,11 +496,11 @@ fn parts<'v>(name: &str, value: &'v str) -> Result<Vec<(String, &'v str)>, Fault
         .collect())
 }
 
-fn place_of(quantities: &[Quantity], name: &str) -> Option<usize> {
+fn place_of(quantities: &[Quantity<'_>], name: &str) -> Option<usize> {
     quantities.iter().position(|quantity| quantity.name == name)
 }
 
-fn no_dimension(description: &Description, name: &str) -> Fault {
+fn no_dimension(description: &Description<'_>, name: &str) -> Fault {
     let point = format!("{name}.x");
     if place_of(description.parameters, &point).is_some() {
         return Fault::wrong(format!(

@@ -309,5 +309,4 @@ pub(crate) const EXIT_CODES: &str = "Exit codes:
   0  done
   1  the mechanism does not close somewhere it was asked for, or a fit ended before a minimum;
      what closes is printed or written
-  2  something was typed wrong, or a file cannot be read or written
-  3  a .kin file could not be built";
+  2  something was typed wrong, or a file cannot be read or written";

@@ -10,8 +10,6 @@ pub(crate) enum Fault {
     Open(String),
     /// What was typed, or a file that was named, is not what the program can use. The code is 2.
     Wrong(String),
-    /// A `.kin` file could not be built. The code is 3.
-    Build(String),
 }
 
 impl Fault {
@@ -25,9 +23,12 @@ impl Fault {
         Self::Open(message.to_string())
     }
 
-    /// A build that failed.
-    pub(crate) fn build(message: impl fmt::Display) -> Self {
-        Self::Build(message.to_string())
+    /// The same reason in other words.
+    pub(crate) fn map(self, words: impl FnOnce(String) -> String) -> Self {
+        match self {
+            Self::Open(message) => Self::Open(words(message)),
+            Self::Wrong(message) => Self::Wrong(words(message)),
+        }
     }
 
     /// The code that the program ends with.
@@ -35,14 +36,13 @@ impl Fault {
         ExitCode::from(match self {
             Self::Open(_) => 1,
             Self::Wrong(_) => 2,
-            Self::Build(_) => 3,
         })
     }
 }
 
 impl fmt::Display for Fault {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (Self::Open(message) | Self::Wrong(message) | Self::Build(message)) = self;
+        let (Self::Open(message) | Self::Wrong(message)) = self;
         formatter.write_str(message)
     }
 }

@@ -1,6 +1,6 @@
 //! The program: a mechanism's sweeps, cycles, peaks, code and pages from the command line.
 //!
-//! [`main`] makes a program of one's own mechanism, [`library`] is the binary `kin`.
+//! [`main`] makes a program of one's own mechanism, [`library()`] is the binary `kin`.
 
 mod advice;
 mod case;
@@ -15,10 +15,10 @@ mod tasks;
 mod text;
 mod value;
 
-pub use subject::Entry;
 use subject::Subject;
 
 use std::ffi::OsString;
+use std::iter;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -29,7 +29,9 @@ use kin_core::{Mechanism, in_small_letters};
 
 use command::Task;
 use fault::{Fault, similar};
-use file::{Run, Told, cache};
+use file::Told;
+
+use crate::library::DESIGNS;
 
 /// A program of one mechanism: reads the arguments, does what they say, and returns the code to end with.
 ///
@@ -56,36 +58,25 @@ pub fn main<M: Mechanism<Scalar = f64>>() -> ExitCode {
     let subject = Subject::of::<M>();
     let arguments: Vec<OsString> = std::env::args_os().collect();
     let name = program_name(&arguments);
-    ended(run_own(&subject, &name, &arguments, &Told::default()))
+    let about = format!("The mechanism {}", subject.description().name);
+    let done = own_task(about, &name, &arguments).and_then(|task| match task {
+        Some(task) => tasks::run(&subject, &task, &Told::default()),
+        None => Ok(()),
+    });
+    ended(done)
 }
 
-/// The program that `kin run` builds from a file. Its first argument is what the file says besides the declaration.
-#[doc(hidden)]
+/// The program of the library's mechanisms. Each is called by its name in small letters, with or without underscores.
 #[must_use]
-pub fn of_file<M: Mechanism<Scalar = f64>>() -> ExitCode {
-    let subject = Subject::of::<M>();
-    let mut arguments: Vec<OsString> = std::env::args_os().collect();
-    let told = arguments
-        .get(1)
-        .and_then(|told| serde_json::from_str::<Told>(told.to_str()?).ok());
-    let Some(told) = told else {
-        return ended(Err(Fault::wrong("this program is run by `kin run FILE.kin`")));
-    };
-    arguments.remove(1);
-    ended(run_own(&subject, &told.program, &arguments, &told))
-}
-
-/// The program of many mechanisms. Each is called by its name in small letters, with or without underscores.
-#[must_use]
-pub fn library(all: &[Entry]) -> ExitCode {
+pub fn library() -> ExitCode {
     let arguments: Vec<OsString> = std::env::args_os().collect();
-    ended(run_library(all, &arguments))
+    ended(run_library(&arguments))
 }
 
 /// Prints the reason why the program failed.
-fn ended(result: Result<ExitCode, Fault>) -> ExitCode {
+fn ended(result: Result<(), Fault>) -> ExitCode {
     match result {
-        Ok(code) => code,
+        Ok(()) => ExitCode::SUCCESS,
         Err(fault) => {
             eprintln!(
                 "{} {fault}",
@@ -120,13 +111,13 @@ fn completed(command: Command, name: &str) -> Command {
     )
 }
 
-fn completions(command: &mut Command, name: &str, matches: &clap::ArgMatches) -> Result<ExitCode, Fault> {
+fn completions(command: &mut Command, name: &str, matches: &clap::ArgMatches) -> Result<(), Fault> {
     // the crate panics where it cannot write, so it writes into memory
     let mut script = Vec::new();
     if let Some(shell) = matches.get_one::<Shell>("shell") {
         clap_complete::generate(*shell, command, name, &mut script);
     }
-    tasks::print(&String::from_utf8_lossy(&script)).map(|()| ExitCode::SUCCESS)
+    tasks::print(&String::from_utf8_lossy(&script))
 }
 
 /// Help and the version go to the output and are no mistake.
@@ -154,44 +145,38 @@ fn program_name(arguments: &[OsString]) -> String {
     stem.unwrap_or("kin").to_owned()
 }
 
-fn run_own(subject: &Subject, name: &str, arguments: &[OsString], told: &Told) -> Result<ExitCode, Fault> {
-    let about = format!("The mechanism {}", subject.description().name);
+/// The task of a program of one mechanism, unless all is done already.
+fn own_task(about: String, name: &str, arguments: &[OsString]) -> Result<Option<Task>, Fault> {
     let command = completed(Task::augment_subcommands(base(name)).about(about), name);
     let mut command = command::with_examples(command, name, "").bin_name(name);
     let matches = parsed(&command, arguments, false)?;
     if let Some(("completions", matches)) = matches.subcommand() {
-        return completions(&mut command, name, matches);
+        return completions(&mut command, name, matches).map(|()| None);
     }
-    let task = Task::from_arg_matches(&matches).map_err(Fault::wrong)?;
-    tasks::run(subject, &task, told).map(|()| ExitCode::SUCCESS)
+    Task::from_arg_matches(&matches).map(Some).map_err(Fault::wrong)
 }
 
-fn run_library(all: &[Entry], arguments: &[OsString]) -> Result<ExitCode, Fault> {
+fn run_library(arguments: &[OsString]) -> Result<(), Fault> {
     let mut command = library_command();
     let matches = parsed(&command, arguments, true)?;
     match matches.subcommand() {
         Some(("completions", matches)) => completions(&mut command, "kin", matches),
-        Some(("list", _)) => tasks::list(all).map(|()| ExitCode::SUCCESS),
+        Some(("list", _)) => tasks::list(),
         Some(("run", own)) => run_file(own),
         Some(("check", own)) => {
             let path = own.get_one::<PathBuf>("file").cloned().unwrap_or_default();
-            tasks::print(&file::check(&path, own.get_flag("steps"))?).map(|()| ExitCode::SUCCESS)
-        }
-        Some(("cache", _)) => {
-            let folder = cache::clear()?;
-            eprintln!("{} is empty", folder.display());
-            Ok(ExitCode::SUCCESS)
+            tasks::print(&file::check(&path, own.get_flag("steps"))?)
         }
         Some((_, own)) => {
             let wanted = own.get_one::<String>("mechanism").map_or("", String::as_str);
-            let subject = match (find(all, wanted), advice::advice(arguments, true)) {
+            let subject = match (find(wanted), advice::advice(arguments, true)) {
                 (Err(_), Some(advice)) => return Err(Fault::wrong(advice)),
                 (found, _) => found?,
             };
             let task = Task::from_arg_matches(&matches).map_err(Fault::wrong)?;
-            tasks::run(subject, &task, &Told::default()).map(|()| ExitCode::SUCCESS)
+            tasks::run(&subject, &task, &Told::default())
         }
-        None => Ok(ExitCode::SUCCESS),
+        None => Ok(()),
     }
 }
 
@@ -228,19 +213,6 @@ fn of_files(command: Command) -> Command {
             Command::new("run")
                 .about("Do any of this with a mechanism of one's own, from a .kin file")
                 .arg(
-                    Arg::new("fetch")
-                        .long("fetch")
-                        .action(ArgAction::SetTrue)
-                        .help("Fetch crates that are not on this machine"),
-                )
-                .arg(
-                    Arg::new("source")
-                        .long("kin-source")
-                        .value_name("FOLDER")
-                        .value_parser(clap::value_parser!(PathBuf))
-                        .help("The folder of kin's source [default: where this program was built]"),
-                )
-                .arg(
                     Arg::new("file")
                         .required(true)
                         .value_name("FILE.kin")
@@ -262,12 +234,12 @@ fn of_files(command: Command) -> Command {
                 )
                 .after_help(
                     "Examples:\n  kin run pump.kin report\n  kin run pump.kin serve\n  \
-                     kin run pump.kin sweep --set rod=70mm --csv\n  kin run --fetch pump.kin peaks",
+                     kin run pump.kin sweep --set rod=70mm --csv",
                 ),
         )
         .subcommand(
             Command::new("check")
-                .about("Find the mistakes of a .kin file, without building it")
+                .about("Find the mistakes of a .kin file")
                 .arg(
                     Arg::new("steps")
                         .long("steps")
@@ -283,40 +255,29 @@ fn of_files(command: Command) -> Command {
                 )
                 .after_help("Examples:\n  kin check pump.kin\n  kin check pump.kin --steps"),
         )
-        .subcommand(
-            Command::new("cache")
-                .about("Clear what was built from .kin files")
-                .subcommand_required(true)
-                .arg_required_else_help(true)
-                .subcommand(Command::new("clear").about("Take away all that was built"))
-                .after_help("Example:\n  kin cache clear"),
-        )
 }
 
-fn run_file(matches: &clap::ArgMatches) -> Result<ExitCode, Fault> {
+fn run_file(matches: &clap::ArgMatches) -> Result<(), Fault> {
     let path = matches.get_one::<PathBuf>("file").cloned().unwrap_or_default();
-    let source = matches.get_one::<PathBuf>("source");
-    let run = Run::new(&path, source.map(PathBuf::as_path), matches.get_flag("fetch"))?;
-    let arguments: Vec<OsString> = matches.get_many("command").into_iter().flatten().cloned().collect();
-    match arguments.split_first() {
-        Some((first, rest)) if first == "serve" && !rest.iter().any(|word| word == "--help" || word == "-h") => {
-            file::watch(&run, rest).map(|()| ExitCode::SUCCESS)
+    let name = format!("kin run {}", path.display());
+    let words = matches.get_many::<OsString>("command").into_iter().flatten();
+    let arguments: Vec<OsString> = iter::once(OsString::from(&name)).chain(words.cloned()).collect();
+    match own_task(format!("The mechanism of {}", path.display()), &name, &arguments)? {
+        None => Ok(()),
+        Some(Task::Serve(options)) => tasks::watch(&path, &options),
+        Some(task) => {
+            let (subject, told) = file::read(&path)?;
+            tasks::run(&subject, &task, &told)
         }
-        _ => run.run(&arguments),
     }
 }
 
-fn find<'s>(all: &'s [Entry], wanted: &str) -> Result<&'s Subject, Fault> {
+fn find(wanted: &str) -> Result<Subject, Fault> {
     let plain = |name: &str| name.replace(['_', '-', ' '], "").to_lowercase();
-    let found = all
-        .iter()
-        .find(|entry| plain(entry.0.description().name) == plain(wanted));
-    if let Some(found) = found {
-        return Ok(&found.0);
+    if let Some(found) = DESIGNS.iter().find(|design| plain(design.name) == plain(wanted)) {
+        return Subject::of_library(found);
     }
-    let names = all
-        .iter()
-        .map(|entry| in_small_letters(entry.0.description().name, '_'));
+    let names = DESIGNS.iter().map(|design| in_small_letters(design.name, '_'));
     let names: Vec<String> = names.collect();
     let close = similar(wanted, names.iter().map(String::as_str));
     let hint = if close.starts_with("did you mean") {

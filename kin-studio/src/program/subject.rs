@@ -1,6 +1,10 @@
 //! A mechanism of the program.
 
-use kin_core::any::{AssemblyChoice, Of, PositionChoice};
+use std::fmt;
+use std::sync::Arc;
+
+use kin_core::TrackError;
+use kin_core::any::{AssemblyChoice, Described as _, Description, Named, Of, PositionChoice, Quantity};
 use kin_core::batch::LengthMismatch;
 use kin_core::cycle::BlockClass;
 use kin_core::exact::{ExactTable, ExactTableError, Precision};
@@ -9,13 +13,15 @@ use kin_core::law::Piecewise;
 use kin_core::linkage::{AnyCycle, AnyLinkage, AnySweep, TabledMechanism};
 use kin_core::prelude::*;
 use kin_core::sweep::{Laws, SmoothDrive, StraightLine, SweepError, Table};
-use kin_core::tape::{self, RecordError, Tape};
-use kin_core::{Description, Row, TrackError, verify};
+use kin_core::tape::structure::Tape;
+use kin_core::tape::{self, RecordError};
+use kin_core::verify::{self, Sampling, VerifiedFunctions};
 use kin_fit::{Choice, FitFunctions};
 
 use super::case::Case;
 use super::fault::Fault;
 use super::text;
+use crate::library::{Design, DesignAssembly};
 use crate::report::{ReportError, ReportFunctions, WayWished, Wishes};
 
 /// The assembly that is wanted.
@@ -84,62 +90,27 @@ pub(crate) struct PageWishes {
     pub(crate) has_range: bool,
 }
 
-/// The functions of a mechanism for the program. They are compiled for each mechanism; all else is compiled once, in
-/// this crate.
-pub(crate) trait ProgramFunctions: ReportFunctions + TabledMechanism + FitFunctions {
-    /// Both oracles, with a range for each input.
-    fn verify(&self, parameters: &[f64], ranges: &[(f64, f64)]) -> verify::Report;
-}
+/// The functions of a mechanism for the program. All else is compiled once, in this crate.
+pub(crate) trait ProgramFunctions: ReportFunctions + TabledMechanism + VerifiedFunctions + FitFunctions {}
 
-impl<M: Mechanism<Scalar = f64>> ProgramFunctions for Of<M> {
-    fn verify(&self, parameters: &[f64], ranges: &[(f64, f64)]) -> verify::Report {
-        let mechanism = M::from_parameters(Row::from_fn(|index| parameters[index]));
-        verify::of(&mechanism, Row::from_fn(|index| ranges[index]))
-    }
-}
+impl<F: ReportFunctions + TabledMechanism + VerifiedFunctions + FitFunctions> ProgramFunctions for F {}
 
 /// A mechanism of the program, with an example if there is one.
 #[derive(Clone, Debug)]
 pub(crate) struct Subject {
-    functions: &'static dyn ProgramFunctions,
+    functions: Arc<dyn ProgramFunctions>,
     example: Option<Example>,
 }
 
-/// A mechanism of a program that has many.
-pub struct Entry(pub(super) Subject);
-
-impl Entry {
-    /// A mechanism with dimensions, inputs and an assembly for which it closes.
-    #[must_use]
-    pub fn new<M: Mechanism<Scalar = f64>>(mechanism: &M, inputs: M::Inputs<f64>, assembly: M::Assembly) -> Self {
-        let inputs = inputs.as_ref().to_vec();
-        let example = Example {
-            parameters: mechanism.parameters().as_ref().to_vec(),
-            assembly: match AssemblyChoice::of::<M>(assembly) {
-                AssemblyChoice::Index(index) => Wanted::Named(index),
-                AssemblyChoice::Near(near) => Wanted::At {
-                    inputs: inputs.clone(),
-                    near,
-                },
-            },
-            inputs,
-        };
-        Self(Subject {
-            example: Some(example),
-            ..Subject::of::<M>()
-        })
-    }
-}
-
 /// The mechanism has several positions, and none was chosen.
-fn unnamed(description: &Description, positions: &[Vec<f64>], inputs: &[f64]) -> Fault {
+fn unnamed(description: &Description<'_>, positions: &[Vec<f64>], inputs: &[f64]) -> Fault {
     use std::fmt::Write as _;
     let mut message = "the positions of this mechanism have no names, and none was chosen".to_owned();
     let value = |dimension, value: f64| match dimension {
         kin_core::Dimension::Angle => format!("{:.4}deg", value.to_degrees()),
         _ => format!("{value:.6}"),
     };
-    let named = |quantities: &[kin_core::Quantity], values: &[f64]| {
+    let named = |quantities: &[Quantity<'_>], values: &[f64]| {
         let all = quantities.iter().zip(values);
         let all: Vec<String> = all
             .map(|(quantity, own)| format!("{}={}", quantity.name, value(quantity.dimension, *own)))
@@ -179,7 +150,7 @@ fn of_exact_table(error: ExactTableError) -> Fault {
 }
 
 /// The lowest and the highest value, and the root of the mean square.
-fn extent_of<D: SmoothDrive>(sweep: &AnySweep<'static, D>, name: &str) -> Result<Extent, Fault> {
+fn extent_of<D: SmoothDrive>(sweep: &AnySweep<'_, D>, name: &str) -> Result<Extent, Fault> {
     let quantity = sweep.of(name);
     let all = quantity.extremes().map_err(of_extremes)?;
     let reached = || {
@@ -235,15 +206,49 @@ fn unbounded(all: &[Extreme], is_maximum: bool) -> Option<Reached> {
 impl Subject {
     /// A mechanism of which nothing is known but its declaration.
     pub(crate) fn of<M: Mechanism<Scalar = f64>>() -> Self {
+        Self::new(*Of::<M>::FUNCTIONS)
+    }
+
+    /// A mechanism of the library.
+    pub(crate) fn of_library(design: &Design) -> Result<Self, Fault> {
+        let mechanism = kin_live::Mechanism::declare(design.declaration()).map_err(Fault::wrong)?;
+        let inputs = design.inputs.to_vec();
+        let assembly = match design.assembly {
+            DesignAssembly::Named(name) => {
+                let index = mechanism.assembly_names().iter().position(|own| own == name);
+                index.map_or(Wanted::Unknown, Wanted::Named)
+            }
+            DesignAssembly::Near(near) => Wanted::At {
+                inputs: inputs.clone(),
+                near: near.to_vec(),
+            },
+        };
+        Ok(Self {
+            example: Some(Example {
+                parameters: design.parameters.to_vec(),
+                inputs,
+                assembly,
+            }),
+            ..Self::new(mechanism)
+        })
+    }
+
+    /// A mechanism by its functions.
+    pub(crate) fn new(functions: impl ProgramFunctions + 'static) -> Self {
         Self {
-            functions: Of::<M>::FUNCTIONS,
+            functions: Arc::new(functions),
             example: None,
         }
     }
 
     /// Its quantities.
-    pub(crate) fn description(&self) -> &'static Description {
+    pub(crate) fn description(&self) -> &Description<'_> {
         self.functions.description()
+    }
+
+    /// A text of kin-core with the names of the mechanism in the place of their indices.
+    pub(crate) fn named(&self, text: impl fmt::Display) -> String {
+        Named::new(text, self.description()).to_string()
     }
 
     /// Dimensions for which it closes, if they are known.
@@ -256,8 +261,8 @@ impl Subject {
         self.functions.assembly_names()
     }
 
-    fn linkage(&self, parameters: &[f64]) -> AnyLinkage<'static> {
-        AnyLinkage::new(self.functions, parameters)
+    fn linkage(&self, parameters: &[f64]) -> AnyLinkage<'_> {
+        AnyLinkage::new(&*self.functions, parameters)
     }
 
     /// The assembly at the first inputs of a case.
@@ -266,7 +271,7 @@ impl Subject {
         assembly_at(&case.assembly, &linkage, &case.ends()[0])
     }
 
-    fn line(&self, case: &Case, rows: usize) -> Result<AnySweep<'static, StraightLine>, Fault> {
+    fn line(&self, case: &Case, rows: usize) -> Result<AnySweep<'_, StraightLine>, Fault> {
         let [from, to] = case.ends();
         let sweep = self.linkage(&case.parameters).sweep(self.assembly(case)?);
         Ok(sweep.between(&from, &to, rows).speed(case.speed()))
@@ -278,7 +283,7 @@ impl Subject {
         case: &Case,
         duration: f64,
         rows: usize,
-        then: impl FnOnce(AnySweep<'static, Laws<'_>>) -> R,
+        then: impl FnOnce(AnySweep<'_, Laws<'_>>) -> R,
     ) -> Result<R, Fault> {
         let laws = laws_of(case, duration)?;
         let laws: Vec<&dyn Piecewise<f64>> = laws.iter().map(|law| &**law).collect();
@@ -316,7 +321,7 @@ impl Subject {
 
     /// The table of a sweep.
     pub(crate) fn table(&self, case: &Case, rows: usize) -> Result<Table, Fault> {
-        let functions = self.functions;
+        let functions = &*self.functions;
         match case.time_of_laws() {
             None => self.line(case, rows)?.table(functions),
             Some(duration) => self.under_laws(case, duration, rows, |sweep| sweep.table(functions))?,
@@ -334,7 +339,7 @@ impl Subject {
     }
 
     /// The full cycle over the leading input.
-    pub(crate) fn cycle(&self, case: &Case) -> Result<AnyCycle<'static>, Fault> {
+    pub(crate) fn cycle(&self, case: &Case) -> Result<AnyCycle<'_>, Fault> {
         let [mut from, _] = case.ends();
         let mut direction = vec![0.0; from.len()];
         (from[case.lead], direction[case.lead]) = (0.0, 1.0);
@@ -343,7 +348,7 @@ impl Subject {
     }
 
     /// What Grashof, Barker and others call the blocks.
-    pub(crate) fn classes(&self, case: &Case) -> Vec<(&'static str, BlockClass)> {
+    pub(crate) fn classes(&self, case: &Case) -> Vec<(&str, BlockClass)> {
         let forms = self.linkage(&case.parameters).block_forms();
         let blocks = self.description().blocks.iter().zip(&forms);
         let classes = blocks.filter_map(|(block, form)| Some((block.unknowns, BlockClass::of(form)?)));
@@ -355,12 +360,12 @@ impl Subject {
         let [from, to] = case.ends();
         let ends = from.iter().zip(&to);
         let ranges: Vec<(f64, f64)> = ends.map(|(from, to)| (from.min(*to), from.max(*to))).collect();
-        self.functions.verify(&case.parameters, &ranges)
+        Sampling::default().of_any(&*self.functions, &case.parameters, &ranges)
     }
 
     /// The solver as data.
-    pub(crate) fn tape(&self, options: &tape::Options) -> Result<Tape, RecordError> {
-        self.functions.record(options)
+    pub(crate) fn tape(&self, options: &tape::Options) -> Result<Tape<'_>, RecordError> {
+        tape::record_any::<f64>(&*self.functions, options)
     }
 
     /// The page.
@@ -375,7 +380,7 @@ impl Subject {
             declaration: wishes.declaration.clone(),
             length: case.length.to_owned(),
             degrees: case.in_degrees,
-            ..Wishes::new(self.functions, &case.parameters)
+            ..Wishes::new(&*self.functions, &case.parameters)
         };
         let several = case.motions.iter().filter(|motion| motion.moves()).count() > 1;
         let report = if let Some(duration) = case.time_of_laws() {
@@ -415,9 +420,10 @@ impl Subject {
         .map_err(of_exact_table)
     }
 
-    /// The functions from which it is fitted.
+    /// The functions from which it is fitted. They stay until the program ends, which a fit is the last task of.
     pub(crate) fn fit_functions(&self) -> &'static dyn FitFunctions {
-        self.functions
+        let functions: &'static Arc<_> = Box::leak(Box::new(Arc::clone(&self.functions)));
+        &**functions
     }
 
     /// The choice of a position for all dimensions. Values nearby are those where the motion begins, and other
@@ -444,7 +450,7 @@ fn laws_of(case: &Case, duration: f64) -> Result<Vec<Box<dyn Piecewise<f64>>>, F
     laws.map_err(Fault::wrong)
 }
 
-fn assembly_at(wanted: &Wanted, linkage: &AnyLinkage<'static>, start: &[f64]) -> Result<AssemblyChoice, Fault> {
+fn assembly_at(wanted: &Wanted, linkage: &AnyLinkage<'_>, start: &[f64]) -> Result<AssemblyChoice, Fault> {
     match wanted {
         Wanted::Named(index) if *index < linkage.assembly_count() => Ok(AssemblyChoice::Index(*index)),
         Wanted::Named(_) => Err(Fault::wrong("there is no assembly of this number")),

@@ -5,7 +5,7 @@ use std::marker::PhantomData;
 use std::ops::RangeInclusive;
 use std::path::Path;
 
-use kin_core::any::{AssemblyChoice, Of};
+use kin_core::any::{AssemblyChoice, Named, Of};
 use kin_core::law::Piecewise;
 use kin_core::linkage::AnyLinkage;
 use kin_core::{ClosedRange, Mechanism};
@@ -26,8 +26,8 @@ pub struct Draft<'l, M: Mechanism<Scalar = f64>> {
 /// A draft without the type of its mechanism.
 #[derive(Clone, Debug)]
 pub(crate) struct Wishes<'l> {
-    pub(crate) functions: &'static dyn ReportFunctions,
-    pub(crate) linkage: AnyLinkage<'static>,
+    pub(crate) functions: &'l dyn ReportFunctions,
+    pub(crate) linkage: AnyLinkage<'l>,
     pub(crate) assembly: Option<AssemblyChoice>,
     pub(crate) way: WayWished<'l>,
     /// Where the inputs stand that do not move.
@@ -67,9 +67,9 @@ impl fmt::Debug for WayWished<'_> {
     }
 }
 
-impl Wishes<'_> {
+impl<'l> Wishes<'l> {
     /// No wishes beside the mechanism.
-    pub(crate) fn new(functions: &'static dyn ReportFunctions, parameters: &[f64]) -> Self {
+    pub(crate) fn new(functions: &'l dyn ReportFunctions, parameters: &[f64]) -> Self {
         Self {
             functions,
             linkage: AnyLinkage::new(functions, parameters),
@@ -91,6 +91,11 @@ impl Wishes<'_> {
 
     pub(crate) fn report(&self) -> Result<Report, ReportError> {
         gather::report(self)
+    }
+
+    /// A text of kin-core with the names of the mechanism in the place of their indices.
+    pub(super) fn named(&self, text: impl fmt::Display) -> String {
+        Named::new(text, self.linkage.description()).to_string()
     }
 }
 

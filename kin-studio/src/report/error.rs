@@ -66,7 +66,7 @@ pub enum ReportError {
     /// The derivatives that a law writes are not those of its value.
     NotSmooth {
         /// The input.
-        input: &'static str,
+        input: String,
         /// The time near which they are not.
         at: f64,
     },

@@ -26,7 +26,6 @@ fn help() {
         "report",
         "serve",
         "run",
-        "cache",
         "completions",
     ] {
         let help = typed("help-all", &format!("kin {command} --help"));

@@ -32,14 +32,13 @@ impl Drop for Folder {
     }
 }
 
-/// The program in a folder, with a cache of its own.
+/// The program in a folder.
 pub(crate) fn kin(folder: &Folder) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_kin"));
     command
         .current_dir(folder.path())
         .env("COLUMNS", "100")
-        .env("NO_COLOR", "1")
-        .env("KIN_CACHE", folder.path().join("cache"));
+        .env("NO_COLOR", "1");
     command
 }
 

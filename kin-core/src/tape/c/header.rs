@@ -121,7 +121,7 @@ fn outcome(text: &Text<'_>) -> String {
         let about = format!(
             "{} ({}); the margin is {}.",
             check.name,
-            check.block,
+            text.tape.block_of(check),
             told(check.condition)
         );
         own.push_str(&comment("    ", &about));

@@ -9,8 +9,9 @@ use std::format;
 use std::string::{String, ToString as _};
 use std::vec::Vec;
 
+use crate::tape::structure::Tape;
 use crate::tape::words::{DistinctNames, lines, of_order, snake};
-use crate::tape::{Condition, NumberType, ResultOf, Role, Tape};
+use crate::tape::{Condition, NumberType, ResultOf, Role};
 
 /// The words of C and C++, the names of `<math.h>` that the code calls, and the names of the code's own arguments.
 const KEYWORDS: &[&str] = &[
@@ -175,7 +176,7 @@ pub struct C {
     pub example: String,
 }
 
-impl Tape {
+impl Tape<'_> {
     /// The tape as C99: a header, a source and an example. The code needs `<math.h>` and `<float.h>` alone, allocates nothing and has
     /// no static state.
     ///
@@ -216,7 +217,7 @@ const WIDTH: usize = 64;
 
 /// A tape with its names in C.
 struct Text<'a> {
-    tape: &'a Tape,
+    tape: &'a Tape<'a>,
     /// The beginning of all names.
     name: String,
     /// The beginning of the names of constants.
@@ -234,7 +235,7 @@ struct Text<'a> {
 }
 
 impl<'a> Text<'a> {
-    fn new(tape: &'a Tape) -> Self {
+    fn new(tape: &'a Tape<'a>) -> Self {
         let name = snake(tape.description.name);
         let upper = name.to_uppercase();
         let mut names = DistinctNames::new(KEYWORDS);
@@ -266,7 +267,7 @@ impl<'a> Text<'a> {
         let results = results.collect();
         let mut names = DistinctNames::new(&[]);
         let codes = tape.checks.iter().map(|check| {
-            let words: String = format!("{} {}", check.name, check.block)
+            let words: String = format!("{} {}", check.name, tape.block_of(check))
                 .chars()
                 .map(|letter| if letter == ' ' || letter == ',' { '_' } else { letter })
                 .collect();

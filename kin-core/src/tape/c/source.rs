@@ -10,7 +10,8 @@ use crate::tape::c::writer::CWriter;
 use crate::tape::c::{Text, comment, quoted};
 use crate::tape::runtime::{self, RuntimeParts};
 use crate::tape::stages::Stages;
-use crate::tape::{Condition, Tape, TapeNode, TapeStep, Value};
+use crate::tape::structure::Tape;
+use crate::tape::{Condition, TapeNode, TapeStep, Value};
 
 /// The values that later orders take from earlier ones.
 pub(super) struct Inherited {
@@ -18,7 +19,7 @@ pub(super) struct Inherited {
 }
 
 impl Inherited {
-    pub(super) fn new(tape: &Tape) -> Self {
+    pub(super) fn new(tape: &Tape<'_>) -> Self {
         let stages = Stages::new(tape);
         let mut values = BTreeSet::new();
         for order in 1..=tape.order {
@@ -40,7 +41,7 @@ impl Inherited {
 }
 
 /// Whether a value is computed; arguments and constants are there anyway.
-fn is_carried(tape: &Tape, value: Value) -> bool {
+fn is_carried(tape: &Tape<'_>, value: Value) -> bool {
     !matches!(
         tape.nodes[value.index()],
         TapeNode::Argument(_) | TapeNode::Constant(_) | TapeNode::Certain(_) | TapeNode::Unknown { .. }
@@ -48,7 +49,7 @@ fn is_carried(tape: &Tape, value: Value) -> bool {
 }
 
 /// The values that the steps of an order take, its own ones included.
-pub(super) fn taken(tape: &Tape, stages: &Stages, order: usize) -> Vec<Value> {
+pub(super) fn taken(tape: &Tape<'_>, stages: &Stages, order: usize) -> Vec<Value> {
     let mut own = Vec::new();
     let mut take = |value: Value| own.push(value);
     for step in tape.steps.iter().filter(|step| stages.of_step(tape, **step) == order) {
@@ -89,7 +90,7 @@ pub(super) fn taken(tape: &Tape, stages: &Stages, order: usize) -> Vec<Value> {
 }
 
 /// The values that a search takes from outside: guess, sizes, and what its body needs.
-fn given(tape: &Tape, search: usize) -> Vec<Value> {
+fn given(tape: &Tape<'_>, search: usize) -> Vec<Value> {
     let own = &tape.searches[search];
     own.guess
         .iter()
@@ -144,7 +145,7 @@ fn message(text: &Text<'_>) -> String {
         ));
     }
     for (check, code) in text.tape.checks.iter().zip(&text.codes) {
-        let words = quoted(&format!("{} ({})", check.name, check.block));
+        let words = quoted(&format!("{} ({})", check.name, text.tape.block_of(check)));
         own.push_str(&format!("    case {code}:\n        return {words};\n"));
     }
     own.push_str("    default:\n        return \"no such code\";\n    }\n}\n");

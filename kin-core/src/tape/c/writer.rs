@@ -305,7 +305,7 @@ impl<'a> CWriter<'a> {
 
     fn check(&mut self, index: usize) {
         let check = &self.text.tape.checks[index];
-        let about = comment("    ", &format!("{} ({})", check.name, check.block));
+        let about = comment("    ", &format!("{} ({})", check.name, self.text.tape.block_of(check)));
         self.body.push_str(&about);
         let fails = match check.condition {
             Condition::Holds(truth) => self.expression(truth).not().text,

@@ -13,7 +13,8 @@ mod tests;
 
 use std::string::{String, ToString};
 
-use crate::tape::{Function, NumberType, Operator, Tape, TapeNode};
+use crate::tape::structure::Tape;
+use crate::tape::{Function, NumberType, Operator, TapeNode};
 use constants::ConstantTexts;
 
 /// The parts of the run time that a program needs.
@@ -34,7 +35,7 @@ pub(super) struct RuntimeParts {
 
 impl RuntimeParts {
     /// The parts that a tape needs.
-    pub(super) fn of(tape: &Tape) -> Self {
+    pub(super) fn of(tape: &Tape<'_>) -> Self {
         let has = |wanted: fn(&TapeNode) -> bool| tape.nodes.iter().any(wanted);
         let systems = tape.systems.iter().map(|system| system.rows.len());
         let searches = tape.searches.iter().map(|search| search.guess.len());

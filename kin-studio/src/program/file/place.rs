@@ -63,18 +63,6 @@ fn excerpt(line: &str, column: usize) -> (String, usize) {
     )
 }
 
-/// The bytes of a place that is given by its line and its column, both from one, the column in characters.
-pub(crate) fn bytes_of(text: &str, line: usize, column: usize) -> usize {
-    let line_start = text
-        .split_inclusive('\n')
-        .take(line.saturating_sub(1))
-        .map(str::len)
-        .sum::<usize>();
-    let own = text.get(line_start..).unwrap_or("");
-    let inside: usize = own.chars().take(column.saturating_sub(1)).map(char::len_utf8).sum();
-    line_start + inside
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -88,7 +76,6 @@ mod tests {
             shown,
             "an angle has a unit\n --> a.kin:2:5\n  |\n2 | θ = 30;\n  |     ^^"
         );
-        assert_eq!(bytes_of(text, 2, 5), start);
         // behind the end
         let end = Mistake::new("more", text.len()..text.len() + 9).shown("a.kin", text);
         assert!(end.ends_with("3 | end\n  |    ^"), "{end}");

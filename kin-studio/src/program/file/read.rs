@@ -1,12 +1,10 @@
-//! A `.kin` file, taken apart: the declaration, which becomes Rust, and the numbers, which never do.
-//!
-//! The declaration comes from anybody, and the macro passes attributes on. So everything is refused that is not a doc
-//! comment, a name, a number or an operator of the grammar.
+//! A `.kin` file, taken apart: the declaration, and the numbers.
 
 use std::ops::Range;
 
-use kin_compiler::{Declaration, Quantity};
+use kin_compiler::Quantity;
 use kin_core::Dimension;
+use kin_live::{DeclareError, Mechanism};
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
 use super::super::fault::similar;
@@ -18,18 +16,12 @@ use super::place::Mistake;
 const FIRST_LINE: &str = "kin 1";
 
 /// A file that was read.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug)]
 pub(crate) struct KinFile {
-    /// The name of the mechanism.
-    pub(crate) name: String,
-    /// Its doc comment.
-    pub(crate) documentation: String,
+    /// The mechanism.
+    pub(crate) mechanism: Mechanism,
     /// The declaration as it was typed.
     pub(crate) declaration: String,
-    /// The whole file with all that is not the declaration as blanks, so that every token keeps its place.
-    pub(crate) rust: String,
-    /// The declaration, compiled.
-    pub(crate) compiled: Declaration,
     /// Dimensions and inputs that stand: `r1=90`.
     pub(crate) set: Vec<String>,
     /// Motions of inputs: `theta2=0deg..360deg at 60rpm`.
@@ -163,14 +155,19 @@ fn braces(token: Option<&TokenTree>) -> Option<&Group> {
 impl Reader<'_> {
     fn read(&self, blanked: &str) -> Result<KinFile, Vec<Mistake>> {
         let sections = self.sections().map_err(|mistake| vec![mistake])?;
-        let rust = blank(blanked, &sections.blanks);
-        let compiled = Declaration::parse(&rust).map_err(|mistakes| {
-            let mistakes = mistakes.into_iter();
-            mistakes
-                .map(|mistake| Mistake::new(mistake.message, mistake.bytes))
-                .collect::<Vec<_>>()
+        // with blanks in the place of all else, so that every token keeps its own
+        let declaration = blank(blanked, &sections.blanks);
+        let mechanism = Mechanism::declare(&declaration).map_err(|error| match error {
+            DeclareError::Mistakes(mistakes) => {
+                let mistakes = mistakes.into_iter();
+                mistakes
+                    .map(|mistake| Mistake::new(mistake.message, mistake.bytes))
+                    .collect::<Vec<_>>()
+            }
+            error => vec![Mistake::new(error.to_string(), 0..0)],
         })?;
-        self.file(sections, rust, compiled).map_err(|mistake| vec![mistake])
+        self.file(sections, &declaration, mechanism)
+            .map_err(|mistake| vec![mistake])
     }
 
     /// Divides the file into its sections.
@@ -217,7 +214,7 @@ impl Reader<'_> {
             declared.push(token.clone());
             place += 1;
         }
-        harmless(&declared, true)?;
+        check_form(&declared, true)?;
         Ok(Sections {
             dimensions: dimensions.unwrap_or_default(),
             motion: motion.unwrap_or_default().0,
@@ -227,20 +224,18 @@ impl Reader<'_> {
     }
 
     /// The file with the numbers of its sections.
-    fn file(&self, sections: Sections, rust: String, compiled: Declaration) -> Result<KinFile, Mistake> {
+    fn file(&self, sections: Sections, declaration: &str, mechanism: Mechanism) -> Result<KinFile, Mistake> {
+        let compiled = mechanism.declaration();
         let [fields, inputs] = [compiled.parameters(), compiled.inputs()]
             .map(|quantities| quantities.iter().map(Declared::from).collect::<Vec<_>>());
         let (dimensions, dimensions_at) = &sections.dimensions;
         let mut lengths = Lengths::default();
         let mut set = numbers(&fields, dimensions, dimensions_at, self.text, &mut lengths)?;
         let over = motions(&inputs, &sections.motion, &mut lengths, &mut set)?;
-        let declaration = rust.lines().map(str::trim_end).collect::<Vec<_>>().join("\n");
+        let declaration = declaration.lines().map(str::trim_end).collect::<Vec<_>>().join("\n");
         Ok(KinFile {
-            name: compiled.name().to_owned(),
-            documentation: compiled.documentation().to_owned(),
+            mechanism,
             declaration: declaration.trim().to_owned(),
-            rust,
-            compiled,
             set,
             over,
             assembly: sections.assembly,
@@ -298,83 +293,39 @@ fn blank(text: &str, ranges: &[Range<usize>]) -> String {
     blanked
 }
 
-/// Refuses what could do more than declare.
-fn harmless(tokens: &[TokenTree], is_outside: bool) -> Result<(), Mistake> {
+/// Refuses attributes, which a file does not have, and sections of other names. All else is left to the compiler.
+fn check_form(tokens: &[TokenTree], is_outside: bool) -> Result<(), Mistake> {
     let mut braces_seen = 0;
-    let mut place = 0;
-    while let Some(token) = tokens.get(place) {
-        let range = range_of(token);
+    for (place, token) in tokens.iter().enumerate() {
         match token {
-            TokenTree::Punct(punct) => match punct.as_char() {
-                '#' => {
-                    let is_inner = is_punct(tokens.get(place + 1), '!');
-                    let attribute = tokens.get(place + 1 + usize::from(is_inner));
-                    if !is_documentation(attribute) {
-                        let end = attribute.map_or(range.end, |attribute| range_of(attribute).end);
-                        return Err(Mistake::new(
-                            "of attributes only doc comments are allowed in a .kin file: write `/// text`",
-                            range.start..end,
-                        ));
-                    }
-                    place += 1 + usize::from(is_inner);
-                }
-                ':' if is_punct(tokens.get(place + 1), ':') => {
-                    return Err(Mistake::new("a .kin file has no paths: write the name alone", range));
-                }
-                letter if "=;:,.+-*/<>".contains(letter) => {}
-                letter => {
-                    return Err(Mistake::new(format!("`{letter}` has no place in a declaration"), range));
-                }
-            },
-            TokenTree::Literal(literal) => {
-                if !literal.to_string().starts_with(|first: char| first.is_ascii_digit()) {
-                    return Err(Mistake::new("a declaration has numbers and no texts", range));
-                }
-            }
-            TokenTree::Ident(ident) => {
-                let name = ident.to_string();
-                if [
-                    "fn",
-                    "use",
-                    "mod",
-                    "impl",
-                    "unsafe",
-                    "extern",
-                    "const",
-                    "static",
-                    "macro_rules",
-                    "enum",
-                    "trait",
-                    "type",
-                ]
-                .contains(&name.as_str())
-                {
-                    return Err(Mistake::new(format!("`{name}` has no place in a declaration"), range));
+            TokenTree::Punct(punct) if punct.as_char() == '#' => {
+                let is_inner = is_punct(tokens.get(place + 1), '!');
+                let attribute = tokens.get(place + 1 + usize::from(is_inner));
+                if !is_documentation(attribute) {
+                    let range = range_of(token);
+                    let end = attribute.map_or(range.end, |attribute| range_of(attribute).end);
+                    return Err(Mistake::new(
+                        "of attributes only doc comments are allowed in a .kin file: write `/// text`",
+                        range.start..end,
+                    ));
                 }
             }
             TokenTree::Group(group) => {
-                match group.delimiter() {
-                    Delimiter::Parenthesis => {}
-                    Delimiter::Brace if is_outside && braces_seen == 0 => braces_seen += 1,
-                    Delimiter::Brace => {
+                if group.delimiter() == Delimiter::Brace {
+                    braces_seen += 1;
+                    if !is_outside || braces_seen > 1 {
                         return Err(Mistake::new(
                             "these braces have no place here: a file has one structure, `dimensions { .. }` and \
                              `motion { .. }`",
                             group.span_open().byte_range(),
                         ));
                     }
-                    _ => {
-                        return Err(Mistake::new(
-                            "square brackets have no place in a declaration",
-                            group.span_open().byte_range(),
-                        ));
-                    }
                 }
                 let inner: Vec<TokenTree> = group.stream().into_iter().collect();
-                harmless(&inner, false)?;
+                check_form(&inner, false)?;
             }
+            _ => {}
         }
-        place += 1;
     }
     Ok(())
 }
@@ -556,42 +507,40 @@ assembly = open;
     #[test]
     fn a_file_is_taken_apart() {
         let file = KinFile::read(FILE).unwrap();
-        assert_eq!((file.name.as_str(), file.documentation.as_str()), ("Pump", "A pump."));
+        let declared = file.mechanism.declaration();
+        assert_eq!((declared.name(), declared.documentation()), ("Pump", "A pump."));
         assert_eq!(
             file.set,
             ["crank=30mm", "rod=80mm", "tilt=5deg", "pin.x=1", "pin.y=2cm"]
         );
         assert_eq!(file.over, ["s=60mm..100mm at 20mm/s"]);
         assert_eq!(file.assembly.as_deref(), Some("open"));
-        // every token of the declaration keeps its place, and nothing else is left
-        assert_eq!(file.rust.len(), FILE.len());
-        assert_eq!(file.rust.find("unknown"), FILE.find("unknown"));
-        assert!(!file.rust.contains("dimensions") && !file.rust.contains("kin 1"));
+        assert!(!file.declaration.contains("dimensions") && !file.declaration.contains("kin 1"));
         assert!(file.declaration.ends_with("vec2(s, 0);"));
     }
 
-    /// Nothing but a declaration goes to the compiler.
     #[test]
     fn what_is_not_a_declaration_is_refused() {
-        for (harm, word) in [
-            ("#[doc = include_str!(\"/etc/passwd\")]", "only doc comments"),
-            ("#[derive(Debug)]", "only doc comments"),
-            ("#![feature(test)]", "only doc comments"),
-            ("#[doc(hidden)]", "only doc comments"),
-            ("let x = env!(\"HOME\");", "`!` has no place"),
-            ("let x = \"text\";", "no texts"),
-            ("let x = 'c';", "no texts"),
-            ("let x = std::f64::MAX;", "no paths"),
-            ("fn main() {}", "`fn` has no place"),
-            ("} fn main() { loop {} }", "cannot be read"),
-            ("let x = { 3 };", "braces have no place"),
-            ("let x = [1, 2];", "square brackets"),
-            ("let x = &crank;", "`&` has no place"),
-            ("let x = (std::f64::MAX);", "no paths"),
+        for harm in [
+            "#[doc = include_str!(\"/etc/passwd\")]",
+            "#[derive(Debug)]",
+            "#![feature(test)]",
+            "#[doc(hidden)]",
+            "let x = env!(\"HOME\");",
+            "let x = \"text\";",
+            "let x = 'c';",
+            "let x = std::f64::MAX;",
+            "fn main() {}",
+            "} fn main() { loop {} }",
+            "let x = { 3 };",
+            "let x = [1, 2];",
+            "let x = &crank;",
+            "let x = (std::f64::MAX);",
         ] {
             let text = FILE.replace("input s", &format!("{harm}\ninput s"));
             let mistake = KinFile::read(&text).unwrap_err().remove(0);
-            assert!(mistake.message.contains(word), "{harm}: {}", mistake.message);
+            // where it stands, or where the file cannot be read any further
+            assert!(mistake.range.start >= 6, "{harm}: {mistake:?}");
             let inside = FILE.replace("rod: Length", &format!("{harm} rod: Length"));
             assert!(KinFile::read(&inside).is_err(), "{harm}");
         }

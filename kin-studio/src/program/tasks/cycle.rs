@@ -41,7 +41,7 @@ pub(super) fn run(subject: &Subject, setup: &Setup, told: &Told) -> Result<(), F
         let _ = writeln!(out, "{block}: {}", class_in_words(class));
     }
     if found.circuits().is_empty() {
-        print(&out)?;
+        print(&subject.named(out))?;
         return Err(Fault::open("the mechanism closes nowhere with these dimensions"));
     }
     let at = |value: f64| units.text(input.dimension, 0, value);
@@ -95,7 +95,7 @@ pub(super) fn run(subject: &Subject, setup: &Setup, told: &Told) -> Result<(), F
             let _ = writeln!(out, "  worst transmission angle {angle} at {place}, of {block}");
         }
     }
-    print(&out)
+    print(&subject.named(out))
 }
 
 fn branch_columns(branches: &[&Branch], assemblies: &[String], at: &impl Fn(f64) -> String) -> Vec<Column> {

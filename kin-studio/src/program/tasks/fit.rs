@@ -2,7 +2,8 @@
 
 use std::fmt::Write as _;
 
-use kin_core::{Description, Dimension, Quantity};
+use kin_core::Dimension;
+use kin_core::any::{Description, Quantity};
 use kin_fit::{Candidate, Deviation, Fit, FitError, Measured, Objective, usual_bounds};
 
 use super::super::case::Case;
@@ -120,7 +121,7 @@ fn read(subject: &Subject, options: &Options, lengths: &mut Lengths) -> Result<M
     let text = std::fs::read_to_string(&options.data)
         .map_err(|error| Fault::wrong(format!("{path} cannot be read: {error}")))?;
     let description = subject.description();
-    let names: Vec<&Quantity> = quantities(description);
+    let names: Vec<&Quantity<'_>> = quantities(description);
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
         .flexible(true)
@@ -224,20 +225,20 @@ fn read(subject: &Subject, options: &Options, lengths: &mut Lengths) -> Result<M
 }
 
 /// Whether a sweep writes a column of this name.
-fn is_of_a_sweep(description: &Description, name: &str) -> bool {
+fn is_of_a_sweep(description: &Description<'_>, name: &str) -> bool {
     let all = description
         .inputs
         .iter()
         .chain(description.unknowns)
         .chain(description.outputs);
-    let is_rate = |quantity: &Quantity| {
+    let is_rate = |quantity: &Quantity<'_>| {
         name.strip_prefix(quantity.name)
             .is_some_and(|rest| rest.starts_with('_'))
     };
     ["outcome", "margin", "time", "row", ""].contains(&name) || all.into_iter().any(is_rate)
 }
 
-fn quantities(description: &Description) -> Vec<&'static Quantity> {
+fn quantities<'d>(description: &'d Description<'d>) -> Vec<&'d Quantity<'d>> {
     description.unknowns.iter().chain(description.outputs).collect()
 }
 
@@ -250,7 +251,7 @@ fn shown(subject: &Subject, case: &Case, data: &Measured, fit: &Fit, found: &kin
     };
     let names = description.parameters.iter();
     let variables = fit.variables(fit.start());
-    let sought: Vec<(usize, &Quantity, [f64; 2])> = names
+    let sought: Vec<(usize, &Quantity<'_>, [f64; 2])> = names
         .enumerate()
         .filter_map(|(index, quantity)| {
             let (.., bounds) = variables.iter().find(|(name, ..)| name == quantity.name)?;
@@ -264,7 +265,7 @@ fn shown(subject: &Subject, case: &Case, data: &Measured, fit: &Fit, found: &kin
             .collect::<Vec<_>>()
     };
     let values = found.parameters();
-    let remark = |(index, _, [low, high]): &(usize, &Quantity, [f64; 2])| {
+    let remark = |(index, _, [low, high]): &(usize, &Quantity<'_>, [f64; 2])| {
         let value = values[*index];
         let is_at_bound = (value - low).min(high - value) < 1e-3 * (high - low);
         if is_at_bound { "at its bound" } else { "" }.to_owned()
@@ -317,7 +318,7 @@ fn shown(subject: &Subject, case: &Case, data: &Measured, fit: &Fit, found: &kin
 }
 
 /// The dimensions of these names; the name of a point stands for its coordinates.
-fn varied(description: &Description, names: &[String]) -> Result<Vec<usize>, Fault> {
+fn varied(description: &Description<'_>, names: &[String]) -> Result<Vec<usize>, Fault> {
     let all = description.parameters.iter().enumerate();
     if names.is_empty() {
         return Ok(all.map(|(index, _)| index).collect());

@@ -3,12 +3,15 @@
 use kin_core::in_small_letters;
 
 use super::super::fault::Fault;
-use super::super::subject::Entry;
+use super::super::subject::Subject;
 use super::super::text::{self, Column};
 use super::print;
+use crate::library::DESIGNS;
 
-pub(crate) fn list(all: &[Entry]) -> Result<(), Fault> {
-    let descriptions: Vec<_> = all.iter().map(|entry| entry.0.description()).collect();
+pub(crate) fn list() -> Result<(), Fault> {
+    let all: Result<Vec<Subject>, Fault> = DESIGNS.iter().map(Subject::of_library).collect();
+    let all = all?;
+    let descriptions: Vec<_> = all.iter().map(Subject::description).collect();
     let inputs = descriptions.iter().map(|one| {
         let names: Vec<&str> = one.inputs.iter().map(|input| input.name).collect();
         names.join(", ")
@@ -26,7 +29,7 @@ pub(crate) fn list(all: &[Entry]) -> Result<(), Fault> {
         Column::numbers(
             "assemblies",
             all.iter()
-                .map(|one| match one.0.assemblies().len() {
+                .map(|one| match one.assemblies().len() {
                     0 => "nearby".to_owned(),
                     count => count.to_string(),
                 })

@@ -11,12 +11,14 @@ mod show;
 mod sweep;
 mod table;
 mod verify;
+mod watch;
 
 pub(super) use list::list;
+pub(super) use watch::watch;
 
 use std::path::Path;
 
-use super::command::Task;
+use super::command::{Report, Setup, Task};
 use super::fault::Fault;
 use super::file::Told;
 use super::subject::Subject;
@@ -24,11 +26,9 @@ use super::subject::Subject;
 /// Does what a command says.
 pub(super) fn run(subject: &Subject, task: &Task, told: &Told) -> Result<(), Fault> {
     if let Some(setup) = task.setup() {
-        for remark in setup.typed(told).remarks(subject) {
-            eprintln!("note: {remark}");
-        }
+        remark(subject, setup, told);
     }
-    match task {
+    let done = match task {
         Task::Show => show::run(subject, told),
         Task::Sweep(options) => sweep::run(subject, options, told),
         Task::Cycle(setup) => cycle::run(subject, setup, told),
@@ -39,6 +39,19 @@ pub(super) fn run(subject: &Subject, task: &Task, told: &Told) -> Result<(), Fau
         Task::Table(options) => table::run(subject, options, told),
         Task::Report(options) => report::run(subject, options, told),
         Task::Serve(options) => serve::run(subject, options, told),
+    };
+    done.map_err(|fault| fault.map(|words| subject.named(words)))
+}
+
+/// The page of a mechanism, with its remarks told.
+fn page(subject: &Subject, options: &Report, told: &Told) -> Result<String, Fault> {
+    remark(subject, &options.setup, told);
+    report::page(subject, options, told).map_err(|fault| fault.map(|words| subject.named(words)))
+}
+
+fn remark(subject: &Subject, setup: &Setup, told: &Told) {
+    for remark in setup.typed(told).remarks(subject) {
+        eprintln!("note: {remark}");
     }
 }
 

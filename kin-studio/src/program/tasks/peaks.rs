@@ -2,7 +2,8 @@
 
 use std::fmt::Write as _;
 
-use kin_core::{Dimension, Quantity, RATES};
+use kin_core::any::Quantity;
+use kin_core::{Dimension, RATES};
 
 use super::super::case::Case;
 use super::super::command::Peaks;
@@ -19,7 +20,7 @@ const HIGHEST: usize = 4;
 pub(super) fn run(subject: &Subject, options: &Peaks, told: &Told) -> Result<(), Fault> {
     let case = options.setup.typed(told).case(subject)?;
     let description = subject.description();
-    let quantities: Vec<&Quantity> = description.unknowns.iter().chain(description.outputs).collect();
+    let quantities: Vec<&Quantity<'_>> = description.unknowns.iter().chain(description.outputs).collect();
     let highest = description.order.min(HIGHEST);
     let whole: Vec<(String, Dimension, usize)> = quantities
         .iter()
@@ -66,7 +67,7 @@ pub(super) fn run(subject: &Subject, options: &Peaks, told: &Told) -> Result<(),
     subject.closes(&case)
 }
 
-fn label(quantity: &Quantity, order: usize) -> String {
+fn label(quantity: &Quantity<'_>, order: usize) -> String {
     match order.checked_sub(1) {
         None => quantity.name.to_owned(),
         Some(rate) => format!("{}_{}", quantity.name, RATES[rate]),

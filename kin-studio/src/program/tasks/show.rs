@@ -2,7 +2,8 @@
 
 use std::fmt::Write as _;
 
-use kin_core::{Dimension, Quantity};
+use kin_core::Dimension;
+use kin_core::any::Quantity;
 
 use super::super::case::{Known, Typed};
 use super::super::fault::Fault;
@@ -84,7 +85,7 @@ fn of_file(subject: &Subject, told: &Told) -> Result<Known, Fault> {
 }
 
 /// A line for each quantity, with its value if that is known.
-fn section(head: &str, quantities: &[Quantity], values: Option<Vec<Option<f64>>>, units: Units) -> String {
+fn section(head: &str, quantities: &[Quantity<'_>], values: Option<Vec<Option<f64>>>, units: Units) -> String {
     let mut columns = vec![
         Column::words("", vec![String::new(); quantities.len()]),
         Column::words("", quantities.iter().map(|one| one.name.to_owned()).collect()),
@@ -96,7 +97,7 @@ fn section(head: &str, quantities: &[Quantity], values: Option<Vec<Option<f64>>>
             .map(|(one, value)| value.map_or_else(String::new, |value| units.text(one.dimension, 0, value)));
         columns.push(Column::words("", texts.collect()));
     }
-    let kind = |one: &Quantity| match one.dimension {
+    let kind = |one: &Quantity<'_>| match one.dimension {
         Dimension::Length => "length",
         Dimension::Angle => "angle",
         Dimension::Scalar => "number",

@@ -29,9 +29,9 @@ pub(super) fn run(subject: &Subject, options: &Sweep, told: &Told) -> Result<(),
     if let Some(path) = &options.csv {
         write(path, &table.to_csv())?;
     } else if let Some(path) = &options.json {
-        write(path, &table.to_json())?;
+        write(path, &subject.named(table.to_json()))?;
     } else {
-        print(&shown(&table, &options.columns)?)?;
+        print(&subject.named(shown(&table, &options.columns)?))?;
     }
     closes(&table)?;
     subject.closes(&case)

@@ -14,12 +14,7 @@ use crate::report::model::{Argument, Assembly};
 const SAME: f64 = 1e-6;
 
 /// All assemblies along a line that close somewhere, and the index of the report's own.
-pub(super) fn on_line(
-    solver: &Solver,
-    cycle: &AnyCycle<'static>,
-    own: &Own,
-    range: [f64; 2],
-) -> (Vec<Assembly>, usize) {
+pub(super) fn on_line(solver: &Solver, cycle: &AnyCycle<'_>, own: &Own, range: [f64; 2]) -> (Vec<Assembly>, usize) {
     if let Some(shown) = own.assembly.index() {
         let circuit = |number: usize| {
             let mut branches = cycle.branches().iter();
@@ -58,7 +53,7 @@ pub(super) fn on_line(
 /// positions where the laws begin. `inputs` gives the inputs at a time.
 pub(super) fn under_laws(
     solver: &Solver,
-    linkage: &AnyLinkage<'static>,
+    linkage: &AnyLinkage<'_>,
     own: &Own,
     range: [f64; 2],
     inputs: &dyn Fn(f64) -> Vec<f64>,
@@ -114,7 +109,7 @@ fn near(solver: &Solver, place: f64, unknowns: &[f64], number: usize, circuit: O
 }
 
 /// The index of the assembly to which a branch belongs, if it is listed.
-pub(super) fn of_branch(cycle: &AnyCycle<'static>, own: &Own, range: [f64; 2], branch: usize) -> Option<usize> {
+pub(super) fn of_branch(cycle: &AnyCycle<'_>, own: &Own, range: [f64; 2], branch: usize) -> Option<usize> {
     let Some(index) = own.assembly.index() else {
         return shown(cycle, own, range).iter().position(|index| *index == branch);
     };
@@ -125,7 +120,7 @@ pub(super) fn of_branch(cycle: &AnyCycle<'static>, own: &Own, range: [f64; 2], b
 
 /// The branches of which a part lies in the range, and the report's own. An assembly of another one would show the
 /// numbers of a branch to which Newton's method goes from values nearby.
-fn shown(cycle: &AnyCycle<'static>, own: &Own, range: [f64; 2]) -> Vec<usize> {
+fn shown(cycle: &AnyCycle<'_>, own: &Own, range: [f64; 2]) -> Vec<usize> {
     let is_own = |index: usize| own.branches.first() == Some(&index);
     let branches = cycle.branches().iter().enumerate();
     branches
@@ -135,7 +130,7 @@ fn shown(cycle: &AnyCycle<'static>, own: &Own, range: [f64; 2]) -> Vec<usize> {
 }
 
 /// The numbers of the assemblies that close somewhere, and of the report's own.
-fn numbers(cycle: &AnyCycle<'static>, own: usize) -> Vec<usize> {
+fn numbers(cycle: &AnyCycle<'_>, own: usize) -> Vec<usize> {
     let closing = cycle.branches().iter().filter_map(kin_core::cycle::Branch::assembly);
     let numbers: BTreeSet<usize> = closing.chain([own]).collect();
     numbers.into_iter().collect()

@@ -1,17 +1,18 @@
 //! What the declaration tells: names, equations, blocks, costs and the outline.
 
-use kin_core::{Description, Dimension, Operations};
+use kin_core::any::Description;
+use kin_core::{Dimension, Operations};
 
 use crate::names::symbol;
 use crate::report::model::{self, Block, Body, Cost, Outline, Point, Slide};
 
 /// Quantities with their names in the solver, and with those values that there are.
 pub(super) fn quantities(
-    quantities: &[kin_core::Quantity],
+    quantities: &[kin_core::any::Quantity<'_>],
     keys: &[String],
     value: impl Fn(usize) -> Option<f64>,
 ) -> Vec<model::Quantity> {
-    let entry = |(index, quantity): (usize, &kin_core::Quantity)| model::Quantity {
+    let entry = |(index, quantity): (usize, &kin_core::any::Quantity<'_>)| model::Quantity {
         name: quantity.name.to_owned(),
         key: keys
             .get(index)
@@ -30,8 +31,8 @@ pub(super) fn quantities(
 }
 
 /// The equations and their solution.
-pub(super) fn formulas(own: &kin_core::Formulas) -> model::Formulas {
-    let formula = |formula: &kin_core::Formula| model::Formula {
+pub(super) fn formulas(own: &kin_core::any::Formulas<'_>) -> model::Formulas {
+    let formula = |formula: &kin_core::any::Formula<'_>| model::Formula {
         text: formula.text.to_owned(),
         mathml: formula.mathml.to_owned(),
     };
@@ -45,9 +46,9 @@ pub(super) fn formulas(own: &kin_core::Formulas) -> model::Formulas {
 }
 
 /// How the blocks are solved.
-pub(super) fn blocks(description: &Description) -> Vec<Block> {
+pub(super) fn blocks(description: &Description<'_>) -> Vec<Block> {
     let blocks = description.blocks.iter();
-    let block = |block: &kin_core::Block| Block {
+    let block = |block: &kin_core::any::Block<'_>| Block {
         unknowns: block.unknowns.to_owned(),
         solution: block.solution.to_owned(),
     };
@@ -55,7 +56,7 @@ pub(super) fn blocks(description: &Description) -> Vec<Block> {
 }
 
 /// The cost of each order.
-pub(super) fn operations(description: &Description) -> Vec<Cost> {
+pub(super) fn operations(description: &Description<'_>) -> Vec<Cost> {
     let orders = description.operations.iter().enumerate();
     orders
         .map(|(order, cost)| Cost {
@@ -86,7 +87,7 @@ fn in_words(cost: &Operations) -> String {
 }
 
 /// Which joints belong together.
-pub(super) fn outline(own: &kin_core::Outline) -> Outline {
+pub(super) fn outline(own: &kin_core::any::Outline<'_>) -> Outline {
     Outline {
         ground: own.ground.to_vec(),
         bodies: own

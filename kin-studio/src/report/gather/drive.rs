@@ -3,7 +3,7 @@
 //! A law may be any formula. Its pieces are halved until their Taylor series are exact, so that a page needs no
 //! formulas of laws, and one way of reading serves lines and laws.
 
-use kin_core::Description;
+use kin_core::any::Description;
 use kin_core::law::Side;
 use kin_core::linkage::AnySweep;
 use kin_core::sweep::SmoothDrive;
@@ -31,15 +31,15 @@ type Inputs = Vec<Vec<f64>>;
 
 /// A drive over a range.
 struct Read<'s, D> {
-    sweep: &'s AnySweep<'static, D>,
-    description: &'static Description,
+    sweep: &'s AnySweep<'s, D>,
+    description: &'s Description<'s>,
     shown: usize,
 }
 
 /// The drive of a sweep over a range.
 pub(super) fn of<D: SmoothDrive>(
-    sweep: &AnySweep<'static, D>,
-    description: &'static Description,
+    sweep: &AnySweep<'_, D>,
+    description: &Description<'_>,
     variable: Variable,
     range: [f64; 2],
 ) -> Result<Drive, ReportError> {
@@ -172,7 +172,7 @@ impl<D: SmoothDrive> Read<'_, D> {
                 self.add(middle, to, sizes, halvings - 1, pieces)
             }
             Some((input, error)) if error > ROUNDED => Err(ReportError::NotSmooth {
-                input: self.description.inputs[input].name,
+                input: self.description.inputs[input].name.to_owned(),
                 at: middle,
             }),
             _ if pieces.len() == MOST => Err(ReportError::TooManyPieces { most: MOST }),

@@ -1,9 +1,9 @@
 //! The line of inputs along which a report moves, at constant speed.
 
-use kin_core::any::AssemblyChoice;
+use kin_core::SolveError;
+use kin_core::any::{AssemblyChoice, Quantity};
 use kin_core::linkage::{AnyCycle, AnyLinkage, AnySweep};
 use kin_core::sweep::StraightLine;
-use kin_core::{InputValues, Quantity, SolveError};
 
 use super::way::ROWS;
 use crate::report::ReportError;
@@ -33,7 +33,7 @@ impl Line {
             WayWished::Between([from, to]) => {
                 let lead = from.iter().zip(to).position(|(from, to)| from != to);
                 let lead = lead.ok_or_else(|| ReportError::NoWay {
-                    inputs: InputValues::new(inputs, from),
+                    inputs: wishes.linkage.input_values(from),
                 })?;
                 let way = to[lead] - from[lead];
                 let parts = from.iter().zip(to).map(|(from, to)| (to - from) / way);
@@ -80,12 +80,12 @@ impl Line {
     }
 
     /// The sweep from one place to another.
-    pub(super) fn sweep(
+    pub(super) fn sweep<'m>(
         &self,
-        linkage: &AnyLinkage<'static>,
+        linkage: &AnyLinkage<'m>,
         assembly: &AssemblyChoice,
         [from, to]: [f64; 2],
-    ) -> AnySweep<'static, StraightLine> {
+    ) -> AnySweep<'m, StraightLine> {
         let ends = [from, to].map(|place| self.inputs_at(place));
         let sweep = linkage.sweep(assembly.clone()).between(&ends[0], &ends[1], ROWS);
         // a sweep downwards has a positive speed downwards
@@ -93,13 +93,13 @@ impl Line {
     }
 
     /// All circuits and branches. Their input is the variable of the line.
-    pub(super) fn cycle(&self, linkage: &AnyLinkage<'static>) -> Result<AnyCycle<'static>, SolveError> {
+    pub(super) fn cycle<'m>(&self, linkage: &AnyLinkage<'m>) -> Result<AnyCycle<'m>, SolveError> {
         linkage.cycle_along(&self.inputs_at(0.0), &self.direction)
     }
 }
 
 /// The index of the input that moves.
-fn moving(wishes: &Wishes<'_>, inputs: &[Quantity]) -> Result<usize, ReportError> {
+fn moving(wishes: &Wishes<'_>, inputs: &[Quantity<'_>]) -> Result<usize, ReportError> {
     let Some(name) = &wishes.moving else { return Ok(0) };
     let found = inputs.iter().position(|input| input.name == name);
     found.ok_or_else(|| ReportError::NoSuchInput {

@@ -13,10 +13,10 @@ mod way;
 
 use data_encoding::HEXLOWER;
 use hmac_sha256::Hash;
-use kin_core::any::AssemblyChoice;
+use kin_core::any::{AssemblyChoice, Description, Quantity};
+use kin_core::in_small_letters;
 use kin_core::law::{Law, Piecewise};
 use kin_core::sweep::SmoothDrive;
-use kin_core::{Description, Quantity, in_small_letters};
 
 use self::line::Line;
 use self::place::Own;
@@ -70,7 +70,7 @@ fn along_line(wishes: &Wishes<'_>, solver: Solver) -> Result<Report, ReportError
         speed: line.speed,
         assemblies: assemblies::on_line(&solver, &cycle, &own, range),
         period: cycle.period(),
-        cycle: Some(circuits::of(&cycle, &own, range)),
+        cycle: Some(circuits::of(wishes, &cycle, &own, range)),
     };
     moved(wishes, solver, &way, known)
 }
@@ -107,7 +107,7 @@ fn under_laws(
 fn moved<D: SmoothDrive>(
     wishes: &Wishes<'_>,
     solver: Solver,
-    way: &Way<D>,
+    way: &Way<'_, D>,
     known: Known,
 ) -> Result<Report, ReportError> {
     let (functions, description) = (wishes.functions, wishes.linkage.description());
@@ -120,7 +120,7 @@ fn moved<D: SmoothDrive>(
         return Err(ReportError::ClosesNowhere { error: *error });
     }
     let quantities = quantities(description, known.drive.variable, &standing);
-    let found = peaks::find(way, &quantities, description.order, drive::dwells(&known.drive));
+    let found = peaks::find(wishes, way, &quantities, drive::dwells(&known.drive));
     let (assemblies, assembly) = known.assemblies;
     Ok(Report {
         format: FORMAT,
@@ -164,7 +164,7 @@ fn moved<D: SmoothDrive>(
         formulas: describe::formulas(&functions.formulas()),
         blocks: describe::blocks(description),
         operations: describe::operations(description),
-        not_closed: not_closed(&poses),
+        not_closed: not_closed(wishes, &poses),
         outline: describe::outline(&functions.outline()),
         frames: solver.text.is_none().then(|| solver::frames(wishes, &poses)),
         solver: solver.text,
@@ -190,20 +190,14 @@ fn check(wishes: &Wishes<'_>) -> Result<(), ReportError> {
     if let Some((wish, _)) = unread.into_iter().find(|(_, is_said)| *is_said) {
         return Err(ReportError::SaidTwice { wish, beside });
     }
-    let named = |quantities: &[Quantity], values: &[f64]| {
-        let mut pairs = quantities.iter().zip(values);
-        pairs
-            .find(|(_, value)| !value.is_finite())
-            .map(|(quantity, _)| quantity.name)
-    };
     let description = wishes.linkage.description();
     let given: &[Vec<f64>] = match &wishes.way {
         WayWished::Between(ends) => ends,
         _ => wishes.at.as_slice(),
     };
     let speed = wishes.speed.unwrap_or(1.0);
-    let culprit = named(description.parameters, wishes.linkage.parameters())
-        .or_else(|| given.iter().find_map(|inputs| named(description.inputs, inputs)))
+    let culprit = not_finite(description.parameters, wishes.linkage.parameters())
+        .or_else(|| given.iter().find_map(|inputs| not_finite(description.inputs, inputs)))
         .or((!speed.is_finite()).then_some("the speed"));
     if let Some(quantity) = culprit {
         return Err(ReportError::NotFinite {
@@ -223,8 +217,15 @@ fn check(wishes: &Wishes<'_>) -> Result<(), ReportError> {
     }
 }
 
+/// The name of a quantity whose value is not finite.
+fn not_finite<'d>(quantities: &[Quantity<'d>], values: &[f64]) -> Option<&'d str> {
+    let mut pairs = quantities.iter().zip(values);
+    let culprit = pairs.find(|(_, value)| !value.is_finite());
+    culprit.map(|(quantity, _)| quantity.name)
+}
+
 /// The quantities that are plotted: unknowns and outputs, and under laws the inputs that move as well.
-fn quantities(description: &Description, variable: Variable, standing: &[Option<f64>]) -> Vec<Quantity> {
+fn quantities<'d>(description: &Description<'d>, variable: Variable, standing: &[Option<f64>]) -> Vec<Quantity<'d>> {
     let inputs = description.inputs.iter().zip(standing);
     let moving = inputs.filter(|(_, stands)| variable == Variable::Time && stands.is_none());
     let own = description.unknowns.iter().chain(description.outputs);
@@ -232,7 +233,7 @@ fn quantities(description: &Description, variable: Variable, standing: &[Option<
 }
 
 /// The names of the quantities that are plotted at first.
-fn plots(wishes: &Wishes<'_>, quantities: &[Quantity]) -> Result<Vec<String>, ReportError> {
+fn plots(wishes: &Wishes<'_>, quantities: &[Quantity<'_>]) -> Result<Vec<String>, ReportError> {
     let names: Vec<String> = quantities.iter().map(|quantity| quantity.name.to_owned()).collect();
     match wishes.plots.iter().find(|wanted| !names.contains(wanted)) {
         Some(name) => Err(ReportError::NoSuchQuantity {
@@ -256,7 +257,7 @@ fn period(laws: &[&dyn Piecewise<f64>], drive: &Drive, [from, to]: [f64; 2]) -> 
 }
 
 /// Whether it closes all over the range, and comes back to where it began if the range is one period.
-fn comes_back(description: &Description, [from, to]: [f64; 2], period: Option<f64>, poses: &[way::At]) -> bool {
+fn comes_back(description: &Description<'_>, [from, to]: [f64; 2], period: Option<f64>, poses: &[way::At]) -> bool {
     let all: Option<Vec<_>> = poses.iter().map(|(_, pose)| pose.as_ref().ok()).collect();
     let Some(all) = all else { return false };
     let is_one = period.is_some_and(|period| (to - from - period).abs() < 1e-9 * period);
@@ -267,7 +268,7 @@ fn comes_back(description: &Description, [from, to]: [f64; 2], period: Option<f6
 }
 
 /// The place of the range where the most is missing.
-fn not_closed(poses: &[way::At]) -> Option<NotClosed> {
+fn not_closed(wishes: &Wishes<'_>, poses: &[way::At]) -> Option<NotClosed> {
     let failed = poses.iter().filter_map(|(at, pose)| Some((*at, pose.as_ref().err()?)));
     let margin = |error: &kin_core::SolveError| match error.failure {
         kin_core::Failure::OutOfReach { margin } => Some(margin),
@@ -277,8 +278,8 @@ fn not_closed(poses: &[way::At]) -> Option<NotClosed> {
     let least = |error| margin(error).unwrap_or(f64::INFINITY);
     let (at, error) = failed.min_by(|(_, one), (_, other)| least(one).total_cmp(&least(other)))?;
     Some(NotClosed {
-        text: error.to_string(),
-        unknowns: error.block.to_string(),
+        text: wishes.named(error),
+        unknowns: wishes.named(error.block),
         margin: margin(error),
         at,
     })

@@ -1,11 +1,13 @@
 //! Extremes, means and sensitivities over the range.
 
+use kin_core::RATES;
+use kin_core::any::Quantity;
 use kin_core::extremes::{self, ExtremeKind, ExtremesError, Over};
 use kin_core::sweep::{Label, SmoothDrive};
-use kin_core::{Quantity, RATES};
 
 use super::way::Way;
 use crate::names::symbol;
+use crate::report::draft::Wishes;
 use crate::report::model::{Extreme, Place, RootMeanSquare, Sensitivity, Side, Unanswered};
 
 /// The answers.
@@ -20,16 +22,22 @@ pub(super) struct Found {
 /// The answers for every derivative of some quantities.
 ///
 /// A drive that `dwells` lets everything rest for a while.
-pub(super) fn find<D: SmoothDrive>(way: &Way<D>, quantities: &[Quantity], orders: usize, dwells: bool) -> Found {
+pub(super) fn find<D: SmoothDrive>(
+    wishes: &Wishes<'_>,
+    way: &Way<'_, D>,
+    quantities: &[Quantity<'_>],
+    dwells: bool,
+) -> Found {
     let mut found = Found::default();
     for quantity in quantities {
-        for order in 0..=orders {
+        for order in 0..=wishes.linkage.description().order {
             let symbol = symbol(quantity.name);
             let text = match order.checked_sub(1).and_then(|rate| RATES.get(rate)) {
                 Some(rate) => format!("{symbol} {}", rate.replace('_', " ")),
                 None => symbol,
             };
             let question = Question {
+                wishes,
                 name: quantity.name,
                 column: Label::new(*quantity, order).to_string(),
                 text,
@@ -43,8 +51,9 @@ pub(super) fn find<D: SmoothDrive>(way: &Way<D>, quantities: &[Quantity], orders
 }
 
 /// A derivative of a quantity.
-struct Question {
-    name: &'static str,
+struct Question<'q> {
+    wishes: &'q Wishes<'q>,
+    name: &'q str,
     /// The name of its column.
     column: String,
     text: String,
@@ -53,8 +62,8 @@ struct Question {
     dwells: bool,
 }
 
-impl Question {
-    fn answer<D: SmoothDrive>(&self, way: &Way<D>, found: &mut Found) {
+impl Question<'_> {
+    fn answer<D: SmoothDrive>(&self, way: &Way<'_, D>, found: &mut Found) {
         match extremes(way, &self.column) {
             Ok(all) => {
                 let highest = all
@@ -115,7 +124,7 @@ impl Question {
         Unanswered {
             quantity: self.name.to_owned(),
             order: self.order,
-            text: error.to_string(),
+            text: self.wishes.named(error),
         }
     }
 }
@@ -140,7 +149,7 @@ fn place(kind: ExtremeKind) -> Place {
 }
 
 /// All extremes over the range.
-fn extremes<D: SmoothDrive>(way: &Way<D>, column: &str) -> Result<Vec<extremes::Extreme>, ExtremesError> {
+fn extremes<D: SmoothDrive>(way: &Way<'_, D>, column: &str) -> Result<Vec<extremes::Extreme>, ExtremesError> {
     let mut all = Vec::new();
     for sweep in &way.sweeps {
         all.extend(sweep.of(column).extremes()?);
@@ -176,7 +185,7 @@ fn exceeds(further: f64, value: f64, side: Side) -> bool {
 }
 
 /// The extreme value, even if it is reached over a while and not at a place, as in a dwell.
-fn flat<D: SmoothDrive>(way: &Way<D>, column: &str, side: Side) -> Option<(f64, f64, Place)> {
+fn flat<D: SmoothDrive>(way: &Way<'_, D>, column: &str, side: Side) -> Option<(f64, f64, Place)> {
     let reached = way.sweeps.iter().map(|sweep| match side {
         Side::Highest => sweep.of(column).highest(),
         Side::Lowest => sweep.of(column).lowest(),
@@ -190,7 +199,7 @@ fn flat<D: SmoothDrive>(way: &Way<D>, column: &str, side: Side) -> Option<(f64, 
 }
 
 /// The root mean square over time, or nothing if it grows beyond all bounds.
-fn rms<D: SmoothDrive>(way: &Way<D>, column: &str) -> Result<Option<f64>, ExtremesError> {
+fn rms<D: SmoothDrive>(way: &Way<'_, D>, column: &str) -> Result<Option<f64>, ExtremesError> {
     let mut own = Vec::new();
     for sweep in &way.sweeps {
         match sweep.of(column).rms(Over::Time) {
@@ -209,7 +218,7 @@ fn rms<D: SmoothDrive>(way: &Way<D>, column: &str) -> Result<Option<f64>, Extrem
 }
 
 /// The peak that is largest in size, with its dependence on the dimensions.
-fn sensitivity<D: SmoothDrive>(way: &Way<D>, column: &str) -> Option<extremes::PeakSensitivities> {
+fn sensitivity<D: SmoothDrive>(way: &Way<'_, D>, column: &str) -> Option<extremes::PeakSensitivities> {
     let mut best: Option<extremes::PeakSensitivities> = None;
     for sweep in &way.sweeps {
         let own = sweep.of(column).peak_sensitivities().ok()?;

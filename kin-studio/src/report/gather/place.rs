@@ -1,9 +1,9 @@
 //! The assembly of a report, and the branches on which it lies.
 
-use kin_core::any::AssemblyChoice;
+use kin_core::Dimension;
+use kin_core::any::{AssemblyChoice, Description};
 use kin_core::cycle::{Branch, EndKind};
 use kin_core::linkage::AnyCycle;
-use kin_core::{Description, Dimension, InputValues};
 
 use super::line::Line;
 use crate::report::ReportError;
@@ -26,7 +26,7 @@ pub(super) struct Own {
 }
 
 impl Own {
-    pub(super) fn on_line(wishes: &Wishes<'_>, line: &Line, cycle: &AnyCycle<'static>) -> Result<Self, ReportError> {
+    pub(super) fn on_line(wishes: &Wishes<'_>, line: &Line, cycle: &AnyCycle<'_>) -> Result<Self, ReportError> {
         let (linkage, place, inputs) = (&wishes.linkage, line.place, line.inputs());
         let of_assembly = |choice: &AssemblyChoice| linkage.position(inputs, choice.position());
         let wanted = wishes.assembly.as_ref().map(|choice| (choice, of_assembly(choice)));
@@ -65,7 +65,7 @@ impl Own {
             return Err(match error {
                 Some(error) => ReportError::ClosesNowhere { error },
                 None => ReportError::NoPosition {
-                    inputs: InputValues::new(linkage.description().inputs, inputs),
+                    inputs: linkage.input_values(inputs),
                 },
             });
         };
@@ -111,17 +111,17 @@ impl Own {
             (None, Some(choice)) => Err(match solved(choice, begin) {
                 Err(error) => ReportError::ClosesNowhere { error },
                 Ok(_) => ReportError::NoPosition {
-                    inputs: InputValues::new(linkage.description().inputs, &inputs(begin)),
+                    inputs: linkage.input_values(&inputs(begin)),
                 },
             }),
             (None, None) => Err(ReportError::NoPosition {
-                inputs: InputValues::new(linkage.description().inputs, &inputs(begin)),
+                inputs: linkage.input_values(&inputs(begin)),
             }),
         }
     }
 
     /// The range of the moving input: as far as the assembly goes, and a bit beyond its limits.
-    pub(super) fn range(&self, cycle: &AnyCycle<'static>, place: f64) -> Result<[f64; 2], ReportError> {
+    pub(super) fn range(&self, cycle: &AnyCycle<'_>, place: f64) -> Result<[f64; 2], ReportError> {
         let of = |branch: &usize| &cycle.branches()[*branch];
         let own = self.branches.iter().map(of);
         if let (true, Some(period)) = (own.clone().any(Branch::is_full_turn), cycle.period()) {
@@ -165,7 +165,7 @@ pub(super) fn places([from, to]: [f64; 2]) -> Vec<f64> {
 }
 
 /// The largest part of a branch within a range, and the whole periods by which it is shifted there.
-pub(super) fn part_in(cycle: &AnyCycle<'static>, branch: &Branch, range: [f64; 2]) -> Option<([f64; 2], f64)> {
+pub(super) fn part_in(cycle: &AnyCycle<'_>, branch: &Branch, range: [f64; 2]) -> Option<([f64; 2], f64)> {
     let [low, high] = branch.ends().map(|end| end.input);
     let part = |shift: f64| ([range[0].max(low + shift), range[1].min(high + shift)], shift);
     let length = |([from, to], _): &([f64; 2], f64)| to - from;
@@ -196,11 +196,11 @@ pub(super) fn between_places(low: f64, high: f64) -> f64 {
 
 /// The branches of an assembly: of closed forms all those of the assembly, otherwise those of the circuit.
 fn branches(
-    cycle: &AnyCycle<'static>,
+    cycle: &AnyCycle<'_>,
     place: f64,
     assembly: &AssemblyChoice,
     unknowns: &[f64],
-    description: &Description,
+    description: &Description<'_>,
 ) -> Vec<usize> {
     let here = cycle.at(place).map(|(index, _)| index);
     let all = || cycle.branches().iter().enumerate();
@@ -225,7 +225,7 @@ fn branches(
 }
 
 /// The place on a branch that is a whole number of periods from the given one.
-fn shifted(cycle: &AnyCycle<'static>, branch: usize, place: f64) -> f64 {
+fn shifted(cycle: &AnyCycle<'_>, branch: usize, place: f64) -> f64 {
     let [low, high] = cycle.branches()[branch].ends().map(|end| end.input);
     match cycle.period() {
         Some(period) if place < low => place + period * ((low - place) / period).ceil(),
@@ -235,7 +235,7 @@ fn shifted(cycle: &AnyCycle<'static>, branch: usize, place: f64) -> f64 {
 }
 
 /// The largest difference of two positions: of angles without whole turns, of lengths relative to their size.
-pub(super) fn distance(description: &Description, one: &[f64], other: &[f64]) -> f64 {
+pub(super) fn distance(description: &Description<'_>, one: &[f64], other: &[f64]) -> f64 {
     let values = one.iter().zip(other);
     let named = description.unknowns.iter().zip(values);
     named.fold(0.0, |largest: f64, (quantity, (one, other))| {

@@ -1,6 +1,6 @@
 //! The solver in JavaScript, or the poses themselves if it cannot be recorded.
 
-use kin_core::tape::Options;
+use kin_core::tape::{Options, record_any};
 
 use super::way::At;
 use crate::report::draft::Wishes;
@@ -22,7 +22,7 @@ pub(super) struct Solver {
 
 impl Solver {
     pub(super) fn record(functions: &dyn ReportFunctions) -> Self {
-        match functions.record(&Options::new().with_skeleton()) {
+        match record_any::<f64>(functions, &Options::new().with_skeleton()) {
             Ok(tape) => {
                 let names = tape.java_script_names();
                 let (unknowns, outputs) = names.results.split_at(functions.description().unknowns.len());
@@ -65,8 +65,10 @@ pub(super) fn frames(wishes: &Wishes<'_>, poses: &[At]) -> Vec<Frame> {
                 slides: Vec::new(),
             };
         };
-        let places = functions.places(parameters, pose.inputs(), pose.unknowns());
-        let points: Vec<Vec<f64>> = places.iter().map(|point| shortened(point)).collect();
+        let mut points: Vec<Vec<f64>> = Vec::new();
+        functions.places(parameters, pose.inputs(), pose.unknowns(), &mut |place| {
+            points.push(shortened(place));
+        });
         let (joints, slides) = points.split_at(points.len().saturating_sub(slides));
         Frame {
             input: *input,

@@ -7,7 +7,7 @@ use crate::report::draft::Wishes;
 use crate::report::model::{Angles, Transmission, WorstAngle};
 
 /// The transmission angles of all dyads, if there are any and if they are found everywhere.
-pub(super) fn of<D: SmoothDrive>(wishes: &Wishes<'_>, way: &Way<D>, poses: &[At]) -> Option<Transmission> {
+pub(super) fn of<D: SmoothDrive>(wishes: &Wishes<'_>, way: &Way<'_, D>, poses: &[At]) -> Option<Transmission> {
     let linkage = &wishes.linkage;
     let mut dyads = Vec::new();
     let mut samples = Vec::new();
@@ -15,7 +15,7 @@ pub(super) fn of<D: SmoothDrive>(wishes: &Wishes<'_>, way: &Way<D>, poses: &[At]
         let Ok(pose) = pose else { continue };
         let angles = linkage.transmission_angles(pose.inputs(), pose.unknowns());
         if dyads.is_empty() {
-            dyads = angles.iter().map(|angle| angle.block.to_string()).collect();
+            dyads = angles.iter().map(|angle| wishes.named(angle.block)).collect();
         }
         samples.push(Angles {
             input: super::short(*input),

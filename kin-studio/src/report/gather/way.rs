@@ -16,15 +16,15 @@ pub(super) type At = (f64, Result<AnyPose, SolveError>);
 
 /// The sweeps over the range. Closed forms and laws need one. Along a line, coupled blocks are followed from a position
 /// to both ends.
-pub(super) struct Way<D> {
+pub(super) struct Way<'m, D> {
     /// The sweep downwards comes first, if there are two.
-    pub(super) sweeps: Vec<AnySweep<'static, D>>,
+    pub(super) sweeps: Vec<AnySweep<'m, D>>,
     /// The places on the range where the assembly closes, as the branches tell.
     closes: Vec<[f64; 2]>,
 }
 
-impl<'l> Way<Laws<'l>> {
-    pub(super) fn under_laws(sweep: AnySweep<'static, Laws<'l>>) -> Self {
+impl<'m, 'l> Way<'m, Laws<'l>> {
+    pub(super) fn under_laws(sweep: AnySweep<'m, Laws<'l>>) -> Self {
         Self {
             sweeps: vec![sweep],
             closes: Vec::new(),
@@ -32,12 +32,12 @@ impl<'l> Way<Laws<'l>> {
     }
 }
 
-impl Way<StraightLine> {
+impl<'m> Way<'m, StraightLine> {
     pub(super) fn along(
-        linkage: &AnyLinkage<'static>,
+        linkage: &AnyLinkage<'m>,
         line: &Line,
         range: [f64; 2],
-        cycle: &AnyCycle<'static>,
+        cycle: &AnyCycle<'_>,
         own: &Own,
     ) -> Result<Self, ReportError> {
         let [low, high] = range;
@@ -83,7 +83,7 @@ impl Way<StraightLine> {
     }
 }
 
-impl<D: SmoothDrive> Way<D> {
+impl<D: SmoothDrive> Way<'_, D> {
     /// The place where two sweeps begin, if there are two.
     pub(super) fn start(&self) -> Option<f64> {
         match self.sweeps.as_slice() {

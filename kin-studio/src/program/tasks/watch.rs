@@ -1,16 +1,17 @@
 //! `kin run FILE.kin serve`: the page of a file, made again whenever the file changes.
 
-use std::ffi::OsString;
+use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::Duration;
+use std::time::{Duration, SystemTime};
 
+use super::super::command::{Report, Serve};
 use super::super::fault::Fault;
+use super::super::file;
 use super::super::server::{Answer, escaped, hash, serve};
-use super::Run;
 
 /// The time between two looks at the file.
-const PAUSE: Duration = Duration::from_millis(300);
+const PAUSE: Duration = Duration::from_millis(100);
 
 /// The frame around the page. It asks for the version, and loads the page again when that has changed.
 const SCRIPT: &str = "const frame = document.querySelector('iframe');\n\
@@ -21,7 +22,7 @@ async function look() {\n\
     if (known !== null && version !== known) frame.contentWindow.location.reload();\n\
     known = version;\n\
   } catch { /* the program has ended */ }\n\
-  setTimeout(look, 500);\n\
+  setTimeout(look, 200);\n\
 }\n\
 look();\n";
 const STYLE: &str =
@@ -41,39 +42,37 @@ static SHOWN: Shown = Shown {
     version: AtomicU64::new(0),
 };
 
-/// Serves the page of a file. The arguments are those of `serve`.
-pub(crate) fn watch(run: &Run, arguments: &[OsString]) -> Result<(), Fault> {
-    let (port, arguments) = port_of(arguments)?;
-    let name = run.path.display().to_string();
-    // before the first build, which may take minutes, so that a change meanwhile is seen
-    let mut known = stamp(run);
-    show(run, &arguments);
-    let looked = run.clone();
+/// Serves the page of a file.
+pub(in super::super) fn watch(path: &Path, options: &Serve) -> Result<(), Fault> {
+    let (looked, report) = (path.to_owned(), options.page());
+    // before the first page, so that a change meanwhile is seen
+    let mut known = stamp(path);
+    show(path, &report);
     std::thread::spawn(move || {
         loop {
             std::thread::sleep(PAUSE);
             let now = stamp(&looked);
             if now != known {
                 known = now;
-                show(&looked, &arguments);
+                show(&looked, &report);
             }
         }
     });
-    serve(&name, port, &answer)
+    serve(&path.display().to_string(), options.port, &answer)
 }
 
 /// The time and the length of the file, by which a change is seen.
-fn stamp(run: &Run) -> Option<(std::time::SystemTime, u64)> {
-    let file = std::fs::metadata(&run.path).ok()?;
+fn stamp(path: &Path) -> Option<(SystemTime, u64)> {
+    let file = std::fs::metadata(path).ok()?;
     Some((file.modified().ok()?, file.len()))
 }
 
 /// Makes the page, or the page of the mistake.
-fn show(run: &Run, arguments: &[OsString]) {
-    let made = page(run, arguments);
+fn show(path: &Path, report: &Report) {
+    let made = file::read(path).and_then(|(subject, told)| super::page(&subject, report, &told));
     let entry = match made {
         Ok(page) => {
-            eprintln!("{} is shown", run.path.display());
+            eprintln!("{} is shown", path.display());
             (page, true)
         }
         Err(fault) => {
@@ -85,26 +84,6 @@ fn show(run: &Run, arguments: &[OsString]) {
         *shown = entry;
     }
     SHOWN.version.fetch_add(1, Ordering::Release);
-}
-
-fn page(run: &Run, arguments: &[OsString]) -> Result<String, Fault> {
-    let mut command = run.command()?;
-    let output = command
-        .arg("report")
-        .args(arguments)
-        .args(["--output", "-"])
-        .output()
-        .map_err(|error| Fault::build(format!("what was built cannot be run: {error}")))?;
-    let told = String::from_utf8_lossy(&output.stderr);
-    let told = told.trim();
-    if !output.stdout.is_empty() {
-        // a page of a motion that does not close everywhere is shown as well
-        if !told.is_empty() {
-            eprintln!("{told}");
-        }
-        return Ok(String::from_utf8_lossy(&output.stdout).into_owned());
-    }
-    Err(Fault::wrong(told.strip_prefix("error: ").unwrap_or(told)))
 }
 
 fn answer(path: &str) -> Option<Answer> {
@@ -150,30 +129,4 @@ fn answer(path: &str) -> Option<Answer> {
         }
         _ => None,
     }
-}
-
-/// The port that was asked for, and the other arguments.
-fn port_of(arguments: &[OsString]) -> Result<(Option<u16>, Vec<OsString>), Fault> {
-    let mut others = Vec::new();
-    let mut port = None;
-    let mut words = arguments.iter();
-    while let Some(word) = words.next() {
-        let text = word.to_string_lossy();
-        let value = match text.strip_prefix("--port=") {
-            Some(value) => value.to_owned(),
-            None if text == "--port" => words
-                .next()
-                .map(|value| value.to_string_lossy().into_owned())
-                .unwrap_or_default(),
-            None => {
-                others.push(word.clone());
-                continue;
-            }
-        };
-        let number = value
-            .parse()
-            .map_err(|_| Fault::wrong(format!("`{value}` is no port: write `--port 8080`")))?;
-        port = Some(number);
-    }
-    Ok((port, others))
 }
