@@ -7,6 +7,8 @@
 
 mod algebra;
 mod assemble;
+#[cfg(feature = "text")]
+mod budget;
 mod bug;
 mod derive;
 mod describe;
@@ -53,6 +55,8 @@ pub mod lowered {
 pub use syntax::Dimension;
 #[doc(hidden)]
 pub use syntax::{Axis, ValueShape};
+#[cfg(feature = "text")]
+pub use budget::{Budget, Refusal, Resource, TooLarge};
 #[cfg(feature = "text")]
 pub use text::{Declaration, Mistake, Position, Quantity};
 #[doc(hidden)]

@@ -32,6 +32,7 @@ pub(crate) use polynomials::{PolynomialSystem, PolynomialVariable};
 pub use polynomials::{PolynomialTerm, SystemForm};
 
 use crate::algebra::{Expansion, Graph, Misfit, Node, Probe, Symbol, Variables};
+use crate::work;
 
 /// Unknowns that are solved together, the equations that determine them, and the method.
 pub(crate) struct Block {
@@ -159,6 +160,9 @@ fn blocks(
     }
     let mut blocks = Vec::new();
     for equations in order::blocks(&incidence, &matching) {
+        if work::is_spent() {
+            break;
+        }
         let mut members: Vec<usize> = equations
             .iter()
             .map(|&equation| matching.unknown_of(equation))
