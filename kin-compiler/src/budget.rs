@@ -30,11 +30,11 @@ pub struct Budget {
 }
 
 impl Default for Budget {
-    /// 64 KiB of text, and three million units of work.
+    /// 32 KiB of text, and two million units of work.
     fn default() -> Self {
         Self {
-            text: 64 << 10,
-            work: 3_000_000,
+            text: 32 << 10,
+            work: 2_000_000,
         }
     }
 }
@@ -49,6 +49,8 @@ pub enum Resource {
     Work,
     /// Values of the machine that runs the solver.
     Values,
+    /// Assemblies, among which the solver chooses.
+    Assemblies,
 }
 
 /// A declaration that takes more of something than is allowed.
@@ -79,6 +81,7 @@ impl fmt::Display for TooLarge {
                 "this mechanism takes more than {limit} units of work to compile: ask for a lower `order`, for fewer outputs or no sensitivities"
             ),
             Resource::Values => write!(formatter, "the solver of this mechanism has more than {limit} values"),
+            Resource::Assemblies => write!(formatter, "this mechanism has more than {limit} assemblies"),
         }
     }
 }
@@ -87,7 +90,6 @@ impl std::error::Error for TooLarge {}
 
 /// The reason why a text is not compiled.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum Refusal {
     /// The mistakes of the declaration, in the order of the text.
     Mistakes(Vec<Mistake>),

@@ -52,11 +52,11 @@ pub mod lowered {
     pub use crate::program::{Component, Returns};
     pub use crate::structure::{BlockKind, PolynomialTerm, SystemForm};
 }
+#[cfg(feature = "text")]
+pub use budget::{Budget, Refusal, Resource, TooLarge};
 pub use syntax::Dimension;
 #[doc(hidden)]
 pub use syntax::{Axis, ValueShape};
-#[cfg(feature = "text")]
-pub use budget::{Budget, Refusal, Resource, TooLarge};
 #[cfg(feature = "text")]
 pub use text::{Declaration, Mistake, Position, Quantity};
 #[doc(hidden)]

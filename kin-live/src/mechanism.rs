@@ -4,17 +4,24 @@ use std::error::Error;
 use std::fmt;
 
 use kin_compiler::lowered::{self, ClosureTerm};
-use kin_compiler::{Declaration, Mistake};
+use kin_compiler::{Declaration, Mistake, Refusal, Resource, TooLarge};
 use kin_core::any::{Described, Name};
 use kin_core::linkage::AnyLinkage;
 
-use crate::code::{Labels, TooLarge};
+use crate::budget::Budget;
+use crate::code::{self, Labels, Register};
 use crate::every::Every;
 use crate::forms::Forms;
 use crate::motion::Motion;
 use crate::names::{Names, OwnedDescription};
 use crate::routine::Routine;
 use crate::sheet::SheetCode;
+
+/// The choices between two solutions that the index of an assembly holds.
+const MOST_CHOICES: usize = 16;
+
+/// The values that the machine counts.
+const MOST_VALUES: usize = Register::MAX as usize + 1;
 
 /// A mechanism that was declared while the program runs.
 #[derive(Debug)]
@@ -32,6 +39,8 @@ pub struct Mechanism {
     pub(crate) closure: SheetCode,
     pub(crate) outputs: SheetCode,
     choices: Vec<String>,
+    /// The paths that a search for all positions may follow.
+    pub(crate) most_paths: usize,
 }
 
 /// The closure as polynomials.
@@ -42,16 +51,30 @@ pub(crate) struct ClosureTerms {
 }
 
 impl Mechanism {
-    /// Compiles a declaration: the text between the braces of `mechanism! { … }`.
+    /// Compiles a declaration: the text between the braces of `mechanism! { … }`. It costs at most what the usual
+    /// [`Budget`] allows.
     ///
     /// # Errors
-    /// Every mistake of the declaration, in the order of the text; or that it is too large for the machine.
+    /// Every mistake of the declaration, in the order of the text; or what it takes too much of.
     pub fn declare(text: &str) -> Result<Self, DeclareError> {
-        let declaration = Declaration::parse(text).map_err(DeclareError::Mistakes)?;
-        Self::new(declaration).map_err(|TooLarge| DeclareError::TooLarge)
+        Self::declare_within(text, &Budget::default())
     }
 
-    fn new(declaration: Declaration) -> Result<Self, TooLarge> {
+    /// Compiles a declaration, as far as a budget allows it.
+    ///
+    /// # Errors
+    /// Every mistake of the declaration, in the order of the text; or what it takes too much of.
+    pub fn declare_within(text: &str, budget: &Budget) -> Result<Self, DeclareError> {
+        let declaration = Declaration::parse_within(text, &budget.compiler)?;
+        let too_large = |resource, limit| DeclareError::TooLarge(TooLarge::new(resource, limit));
+        let program = declaration.program();
+        if !program.is_coupled && program.choices.len() > MOST_CHOICES {
+            return Err(too_large(Resource::Assemblies, 1 << MOST_CHOICES));
+        }
+        Self::new(declaration, budget.paths).map_err(|code::TooLarge| too_large(Resource::Values, MOST_VALUES))
+    }
+
+    fn new(declaration: Declaration, most_paths: usize) -> Result<Self, code::TooLarge> {
         let program = declaration.program();
         let description = &program.description;
         let mut labels = Labels::new(description, &program.outputs);
@@ -99,6 +122,7 @@ impl Mechanism {
             closure,
             outputs,
             declaration,
+            most_paths,
         })
     }
 
@@ -153,8 +177,17 @@ impl Mechanism {
 pub enum DeclareError {
     /// The mistakes, in the order of the text.
     Mistakes(Vec<Mistake>),
-    /// The mechanism has more than 65 000 values.
-    TooLarge,
+    /// The declaration takes more of something than is allowed.
+    TooLarge(TooLarge),
+}
+
+impl From<Refusal> for DeclareError {
+    fn from(refusal: Refusal) -> Self {
+        match refusal {
+            Refusal::Mistakes(mistakes) => Self::Mistakes(mistakes),
+            Refusal::TooLarge(excess) => Self::TooLarge(excess),
+        }
+    }
 }
 
 impl fmt::Display for DeclareError {
@@ -167,7 +200,7 @@ impl fmt::Display for DeclareError {
                 }
                 Ok(())
             }
-            Self::TooLarge => formatter.write_str("the solver of this mechanism has more than 65000 values"),
+            Self::TooLarge(excess) => excess.fmt(formatter),
         }
     }
 }
