@@ -6,7 +6,7 @@ use kin_core::any::{ClosureOver, Of, OutputsOver};
 use kin_core::{Mechanism, PlaneOrSpace, PointArray, Row};
 use kin_live::sheet::SheetCode;
 
-use crate::agreement::SAMPLES;
+use crate::SAMPLES;
 use crate::bits::Bits;
 use crate::random::Random;
 
