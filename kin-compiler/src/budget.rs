@@ -6,8 +6,8 @@ use crate::text::Mistake;
 
 /// What compiling a declaration may cost at most.
 ///
-/// A declaration is a program that others may have written. Its text is read with a stack of 256 MB, of which it uses what
-/// it needs; the depth of its formulas is limited to 256. All other costs are in proportion to its text and to the work.
+/// Others may have written the text. The depth of its formulas is limited to 256, and it is compiled with a stack of
+/// 256 MB, of which only what is used becomes memory. All other memory is in proportion to the text and to the work.
 ///
 /// ```
 /// use kin_compiler::{Budget, Declaration, Refusal, Resource};
@@ -24,8 +24,8 @@ use crate::text::Mistake;
 pub struct Budget {
     /// The bytes of the text.
     pub text: usize,
-    /// The work: expressions that are looked up, and turns of the other loops that may grow faster than the text. It is the
-    /// same in every run on every machine.
+    /// The work: expressions that are looked up, and turns of the other loops that may grow faster than the text. It is
+    /// the same in every run on every machine.
     pub work: usize,
 }
 
@@ -78,7 +78,8 @@ impl fmt::Display for TooLarge {
             Resource::Text => write!(formatter, "this text has more than {limit} bytes"),
             Resource::Work => write!(
                 formatter,
-                "this mechanism takes more than {limit} units of work to compile: ask for a lower `order`, for fewer outputs or no sensitivities"
+                "this mechanism takes more than {limit} units of work to compile: ask for a lower `order`, for fewer \
+                 outputs or no sensitivities"
             ),
             Resource::Values => write!(formatter, "the solver of this mechanism has more than {limit} values"),
             Resource::Assemblies => write!(formatter, "this mechanism has more than {limit} assemblies"),

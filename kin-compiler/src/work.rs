@@ -1,5 +1,7 @@
-//! The work of a compilation, counted where it is done, so that it is the same in every run on every machine. A budget may
-//! bound it: then the loops that count end early, and what they leave is thrown away.
+//! The work of a compilation, counted where it is done, so that it is the same in every run on every machine.
+//!
+//! A budget may bound it. Once it is spent, the loops that count end early, and what they leave is thrown away. Nothing
+//! unwinds, because not every target can.
 
 use std::cell::Cell;
 

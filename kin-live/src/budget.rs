@@ -17,7 +17,8 @@
 pub struct Budget {
     /// What the compiler may take.
     pub compiler: kin_compiler::Budget,
-    /// The paths that a search for all positions may follow: assemblies, or combinations of solutions of coupled blocks.
+    /// The paths that a search for all positions may follow: assemblies, or combinations of solutions of coupled
+    /// blocks.
     pub paths: usize,
 }
 
