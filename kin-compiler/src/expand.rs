@@ -12,6 +12,7 @@ use crate::program::Solvers;
 use crate::room::with_room;
 use crate::structure::{CoefficientMagnitudes, Structure};
 use crate::syntax::Declaration;
+use crate::work;
 use crate::{editor, emit, fallback, model, refuse, structure, syntax};
 
 /// Expands `(path::to::kin) declaration`. Each pass reports the mistakes that it finds. After the last check no pass
@@ -51,10 +52,10 @@ pub(crate) fn solved(tokens: TokenStream, mistakes: &mut Mistakes) -> (Option<De
     (declaration, solved)
 }
 
-/// The passes between syntax and text; `None` if the declaration has mistakes.
+/// The passes between syntax and text; `None` if the declaration has mistakes, or its budget is spent.
 fn solvers(declaration: &Declaration, mistakes: &mut Mistakes) -> Option<Solved> {
-    let model = model::build(declaration, mistakes)?;
-    let structure = structure(declaration, &model, mistakes)?;
+    let model = model::build(declaration, mistakes).filter(|_| !work::is_spent())?;
+    let structure = structure(declaration, &model, mistakes).filter(|_| !work::is_spent())?;
     let task = Task::new(&model, &structure, Passes::ALL);
     match with_room(|| plan(&task)) {
         Err(too_large) => refuse::size(declaration, too_large.order, mistakes),
@@ -66,7 +67,7 @@ fn solvers(declaration: &Declaration, mistakes: &mut Mistakes) -> Option<Solved>
     None
 }
 
-/// The blocks of the equations, if they can be solved and every requested item exists.
+/// The blocks of the equations, if they can be solved and every requested item exists, and the budget is not spent.
 pub(crate) fn structure(declaration: &Declaration, model: &Model, mistakes: &mut Mistakes) -> Option<Structure> {
     let (residuals, origins) = model.scalar_equations();
     let (graph, unknowns) = (model.graph.clone(), model.unknowns.len());
@@ -74,6 +75,7 @@ pub(crate) fn structure(declaration: &Declaration, model: &Model, mistakes: &mut
     let magnitudes = CoefficientMagnitudes { lengths, numbers };
     let analysed = with_room(|| structure::analyse(graph, &residuals, unknowns, &magnitudes));
     let structure = match analysed {
+        _ if work::is_spent() => return None,
         Err(structure::Refusal::Constants(misfit)) => {
             refuse::constants(declaration, model, misfit, mistakes);
             return None;

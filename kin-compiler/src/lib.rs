@@ -7,6 +7,8 @@
 
 mod algebra;
 mod assemble;
+#[cfg(feature = "text")]
+mod budget;
 mod bug;
 mod derive;
 mod describe;
@@ -52,6 +54,8 @@ pub mod lowered {
     pub use crate::program::{Component, Returns};
     pub use crate::structure::{BlockKind, PolynomialTerm, SystemForm};
 }
+#[cfg(feature = "text")]
+pub use budget::{Budget, Refusal, Resource, TooLarge};
 pub use syntax::Dimension;
 #[doc(hidden)]
 pub use syntax::{Axis, ValueShape};

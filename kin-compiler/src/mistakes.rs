@@ -7,6 +7,8 @@ use std::fmt::Display;
 use proc_macro2::{Punct, Spacing, Span, TokenStream};
 use quote::{ToTokens, TokenStreamExt};
 
+use crate::work;
+
 /// Collected mistakes, each with its place in the source.
 ///
 /// Mistakes must not be dropped before they are reported, because a wrong declaration would then compile.
@@ -111,9 +113,15 @@ impl ToTokens for Extent {
 
 /// The candidate that was probably meant by `word`: it differs in case only, or in one or two letters.
 pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let allowed = if word.chars().count() < 4 { 1 } else { 2 };
+    let length = word.chars().count();
+    let allowed = if length < 4 { 1 } else { 2 };
     let mut best: Option<(usize, &str)> = None;
     for candidate in candidates {
+        let other = candidate.chars().count();
+        if other.abs_diff(length) > allowed || work::is_spent() {
+            continue;
+        }
+        work::turns(length * other);
         let distance = if word.eq_ignore_ascii_case(candidate) {
             0
         } else {

@@ -14,12 +14,10 @@ use crate::syntax::Declaration;
 
 /// Reports the reasons why a declaration cannot be solved.
 pub(crate) fn faults(model: &Model, origins: &[Origin], faults: &[Fault], mistakes: &mut Mistakes) {
-    let names = |unknowns: &[usize]| -> String {
-        list(
-            unknowns
-                .iter()
-                .map(|&unknown| format!("`{}`", model.unknowns[unknown].name)),
-        )
+    let names = |unknowns: &[usize]| {
+        list(unknowns.iter(), |&unknown| {
+            format!("`{}`", model.unknowns[unknown].name)
+        })
     };
     for fault in faults {
         match fault {
@@ -56,12 +54,8 @@ pub(crate) fn faults(model: &Model, origins: &[Origin], faults: &[Fault], mistak
                 let together: BTreeSet<usize> = equations.iter().map(|&equation| origins[equation].equation).collect();
                 for &surplus in surplus {
                     let origin = origins[surplus];
-                    let others = list(
-                        together
-                            .iter()
-                            .filter(|&&other| other != origin.equation)
-                            .map(|&other| format!("`{}`", model.equations[other].text)),
-                    );
+                    let others = together.iter().filter(|&&other| other != origin.equation);
+                    let others = list(others, |&other| format!("`{}`", model.equations[other].text));
                     let beside = if others.is_empty() {
                         String::new()
                     } else {
@@ -198,9 +192,16 @@ fn whole(model: &Model, origin: Origin) -> impl ToTokens {
     &model.equations[origin.equation].tokens
 }
 
+/// The items of a list that are named. There may be as many lists of all names as there are names.
+const MOST_LISTED: usize = 20;
+
 /// `a`, `b` and `c`.
-fn list(items: impl Iterator<Item = String>) -> String {
-    let items: Vec<String> = items.collect();
+fn list<T>(mut all: impl Iterator<Item = T>, write: impl Fn(T) -> String) -> String {
+    let mut items: Vec<String> = all.by_ref().take(MOST_LISTED).map(write).collect();
+    let rest = all.count();
+    if rest > 0 {
+        items.push(count(rest, "other"));
+    }
     match items.as_slice() {
         [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
         _ => items.concat(),

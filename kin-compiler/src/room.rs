@@ -17,9 +17,10 @@ const SIZE: usize = 256 << 20;
 pub(crate) fn with_room<Outcome: Send>(work: impl FnOnce() -> Outcome + Send) -> Outcome {
     let mut work = Some(work);
     let mut outcome = None;
+    let budget = work::left();
     let ended = scope(|scope| {
         let thread = Builder::new().name("kin".to_owned()).stack_size(SIZE);
-        let thread = thread.spawn_scoped(scope, || outcome = work.take().map(work::of));
+        let thread = thread.spawn_scoped(scope, || outcome = work.take().map(|work| work::within(budget, work)));
         thread.map_or(Ok(()), ScopedJoinHandle::join)
     });
     if let Err(panic) = ended {
@@ -27,7 +28,7 @@ pub(crate) fn with_room<Outcome: Send>(work: impl FnOnce() -> Outcome + Send) ->
     }
     match outcome {
         Some((outcome, done)) => {
-            // work is counted by thread
+            // work is counted by thread, as its budget is
             work::add(done);
             outcome
         }

@@ -8,6 +8,7 @@ use proc_macro2::{Ident, LineColumn, Span, TokenStream};
 use quote::quote;
 use syn::{Attribute, Expr, ExprLit, Lit};
 
+use crate::budget::{Budget, Refusal, Resource, TooLarge};
 use crate::bug::bug;
 use crate::expand::{expand, solved, structure};
 use crate::formulas::{Formulas, formulas};
@@ -19,6 +20,7 @@ use crate::structure::Structure;
 use crate::syntax::{self, Dimension, QuantityItem, Statement};
 use crate::translate::sheets;
 use crate::translate::tree::Sheets;
+use crate::work;
 
 /// A declaration that has been compiled.
 ///
@@ -55,6 +57,7 @@ pub struct Declaration {
     text: String,
     program: lower::Mechanism,
     sheets: Sheets,
+    work: usize,
 }
 
 /// A declared quantity.
@@ -95,21 +98,51 @@ pub struct Position {
 impl Declaration {
     /// Compiles the declaration of a mechanism, which is the text between the braces of `mechanism! { … }`. Its memory ends with the result.
     ///
+    /// It compiles what the macro compiles, however long that takes: see [`Self::parse_within`] for texts of others.
+    ///
     /// # Errors
     /// Every mistake of the declaration, in the order of the text.
     pub fn parse(text: &str) -> Result<Self, Vec<Mistake>> {
+        Self::compiled(text, usize::MAX).0
+    }
+
+    /// Compiles a declaration, as far as a budget allows it.
+    ///
+    /// # Errors
+    /// Every mistake of the declaration, in the order of the text; or what it takes too much of.
+    pub fn parse_within(text: &str, budget: &Budget) -> Result<Self, Refusal> {
+        if text.len() > budget.text {
+            return Err(Refusal::TooLarge(TooLarge::new(Resource::Text, budget.text)));
+        }
+        let (result, work) = Self::compiled(text, budget.work);
+        if work > budget.work {
+            return Err(Refusal::TooLarge(TooLarge::new(Resource::Work, budget.work)));
+        }
+        result.map_err(Refusal::Mistakes)
+    }
+
+    /// The result, which means nothing if more work was done than the budget allows, and the work.
+    fn compiled(text: &str, budget: usize) -> (Result<Self, Vec<Mistake>>, usize) {
         // Places are kept by thread for every text that is read. They go with the thread of this one.
-        with_room(|| {
-            catch_unwind(AssertUnwindSafe(|| compile(text))).unwrap_or_else(|panic| {
-                let start = Position { line: 1, column: 1 };
-                Err(vec![Mistake {
-                    message: bug(&*panic),
-                    start,
-                    end: start,
-                    bytes: 0..0,
-                }])
+        let on_a_thread = || {
+            with_room(|| {
+                catch_unwind(AssertUnwindSafe(|| compile(text))).unwrap_or_else(|panic| {
+                    let start = Position { line: 1, column: 1 };
+                    Err(vec![Mistake {
+                        message: bug(&*panic),
+                        start,
+                        end: start,
+                        bytes: 0..0,
+                    }])
+                })
             })
-        })
+        };
+        let (mut result, work) = work::within(budget, on_a_thread);
+        let work = work.total();
+        if let Ok(declaration) = &mut result {
+            declaration.work = work;
+        }
+        (result, work)
     }
 
     /// The name of the mechanism.
@@ -152,6 +185,12 @@ impl Declaration {
     #[must_use]
     pub fn printout(&self) -> &str {
         &self.printout
+    }
+
+    /// The work that its compilation took, in the unit of [`Budget::work`].
+    #[must_use]
+    pub fn work(&self) -> usize {
+        self.work
     }
 
     /// The mechanism as kin-live runs it.
@@ -254,6 +293,7 @@ impl Declaration {
             text,
             program,
             sheets,
+            work: 0,
         };
         let quantity = |item: &QuantityItem| Quantity::new(&item.name, item.dimension, &item.documentation);
         for statement in &declaration.statements {

@@ -1,4 +1,7 @@
-//! The work of an expansion, counted where it is done. The numbers are the same in every run on every machine.
+//! The work of a compilation, counted where it is done, so that it is the same in every run on every machine.
+//!
+//! A budget may bound it. Once it is spent, the loops that count end early, and what they leave is thrown away. Nothing
+//! unwinds, because not every target can.
 
 use std::cell::Cell;
 
@@ -11,19 +14,27 @@ pub(crate) struct Work {
     pub(crate) turns: usize,
 }
 
+impl Work {
+    pub(crate) const fn total(self) -> usize {
+        self.look_ups.saturating_add(self.turns)
+    }
+}
+
 thread_local! {
     static DONE: Cell<Work> = const { Cell::new(Work { look_ups: 0, turns: 0 }) };
+    /// The total above which the budget is spent.
+    static MOST: Cell<usize> = const { Cell::new(usize::MAX) };
 }
 
 /// The amount of work of one kind on one thread that counts as endless.
 #[cfg(test)]
-pub(crate) const MOST: usize = 100_000_000;
+pub(crate) const ENDLESS: usize = 100_000_000;
 
 /// Counts a look-up.
 pub(crate) fn look_up() {
     let Work { look_ups, turns } = DONE.get();
     #[cfg(test)]
-    assert!(look_ups < MOST, "the look-ups have no end");
+    assert!(look_ups < ENDLESS, "the look-ups have no end");
     DONE.set(Work {
         look_ups: look_ups + 1,
         turns,
@@ -32,19 +43,36 @@ pub(crate) fn look_up() {
 
 /// Counts a turn of another loop.
 pub(crate) fn turn() {
+    turns(1);
+}
+
+/// Counts several turns.
+pub(crate) fn turns(count: usize) {
     let Work { look_ups, turns } = DONE.get();
     #[cfg(test)]
-    assert!(turns < MOST, "the turns have no end");
+    assert!(turns < ENDLESS, "the turns have no end");
     DONE.set(Work {
         look_ups,
-        turns: turns + 1,
+        turns: turns.saturating_add(count),
     });
 }
 
-/// The result of a function, and the work that the function does on this thread.
-pub(crate) fn of<T>(function: impl FnOnce() -> T) -> (T, Work) {
+/// Whether more work has been done than the budget allows.
+pub(crate) fn is_spent() -> bool {
+    DONE.get().total() > MOST.get()
+}
+
+/// What is left of the budget.
+pub(crate) fn left() -> usize {
+    MOST.get().saturating_sub(DONE.get().total())
+}
+
+/// The result of a function that has a budget, and the work that the function does on this thread.
+pub(crate) fn within<T>(budget: usize, function: impl FnOnce() -> T) -> (T, Work) {
     let before = DONE.get();
+    let others = MOST.replace(before.total().saturating_add(budget));
     let result = function();
+    MOST.set(others);
     let after = DONE.get();
     let work = Work {
         look_ups: after.look_ups - before.look_ups,
@@ -53,11 +81,17 @@ pub(crate) fn of<T>(function: impl FnOnce() -> T) -> (T, Work) {
     (result, work)
 }
 
+/// The result of a function, and the work that the function does on this thread.
+#[cfg(test)]
+pub(crate) fn of<T>(function: impl FnOnce() -> T) -> (T, Work) {
+    within(left(), function)
+}
+
 /// Adds the work of another thread.
 pub(crate) fn add(work: Work) {
     let done = DONE.get();
     DONE.set(Work {
         look_ups: done.look_ups + work.look_ups,
-        turns: done.turns + work.turns,
+        turns: done.turns.saturating_add(work.turns),
     });
 }

@@ -22,6 +22,8 @@ pub(crate) struct Every {
     systems: Vec<(usize, System)>,
     /// The numbers in which the solutions of all systems are kept.
     pub(crate) room: usize,
+    /// The largest number of positions.
+    pub(crate) paths: usize,
 }
 
 /// The equations of a coupled block.
@@ -72,6 +74,7 @@ impl Every {
             given,
             unknowns,
             room: every.room,
+            paths: every.paths,
         })
     }
 

@@ -252,6 +252,11 @@ impl EveryPosition for Mechanism {
         inputs: &[f64],
         found: &mut dyn FnMut(&[f64]),
     ) -> Result<PositionSearch, SolveError> {
+        let paths = self.every.as_ref().map_or(self.assembly_count(), |every| every.paths);
+        if paths > self.most_paths {
+            // neither found nor complete
+            return Ok(PositionSearch::default());
+        }
         let Some(every) = &self.every else {
             return self.positions_by_assembly(parameters, inputs, found);
         };

@@ -20,6 +20,7 @@
 //! ```
 
 mod batch;
+mod budget;
 mod code;
 mod every;
 mod forms;
@@ -34,5 +35,6 @@ mod run;
 #[doc(hidden)]
 pub mod sheet;
 
-pub use kin_compiler::{Mistake, Position};
+pub use budget::Budget;
+pub use kin_compiler::{Budget as CompilerBudget, Mistake, Position, Resource, TooLarge};
 pub use mechanism::{DeclareError, DimensionError, Mechanism};

@@ -5,11 +5,12 @@ use std::fmt;
 use std::sync::OnceLock;
 
 use kin_compiler::lowered::{self, ClosureTerm};
-use kin_compiler::{Declaration, Mistake};
+use kin_compiler::{Declaration, Mistake, Refusal, Resource, TooLarge};
 use kin_core::any::{Described, Name};
 use kin_core::linkage::AnyLinkage;
 
-use crate::code::{Labels, TooLarge};
+use crate::budget::Budget;
+use crate::code::{self, Labels, Register};
 use crate::every::Every;
 use crate::forms::Forms;
 use crate::formulas::OwnedFormulas;
@@ -17,6 +18,12 @@ use crate::motion::Motion;
 use crate::names::{Names, OwnedDescription};
 use crate::routine::Routine;
 use crate::sheet::SheetCode;
+
+/// The choices between two solutions that the index of an assembly holds.
+const MOST_CHOICES: usize = 16;
+
+/// The values that the machine counts.
+const MOST_VALUES: usize = Register::MAX as usize + 1;
 
 /// A mechanism that was declared while the program runs.
 #[derive(Debug)]
@@ -37,6 +44,8 @@ pub struct Mechanism {
     pub(crate) choices: Vec<String>,
     /// Formulas, once they are asked for.
     formulas: OnceLock<OwnedFormulas>,
+    /// The paths that a search for all positions may follow.
+    pub(crate) most_paths: usize,
 }
 
 /// The closure as polynomials.
@@ -47,13 +56,21 @@ pub(crate) struct ClosureTerms {
 }
 
 impl Mechanism {
-    /// Compiles a declaration: the text between the braces of `mechanism! { … }`.
+    /// Compiles a declaration: the text between the braces of `mechanism! { … }`. It costs at most what the usual
+    /// [`Budget`] allows.
     ///
     /// # Errors
-    /// Every mistake of the declaration, in the order of the text; or that it is too large for the machine.
+    /// Every mistake of the declaration, in the order of the text; or what it takes too much of.
     pub fn declare(text: &str) -> Result<Self, DeclareError> {
-        let declaration = Declaration::parse(text).map_err(DeclareError::Mistakes)?;
-        Self::of(declaration)
+        Self::declare_within(text, &Budget::default())
+    }
+
+    /// Compiles a declaration, as far as a budget allows it.
+    ///
+    /// # Errors
+    /// Every mistake of the declaration, in the order of the text; or what it takes too much of.
+    pub fn declare_within(text: &str, budget: &Budget) -> Result<Self, DeclareError> {
+        Self::of_within(Declaration::parse_within(text, &budget.compiler)?, budget)
     }
 
     /// The mechanism of a compiled declaration.
@@ -61,10 +78,19 @@ impl Mechanism {
     /// # Errors
     /// [`DeclareError::TooLarge`].
     pub fn of(declaration: Declaration) -> Result<Self, DeclareError> {
-        Self::new(declaration).map_err(|TooLarge| DeclareError::TooLarge)
+        Self::of_within(declaration, &Budget::default())
     }
 
-    fn new(declaration: Declaration) -> Result<Self, TooLarge> {
+    fn of_within(declaration: Declaration, budget: &Budget) -> Result<Self, DeclareError> {
+        let too_large = |resource, limit| DeclareError::TooLarge(TooLarge::new(resource, limit));
+        let program = declaration.program();
+        if !program.is_coupled && program.choices.len() > MOST_CHOICES {
+            return Err(too_large(Resource::Assemblies, 1 << MOST_CHOICES));
+        }
+        Self::new(declaration, budget.paths).map_err(|code::TooLarge| too_large(Resource::Values, MOST_VALUES))
+    }
+
+    fn new(declaration: Declaration, most_paths: usize) -> Result<Self, code::TooLarge> {
         let program = declaration.program();
         let description = &program.description;
         let mut labels = Labels::new(description, &program.outputs);
@@ -115,6 +141,7 @@ impl Mechanism {
             places,
             formulas: OnceLock::new(),
             declaration,
+            most_paths,
         })
     }
 
@@ -177,8 +204,17 @@ impl Mechanism {
 pub enum DeclareError {
     /// The mistakes, in the order of the text.
     Mistakes(Vec<Mistake>),
-    /// The mechanism has more than 65 000 values.
-    TooLarge,
+    /// The declaration takes more of something than is allowed.
+    TooLarge(TooLarge),
+}
+
+impl From<Refusal> for DeclareError {
+    fn from(refusal: Refusal) -> Self {
+        match refusal {
+            Refusal::Mistakes(mistakes) => Self::Mistakes(mistakes),
+            Refusal::TooLarge(excess) => Self::TooLarge(excess),
+        }
+    }
 }
 
 impl fmt::Display for DeclareError {
@@ -191,7 +227,7 @@ impl fmt::Display for DeclareError {
                 }
                 Ok(())
             }
-            Self::TooLarge => formatter.write_str("the solver of this mechanism has more than 65000 values"),
+            Self::TooLarge(excess) => excess.fmt(formatter),
         }
     }
 }

@@ -10,6 +10,7 @@ use std::sync::Arc;
 
 use super::{Graph, Node, NodeKind, Symbol, Variables};
 use crate::algebra::Function;
+use crate::work;
 
 /// The largest number of monomials of an expansion: no closed form has as many. The largest number in the library is
 /// 82.
@@ -356,9 +357,9 @@ impl<'a> Expansion<'a> {
         fraction
     }
 
-    /// Takes multiplications from the budget if the budget allows them.
+    /// Takes multiplications from the budget if it allows them, and that of the whole compilation too.
     fn afford(&mut self, multiplications: usize) -> bool {
-        let rest = self.budget.checked_sub(multiplications);
+        let rest = self.budget.checked_sub(multiplications).filter(|_| !work::is_spent());
         self.budget = rest.unwrap_or(self.budget);
         rest.is_some()
     }

@@ -22,6 +22,7 @@ use rates::KnownRates;
 use crate::algebra::{Expansion, Graph, Node, Symbol, TrigonometricPolynomial, Variables};
 use crate::passes::Passes;
 use crate::structure::Block;
+use crate::work;
 
 /// The rates of the unknowns, order by order, as expressions of positions and lower rates.
 pub(crate) struct Derivatives {
@@ -184,7 +185,7 @@ impl Derivatives {
         };
         for order in 1..=order {
             derivatives.derive_next(graph, task);
-            if graph.len() > task.most_expressions {
+            if graph.len() > task.most_expressions || work::is_spent() {
                 return Err(TooLarge { order });
             }
         }
@@ -203,6 +204,9 @@ impl Derivatives {
         let order = self.orders.len() + 1;
         let mut found = Vec::new();
         for (block, jacobian) in task.blocks.iter().zip(&self.jacobians) {
+            if work::is_spent() {
+                return;
+            }
             self.rates.seek(&block.unknowns, order);
             let wholes: Vec<Node> = block
                 .equations

@@ -17,6 +17,7 @@ use super::jacobian::BlockJacobian;
 use super::rates::{KnownRates, binomial};
 use super::{Derivatives, Influences, Rate, Subject, TooLarge};
 use crate::algebra::{Graph, Node, NodeKind, Symbol};
+use crate::work;
 
 /// One step of the program of sensitivities.
 pub(crate) enum Definition {
@@ -71,6 +72,9 @@ impl Derivatives {
         };
         for order in 0..=highest {
             for parameter in 0..parameters {
+                if work::is_spent() {
+                    return Err(TooLarge { order });
+                }
                 let mut known = Vec::new();
                 for (block, jacobian) in task.blocks.iter().zip(&self.jacobians) {
                     known.extend(&block.unknowns);

@@ -201,7 +201,7 @@ pub(super) fn share(lines: &mut Lines) {
     let mut occurrences = Occurrences::default();
     let mut repeated = Recurring::of(&lines.list);
     let mut changed: BTreeSet<usize> = (0..lines.list.len()).collect();
-    while !changed.is_empty() {
+    while !changed.is_empty() && !work::is_spent() {
         for index in mem::take(&mut changed) {
             occurrences.update(index, &lines.list[index], &repeated);
         }

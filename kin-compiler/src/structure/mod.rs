@@ -32,6 +32,7 @@ pub(crate) use polynomials::{PolynomialSystem, PolynomialVariable};
 pub use polynomials::{PolynomialTerm, SystemForm};
 
 use crate::algebra::{Expansion, Graph, Misfit, Node, Probe, Symbol, Variables};
+use crate::work;
 
 /// Unknowns that are solved together, the equations that determine them, and the method.
 pub(crate) struct Block {
@@ -159,6 +160,9 @@ fn blocks(
     }
     let mut blocks = Vec::new();
     for equations in order::blocks(&incidence, &matching) {
+        if work::is_spent() {
+            break;
+        }
         let mut members: Vec<usize> = equations
             .iter()
             .map(|&equation| matching.unknown_of(equation))
@@ -283,6 +287,9 @@ fn is_dependent(graph: &mut Graph, residuals: &[Node], equations: &[usize], unkn
         .collect();
     let mut probed = false;
     for point in 0..Probe::all().count() {
+        if work::is_spent() {
+            return false;
+        }
         let values: Vec<Vec<f64>> = jacobian
             .iter()
             .map(|row| row.iter().map(|&entry| graph.probe(entry)[point]).collect())
@@ -315,6 +322,10 @@ fn has_full_rank(mut rows: Vec<Vec<f64>>) -> bool {
         rows.swap(step, pivot_row);
         for row in &mut rows {
             row.swap(step, pivot_column);
+            work::turn();
+        }
+        if work::is_spent() {
+            return true;
         }
         let pivot = rows[step].clone();
         for row in rows.iter_mut().skip(step + 1) {

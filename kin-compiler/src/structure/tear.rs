@@ -19,6 +19,7 @@ use super::growth::{CLOSED, COUPLED, CoefficientMagnitudes, Growth};
 use super::matching::Matching;
 use super::{ClosedForm, Method, Part, incidence, order, recognise, without_cancelling};
 use crate::algebra::{Expansion, Graph, Node, Symbol, TrigonometricPolynomial, Variables};
+use crate::work;
 
 /// The parts into which equations fall, in the order in which they are solved.
 ///
@@ -108,6 +109,9 @@ impl<'a> Tearing<'a> {
         if let Some(form) = recognise::closed_form(graph, &polynomials, unknowns) {
             return vec![closed(unknowns.to_vec(), form)];
         }
+        if work::is_spent() {
+            return vec![newton(equations, unknowns, true)];
+        }
         let torn = self
             .relation(graph, equations, unknowns, linear_relation)
             .or_else(|| link(graph, equations, &polynomials, unknowns))
@@ -160,6 +164,7 @@ pub(super) fn whole(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -
         relations: Vec::new(),
     };
     while whole.unknowns.len() > 1
+        && !work::is_spent()
         && let Some(Torn { rest, unknown, form }) = whole.equations.iter().enumerate().find_map(|(place, &equation)| {
             let (unknown, coefficient) = linear_relation(graph, equation, &whole.unknowns, &mut |_, _, _| true)?;
             Some(substituted(graph, &whole.equations, place, unknown, coefficient))

@@ -1,14 +1,6 @@
 //! Every mechanism of the library, by the text of its file.
 
-use crate::agreement::assert_agreement;
-
-/// The text between the braces of the declaration of a structure.
-pub(crate) fn declaration<'a>(file: &'a str, name: &str) -> &'a str {
-    let mut declarations = file.split("\ncrate::mechanism! {").skip(1);
-    let found = declarations.find(|rest| rest.contains(&format!("pub struct {name} {{")));
-    let rest = found.expect("the file declares it");
-    &rest[..rest.find("\n}\n").expect("it ends")]
-}
+use kin_agreement::{assert_agreement, declaration};
 
 /// Compares the mechanisms of files.
 macro_rules! compare {

@@ -4,7 +4,7 @@ use kin_compiler::Declaration;
 use kin_core::mechanism;
 use kin_live::sheet::SheetCode;
 
-use crate::agreement::assert_agreement;
+use kin_agreement::assert_agreement;
 
 /// Declares a mechanism, and compares it with its own text.
 macro_rules! agrees {

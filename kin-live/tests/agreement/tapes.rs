@@ -7,7 +7,7 @@ use kin_core::library::{
 };
 use kin_core::tape::{Options, RecordedFunctions, record_any};
 
-use crate::library::declaration;
+use kin_agreement::declaration;
 
 /// All that is printed of the solver of a mechanism.
 fn printed(mechanism: &dyn RecordedFunctions<f64>, options: &Options) -> [String; 6] {

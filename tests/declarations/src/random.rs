@@ -30,7 +30,7 @@ impl Random {
 
     /// A number in `0..1`.
     #[expect(clippy::cast_precision_loss, reason = "these are as many bits as a number has")]
-    pub(crate) fn fraction(&mut self) -> f64 {
+    pub fn fraction(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 

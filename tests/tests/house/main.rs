@@ -39,15 +39,15 @@ const COMPILER: Package = Package {
     faces: &["lib"],
     root_items: &[],
     rooms: "work+room mistakes precedence algebra syntax model structure formulas passes program describe refuse derive \
-            assemble schedule plan lower translate emit editor fallback expand bug text",
+            assemble schedule plan lower translate emit editor fallback expand bug budget+text",
 };
 
 const LIVE: Package = Package {
     name: "kin-live",
     faces: &["lib"],
     root_items: &[],
-    rooms: "memory names sheet::registers sheet::instruction sheet code code::assembler run routine forms motion every \
-            mechanism functions batch",
+    rooms: "memory budget names sheet::registers sheet::instruction sheet code code::assembler run routine forms motion \
+            every mechanism functions batch",
 };
 
 const FIT: Package = Package {

@@ -18,7 +18,7 @@ use crate::work::{self, Work};
 /// The size of the stack of rustc's own threads, on which macros run.
 const STACK: usize = 8 << 20;
 
-/// The time after which an expansion counts as endless. Work that is counted ends long before, by [`work::MOST`].
+/// The time after which an expansion counts as endless. Work that is counted ends long before, by [`work::ENDLESS`].
 const PATIENCE: Duration = Duration::from_mins(10);
 
 /// The bounds of look-ups and of turns of other loops, for each token read and operation written. A refused declaration

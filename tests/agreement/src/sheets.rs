@@ -6,7 +6,7 @@ use kin_core::any::{ClosureOver, Of, OutputsOver, PlacesOver};
 use kin_core::{Mechanism, Row};
 use kin_live::sheet::SheetCode;
 
-use crate::agreement::SAMPLES;
+use crate::SAMPLES;
 use crate::bits::Bits;
 use crate::random::Random;
 

@@ -6,7 +6,7 @@ use kin_core::any::{
 };
 use kin_core::{Mechanism, SolveError, TransmissionAngle};
 
-use crate::agreement::SAMPLES;
+use crate::SAMPLES;
 use crate::bits::Bits;
 use crate::random::Random;
 

@@ -1,0 +1,124 @@
+//! Declarations that are written to take long, or much memory.
+
+use std::fmt::Write;
+
+/// The bytes that are filled.
+const SIZE: usize = 31_000;
+
+/// As many parts as fit, by their index.
+fn filled(each: impl Fn(usize) -> String) -> String {
+    let mut text = String::new();
+    for index in 0.. {
+        let part = each(index);
+        if text.len() + part.len() > SIZE {
+            break;
+        }
+        text += &part;
+    }
+    text
+}
+
+fn repeated(count: usize, each: impl Fn(usize) -> String) -> String {
+    (0..count).map(each).collect()
+}
+
+/// Each attack with its name.
+pub(crate) fn all() -> Vec<(&'static str, String)> {
+    let head = "struct M { k: Scalar } input t: Angle; unknown u: Scalar;";
+    let in_series = |count: usize| {
+        let mut text = "struct M { r: Length, c: Length, g: Length } input v0: Angle;".to_owned();
+        for index in 0..count {
+            let next = index + 1;
+            write!(
+                text,
+                "unknown u{index}: Angle, v{next}: Angle; r*cis(v{index}) + c*cis(u{index}) == g + r*cis(v{next});"
+            )
+            .expect("a string can be written");
+        }
+        text + "order = 1;"
+    };
+    let ring = |count: usize| {
+        let unknowns = repeated(count, |index| format!("unknown x{index}: Scalar;"));
+        let equations = repeated(count, |index| format!("x{index}*x{}==k+t;", (index + 1) % count));
+        format!("struct M {{ k: Scalar }} input t: Angle; {unknowns} {equations}")
+    };
+    vec![
+        (
+            "one equation many times",
+            format!("{head} {}", filled(|_| "u == t;".to_owned())),
+        ),
+        (
+            "many equations",
+            format!("{head} {}", filled(|index| format!("u*u == {index}*t;"))),
+        ),
+        (
+            "many unknowns",
+            format!(
+                "{head} u == t; {}",
+                filled(|index| format!("unknown u{index}: Scalar;"))
+            ),
+        ),
+        ("names that are near to each other", {
+            let declared = repeated(1_000, |index| format!("let abcdef{index} = t;"));
+            format!(
+                "{head} {declared} u == t {};",
+                repeated(900, |index| format!(" + bacdef{index}"))
+            )
+        }),
+        ("a long name", format!("{head} u == {};", "a".repeat(SIZE))),
+        ("open brackets", "(".repeat(SIZE)),
+        (
+            "pairs of brackets",
+            format!("{head} u == {}t{};", "(".repeat(SIZE / 2), ")".repeat(SIZE / 2)),
+        ),
+        ("signs", format!("{head} u == {}t;", "-".repeat(SIZE))),
+        ("references", format!("{head} u == {}t;", "&".repeat(SIZE))),
+        ("generics", format!("{head} u == t::{}", "<a".repeat(SIZE / 2))),
+        ("a large power", format!("{head} u == powi(t + k, 2000000000);")),
+        ("powers of powers", {
+            let lets = repeated(40, |index| format!("let a{} = a{index} * a{index};", index + 1));
+            format!("{head} let a0 = t + k; {lets} u == a40;")
+        }),
+        ("sums of sums", {
+            let lets = repeated(400, |index| {
+                format!("let a{} = sin(a{index}) + cos(a{index});", index + 1)
+            });
+            format!("{head} let a0 = t + k; {lets} u == a400; order = 12;")
+        }),
+        ("four-bars in series", in_series(14)),
+        ("more assemblies than bits", in_series(70)),
+        ("a ring of equations", ring(60)),
+        ("a long ring of equations", ring(700)),
+        (
+            "a long sum",
+            format!(
+                "{head} u == t {}; order = 12;",
+                filled(|index| format!("+ sin({index}*t*k)"))
+            ),
+        ),
+        (
+            "a long product",
+            format!(
+                "{head} u == t {}; order = 12;",
+                filled(|index| format!("* sin({index}*t)"))
+            ),
+        ),
+        (
+            "many outputs",
+            format!(
+                "{head} u == t*k; order = 12; {}",
+                filled(|index| format!("output o{index}: Scalar = sin(u*{index});"))
+            ),
+        ),
+        ("many sensitivities", {
+            let fields = filled(|index| format!("k{index}: Scalar,"));
+            format!(
+                "struct M {{ {fields} }} input t: Angle; unknown u: Scalar; u == k0*sin(k1*t); order = 12; with sensitivities;"
+            )
+        }),
+        ("a power of a sum", {
+            let sum = repeated(60, |index| format!("+ sin({index}*t*u)"));
+            format!("{head} powi(u {sum}, 60) == t; order = 12; with sensitivities;")
+        }),
+    ]
+}
