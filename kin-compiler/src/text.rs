@@ -92,12 +92,14 @@ pub struct Position {
 impl Declaration {
     /// Compiles the declaration of a mechanism, which is the text between the braces of `mechanism! { … }`. Its memory ends with the result.
     ///
+    /// Where no thread can be started, as in WebAssembly, spans of `proc-macro2` that the caller's thread keeps become
+    /// invalid.
+    ///
     /// # Errors
     /// Every mistake of the declaration, in the order of the text.
     pub fn parse(text: &str) -> Result<Self, Vec<Mistake>> {
-        // Places are kept by thread for every text that is read. They go with the thread of this one.
         with_room(|| {
-            catch_unwind(AssertUnwindSafe(|| compile(text))).unwrap_or_else(|panic| {
+            let compiled = catch_unwind(AssertUnwindSafe(|| compile(text))).unwrap_or_else(|panic| {
                 let start = Position { line: 1, column: 1 };
                 Err(vec![Mistake {
                     message: bug(&*panic),
@@ -105,7 +107,9 @@ impl Declaration {
                     end: start,
                     bytes: 0..0,
                 }])
-            })
+            });
+            forget_places();
+            compiled
         })
     }
 
@@ -171,9 +175,17 @@ impl Declaration {
         with_room(|| {
             // a text that has been read once can be read again
             let tokens: TokenStream = self.text.parse().unwrap_or_default();
-            expand(quote!((::kin_core) #tokens)).to_string()
+            let items = expand(quote!((::kin_core) #tokens)).to_string();
+            forget_places();
+            items
         })
     }
+}
+
+/// Frees the places of the tokens on this thread. They are kept for every text that is read, and only where no thread
+/// could be started for it are there other texts on this one.
+fn forget_places() {
+    proc_macro2::extra::invalidate_current_thread_spans();
 }
 
 fn compile(text: &str) -> Result<Declaration, Vec<Mistake>> {
