@@ -13,7 +13,8 @@ use crate::work;
 /// optimisation. The size is address space only: memory is used as far as the stack grows.
 const SIZE: usize = 256 << 20;
 
-/// Runs `work` on a large stack, or on the current one if no thread can be started.
+/// Runs `work` on a large stack, or on the current one if no thread can be started. WebAssembly has no threads;
+/// declarations that are nested too deep for its stack are refused there.
 pub(crate) fn with_room<Outcome: Send>(work: impl FnOnce() -> Outcome + Send) -> Outcome {
     let mut work = Some(work);
     let mut outcome = None;

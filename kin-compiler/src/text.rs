@@ -100,6 +100,9 @@ impl Declaration {
     ///
     /// It compiles what the macro compiles, however long that takes: see [`Self::parse_within`] for texts of others.
     ///
+    /// Where no thread can be started, as in WebAssembly, spans of `proc-macro2` that the caller's thread keeps become
+    /// invalid.
+    ///
     /// # Errors
     /// Every mistake of the declaration, in the order of the text.
     pub fn parse(text: &str) -> Result<Self, Vec<Mistake>> {
@@ -126,7 +129,7 @@ impl Declaration {
         // Places are kept by thread for every text that is read. They go with the thread of this one.
         let on_a_thread = || {
             with_room(|| {
-                catch_unwind(AssertUnwindSafe(|| compile(text))).unwrap_or_else(|panic| {
+                let compiled = catch_unwind(AssertUnwindSafe(|| compile(text))).unwrap_or_else(|panic| {
                     let start = Position { line: 1, column: 1 };
                     Err(vec![Mistake {
                         message: bug(&*panic),
@@ -134,7 +137,9 @@ impl Declaration {
                         end: start,
                         bytes: 0..0,
                     }])
-                })
+                });
+                forget_places();
+                compiled
             })
         };
         let (mut result, work) = work::within(budget, on_a_thread);
@@ -236,9 +241,17 @@ impl Declaration {
     pub fn rust(&self) -> String {
         with_room(|| {
             let tokens = self.tokens();
-            expand(quote!((::kin_core) #tokens)).to_string()
+            let items = expand(quote!((::kin_core) #tokens)).to_string();
+            forget_places();
+            items
         })
     }
+}
+
+/// Frees the places of the tokens on this thread. They are kept for every text that is read, and only where no thread
+/// could be started for it are there other texts on this one.
+fn forget_places() {
+    proc_macro2::extra::invalidate_current_thread_spans();
 }
 
 fn compile(text: &str) -> Result<Declaration, Vec<Mistake>> {

@@ -7,9 +7,20 @@ use crate::mistakes::{Extent, Mistakes};
 /// stack that is large enough.
 const LONGEST: usize = 10_000;
 
-/// The longest path to each node of a graph, as a number of operations.
+/// The largest number of formulas within each other. WebAssembly has no threads, so the later passes recurse there on the
+/// engine's stack of 1 MB, which holds 300 to the twelfth order.
+const DEEPEST: usize = if cfg!(target_family = "wasm") { 128 } else { LONGEST };
+
+/// The longest path to a node of a graph.
+#[derive(Clone, Copy, Default)]
+struct Path {
+    operations: usize,
+    depth: usize,
+}
+
+/// The longest path to each node of a graph.
 #[derive(Default)]
-pub(super) struct PathLengths(Vec<usize>);
+pub(super) struct PathLengths(Vec<Path>);
 
 impl PathLengths {
     /// Whether no path to these nodes is too long. A longer one is reported at `extent`.
@@ -25,20 +36,28 @@ impl PathLengths {
                     .sum(),
                 NodeKind::Call(..) => 1,
             };
-            let operands = graph.operands(node).into_iter().map(|operand| self.0[operand.index()]);
-            let longest = own.saturating_add(operands.max().unwrap_or(0));
-            self.0.push(longest);
+            let mut path = Path::default();
+            for operand in graph.operands(node) {
+                let operand = self.0[operand.index()];
+                path.operations = path.operations.max(operand.operations);
+                path.depth = path.depth.max(operand.depth);
+            }
+            path.operations = path.operations.saturating_add(own);
+            path.depth += usize::from(own > 0);
+            self.0.push(path);
         }
-        let is_allowed = nodes.iter().all(|node| self.0[node.index()] <= LONGEST);
-        if !is_allowed {
-            mistakes.error(
-                extent,
-                format!(
-                    "this takes a chain of more than {LONGEST} operations: declare a part of it as an unknown with an equation \
-                     of its own"
-                ),
-            );
-        }
-        is_allowed
+        let longest = |measure: fn(&Path) -> usize| nodes.iter().map(|node| measure(&self.0[node.index()])).max();
+        let fault = if longest(|path| path.operations) > Some(LONGEST) {
+            format!("takes a chain of more than {LONGEST} operations")
+        } else if longest(|path| path.depth) > Some(DEEPEST) {
+            format!("is nested more than {DEEPEST} deep, with the abbreviations in it")
+        } else {
+            return true;
+        };
+        mistakes.error(
+            extent,
+            format!("this {fault}: declare a part of it as an unknown with an equation of its own"),
+        );
+        false
     }
 }
