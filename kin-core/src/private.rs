@@ -42,32 +42,33 @@ pub mod methods {
     pub use crate::number::Number as _;
 }
 
-/// What an interpreter of programs calls where generated code calls functions with sizes and names in their types: the
-/// same functions over slices, with a [`Name`](crate::Name) that may be an index. The sizes, the names and the order of
-/// the calls are those of generated code, and so are the bits of the results.
-///
-/// | here | in generated code |
-/// |---|---|
-/// | [`newton_in`] in [`NewtonMemory`] | `solve::newton` |
-/// | [`factor_in`] and [`substitute_in`] with [`FactorRow`]s | `solve::factor` and `Factors::solve` |
-/// | [`decisive_in`]; the terms matter only if `T::DOUBT > 0.0` | `solve::decisive` |
-/// | [`decisive_vector_in`], likewise | `solve::decisive_vector` |
-/// | [`choose_in`] among [`SolutionInRange`]s | `solve::choose` |
-/// | `T::assembled` for each value | `T::all_assembled` |
-/// | [`agreeing_in`] | `solve::agreeing` |
-/// | [`within_turns_in`] | `solve::within_turns` |
-/// | [`nearest_turn`] for each angle, if there is a guess | `solve::on_turn` |
-/// | [`largest_in`] | `solve::largest` |
-/// | [`culprit_in`], then [`failed_in`] with `Name::by_index` and [`InputNames`] | `culprit` and `failed` |
-/// | [`every_in`], [`Choices::solution_in`] and [`is_same_position`] | `every` and `Choices::solution` |
-///
-/// Functions without sizes in their types are the same for both: the closed forms, directions, domains, `both`,
-/// `regular`, `finite`, `check_value`, `check_angle` of `solve`, the methods of numbers, `length`, `BlockForm` and
-/// `TransmissionAngle::of`. Where they take a name, they take an index as well.
-///
-/// A polynomial system has its number of variables in its type: `BorrowedSystem<'_, M>`. An interpreter chooses among
-/// the `M` that it supports, and gives the same solutions with room for any number of paths that is enough.
 pub mod live {
+    //! What an interpreter of programs calls where generated code calls functions with sizes and names in their types:
+    //! the same functions over slices, with a [`Name`](crate::Name) that may be an index. The sizes, the names and the
+    //! order of the calls are those of generated code, and so are the bits of the results.
+    //!
+    //! | here | in generated code |
+    //! |---|---|
+    //! | [`newton_in`] in [`NewtonMemory`] | `solve::newton` |
+    //! | [`factor_in`] and [`substitute_in`] with [`FactorRow`]s | `solve::factor` and `Factors::solve` |
+    //! | [`decisive_in`]; the terms matter only if `T::DOUBT > 0.0` | `solve::decisive` |
+    //! | [`decisive_vector_in`], likewise | `solve::decisive_vector` |
+    //! | [`choose_in`] among [`SolutionInRange`]s | `solve::choose` |
+    //! | `T::assembled` for each value | `T::all_assembled` |
+    //! | [`agreeing_in`] | `solve::agreeing` |
+    //! | [`within_turns_in`] | `solve::within_turns` |
+    //! | [`nearest_turn`] for each angle, if there is a guess | `solve::on_turn` |
+    //! | [`largest_in`] | `solve::largest` |
+    //! | [`culprit_in`], then [`failed_in`] with `Name::by_index` and [`InputNames`] | `culprit` and `failed` |
+    //! | [`every_in`], [`Choices::solution_in`] and [`is_same_position`] | `every` and `Choices::solution` |
+    //!
+    //! Functions without sizes in their types are the same for both: the closed forms, directions, domains, `both`,
+    //! `regular`, `finite`, `check_value`, `check_angle` of `solve`, the methods of numbers, `length`, `BlockForm` and
+    //! `TransmissionAngle::of`. Where they take a name, they take an index as well.
+    //!
+    //! A polynomial system has its number of variables in its type: `BorrowedSystem<'_, M>`. An interpreter chooses
+    //! among the `M` that it supports, and gives the same solutions with room for any number of paths that is enough.
+
     pub use crate::assemblies::{Choices, every_in, is_same_position};
     #[cfg(feature = "alloc")]
     pub use crate::cycle::{SearchMethod, SearchedFunctions};

@@ -23,7 +23,7 @@
 //! [`choose()`], [`check_value`] and [`check_angle`] handle declared ranges. [`square_root_of`],
 //! [`arc_sine`] and similar functions check the domains of functions that are not defined everywhere. [`direction()`]
 //! computes the angle of a vector, [`directions`] those of two, and [`on_turn`] moves an angle to the requested turn.
-//! [`regular`] and [`finite`] say whether a solver can continue. Each decision is a [`Check`] with a name, operands and
+//! [`regular()`] and [`finite`] say whether a solver can continue. Each decision is a [`Check`] with a name, operands and
 //! a margin. [`decisive`] and [`decisive_vector`] serve several poses at once.
 //!
 //! Where rates are divided by a square root, the root comes with its square, as a [`Root`].
