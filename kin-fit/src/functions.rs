@@ -23,8 +23,8 @@ pub trait FitFunctions:
     + TransmissionOver<Change>
     + PlacesOver<Change>
 {
-    /// The largest length of a derivative of a point, over a line of inputs on which the moving one has the speed 1. Only a
-    /// mechanism that rustc has compiled has this figure.
+    /// The largest length of a derivative of a point, over a line of inputs on which the moving one has the speed 1.
+    /// Only a mechanism that rustc has compiled has this figure.
     ///
     /// # Errors
     /// Those of [`QuantityAlong::highest`](kin_core::extremes::QuantityAlong::highest).

@@ -178,7 +178,7 @@ impl Mechanism {
     ///
     /// # Errors
     /// A dimension that is missing, unknown, or given twice.
-    // All answers are compiled for whoever calls it: so a program that has other ways to them does not compile them twice.
+    // All answers are compiled for whoever calls it, so a program with other ways to them does not compile them twice.
     #[inline]
     pub fn linkage(&self, dimensions: &[(&str, f64)]) -> Result<AnyLinkage<'_>, DimensionError> {
         let parameters = self.description().parameters;

@@ -309,8 +309,8 @@ impl Motion {
         Ok(found(motion))
     }
 
-    /// Solves several chunks of poses side by side. The parameters, inputs and values nearby of a chunk stand behind those
-    /// of the chunk before. Nothing is tested for being finite.
+    /// Solves several chunks of poses side by side. The parameters, inputs and values nearby of a chunk stand behind
+    /// those of the chunk before. Nothing is tested for being finite.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn solve_chunks<T: Scalar>(
         &self,

@@ -1,4 +1,4 @@
-//! The mechanisms of kin-tests, compiled by rustc and declared from the texts of their files: both give the same numbers.
+//! The mechanisms of kin-tests, compiled by rustc and declared from their texts: both give the same numbers.
 #![allow(dead_code, missing_docs, unreachable_pub, reason = "the files belong to kin-tests")]
 
 #[path = "../../../tests/src/mechanisms/mod.rs"]

@@ -47,7 +47,7 @@ const LIVE: Package = Package {
     faces: &["lib"],
     root_items: &[],
     rooms: "memory budget names sheet::registers sheet::instruction sheet code code::assembler run routine forms motion \
-            every mechanism functions batch",
+            every formulas mechanism functions batch",
 };
 
 const FIT: Package = Package {
