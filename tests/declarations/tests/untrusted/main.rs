@@ -201,7 +201,7 @@ fn memory_is_given_back() {
     };
     (0..20).for_each(declare);
     let before = resident();
-    (20..20 + number("KIN_FUZZ", 200)).for_each(declare);
+    (20..20 + number("KIN_FUZZ", 100)).for_each(declare);
     let grown = resident().saturating_sub(before);
     println!("{} KB more", grown >> 10);
     assert!(grown < KEPT, "{grown} bytes more");
