@@ -30,11 +30,11 @@ pub struct Budget {
 }
 
 impl Default for Budget {
-    /// 32 KiB of text, and two million units of work.
+    /// 32 KiB of text, and a million units of work.
     fn default() -> Self {
         Self {
             text: 32 << 10,
-            work: 2_000_000,
+            work: 1_000_000,
         }
     }
 }

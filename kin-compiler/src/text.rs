@@ -375,7 +375,10 @@ impl std::error::Error for Mistake {}
 
 #[cfg(test)]
 mod tests {
+    use kin_declarations::{FAMILIES, Random};
+
     use super::Declaration;
+    use crate::budget::{Budget, Refusal, Resource, TooLarge};
 
     /// Places are kept nowhere: the bytes of each text count from its own beginning.
     #[test]
@@ -386,6 +389,52 @@ mod tests {
                     .expect_err("`Lenght` is no dimension");
             assert_eq!(mistakes[0].bytes, 18..24, "{mistakes:?}");
         }
+    }
+
+    /// A budget ends the work soon after it is spent, wherever that happens, and the work that was counted is enough.
+    #[test]
+    fn work_ends_with_its_budget() {
+        let family = |name: &str, size| {
+            let family = FAMILIES.iter().find(|family| family.name == name);
+            family
+                .expect("it is one of them")
+                .declaration(&mut Random::new(1), size)
+        };
+        for (name, size) in [
+            ("serial_arm", 4),
+            ("four_bars_in_series", 4),
+            ("ring_of_products", 4),
+            ("many_outputs", 40),
+            ("sensitivities_of_all_orders", 4),
+        ] {
+            let text = family(name, size);
+            let whole = Declaration::parse(&text).unwrap_or_else(|mistakes| panic!("{name}: {}", mistakes[0]));
+            let least = Budget {
+                work: whole.work(),
+                ..Budget::default()
+            };
+            assert_eq!(Declaration::parse_within(&text, &least), Ok(whole.clone()), "{name}");
+            for part in [1, 10, 50, 90, 99] {
+                let work = whole.work() * part / 100;
+                let refusal = Declaration::parse_within(&text, &Budget { work, ..least }).expect_err(name);
+                assert_eq!(
+                    refusal,
+                    Refusal::TooLarge(TooLarge::new(Resource::Work, work)),
+                    "{name}"
+                );
+                let (_, done) = Declaration::compiled(&text, work);
+                println!("{name}: {done} for {work} of {}", whole.work());
+            }
+        }
+        let text = "struct M { a: Length }";
+        let refusal = Declaration::parse_within(
+            text,
+            &Budget {
+                text: 21,
+                ..Budget::default()
+            },
+        );
+        assert_eq!(refusal, Err(Refusal::TooLarge(TooLarge::new(Resource::Text, 21))));
     }
 
     #[test]

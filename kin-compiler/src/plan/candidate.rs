@@ -14,6 +14,7 @@ use crate::program::{
     Approach, Choice, Directions, Expression, Names, Program, Solvers, Stage, Step, Trial, Trials, order_name,
 };
 use crate::schedule::{Style, schedule};
+use crate::work;
 
 /// A program that was derived in one way, and its schedule.
 pub(super) struct Candidate {
@@ -57,7 +58,7 @@ impl Candidate {
 
     /// Takes out shared factors, if that is cheaper.
     pub(super) fn take_out_factors(&mut self, passes: Passes) {
-        if !passes.include(Pass::SharedFactors) {
+        if !passes.include(Pass::SharedFactors) || work::is_spent() {
             return;
         }
         let style = Style::checked(passes).with_factors_taken_out();

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::algebra::Symbol;
 use crate::program::{Carried, Expression, Program, Step};
+use crate::work;
 
 /// Finds the values that each stage of a scheduled program hands to later stages.
 pub(super) fn hand_on(program: &mut Program<Expression>) {
@@ -18,6 +19,7 @@ pub(super) fn hand_on(program: &mut Program<Expression>) {
     for (stage, own) in program.stages.iter().enumerate() {
         for step in &own.steps {
             for symbol in step.uses() {
+                work::turn();
                 let since = match symbol {
                     Symbol::Parameter(_) if has_parameters(stage) => {
                         reads[stage].insert(symbol);
@@ -53,6 +55,7 @@ pub(super) fn hand_on(program: &mut Program<Expression>) {
                     },
                 };
                 if stage > since {
+                    work::turns(stage - since);
                     let carried = Carried {
                         symbol,
                         factors: systems.get(&symbol).copied(),

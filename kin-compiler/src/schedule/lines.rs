@@ -137,6 +137,7 @@ impl Lines {
     }
 
     fn lower(&mut self, graph: &Graph, node: Node) -> LineId {
+        work::turn();
         match graph.kind(node) {
             NodeKind::Number(value) => self.intern(Line::Number(*value)),
             NodeKind::Pi => self.intern(Line::Pi),

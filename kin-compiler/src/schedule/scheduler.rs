@@ -10,6 +10,7 @@ use super::style::Style;
 use crate::algebra::{Checked, Function, Graph, Node, Symbol};
 use crate::passes::{Pass, Passes};
 use crate::program::{Cost, Expression, Mode, Names, Program, Solver, Stage, Step};
+use crate::work;
 
 /// The largest number of operations in an expression. Longer ones are broken up.
 const READABLE: usize = 10;
@@ -359,6 +360,7 @@ impl Scheduler<'_> {
 
     /// The name of a value if it has or needs one, otherwise its expression.
     fn expression(&mut self, value: OperationId) -> Expression {
+        work::turn();
         if let Some(symbol) = self.known(value) {
             return Expression::Name(symbol);
         }

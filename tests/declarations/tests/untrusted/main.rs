@@ -125,14 +125,14 @@ fn number(name: &str, usual: u64) -> u64 {
     env::var(name).map_or(usual, |value| value.parse().expect("a number"))
 }
 
-/// A budget whose searches end soon.
+/// A budget whose searches end soon: a path of ill-conditioned equations may take a second.
 fn budget(work: usize) -> Budget {
     Budget {
         compiler: CompilerBudget {
             work,
             ..CompilerBudget::default()
         },
-        paths: 32,
+        paths: 2,
     }
 }
 
@@ -201,7 +201,8 @@ fn memory_is_given_back() {
     };
     (0..20).for_each(declare);
     let before = resident();
-    (20..20 + number("KIN_FUZZ", 200)).for_each(declare);
+    assert!(before > 0 || !cfg!(target_os = "linux"), "the memory is not measured");
+    (20..20 + number("KIN_FUZZ", 100)).for_each(declare);
     let grown = resident().saturating_sub(before);
     println!("{} KB more", grown >> 10);
     assert!(grown < KEPT, "{grown} bytes more");
