@@ -1,8 +1,8 @@
 //! The machine: it runs code over any number with which a mechanism is solved.
 //!
 //! It calls the functions of `kin_core::solve` that the generated code of a declared mechanism calls, in the same
-//! order, so its numbers are the same to the last bit. For several numbers at once all of it is inlined, because a batch
-//! compiles it for the vectors of each machine. For each other number it is compiled once.
+//! order, so its numbers are the same to the last bit. For several numbers at once all of it is inlined, because a
+//! batch compiles it for the vectors of each machine. For each other number it is compiled once.
 
 mod closed_form;
 mod newton;

@@ -43,7 +43,7 @@ static SHOWN: Shown = Shown {
 };
 
 /// Serves the page of a file.
-pub(in super::super) fn watch(path: &Path, options: &Serve) -> Result<(), Fault> {
+pub(crate) fn watch(path: &Path, options: &Serve) -> Result<(), Fault> {
     let (looked, report) = (path.to_owned(), options.page());
     // before the first page, so that a change meanwhile is seen
     let mut known = stamp(path);
