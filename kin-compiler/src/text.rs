@@ -384,7 +384,11 @@ mod tests {
                     "{name}"
                 );
                 let (_, done) = Declaration::compiled(&text, work);
-                assert!(done <= 2 * work + 1_000, "{name}: {done} for {work} of {}", whole.work());
+                assert!(
+                    done <= 2 * work + 1_000,
+                    "{name}: {done} for {work} of {}",
+                    whole.work()
+                );
             }
         }
         let text = "struct M { a: Length }";
