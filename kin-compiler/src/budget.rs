@@ -7,7 +7,8 @@ use crate::text::Mistake;
 /// What compiling a declaration may cost at most.
 ///
 /// Others may have written the text. The depth of its formulas is limited to 256, and it is compiled with a stack of
-/// 256 MB, of which only what is used becomes memory. All other memory is in proportion to the text and to the work.
+/// 256 MB, of which only what is used becomes memory. All other memory is in proportion to the text and to the work: up
+/// to 600 bytes for each unit, and two microseconds. The largest mechanism of the library takes 99 000 units.
 ///
 /// ```
 /// use kin_compiler::{Budget, Declaration, Refusal, Resource};
@@ -30,11 +31,11 @@ pub struct Budget {
 }
 
 impl Default for Budget {
-    /// 32 KiB of text, and a million units of work.
+    /// 32 KiB of text, and 400 000 units of work.
     fn default() -> Self {
         Self {
             text: 32 << 10,
-            work: 1_000_000,
+            work: 400_000,
         }
     }
 }
