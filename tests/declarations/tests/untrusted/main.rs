@@ -54,7 +54,7 @@ impl Tally {
             }
         }));
         assert!(outcome.is_ok(), "{seed}: {text}");
-        let time = processor_time() - before;
+        let time = processor_time().saturating_sub(before);
         assert!(cfg!(debug_assertions) || time < PATIENCE, "{time:?} for {seed}: {text}");
         if time > self.slowest.0 {
             self.slowest = (time, format!("{seed}: {}", text.chars().take(100).collect::<String>()));
@@ -181,7 +181,7 @@ fn attacks() {
         println!(
             "{name}: {} bytes, {:?}, {:?}",
             text.len(),
-            processor_time() - before,
+            processor_time().saturating_sub(before),
             tally
         );
     }
@@ -197,7 +197,7 @@ fn memory_is_given_back() {
         drop(Mechanism::declare_within(
             &Sample::new(seed).to_string(),
             &budget(50_000),
-        ))
+        ));
     };
     (0..20).for_each(declare);
     let before = resident();
