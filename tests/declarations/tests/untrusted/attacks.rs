@@ -1,7 +1,5 @@
 //! Declarations that are written to take long, or much memory.
 
-use std::fmt::Write;
-
 /// The bytes that are filled.
 const SIZE: usize = 31_000;
 
@@ -22,21 +20,18 @@ fn repeated(count: usize, each: impl Fn(usize) -> String) -> String {
     (0..count).map(each).collect()
 }
 
+/// Linkages that drive each other, with two assemblies each.
+pub(crate) fn four_bars_in_series(count: usize) -> String {
+    let linkages = repeated(count, |index| {
+        let next = index + 1;
+        format!("unknown u{index}: Angle, v{next}: Angle; r*cis(v{index}) + c*cis(u{index}) == g + r*cis(v{next});")
+    });
+    format!("struct M {{ r: Length, c: Length, g: Length }} input v0: Angle; {linkages} order = 1;")
+}
+
 /// Each attack with its name.
 pub(crate) fn all() -> Vec<(&'static str, String)> {
     let head = "struct M { k: Scalar } input t: Angle; unknown u: Scalar;";
-    let in_series = |count: usize| {
-        let mut text = "struct M { r: Length, c: Length, g: Length } input v0: Angle;".to_owned();
-        for index in 0..count {
-            let next = index + 1;
-            write!(
-                text,
-                "unknown u{index}: Angle, v{next}: Angle; r*cis(v{index}) + c*cis(u{index}) == g + r*cis(v{next});"
-            )
-            .expect("a string can be written");
-        }
-        text + "order = 1;"
-    };
     let ring = |count: usize| {
         let unknowns = repeated(count, |index| format!("unknown x{index}: Scalar;"));
         let equations = repeated(count, |index| format!("x{index}*x{}==k+t;", (index + 1) % count));
@@ -85,8 +80,8 @@ pub(crate) fn all() -> Vec<(&'static str, String)> {
             });
             format!("{head} let a0 = t + k; {lets} u == a400; order = 12;")
         }),
-        ("four-bars in series", in_series(14)),
-        ("more assemblies than bits", in_series(70)),
+        ("four-bars in series", four_bars_in_series(14)),
+        ("more assemblies than bits", four_bars_in_series(70)),
         ("a ring of equations", ring(61)),
         ("a long ring of equations", ring(701)),
         (

@@ -14,7 +14,7 @@ use std::time::Duration;
 
 use kin_core::any::{AssemblyOver, Described, EveryPosition, MotionOver, NearOver, PositionChoice};
 use kin_declarations::{Kind, Random, Sample, Scale, declaration};
-use kin_live::{Budget, CompilerBudget, DeclareError, Mechanism};
+use kin_live::{Budget, CompilerBudget, DeclareError, Mechanism, Resource};
 
 use cost::{most_resident, processor_time, resident};
 
@@ -184,6 +184,26 @@ fn attacks() {
             processor_time().saturating_sub(before),
             tally
         );
+    }
+}
+
+/// Assemblies and paths beyond the limits are not counted through.
+#[test]
+fn searches_are_bounded() {
+    let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
+    let enough = budget(10_000_000);
+    let refused = Mechanism::declare_within(&attacks::four_bars_in_series(17), &enough);
+    let Err(DeclareError::TooLarge(excess)) = refused else {
+        panic!("it has 2^17 assemblies");
+    };
+    assert_eq!((excess.resource, excess.limit), (Resource::Assemblies, 1 << 16));
+    for (paths, found) in [(7, 0), (8, 8)] {
+        let series = Mechanism::declare_within(&attacks::four_bars_in_series(3), &Budget { paths, ..enough });
+        let series = series.expect("it is small");
+        let search = series
+            .every_position(&[1.0, 3.0, 3.1], &[1.2], &mut |_| ())
+            .expect("all numbers are finite");
+        assert_eq!((search.found, search.is_complete), (found, found > 0), "{search:?}");
     }
 }
 
