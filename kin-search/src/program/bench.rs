@@ -4,7 +4,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use kin_core::Mechanism;
-use kin_core::batch::{Batch, Column, Fold, FoldedNumber, Outcome, Place, Turn};
+use kin_core::batch::{Batch, Column, Fold, FoldedNumber, Outcome, Place, Turn, Vectors};
 use kin_core::library::{FourBar, FourBarBatch};
 use kin_core::prelude::*;
 use kin_search::candidates::Sequence;
