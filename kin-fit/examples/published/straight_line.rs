@@ -144,7 +144,20 @@ const PRICE: f64 = 1e3;
 /// stays above [`TRANSMISSION`] during the stroke.
 #[must_use]
 pub(crate) fn straightest(unevenness: f64, effort: Effort) -> Option<StraightLine> {
-    let size = [0.1_f64.ln(), 30.0_f64.ln()];
+    best([0.1, 30.0], FINE, effort, |linkage, stroke| {
+        worth(linkage, stroke, unevenness)
+    })
+}
+
+/// The four-bar linkage, in either assembly, with the smallest worth of its stroke. Its links have lengths in a range,
+/// and its stroke is found in `fine` steps of a turn.
+pub(crate) fn best(
+    links: [f64; 2],
+    fine: usize,
+    effort: Effort,
+    worth: impl Fn(&TracedFourBar, &Stroke) -> f64 + Sync,
+) -> Option<StraightLine> {
+    let size = links.map(f64::ln);
     let bounds = [size, size, size, size, [-PI, PI], [-PI, PI]];
     let (found, assembly) = smallest_of(
         [Assembly::Open, Assembly::Crossed],
@@ -152,11 +165,11 @@ pub(crate) fn straightest(unevenness: f64, effort: Effort) -> Option<StraightLin
         effort,
         |numbers, assembly| {
             let (linkage, start) = linkage(numbers);
-            cost(&linkage, assembly, start, unevenness)
+            cost(&linkage, assembly, start, &worth)
         },
     )?;
     let (linkage, start) = linkage(&found.point);
-    let stroke = stroke_of(&linkage, assembly, start, FINE).ok()?;
+    let stroke = stroke_of(&linkage, assembly, start, fine).ok()?;
     Some(StraightLine {
         linkage,
         assembly,
@@ -168,9 +181,14 @@ pub(crate) fn straightest(unevenness: f64, effort: Effort) -> Option<StraightLin
 const COARSE: usize = 144;
 const FINE: usize = 7200;
 
-fn cost(linkage: &TracedFourBar, assembly: Assembly, start: f64, unevenness: f64) -> f64 {
+fn cost(
+    linkage: &TracedFourBar,
+    assembly: Assembly,
+    start: f64,
+    worth: impl Fn(&TracedFourBar, &Stroke) -> f64,
+) -> f64 {
     let stroke = stroke_of(linkage, assembly, start, COARSE);
-    penalised(stroke.map(|stroke| worth(linkage, &stroke, unevenness)), 1.0)
+    penalised(stroke.map(|stroke| worth(linkage, &stroke)), 1.0)
 }
 
 /// The stroke of a linkage whose crank makes full turns; otherwise by how much it fails to.
@@ -215,7 +233,8 @@ pub(crate) fn best_hoeken(unevenness: f64, effort: Effort) -> Option<StraightLin
     };
     let bounds = [[1.05, 5.0], [0.5, 10.0]];
     let found = smallest(&bounds, effort, |numbers| {
-        cost(&as_traced(numbers), Assembly::Open, FRAC_PI_2, unevenness)
+        let worth = |linkage: &TracedFourBar, stroke: &Stroke| worth(linkage, stroke, unevenness);
+        cost(&as_traced(numbers), Assembly::Open, FRAC_PI_2, worth)
     });
     let linkage = as_traced(&found.point);
     let stroke = stroke_of(&linkage, Assembly::Open, FRAC_PI_2, FINE).ok()?;

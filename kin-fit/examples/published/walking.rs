@@ -1,15 +1,12 @@
 //! A foot that walks: straight and even for half a turn of the crank, and lifted for the other half.
 
-use std::f64::consts::PI;
-
 use kin_core::library::{JansenLeg, KlannLeg};
 use kin_core::prelude::*;
 use kin_core::{Plane, TransmissionAngle};
 use kin_fit::{Effort, TracedFourBar, penalised, smallest};
 
 use super::half_turn::{Sample, Stroke, turn};
-use super::smallest_of;
-use super::straight_line::{StraightLine, linkage, stroke_of};
+use super::straight_line::{StraightLine, best};
 
 /// A leg with its step.
 #[derive(Clone, Debug, PartialEq)]
@@ -152,36 +149,15 @@ fn better<M: Walker>(given: &M, within: f64, effort: Effort) -> Option<(M, Leg)>
 /// The four-bar linkage whose tracer stands flattest within some limits, with links up to [`LONGEST`] steps.
 #[must_use]
 pub(crate) fn four_bar(limits: &Limits, effort: Effort) -> Option<(StraightLine, Leg)> {
-    let size = [0.5_f64.ln(), 10.0_f64.ln()];
-    let bounds = [size, size, size, size, [-PI, PI], [-PI, PI]];
-    let (found, assembly) = smallest_of(
-        [Assembly::Open, Assembly::Crossed],
-        &bounds,
-        effort,
-        |numbers, assembly| {
-            let (linkage, start) = linkage(numbers);
-            cost(&linkage, assembly, start, limits)
-        },
-    )?;
-    let (linkage, start) = linkage(&found.point);
-    let stroke = stroke_of(&linkage, assembly, start, FINE).ok()?;
-    let own = StraightLine {
-        linkage,
-        assembly,
-        stroke,
-    };
-    Some((own, Leg { links: 3, step: stroke }))
+    let own = best([0.5, 10.0], FINE, effort, |linkage, step| worth(linkage, step, limits))?;
+    let step = own.stroke;
+    Some((own, Leg { links: 3, step }))
 }
 
 /// The longest link of [`four_bar`], in steps.
 pub(crate) const LONGEST: f64 = 3.0;
 /// What a limit that is broken costs, for each unit by which it is broken.
 const PRICE: f64 = 100.0;
-
-fn cost(linkage: &TracedFourBar, assembly: Assembly, start: f64, limits: &Limits) -> f64 {
-    let step = stroke_of(linkage, assembly, start, COARSE);
-    penalised(step.map(|step| worth(linkage, &step, limits)), 1.0)
-}
 
 fn worth(linkage: &TracedFourBar, step: &Stroke, limits: &Limits) -> f64 {
     let tip = linkage.point.norm();
