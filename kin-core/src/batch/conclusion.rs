@@ -1,8 +1,8 @@
-//! The outcomes of a chunk of poses that were solved at once.
+//! The outcomes of a batch, whose poses are solved in chunks.
 
 use num_traits::Float;
 
-use super::lanes::{Element, Lanes};
+use super::lanes::{Element, Lanes, verdicts};
 use super::outcome::{Outcome, Summary};
 use crate::failure::SolveError;
 use crate::number::Number;
@@ -16,15 +16,71 @@ pub(super) struct Chunk<const W: usize, const FUSED: bool, E> {
     pub(super) next: usize,
     /// The sum of all numbers of each pose, which is not finite where the pose has failed.
     pub(super) sum: Lanes<W, FUSED, E>,
-    /// The margins of the poses that have failed, as far as they are known.
-    pub(super) margins: Lanes<W, FUSED, E>,
+    /// The sum of the squares of parameters and inputs. The margin of a pose counts only if none of them can be the cause
+    /// of its failure.
+    pub(super) squares: Lanes<W, FUSED, E>,
+}
+
+/// The summary of a batch while it is solved.
+pub(super) struct Conclusion<const W: usize, const FUSED: bool, E> {
+    summary: Summary,
+    /// The poses of each lane that have failed by their margins since the count was emptied. Lanes of single precision
+    /// count to 2²⁴. The count is emptied long before.
+    failed: Lanes<W, FUSED, E>,
+    /// The pose at which the count was emptied.
+    emptied: usize,
+}
+
+impl<const W: usize, const FUSED: bool, E: Element> Conclusion<W, FUSED, E> {
+    /// The summary of so many poses, all of which are solved until they fail.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn of(count: usize) -> Self {
+        Self {
+            summary: Summary {
+                solved: count,
+                ..Summary::default()
+            },
+            failed: Lanes::constant(0.0),
+            emptied: 0,
+        }
+    }
+
+    /// Adds a chunk in which poses have failed, and counts those that have failed by their margins.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn add(
+        &mut self,
+        chunk: Chunk<W, FUSED, E>,
+        outcomes: &mut [Outcome],
+        alone: impl FnMut(usize) -> Result<(), SolveError>,
+    ) {
+        self.failed = self.failed + chunk.conclude(outcomes, &mut self.summary, alone);
+        if chunk.start - self.emptied >= 1 << 16 {
+            self.summary.fail(self.failed.count());
+            (self.failed, self.emptied) = (Lanes::constant(0.0), chunk.start);
+        }
+    }
+
+    /// The whole summary. The poses from `next` on are solved alone.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn end(
+        mut self,
+        next: usize,
+        outcomes: &mut [Outcome],
+        mut alone: impl FnMut(usize) -> Result<(), SolveError>,
+    ) -> Summary {
+        self.summary.fail(self.failed.count());
+        for (index, outcome) in outcomes.iter_mut().enumerate().skip(next) {
+            *outcome = self.summary.note(index, alone(index));
+        }
+        self.summary
+    }
 }
 
 impl<const W: usize, const FUSED: bool, E: Element> Chunk<W, FUSED, E> {
     /// Writes the outcomes by the margins, and returns which poses have failed by them. A failed pose without a margin is
     /// solved alone, and so is the first failed pose of the batch, whose whole error is kept.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn conclude(
+    fn conclude(
         self,
         outcomes: &mut [Outcome],
         summary: &mut Summary,
@@ -34,8 +90,9 @@ impl<const W: usize, const FUSED: bool, E: Element> Chunk<W, FUSED, E> {
             start,
             next,
             sum,
-            margins,
+            squares,
         } = self;
+        let margins = verdicts::read().within(squares);
         let mut is_told = start == next && summary.first_failure.is_some();
         for lane in 0..W {
             is_told &= Float::is_finite(sum.0[lane]) | (margins.0[lane] < E::zero());

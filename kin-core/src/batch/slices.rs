@@ -4,7 +4,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::cell::Cell;
 
-use super::conclusion::Chunk;
+use super::conclusion::{Chunk, Conclusion};
 use super::destination::{Entries, Stored};
 use super::dispatch::{Kernel, Vectors};
 use super::lanes::{Lanes, verdicts};
@@ -253,10 +253,7 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
     fn run<const W: usize, const FUSED: bool>(self) -> Summary {
         let Self { alone, outcomes } = self;
         let count = outcomes.len();
-        let mut summary = Summary {
-            solved: count,
-            ..Summary::default()
-        };
+        let mut conclusion = Conclusion::of(count);
         outcomes.fill(Outcome::Solved);
         let zero = Lanes::<W, FUSED>::constant(0.0);
         let lanes = |columns: &[Column<'_>]| {
@@ -282,8 +279,7 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
         let mut found: Vec<_> = (0..CHUNKS)
             .map(|_| Numbers::<Lanes<W, FUSED>>::of(alone.solver))
             .collect();
-        // Lanes of single precision count to 2²⁴. The count is emptied long before.
-        let (mut next, mut failed, mut emptied) = (0, zero, 0);
+        let mut next = 0;
         // The poses before this one are solved chunk by chunk, because some of them fail.
         let mut one_by_one = 0;
         // If there are fewer poses than lanes, they are solved one by one.
@@ -334,7 +330,6 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
                 found.sines.fill(None);
                 alone.store(start, inputs, found, None);
             }
-            // A margin counts only if no other number of its pose can be the cause.
             let mut squares = Lanes::constant(0.0);
             for entry in parameters {
                 squares = squares.plus_product(*entry, *entry);
@@ -342,18 +337,13 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
             for entry in inputs.iter().step_by(alone.orders) {
                 squares = squares.plus_product(*entry, *entry);
             }
-            let margins = verdicts::read().within(squares);
             let chunk = Chunk {
                 start,
                 next,
                 sum,
-                margins,
+                squares,
             };
-            failed = failed + chunk.conclude(outcomes, &mut summary, |index| alone.settle(index));
-            if start - emptied >= 1 << 16 {
-                summary.fail(failed.count());
-                (failed, emptied) = (zero, start);
-            }
+            conclusion.add(chunk, outcomes, |index| alone.settle(index));
             for (index, outcome) in outcomes.iter().enumerate().skip(start).take(W) {
                 if !outcome.is_solved() {
                     alone.leave_out_sines(index);
@@ -361,10 +351,6 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
             }
             next = start + W;
         }
-        summary.fail(failed.count());
-        for (index, outcome) in outcomes.iter_mut().enumerate().skip(next) {
-            *outcome = summary.note(index, alone.settle(index));
-        }
-        summary
+        conclusion.end(next, outcomes, |index| alone.settle(index))
     }
 }

@@ -5,7 +5,7 @@ use core::ops::Range;
 use num_traits::Float;
 
 use super::Column;
-use super::conclusion::Chunk;
+use super::conclusion::{Chunk, Conclusion};
 use super::destination::Destination;
 use super::dispatch::{Kernel, Vectors};
 use super::outcome::{LengthMismatch, Outcome, Summary};
@@ -353,10 +353,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
         let Self { alone, outcomes } = self;
         let batch = alone.batch;
         let count = outcomes.len();
-        let mut summary = Summary {
-            solved: count,
-            ..Summary::default()
-        };
+        let mut conclusion = Conclusion::of(count);
         // Assume every pose is solved; failures overwrite this below. Copy in chunks, because single stores would use
         // the narrowest instructions.
         let (chunks, rest) = outcomes.as_chunks_mut::<W>();
@@ -387,8 +384,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
         let mut guess = Row::splat(zero);
         let mut motions: MotionsInLanes<M, W, FUSED> = Row::splat(Row::splat(zero));
         let has_sines = alone.destination.has_sines();
-        // Lanes of single precision count to 2²⁴. The count is emptied long before.
-        let (mut next, mut failed, mut emptied) = (0, zero, 0);
+        let mut next = 0;
         // If there are fewer poses than lanes, they are solved one by one.
         while next < count && count >= W {
             // The last chunk overlaps the one before it. The overlapped poses are solved twice, with the same result.
@@ -436,7 +432,6 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
                 alone.destination.fill(start, motions.as_ref(), sum);
             }
             alone.angles.clear(start, sum.gaps());
-            // A margin counts only if no other number of its pose can be the cause.
             let mut squares = Lanes::constant(0.0);
             for entry in dimensions.as_ref() {
                 squares = squares.plus_product(*entry, *entry);
@@ -444,18 +439,13 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
             for motion in motions.as_ref() {
                 squares = squares.plus_product(motion[0], motion[0]);
             }
-            let margins = verdicts::read().within(squares);
             let chunk = Chunk {
                 start,
                 next,
                 sum,
-                margins,
+                squares,
             };
-            failed = failed + chunk.conclude(outcomes, &mut summary, |index| alone.settle(index));
-            if start - emptied >= 1 << 16 {
-                summary.fail(failed.count());
-                (failed, emptied) = (zero, start);
-            }
+            conclusion.add(chunk, outcomes, |index| alone.settle(index));
             if has_sines {
                 for (index, outcome) in outcomes.iter().enumerate().skip(start).take(W) {
                     if !outcome.is_solved() {
@@ -465,10 +455,6 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
             }
             next = start + W;
         }
-        summary.fail(failed.count());
-        for (index, outcome) in outcomes.iter_mut().enumerate().skip(next) {
-            *outcome = summary.note(index, alone.settle(index));
-        }
-        summary
+        conclusion.end(next, outcomes, |index| alone.settle(index))
     }
 }
