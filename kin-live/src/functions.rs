@@ -2,12 +2,12 @@
 
 use kin_core::__private::live::{
     ChangedFunctions, Changing, PositionFunctions, READ, SearchMethod, SearchedFunctions, SweptMechanism, every_in,
-    is_same_position,
+    failed_in, is_same_position,
 };
 use kin_core::any::{
     AnyMechanism, AssemblyMotionOver, AssemblyOver, ClosureOver, ClosureTerm, ClosureTermsOver, Described, Description,
-    EveryPosition, FormsOver, Formulas, MotionNearOver, Name, NameKind, NearOver, Outline, OutputsOver, Pictured,
-    PlacesOver, PositionChoice, TransmissionOver,
+    EveryPosition, FormsOver, Formulas, MotionNearOver, Name, NearOver, Outline, OutputsOver, Pictured, PlacesOver,
+    PositionChoice, TransmissionOver,
 };
 use kin_core::linkage::LinkageFunctions;
 use kin_core::series::Series;
@@ -35,26 +35,10 @@ impl Mechanism {
     #[cold]
     #[inline(never)]
     fn error_of_one<T: Scalar>(&self, fault: Fault, parameters: &[T], inputs: Inputs<'_, T>) -> SolveError {
-        let mut parameters = parameters.iter();
-        let parameter = parameters.position(|parameter| !parameter.real().is_finite());
-        let mut positions = [0.0; InputValues::CAPACITY];
-        let mut bad_input = None;
-        for (index, motion) in inputs.each().enumerate() {
-            let position = motion[0].real();
-            if let Some(place) = positions.get_mut(index) {
-                *place = position;
-            }
-            if !position.is_finite() {
-                bad_input = bad_input.or(Some(index));
-            }
-        }
-        let culprit = parameter.map(|index| (NameKind::Parameter, index));
-        let culprit = culprit.or(bad_input.map(|index| (NameKind::Input, index)));
-        let failure = culprit.map_or(fault.failure, |(kind, index)| Failure::NotFinite {
-            quantity: Name::by_index(kind, index),
-        });
-        let count = inputs.each().count().min(InputValues::CAPACITY);
-        failure.at(fault.label, InputValues::of(self.input_names(), &positions[..count]))
+        let parameters = parameters.iter().map(|parameter| parameter.real());
+        let positions = inputs.each().map(|motion| motion[0].real());
+        let names = self.input_names();
+        failed_in(fault.failure, fault.label, Name::by_index, parameters, names, positions)
     }
 }
 

@@ -1,11 +1,11 @@
 //! The solver of a mechanism: position, and the rates of every order.
 
 use kin_compiler::lowered::{self, Label, Symbol};
-use kin_core::__private::live::{agreeing_in, within_turns_in};
+use kin_core::__private::live::{agreeing_in, culprit_in, within_turns_in};
 use kin_core::Scalar;
 use kin_core::any::{Name, NameKind};
 use kin_core::batch::Numbers;
-use kin_core::{Assembly, Direction, Failure, Plane};
+use kin_core::{Assembly, Direction, Plane};
 
 use crate::code::{Assembler, Code, Labels, Register, TooLarge};
 use crate::memory::{Lengths, Memory};
@@ -233,33 +233,14 @@ impl<T: Scalar> FoundMotion<'_, T> {
                 .all(|registers| self.output_is_finite(registers))
     }
 
-    /// The first result that is not finite.
-    #[cold]
-    fn culprit(&self) -> Option<Culprit> {
-        let unknown_is_finite = |unknown: &Unknown| {
-            let value_is_finite = match unknown.value {
-                Value::Number(register) => self.at(register).is_finite(),
-                Value::Direction { cosine, sine } => self.at(cosine).is_finite() && self.at(sine).is_finite(),
-            };
-            value_is_finite && unknown.rates.iter().all(|register| self.at(*register).is_finite())
+    /// Whether an unknown is finite with all its rates.
+    fn unknown_is_finite(&self, unknown: &Unknown) -> bool {
+        let value_is_finite = match unknown.value {
+            Value::Number(register) => self.at(register).is_finite(),
+            Value::Direction { cosine, sine } => self.at(cosine).is_finite() && self.at(sine).is_finite(),
         };
-        let unknown = self
-            .motion
-            .unknowns
-            .iter()
-            .position(|unknown| !unknown_is_finite(unknown));
-        let output = || {
-            let mut outputs = self.motion.outputs.iter();
-            outputs.position(|registers| !self.output_is_finite(registers))
-        };
-        unknown.map(Culprit::Unknown).or_else(|| output().map(Culprit::Output))
+        value_is_finite && unknown.rates.iter().all(|register| self.at(*register).is_finite())
     }
-}
-
-/// A result that is not finite.
-enum Culprit {
-    Unknown(usize),
-    Output(usize),
 }
 
 impl Motion {
@@ -353,19 +334,19 @@ impl Motion {
     /// Names the first input that is not finite, or else the first such result.
     #[cold]
     fn not_finite<T: Scalar>(&self, motion: &FoundMotion<'_, T>, inputs: Inputs<'_, T>) -> Fault {
-        let result = match motion.culprit() {
-            Some(Culprit::Unknown(unknown)) => Name::by_index(NameKind::Unknown, unknown),
-            Some(Culprit::Output(output)) => self.output_names[output],
-            None => Name::NONE,
-        };
-        let input = inputs
-            .each()
-            .position(|motion| !motion.iter().all(|entry| entry.is_finite()));
-        let quantity = input.map_or(result, |input| Name::by_index(NameKind::Input, input));
-        Fault {
-            failure: Failure::NotFinite { quantity },
-            label: result,
-        }
+        let unknowns = self.unknowns.iter().enumerate();
+        let unknowns = unknowns.map(|(index, unknown)| {
+            let name = Name::by_index(NameKind::Unknown, index);
+            (name, motion.unknown_is_finite(unknown))
+        });
+        let outputs = self.output_names.iter().zip(&self.outputs);
+        let outputs = outputs.map(|(name, registers)| (*name, motion.output_is_finite(registers)));
+        let inputs = inputs.each().enumerate().map(|(index, motion)| {
+            let is_finite = motion.iter().all(|entry| entry.is_finite());
+            (Name::by_index(NameKind::Input, index), is_finite)
+        });
+        let (failure, label) = culprit_in(unknowns.chain(outputs), inputs);
+        Fault { failure, label }
     }
 
     /// Calls a function with the choice that values of the unknowns stand for.

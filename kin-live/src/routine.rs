@@ -78,7 +78,7 @@ impl<'i, T: Scalar> Inputs<'i, T> {
     }
 
     /// The motions of all inputs.
-    pub(crate) fn each(self) -> impl Iterator<Item = &'i [T]> {
+    pub(crate) fn each(self) -> impl Iterator<Item = &'i [T]> + Clone {
         self.motions.chunks_exact(self.orders)
     }
 }

@@ -55,9 +55,9 @@ fn placed(
         failure,
         block,
         name,
-        parameters,
+        parameters.iter().copied(),
         InputNames::Declared(description.inputs),
-        inputs,
+        inputs.iter().copied(),
     )
 }
 
@@ -68,15 +68,21 @@ pub fn failed_in(
     failure: Failure,
     block: impl Into<Name>,
     name: impl Fn(NameKind, usize) -> Name,
-    parameters: &[f64],
+    mut parameters: impl Iterator<Item = f64>,
     input_names: InputNames,
-    inputs: &[f64],
+    inputs: impl Iterator<Item = f64> + Clone,
 ) -> SolveError {
-    let first = |values: &[f64]| values.iter().position(|value| !value.is_finite());
-    let parameter = first(parameters).map(|index| name(NameKind::Parameter, index));
-    let quantity = parameter.or_else(|| first(inputs).map(|index| name(NameKind::Input, index)));
+    let parameter = parameters.position(|value| !value.is_finite());
+    let parameter = parameter.map(|index| name(NameKind::Parameter, index));
+    let input = || inputs.clone().position(|value| !value.is_finite());
+    let quantity = parameter.or_else(|| input().map(|index| name(NameKind::Input, index)));
     let failure = quantity.map_or(failure, Failure::not_finite);
-    failure.at(block, InputValues::of(input_names, inputs))
+    let (mut first, mut count) = ([0.0; InputValues::CAPACITY], 0);
+    for (place, input) in first.iter_mut().zip(inputs) {
+        *place = input;
+        count += 1;
+    }
+    failure.at(block, InputValues::of(input_names, &first[..count]))
 }
 
 /// The error of the first result that is not finite. It names the first input that is not finite, or else the result.
@@ -87,18 +93,18 @@ pub fn culprit<const RESULTS: usize, const INPUTS: usize>(
     inputs: [(&'static str, bool); INPUTS],
     failed: impl FnOnce(Failure, &'static str) -> SolveError,
 ) -> SolveError {
-    let (failure, result) = culprit_in(&results, &inputs);
+    let (failure, result) = culprit_in(results, inputs);
     failed(failure, result)
 }
 
 /// The failure of the first input that is not finite, or else of the first such result, and the name of that result.
-pub fn culprit_in<N: Copy + Default + Into<Name>>(results: &[(N, bool)], inputs: &[(N, bool)]) -> (Failure, N) {
-    let first = |quantities: &[(N, bool)]| {
-        let (name, _) = quantities.iter().find(|(_, is_finite)| !is_finite)?;
-        Some(*name)
-    };
-    let result = first(results).unwrap_or_default();
-    let quantity = first(inputs).unwrap_or(result);
+pub fn culprit_in<N: Copy + Default + Into<Name>>(
+    results: impl IntoIterator<Item = (N, bool)>,
+    inputs: impl IntoIterator<Item = (N, bool)>,
+) -> (Failure, N) {
+    let is_bad = |(name, is_finite)| if is_finite { None } else { Some(name) };
+    let result = results.into_iter().find_map(is_bad).unwrap_or_default();
+    let quantity = inputs.into_iter().find_map(is_bad).unwrap_or(result);
     (Failure::not_finite(quantity), result)
 }
 
@@ -114,12 +120,14 @@ mod tests {
     fn what_is_not_finite_is_named_by_its_index() {
         let place = |kind| Name::by_index(kind, 1);
         let (first, block) = (Name::by_index(NameKind::Unknown, 0), place(NameKind::Block));
-        let (failure, result) = culprit_in(&[(first, true), (place(NameKind::Unknown), false)], &[]);
+        let (failure, result) = culprit_in([(first, true), (place(NameKind::Unknown), false)], []);
         assert_eq!(failure, Failure::not_finite(place(NameKind::Unknown)));
         assert_eq!(result, place(NameKind::Unknown));
         let inputs = InputNames::by_index(&[Quantity::angle("", ""), Quantity::length("", "")]);
-        let fails =
-            |parameters: &[f64], values: &[f64]| failed_in(failure, block, Name::by_index, parameters, inputs, values);
+        let fails = |parameters: &[f64], values: &[f64]| {
+            let (parameters, values) = (parameters.iter().copied(), values.iter().copied());
+            failed_in(failure, block, Name::by_index, parameters, inputs, values)
+        };
         let error = fails(&[1.0, 2.0], &[3.0, 4.0]);
         assert_eq!((error.failure, error.block), (failure, block));
         assert!(
