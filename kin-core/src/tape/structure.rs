@@ -195,7 +195,7 @@ pub enum TapeStep {
 pub struct TapeCheck {
     /// The subject of the check, in a few words.
     pub name: &'static str,
-    /// The unknowns of the block in which it is made, separated by commas, as in the error of `solve`. [`Named`](crate::any::Named) shows
+    /// The unknowns of the block in which it is made, separated by commas, as in the error of `solve`. [`Named`] shows
     /// an index with its name.
     pub block: Name,
     /// The lowest order that needs it: 0 if the position does.
