@@ -53,11 +53,10 @@ impl Every {
         unknowns: usize,
         labels: &mut Labels<'_>,
     ) -> Result<Self, TooLarge> {
-        let mut assembler = Assembler::default();
-        assembler.routine(&every.statements, labels);
+        let symbols = (0..unknowns).map(Symbol::Unknown);
+        let mut assembler = Assembler::of([&*every.statements].into_iter(), symbols.clone(), labels);
         let given = Given::of(&assembler);
-        let unknowns = (0..unknowns).map(|unknown| assembler.register(Symbol::Unknown(unknown)));
-        let unknowns = unknowns.collect();
+        let unknowns = symbols.map(|unknown| assembler.register(unknown)).collect();
         let systems = every.statements.iter().filter_map(|statement| match statement {
             lowered::Statement::Every {
                 block,

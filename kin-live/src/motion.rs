@@ -54,11 +54,9 @@ enum Value {
 impl Motion {
     pub(crate) fn new(mechanism: &lowered::Mechanism, labels: &mut Labels<'_>) -> Result<Self, TooLarge> {
         let order = mechanism.description.order;
-        let mut assembler = Assembler::default();
-        assembler.routine(&mechanism.position, labels);
-        for rates in &mechanism.rates {
-            assembler.routine(rates, labels);
-        }
+        let routines = std::iter::once(&mechanism.position).chain(&mechanism.rates);
+        let routines = routines.map(Vec::as_slice);
+        let mut assembler = Assembler::of(routines, results(mechanism), labels);
         let given = Given::of(&assembler);
         let unknowns = mechanism
             .directions
@@ -123,6 +121,20 @@ impl Motion {
             all_unknowns: labels.unknowns(&all),
         })
     }
+}
+
+/// The symbols of everything that is read after a run.
+fn results(mechanism: &lowered::Mechanism) -> impl Iterator<Item = Symbol> + '_ {
+    let order = mechanism.description.order;
+    let unknowns = (0..mechanism.directions.len()).flat_map(move |unknown| {
+        let rates = (1..=order).map(move |order| Symbol::UnknownRate(unknown, order));
+        rates.chain([Symbol::Unknown(unknown)])
+    });
+    let vectors = mechanism.directions.iter().flatten();
+    let vectors = vectors.flat_map(|vector| [vector.cosine, vector.sine].into_iter().chain(vector.angle));
+    let parts = mechanism.outputs.iter().map(|(_, parts)| parts).sum();
+    let outputs = (0..parts).flat_map(move |part| (0..=order).map(move |order| Symbol::OutputRate(part, order)));
+    unknowns.chain(vectors).chain(outputs)
 }
 
 /// The numbers that are found, until their memory is given back.

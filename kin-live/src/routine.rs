@@ -94,8 +94,7 @@ pub(crate) struct Routine {
 impl Routine {
     /// The code of some statements with their results.
     pub(crate) fn new(statements: &[Statement], results: &[Symbol], labels: &mut Labels<'_>) -> Result<Self, TooLarge> {
-        let mut assembler = Assembler::default();
-        assembler.routine(statements, labels);
+        let mut assembler = Assembler::of([statements].into_iter(), results.iter().copied(), labels);
         let results = results.iter().map(|&symbol| assembler.register(symbol)).collect();
         Self::finish(assembler, results)
     }
@@ -106,8 +105,12 @@ impl Routine {
         components: &[Component],
         labels: &mut Labels<'_>,
     ) -> Result<Self, TooLarge> {
-        let mut assembler = Assembler::default();
-        assembler.routine(statements, labels);
+        let symbols = components.iter().filter_map(|component| match component {
+            Component::Parameter(index) => Some(Symbol::Parameter(*index)),
+            Component::Value(symbol) => Some(*symbol),
+            Component::Number(_) => None,
+        });
+        let mut assembler = Assembler::of([statements].into_iter(), symbols, labels);
         let results = components.iter().map(|component| match component {
             Component::Parameter(index) => assembler.register(Symbol::Parameter(*index)),
             Component::Value(symbol) => assembler.register(*symbol),

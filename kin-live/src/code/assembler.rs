@@ -13,20 +13,29 @@ use crate::memory::Lengths;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct TooLarge;
 
-/// Writes the code of routines that share their registers.
+/// Writes the code of routines that share their registers and run one after the other.
 #[derive(Default)]
 pub(crate) struct Assembler {
     registers: BTreeMap<Symbol, Register>,
     factors: BTreeMap<Symbol, usize>,
     sizes: Vec<usize>,
-    /// Registers of intermediate values that are free again.
+    /// Registers whose values are not read any more.
     free: Vec<Register>,
     next: usize,
+    /// The number of statements so far, without those inside other ones.
+    statement: usize,
+    /// The last statement in which each symbol occurs.
+    last: BTreeMap<Symbol, usize>,
+    /// The symbols whose registers are free after each statement.
+    ended: BTreeMap<usize, Vec<Symbol>>,
     routines: Vec<Operations>,
     calls: Vec<Call>,
     constants: Vec<f64>,
     is_too_large: bool,
 }
+
+/// The symbol of results that nobody reads.
+const NOBODY: Symbol = Symbol::Value(usize::MAX);
 
 /// The register of a value, and whether it is free after its use.
 #[derive(Clone, Copy)]
@@ -36,12 +45,42 @@ struct Held {
 }
 
 impl Assembler {
+    /// Writes routines. The registers of results keep their values to the end of the run; those of other symbols serve
+    /// again after the last statement in which the symbol occurs. A mechanism then takes a third of the memory, and the
+    /// poses of a batch stay in the first cache.
+    pub(crate) fn of<'s>(
+        routines: impl Iterator<Item = &'s [Statement]> + Clone,
+        results: impl IntoIterator<Item = Symbol>,
+        labels: &mut Labels<'_>,
+    ) -> Self {
+        let mut draft = Self::default();
+        for statements in routines.clone() {
+            draft.routine(statements, labels);
+        }
+        for result in results.into_iter().chain([NOBODY]) {
+            draft.last.remove(&result);
+        }
+        let mut own = Self::default();
+        for (symbol, statement) in draft.last {
+            own.ended.entry(statement).or_default().push(symbol);
+        }
+        for statements in routines {
+            own.routine(statements, labels);
+        }
+        own
+    }
+
     /// The register of a symbol.
     pub(crate) fn register(&mut self, symbol: Symbol) -> Register {
+        self.last.insert(symbol, self.statement);
         if let Some(&register) = self.registers.get(&symbol) {
             return register;
         }
-        let register = self.new_register();
+        let register = match symbol {
+            // they are written before the run
+            Symbol::Parameter(_) | Symbol::Input(_) | Symbol::InputRate(..) | Symbol::Unknown(_) => self.new_register(),
+            _ => self.temporary(),
+        };
         self.registers.insert(symbol, register);
         register
     }
@@ -64,10 +103,15 @@ impl Assembler {
         self.free.extend(temporary.map(|held| held.register));
     }
 
-    /// Adds a routine.
-    pub(crate) fn routine(&mut self, statements: &[Statement], labels: &mut Labels<'_>) {
-        let operations = self.operations(statements, labels);
-        self.routines.push(operations);
+    fn routine(&mut self, statements: &[Statement], labels: &mut Labels<'_>) {
+        let mut operations = Vec::new();
+        for statement in statements {
+            self.statement(statement, labels, &mut operations);
+            let ended = self.ended.remove(&self.statement).unwrap_or_default();
+            self.free.extend(ended.iter().map(|symbol| self.registers[symbol]));
+            self.statement += 1;
+        }
+        self.routines.push(operations.into());
     }
 
     /// The code of all routines.
@@ -119,14 +163,6 @@ impl Assembler {
         operations.push(operation);
         self.routines.push(operations.into());
         to
-    }
-
-    fn operations(&mut self, statements: &[Statement], labels: &mut Labels<'_>) -> Operations {
-        let mut operations = Vec::new();
-        for statement in statements {
-            self.statement(statement, labels, &mut operations);
-        }
-        operations.into()
     }
 
     /// Writes a value to a register of its own choice.
@@ -297,7 +333,7 @@ impl Assembler {
 
     fn result(&mut self, symbol: Option<Symbol>) -> Register {
         // nobody reads the register of a result without a symbol
-        self.register(symbol.unwrap_or(Symbol::Value(usize::MAX)))
+        self.register(symbol.unwrap_or(NOBODY))
     }
 
     fn statement(&mut self, statement: &Statement, labels: &mut Labels<'_>, operations: &mut Vec<Operation>) {
@@ -521,7 +557,10 @@ impl Assembler {
         let registers = unknowns.iter().map(|&unknown| self.register(Symbol::Unknown(unknown)));
         let registers = registers.collect();
         let lengths = lengths.iter().map(|&symbol| self.register(symbol)).collect();
-        let mut inside = Vec::from(self.operations(body, labels));
+        let mut inside = Vec::new();
+        for statement in body {
+            self.statement(statement, labels, &mut inside);
+        }
         let (residuals, held_residuals) = self.values(residuals, &mut inside);
         let (jacobian, held) = self.values(jacobian.iter().flatten(), &mut inside);
         self.release(&[held_residuals, held].concat());
