@@ -3,13 +3,12 @@
 use kin_core::__private::live::FactorRow;
 use kin_core::any::PositionChoice;
 use kin_core::batch::{
-    AnyBatch, GivenColumns, LengthMismatch, Numbers, Outcome, SliceSolver, Summary, Vectors, WantedColumns,
+    AnyBatch, CHUNKS, GivenColumns, LengthMismatch, Numbers, Outcome, SliceSolver, Summary, Vectors, WantedColumns,
     solve_slices,
 };
 use kin_core::{Scalar, SolveError};
 
 use crate::mechanism::Mechanism;
-use crate::memory::Lengths;
 use crate::motion::FoundMotion;
 
 /// Memory that serves many poses.
@@ -24,19 +23,14 @@ pub struct BatchMemory<T> {
 impl SliceSolver for Mechanism {
     type Memory<T> = BatchMemory<T>;
 
-    fn memory<T: Scalar>(&self, chunks: usize) -> BatchMemory<T> {
-        let Lengths {
-            registers,
-            row,
-            reals,
-            rows,
-        } = self.motion.lengths().of_chunks(chunks);
+    fn memory<T: Scalar>(&self) -> BatchMemory<T> {
+        let lengths = self.motion.lengths();
         let zero = T::constant(0.0);
         BatchMemory {
-            numbers: vec![zero; registers + row],
+            numbers: vec![zero; lengths.numbers(CHUNKS)],
             near: vec![zero; self.motion.near_length()],
-            reals: vec![0.0; reals],
-            rows: vec![FactorRow::default(); rows],
+            reals: vec![0.0; lengths.reals],
+            rows: vec![FactorRow::default(); CHUNKS * lengths.rows],
         }
     }
 
@@ -78,12 +72,12 @@ impl SliceSolver for Mechanism {
             rows,
         } = memory;
         let chunks = found.len();
-        let memory = self.motion.lengths().of_chunks(chunks).parts(numbers, reals, rows);
+        let memory = self.motion.lengths().parts::<_, CHUNKS>(numbers, reals, rows);
         let choice = match choice {
             PositionChoice::Assembly(index) => Ok(self.motion.in_assembly(index)),
             PositionChoice::Near(near) => self.motion.near_in(values, parameters, inputs, near),
         };
-        let write = |chunk: usize, motion: FoundMotion<'_, T>| motion.write_columns(&mut found[chunk]);
+        let write = |chunk: usize, motion: FoundMotion<'_, T, CHUNKS>| motion.write_columns(&mut found[chunk]);
         choice
             .and_then(|choice| {
                 self.motion

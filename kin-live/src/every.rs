@@ -86,7 +86,7 @@ impl Every {
         unknowns: &mut [f64],
     ) -> Result<(), Fault> {
         self.code.lengths.lend([parameters, inputs.motions], |memory| {
-            self.given.write(memory.registers, parameters, inputs);
+            self.given.write(memory.registers, 0, parameters, inputs);
             let mut run = Run {
                 code: &self.code,
                 chunk: 0,
@@ -96,7 +96,7 @@ impl Every {
             };
             run.routine(0, 1)?;
             for (place, register) in unknowns.iter_mut().zip(&self.unknowns) {
-                *place = run.memory.registers[usize::from(*register)];
+                *place = run.memory.registers[usize::from(*register)][0];
             }
             Ok(())
         })

@@ -296,7 +296,13 @@ fn run_sheet<T: Scalar>(code: &SheetCode, given: [&[T]; 3], results: &mut [T]) {
         ..Lengths::default()
     };
     lengths.lend([parameters, inputs], |memory| {
-        code.run(parameters, inputs, unknowns, memory.registers, results);
+        code.run(
+            parameters,
+            inputs,
+            unknowns,
+            memory.registers.as_flattened_mut(),
+            results,
+        );
     });
 }
 

@@ -8,6 +8,8 @@ use kin_core::Scalar;
 pub(crate) struct Lengths {
     /// The registers.
     pub(crate) registers: usize,
+    /// The entries of factors.
+    pub(crate) entries: usize,
     /// Numbers side by side, as functions for rows take them.
     pub(crate) row: usize,
     /// Real numbers of Newton's method.
@@ -16,10 +18,13 @@ pub(crate) struct Lengths {
     pub(crate) rows: usize,
 }
 
-/// The memory of a run.
+/// The memory of a run over as many chunks of poses as `C` says.
 #[derive(Debug)]
-pub(crate) struct Memory<'m, T> {
-    pub(crate) registers: &'m mut [T],
+pub(crate) struct Memory<'m, T, const C: usize> {
+    /// Registers, each with its number in every chunk.
+    pub(crate) registers: &'m mut [[T; C]],
+    /// Entries of factors, those of a chunk behind those of the chunk before, as are rows.
+    pub(crate) entries: &'m mut [T],
     pub(crate) row: &'m mut [T],
     pub(crate) reals: &'m mut [f64],
     pub(crate) rows: &'m mut [FactorRow],
@@ -38,10 +43,10 @@ impl Lengths {
     ///
     /// The memory holds one of the numbers that are `given`, since making another one would be recorded in a tape.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(crate) fn lend<T: Scalar, R>(self, given: [&[T]; 2], function: impl FnOnce(Memory<'_, T>) -> R) -> R {
+    pub(crate) fn lend<T: Scalar, R>(self, given: [&[T]; 2], function: impl FnOnce(Memory<'_, T, 1>) -> R) -> R {
         let given = given.into_iter().flatten().next();
         let any = given.copied().unwrap_or_else(|| T::constant(0.0));
-        let count = self.registers + self.row;
+        let count = self.numbers(1);
         if count <= FEW && self.rows == 0 && self.reals == 0 {
             let mut numbers = [any; FEW];
             return function(self.parts(&mut numbers, &mut [], &mut []));
@@ -55,25 +60,23 @@ impl Lengths {
         function(self.parts(&mut numbers, &mut reals, &mut rows))
     }
 
-    /// The lengths of the memory of several chunks.
-    pub(crate) fn of_chunks(self, chunks: usize) -> Self {
-        Self {
-            registers: chunks * self.registers,
-            rows: chunks * self.rows,
-            ..self
-        }
+    /// The numbers that several chunks take.
+    pub(crate) fn numbers(self, chunks: usize) -> usize {
+        chunks * (self.registers + self.entries) + self.row
     }
 
     /// The parts of some memory that is large enough.
-    pub(crate) fn parts<'m, T>(
+    pub(crate) fn parts<'m, T, const C: usize>(
         self,
         numbers: &'m mut [T],
         reals: &'m mut [f64],
         rows: &'m mut [FactorRow],
-    ) -> Memory<'m, T> {
-        let (registers, row) = numbers.split_at_mut(self.registers);
+    ) -> Memory<'m, T, C> {
+        let (registers, rest) = numbers.split_at_mut(C * self.registers);
+        let (entries, row) = rest.split_at_mut(C * self.entries);
         Memory {
-            registers,
+            registers: registers.as_chunks_mut().0,
+            entries,
             row,
             reals,
             rows,

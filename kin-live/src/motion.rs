@@ -137,16 +137,17 @@ fn results(mechanism: &lowered::Mechanism) -> impl Iterator<Item = Symbol> + '_ 
     unknowns.chain(vectors).chain(outputs)
 }
 
-/// The numbers that are found, until their memory is given back.
-pub(crate) struct FoundMotion<'f, T> {
+/// The numbers that are found in a chunk, until their memory is given back.
+pub(crate) struct FoundMotion<'f, T, const C: usize = 1> {
     motion: &'f Motion,
-    registers: &'f [T],
+    registers: &'f [[T; C]],
+    chunk: usize,
 }
 
-impl<T: Scalar> FoundMotion<'_, T> {
+impl<T: Scalar, const C: usize> FoundMotion<'_, T, C> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn at(&self, register: Register) -> T {
-        self.registers[usize::from(register)]
+        self.registers[usize::from(register)][self.chunk]
     }
 
     /// The value of an unknown. An angle that is calculated here is near a given one, or in -π ..= π.
@@ -274,7 +275,7 @@ impl Motion {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn solve_in<T: Scalar, R>(
         &self,
-        memory: Memory<'_, T>,
+        memory: Memory<'_, T, 1>,
         parameters: &[T],
         inputs: Inputs<'_, T>,
         choice: Choice<'_, T>,
@@ -287,7 +288,7 @@ impl Motion {
             choice,
             way: SinglePosition,
         };
-        self.given.write(run.memory.registers, parameters, inputs);
+        self.given.write(run.memory.registers, 0, parameters, inputs);
         for order in 0..inputs.orders {
             run.routine(order, 1)?;
         }
@@ -295,6 +296,7 @@ impl Motion {
         let motion = FoundMotion {
             motion: self,
             registers,
+            chunk: 0,
         };
         if inputs.orders > 1 && !motion.is_finite(row) {
             return Err(self.not_finite(&motion, inputs));
@@ -305,22 +307,21 @@ impl Motion {
     /// Solves several chunks of poses side by side. The parameters, inputs and values nearby of a chunk stand behind
     /// those of the chunk before. Nothing is tested for being finite.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(crate) fn solve_chunks<T: Scalar>(
+    pub(crate) fn solve_chunks<T: Scalar, const C: usize>(
         &self,
-        memory: Memory<'_, T>,
+        memory: Memory<'_, T, C>,
         chunks: usize,
         parameters: &[T],
         inputs: Inputs<'_, T>,
         choice: Choice<'_, T>,
-        mut found: impl FnMut(usize, FoundMotion<'_, T>),
+        mut found: impl FnMut(usize, FoundMotion<'_, T, C>),
     ) -> Result<(), Fault> {
-        let stride = self.code.lengths.registers;
         let (parameter_count, input_count) = (parameters.len() / chunks, inputs.motions.len() / chunks);
         for chunk in 0..chunks {
-            let own = &mut memory.registers[chunk * stride..(chunk + 1) * stride];
             let parameters = &parameters[chunk * parameter_count..(chunk + 1) * parameter_count];
             let motions = &inputs.motions[chunk * input_count..(chunk + 1) * input_count];
-            self.given.write(own, parameters, Inputs { motions, ..inputs });
+            let inputs = Inputs { motions, ..inputs };
+            self.given.write(memory.registers, chunk, parameters, inputs);
         }
         let mut run = Run {
             code: &self.code,
@@ -333,10 +334,10 @@ impl Motion {
             run.routine(order, chunks)?;
         }
         for chunk in 0..chunks {
-            let registers = &run.memory.registers[chunk * stride..(chunk + 1) * stride];
             let motion = FoundMotion {
                 motion: self,
-                registers,
+                registers: run.memory.registers,
+                chunk,
             };
             found(chunk, motion);
         }
@@ -375,7 +376,7 @@ impl Motion {
             ..Lengths::default()
         };
         lengths.lend([parameters, inputs.motions], |memory| {
-            let choice = self.near_in(memory.registers, parameters, inputs, near)?;
+            let choice = self.near_in(memory.registers.as_flattened_mut(), parameters, inputs, near)?;
             function(choice)
         })
     }

@@ -38,24 +38,30 @@ impl Given {
         }
     }
 
-    /// Writes parameters and inputs.
+    /// Writes the parameters and inputs of a chunk.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(crate) fn write<T: Scalar>(&self, registers: &mut [T], parameters: &[T], inputs: Inputs<'_, T>) {
+    pub(crate) fn write<T: Scalar, const C: usize>(
+        &self,
+        registers: &mut [[T; C]],
+        chunk: usize,
+        parameters: &[T],
+        inputs: Inputs<'_, T>,
+    ) {
         for (index, register) in &*self.parameters {
-            registers[usize::from(*register)] = parameters[*index];
+            registers[usize::from(*register)][chunk] = parameters[*index];
         }
         for (index, order, register) in &*self.inputs {
             if *order < inputs.orders {
-                registers[usize::from(*register)] = inputs.motions[*index * inputs.orders + *order];
+                registers[usize::from(*register)][chunk] = inputs.motions[*index * inputs.orders + *order];
             }
         }
     }
 
     /// Writes unknowns.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(crate) fn write_unknowns<T: Scalar>(&self, registers: &mut [T], unknowns: &[T]) {
+    fn write_unknowns<T: Scalar>(&self, registers: &mut [[T; 1]], unknowns: &[T]) {
         for (index, register) in &*self.unknowns {
-            registers[usize::from(*register)] = unknowns[*index];
+            registers[usize::from(*register)] = [unknowns[*index]];
         }
     }
 }
@@ -138,14 +144,14 @@ impl Routine {
     ) -> R {
         let lengths: Lengths = self.code.lengths;
         lengths.lend([parameters, inputs.motions], |memory| {
-            self.given.write(memory.registers, parameters, inputs);
+            self.given.write(memory.registers, 0, parameters, inputs);
             self.given.write_unknowns(memory.registers, unknowns);
             // none of its statements can fail, so it is arithmetic alone
             for operation in &*self.code.routines[0] {
-                arithmetic(memory.registers, lengths.registers, 1, &self.code.constants, *operation);
+                arithmetic(memory.registers, 0..1, &self.code.constants, *operation);
             }
             let registers = &*memory.registers;
-            results(&|index| registers[usize::from(self.results[index])])
+            results(&|index| registers[usize::from(self.results[index])][0])
         })
     }
 }

@@ -70,7 +70,7 @@ pub use parallel::ParallelBatch;
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 #[doc(hidden)]
-pub use slices::{Numbers, SliceSolver, solve_slices};
+pub use slices::{CHUNKS, Numbers, SliceSolver, solve_slices};
 pub use sweep::Batch;
 #[doc(hidden)]
 pub use sweep::{Guide, InAssembly, Nearest};

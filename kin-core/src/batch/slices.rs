@@ -10,7 +10,7 @@ use super::dispatch::{Kernel, Vectors};
 use super::lanes::{Lanes, verdicts};
 use super::outcome::{LengthMismatch, Outcome, Summary};
 use super::untyped::{ColumnChoice, GivenColumns, WantedColumns};
-use super::view::{View, gather_all, look, repeat};
+use super::view::repeat;
 use super::{Column, Place};
 use crate::any::{Described, PositionChoice};
 use crate::failure::SolveError;
@@ -23,8 +23,8 @@ pub trait SliceSolver: Described {
     /// The memory of the solver.
     type Memory<T>;
 
-    /// Memory for numbers of one type, for several chunks of poses.
-    fn memory<T: Scalar>(&self, chunks: usize) -> Self::Memory<T>;
+    /// Memory for numbers of one type, for [`CHUNKS`] chunks of poses.
+    fn memory<T: Scalar>(&self) -> Self::Memory<T>;
 
     /// Solves a pose, as [`AnyMechanism`](crate::any::AnyMechanism) does.
     ///
@@ -38,8 +38,8 @@ pub trait SliceSolver: Described {
         found: &mut Numbers<f64>,
     ) -> Result<(), SolveError>;
 
-    /// Solves a pose, or several chunks of poses side by side: as many as numbers are to be found for. The parameters and
-    /// inputs of a chunk stand behind those of the chunk before; inputs are given with all orders. Values nearby choose the
+    /// Solves a chunk of poses, or [`CHUNKS`] of them side by side: as many as numbers are to be found for. The parameters
+    /// and inputs of a chunk stand behind those of the chunk before; inputs are given with all orders. Values nearby choose the
     /// position of a single chunk only.
     ///
     /// # Errors
@@ -55,7 +55,7 @@ pub trait SliceSolver: Described {
 }
 
 /// The chunks that are solved side by side: an operation is looked up once for all of them.
-const CHUNKS: usize = 4;
+pub const CHUNKS: usize = 4;
 
 /// The numbers of a pose, or of several.
 #[derive(Debug)]
@@ -94,6 +94,28 @@ impl<T: Scalar> Numbers<T> {
             sum = sum + *entry;
         }
         sum
+    }
+}
+
+/// The columns that differ from pose to pose, each with its index.
+fn each<'c>(columns: &[Column<'c>]) -> Vec<(usize, &'c [f64])> {
+    let columns = columns.iter().enumerate();
+    let columns = columns.filter_map(|(index, column)| match column {
+        Column::Each(numbers) => Some((index, *numbers)),
+        Column::Same(_) => None,
+    });
+    columns.collect()
+}
+
+/// Fills in the numbers of such columns, starting at a given pose.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn gather_each<const W: usize, const FUSED: bool>(
+    numbers: &mut [Lanes<W, FUSED>],
+    columns: &[(usize, &[f64])],
+    start: usize,
+) {
+    for (index, column) in columns {
+        numbers[*index].0.copy_from_slice(&column[start..start + W]);
     }
 }
 
@@ -263,19 +285,12 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
         };
         let (same_parameters, same_inputs, same_near) =
             (lanes(alone.parameters), lanes(alone.inputs), lanes(alone.near));
-        let mut views = [
-            vec![View::default(); alone.parameters.len()],
-            vec![View::default(); alone.inputs.len()],
-            vec![View::default(); alone.near.len()],
-        ];
-        look(&mut views[0], alone.parameters, &same_parameters);
-        look(&mut views[1], alone.inputs, &same_inputs);
-        look(&mut views[2], alone.near, &same_near);
-        let [parameter_views, input_views, near_views] = &views;
-        let mut near = same_near.clone();
+        // the numbers of columns that are the same for all poses stay where they are
+        let [parameter_columns, input_columns, near_columns] = [alone.parameters, alone.inputs, alone.near].map(each);
+        let mut near = same_near;
         let (mut parameters, mut inputs) = (same_parameters.repeat(CHUNKS), same_inputs.repeat(CHUNKS));
         let (parameter_count, input_count) = (alone.parameters.len(), alone.inputs.len());
-        let mut memory = alone.solver.memory::<Lanes<W, FUSED>>(CHUNKS);
+        let mut memory = alone.solver.memory::<Lanes<W, FUSED>>();
         let mut found: Vec<_> = (0..CHUNKS)
             .map(|_| Numbers::<Lanes<W, FUSED>>::of(alone.solver))
             .collect();
@@ -290,14 +305,11 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
             let start = next.min(count - W);
             for chunk in 0..chunks {
                 let (own, first) = (chunk * parameter_count, chunk * input_count);
-                gather_all(
-                    &mut parameters[own..own + parameter_count],
-                    parameter_views,
-                    start + chunk * W,
-                );
-                gather_all(&mut inputs[first..first + input_count], input_views, start + chunk * W);
+                let start = start + chunk * W;
+                gather_each(&mut parameters[own..], &parameter_columns, start);
+                gather_each(&mut inputs[first..], &input_columns, start);
             }
-            gather_all(&mut near, near_views, start);
+            gather_each(&mut near, &near_columns, start);
             verdicts::forget::<f64>();
             let result = alone.solver.solve(
                 &mut memory,

@@ -64,17 +64,7 @@ pub(super) fn gather<R: Row<Lanes<W, FUSED, E>>, const W: usize, const FUSED: bo
     views: &[View<'_, E>],
     start: usize,
 ) {
-    gather_all(numbers.as_mut(), views, start);
-}
-
-/// [`gather`] for a slice.
-#[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn gather_all<const W: usize, const FUSED: bool, E: Element>(
-    numbers: &mut [Lanes<W, FUSED, E>],
-    views: &[View<'_, E>],
-    start: usize,
-) {
-    for (lanes, view) in numbers.iter_mut().zip(views) {
+    for (lanes, view) in numbers.as_mut().iter_mut().zip(views) {
         let start = start & view.mask;
         // All columns are long enough, but the compiler does not know it.
         lanes.0.copy_from_slice(&view.numbers[start..start + W]);

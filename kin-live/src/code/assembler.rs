@@ -119,7 +119,7 @@ impl Assembler {
         if self.is_too_large {
             return Err(TooLarge);
         }
-        let (mut entry, mut row) = (self.next, 0);
+        let (mut entry, mut row) = (0, 0);
         let factors = self.sizes.iter().map(|size| {
             let kept = KeptFactors {
                 first_entry: entry,
@@ -131,7 +131,8 @@ impl Assembler {
         });
         let factors = factors.collect();
         let mut lengths = Lengths {
-            registers: entry,
+            registers: self.next,
+            entries: entry,
             ..Lengths::default()
         };
         for call in &self.calls {

@@ -131,10 +131,10 @@ impl Call {
             } => {
                 let [numbers, reals, rows] = NewtonMemory::<f64>::lengths(unknowns.len());
                 Lengths {
-                    registers: 0,
                     row: sizes.len().max(2 * unknowns.len() + numbers),
                     reals,
                     rows,
+                    ..Lengths::default()
                 }
             }
             Self::Every {

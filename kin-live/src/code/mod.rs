@@ -149,7 +149,7 @@ pub(crate) struct Code {
 /// Where the factors of a matrix are kept.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct KeptFactors {
-    /// The register of the first entry.
+    /// The first entry.
     pub(crate) first_entry: usize,
     /// The first row.
     pub(crate) first_row: usize,

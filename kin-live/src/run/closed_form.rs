@@ -19,7 +19,7 @@ enum Found<T> {
     ScalarAndPlane(T, Plane<T>),
 }
 
-impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
+impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn scalar(&self, argument: &Argument) -> T {
         match argument {

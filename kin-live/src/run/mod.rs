@@ -73,17 +73,17 @@ impl<T> Way<T> for SinglePosition {
     }
 }
 
-/// A run of code, over several chunks of poses side by side. Each of them has its own registers.
-pub(crate) struct Run<'r, 'm, T, W> {
+/// A run of code, over at most `C` chunks of poses side by side.
+pub(crate) struct Run<'r, 'm, T, W, const C: usize> {
     pub(crate) code: &'r Code,
     /// The chunk at hand.
     pub(crate) chunk: usize,
-    pub(crate) memory: Memory<'m, T>,
+    pub(crate) memory: Memory<'m, T, C>,
     pub(crate) choice: Choice<'r, T>,
     pub(crate) way: W,
 }
 
-impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
+impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
     /// Runs a routine.
     ///
     /// Numbers of several poses have it inlined, so that it is compiled for the vectors of the machine. For numbers of
@@ -122,41 +122,30 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
                     }
                 }
                 Operation::Doubt { skip } if T::DOUBT == 0.0 => next += usize::from(skip),
-                operation => {
-                    let (registers, stride) = (&mut *self.memory.registers, code.lengths.registers);
-                    arithmetic(registers, stride, chunks, &code.constants, operation);
-                }
+                operation => arithmetic(self.memory.registers, 0..chunks, &code.constants, operation),
             }
         }
         Ok(())
     }
 
-    /// The registers of the chunk at hand.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn first_register(&self) -> usize {
-        self.chunk * self.code.lengths.registers
-    }
-
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn get(&self, register: Register) -> T {
-        self.memory.registers[self.first_register() + usize::from(register)]
+        self.memory.registers[usize::from(register)][self.chunk]
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn set(&mut self, register: Register, value: T) {
-        let first = self.first_register();
-        self.memory.registers[first + usize::from(register)] = value;
+        self.memory.registers[usize::from(register)][self.chunk] = value;
     }
 
     /// Copies registers side by side.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn row(&mut self, registers: &[Register]) -> &[T] {
-        let first = self.first_register();
         let Memory {
             registers: values, row, ..
         } = &mut self.memory;
         for (place, register) in row.iter_mut().zip(registers) {
-            *place = values[first + usize::from(*register)];
+            *place = values[usize::from(*register)][self.chunk];
         }
         &row[..registers.len()]
     }
@@ -266,9 +255,8 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
                 label,
             } => {
                 let row = usize::from(candidates[usize::from(*candidate == Assembly::Crossed)]);
-                let row = self.first_register() + row;
                 for (place, register) in kept.iter().enumerate() {
-                    self.memory.registers[row + place] = self.get(*register);
+                    self.memory.registers[row + place][self.chunk] = self.get(*register);
                 }
                 if *candidate == Assembly::Open {
                     *candidate = Assembly::Crossed;
@@ -293,9 +281,8 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
                 let (given, solution) = self.memory.row.split_at_mut(coefficients.len());
                 let solution = &mut solution[..results.len()];
                 self.way.solution(*block, given, solution).map_err(at(label))?;
-                let first = self.chunk * self.code.lengths.registers;
                 for (register, value) in results.iter().zip(solution) {
-                    self.memory.registers[first + usize::from(*register)] = *value;
+                    self.memory.registers[usize::from(*register)][self.chunk] = *value;
                 }
             }
             Call::Factor {
@@ -304,15 +291,18 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
                 matrix,
                 label,
             } => {
-                let kept = self.code.factors[*factors];
-                let first = self.first_register() + kept.first_entry;
-                let entries = first..first + size * size;
-                for (place, register) in entries.clone().zip(matrix) {
-                    self.memory.registers[place] = self.get(*register);
+                let [first_entry, first_row] = self.kept(*factors);
+                let Memory {
+                    registers,
+                    entries,
+                    rows,
+                    ..
+                } = &mut self.memory;
+                let entries = &mut entries[first_entry..first_entry + size * size];
+                for (entry, register) in entries.iter_mut().zip(matrix) {
+                    *entry = registers[usize::from(*register)][self.chunk];
                 }
-                let first = self.chunk * self.code.lengths.rows + kept.first_row;
-                let rows = &mut self.memory.rows[first..first + size];
-                factor_in(&mut self.memory.registers[entries], rows).map_err(at(label))?;
+                factor_in(entries, &mut rows[first_row..first_row + size]).map_err(at(label))?;
             }
             Call::Substitute {
                 factors,
@@ -320,20 +310,21 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
                 results,
             } => {
                 let size = right.len();
-                let kept = self.code.factors[*factors];
-                let first = self.first_register();
-                let first_row = self.chunk * self.code.lengths.rows + kept.first_row;
+                let [first_entry, first_row] = self.kept(*factors);
                 self.row(right);
                 let Memory {
-                    registers, row, rows, ..
+                    registers,
+                    entries,
+                    row,
+                    rows,
+                    ..
                 } = &mut self.memory;
                 let (right, solution) = row.split_at_mut(size);
-                let first_entry = first + kept.first_entry;
-                let entries = &registers[first_entry..first_entry + size * size];
+                let entries = &entries[first_entry..first_entry + size * size];
                 let rows = &rows[first_row..first_row + size];
                 substitute_in(entries, rows, right, &mut solution[..size]);
                 for (register, value) in results.iter().zip(solution) {
-                    registers[first + usize::from(*register)] = *value;
+                    registers[usize::from(*register)][self.chunk] = *value;
                 }
             }
             Call::Regular { to, value, label } => {
@@ -344,11 +335,20 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
         Ok(())
     }
 
+    /// The first entry and the first row of factors, in the chunk at hand.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn kept(&self, factors: usize) -> [usize; 2] {
+        let (kept, lengths) = (self.code.factors[factors], self.code.lengths);
+        [
+            self.chunk * lengths.entries + kept.first_entry,
+            self.chunk * lengths.rows + kept.first_row,
+        ]
+    }
+
     /// A kept value of both candidates.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn candidates(&self, candidates: [Register; 2], place: usize) -> [T; 2] {
-        let registers = &self.memory.registers[self.first_register()..];
-        candidates.map(|first| registers[usize::from(first) + place])
+        candidates.map(|first| self.memory.registers[usize::from(first) + place][self.chunk])
     }
 
     /// The choice between the candidates by ranges.
@@ -372,50 +372,55 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
     }
 }
 
-/// A step of arithmetic, in several chunks. The registers of a chunk begin a stride behind those of the chunk before.
+/// A step of arithmetic, in some of the chunks.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(crate) fn arithmetic<T: Scalar>(
-    registers: &mut [T],
-    stride: usize,
-    chunks: usize,
+pub(crate) fn arithmetic<T: Scalar, const C: usize>(
+    registers: &mut [[T; C]],
+    chunks: core::ops::Range<usize>,
     constants: &[f64],
     operation: Operation,
 ) {
+    // Each register is looked up once for all chunks.
     macro_rules! each {
-        ($own:ident: $step:expr) => {{
-            let mut first = 0;
-            for _ in 0..chunks {
-                let $own = &mut registers[first..first + stride];
-                $step;
-                first += stride;
+        ($to:ident = |$($operand:ident),*| $value:expr) => {{
+            if chunks.len() == C {
+                $(let $operand = registers[usize::from($operand)];)*
+                let to = &mut registers[usize::from($to)];
+                for chunk in 0..C {
+                    $(let $operand = $operand[chunk];)*
+                    to[chunk] = $value;
+                }
+            } else {
+                for chunk in chunks {
+                    $(let $operand = registers[usize::from($operand)][chunk];)*
+                    registers[usize::from($to)][chunk] = $value;
+                }
             }
         }};
     }
-    let at = usize::from;
     match operation {
         Operation::Constant { to, value } => {
-            let value = T::constant(constants[at(value)]);
-            each!(own: own[at(to)] = value);
+            let value = T::constant(constants[usize::from(value)]);
+            registers[usize::from(to)][chunks].fill(value);
         }
-        Operation::Copy { to, a } => each!(own: own[at(to)] = own[at(a)]),
-        Operation::Add { to, a, b } => each!(own: own[at(to)] = own[at(a)] + own[at(b)]),
-        Operation::Subtract { to, a, b } => each!(own: own[at(to)] = own[at(a)] - own[at(b)]),
-        Operation::Multiply { to, a, b } => each!(own: own[at(to)] = own[at(a)] * own[at(b)]),
-        Operation::Divide { to, a, b } => each!(own: own[at(to)] = own[at(a)] / own[at(b)]),
-        Operation::Negate { to, a } => each!(own: own[at(to)] = -own[at(a)]),
-        Operation::PlusProduct { to, rest, a, b } => {
-            each!(own: own[at(to)] = own[at(rest)].plus_product(own[at(a)], own[at(b)]));
+        Operation::Copy { to, a } => each!(to = |a| a),
+        Operation::Add { to, a, b } => each!(to = |a, b| a + b),
+        Operation::Subtract { to, a, b } => each!(to = |a, b| a - b),
+        Operation::Multiply { to, a, b } => each!(to = |a, b| a * b),
+        Operation::Divide { to, a, b } => each!(to = |a, b| a / b),
+        Operation::Negate { to, a } => each!(to = |a| -a),
+        Operation::PlusProduct { to, rest, a, b } => each!(to = |rest, a, b| rest.plus_product(a, b)),
+        Operation::MinusProduct { to, rest, a, b } => each!(to = |rest, a, b| rest.minus_product(a, b)),
+        Operation::SineCosine { sine, cosine, angle } => {
+            for chunk in chunks {
+                let angle = registers[usize::from(angle)][chunk];
+                let (sine_value, cosine_value) = T::sin_cos(angle);
+                registers[usize::from(sine)][chunk] = sine_value;
+                registers[usize::from(cosine)][chunk] = cosine_value;
+            }
         }
-        Operation::MinusProduct { to, rest, a, b } => {
-            each!(own: own[at(to)] = own[at(rest)].minus_product(own[at(a)], own[at(b)]));
-        }
-        Operation::SineCosine { sine, cosine, angle } => each!(own: {
-            let (sine_value, cosine_value) = T::sin_cos(own[at(angle)]);
-            own[at(sine)] = sine_value;
-            own[at(cosine)] = cosine_value;
-        }),
-        Operation::Function { function, to, a } => each!(own: own[at(to)] = function.of(own[at(a)])),
-        Operation::ArcTangent { to, y, x } => each!(own: own[at(to)] = own[at(y)].atan2(own[at(x)])),
+        Operation::Function { function, to, a } => each!(to = |a| function.of(a)),
+        Operation::ArcTangent { to, y, x } => each!(to = |y, x| y.atan2(x)),
         // calls are taken elsewhere, and terms are not skipped here
         Operation::Call(_) | Operation::Doubt { .. } => {}
     }

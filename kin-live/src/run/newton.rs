@@ -7,7 +7,7 @@ use super::{Run, Way, arithmetic};
 use crate::code::Call;
 use crate::memory::Memory;
 
-impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
+impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
     /// Newton's method from the guess.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn newton(&mut self, call: &Call) -> Result<(), Failure> {
@@ -24,7 +24,7 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
         else {
             return Ok(());
         };
-        let (constants, stride, chunk) = (&self.code.constants, self.code.lengths.registers, self.chunk);
+        let (constants, chunk) = (&self.code.constants, self.chunk);
         let near = self.choice.near.unwrap_or_default();
         let near = near.get(chunk * self.choice.unknowns..).unwrap_or_default();
         let count = unknowns.len();
@@ -38,8 +38,8 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
             row,
             reals,
             rows,
+            ..
         } = &mut self.memory;
-        let values = &mut values[chunk * stride..(chunk + 1) * stride];
         let rows = &mut rows[chunk * self.code.lengths.rows..(chunk + 1) * self.code.lengths.rows];
         let (solution, row) = row.split_at_mut(count);
         let (sizes, numbers) = row.split_at_mut(count);
@@ -53,20 +53,20 @@ impl<T: Scalar, W: Way<T>> Run<'_, '_, T, W> {
         };
         newton_in(solution, sizes, memory, |unknowns, found, partials| {
             for (register, unknown) in registers.iter().zip(unknowns) {
-                values[usize::from(*register)] = *unknown;
+                values[usize::from(*register)][chunk] = *unknown;
             }
             for operation in &**body {
-                arithmetic(values, stride, 1, constants, *operation);
+                arithmetic(values, chunk..chunk + 1, constants, *operation);
             }
             for (place, register) in found.iter_mut().zip(residuals) {
-                *place = values[usize::from(*register)];
+                *place = values[usize::from(*register)][chunk];
             }
             for (place, register) in partials.iter_mut().zip(jacobian) {
-                *place = values[usize::from(*register)];
+                *place = values[usize::from(*register)][chunk];
             }
         })?;
         for (register, unknown) in registers.iter().zip(&*solution) {
-            values[usize::from(*register)] = *unknown;
+            values[usize::from(*register)][chunk] = *unknown;
         }
         Ok(())
     }

@@ -53,16 +53,19 @@ fn solved<M: Mechanism<Scalar = f64>>() -> Result<Solved, RecordError> {
         let own = if M::ASSEMBLY_COUNT == 0 {
             let near = M::Unknowns::from_fn(|_| random.between(-3.0, 3.0));
             row.extend(near.as_ref());
-            mechanism.solve_near(inputs, near)
+            let pose = mechanism.solve_near(inputs, near);
+            // directions are angles near those of the guess
+            let guess = |unknown: usize| near.as_ref()[unknown];
+            pose.map(|pose| (pose.unknown_motions_near(Row::from_fn(guess)), pose.output_motions()))
         } else {
             let (number, choices) = (pose % M::ASSEMBLY_COUNT, M::ASSEMBLY_COUNT.trailing_zeros());
             let is_crossed = |choice: u32| number >> (choices - 1 - choice) & 1 == 1;
             row.extend((0..choices).map(|choice| if is_crossed(choice) { -1.0 } else { 1.0 }));
-            mechanism.solve(inputs, M::assembly(number).expect("it is one of them"))
+            let pose = mechanism.solve(inputs, M::assembly(number).expect("it is one of them"));
+            pose.map(|pose| (pose.unknown_motions(), pose.output_motions()))
         };
         rows.push(row);
-        found.push(own.ok().map(|pose| {
-            let (unknowns, outputs) = (pose.unknown_motions(), pose.output_motions());
+        found.push(own.ok().map(|(unknowns, outputs)| {
             let motions = unknowns.as_ref().iter().chain(outputs.as_ref());
             motions.flat_map(|motion| motion.as_ref().to_vec()).collect()
         }));
