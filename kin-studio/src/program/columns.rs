@@ -47,7 +47,12 @@ pub(super) fn named<'n>(name: &str, names: &'n [String]) -> Result<Vec<&'n str>,
     if !coordinates.is_empty() {
         return Ok(coordinates);
     }
-    let advice = similar(name, names.iter().map(String::as_str));
+    // a beginning comes before what is similar
+    let begun = names.iter().filter(|own| own.starts_with(name)).min_by_key(|own| own.len());
+    let advice = match begun {
+        Some(own) => format!("did you mean `{own}`?"),
+        None => similar(name, names.iter().map(String::as_str)),
+    };
     let example = names.get(1).map_or("", String::as_str);
     Err(if advice.starts_with("did you mean") {
         format!("there is no column `{name}`; {advice}")
@@ -90,6 +95,7 @@ mod tests {
         assert_eq!(chosen(&["hand_velocity", "hand.x_velocity"]), Ok(both));
         assert_eq!(chosen(&["all", "hand"]), Ok(Vec::new()));
         for (wrong, advice) in [
+            ("alpha_acc", "did you mean `alpha_acceleration`?"),
             ("alpha_efort", "did you mean `alpha_effort`?"),
             ("zzz", "as in `alpha_velocity`"),
         ] {

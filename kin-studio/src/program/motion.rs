@@ -379,7 +379,7 @@ fn bare_speed(text: &str) -> Option<String> {
     let speed = speed.trim();
     let begins = speed.starts_with(|letter: char| letter.is_ascii_digit());
     let range = text.strip_suffix(speed)?.trim();
-    (begins && !unit.is_empty()).then(|| format!("`{text}` has a speed without `at`: write `{range} at {speed}`"))
+    (begins && !["", "at", "by"].contains(&unit)).then(|| format!("`{text}` has a speed without `at`: write `{range} at {speed}`"))
 }
 
 /// A speed without its sign: the range tells the direction.

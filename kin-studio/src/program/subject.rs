@@ -11,7 +11,7 @@ use kin_core::exact::{ExactTable, ExactTableError, Precision};
 use kin_core::extremes::{
     AskedQuantity, Extreme, ExtremeKind, ExtremesError, Mean, Over, QuantityAlong, QuantitySource,
 };
-use kin_core::law::Piecewise;
+use kin_core::law::{Piecewise, Side};
 use kin_core::linkage::{AnyCycle, AnyLinkage, AnySweep, TabledMechanism};
 use kin_core::load::NamedLoads;
 use kin_core::prelude::*;
@@ -383,6 +383,21 @@ impl Subject {
         let size = effort.size(self.description(), case.metres());
         let column = column.map_err(of_extremes)?;
         Ok(column.into_iter().map(|value| value * size).collect())
+    }
+
+    /// The times inside of the motion at which the speed of an input jumps, where a mass has no bounded effort.
+    pub(crate) fn jolts(&self, case: &Case) -> Result<Vec<f64>, Fault> {
+        let Some(duration) = case.time_of_laws() else { return Ok(Vec::new()) };
+        self.under_laws(case, duration, 2, |sweep| {
+            let next = |after: f64| sweep.next_joint(after).filter(|joint| *joint < duration);
+            let joints = std::iter::successors(next(0.0), |joint| next(*joint));
+            let jumps = |joint: &f64| {
+                let [left, right] = [Side::Left, Side::Right].map(|side| sweep.inputs(*joint, side));
+                let mut speeds = left.iter().zip(&right).map(|(left, right)| (left[1], right[1]));
+                speeds.any(|(left, right)| (right - left).abs() > 1e-9 * left.abs().max(right.abs()))
+            };
+            joints.filter(jumps).collect()
+        })
     }
 
     /// The full cycle over the leading input.

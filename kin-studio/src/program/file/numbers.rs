@@ -60,7 +60,7 @@ pub(super) fn dimensions(
     let fields: Vec<Declared> = fields.iter().map(Declared::from).collect();
     let (mut set, mut mistakes) = (Vec::new(), Vec::new());
     let mut given: Vec<String> = Vec::new();
-    let mut has_stranger = false;
+    let mut has_misnamed = false;
     for entry in entries {
         let name = entry.head.text.replace(' ', "");
         let base = name.split('.').next().unwrap_or("");
@@ -72,7 +72,7 @@ pub(super) fn dimensions(
                     .head
                     .mistake(format!("the structure has no dimension `{name}`; {advice}")),
             );
-            has_stranger = true;
+            has_misnamed = true;
             continue;
         };
         let pieces = match pieces(field, &name, &entry.value) {
@@ -86,6 +86,7 @@ pub(super) fn dimensions(
         for (name, value) in pieces {
             if given.contains(&name) {
                 mistakes.push(entry.head.mistake(format!("`{name}` has two values")));
+                has_misnamed = true;
                 continue;
             }
             if let Err(message) = value::quantity(field.dimension, &value.text, lengths) {
@@ -97,7 +98,7 @@ pub(super) fn dimensions(
     }
     let all = fields.iter().flat_map(scalars);
     let missing: Vec<String> = all.filter(|name| !given.contains(name)).collect();
-    if let (Some(first), false) = (missing.first(), has_stranger) {
+    if let (Some(first), false) = (missing.first(), has_misnamed) {
         let names: Vec<String> = missing.iter().map(|name| format!("`{name}`")).collect();
         let message = format!(
             "no value for {}: write `dimensions {{ {first} = 45mm; }}`",

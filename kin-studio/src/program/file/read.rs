@@ -210,10 +210,11 @@ assembly = open;
     /// The width of a format is at most 65 535.
     #[test]
     fn long_lines_are_read_and_told() {
-        let blanks = FILE.replacen("kin 1", &format!("kin 1{}", " ".repeat(70_000)), 1);
-        assert!(KinFile::read(&blanks).is_ok());
+        let blanks = |count| FILE.replacen("kin 1", &format!("kin 1{}", " ".repeat(count)), 1);
+        assert!(KinFile::read(&blanks(30_000)).is_ok());
         let long = "a".repeat(70_000);
         for text in [
+            blanks(70_000),
             format!("kin 1\n//{long}"),
             format!("kin 1 {long}"),
             FILE.replace("crank", &long).replace("30mm", "30deg"),

@@ -14,7 +14,7 @@ use super::super::progress::watched;
 use super::super::subject::{Extent, Reached, Subject};
 use super::super::text::{self, Column, Units};
 use super::print;
-use super::sweep::{columns_of, headed};
+use super::sweep::{columns_of, headed, tell_jolts};
 
 /// The highest order of a rate that is shown.
 const HIGHEST: usize = 4;
@@ -34,6 +34,9 @@ pub(super) fn run(subject: &Subject, options: &Peaks, told: &Told) -> Result<(),
     let (mut texts, mut cases) = (Vec::new(), Vec::new());
     for (assembly, typed) in &all {
         let case = typed.case(subject)?;
+        if cases.is_empty() {
+            tell_jolts(subject, &case)?;
+        }
         let wanted = sought(subject, &case, options, told)?;
         let found: Result<Vec<Extent>, Fault> = watched("searching extremes", wanted.len(), |step| {
             wanted

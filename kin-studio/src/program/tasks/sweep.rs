@@ -30,6 +30,9 @@ pub(super) fn run(subject: &Subject, options: &Sweep, told: &Told) -> Result<(),
     let (mut tables, mut cases) = (Vec::new(), Vec::new());
     for (assembly, typed) in &all {
         let case = typed.case(subject)?;
+        if cases.is_empty() {
+            tell_jolts(subject, &case)?;
+        }
         let table = watched("solving", 1, |_| table(subject, &case, rows as usize, &wanted))?;
         tables.push((assembly.as_str(), table));
         cases.push(case);
@@ -48,6 +51,17 @@ pub(super) fn run(subject: &Subject, options: &Sweep, told: &Told) -> Result<(),
     for ((_, table), case) in tables.iter().zip(&cases) {
         closes(table)?;
         subject.closes(case)?;
+    }
+    Ok(())
+}
+
+/// Tells where the efforts of masses have no bounds, which no row shows.
+pub(super) fn tell_jolts(subject: &Subject, case: &Case) -> Result<(), Fault> {
+    if case.loads.is_some() {
+        for time in subject.jolts(case)? {
+            let time = text::digits(time);
+            eprintln!("note: at {time} s the speed of an input jumps, where the effort of a mass has no bound");
+        }
     }
     Ok(())
 }
