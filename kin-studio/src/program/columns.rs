@@ -48,10 +48,15 @@ pub(super) fn named<'n>(name: &str, names: &'n [String]) -> Result<Vec<&'n str>,
         return Ok(coordinates);
     }
     // a beginning comes before what is similar
-    let begun = names.iter().filter(|own| own.starts_with(name)).min_by_key(|own| own.len());
-    let advice = match begun {
-        Some(own) => format!("did you mean `{own}`?"),
-        None => similar(name, names.iter().map(String::as_str)),
+    let begun = names
+        .iter()
+        .filter(|own| own.starts_with(name))
+        .min_by_key(|own| own.len());
+    let advice = if let Some(own) = begun {
+        format!("did you mean `{own}`?")
+    } else {
+        let points: Vec<String> = names.iter().filter_map(|own| point(own)).collect();
+        similar(name, names.iter().chain(&points).map(String::as_str))
     };
     let example = names.get(1).map_or("", String::as_str);
     Err(if advice.starts_with("did you mean") {
@@ -95,6 +100,7 @@ mod tests {
         assert_eq!(chosen(&["hand_velocity", "hand.x_velocity"]), Ok(both));
         assert_eq!(chosen(&["all", "hand"]), Ok(Vec::new()));
         for (wrong, advice) in [
+            ("hnad", "did you mean `hand`?"),
             ("alpha_acc", "did you mean `alpha_acceleration`?"),
             ("alpha_efort", "did you mean `alpha_effort`?"),
             ("zzz", "as in `alpha_velocity`"),

@@ -371,7 +371,7 @@ fn other_range(dimension: Dimension, text: &str) -> Option<String> {
     ))
 }
 
-/// The message for a speed without `at`: `0..360deg 45rpm`.
+/// The message for a speed without `at`, or a law without `by`: `0..360deg 45rpm`.
 fn bare_speed(text: &str) -> Option<String> {
     let (_, end) = text.split_once("..")?;
     let (_, unit) = value::split(end.strip_prefix('=').unwrap_or(end)).ok()?;
@@ -379,7 +379,11 @@ fn bare_speed(text: &str) -> Option<String> {
     let speed = speed.trim();
     let begins = speed.starts_with(|letter: char| letter.is_ascii_digit());
     let range = text.strip_suffix(speed)?.trim();
-    (begins && !["", "at", "by"].contains(&unit)).then(|| format!("`{text}` has a speed without `at`: write `{range} at {speed}`"))
+    if speed.contains(" in ") {
+        return begins.then(|| format!("`{text}` has a law without `by`: write `{range} by {speed}`"));
+    }
+    (begins && !["", "at", "by"].contains(&unit))
+        .then(|| format!("`{text}` has a speed without `at`: write `{range} at {speed}`"))
 }
 
 /// A speed without its sign: the range tells the direction.

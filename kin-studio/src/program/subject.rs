@@ -387,7 +387,9 @@ impl Subject {
 
     /// The times inside of the motion at which the speed of an input jumps, where a mass has no bounded effort.
     pub(crate) fn jolts(&self, case: &Case) -> Result<Vec<f64>, Fault> {
-        let Some(duration) = case.time_of_laws() else { return Ok(Vec::new()) };
+        let Some(duration) = case.time_of_laws() else {
+            return Ok(Vec::new());
+        };
         self.under_laws(case, duration, 2, |sweep| {
             let next = |after: f64| sweep.next_joint(after).filter(|joint| *joint < duration);
             let joints = std::iter::successors(next(0.0), |joint| next(*joint));

@@ -103,6 +103,7 @@ fn a_file_with_all_statements_is_run() {
         "run robot.kin peaks --assembly open --of alpha_effort,beta_effort_rate,hand",
         "run robot.kin table",
         "run robot.kin table --assembly open --order 2",
+        "run robot.kin table --assembly open --order 2 --over 'beta=60..75deg by cycloidal in 0.5s'",
         "run robot.kin report",
         "run robot.kin cycle",
     ]

@@ -203,8 +203,14 @@ fn mistakes_in_loads_motions_and_columns() {
     folder.write("robot.kin", &bare.replace("hnd", "hand"));
     let told = typed_in(&folder, "kin check robot.kin");
     assert!(told.contains("loads need the unit of the lengths"), "{told}");
-    let several = [("mass hand", "mass hnd"), ("columns hand", "columns hnad"), ("150mm;", "150deg;")];
-    let spoilt = several.iter().fold(right.to_owned(), |text, (own, other)| text.replacen(own, other, 1));
+    let several = [
+        ("mass hand", "mass hnd"),
+        ("columns hand", "columns hnad"),
+        ("150mm;", "150deg;"),
+    ];
+    let spoilt = several
+        .iter()
+        .fold(right.to_owned(), |text, (own, other)| text.replacen(own, other, 1));
     folder.write("robot.kin", &spoilt);
     let all = ["robot.kin", "robot.kin --json"].map(|words| typed_in(&folder, &format!("kin check {words}")));
     assert_snapshot!("mistakes for an editor", all.join("\n"));

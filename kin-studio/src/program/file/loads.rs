@@ -78,19 +78,22 @@ impl Reader<'_, '_> {
             let first = entry.words.first().map_or(entry.head.range.clone(), range_of);
             let message = match similar(&kind, KINDS) {
                 advice if advice.starts_with("did") => format!("there is no load `{kind}`; {advice}"),
-                _ => format!("a load begins with {}, as in `mass tip = 2kg;`", listed(&KINDS)),
+                _ => format!(
+                    "a load begins with its kind, as in `mass tip = 2kg;`; there are {}",
+                    listed(&KINDS)
+                ),
             };
             return Err(Mistake::new(message, first));
         };
         let places = self.places_of(entry)?;
         let value = &entry.value;
         let load = match (kind, places.as_slice()) {
-            ("gravity", []) => return self.vector(units::ACCELERATION, value).map(Read::Gravity),
-            ("mass", [Place::Point(point)]) => Load::Mass(self.size(units::MASS, value)?, point.clone()),
-            ("inertia", [Place::Angle(angle)]) => Load::Inertia(self.size(units::INERTIA, value)?, angle.clone()),
-            ("force", [Place::Point(point)]) => Load::Force(self.vector(units::FORCE, value)?, point.clone()),
-            ("force", [Place::Distance(distance)]) => Load::Torque(self.number(units::FORCE, value)?, distance.clone()),
-            ("torque", [Place::Angle(angle)]) => Load::Torque(self.number(units::TORQUE, value)?, angle.clone()),
+            ("gravity", []) => return vector(units::ACCELERATION, value).map(Read::Gravity),
+            ("mass", [Place::Point(point)]) => Load::Mass(size(units::MASS, value)?, point.clone()),
+            ("inertia", [Place::Angle(angle)]) => Load::Inertia(size(units::INERTIA, value)?, angle.clone()),
+            ("force", [Place::Point(point)]) => Load::Force(vector(units::FORCE, value)?, point.clone()),
+            ("force", [Place::Distance(distance)]) => Load::Torque(number(units::FORCE, value)?, distance.clone()),
+            ("torque", [Place::Angle(angle)]) => Load::Torque(number(units::TORQUE, value)?, angle.clone()),
             ("spring", [Place::Angle(angle)]) => {
                 let (stiffness, rest) = self.spring(units::TORSION_STIFFNESS, units::ANGLE, value)?;
                 Load::TorsionSpring(stiffness, rest, angle.clone())
@@ -100,10 +103,10 @@ impl Reader<'_, '_> {
                 Load::TorsionSpring(stiffness, rest, distance.clone())
             }
             ("damper", [Place::Angle(angle)]) => {
-                Load::TorsionDamper(self.number(units::TORSION_DAMPING, value)?, angle.clone())
+                Load::TorsionDamper(number(units::TORSION_DAMPING, value)?, angle.clone())
             }
             ("damper", [Place::Distance(distance)]) => {
-                Load::TorsionDamper(self.number(units::DAMPING, value)?, distance.clone())
+                Load::TorsionDamper(number(units::DAMPING, value)?, distance.clone())
             }
             ("spring" | "damper", [from, to]) => {
                 let (Some(from), Some(to)) = (end(from), end(to)) else {
@@ -113,7 +116,7 @@ impl Reader<'_, '_> {
                 };
                 let ends = [from, to];
                 if kind == "damper" {
-                    Load::Damper(self.number(units::DAMPING, value)?, ends)
+                    Load::Damper(number(units::DAMPING, value)?, ends)
                 } else {
                     let (stiffness, rest) = self.spring(units::STIFFNESS, units::LENGTH, value)?;
                     Load::Spring(stiffness, rest, ends)
@@ -242,41 +245,12 @@ impl Reader<'_, '_> {
         Ok(InSi::new(kind, value * metres))
     }
 
-    fn number(&self, kind: Kind, part: &Part) -> Result<InSi, Mistake> {
-        let value = value::in_si(kind, &part.text).map_err(|message| part.mistake(message))?;
-        Ok(InSi::new(kind, value))
-    }
-
-    /// A mass or a moment of inertia.
-    fn size(&self, kind: Kind, part: &Part) -> Result<InSi, Mistake> {
-        if part.text.starts_with('-') {
-            return Err(part.mistake(format!(
-                "{} is not negative: a hole is part of its link, whose mass and centre are those of the whole",
-                kind.name
-            )));
-        }
-        self.number(kind, part)
-    }
-
-    fn vector(&self, kind: Kind, part: &Part) -> Result<[InSi; 3], Mistake> {
-        let parts = part.coordinates().filter(|parts| (2..=3).contains(&parts.len()));
-        let parts = parts.ok_or_else(|| {
-            let name = kind.units[0].name;
-            part.mistake(format!("{} has a direction: write `(0, -10{name})`", kind.name))
-        })?;
-        let mut vector = [InSi::new(kind, 0.0); 3];
-        for (place, part) in vector.iter_mut().zip(parts) {
-            *place = self.number(kind, &part)?;
-        }
-        Ok(vector)
-    }
-
     /// A stiffness, and what it is at rest, which is zero if it is not told.
     fn spring(&mut self, kind: Kind, at_rest: Kind, part: &Part) -> Result<(InSi, InSi), Mistake> {
         let parts = part.parts();
         let example = if at_rest == units::ANGLE { "30deg" } else { "150mm" };
         match parts.as_slice() {
-            [stiffness] => Ok((self.number(kind, stiffness)?, InSi::new(at_rest, 0.0))),
+            [stiffness] => Ok((number(kind, stiffness)?, InSi::new(at_rest, 0.0))),
             [stiffness, rest] => {
                 let Some(value) = rest.text.strip_prefix("rest ") else {
                     return Err(rest.mistake(format!("behind the stiffness comes the rest: write `rest {example}`")));
@@ -286,7 +260,7 @@ impl Reader<'_, '_> {
                     text: value.to_owned(),
                     range: start..rest.range.end,
                 };
-                Ok((self.number(kind, stiffness)?, self.at_rest(at_rest, &value)?))
+                Ok((number(kind, stiffness)?, self.at_rest(at_rest, &value)?))
             }
             _ => Err(part.mistake(format!(
                 "a spring has a stiffness and a rest: write `{}{}, rest {example}`",
@@ -294,6 +268,35 @@ impl Reader<'_, '_> {
             ))),
         }
     }
+}
+
+fn number(kind: Kind, part: &Part) -> Result<InSi, Mistake> {
+    let value = value::in_si(kind, &part.text).map_err(|message| part.mistake(message))?;
+    Ok(InSi::new(kind, value))
+}
+
+/// A mass or a moment of inertia.
+fn size(kind: Kind, part: &Part) -> Result<InSi, Mistake> {
+    if part.text.starts_with('-') {
+        return Err(part.mistake(format!(
+            "{} is not negative: a hole is part of its link, whose mass and centre are those of the whole",
+            kind.name
+        )));
+    }
+    number(kind, part)
+}
+
+fn vector(kind: Kind, part: &Part) -> Result<[InSi; 3], Mistake> {
+    let parts = part.coordinates().filter(|parts| (2..=3).contains(&parts.len()));
+    let parts = parts.ok_or_else(|| {
+        let name = kind.units[0].name;
+        part.mistake(format!("{} has a direction: write `(0, -10{name})`", kind.name))
+    })?;
+    let mut vector = [InSi::new(kind, 0.0); 3];
+    for (place, part) in vector.iter_mut().zip(parts) {
+        *place = number(kind, &part)?;
+    }
+    Ok(vector)
 }
 
 fn end(place: &Place) -> Option<End> {

@@ -108,13 +108,12 @@ fn sought(subject: &Subject, case: &Case, options: &Peaks, told: &Told) -> Resul
     let mut some = Vec::new();
     for name in &options.of {
         let of_quantity = results.clone().find(|quantity| quantity.name == name).map(rates);
-        match of_quantity {
-            Some(rates) => some.extend(rates),
-            None => {
-                let names: Vec<String> = whole.iter().map(|one| one.name.clone()).collect();
-                let own = columns::named(name, &names).map_err(Fault::Wrong)?;
-                some.extend(whole.iter().filter(|one| own.contains(&one.name.as_str())).cloned());
-            }
+        if let Some(rates) = of_quantity {
+            some.extend(rates);
+        } else {
+            let names: Vec<String> = whole.iter().map(|one| one.name.clone()).collect();
+            let own = columns::named(name, &names).map_err(Fault::Wrong)?;
+            some.extend(whole.iter().filter(|one| own.contains(&one.name.as_str())).cloned());
         }
     }
     Ok(some)
