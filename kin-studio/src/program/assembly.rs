@@ -1,4 +1,4 @@
-//! Assemblies as people type them: `open`, `knee=open,foot=crossed`, values of the unknowns nearby, several behind `or`.
+//! Assemblies as people type them: `open`, `knee=open,foot=crossed`, values of the unknowns nearby, `open or crossed`.
 
 use kin_core::any::Quantity;
 use kin_core::assembly_named;

@@ -379,11 +379,15 @@ fn bare_speed(text: &str) -> Option<String> {
     let speed = speed.trim();
     let begins = speed.starts_with(|letter: char| letter.is_ascii_digit());
     let range = text.strip_suffix(speed)?.trim();
-    if speed.contains(" in ") {
-        return begins.then(|| format!("`{text}` has a law without `by`: write `{range} by {speed}`"));
+    // behind a zero without a unit stands the word itself
+    if !begins || ["", "at", "by"].contains(&unit) {
+        return None;
     }
-    (begins && !["", "at", "by"].contains(&unit))
-        .then(|| format!("`{text}` has a speed without `at`: write `{range} at {speed}`"))
+    Some(if speed.contains(" in ") {
+        format!("`{text}` has a law without `by`: write `{range} by {speed}`")
+    } else {
+        format!("`{text}` has a speed without `at`: write `{range} at {speed}`")
+    })
 }
 
 /// A speed without its sign: the range tells the direction.
@@ -415,7 +419,7 @@ mod tests {
     #[test]
     fn parts_follow_each_other() {
         let read = |text| InputMotion::read_parts(Dimension::Angle, text, &mut Lengths::default());
-        let text = "rest 0.1s, 0..90deg by scca(0.2, 0, 0.6) in 0.4s, rest 50ms, 90deg..0 at 90deg/s";
+        let text = "rest 0.1s, 0..90deg by scca(0.2, 0, 0.6) in 0.4s, rest 50ms, 90deg..0 by 4-5-6-7 in 1s";
         let motion = read(text).unwrap();
         let right = 90_f64.to_radians();
         assert_eq!(motion.stations(), [0.0, 0.0, right, right, 0.0]);
@@ -454,6 +458,7 @@ mod tests {
             ("0:360", "`0..360deg`"),
             ("0 to 2rad", "`0..2rad`"),
             ("0..360deg 45rpm", "write `0..360deg at 45rpm`"),
+            ("0..90deg 3-4-5 in 1s", "write `0..90deg by 3-4-5 in 1s`"),
             ("0deg..=360deg  45 rpm", "write `0deg..=360deg at 45 rpm`"),
         ] {
             assert!(read(text).contains(advice), "{text}: {}", read(text));

@@ -317,12 +317,12 @@ impl Subject {
         let (linkage, [from, end]) = (self.linkage(&case.parameters), case.ends());
         let assembly = self.assembly(case)?;
         let mut unknowns = linkage.position(&from, assembly.position()).map_err(Fault::open)?;
-        // one input alone passes its stations, and several go together to their ends
+        // several inputs go together to their ends, and one alone passes its stations
         let stations = case.motions[case.lead].stations();
         let mut inputs = from;
-        for (index, station) in stations.iter().enumerate().skip(1) {
-            let mut next = if moving > 1 { end.clone() } else { inputs.clone() };
-            next[case.lead] = *station;
+        for station in stations.into_iter().skip(1) {
+            let mut next = end.clone();
+            next[case.lead] = station;
             match linkage.track(&inputs, &unknowns, &next) {
                 Ok(reached) => unknowns = reached,
                 Err(error @ (TrackError::TurningPoint(_) | TrackError::Pole(_) | TrackError::Failed(_))) => {
@@ -333,7 +333,6 @@ impl Subject {
                 // branches cross, or nothing certain is known
                 Err(_) => return Ok(()),
             }
-            debug_assert!(moving <= 1 || index == 1, "a line has two ends");
             inputs = next;
         }
         Ok(())

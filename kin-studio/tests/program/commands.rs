@@ -69,8 +69,8 @@ fn sweep() {
         "sweep at two speeds",
         typed(
             "speeds",
-            "kin sweep five_bar --over 'alpha=100..120deg at 60rpm' --over 'beta=50..60deg at 60rpm' --rows 5 --columns \
-             hand,alpha_velocity,beta_velocity"
+            "kin sweep five_bar --over 'alpha=100..120deg at 60rpm' --over 'beta=50..60deg at 60rpm' --rows 5 \
+             --columns hand,alpha_velocity,beta_velocity"
         )
     );
     assert_snapshot!(

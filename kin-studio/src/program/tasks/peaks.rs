@@ -92,7 +92,7 @@ fn sought(subject: &Subject, case: &Case, options: &Peaks, told: &Told) -> Resul
             .flat_map(rates)
             .collect();
         let all = || all.iter().chain(&efforts);
-        // an input that stands, or moves as it is told, is sought if the file names it
+        // inputs are sought only if the file names them
         let named = names
             .iter()
             .filter_map(|name| all().find(|one| one.name == *name).cloned());
