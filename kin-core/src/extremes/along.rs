@@ -15,6 +15,7 @@ use super::station::{ChangedFunctions, NamedFunctions, SweepStation};
 use super::swept::{QuantityOfSweep, RateOfQuantity};
 use super::{Crossing, DwellRange, Extreme, ExtremesError, Mean, Over, Peak, PeakSensitivities};
 use crate::any::Of;
+use crate::load::{EFFORT_ENTRIES, LoadError, NamedLoads};
 use crate::mechanism::{JacobianError, JacobianMeasure, Mechanism, rows_of};
 use crate::number::Number;
 use crate::sweep::{Local, SmoothDrive, Sweep, UntypedSweep};
@@ -127,7 +128,9 @@ impl<S: QuantitySource> AskedQuantity<S> for ByJacobian {
         let parameters: Vec<Local> = station.parameters.iter().copied().map(Local::constant).collect();
         self.value(sweep.changed(), station, &parameters)
     }
+}
 
+impl<S: QuantitySource> SensitiveQuantity<S> for ByJacobian {
     fn by_dimension(
         &self,
         sweep: &S,
@@ -165,7 +168,10 @@ pub trait AskedQuantity<S> {
     fn derivative(&self) -> Option<Named> {
         None
     }
+}
 
+/// A quantity whose dependence on the dimensions is known. A new version may add items.
+pub trait SensitiveQuantity<S>: AskedQuantity<S> {
     /// How its value and its slope at a place of a sweep change with a dimension.
     #[doc(hidden)]
     fn by_dimension(
@@ -191,7 +197,9 @@ impl<S: QuantitySource> AskedQuantity<S> for ByName<'_> {
     fn derivative(&self) -> Option<Named> {
         self.named().ok()
     }
+}
 
+impl<S: QuantitySource> SensitiveQuantity<S> for ByName<'_> {
     fn by_dimension(
         &self,
         sweep: &S,
@@ -214,7 +222,9 @@ impl<S: QuantitySource> AskedQuantity<S> for ByDyad {
     fn at(&self, sweep: &S, station: &SweepStation<'_>) -> Result<Local, ExtremesError> {
         transmission_angle(station.margins(sweep.named()), station, self.0).map(|angle| angle.folded())
     }
+}
 
+impl<S: QuantitySource> SensitiveQuantity<S> for ByDyad {
     fn by_dimension(
         &self,
         sweep: &S,
@@ -225,6 +235,36 @@ impl<S: QuantitySource> AskedQuantity<S> for ByDyad {
             let margins = station.changed_margins(sweep.named(), changed);
             transmission_angle(margins, station, self.0).map(|angle| angle.folded())
         })
+    }
+}
+
+/// The effort of the drive of an input, or one of its rates.
+#[derive(Clone, Copy, Debug)]
+pub struct ByEffort<'q> {
+    loads: &'q NamedLoads,
+    input: usize,
+    order: usize,
+}
+
+impl ByEffort<'_> {
+    fn missing(&self) -> ExtremesError {
+        ExtremesError::of_loads(f64::NAN, LoadError::NoEffort { input: self.input })
+    }
+}
+
+impl<S: QuantitySource> AskedQuantity<S> for ByEffort<'_> {
+    fn check(&self, sweep: &S, _: usize) -> Result<(), ExtremesError> {
+        let is_input = self.input < sweep.untyped().description.inputs.len();
+        if is_input && self.order < EFFORT_ENTRIES {
+            Ok(())
+        } else {
+            Err(self.missing())
+        }
+    }
+
+    fn at(&self, sweep: &S, station: &SweepStation<'_>) -> Result<Local, ExtremesError> {
+        let effort = station.effort(sweep.changed(), self.loads, self.input)?;
+        effort.get(self.order).copied().ok_or_else(|| self.missing())
     }
 }
 
@@ -241,7 +281,14 @@ where
     fn at(&self, _: &Sweep<M, D>, station: &SweepStation<'_>) -> Result<Local, ExtremesError> {
         pose_quantity(station, None, &self.0)
     }
+}
 
+impl<M, D, A, F> SensitiveQuantity<Sweep<M, D>> for ByExpression<F>
+where
+    M: Mechanism<Scalar = f64>,
+    A: Answer,
+    F: Fn(&At<M>) -> A,
+{
     fn by_dimension(
         &self,
         _: &Sweep<M, D>,
@@ -328,6 +375,12 @@ impl<'c, S: QuantitySource> QuantityAlong<'c, S, ByJacobian> {
     pub(crate) fn by_jacobian(sweep: &'c S, results: &[&str], measure: JacobianMeasure) -> Self {
         let rows = rows_of(sweep.untyped().description, results);
         Self::new(sweep, ByJacobian { rows, measure })
+    }
+}
+
+impl<'c, 'q, S: QuantitySource> QuantityAlong<'c, S, ByEffort<'q>> {
+    pub(crate) fn by_effort(sweep: &'c S, loads: &'q NamedLoads, input: usize, order: usize) -> Self {
+        Self::new(sweep, ByEffort { loads, input, order })
     }
 }
 
@@ -490,6 +543,36 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
         self.ask(|asked| asked.column())
     }
 
+    fn ask<T>(
+        &self,
+        question: impl FnOnce(&QuantityOfSweep<'_>) -> Result<T, ExtremesError>,
+    ) -> Result<T, ExtremesError> {
+        self.quantity.check(self.sweep, HIGHEST)?;
+        let answer = |station: &SweepStation<'_>| self.quantity.at(self.sweep, station);
+        let tell = |part: f64| {
+            if let Some(progress) = &self.progress {
+                progress.reach(part);
+            }
+        };
+        let found = question(&QuantityOfSweep {
+            sweep: self.sweep.untyped(),
+            drive: self.sweep.drive(),
+            quantity: &answer,
+            rate: self.quantity.derivative().map(|named| RateOfQuantity {
+                named,
+                functions: self.sweep.named(),
+            }),
+            known: None,
+            progress: Some(&tell),
+        })?;
+        if let Some(progress) = &self.progress {
+            progress.end();
+        }
+        Ok(found)
+    }
+}
+
+impl<S: QuantitySource, Q: SensitiveQuantity<S>> QuantityAlong<'_, S, Q> {
     /// The [`peak`](Self::peak), and how its value and its place depend on every dimension of the mechanism.
     ///
     /// A peak between the ends of the sweep is taken where it is. One at an end of the sweep stays there. At a limit or a kink there is
@@ -519,34 +602,6 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
         let by_dimension =
             |station: &SweepStation<'_>, dimension: usize| self.quantity.by_dimension(self.sweep, station, dimension);
         self.ask(|asked| asked.sensitivities(&by_dimension))
-    }
-
-    fn ask<T>(
-        &self,
-        question: impl FnOnce(&QuantityOfSweep<'_>) -> Result<T, ExtremesError>,
-    ) -> Result<T, ExtremesError> {
-        self.quantity.check(self.sweep, HIGHEST)?;
-        let answer = |station: &SweepStation<'_>| self.quantity.at(self.sweep, station);
-        let tell = |part: f64| {
-            if let Some(progress) = &self.progress {
-                progress.reach(part);
-            }
-        };
-        let found = question(&QuantityOfSweep {
-            sweep: self.sweep.untyped(),
-            drive: self.sweep.drive(),
-            quantity: &answer,
-            rate: self.quantity.derivative().map(|named| RateOfQuantity {
-                named,
-                functions: self.sweep.named(),
-            }),
-            known: None,
-            progress: Some(&tell),
-        })?;
-        if let Some(progress) = &self.progress {
-            progress.end();
-        }
-        Ok(found)
     }
 }
 

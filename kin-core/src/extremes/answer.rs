@@ -1,7 +1,5 @@
 //! What a question to a sweep may return for a pose.
 
-use alloc::boxed::Box;
-
 use super::ExtremesError;
 use crate::load::LoadError;
 use crate::mechanism::JacobianError;
@@ -38,10 +36,7 @@ impl<const N: usize> Answer for Motion<Local, N> {
 
 impl Answer for Result<Local, LoadError> {
     fn answer(self, at: f64) -> Result<Local, ExtremesError> {
-        self.map_err(|error| ExtremesError::Load {
-            at,
-            error: Box::new(error),
-        })
+        self.map_err(|error| ExtremesError::of_loads(at, error))
     }
 }
 

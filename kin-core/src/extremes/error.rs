@@ -89,6 +89,12 @@ pub enum ExtremesError {
 }
 
 impl ExtremesError {
+    /// The error of loads at a place of a sweep.
+    pub(super) fn of_loads(at: f64, error: LoadError) -> Self {
+        let error = Box::new(error);
+        Self::Load { at, error }
+    }
+
     /// The error of a Jacobian at a place of a sweep.
     pub(super) fn of_jacobian(at: f64, error: JacobianError) -> Self {
         match error {

@@ -67,7 +67,7 @@ mod tests;
 pub use along::QuantityAlong;
 pub(crate) use along::pose_quantity;
 #[doc(hidden)]
-pub use along::{AskedQuantity, ByDyad, ByExpression, ByJacobian, ByName, QuantitySource};
+pub use along::{AskedQuantity, ByDyad, ByEffort, ByExpression, ByJacobian, ByName, QuantitySource, SensitiveQuantity};
 pub use answer::Answer;
 pub use at::At;
 pub(crate) use branch::{KnownStretch, KnownSweep, StationQuantity, named_quantity};

@@ -7,6 +7,7 @@ use super::ExtremesError;
 use super::margin::{DyadFunctions, Margins};
 use crate::any::{NearOver, Of, OutputsOver};
 use crate::failure::SolveError;
+use crate::load::{Change, EFFORT_ENTRIES, NamedLoads, NamedMotion};
 use crate::mechanism::{Description, Jacobian, Mechanism};
 use crate::number::series::Series;
 use crate::number::{Changing, Number, NumberRow};
@@ -219,6 +220,39 @@ impl SweepStation<'_> {
         }
         let entry = |row: usize, column: usize| shorter(columns[column][rows[row]].change);
         Ok(Jacobian::from_fn(rows.len(), input_count, entry))
+    }
+
+    /// The effort of the drive of an input under loads, with its rates.
+    pub(super) fn effort(
+        &self,
+        functions: &dyn ChangedFunctions,
+        loads: &NamedLoads,
+        moved: usize,
+    ) -> Result<[Local; EFFORT_ENTRIES], ExtremesError> {
+        type Number = Changing<Series<UP_TO_SNAP>>;
+        let at = self.variable.real();
+        let still = self.parameters.iter().copied().map(Number::constant);
+        let inputs = self.inputs.chunks_exact(READ).enumerate().map(|(input, motion)| {
+            let rate = f64::from(u8::from(input == moved));
+            Number::new(Series::from_motion(motion), Series::constant(rate))
+        });
+        let found = self.position_at::<Number>(functions, still, inputs);
+        let mut position = found.map_err(|_| ExtremesError::Gap { at })?;
+        let [parameters, inputs, _, unknowns] = position.parts();
+        let mut outputs = vec![Number::constant(0.0); self.outputs.len()];
+        functions.outputs(parameters, inputs, unknowns, &mut outputs);
+        for (index, output) in outputs.iter_mut().enumerate() {
+            *output = unwrapped(self.description.outputs[index], *output, self.outputs[index]);
+        }
+        let all = [&*parameters, &*inputs, &*unknowns, &outputs].into_iter().flatten();
+        let quantities: Vec<NamedMotion<Local>> = all
+            .map(|quantity| {
+                let (value, change) = (quantity.value.derivatives(), quantity.change.derivatives());
+                core::array::from_fn(|order| Change::new(self.by_time(&value, order), self.by_time(&change, order)))
+            })
+            .collect();
+        let effort = loads.effort(&quantities);
+        effort.map_err(|error| ExtremesError::of_loads(at, error))
     }
 
     /// [`margins`](Self::margins) of dimensions that change with the parameter in which the variable is a series.

@@ -307,7 +307,7 @@ fn laws_have_joints() {
 #[test]
 fn rates_above_a_jump_have_no_bound() {
     let crank = SliderCrank { r: 0.1, l: 0.3 };
-    let unbounded = |servo: &Sequence<'_, f64, 3>, name: &str| -> Vec<(f64, bool)> {
+    let unbounded = |servo: &Sequence<[&dyn Piecewise<f64>; 3]>, name: &str| -> Vec<(f64, bool)> {
         let end = servo.duration();
         let sweep = crank.sweep(Assembly::Open).under_laws([servo], 0.0..=end, 20);
         let extremes = sweep.of(name).extremes().unwrap();

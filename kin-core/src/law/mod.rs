@@ -65,4 +65,4 @@ pub use polynomial::Polynomial;
 pub use rise::{Rise, Shape};
 pub use s_curve::{Limits, SCurve};
 pub use scca::Scca;
-pub use sequence::Sequence;
+pub use sequence::{LawRow, Sequence};

@@ -1,5 +1,10 @@
 //! Laws one after the other.
 
+#[cfg(feature = "alloc")]
+use alloc::boxed::Box;
+#[cfg(feature = "alloc")]
+use alloc::vec::Vec;
+
 use super::LawError;
 use super::error::positive;
 use super::piecewise::{Piecewise, Side};
@@ -22,31 +27,74 @@ use crate::number::Number;
 /// # Ok::<(), kin_core::law::LawError>(())
 /// ```
 #[derive(Clone, Copy)]
-pub struct Sequence<'a, T, const K: usize> {
-    laws: [&'a dyn Piecewise<T>; K],
+pub struct Sequence<L> {
+    laws: L,
 }
 
-impl<'a, T: Number, const K: usize> Sequence<'a, T, K> {
+/// Laws in a row. Do not implement it: a new version may add items.
+pub trait LawRow<T: Number> {
+    /// The laws in the order of their times.
+    fn laws(&self) -> impl Iterator<Item = &dyn Piecewise<T>>;
+}
+
+impl<T: Number, const K: usize> LawRow<T> for [&dyn Piecewise<T>; K] {
+    fn laws(&self) -> impl Iterator<Item = &dyn Piecewise<T>> {
+        self.iter().copied()
+    }
+}
+
+#[cfg(feature = "alloc")]
+impl<T: Number> LawRow<T> for Vec<Box<dyn Piecewise<T>>> {
+    fn laws(&self) -> impl Iterator<Item = &dyn Piecewise<T>> {
+        self.iter().map(|law| &**law)
+    }
+}
+
+impl<'a, T: Number, const K: usize> Sequence<[&'a dyn Piecewise<T>; K]> {
     /// The laws in the order of their times.
     ///
     /// # Errors
     /// [`LawError::Empty`] without laws, [`LawError::NotPositive`] if the duration of one is not positive.
     pub fn new(laws: [&'a dyn Piecewise<T>; K]) -> Result<Self, LawError> {
-        if K == 0 {
+        Self::checked(laws)
+    }
+}
+
+#[cfg(feature = "alloc")]
+#[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
+impl<T: Number> Sequence<Vec<Box<dyn Piecewise<T>>>> {
+    /// As many laws as a program has read.
+    ///
+    /// # Errors
+    /// As for [`new`](Sequence::new).
+    pub fn of_boxes(laws: Vec<Box<dyn Piecewise<T>>>) -> Result<Self, LawError> {
+        Self::checked(laws)
+    }
+}
+
+impl<L> Sequence<L> {
+    fn checked<T: Number>(laws: L) -> Result<Self, LawError>
+    where
+        L: LawRow<T>,
+    {
+        if laws.laws().next().is_none() {
             return Err(LawError::Empty);
         }
-        for law in laws {
+        for law in laws.laws() {
             positive("duration of a law in a sequence", law.duration())?;
         }
         Ok(Self { laws })
     }
 
     /// The law to which a piece belongs, its number there, and the time at which that law starts.
-    fn owner(&self, piece: usize) -> (&'a dyn Piecewise<T>, usize, T) {
+    fn owner<T: Number>(&self, piece: usize) -> Option<(&dyn Piecewise<T>, usize, T)>
+    where
+        L: LawRow<T>,
+    {
         let mut start = T::constant(0.0);
-        let (mut own, mut owner) = (piece, self.laws[0]);
-        for law in self.laws {
-            owner = law;
+        let (mut own, mut owner) = (piece, None);
+        for law in self.laws.laws() {
+            owner = Some((law, own, start));
             let count = law.pieces();
             if own < count {
                 break;
@@ -54,33 +102,35 @@ impl<'a, T: Number, const K: usize> Sequence<'a, T, K> {
             own -= count;
             start = start + law.duration();
         }
-        (owner, own, start)
+        owner
     }
 }
 
-impl<T: Number, const K: usize> Piecewise<T> for Sequence<'_, T, K> {
+impl<T: Number, L: LawRow<T>> Piecewise<T> for Sequence<L> {
     fn pieces(&self) -> usize {
-        self.laws.iter().map(Piecewise::pieces).sum()
+        self.laws.laws().map(Piecewise::pieces).sum()
     }
 
     fn end(&self, piece: usize) -> T {
-        let (law, own, start) = self.owner(piece);
-        start + law.end(own)
+        let owner = self.owner(piece);
+        owner.map_or(T::constant(0.0), |(law, own, start)| start + law.end(own))
     }
 
     fn write(&self, piece: usize, time: T, derivatives: &mut [T]) {
-        let (law, own, start) = self.owner(piece);
-        law.write(own, time - start, derivatives);
+        if let Some((law, own, start)) = self.owner(piece) {
+            law.write(own, time - start, derivatives);
+        }
     }
 
     fn duration(&self) -> T {
-        self.laws.iter().fold(T::constant(0.0), |sum, law| sum + law.duration())
+        let laws = self.laws.laws();
+        laws.fold(T::constant(0.0), |sum, law| sum + law.duration())
     }
 
     fn piece(&self, time: f64, side: Side) -> usize {
         let (mut before, mut start) = (0, T::constant(0.0));
         let mut found = 0;
-        for (place, law) in self.laws.iter().enumerate() {
+        for (place, law) in self.laws.laws().enumerate() {
             let own = start.real();
             if place > 0 && !(own < time || (own == time && side == Side::Right)) {
                 break;

@@ -7,9 +7,12 @@ use core::fmt;
 use super::AnyLinkage;
 use crate::any::AssemblyChoice;
 use crate::exact::{ExactTable, ExactTableError, Precision, exact_table};
-use crate::extremes::{ByDyad, ByJacobian, ByName, ChangedFunctions, NamedFunctions, QuantityAlong, QuantitySource};
+use crate::extremes::{
+    ByDyad, ByEffort, ByJacobian, ByName, ChangedFunctions, NamedFunctions, QuantityAlong, QuantitySource,
+};
 use crate::failure::SolveError;
 use crate::law::{Piecewise, Side};
+use crate::load::NamedLoads;
 use crate::mechanism::JacobianMeasure;
 use crate::number::{ClosedRange, NumberRow};
 use crate::sweep::{
@@ -156,6 +159,17 @@ impl<D: SmoothDrive> AnySweep<'_, D> {
     /// The transmission angle of a dyad, by its index in the order in which the dyads are solved, or its supplement if this is smaller.
     pub fn of_transmission_angle(&self, dyad: usize) -> QuantityAlong<'_, Self, ByDyad> {
         QuantityAlong::new(self, ByDyad(dyad))
+    }
+
+    /// The effort of the drive of an input under loads, by the index of the input: order 0 is the torque or force, 1 and 2 are its rates by
+    /// time. See [`NamedLoads`].
+    pub fn of_effort<'q>(
+        &self,
+        loads: &'q NamedLoads,
+        input: usize,
+        order: usize,
+    ) -> QuantityAlong<'_, Self, ByEffort<'q>> {
+        QuantityAlong::by_effort(self, loads, input, order)
     }
 
     /// A measure of the Jacobian of results, by their names: see [`of_jacobian`](crate::sweep::Sweep::of_jacobian).

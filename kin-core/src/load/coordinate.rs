@@ -2,13 +2,12 @@
 
 use core::ops::{Add, Mul, Sub};
 
-use crate::load::{Change, Moving, VaryingNumber, VaryingVector};
-use crate::mechanism::Mechanism;
+use crate::load::{Change, LoadedSystem, VaryingNumber, VaryingVector};
 use crate::motion::leibniz;
 use crate::number::{Number, Row};
 
 /// The number of entries of a motion of the mechanism: the value, and a derivative for each order.
-pub(super) const fn entries<M: Mechanism>() -> usize {
+pub(super) const fn entries<M: LoadedSystem>() -> usize {
     <M::Motion<M::Scalar> as Row<M::Scalar>>::LENGTH
 }
 
@@ -17,16 +16,16 @@ pub(super) const fn entries<M: Mechanism>() -> usize {
 /// The influence coefficient of an input is the partial derivative of the coordinate with respect to that input. Entry n of its
 /// motion is its n-th derivative by time. Sums and products follow the product rule.
 #[derive(Clone, Copy)]
-pub(super) struct Coordinate<M: Mechanism> {
+pub(super) struct Coordinate<M: LoadedSystem> {
     pub(super) motion: M::Motion<M::Scalar>,
     pub(super) influence: M::Inputs<M::Motion<M::Scalar>>,
 }
 
-impl<M: Mechanism> Coordinate<M> {
+impl<M: LoadedSystem> Coordinate<M> {
     /// The coordinates of a selected point, x, y and z.
     pub(super) fn of_point<P: VaryingVector<Change<M::Scalar>>>(
-        poses: &M::Inputs<Moving<M>>,
-        point: impl Fn(Moving<M>) -> P,
+        poses: &M::Inputs<M::Moving>,
+        point: impl Fn(M::Moving) -> P,
     ) -> [Self; 3] {
         const {
             assert!(
@@ -44,8 +43,8 @@ impl<M: Mechanism> Coordinate<M> {
 
     /// A selected angle, or another coordinate that is a number.
     pub(super) fn of_number<P: VaryingNumber<Change<M::Scalar>>>(
-        poses: &M::Inputs<Moving<M>>,
-        number: impl Fn(Moving<M>) -> P,
+        poses: &M::Inputs<M::Moving>,
+        number: impl Fn(M::Moving) -> P,
     ) -> Self {
         const {
             assert!(
@@ -130,7 +129,7 @@ impl<M: Mechanism> Coordinate<M> {
     }
 }
 
-impl<M: Mechanism> Add for Coordinate<M> {
+impl<M: LoadedSystem> Add for Coordinate<M> {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
@@ -138,7 +137,7 @@ impl<M: Mechanism> Add for Coordinate<M> {
     }
 }
 
-impl<M: Mechanism> Sub for Coordinate<M> {
+impl<M: LoadedSystem> Sub for Coordinate<M> {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
@@ -146,7 +145,7 @@ impl<M: Mechanism> Sub for Coordinate<M> {
     }
 }
 
-impl<M: Mechanism> Mul for Coordinate<M> {
+impl<M: LoadedSystem> Mul for Coordinate<M> {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
@@ -166,12 +165,12 @@ impl<M: Mechanism> Mul for Coordinate<M> {
 }
 
 /// The scalar product.
-pub(super) fn dot<M: Mechanism>(a: &[Coordinate<M>; 3], b: &[Coordinate<M>; 3]) -> Coordinate<M> {
+pub(super) fn dot<M: LoadedSystem>(a: &[Coordinate<M>; 3], b: &[Coordinate<M>; 3]) -> Coordinate<M> {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// The vector product.
-pub(super) fn cross<M: Mechanism>(a: &[Coordinate<M>; 3], b: &[Coordinate<M>; 3]) -> [Coordinate<M>; 3] {
+pub(super) fn cross<M: LoadedSystem>(a: &[Coordinate<M>; 3], b: &[Coordinate<M>; 3]) -> [Coordinate<M>; 3] {
     [
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],
@@ -179,6 +178,6 @@ pub(super) fn cross<M: Mechanism>(a: &[Coordinate<M>; 3], b: &[Coordinate<M>; 3]
     ]
 }
 
-pub(super) fn difference<M: Mechanism>(a: &[Coordinate<M>; 3], b: &[Coordinate<M>; 3]) -> [Coordinate<M>; 3] {
+pub(super) fn difference<M: LoadedSystem>(a: &[Coordinate<M>; 3], b: &[Coordinate<M>; 3]) -> [Coordinate<M>; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }

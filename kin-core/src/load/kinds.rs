@@ -3,15 +3,14 @@
 use crate::geometry::Space;
 use crate::load::coordinate::{Coordinate, cross, difference, dot};
 use crate::load::totals::Totals;
-use crate::load::{Change, LoadError, Moving, VaryingNumber, VaryingVector};
-use crate::mechanism::Mechanism;
+use crate::load::{Change, LoadError, LoadedSystem, VaryingNumber, VaryingVector};
 use crate::number::Number;
 
 /// A load of the mechanism `M`, or a list of loads.
 ///
 /// Functions that take any loads name it: `fn peak(loads: &Loads<FourBar, impl Load<FourBar>>)`. Do not implement it: a new version may
 /// add items.
-pub trait Load<M: Mechanism>: Copy {
+pub trait Load<M: LoadedSystem>: Copy {
     /// The number of loads.
     #[doc(hidden)]
     const COUNT: usize;
@@ -22,7 +21,7 @@ pub trait Load<M: Mechanism>: Copy {
 }
 
 /// No load.
-impl<M: Mechanism> Load<M> for () {
+impl<M: LoadedSystem> Load<M> for () {
     const COUNT: usize = 0;
 
     fn add(&self, _: &mut Totals<M>) -> Result<(), LoadError> {
@@ -31,7 +30,7 @@ impl<M: Mechanism> Load<M> for () {
 }
 
 /// A list of loads, and one more.
-impl<M: Mechanism, L: Load<M>, H: Load<M>> Load<M> for (L, H) {
+impl<M: LoadedSystem, L: Load<M>, H: Load<M>> Load<M> for (L, H) {
     const COUNT: usize = L::COUNT + H::COUNT;
 
     fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {
@@ -48,7 +47,7 @@ pub struct Mass<F> {
     pub(super) point: F,
 }
 
-impl<M: Mechanism, P: VaryingVector<Change<M::Scalar>>, F: Fn(Moving<M>) -> P + Copy> Load<M> for Mass<F> {
+impl<M: LoadedSystem, P: VaryingVector<Change<M::Scalar>>, F: Fn(M::Moving) -> P + Copy> Load<M> for Mass<F> {
     const COUNT: usize = 1;
 
     fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {
@@ -65,7 +64,7 @@ fn not_negative(load: usize, quantity: &'static str, value: f64) -> Result<(), L
     Ok(())
 }
 
-fn add_mass<M: Mechanism>(totals: &mut Totals<M>, mass: f64, point: &[Coordinate<M>; 3]) -> Result<(), LoadError> {
+fn add_mass<M: LoadedSystem>(totals: &mut Totals<M>, mass: f64, point: &[Coordinate<M>; 3]) -> Result<(), LoadError> {
     not_negative(totals.load, "mass", mass)?;
     for coordinate in point {
         totals.inertia(mass, coordinate, coordinate);
@@ -85,7 +84,7 @@ pub struct Inertia<F> {
     pub(super) angle: F,
 }
 
-impl<M: Mechanism, P: VaryingNumber<Change<M::Scalar>>, F: Fn(Moving<M>) -> P + Copy> Load<M> for Inertia<F> {
+impl<M: LoadedSystem, P: VaryingNumber<Change<M::Scalar>>, F: Fn(M::Moving) -> P + Copy> Load<M> for Inertia<F> {
     const COUNT: usize = 1;
 
     fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {
@@ -124,7 +123,7 @@ pub struct SpaceBody<F> {
     pub(super) points: F,
 }
 
-impl<M: Mechanism, P: VaryingVector<Change<M::Scalar>>, F: Fn(Moving<M>) -> [P; 3] + Copy> Load<M> for SpaceBody<F> {
+impl<M: LoadedSystem, P: VaryingVector<Change<M::Scalar>>, F: Fn(M::Moving) -> [P; 3] + Copy> Load<M> for SpaceBody<F> {
     const COUNT: usize = 1;
 
     // With the arms ξ from the centre of mass along unit vectors e fixed to the body, the velocity of a mass element is that of the
@@ -179,7 +178,7 @@ impl<M: Mechanism, P: VaryingVector<Change<M::Scalar>>, F: Fn(Moving<M>) -> [P; 
 }
 
 /// Whether the scalar product of two vectors is constant up to half of the digits, otherwise its rate.
-fn rigid<M: Mechanism>(one: &[Coordinate<M>; 3], two: &[Coordinate<M>; 3]) -> Result<(), f64> {
+fn rigid<M: LoadedSystem>(one: &[Coordinate<M>; 3], two: &[Coordinate<M>; 3]) -> Result<(), f64> {
     let product = dot(one, two);
     for (input, influence) in product.influence.as_ref().iter().enumerate() {
         let part = |a: &Coordinate<M>, b: &Coordinate<M>| (a.motion[0] * b.influence[input][0]).real().abs();
@@ -201,10 +200,10 @@ pub struct Force<V, F> {
 
 impl<M, V, P, F> Load<M> for Force<V, F>
 where
-    M: Mechanism,
+    M: LoadedSystem,
     V: VaryingVector<M::Scalar>,
     P: VaryingVector<Change<M::Scalar>>,
-    F: Fn(Moving<M>) -> P + Copy,
+    F: Fn(M::Moving) -> P + Copy,
 {
     const COUNT: usize = 1;
 
@@ -226,10 +225,10 @@ pub struct Torque<V, F> {
 
 impl<M, V, P, F> Load<M> for Torque<V, F>
 where
-    M: Mechanism,
+    M: LoadedSystem,
     V: VaryingNumber<M::Scalar>,
     P: VaryingNumber<Change<M::Scalar>>,
-    F: Fn(Moving<M>) -> P + Copy,
+    F: Fn(M::Moving) -> P + Copy,
 {
     const COUNT: usize = 1;
 
@@ -256,22 +255,22 @@ pub struct OnAngle<K, F> {
 }
 
 /// The stiffness of a spring and its length at rest.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spring {
     pub(super) stiffness: f64,
     pub(super) rest: f64,
 }
 
 /// The constant of a damper.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Damper {
     pub(super) damping: f64,
 }
 
 /// The square of the distance of two points.
-fn square<M, P, Q>(totals: &Totals<M>, from: impl Fn(Moving<M>) -> P, to: impl Fn(Moving<M>) -> Q) -> Coordinate<M>
+fn square<M, P, Q>(totals: &Totals<M>, from: impl Fn(M::Moving) -> P, to: impl Fn(M::Moving) -> Q) -> Coordinate<M>
 where
-    M: Mechanism,
+    M: LoadedSystem,
     P: VaryingVector<Change<M::Scalar>>,
     Q: VaryingVector<Change<M::Scalar>>,
 {
@@ -284,7 +283,7 @@ where
 }
 
 /// The distance, from its square.
-fn distance<M: Mechanism>(square: Coordinate<M>, load: usize) -> Result<Coordinate<M>, LoadError> {
+fn distance<M: LoadedSystem>(square: Coordinate<M>, load: usize) -> Result<Coordinate<M>, LoadError> {
     if square.motion[0].real() > M::Scalar::SMALLEST {
         Ok(square.sqrt())
     } else {
@@ -294,11 +293,11 @@ fn distance<M: Mechanism>(square: Coordinate<M>, load: usize) -> Result<Coordina
 
 impl<M, P, Q, F, G> Load<M> for BetweenPoints<Spring, F, G>
 where
-    M: Mechanism,
+    M: LoadedSystem,
     P: VaryingVector<Change<M::Scalar>>,
     Q: VaryingVector<Change<M::Scalar>>,
-    F: Fn(Moving<M>) -> P + Copy,
-    G: Fn(Moving<M>) -> Q + Copy,
+    F: Fn(M::Moving) -> P + Copy,
+    G: Fn(M::Moving) -> Q + Copy,
 {
     const COUNT: usize = 1;
 
@@ -319,11 +318,11 @@ where
 
 impl<M, P, Q, F, G> Load<M> for BetweenPoints<Damper, F, G>
 where
-    M: Mechanism,
+    M: LoadedSystem,
     P: VaryingVector<Change<M::Scalar>>,
     Q: VaryingVector<Change<M::Scalar>>,
-    F: Fn(Moving<M>) -> P + Copy,
-    G: Fn(Moving<M>) -> Q + Copy,
+    F: Fn(M::Moving) -> P + Copy,
+    G: Fn(M::Moving) -> Q + Copy,
 {
     const COUNT: usize = 1;
 
@@ -334,7 +333,9 @@ where
     }
 }
 
-impl<M: Mechanism, P: VaryingNumber<Change<M::Scalar>>, F: Fn(Moving<M>) -> P + Copy> Load<M> for OnAngle<Spring, F> {
+impl<M: LoadedSystem, P: VaryingNumber<Change<M::Scalar>>, F: Fn(M::Moving) -> P + Copy> Load<M>
+    for OnAngle<Spring, F>
+{
     const COUNT: usize = 1;
 
     fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {
@@ -345,7 +346,9 @@ impl<M: Mechanism, P: VaryingNumber<Change<M::Scalar>>, F: Fn(Moving<M>) -> P + 
     }
 }
 
-impl<M: Mechanism, P: VaryingNumber<Change<M::Scalar>>, F: Fn(Moving<M>) -> P + Copy> Load<M> for OnAngle<Damper, F> {
+impl<M: LoadedSystem, P: VaryingNumber<Change<M::Scalar>>, F: Fn(M::Moving) -> P + Copy> Load<M>
+    for OnAngle<Damper, F>
+{
     const COUNT: usize = 1;
 
     fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {

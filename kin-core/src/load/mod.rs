@@ -56,6 +56,11 @@
 //! derivatives, so that its peaks, means and sensitivities are found like those of any quantity. A function of any number type serves
 //! both: `fn loads<T: Scalar>() -> Loads<Press<T>, impl Load<Press<T>>>`.
 //!
+//! # Names
+//!
+//! [`NamedLoads`] acts on points and angles by their names. A program that does not know the type of its mechanism asks an
+//! [`AnySweep`](crate::linkage::AnySweep) for their efforts.
+//!
 //! Not here are joint reactions, friction and impact.
 
 mod balance;
@@ -64,6 +69,9 @@ mod dynamics;
 mod error;
 mod kinds;
 mod loaded;
+#[cfg(feature = "alloc")]
+mod named;
+mod system;
 #[cfg(test)]
 mod tests;
 mod totals;
@@ -74,6 +82,12 @@ pub use dynamics::EquivalentInertia;
 pub use error::LoadError;
 pub use kinds::{BetweenPoints, Damper, Force, Inertia, Load, Mass, OnAngle, Solid, SpaceBody, Spring, Torque};
 pub use loaded::{Loaded, LoadsOf};
+#[cfg(feature = "alloc")]
+pub(crate) use named::{EFFORT_ENTRIES, NamedMotion};
+#[cfg(feature = "alloc")]
+#[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
+pub use named::{NamedLoads, NoSuchPlace, PointPlace};
+pub use system::LoadedSystem;
 #[doc(hidden)]
 pub use totals::Totals;
 pub use varying::{VaryingNumber, VaryingVector};

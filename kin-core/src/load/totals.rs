@@ -3,7 +3,7 @@
 use crate::failure::SolveError;
 use crate::geometry::Space;
 use crate::load::coordinate::{Coordinate, entries};
-use crate::load::{Change, Moving};
+use crate::load::{Change, LoadedSystem, Moving};
 use crate::mechanism::Mechanism;
 use crate::motion::leibniz;
 use crate::number::{Number, Row};
@@ -12,9 +12,9 @@ use crate::number::{Number, Row};
 ///
 /// With a coordinate s of the weight w, and its influence coefficient g of an input, the virtual work of inertia gives the input the
 /// effort w s'' g. Each rate of the effort follows by Leibniz's rule from the derivatives of s and g.
-pub struct Totals<M: Mechanism> {
+pub struct Totals<M: LoadedSystem> {
     /// The pose, with the change along one input each.
-    pub(super) poses: M::Inputs<Moving<M>>,
+    pub(super) poses: M::Inputs<M::Moving>,
     pub(super) gravity: Space<f64>,
     /// The place of the load that is being added, from 1 on.
     pub(super) load: usize,
@@ -28,8 +28,8 @@ pub struct Totals<M: Mechanism> {
     pub(super) shaking_moment: [M::Motion<M::Scalar>; 3],
 }
 
-impl<M: Mechanism> Totals<M> {
-    pub(super) fn new(poses: M::Inputs<Moving<M>>, gravity: Space<f64>) -> Self {
+impl<M: LoadedSystem> Totals<M> {
+    pub(super) fn new(poses: M::Inputs<M::Moving>, gravity: Space<f64>) -> Self {
         let zero = M::Motion::splat(M::Scalar::constant(0.0));
         let zeros = M::Inputs::splat(zero);
         Self {

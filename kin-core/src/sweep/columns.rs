@@ -62,6 +62,8 @@ impl fmt::Display for Label<'_> {
 /// A mechanism has its own units of length and time. Until [`Table::units`](super::Table::units) names them they are `L` and `T`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Unit<'t> {
+    /// The unit as it was given, of a column that is no quantity of the mechanism.
+    pub(super) own: Option<&'t str>,
     pub(super) dimension: Dimension,
     pub(super) order: usize,
     pub(super) is_time: bool,
@@ -73,12 +75,18 @@ pub struct Unit<'t> {
 impl Unit<'_> {
     /// Whether it is the unit of a plain number, which is not written.
     fn is_none(&self) -> bool {
-        self.dimension == Dimension::Scalar && self.order == 0 && !self.is_time
+        match self.own {
+            Some(own) => own.is_empty(),
+            None => self.dimension == Dimension::Scalar && self.order == 0 && !self.is_time,
+        }
     }
 }
 
 impl fmt::Display for Unit<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(own) = self.own {
+            return formatter.write_str(own);
+        }
         if self.is_time {
             return formatter.write_str(self.time);
         }
@@ -134,6 +142,21 @@ pub(super) struct Heading {
     pub(super) dimension: Dimension,
     pub(super) order: usize,
     pub(super) is_variable: bool,
+    /// The unit of a column that is no quantity of the mechanism.
+    pub(super) unit: Option<String>,
+}
+
+impl Heading {
+    /// That of a column which is no quantity of the mechanism.
+    pub(super) fn other(name: &str, unit: &str) -> Self {
+        Self {
+            name: name.to_string(),
+            dimension: Dimension::Scalar,
+            order: 0,
+            is_variable: false,
+            unit: Some(unit.to_string()),
+        }
+    }
 }
 
 impl From<Label<'_>> for Heading {
@@ -143,6 +166,7 @@ impl From<Label<'_>> for Heading {
             dimension: label.dimension,
             order: label.order,
             is_variable: label.is_variable,
+            unit: None,
         }
     }
 }

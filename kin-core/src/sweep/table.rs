@@ -185,6 +185,28 @@ impl Table {
         self
     }
 
+    /// The table with one more column of numbers, as [`column`](crate::extremes::QuantityAlong::column) gives them, behind all others. Rows
+    /// without a number have NaN. Later changes of the units of the table do not concern it.
+    ///
+    /// ```
+    /// use kin_core::library::FourBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
+    /// let sweep = linkage.sweep(Assembly::Open).over(0.0..=3.0, 31).speed(10.0);
+    /// let power = sweep.of_expression(|at| at.theta4.velocity() * at.theta4.acceleration()).column()?;
+    /// let table = sweep.table()?.with_column("power", "rad²/s³", power);
+    /// assert_eq!(table.columns().last().unwrap().to_string(), "power [rad²/s³]");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn with_column(mut self, name: &str, unit: &str, mut values: Vec<f64>) -> Self {
+        values.resize(self.count, f64::NAN);
+        self.labels.push(Heading::other(name, unit));
+        self.data.extend(values);
+        self
+    }
+
     /// The column of the first unknown: columns follow in the order of inputs and unknowns, each in all orders.
     pub(super) fn first_unknown(&self, description: &Description<'_>) -> usize {
         self.first_input() + description.inputs.len() * (description.order + 1)
@@ -212,6 +234,7 @@ impl Table {
         ColumnOf {
             label,
             unit: Unit {
+                own: self.labels[index].unit.as_deref(),
                 dimension: label.dimension,
                 order: label.order,
                 is_time: label.is_variable && label.name == "time",

@@ -1,10 +1,13 @@
 //! What is asked of a mechanism: its dimensions, how its inputs move, and its assembly.
 
+use kin_core::Dimension;
 use kin_core::any::{Description, Quantity};
-use kin_core::{Dimension, assembly_named};
+use kin_core::load::NamedLoads;
 
+use super::assembly;
 use super::fault::{Fault, listed, similar};
-use super::motion::{InputMotion, LawName, checked};
+use super::loads::{Effort, Loads};
+use super::motion::{InputMotion, LawName, Step, checked};
 use super::subject::{Subject, Wanted};
 use super::value::{self, Lengths};
 
@@ -27,6 +30,8 @@ pub(crate) struct Typed {
     pub(crate) units: Option<String>,
     /// Whether angles are shown in radians.
     pub(crate) radians: bool,
+    /// The loads.
+    pub(crate) loads: Loads,
 }
 
 /// What is asked of a mechanism.
@@ -40,6 +45,8 @@ pub(crate) struct Case {
     pub(crate) lead: usize,
     /// The assembly.
     pub(crate) assembly: Wanted,
+    /// The loads, none if nothing was said of them.
+    pub(crate) loads: Option<NamedLoads>,
     /// The name of the unit of length, empty if there is none.
     pub(crate) length: &'static str,
     /// Whether angles are shown in degrees.
@@ -63,14 +70,39 @@ impl Typed {
         !self.over.is_empty()
     }
 
+    /// What was typed with each of its assemblies alone, and the name of each.
+    pub(crate) fn each_assembly(&self, subject: &Subject) -> Vec<(String, Self)> {
+        let names = self
+            .assembly
+            .as_deref()
+            .map(|text| assembly::each(text, &subject.assemblies()));
+        let names = names.unwrap_or_default().into_iter();
+        let alone = names.map(|name| {
+            let assembly = Some(name.clone());
+            (
+                name,
+                Self {
+                    assembly,
+                    ..self.clone()
+                },
+            )
+        });
+        let all: Vec<_> = alone.collect();
+        if all.is_empty() {
+            return vec![(String::new(), self.clone())];
+        }
+        all
+    }
+
+    /// What was typed with the first of its assemblies, where all are answered for or none is read.
+    pub(crate) fn first_assembly(&self, subject: &Subject) -> Self {
+        let first = self.each_assembly(subject).into_iter().next();
+        first.map_or_else(|| self.clone(), |(_, typed)| typed)
+    }
+
     /// Compares what was typed with a mechanism.
     pub(crate) fn case(&self, subject: &Subject) -> Result<Case, Fault> {
-        let case = self.compared(subject, None)?;
-        // the option is for the leading input, and says nothing of the others
-        if self.speed.is_none() {
-            case.check_pace(subject.description().inputs)?;
-        }
-        Ok(case)
+        self.compared(subject, None)
     }
 
     /// The same where no input must move. A leading input without a range and without a value stands at `otherwise`.
@@ -105,6 +137,7 @@ impl Typed {
             motions: self.motions(subject, said, otherwise, &mut lengths)?,
             lead,
             assembly,
+            loads: self.loads.named(subject.description(), lengths.metres())?,
             length: lengths.name(),
             in_degrees: !self.radians,
         })
@@ -117,8 +150,9 @@ impl Typed {
         }
     }
 
-    /// Remarks on lengths that no link has. An offset may be negative, so they are not refused.
-    pub(crate) fn remarks(&self, subject: &Subject) -> Vec<String> {
+    /// Remarks on lengths that no link has, each behind the name of its dimension. An offset may be negative, so they
+    /// are not refused.
+    pub(crate) fn remarks(&self, subject: &Subject) -> Vec<(String, String)> {
         let example = subject.example();
         let Ok((values, _)) = self.values(subject, &mut Lengths::default()) else {
             return Vec::new();
@@ -129,7 +163,7 @@ impl Typed {
             let usual = example.as_ref().map_or(1.0, |example| example.parameters[index]);
             let is_link = quantity.dimension == Dimension::Length && !quantity.name.contains('.') && usual > 0.0;
             let name = quantity.name;
-            match value {
+            let remark = match value {
                 _ if !is_link => None,
                 0.0 => Some(format!(
                     "`{name}` is zero: a link of this length joins its pins into one"
@@ -139,7 +173,8 @@ impl Typed {
                      lies on the other side"
                 )),
                 _ => None,
-            }
+            };
+            remark.map(|remark| (name.to_owned(), remark))
         });
         remarks.collect()
     }
@@ -198,41 +233,19 @@ impl Typed {
 
     fn assembly(&self, subject: &Subject, lengths: &mut Lengths) -> Result<Wanted, Fault> {
         let names = subject.assemblies();
-        let Some(text) = &self.assembly else {
-            return match (subject.example(), names.as_slice()) {
-                (Some(example), _) => Ok(example.assembly.clone()),
-                (None, []) => Ok(Wanted::Unknown),
-                (None, _) => Ok(Wanted::Named(0)),
-            };
-        };
-        if let Some(index) = assembly_named(&names, text) {
-            return Ok(Wanted::Named(index));
+        match (&self.assembly, subject.example(), names.as_slice()) {
+            (Some(text), ..) => {
+                if let [first, _, ..] = assembly::each(text, &names).as_slice() {
+                    return Err(Fault::wrong(format!(
+                        "there are several assemblies, and this is done in one: write `--assembly {first}`"
+                    )));
+                }
+                assembly::wanted(&names, subject.description().unknowns, text, lengths).map_err(Fault::Wrong)
+            }
+            (None, Some(example), _) => Ok(example.assembly.clone()),
+            (None, None, []) => Ok(Wanted::Unknown),
+            (None, None, _) => Ok(Wanted::Named(0)),
         }
-        if text.contains('=') && (names.is_empty() || text.contains(|letter: char| letter.is_ascii_digit())) {
-            return near(subject, text, lengths);
-        }
-        if names.is_empty() {
-            let example: Vec<String> = subject
-                .description()
-                .unknowns
-                .iter()
-                .map(|unknown| format!("{}=…", unknown.name))
-                .collect();
-            return Err(Fault::wrong(format!(
-                "the positions of this mechanism have no names: give values of its unknowns near the one you mean, as \
-                 in `--assembly {}`",
-                example.join(",")
-            )));
-        }
-        if names.iter().all(String::is_empty) {
-            return Err(Fault::wrong(
-                "this mechanism has one assembly only: leave `--assembly` out",
-            ));
-        }
-        Err(Fault::wrong(format!(
-            "there is no assembly `{text}`; {}",
-            similar(text, names.iter().map(String::as_str))
-        )))
     }
 
     /// The motions that were typed.
@@ -293,11 +306,11 @@ impl Typed {
         let example = subject.example();
         if !motions.iter().flatten().any(InputMotion::moves) {
             let lead = leading(&motions);
-            let own = motions[lead].or(example
-                .as_ref()
-                .map(|example| InputMotion::Stands(example.inputs[lead])));
-            motions[lead] = Some(match (default_range(subject, lead, motions[lead]), otherwise) {
-                (Err(_), Some(value)) => own.unwrap_or(InputMotion::Stands(value)),
+            let said = motions[lead].take();
+            let range = default_range(subject, lead, said.as_ref());
+            let own = example.map(|example| InputMotion::Stands(example.inputs[lead]));
+            motions[lead] = Some(match (range, otherwise) {
+                (Err(_), Some(value)) => said.or(own).unwrap_or(InputMotion::Stands(value)),
                 (range, _) => range?,
             });
         }
@@ -314,14 +327,25 @@ impl Typed {
                     "the input `{name}` has no value: write `--set {name}=…`, or `--over {name}=…` if it moves"
                 ))
             })?;
-            whole.push(self.driven(motion, &inputs[index], lengths)?);
+            whole.push(motion);
+        }
+        let lead = whole.iter().position(InputMotion::moves);
+        for (index, motion) in whole.iter_mut().enumerate() {
+            *motion = self.driven(motion, &inputs[index], lead == Some(index), lengths)?;
         }
         Ok(whole)
     }
 
-    /// The motion with the speed, or under the law, of the other options.
-    fn driven(&self, motion: InputMotion, input: &Quantity<'_>, lengths: &mut Lengths) -> Result<InputMotion, Fault> {
-        let InputMotion::Moves { from, to, speed } = motion else {
+    /// The motion with the speed, or under the law, of the other options. The speed is that of the leading input, which
+    /// the others follow.
+    fn driven(
+        &self,
+        motion: &InputMotion,
+        input: &Quantity<'_>,
+        is_lead: bool,
+        lengths: &mut Lengths,
+    ) -> Result<InputMotion, Fault> {
+        let &InputMotion::Moves { from, to, speed } = motion else {
             return self.unchanged(motion, input.name);
         };
         let at = |message| Fault::wrong(format!("{}: {message}", input.name));
@@ -331,12 +355,12 @@ impl Typed {
                     "a law takes a time: write `--law {law} --time 0.4s`"
                 )));
             };
-            return Ok(InputMotion::Rises {
-                from,
-                to,
-                law: LawName::named(law).map_err(at)?,
-                time: value::time(time).map_err(at)?,
-            });
+            let (law, time) = (LawName::named(law).map_err(at)?, value::time(time).map_err(at)?);
+            return Ok(InputMotion::Runs(vec![Step::under_law(from, to, law, time)]));
+        }
+        if self.speed.is_some() && !is_lead {
+            let speed = None;
+            return Ok(InputMotion::Moves { from, to, speed });
         }
         let typed = self
             .speed
@@ -359,7 +383,7 @@ impl Typed {
 
     /// A motion that the options for a speed or a law do not change. They are refused beside a law, since they would
     /// not be read.
-    fn unchanged(&self, motion: InputMotion, name: &str) -> Result<InputMotion, Fault> {
+    fn unchanged(&self, motion: &InputMotion, name: &str) -> Result<InputMotion, Fault> {
         let options = [("--speed", &self.speed), ("--law", &self.law), ("--time", &self.time)];
         let unread = options
             .into_iter()
@@ -369,48 +393,41 @@ impl Typed {
                 "`{name}` has a law already, behind `by`, which `{option}` does not change: leave `{option}` out, or \
                  write another motion, as in `--over '{name}=…'`"
             ))),
-            _ => Ok(motion),
+            _ => Ok(motion.clone()),
         }
     }
 }
 
 impl Case {
-    /// Without laws the leading input alone has a speed. One of another input is refused, unless both take the same
-    /// time.
-    fn check_pace(&self, inputs: &[Quantity<'_>]) -> Result<(), Fault> {
-        if self.time_of_laws().is_some() {
-            return Ok(());
-        }
-        let time = self.motions[self.lead].duration();
-        let is_unread = |own: f64| time.is_none_or(|time| (own - time).abs() > 1e-9 * time);
-        let unread = self
-            .motions
-            .iter()
-            .position(|motion| motion.duration().is_some_and(is_unread));
-        let Some(index) = unread else { return Ok(()) };
-        let (lead, own) = (inputs[self.lead].name, inputs[index].name);
-        Err(Fault::wrong(format!(
-            "`{own}` moves together with `{lead}`, whose speed alone is read: leave the speed of `{own}` out, or write \
-             `by constant-speed in 0.4s` in its place"
-        )))
-    }
-
-    /// The time of the motion, if an input moves under a law.
+    /// The time of the motion, if an input moves under a law, or if inputs with speeds take different times.
     pub(crate) fn time_of_laws(&self) -> Option<f64> {
-        let has_law = |motion: &InputMotion| matches!(motion, InputMotion::Rises { .. });
-        let durations = || self.motions.iter().filter_map(InputMotion::duration);
-        self.motions
-            .iter()
-            .any(has_law)
-            .then(|| durations().fold(0.0, f64::max))
+        let times: Vec<f64> = self.motions.iter().filter_map(InputMotion::duration).collect();
+        let longest = times.iter().copied().fold(0.0, f64::max);
+        let has_law = self.motions.iter().any(|motion| matches!(motion, InputMotion::Runs(_)));
+        let is_uneven = times.iter().any(|time| longest - time > 1e-9 * longest);
+        (has_law || is_uneven).then_some(longest)
     }
 
-    /// The speed of the leading input, without its sign.
+    /// The speed of the leading input, without its sign. Without one of its own, it takes the time of the others.
     pub(crate) fn speed(&self) -> f64 {
-        match self.motions.get(self.lead) {
-            Some(InputMotion::Moves { speed: Some(speed), .. }) => *speed,
-            _ => 1.0,
-        }
+        let Some(InputMotion::Moves { from, to, speed }) = self.motions.get(self.lead) else {
+            return 1.0;
+        };
+        let time = || self.motions.iter().find_map(InputMotion::duration);
+        speed
+            .or_else(|| time().map(|time| (to - from).abs() / time))
+            .unwrap_or(1.0)
+    }
+
+    /// The efforts that the loads ask of the drives.
+    pub(crate) fn efforts(&self) -> Vec<Effort> {
+        let count = if self.loads.is_some() { self.motions.len() } else { 0 };
+        Effort::all(count).collect()
+    }
+
+    /// The metres of the unit of length.
+    pub(crate) fn metres(&self) -> f64 {
+        Lengths::named(self.length).map_or(1.0, |lengths| lengths.metres())
     }
 
     /// The inputs at the beginning and at the end.
@@ -428,7 +445,7 @@ fn leading(said: &[Option<InputMotion>]) -> usize {
 }
 
 /// The range of an input of which nothing is said: a turn.
-fn default_range(subject: &Subject, index: usize, said: Option<InputMotion>) -> Result<InputMotion, Fault> {
+fn default_range(subject: &Subject, index: usize, said: Option<&InputMotion>) -> Result<InputMotion, Fault> {
     let input = &subject.description().inputs[index];
     if input.dimension != Dimension::Angle {
         return Err(Fault::wrong(format!(
@@ -518,42 +535,6 @@ fn no_dimension(description: &Description<'_>, name: &str) -> Fault {
     ))
 }
 
-/// Values of all unknowns near a position.
-fn near(subject: &Subject, text: &str, lengths: &mut Lengths) -> Result<Wanted, Fault> {
-    let unknowns = subject.description().unknowns;
-    let mut values = vec![None; unknowns.len()];
-    for part in text.split(',').map(str::trim).filter(|part| !part.is_empty()) {
-        let Some((name, value)) = part.split_once('=') else {
-            return Err(Fault::wrong(format!(
-                "`{part}` is not an unknown with a value near its own"
-            )));
-        };
-        let name = name.trim();
-        let Some(index) = place_of(unknowns, name) else {
-            return Err(Fault::wrong(format!(
-                "there is no unknown `{name}`; {}",
-                similar(name, unknowns.iter().map(|unknown| unknown.name))
-            )));
-        };
-        let value = value::quantity(unknowns[index].dimension, value, lengths)
-            .map_err(|message| Fault::wrong(format!("{name}: {message}")))?;
-        values[index] = Some(value);
-    }
-    let missing: Vec<&str> = unknowns
-        .iter()
-        .zip(&values)
-        .filter_map(|(unknown, value)| value.is_none().then_some(unknown.name))
-        .collect();
-    if missing.is_empty() {
-        Ok(Wanted::Near(values.into_iter().flatten().collect()))
-    } else {
-        Err(Fault::wrong(format!(
-            "the assembly gives no value near {}",
-            listed(&missing)
-        )))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::subject::Subject;
@@ -582,22 +563,35 @@ mod tests {
         assert_eq!(case.motions, [2.5, -1.5].map(InputMotion::Stands));
     }
 
-    /// The speed of a second input is either that of the first one or refused.
+    /// Inputs whose speeds take the same time move along a line, and others by the time.
     #[test]
-    fn speeds_that_are_not_read_are_refused() {
+    fn each_input_may_have_a_speed() {
         let subject = Subject::of::<FiveBar>();
-        let lead = "alpha=0..90deg at 60rpm";
-        for (second, is_read) in [
-            ("beta=0..45deg at 30rpm", true),
-            ("beta=0..45deg", true),
-            ("beta=0..45deg by cycloidal in 0.4s", true),
-            ("beta=0..45deg at 60rpm", false),
+        for (first, second, time, speed) in [
+            ("alpha=0..90deg at 60rpm", "beta=0..45deg at 30rpm", None, 60.0),
+            ("alpha=0..90deg at 60rpm", "beta=0..45deg", None, 60.0),
+            ("alpha=0..90deg", "beta=0..45deg at 60rpm", None, 120.0),
+            (
+                "alpha=0..90deg at 60rpm",
+                "beta=0..45deg by cycloidal in 0.4s",
+                Some(0.4),
+                60.0,
+            ),
+            ("alpha=0..90deg at 60rpm", "beta=0..45deg at 15rpm", Some(0.5), 60.0),
         ] {
-            let case = typed(&FIVE, &[lead, second]).case(&subject);
-            assert_eq!(case.is_ok(), is_read, "{second}");
+            let case = typed(&FIVE, &[first, second]).case(&subject).unwrap();
+            let close = |one: f64, other: f64| (one - other).abs() < 1e-12;
+            assert!(
+                close(case.time_of_laws().unwrap_or(0.0), time.unwrap_or(0.0)),
+                "{second}"
+            );
+            assert!(close(case.speed(), kin_core::rpm(speed)), "{second}");
         }
-        let case = typed(&FIVE, &["alpha=0..90deg", "beta=0..45deg at 60rpm"]).case(&subject);
-        assert!(case.is_err());
+        // the option is that of the first input, which the other follows
+        let speed = Some("60rpm".to_owned());
+        let own = typed(&FIVE, &["alpha=0..90deg", "beta=0..45deg at 60rpm"]);
+        let case = Typed { speed, ..own }.case(&subject).unwrap();
+        assert_eq!(case.time_of_laws(), None);
     }
 
     #[test]
@@ -609,7 +603,7 @@ mod tests {
         set[3] = "right_rod=0";
         let remarks = typed(&set, &[]).remarks(&subject);
         assert!(
-            remarks[0].contains("`left` is negative") && remarks[1].contains("`right_rod` is zero"),
+            remarks[0].1.contains("`left` is negative") && remarks[1].1.contains("`right_rod` is zero"),
             "{remarks:?}"
         );
         // coordinates and plain numbers are what they are

@@ -60,7 +60,8 @@ pub(crate) struct Setup {
     /// A dimension, or an input that stands: `r1=90`, `r1=45mm`, `gamma=30deg`, `p=(1.4, 1.5)`
     #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
     set: Vec<String>,
-    /// The range of an input: `0..360deg`, `alpha=0..90deg`, `0..360deg at 60rpm`, `0..90deg by cycloidal in 0.4s`
+    /// The range of an input: `0..360deg`, `alpha=0..90deg`, `0..360deg at 60rpm`, `0..90deg by cycloidal in 0.4s`;
+    /// parts have commas between them, as in `0..90deg at 60rpm, rest 0.1s`
     #[arg(long, value_name = "[NAME=]RANGE", allow_hyphen_values = true)]
     over: Vec<String>,
     /// The speed of the input that moves: `1500rpm`, `10rad/s`, `20mm/s` [default: 1 rad/s, or 1 by second]
@@ -72,7 +73,8 @@ pub(crate) struct Setup {
     /// The time of the motion: `0.4s`, `400ms`
     #[arg(long, conflicts_with = "speed")]
     time: Option<String>,
-    /// The assembly: `open`, `knee=open,foot=crossed`, or values of the unknowns nearby: `theta3=20deg,theta4=110deg`
+    /// The assembly: `open`, `knee=open,foot=crossed`, or values of the unknowns nearby: `theta3=20deg,theta4=110deg`.
+    /// Several have `or` between them: `open or crossed`, `all`
     #[arg(long, allow_hyphen_values = true)]
     assembly: Option<String>,
     /// The unit of lengths, if it is not that of the first length with a unit
@@ -96,6 +98,7 @@ impl Setup {
             assembly: self.assembly.clone().or_else(|| told.assembly.clone()),
             units: self.units.clone(),
             radians: self.radians,
+            loads: told.loads.clone(),
         }
     }
 }
@@ -108,15 +111,14 @@ pub(crate) struct Sweep {
     /// The number of rows [default: 13 as text, 361 in a file]
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
     pub(crate) rows: Option<u32>,
-    /// The columns to show, such as `theta4,theta4_jerk` [default: the positions that fit]
+    /// The columns, such as `theta4,theta4_jerk`, or `all` [default: those of the file, or as text those that fit]
     #[arg(long, value_delimiter = ',', value_name = "NAMES")]
     pub(crate) columns: Vec<String>,
-    /// Write all columns as CSV, to a file or to the output
-    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-", conflicts_with = "columns")]
-    pub(crate) csv: Option<PathBuf>,
-    /// Write all columns as JSON, to a file or to the output
+    /// Write CSV, to a file or to the output
     #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-")]
-    #[arg(conflicts_with_all = ["csv", "columns"])]
+    pub(crate) csv: Option<PathBuf>,
+    /// Write JSON, to a file or to the output
+    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-", conflicts_with = "csv")]
     pub(crate) json: Option<PathBuf>,
 }
 
@@ -125,7 +127,7 @@ pub(crate) struct Sweep {
 pub(crate) struct Peaks {
     #[command(flatten)]
     pub(crate) setup: Setup,
-    /// The quantities, such as `theta4` or `theta4_jerk` [default: all unknowns and outputs]
+    /// The quantities, such as `theta4` or `theta4_jerk`, or `all` [default: the file's columns, or all]
     #[arg(long, value_delimiter = ',', value_name = "NAMES")]
     pub(crate) of: Vec<String>,
 }

@@ -3,16 +3,20 @@
 //! [`main`] makes a program of one's own mechanism, [`library()`] is the binary `kin`.
 
 mod advice;
+mod assembly;
 mod case;
+mod columns;
 mod command;
 mod fault;
 mod file;
+mod loads;
 mod motion;
 mod progress;
 mod server;
 mod subject;
 mod tasks;
 mod text;
+mod units;
 mod value;
 
 use subject::Subject;
@@ -165,7 +169,16 @@ fn run_library(arguments: &[OsString]) -> Result<(), Fault> {
         Some(("run", own)) => run_file(own),
         Some(("check", own)) => {
             let path = own.get_one::<PathBuf>("file").cloned().unwrap_or_default();
-            tasks::print(&file::check(&path, own.get_flag("steps"))?)
+            if !own.get_flag("json") {
+                return tasks::print(&file::check(&path, own.get_flag("steps"))?);
+            }
+            let (text, mistakes) = file::check_as_json(&path)?;
+            tasks::print(&text)?;
+            match mistakes {
+                0 => Ok(()),
+                1 => Err(Fault::wrong("there is a mistake")),
+                count => Err(Fault::wrong(format!("there are {count} mistakes"))),
+            }
         }
         Some((_, own)) => {
             let wanted = own.get_one::<String>("mechanism").map_or("", String::as_str);
@@ -219,7 +232,7 @@ fn of_files(command: Command) -> Command {
                         .value_parser(clap::value_parser!(PathBuf))
                         .help(
                             "The file: `kin 1`, the declaration, `dimensions { .. }`, `motion { .. }`, \
-                             `assembly = ..;`",
+                             `loads { .. }`, `assembly = ..;`, `columns ..;`",
                         ),
                 )
                 .arg(
@@ -247,13 +260,22 @@ fn of_files(command: Command) -> Command {
                         .help("Print the steps of the solvers with their costs"),
                 )
                 .arg(
+                    Arg::new("json")
+                        .long("json")
+                        .action(ArgAction::SetTrue)
+                        .conflicts_with("steps")
+                        .help("Print the mistakes, or an outline, as one JSON object for editors"),
+                )
+                .arg(
                     Arg::new("file")
                         .required(true)
                         .value_name("FILE.kin")
                         .value_parser(clap::value_parser!(PathBuf))
-                        .help("The file"),
+                        .help("The file, `-` for the input"),
                 )
-                .after_help("Examples:\n  kin check pump.kin\n  kin check pump.kin --steps"),
+                .after_help(
+                    "Examples:\n  kin check pump.kin\n  kin check pump.kin --steps\n  kin check - --json < pump.kin",
+                ),
         )
 }
 

@@ -1,13 +1,16 @@
-//! How an input moves, as people type it: `30deg`, `0..360deg at 60rpm`, `0..90deg by cycloidal in 0.4s`.
+//! How an input moves, as people type it: `30deg`, `0..360deg at 60rpm`, `0..90deg by cycloidal in 0.4s, rest 0.1s`.
+
+use std::ops::Range;
 
 use kin_core::Dimension;
-use kin_core::law::{ConstantSpeed, Dwell, LawError, Piecewise, Rise, Scca, Shape};
+use kin_core::law::{ConstantSpeed, Dwell, LawError, Piecewise, Rise, Scca, Sequence, Shape};
 
 use super::fault::similar;
+use super::text::Units;
 use super::value::{self, Lengths};
 
 /// The motion of one input.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) enum InputMotion {
     /// It stands.
     Stands(f64),
@@ -20,18 +23,46 @@ pub(crate) enum InputMotion {
         /// The speed by second, without its sign.
         speed: Option<f64>,
     },
-    /// It moves from rest to rest.
-    Rises {
-        /// The first value.
-        from: f64,
-        /// The last value.
-        to: f64,
-        /// The law.
-        law: LawName,
-        /// The time in seconds.
-        time: f64,
-    },
+    /// It moves under laws, one after the other.
+    Runs(Vec<Step>),
 }
+
+/// A part of a motion that takes a time of its own.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Step {
+    /// The first value.
+    from: f64,
+    /// The last value.
+    to: f64,
+    /// The law; none at constant speed, and at rest.
+    law: Option<LawName>,
+    /// The time in seconds.
+    time: f64,
+}
+
+impl Step {
+    /// A motion from rest to rest.
+    pub(crate) fn under_law(from: f64, to: f64, law: LawName, time: f64) -> Self {
+        Self {
+            from,
+            to,
+            law: Some(law),
+            time,
+        }
+    }
+
+    fn law(self) -> Result<Box<dyn Piecewise<f64>>, LawError> {
+        let Self { from, to, law, time } = self;
+        Ok(match law {
+            Some(LawName(shape)) => Box::new(Rise::new(shape, from, to, time)?),
+            None if from == to => Box::new(Dwell::new(from, time)?),
+            None => Box::new(ConstantSpeed::new(from, (to - from) / time, time)?),
+        })
+    }
+}
+
+/// What is wrong in a motion, and the bytes of its text that are at fault.
+pub(crate) type WrongPart = (String, Range<usize>);
 
 /// A motion law from rest to rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -90,6 +121,54 @@ fn with_shares(text: &str) -> Result<LawName, String> {
 impl InputMotion {
     /// Reads a motion.
     pub(crate) fn read(dimension: Dimension, text: &str, lengths: &mut Lengths) -> Result<Self, String> {
+        Self::read_parts(dimension, text, lengths).map_err(|(message, _)| message)
+    }
+
+    /// Reads a motion. A mistake in one of several parts has its place.
+    pub(crate) fn read_parts(dimension: Dimension, text: &str, lengths: &mut Lengths) -> Result<Self, WrongPart> {
+        let parts = parts(text);
+        let [_, _, ..] = parts.as_slice() else {
+            return Self::read_one(dimension, text, lengths).map_err(|message| (message, 0..text.len()));
+        };
+        let mut steps: Vec<Step> = Vec::new();
+        // rests before the first value is known
+        let mut waits: Vec<f64> = Vec::new();
+        for range in parts {
+            let at = |message| (message, range.clone());
+            let part = &text[range.clone()];
+            let end = steps.last().map(|step| step.to);
+            if let Some(time) = rest(part) {
+                let time = value::time(time).map_err(at)?;
+                match end {
+                    None => waits.push(time),
+                    Some(value) => steps.push(Step::at_rest(value, time)),
+                }
+                continue;
+            }
+            let step = Step::read(dimension, part, lengths).map_err(at)?;
+            if let Some(end) = end
+                && (step.from - end).abs() > 1e-9 * end.abs().max(step.from.abs())
+            {
+                let units = Units {
+                    in_degrees: true,
+                    length: lengths.name(),
+                };
+                let [end, own] = [end, step.from].map(|value| units.text(dimension, 0, value));
+                return Err(at(format!(
+                    "the motion jumps from {end} to {own}: a part begins where the one before it ends"
+                )));
+            }
+            steps.extend(waits.drain(..).map(|time| Step::at_rest(step.from, time)));
+            steps.push(step);
+        }
+        if steps.is_empty() {
+            let message = format!("`{text}` rests only: write the value alone, as in `30deg`");
+            return Err((message, 0..text.len()));
+        }
+        Ok(Self::Runs(steps))
+    }
+
+    fn read_one(dimension: Dimension, text: &str, lengths: &mut Lengths) -> Result<Self, String> {
         let text = text.trim();
         if !text.contains("..") {
             if let Some(message) = other_range(dimension, text) {
@@ -98,6 +177,12 @@ impl InputMotion {
             if text.contains(" at ") || text.contains(" by ") {
                 return Err(format!(
                     "`{text}` has a speed or a law, and no range: write it as in `0..360deg at 60rpm`"
+                ));
+            }
+            if rest(text).is_some() {
+                return Err(format!(
+                    "`{text}` says nowhere where it rests: write the value alone, as in `30deg`, or a rest between \
+                     motions, as in `0..90deg by cycloidal in 0.4s, rest 0.1s`"
                 ));
             }
             return value::quantity(dimension, text, lengths).map(Self::Stands);
@@ -114,12 +199,8 @@ impl InputMotion {
                     law.trim()
                 ));
             };
-            return Ok(Self::Rises {
-                from,
-                to,
-                law: LawName::named(law)?,
-                time: value::time(time)?,
-            });
+            let (law, time) = (LawName::named(law)?, value::time(time)?);
+            return Ok(Self::Runs(vec![Step::under_law(from, to, law, time)]));
         }
         let (range, speed) = match text.split_once(" at ") {
             Some((range, speed)) => (range, Some(speed)),
@@ -134,20 +215,33 @@ impl InputMotion {
         })
     }
 
+    /// The values at the beginning, between the parts, and at the end.
+    pub(crate) fn stations(&self) -> Vec<f64> {
+        match self {
+            Self::Stands(value) => vec![*value],
+            Self::Moves { from, to, .. } => vec![*from, *to],
+            Self::Runs(steps) => {
+                let first = steps.first().map(|step| step.from);
+                first.into_iter().chain(steps.iter().map(|step| step.to)).collect()
+            }
+        }
+    }
+
     /// Its first value.
     pub(crate) fn start(&self) -> f64 {
-        match *self {
-            Self::Stands(value) => value,
-            Self::Moves { from, .. } | Self::Rises { from, .. } => from,
-        }
+        self.stations().first().copied().unwrap_or(f64::NAN)
     }
 
     /// Its last value.
     pub(crate) fn end(&self) -> f64 {
-        match *self {
-            Self::Stands(value) => value,
-            Self::Moves { to, .. } | Self::Rises { to, .. } => to,
-        }
+        self.stations().last().copied().unwrap_or(f64::NAN)
+    }
+
+    /// Its lowest and its highest value.
+    pub(crate) fn extent(&self) -> (f64, f64) {
+        let stations = self.stations();
+        let fold = |pick: fn(f64, f64) -> f64| stations.iter().copied().reduce(pick).unwrap_or(f64::NAN);
+        (fold(f64::min), fold(f64::max))
     }
 
     /// Whether it moves.
@@ -157,28 +251,95 @@ impl InputMotion {
 
     /// The time that it takes, in seconds, if that is known.
     pub(crate) fn duration(&self) -> Option<f64> {
-        match *self {
+        match self {
             Self::Stands(_) | Self::Moves { speed: None, .. } => None,
             Self::Moves {
                 from,
                 to,
                 speed: Some(speed),
             } => Some((to - from).abs() / speed),
-            Self::Rises { time, .. } => Some(time),
+            Self::Runs(steps) => Some(steps.iter().map(|step| step.time).sum()),
         }
     }
 
     /// The motion as a law over a time. What takes less time rests at its end.
     pub(crate) fn law(&self, duration: f64) -> Result<Box<dyn Piecewise<f64>>, LawError> {
-        Ok(match *self {
-            Self::Stands(value) => Box::new(Dwell::new(value, duration)?),
-            Self::Moves { from, to, .. } => {
-                let own = self.duration().unwrap_or(duration);
-                Box::new(ConstantSpeed::new(from, (to - from) / own, own)?)
-            }
-            Self::Rises { from, to, law, time } => Box::new(Rise::new(law.0, from, to, time)?),
-        })
+        let alone = |from, to, time| Step {
+            from,
+            to,
+            law: None,
+            time,
+        };
+        match self {
+            Self::Stands(value) => alone(*value, *value, duration).law(),
+            Self::Moves { from, to, .. } => alone(*from, *to, self.duration().unwrap_or(duration)).law(),
+            Self::Runs(steps) => match steps.as_slice() {
+                [only] => only.law(),
+                steps => {
+                    let laws: Result<Vec<_>, _> = steps.iter().map(|step| step.law()).collect();
+                    Ok(Box::new(Sequence::of_boxes(laws?)?))
+                }
+            },
+        }
     }
+}
+
+impl Step {
+    fn at_rest(value: f64, time: f64) -> Self {
+        Self {
+            from: value,
+            to: value,
+            law: None,
+            time,
+        }
+    }
+
+    /// A part of a motion, whose time must be known.
+    fn read(dimension: Dimension, text: &str, lengths: &mut Lengths) -> Result<Self, String> {
+        let example = || {
+            format!(
+                "a part of a motion takes a time: write `{} by cycloidal in 0.4s`, or a rest, as in `rest 0.1s`",
+                text.trim()
+            )
+        };
+        match InputMotion::read_one(dimension, text, lengths)? {
+            InputMotion::Runs(steps) => steps.first().copied().ok_or_else(example),
+            motion @ InputMotion::Moves { from, to, .. } => {
+                let time = motion.duration().ok_or_else(example)?;
+                Ok(Self {
+                    from,
+                    to,
+                    law: None,
+                    time,
+                })
+            }
+            InputMotion::Stands(_) => Err(format!("`{}` is no range, as in `0..90deg`, and no rest", text.trim())),
+        }
+    }
+}
+
+/// The time of a rest.
+fn rest(text: &str) -> Option<&str> {
+    text.trim().strip_prefix("rest ")
+}
+
+/// The parts of a text between commas that stand in no parentheses, without the blanks around them.
+pub(crate) fn parts(text: &str) -> Vec<Range<usize>> {
+    let (mut found, mut start, mut depth) = (Vec::new(), 0, 0_usize);
+    for (place, letter) in text.char_indices().chain([(text.len(), ',')]) {
+        match letter {
+            '(' => depth += 1,
+            ')' => depth = depth.saturating_sub(1),
+            ',' if depth == 0 || place == text.len() => {
+                let part = &text[start..place];
+                let from = start + (part.len() - part.trim_start().len());
+                found.push(from..from + part.trim().len());
+                start = place + 1;
+            }
+            _ => {}
+        }
+    }
+    found
 }
 
 /// The message for a range as other programs write it: `0-360`, `0:360:10`, `0 to 360`.
@@ -210,7 +371,7 @@ fn other_range(dimension: Dimension, text: &str) -> Option<String> {
     ))
 }
 
-/// The message for a speed without `at`: `0..360deg 45rpm`.
+/// The message for a speed without `at`, or a law without `by`: `0..360deg 45rpm`.
 fn bare_speed(text: &str) -> Option<String> {
     let (_, end) = text.split_once("..")?;
     let (_, unit) = value::split(end.strip_prefix('=').unwrap_or(end)).ok()?;
@@ -218,7 +379,15 @@ fn bare_speed(text: &str) -> Option<String> {
     let speed = speed.trim();
     let begins = speed.starts_with(|letter: char| letter.is_ascii_digit());
     let range = text.strip_suffix(speed)?.trim();
-    (begins && !unit.is_empty()).then(|| format!("`{text}` has a speed without `at`: write `{range} at {speed}`"))
+    // behind a zero without a unit stands the word itself
+    if !begins || ["", "at", "by"].contains(&unit) {
+        return None;
+    }
+    Some(if speed.contains(" in ") {
+        format!("`{text}` has a law without `by`: write `{range} by {speed}`")
+    } else {
+        format!("`{text}` has a speed without `at`: write `{range} at {speed}`")
+    })
 }
 
 /// A speed without its sign: the range tells the direction.
@@ -248,6 +417,34 @@ mod tests {
     }
 
     #[test]
+    fn parts_follow_each_other() {
+        let read = |text| InputMotion::read_parts(Dimension::Angle, text, &mut Lengths::default());
+        let text = "rest 0.1s, 0..90deg by scca(0.2, 0, 0.6) in 0.4s, rest 50ms, 90deg..0 by 4-5-6-7 in 1s";
+        let motion = read(text).unwrap();
+        let right = 90_f64.to_radians();
+        assert_eq!(motion.stations(), [0.0, 0.0, right, right, 0.0]);
+        assert_eq!((motion.duration(), motion.extent()), (Some(1.55), (0.0, right)));
+        let law = motion.law(2.0).unwrap();
+        assert!((law.duration() - 1.55).abs() < 1e-15);
+        for (text, part, advice) in [
+            (
+                "0..90deg by cycloidal in 1s, 80deg..0 by cycloidal in 1s",
+                "80deg..0 by cycloidal in 1s",
+                "jumps from 90 deg to 80 deg",
+            ),
+            ("0..90deg, rest 1s", "0..90deg", "`0..90deg by cycloidal in 0.4s`"),
+            ("0..90deg at 60rpm, rest 1deg", "rest 1deg", "unit of time"),
+            ("0..90deg at 60rpm, 90deg", "90deg", "no rest"),
+            ("rest 1s, rest 2s", "rest 1s, rest 2s", "rests only"),
+            ("rest 1s", "rest 1s", "the value alone"),
+        ] {
+            let (message, range) = read(text).unwrap_err();
+            assert_eq!(&text[range], part);
+            assert!(message.contains(advice), "{text}: {message}");
+        }
+    }
+
+    #[test]
     fn mistakes_say_what_to_write() {
         let read = |text| InputMotion::read(Dimension::Angle, text, &mut Lengths::default()).unwrap_err();
         assert!(read("0..90deg by cyclodial in 1s").contains("did you mean `cycloidal`?"));
@@ -261,6 +458,7 @@ mod tests {
             ("0:360", "`0..360deg`"),
             ("0 to 2rad", "`0..2rad`"),
             ("0..360deg 45rpm", "write `0..360deg at 45rpm`"),
+            ("0..90deg 3-4-5 in 1s", "write `0..90deg by 3-4-5 in 1s`"),
             ("0deg..=360deg  45 rpm", "write `0deg..=360deg at 45 rpm`"),
         ] {
             assert!(read(text).contains(advice), "{text}: {}", read(text));

@@ -8,11 +8,14 @@ use kin_core::any::{AssemblyChoice, Described as _, Description, Named, Of, Posi
 use kin_core::batch::LengthMismatch;
 use kin_core::cycle::BlockClass;
 use kin_core::exact::{ExactTable, ExactTableError, Precision};
-use kin_core::extremes::{Extreme, ExtremeKind, ExtremesError, Mean, Over};
-use kin_core::law::Piecewise;
+use kin_core::extremes::{
+    AskedQuantity, Extreme, ExtremeKind, ExtremesError, Mean, Over, QuantityAlong, QuantitySource,
+};
+use kin_core::law::{Piecewise, Side};
 use kin_core::linkage::{AnyCycle, AnyLinkage, AnySweep, TabledMechanism};
+use kin_core::load::NamedLoads;
 use kin_core::prelude::*;
-use kin_core::sweep::{Laws, SmoothDrive, StraightLine, SweepError, Table};
+use kin_core::sweep::{Laws, StraightLine, SweepError, Table};
 use kin_core::tape::structure::Tape;
 use kin_core::tape::{self, RecordError};
 use kin_core::verify::{self, Sampling, VerifiedFunctions};
@@ -20,6 +23,8 @@ use kin_fit::{Choice, FitFunctions};
 
 use super::case::Case;
 use super::fault::Fault;
+use super::loads::Effort;
+use super::motion::InputMotion;
 use super::text;
 use crate::library::{Design, DesignAssembly};
 use crate::report::{ReportError, ReportFunctions, WayWished, Wishes};
@@ -149,9 +154,11 @@ fn of_exact_table(error: ExactTableError) -> Fault {
     }
 }
 
+/// The rows of a sweep whose extremes are sought.
+const ROWS_OF_PEAKS: usize = 181;
+
 /// The lowest and the highest value, and the root of the mean square.
-fn extent_of<D: SmoothDrive>(sweep: &AnySweep<'_, D>, name: &str) -> Result<Extent, Fault> {
-    let quantity = sweep.of(name);
+fn extent_of<S: QuantitySource, Q: AskedQuantity<S>>(quantity: &QuantityAlong<'_, S, Q>) -> Result<Extent, Fault> {
     let all = quantity.extremes().map_err(of_extremes)?;
     let reached = || {
         let bounded = all.iter().filter(|one| one.value.is_some());
@@ -307,16 +314,28 @@ impl Subject {
                 )))
             });
         }
-        let (linkage, [from, to]) = (self.linkage(&case.parameters), case.ends());
+        let (linkage, [from, end]) = (self.linkage(&case.parameters), case.ends());
         let assembly = self.assembly(case)?;
-        let start = linkage.position(&from, assembly.position()).map_err(Fault::open)?;
-        match linkage.track(&from, &start, &to) {
-            Err(error @ (TrackError::TurningPoint(_) | TrackError::Pole(_) | TrackError::Failed(_))) => Err(
-                Fault::open(format!("the mechanism does not close all along the motion: {error}")),
-            ),
-            // branches cross, or nothing certain is known
-            _ => Ok(()),
+        let mut unknowns = linkage.position(&from, assembly.position()).map_err(Fault::open)?;
+        // several inputs go together to their ends, and one alone passes its stations
+        let stations = case.motions[case.lead].stations();
+        let mut inputs = from;
+        for station in stations.into_iter().skip(1) {
+            let mut next = end.clone();
+            next[case.lead] = station;
+            match linkage.track(&inputs, &unknowns, &next) {
+                Ok(reached) => unknowns = reached,
+                Err(error @ (TrackError::TurningPoint(_) | TrackError::Pole(_) | TrackError::Failed(_))) => {
+                    return Err(Fault::open(format!(
+                        "the mechanism does not close all along the motion: {error}"
+                    )));
+                }
+                // branches cross, or nothing certain is known
+                Err(_) => return Ok(()),
+            }
+            inputs = next;
         }
+        Ok(())
     }
 
     /// The table of a sweep.
@@ -331,11 +350,55 @@ impl Subject {
 
     /// The extremes of one derivative over a sweep.
     pub(crate) fn extent(&self, case: &Case, name: &str) -> Result<Extent, Fault> {
-        const ROWS: usize = 181;
         match case.time_of_laws() {
-            None => extent_of(&self.line(case, ROWS)?, name),
-            Some(duration) => self.under_laws(case, duration, ROWS, |sweep| extent_of(&sweep, name))?,
+            None => extent_of(&self.line(case, ROWS_OF_PEAKS)?.of(name)),
+            Some(duration) => self.under_laws(case, duration, ROWS_OF_PEAKS, |sweep| extent_of(&sweep.of(name)))?,
         }
+    }
+
+    /// The extremes of an effort over a sweep, in units of the mechanism.
+    pub(crate) fn extent_of_effort(&self, case: &Case, loads: &NamedLoads, effort: Effort) -> Result<Extent, Fault> {
+        let Effort { input, order } = effort;
+        match case.time_of_laws() {
+            None => extent_of(&self.line(case, ROWS_OF_PEAKS)?.of_effort(loads, input, order)),
+            Some(duration) => self.under_laws(case, duration, ROWS_OF_PEAKS, |sweep| {
+                extent_of(&sweep.of_effort(loads, input, order))
+            })?,
+        }
+    }
+
+    /// An effort in the rows of a sweep, in its unit.
+    pub(crate) fn column_of_effort(&self, case: &Case, rows: usize, effort: Effort) -> Result<Vec<f64>, Fault> {
+        let Some(loads) = &case.loads else {
+            return Ok(Vec::new());
+        };
+        let Effort { input, order } = effort;
+        let column = match case.time_of_laws() {
+            None => self.line(case, rows)?.of_effort(loads, input, order).column(),
+            Some(duration) => self.under_laws(case, duration, rows, |sweep| {
+                sweep.of_effort(loads, input, order).column()
+            })?,
+        };
+        let size = effort.size(self.description(), case.metres());
+        let column = column.map_err(of_extremes)?;
+        Ok(column.into_iter().map(|value| value * size).collect())
+    }
+
+    /// The times inside of the motion at which the speed of an input jumps, where a mass has no bounded effort.
+    pub(crate) fn jolts(&self, case: &Case) -> Result<Vec<f64>, Fault> {
+        let Some(duration) = case.time_of_laws() else {
+            return Ok(Vec::new());
+        };
+        self.under_laws(case, duration, 2, |sweep| {
+            let next = |after: f64| sweep.next_joint(after).filter(|joint| *joint < duration);
+            let joints = std::iter::successors(next(0.0), |joint| next(*joint));
+            let jumps = |joint: &f64| {
+                let [left, right] = [Side::Left, Side::Right].map(|side| sweep.inputs(*joint, side));
+                let mut speeds = left.iter().zip(&right).map(|(left, right)| (left[1], right[1]));
+                speeds.any(|(left, right)| (right - left).abs() > 1e-9 * left.abs().max(right.abs()))
+            };
+            joints.filter(jumps).collect()
+        })
     }
 
     /// The full cycle over the leading input.
@@ -357,9 +420,7 @@ impl Subject {
 
     /// Both oracles.
     pub(crate) fn verify(&self, case: &Case) -> verify::Report {
-        let [from, to] = case.ends();
-        let ends = from.iter().zip(&to);
-        let ranges: Vec<(f64, f64)> = ends.map(|(from, to)| (from.min(*to), from.max(*to))).collect();
+        let ranges: Vec<(f64, f64)> = case.motions.iter().map(InputMotion::extent).collect();
         Sampling::default().of_any(&*self.functions, &case.parameters, &ranges)
     }
 

@@ -4,48 +4,13 @@ use std::f64::consts::{PI, TAU};
 
 use kin_core::Dimension;
 
-/// A unit of length.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct LengthUnit {
-    /// Its name.
-    pub(crate) name: &'static str,
-    metres: f64,
-}
-
-/// The units of length that are understood.
-const LENGTHS: [LengthUnit; 7] = [
-    LengthUnit {
-        name: "mm",
-        metres: 1e-3,
-    },
-    LengthUnit {
-        name: "cm",
-        metres: 1e-2,
-    },
-    LengthUnit { name: "m", metres: 1.0 },
-    LengthUnit {
-        name: "um",
-        metres: 1e-6,
-    },
-    LengthUnit {
-        name: "µm",
-        metres: 1e-6,
-    },
-    LengthUnit {
-        name: "in",
-        metres: 0.0254,
-    },
-    LengthUnit {
-        name: "ft",
-        metres: 0.3048,
-    },
-];
+use super::units::{self, Kind, Unit};
 
 /// The unit of the lengths of one run: the first one that is typed. Numbers without a unit are in it, too.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Lengths {
     /// The unit, if one was typed.
-    pub(crate) unit: Option<LengthUnit>,
+    pub(crate) unit: Option<Unit>,
 }
 
 impl Lengths {
@@ -61,21 +26,46 @@ impl Lengths {
         self.unit.map_or("", |unit| unit.name)
     }
 
-    fn converted(&mut self, number: f64, unit: LengthUnit) -> f64 {
+    /// The metres of its unit. Lengths without a unit count as metres.
+    pub(crate) fn metres(&self) -> f64 {
+        self.unit.map_or(1.0, |unit| unit.size)
+    }
+
+    fn converted(&mut self, number: f64, unit: Unit) -> f64 {
         let own = *self.unit.get_or_insert(unit);
         if own == unit {
             number
         } else {
-            number * (unit.metres / own.metres)
+            number * (unit.size / own.size)
         }
     }
 }
 
-fn length_unit(name: &str) -> Result<LengthUnit, String> {
-    LENGTHS
-        .into_iter()
-        .find(|unit| unit.name == name)
-        .ok_or_else(|| format!("`{name}` is not a unit of length; write `mm`, `cm`, `m`, `um`, `in` or `ft`"))
+fn length_unit(name: &str) -> Result<Unit, String> {
+    units::LENGTH.unit(name).ok_or_else(|| wrong_unit(units::LENGTH, name))
+}
+
+fn wrong_unit(kind: Kind, name: &str) -> String {
+    let quantity = kind.name.split_once(' ').map_or(kind.name, |(_, name)| name);
+    format!("`{name}` is not a unit of {quantity}; write {}", kind.listed())
+}
+
+/// A number with a unit, which zero alone does without, in SI.
+pub(crate) fn in_si(kind: Kind, text: &str) -> Result<f64, String> {
+    let (number, unit) = split(text)?;
+    match kind.unit(unit) {
+        Some(unit) => Ok(number * unit.size),
+        None if unit.is_empty() && number == 0.0 => Ok(0.0),
+        None if unit.is_empty() => Err(format!(
+            "{} has a unit: write `{number}{}`{}",
+            kind.name,
+            kind.units[0].name,
+            kind.units
+                .get(1)
+                .map_or(String::new(), |unit| format!(" or `{number}{}`", unit.name))
+        )),
+        None => Err(wrong_unit(kind, unit)),
+    }
 }
 
 /// A number and the text behind it.
@@ -126,13 +116,11 @@ fn with_unit(dimension: Dimension, number: f64, unit: &str, lengths: &mut Length
 }
 
 fn angle(number: f64, unit: &str) -> Result<f64, String> {
-    match unit {
-        "deg" | "°" => Ok(number.to_radians()),
-        "rad" => Ok(number),
-        "turn" | "turns" => Ok(number * TAU),
-        "" if number == 0.0 => Ok(0.0),
-        "" => Err(format!("an angle has a unit: write `{number}deg` or `{number}rad`")),
-        _ => Err(format!("`{unit}` is not a unit of angle; write `deg`, `rad` or `turn`")),
+    match units::ANGLE.unit(unit) {
+        Some(unit) => Ok(number * unit.size),
+        None if !unit.is_empty() => Err(wrong_unit(units::ANGLE, unit)),
+        None if number == 0.0 => Ok(0.0),
+        None => Err(format!("an angle has a unit: write `{number}deg` or `{number}rad`")),
     }
 }
 

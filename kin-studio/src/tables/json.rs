@@ -1,11 +1,14 @@
 //! JSON.
 
-use kin_core::sweep::Table;
 use serde_json::{Map, Value, json};
 
-pub(super) fn text(table: &Table) -> String {
-    let columns: Vec<Value> = table
-        .columns()
+use super::Columns;
+
+pub(super) fn text(own: &Columns<'_>) -> String {
+    let table = own.table;
+    let columns: Vec<Value> = own
+        .of(table.columns())
+        .into_iter()
         .map(|column| {
             json!({
                 "name": column.label.to_string(),
@@ -22,9 +25,12 @@ pub(super) fn text(table: &Table) -> String {
         .limits()
         .iter()
         .map(|limit| {
-            let names = table.columns().map(|column| column.label.to_string());
+            let names = own
+                .of(table.columns())
+                .into_iter()
+                .map(|column| column.label.to_string());
             let known = names
-                .zip(table.values_at(limit))
+                .zip(own.of(table.values_at(limit)))
                 .filter(|(_, value)| !value.is_nan())
                 .map(|(name, value)| (name, value.into()));
             json!({

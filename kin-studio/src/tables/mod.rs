@@ -21,13 +21,15 @@ mod json;
 #[cfg(test)]
 mod tests;
 
+#[cfg(feature = "program")]
+pub(crate) use csv::quoted;
 pub use exact::{ExactJson, JsonError};
 
 use std::io;
 use std::path::Path;
 
 use kin_core::batch::Outcome;
-use kin_core::sweep::Table;
+use kin_core::sweep::{ColumnOf, NoSuchColumn, Table};
 
 /// Tables as text for other programs. Angles, lengths and times have the units of the table, which its `in_degrees` and
 /// `units` choose.
@@ -68,6 +70,70 @@ pub trait Export {
 }
 
 impl Export for Table {
+    fn to_csv(&self) -> String {
+        csv::text(&Columns::all(self))
+    }
+
+    fn to_json(&self) -> String {
+        json::text(&Columns::all(self))
+    }
+}
+
+/// Some columns of a table, in an order of their own.
+///
+/// ```
+/// use kin_core::library::FourBar;
+/// use kin_core::prelude::*;
+/// use kin_studio::tables::{Columns, Export};
+///
+/// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
+/// let table = linkage.sweep(Assembly::Open).over(0.0..=3.0, 31).table()?;
+/// let csv = Columns::named(&table, ["theta4_jerk", "theta4"])?.to_csv();
+/// assert!(csv.starts_with("theta2 [rad],theta4_jerk [rad/T³],theta4 [rad],outcome,margin\n"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Columns<'t> {
+    table: &'t Table,
+    indices: Vec<usize>,
+}
+
+impl<'t> Columns<'t> {
+    fn all(table: &'t Table) -> Self {
+        Self {
+            table,
+            indices: (0..table.columns().len()).collect(),
+        }
+    }
+
+    /// The column of the variable, and those of these names.
+    ///
+    /// # Errors
+    /// [`NoSuchColumn`] for the first name that no column has.
+    pub fn named<'n>(table: &'t Table, names: impl IntoIterator<Item = &'n str>) -> Result<Self, NoSuchColumn> {
+        let variable = table.variable().label;
+        let is_variable = |column: &ColumnOf<'_>| column.label == variable;
+        let mut indices: Vec<usize> = table
+            .columns()
+            .position(|column| is_variable(&column))
+            .into_iter()
+            .collect();
+        for name in names {
+            table.column(name)?;
+            let index = table.columns().position(|column| column.label.is(name));
+            indices.extend(index.filter(|index| !indices.contains(index)));
+        }
+        Ok(Self { table, indices })
+    }
+
+    /// Of something for each column of the table, those of these columns.
+    fn of<T: Clone>(&self, all: impl Iterator<Item = T>) -> Vec<T> {
+        let all: Vec<T> = all.collect();
+        self.indices.iter().map(|index| all[*index].clone()).collect()
+    }
+}
+
+impl Export for Columns<'_> {
     fn to_csv(&self) -> String {
         csv::text(self)
     }

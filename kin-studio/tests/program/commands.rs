@@ -66,6 +66,14 @@ fn sweep() {
         )
     );
     assert_snapshot!(
+        "sweep at two speeds",
+        typed(
+            "speeds",
+            "kin sweep five_bar --over 'alpha=100..120deg at 60rpm' --over 'beta=50..60deg at 60rpm' --rows 5 \
+             --columns hand,alpha_velocity,beta_velocity"
+        )
+    );
+    assert_snapshot!(
         "sweep of a coupled mechanism",
         typed("coupled", "kin sweep stephenson_ii --over 50..80deg --rows 4")
     );

@@ -1,11 +1,16 @@
 //! `.kin` files.
 
+use std::io::Write as _;
+use std::process::Stdio;
 use std::time::{Duration, Instant};
+
+use insta::assert_snapshot;
 
 use crate::serving::Server;
 use crate::typed::{Folder, kin, typed_in};
 
 const WIPER: &str = include_str!("wiper.kin");
+const ROBOT: &str = include_str!("robot.kin");
 
 /// Waits until the page of a server says something.
 fn wait(server: &Server, is_there: impl Fn(&str) -> bool) -> String {
@@ -81,6 +86,91 @@ fn a_file_is_run() {
         says(&told, place);
         says(&told, "-- code 2\n");
     }
+}
+
+/// A file has its columns, a sequence of laws, loads and two assemblies.
+#[test]
+fn a_file_with_all_statements_is_run() {
+    let folder = Folder::new("all");
+    folder.write("robot.kin", ROBOT);
+    let all = [
+        "check robot.kin",
+        "run robot.kin sweep --rows 9",
+        "run robot.kin sweep --rows 3 --csv",
+        "run robot.kin sweep --rows 2 --columns alpha_effort_rate --json",
+        "run robot.kin sweep --rows 2 --assembly crossed --columns all --csv",
+        "run robot.kin peaks",
+        "run robot.kin peaks --assembly open --of alpha_effort,beta_effort_rate,hand",
+        "run robot.kin table",
+        "run robot.kin table --assembly open --order 2",
+        "run robot.kin table --assembly open --order 2 --over 'beta=60..75deg by cycloidal in 0.5s'",
+        "run robot.kin report",
+        "run robot.kin cycle",
+    ]
+    .map(|words| typed_in(&folder, &format!("kin {words}")));
+    assert_snapshot!("a file with all statements", all.join("\n"));
+}
+
+/// Efforts do not depend on the unit of lengths.
+#[test]
+fn efforts_are_in_si() {
+    let folder = Folder::new("si");
+    folder.write("robot.kin", ROBOT);
+    folder.write("metres.kin", &ROBOT.replacen("ground = 200mm", "ground = 0.2m", 1));
+    let efforts = ["robot", "metres"].map(|name| {
+        let words = format!("kin run {name}.kin sweep --rows 5 --assembly open --columns alpha_effort,beta_effort");
+        let told = typed_in(&folder, &words);
+        told.lines().skip(1).map(str::to_owned).collect::<Vec<_>>()
+    });
+    assert!(efforts[0].len() > 6, "{efforts:?}");
+    assert_eq!(efforts[0], efforts[1]);
+}
+
+/// A weight that hangs on a crank needs the torque of its weight, and that of its acceleration.
+#[test]
+fn an_effort_by_hand() {
+    let folder = Folder::new("hand");
+    folder.write(
+        "crank.kin",
+        "kin 1
+struct Crank { arm: Length }
+input theta: Angle;
+unknown phi: Angle;
+phi == theta;
+output tip: Point = arm * cis(theta);
+dimensions { arm = 500mm; }
+motion { theta = 0..90deg by 3-4-5 in 1s; }
+loads { gravity = (0, -10m/s2); mass tip = 2kg; inertia phi = 1.5kgm2; torque phi = -3Nm; }
+columns theta, theta_effort, theta_acceleration;
+",
+    );
+    let told = typed_in(&folder, "kin run crank.kin sweep --rows 5 --radians --csv");
+    let mut count = 0;
+    for line in told.lines().filter(|line| line.ends_with(",closes,")) {
+        let numbers: Vec<f64> = line.split(',').take(4).map(|number| number.parse().unwrap()).collect();
+        let [_, theta, effort, acceleration] = numbers.try_into().unwrap();
+        let expected = 2.0 * 10.0 * 0.5 * theta.cos() + (2.0 * 0.25 + 1.5) * acceleration + 3.0;
+        assert!((effort - expected).abs() < 1e-12 * 20.0, "{effort} {expected}");
+        count += 1;
+    }
+    assert_eq!(count, 5, "{told}");
+}
+
+/// An editor checks what it has not saved, and makes an outline of it.
+#[test]
+fn an_outline_of_the_input() {
+    let folder = Folder::new("outline");
+    let mut child = kin(&folder)
+        .args(["check", "-", "--json"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let text = WIPER.replacen("crank = 40mm", "crank = -40mm", 1);
+    child.stdin.take().unwrap().write_all(text.as_bytes()).unwrap();
+    let output = child.wait_with_output().unwrap();
+    assert!(output.status.success());
+    assert_snapshot!("an outline for an editor", String::from_utf8(output.stdout).unwrap());
 }
 
 /// The page comes back when the file is mended.

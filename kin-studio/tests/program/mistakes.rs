@@ -39,7 +39,9 @@ fn messages_say_what_to_do() {
         "kin sweep four_bar --law cycloidal",
         "kin sweep four_bar --over '0..90deg by cycloidal in 0.4s' --speed 60rpm",
         "kin sweep four_bar --over '0..90deg by cycloidal in 0.4s' --time 1s",
-        "kin sweep five_bar --over 'alpha=100..120deg at 60rpm' --over 'beta=50..60deg at 60rpm'",
+        "kin sweep five_bar --over 'alpha=100..120deg at 60rpm, rest 1' --over 'beta=50..60deg, rest 1s'",
+        "kin sweep four_bar --assembly open,crossed",
+        "kin table four_bar --assembly all",
         "kin sweep four_bar --assembly opn",
         "kin sweep watt_i --assembly opn",
         "kin sweep scotch_yoke --assembly open",
@@ -145,7 +147,71 @@ fn mistakes_in_kin_files_have_places() {
     folder.write("wiper.kin", &format!("kin 1\n//{}", "a".repeat(70_000)));
     let told = typed_in(&folder, "kin run wiper.kin report");
     assert!(
-        told.contains("an empty declaration describes no mechanism") && told.ends_with("code 2\n"),
+        told.contains("more than 32768 bytes") && told.ends_with("code 2\n"),
         "{told}"
     );
+}
+
+/// Every statement beside the declaration has its mistakes, all of which are told at once.
+#[test]
+fn mistakes_in_loads_motions_and_columns() {
+    let folder = Folder::new("loads");
+    let right = include_str!("robot.kin");
+    let all = [
+        ("rest 0.1s, 80deg", "rest 0.1s, 85deg"),
+        ("rest 0.1s", "rest 0.1mm"),
+        ("80deg..120deg by", "80deg..120deg"),
+        ("beta = 60deg", "alpha = 60deg"),
+        ("-9.81m/s2", "-9.81"),
+        ("(0, -9.81m/s2)", "9.81m/s2"),
+        ("gravity =", "gravty ="),
+        ("mass hand = 2kg", "hand = 2kg"),
+        ("mass hand", "mass hnd"),
+        ("mass hand", "mass phi"),
+        ("mass hand", "mass"),
+        ("2kg", "2N"),
+        ("2kg", "-2kg"),
+        ("2kg", "2"),
+        ("0.004kg*m2", "0.004kg"),
+        ("inertia phi", "inertia hand"),
+        ("(-10N, 0)", "10N"),
+        ("force hand", "force phi"),
+        ("0.2Nm", "0.2N"),
+        ("to (100mm, 0) = 0.5N/mm", "to psi = 0.5N/mm"),
+        ("to (100mm, 0) = 0.5N/mm", "to (100mm) = 0.5N/mm"),
+        ("to (100mm, 0) = 0.5N/mm", "to (100deg, 0) = 0.5N/mm"),
+        (", rest 300mm", ", 300mm"),
+        (", rest 300mm", ", rest 300deg"),
+        ("1.5Nm/rad", "1.5N/m"),
+        ("20Ns/m", "20N/m"),
+        ("0.1Nms/rad", "0.1"),
+        ("open or crossed", "open, crossed"),
+        ("open or crossed", "open or crosed"),
+        ("columns hand", "columns hnad"),
+        ("beta_effort;", "gamma_effort;"),
+        ("beta_effort;", "beta_effort,;"),
+        ("beta_effort;", "beta_effort"),
+        ("columns hand", "columns hand; columns alpha"),
+    ]
+    .map(|(own, other)| {
+        assert!(right.contains(own), "{own}");
+        folder.write("robot.kin", &right.replacen(own, other, 1));
+        typed_in(&folder, "kin check robot.kin")
+    });
+    assert_snapshot!("mistakes in loads, motions and columns", all.join("\n"));
+    let bare = right.replace("mm", "").replace("N/,", "N/mm,");
+    folder.write("robot.kin", &bare.replace("hnd", "hand"));
+    let told = typed_in(&folder, "kin check robot.kin");
+    assert!(told.contains("loads need the unit of the lengths"), "{told}");
+    let several = [
+        ("mass hand", "mass hnd"),
+        ("columns hand", "columns hnad"),
+        ("150mm;", "150deg;"),
+    ];
+    let spoilt = several
+        .iter()
+        .fold(right.to_owned(), |text, (own, other)| text.replacen(own, other, 1));
+    folder.write("robot.kin", &spoilt);
+    let all = ["robot.kin", "robot.kin --json"].map(|words| typed_in(&folder, &format!("kin check {words}")));
+    assert_snapshot!("mistakes for an editor", all.join("\n"));
 }

@@ -1,7 +1,9 @@
 //! Laws that do not exist.
 
 use super::Scca;
-use crate::law::{ConstantSpeed, Dwell, Fourier, LawError, Limits, Polynomial, Rise, SCurve, Sequence, Shape};
+use crate::law::{
+    ConstantSpeed, Dwell, Fourier, LawError, Limits, Piecewise, Polynomial, Rise, SCurve, Sequence, Shape,
+};
 use crate::motion::Motion;
 use std::string::ToString;
 
@@ -64,7 +66,7 @@ fn messages_have_numbers() {
         Some(LawError::Shares { least: -0.5, sum: 0.25 })
     );
     assert_eq!(
-        message(Sequence::<f64, 0>::new([]).err()),
+        message(Sequence::<[&dyn Piecewise<f64>; 0]>::new([]).err()),
         "the sequence is empty; it needs one law at least"
     );
     let state = Motion::from([0.0, 1e300]);

@@ -4,6 +4,7 @@ mod energy;
 #[cfg(feature = "num-dual")]
 mod lagrange;
 mod mistakes;
+mod named;
 mod shaking;
 mod textbooks;
 

@@ -1,43 +1,65 @@
-//! `kin run`: mechanisms of people who write no Rust.
+//! `kin run` and `kin check`: mechanisms of people who write no Rust.
 
+mod assemblies;
+mod json;
+mod loads;
+mod numbers;
 mod place;
 mod read;
+mod sections;
 
+use std::io::Read as _;
 use std::path::Path;
 
 use super::fault::Fault;
+use super::loads::Loads;
 use super::subject::Subject;
 use read::KinFile;
 
 /// What a file says besides the declaration.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Told {
     /// Dimensions and inputs that stand.
     pub(super) set: Vec<String>,
     /// Motions of inputs.
     pub(super) over: Vec<String>,
-    /// The assembly.
+    /// The assembly, or several.
     pub(super) assembly: Option<String>,
+    /// The columns to print.
+    pub(super) columns: Vec<String>,
+    /// The loads.
+    pub(super) loads: Loads,
     /// The doc comment of the mechanism.
     pub(super) documentation: String,
     /// The declaration as it was typed.
     pub(super) declaration: String,
 }
 
-/// Reads a file, and compiles its declaration.
-fn compiled(path: &Path) -> Result<KinFile, Fault> {
-    let shown = path.display().to_string();
-    let text = std::fs::read_to_string(path).map_err(|error| {
+/// The text of a file, or of the input if its name is `-`, without a byte order mark and line ends of other systems.
+fn text_of(path: &Path) -> Result<String, Fault> {
+    let shown = path.display();
+    let text = if path == Path::new("-") {
+        let mut text = String::new();
+        std::io::stdin().read_to_string(&mut text).map(|_| text)
+    } else {
+        std::fs::read_to_string(path)
+    };
+    let text = text.map_err(|error| {
         Fault::wrong(match error.kind() {
             std::io::ErrorKind::NotFound => format!("there is no file {shown}"),
             std::io::ErrorKind::InvalidData => format!("{shown} is no text in UTF-8"),
             _ => format!("{shown} cannot be read: {error}"),
         })
     })?;
-    // a byte order mark, and line ends of other systems
-    let text = text.trim_start_matches('\u{feff}').replace("\r\n", "\n");
+    Ok(text.trim_start_matches('\u{feff}').replace("\r\n", "\n"))
+}
+
+/// Reads a file, and compiles its declaration.
+fn compiled(path: &Path) -> Result<KinFile, Fault> {
+    let text = text_of(path)?;
     KinFile::read(&text).map_err(|mistakes| {
-        let shown: Vec<String> = mistakes.iter().map(|mistake| mistake.shown(&shown, &text)).collect();
+        let file = path.display().to_string();
+        let shown: Vec<String> = mistakes.iter().map(|mistake| mistake.shown(&file, &text)).collect();
         Fault::wrong(shown.join("\n\n"))
     })
 }
@@ -49,6 +71,8 @@ pub(super) fn read(path: &Path) -> Result<(Subject, Told), Fault> {
         set: file.set,
         over: file.over,
         assembly: file.assembly,
+        columns: file.columns,
+        loads: file.loads,
         documentation: file.mechanism.declaration().documentation().to_owned(),
         declaration: file.declaration,
     };
@@ -62,4 +86,12 @@ pub(super) fn check(path: &Path, steps: bool) -> Result<String, Fault> {
     let said = format!("{}: {} has no mistakes\n", path.display(), declaration.name());
     let steps = if steps { declaration.printout() } else { "" };
     Ok(said + steps)
+}
+
+/// The mistakes of a file for an editor, and how many there are.
+pub(super) fn check_as_json(path: &Path) -> Result<(String, usize), Fault> {
+    let text = text_of(path)?;
+    let read = KinFile::read(&text);
+    let count = read.as_ref().err().map_or(0, Vec::len);
+    Ok((json::checked(&path.display().to_string(), &text, read), count))
 }

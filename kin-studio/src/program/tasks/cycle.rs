@@ -14,8 +14,9 @@ use super::super::text::{self, Column, Units};
 use super::print;
 
 pub(super) fn run(subject: &Subject, setup: &Setup, told: &Told) -> Result<(), Fault> {
-    // the input passes all its values, wherever it begins
-    let case = setup.typed(told).case_without_range(subject, 0.0)?;
+    // the input passes all its values in all assemblies, wherever it begins
+    let typed = setup.typed(told).first_assembly(subject);
+    let case = typed.case_without_range(subject, 0.0)?;
     let description = subject.description();
     let input = description.inputs[case.lead];
     let units = Units {

@@ -100,7 +100,11 @@ fn fit(
         bounds[place] = low.min(high)..=low.max(high);
     }
     let standing: Vec<f64> = case.motions.iter().map(InputMotion::start).collect();
-    let range = [case.motions[case.lead].start(), case.motions[case.lead].end()];
+    let lead = &case.motions[case.lead];
+    let range = match lead.stations().as_slice() {
+        &[from, to] => [from, to],
+        _ => lead.extent().into(),
+    };
     let choice = subject.choice(case, &standing)?;
     let mut objective =
         Objective::measured(subject.fit_functions(), data, case.lead, &standing, range).map_err(Fault::wrong)?;

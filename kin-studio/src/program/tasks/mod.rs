@@ -50,7 +50,7 @@ fn page(subject: &Subject, options: &Report, told: &Told) -> Result<String, Faul
 }
 
 fn remark(subject: &Subject, setup: &Setup, told: &Told) {
-    for remark in setup.typed(told).remarks(subject) {
+    for (_, remark) in setup.typed(told).remarks(subject) {
         eprintln!("note: {remark}");
     }
 }

@@ -3,78 +3,123 @@
 use std::fmt::Write as _;
 
 use kin_core::any::Quantity;
-use kin_core::{Dimension, RATES};
 
 use super::super::case::Case;
+use super::super::columns::{self, label};
 use super::super::command::Peaks;
 use super::super::fault::Fault;
 use super::super::file::Told;
+use super::super::loads::Effort;
 use super::super::progress::watched;
 use super::super::subject::{Extent, Reached, Subject};
 use super::super::text::{self, Column, Units};
 use super::print;
+use super::sweep::{columns_of, headed, tell_jolts};
 
 /// The highest order of a rate that is shown.
 const HIGHEST: usize = 4;
 
+/// A quantity whose extremes are sought.
+#[derive(Clone)]
+struct Sought {
+    name: String,
+    unit: String,
+    /// What one of the mechanism's units is in this unit.
+    size: f64,
+    effort: Option<Effort>,
+}
+
 pub(super) fn run(subject: &Subject, options: &Peaks, told: &Told) -> Result<(), Fault> {
-    let case = options.setup.typed(told).case(subject)?;
-    let description = subject.description();
-    let quantities: Vec<&Quantity<'_>> = description.unknowns.iter().chain(description.outputs).collect();
-    let highest = description.order.min(HIGHEST);
-    let whole: Vec<(String, Dimension, usize)> = quantities
-        .iter()
-        .flat_map(|quantity| (0..=highest).map(move |order| (label(quantity, order), quantity.dimension, order)))
-        .collect();
-    let wanted: Vec<_> = if options.of.is_empty() {
-        whole
-    } else {
-        // the name of a quantity stands for all its rates
-        let mut some = Vec::new();
-        for name in &options.of {
-            let of_quantity = quantities.iter().find(|quantity| quantity.name == name);
-            let own: Vec<_> = whole
-                .iter()
-                .filter(|(label, ..)| {
-                    label == name
-                        || of_quantity
-                            .is_some_and(|quantity| (0..=highest).any(|order| *label == self::label(quantity, order)))
-                })
-                .cloned()
-                .collect();
-            if own.is_empty() {
-                let names = whole.iter().map(|(label, ..)| label.as_str());
-                return Err(Fault::wrong(format!(
-                    "there is no quantity `{name}`; {}",
-                    super::super::fault::similar(name, names)
-                )));
-            }
-            some.extend(own);
+    let all = options.setup.typed(told).each_assembly(subject);
+    let (mut texts, mut cases) = (Vec::new(), Vec::new());
+    for (assembly, typed) in &all {
+        let case = typed.case(subject)?;
+        if cases.is_empty() {
+            tell_jolts(subject, &case)?;
         }
-        some
-    };
-    let found: Result<Vec<Extent>, Fault> = watched("searching extremes", wanted.len(), |step| {
-        wanted
-            .iter()
-            .map(|(name, ..)| {
-                let extent = subject.extent(&case, name);
-                step();
-                extent
-            })
-            .collect()
-    });
-    print(&shown(subject, &case, &wanted, &found?))?;
-    subject.closes(&case)
-}
-
-fn label(quantity: &Quantity<'_>, order: usize) -> String {
-    match order.checked_sub(1) {
-        None => quantity.name.to_owned(),
-        Some(rate) => format!("{}_{}", quantity.name, RATES[rate]),
+        let wanted = sought(subject, &case, options, told)?;
+        let found: Result<Vec<Extent>, Fault> = watched("searching extremes", wanted.len(), |step| {
+            wanted
+                .iter()
+                .map(|one| {
+                    let extent = match (one.effort, &case.loads) {
+                        (Some(effort), Some(loads)) => subject.extent_of_effort(&case, loads, effort),
+                        _ => subject.extent(&case, &one.name),
+                    };
+                    step();
+                    extent
+                })
+                .collect()
+        });
+        texts.push(headed(assembly, all.len(), shown(subject, &case, &wanted, &found?)));
+        cases.push(case);
     }
+    print(&texts.join("\n"))?;
+    cases.iter().try_for_each(|case| subject.closes(case))
 }
 
-fn shown(subject: &Subject, case: &Case, wanted: &[(String, Dimension, usize)], found: &[Extent]) -> String {
+/// What is sought: the columns of the file, or what was typed, where the name of a quantity stands for all its rates.
+fn sought(subject: &Subject, case: &Case, options: &Peaks, told: &Told) -> Result<Vec<Sought>, Fault> {
+    let description = subject.description();
+    let units = Units {
+        in_degrees: case.in_degrees,
+        length: case.length,
+    };
+    let highest = description.order.min(HIGHEST);
+    let rates = |quantity: &Quantity<'_>| -> Vec<Sought> {
+        let one = |order| Sought {
+            name: label(quantity.name, order),
+            unit: units.unit(quantity.dimension, order),
+            size: units.value(quantity.dimension, 1.0),
+            effort: None,
+        };
+        (0..=highest).map(one).collect()
+    };
+    let results = description.unknowns.iter().chain(description.outputs);
+    let efforts = case.efforts().into_iter().map(|effort| Sought {
+        name: effort.name(description),
+        unit: effort.unit(description),
+        size: effort.size(description, case.metres()),
+        effort: Some(effort),
+    });
+    let efforts: Vec<Sought> = efforts.collect();
+    if options.of.is_empty() && !told.columns.is_empty() {
+        let names = columns_of(subject, &[], told)?;
+        let all: Vec<Sought> = description
+            .inputs
+            .iter()
+            .chain(results.clone())
+            .flat_map(rates)
+            .collect();
+        let all = || all.iter().chain(&efforts);
+        // inputs are sought only if the file names them
+        let named = names
+            .iter()
+            .filter_map(|name| all().find(|one| one.name == *name).cloned());
+        let named: Vec<Sought> = named.collect();
+        if !named.is_empty() {
+            return Ok(named);
+        }
+    }
+    let whole: Vec<Sought> = results.clone().flat_map(rates).chain(efforts).collect();
+    if options.of.is_empty() || options.of.iter().any(|name| name == columns::ALL) {
+        return Ok(whole);
+    }
+    let mut some = Vec::new();
+    for name in &options.of {
+        let of_quantity = results.clone().find(|quantity| quantity.name == name).map(rates);
+        if let Some(rates) = of_quantity {
+            some.extend(rates);
+        } else {
+            let names: Vec<String> = whole.iter().map(|one| one.name.clone()).collect();
+            let own = columns::named(name, &names).map_err(Fault::Wrong)?;
+            some.extend(whole.iter().filter(|one| own.contains(&one.name.as_str())).cloned());
+        }
+    }
+    Ok(some)
+}
+
+fn shown(subject: &Subject, case: &Case, wanted: &[Sought], found: &[Extent]) -> String {
     let units = Units {
         in_degrees: case.in_degrees,
         length: case.length,
@@ -88,9 +133,9 @@ fn shown(subject: &Subject, case: &Case, wanted: &[(String, Dimension, usize)], 
             format!("at {}", units.text(input.dimension, 0, at))
         }
     };
-    let value = |reached: &Reached, dimension: Dimension| match reached.value {
+    let value = |reached: &Reached, one: &Sought| match reached.value {
         None => "unbounded".to_owned(),
-        Some(value) => text::digits(units.value(dimension, value)),
+        Some(value) => text::digits(value * one.size),
     };
     let where_ = |reached: &Reached| {
         format!(
@@ -100,29 +145,21 @@ fn shown(subject: &Subject, case: &Case, wanted: &[(String, Dimension, usize)], 
         )
     };
     let all = || wanted.iter().zip(found);
-    let rms = all().map(|((_, dimension, _), extent)| match &extent.rms {
-        Ok(mean) => text::digits(units.value(*dimension, mean.value)),
+    let rms = all().map(|(one, extent)| match &extent.rms {
+        Ok(mean) => text::digits(mean.value * one.size),
         Err(_) => "-".to_owned(),
     });
     let mut columns = vec![
-        Column::words("quantity", wanted.iter().map(|(name, ..)| name.clone()).collect()),
-        Column::words(
-            "unit",
-            wanted
-                .iter()
-                .map(|(_, dimension, order)| units.unit(*dimension, *order))
-                .collect(),
-        ),
+        Column::words("quantity", wanted.iter().map(|one| one.name.clone()).collect()),
+        Column::words("unit", wanted.iter().map(|one| one.unit.clone()).collect()),
         Column::numbers(
             "lowest",
-            all().map(|((_, one, _), extent)| value(&extent.lowest, *one)).collect(),
+            all().map(|(one, extent)| value(&extent.lowest, one)).collect(),
         ),
         Column::words("", all().map(|(_, extent)| where_(&extent.lowest)).collect()),
         Column::numbers(
             "highest",
-            all()
-                .map(|((_, one, _), extent)| value(&extent.highest, *one))
-                .collect(),
+            all().map(|(one, extent)| value(&extent.highest, one)).collect(),
         ),
         Column::words("", all().map(|(_, extent)| where_(&extent.highest)).collect()),
         Column::numbers("rms", rms.collect()),

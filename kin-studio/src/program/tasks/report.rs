@@ -4,11 +4,13 @@ use std::path::Path;
 
 use kin_core::in_small_letters;
 
+use super::super::columns::label;
 use super::super::command::Report;
 use super::super::fault::Fault;
 use super::super::file::Told;
 use super::super::progress::watched;
 use super::super::subject::{PageWishes, Subject};
+use super::sweep::columns_of;
 use super::write;
 
 pub(super) fn run(subject: &Subject, options: &Report, told: &Told) -> Result<(), Fault> {
@@ -25,7 +27,7 @@ pub(super) fn run(subject: &Subject, options: &Report, told: &Told) -> Result<()
         eprintln!("open it in a browser");
     }
     // without a range it is the mechanism that says how far the page goes
-    let typed = options.setup.typed(told);
+    let typed = options.setup.typed(told).first_assembly(subject);
     if typed.has_range() {
         subject.closes(&typed.case(subject)?)
     } else {
@@ -50,14 +52,31 @@ fn is_page(path: &Path) -> Result<(), Fault> {
 
 /// The page as one text.
 pub(super) fn page(subject: &Subject, options: &Report, told: &Told) -> Result<String, Fault> {
-    let typed = options.setup.typed(told);
+    // the page lists all assemblies, and begins with this one
+    let typed = options.setup.typed(told).first_assembly(subject);
+    if !told.loads.is_empty() {
+        eprintln!("note: the page shows no efforts: `sweep` and `peaks` do");
+    }
     let case = typed.case(subject)?;
     let wishes = PageWishes {
         title: options.title.clone(),
-        plots: options.plots.clone(),
+        plots: plots(subject, options, told)?,
         documentation: told.documentation.clone(),
         declaration: Some(told.declaration.clone()).filter(|text| !text.is_empty()),
         has_range: typed.has_range(),
     };
     watched("making the page", 1, |_| subject.page(&case, &wishes))
+}
+
+/// The quantities that were typed, or else those of the file's columns.
+fn plots(subject: &Subject, options: &Report, told: &Told) -> Result<Vec<String>, Fault> {
+    if !options.plots.is_empty() {
+        return Ok(options.plots.clone());
+    }
+    let columns = columns_of(subject, &[], told)?;
+    let description = subject.description();
+    let results = description.unknowns.iter().chain(description.outputs);
+    let is_shown = |name: &str| (0..=description.order).any(|order| columns.contains(&label(name, order)));
+    let shown = results.filter(|quantity| is_shown(quantity.name));
+    Ok(shown.map(|quantity| quantity.name.to_owned()).collect())
 }

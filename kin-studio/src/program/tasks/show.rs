@@ -81,6 +81,7 @@ fn of_file(subject: &Subject, told: &Told) -> Result<Known, Fault> {
         assembly: told.assembly.clone(),
         ..Typed::default()
     }
+    .first_assembly(subject)
     .known(subject)
 }
 

@@ -6,6 +6,7 @@ use kin_core::batch::Outcome;
 use kin_core::sweep::{ColumnOf, Table};
 
 use super::super::case::Case;
+use super::super::columns;
 use super::super::command::Sweep;
 use super::super::fault::Fault;
 use super::super::file::Told;
@@ -13,32 +14,137 @@ use super::super::progress::watched;
 use super::super::subject::Subject;
 use super::super::text::{self, Column};
 use super::{print, write};
-use crate::tables::Export as _;
+use crate::tables::{Columns, Export as _, quoted};
 
 const ROWS_AS_TEXT: u32 = 13;
 const ROWS_IN_A_FILE: u32 = 361;
 
 pub(super) fn run(subject: &Subject, options: &Sweep, told: &Told) -> Result<(), Fault> {
-    let case = options.setup.typed(told).case(subject)?;
     let is_text = options.csv.is_none() && options.json.is_none();
     let rows = options
         .rows
         .unwrap_or(if is_text { ROWS_AS_TEXT } else { ROWS_IN_A_FILE });
-    let table = watched("solving", 1, |_| subject.table(&case, rows as usize))?;
-    let table = in_units(table, &case);
-    if let Some(path) = &options.csv {
-        write(path, &table.to_csv())?;
-    } else if let Some(path) = &options.json {
-        write(path, &subject.named(table.to_json()))?;
-    } else {
-        print(&subject.named(shown(&table, &options.columns)?))?;
+    let typed = options.setup.typed(told);
+    let wanted = columns_of(subject, &options.columns, told)?;
+    let all = typed.each_assembly(subject);
+    let (mut tables, mut cases) = (Vec::new(), Vec::new());
+    for (assembly, typed) in &all {
+        let case = typed.case(subject)?;
+        if cases.is_empty() {
+            tell_jolts(subject, &case)?;
+        }
+        let table = watched("solving", 1, |_| table(subject, &case, rows as usize, &wanted))?;
+        tables.push((assembly.as_str(), table));
+        cases.push(case);
     }
-    closes(&table)?;
-    subject.closes(&case)
+    if let Some(path) = &options.csv {
+        write(path, &csv(&tables, &wanted)?)?;
+    } else if let Some(path) = &options.json {
+        write(path, &subject.named(json(&tables, &wanted)?))?;
+    } else {
+        let shown: Result<Vec<String>, Fault> = tables
+            .iter()
+            .map(|(assembly, table)| Ok(headed(assembly, tables.len(), shown(table, &wanted)?)))
+            .collect();
+        print(&subject.named(shown?.join("\n")))?;
+    }
+    for ((_, table), case) in tables.iter().zip(&cases) {
+        closes(table)?;
+        subject.closes(case)?;
+    }
+    Ok(())
+}
+
+/// Tells where the efforts of masses have no bounds, which no row shows.
+pub(super) fn tell_jolts(subject: &Subject, case: &Case) -> Result<(), Fault> {
+    if case.loads.is_some() {
+        for time in subject.jolts(case)? {
+            let time = text::digits(time);
+            eprintln!("note: at {time} s the speed of an input jumps, where the effort of a mass has no bound");
+        }
+    }
+    Ok(())
+}
+
+/// The columns that were typed, or else those of the file; none for those that are shown without being asked for.
+pub(super) fn columns_of(subject: &Subject, typed: &[String], told: &Told) -> Result<Vec<String>, Fault> {
+    let names = columns::names(subject.description(), !told.loads.is_empty());
+    let wanted = if typed.is_empty() { &told.columns } else { typed };
+    columns::chosen(wanted, &names).map_err(Fault::Wrong)
+}
+
+/// What is shown of one of several assemblies, below its name.
+pub(super) fn headed(assembly: &str, count: usize, text: String) -> String {
+    if count > 1 {
+        format!("assembly {assembly}\n{text}")
+    } else {
+        text
+    }
+}
+
+/// The table in the units that are shown, with the efforts that are wanted.
+fn table(subject: &Subject, case: &Case, rows: usize, wanted: &[String]) -> Result<Table, Fault> {
+    let mut table = in_units(subject.table(case, rows)?, case);
+    let description = subject.description();
+    for effort in case.efforts() {
+        let name = effort.name(description);
+        if wanted.is_empty() || wanted.contains(&name) {
+            let values = subject.column_of_effort(case, rows, effort)?;
+            table = table.with_column(&name, &effort.unit(description), values);
+        }
+    }
+    Ok(table)
+}
+
+fn exported<'t>(table: &'t Table, wanted: &[String]) -> Result<Columns<'t>, Fault> {
+    let all: Vec<String>;
+    let names = if wanted.is_empty() {
+        all = table.columns().map(|column| column.label.to_string()).collect();
+        &all
+    } else {
+        wanted
+    };
+    Columns::named(table, names.iter().map(String::as_str)).map_err(Fault::wrong)
+}
+
+/// One table, or several below each other, whose rows begin with the assembly.
+fn csv(tables: &[(&str, Table)], wanted: &[String]) -> Result<String, Fault> {
+    if let [(_, table)] = tables {
+        return Ok(exported(table, wanted)?.to_csv());
+    }
+    let mut text = String::new();
+    for (assembly, table) in tables {
+        for (index, line) in exported(table, wanted)?.to_csv().lines().enumerate() {
+            match (index, text.is_empty()) {
+                (0, true) => text.push_str("assembly"),
+                (0, false) => continue,
+                _ => text.push_str(&quoted(assembly)),
+            }
+            text.extend([",", line, "\n"]);
+        }
+    }
+    Ok(text)
+}
+
+/// One table, or an array of them, each with its assembly.
+fn json(tables: &[(&str, Table)], wanted: &[String]) -> Result<String, Fault> {
+    if let [(_, table)] = tables {
+        return Ok(exported(table, wanted)?.to_json());
+    }
+    let objects: Result<Vec<String>, Fault> = tables
+        .iter()
+        .map(|(assembly, table)| {
+            let object = exported(table, wanted)?.to_json();
+            // behind the brace that begins it
+            let rest = object.get(1..).unwrap_or_default();
+            Ok(format!("{{\"assembly\":{},{rest}", serde_json::json!(assembly)))
+        })
+        .collect();
+    Ok(format!("[{}]", objects?.join(",")))
 }
 
 /// The table in the units that are shown.
-pub(super) fn in_units(table: Table, case: &Case) -> Table {
+fn in_units(table: Table, case: &Case) -> Table {
     let table = table.units(if case.length.is_empty() { "L" } else { case.length }, "s");
     if case.in_degrees { table.in_degrees() } else { table }
 }

@@ -14,6 +14,9 @@ use crate::tables::ExactJson as _;
 
 pub(super) fn run(subject: &Subject, options: &ExactTable, told: &Told) -> Result<(), Fault> {
     let case = options.setup.typed(told).case(subject)?;
+    if case.loads.is_some() {
+        eprintln!("note: the table holds no efforts: `sweep` and `peaks` find them");
+    }
     let mut precision = Precision::from(options.tolerance);
     if let Some(order) = options.order {
         precision = precision.up_to(order.into());

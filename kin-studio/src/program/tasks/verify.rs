@@ -8,11 +8,14 @@ use super::super::subject::Subject;
 use super::print;
 
 pub(super) fn run(subject: &Subject, setup: &Setup, told: &Told) -> Result<(), Fault> {
-    let case = setup.typed(told).case(subject)?;
+    let typed = setup.typed(told);
+    // all assemblies are compared
+    let case = typed.first_assembly(subject).case(subject)?;
     let report = watched("verifying", 1, |_| subject.verify(&case));
     print(&format!("{report}\n"))?;
     if report.passed() {
-        subject.closes(&case)
+        let mut all = typed.each_assembly(subject).into_iter();
+        all.try_for_each(|(_, typed)| subject.closes(&typed.case(subject)?))
     } else {
         Err(Fault::open("the verification did not pass"))
     }

@@ -1,0 +1,418 @@
+//! Loads by the names of points and angles.
+
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+use core::error::Error;
+use core::fmt;
+use core::marker::PhantomData;
+
+use crate::geometry::{Plane, Space};
+use crate::load::kinds::{BetweenPoints, Damper, Force, Inertia, Load, Mass, OnAngle, Spring, Torque};
+use crate::load::{Change, LoadError, LoadedSystem, Totals, VaryingNumber, VaryingVector};
+use crate::mechanism::Description;
+use crate::number::Number;
+use crate::solve::Scalar;
+
+/// The number of entries of a motion: the value, and the derivatives from which the second rate of an effort follows.
+pub(crate) const ENTRIES: usize = 5;
+
+/// The number of entries of an effort: its value and two rates.
+pub(crate) const EFFORT_ENTRIES: usize = ENTRIES - 2;
+
+/// A quantity in motion, with its changes along one input.
+pub(crate) type NamedMotion<T> = [Change<T>; ENTRIES];
+
+/// A point on which a load acts: one of the mechanism by its name, or one of the ground.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PointPlace<'n> {
+    /// An output, a parameter or another quantity with coordinates.
+    Named(&'n str),
+    /// A point of the ground.
+    Fixed(Space<f64>),
+}
+
+impl<'n> From<&'n str> for PointPlace<'n> {
+    fn from(name: &'n str) -> Self {
+        Self::Named(name)
+    }
+}
+
+impl From<Plane<f64>> for PointPlace<'_> {
+    fn from(point: Plane<f64>) -> Self {
+        Self::Fixed(Space::new(point.x, point.y, 0.0))
+    }
+}
+
+impl From<Space<f64>> for PointPlace<'_> {
+    fn from(point: Space<f64>) -> Self {
+        Self::Fixed(point)
+    }
+}
+
+/// Masses, moments of inertia, gravity, forces, torques, springs and dampers on a mechanism without its type. Points, angles and distances
+/// are called by their names.
+///
+/// The loads and their units are those of [`Loads`](crate::load::Loads). A sweep tells the effort of a drive with its two rates:
+/// [`of_effort`](crate::linkage::AnySweep::of_effort).
+///
+/// ```
+/// use std::f64::consts::TAU;
+/// use kin_core::any::AssemblyChoice;
+/// use kin_core::linkage::AnyLinkage;
+/// use kin_core::load::NamedLoads;
+/// use kin_core::prelude::*;
+///
+/// mechanism! {
+///     /// Slider-crank in metres.
+///     pub struct Engine { pub r: Length, pub l: Length }
+///     input theta: Angle;
+///     unknown phi: Angle, s: Length;
+///     r * cis(theta) + l * cis(phi) == vec2(s, 0);
+///     output piston: Point = vec2(s, 0);
+/// }
+///
+/// let engine = Engine { r: 0.05, l: 0.15 };
+/// let linkage = AnyLinkage::of(&engine);
+/// let loads = NamedLoads::new(linkage.description())
+///     .gravity(Plane::new(0.0, -9.81))
+///     .mass(0.8, "piston")?
+///     .inertia(0.01, "phi")?;
+/// let turn = linkage.sweep(AssemblyChoice::Index(0)).between(&[0.0], &[TAU], 361).speed(rpm(900.0));
+/// println!("{} N m, with a rate of {} N m/s", turn.of_effort(&loads, 0, 0).peak()?, turn.of_effort(&loads, 0, 1).peak()?);
+/// assert!(loads.mass(0.1, "pistn").is_err());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct NamedLoads {
+    gravity: Space<f64>,
+    /// The parameters, inputs, unknowns and outputs.
+    names: Vec<String>,
+    /// The number of parameters, which do not move.
+    still: usize,
+    loads: Vec<NamedLoad>,
+}
+
+/// A load with the indices of its quantities.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum NamedLoad {
+    Mass(f64, PointIndex),
+    Inertia(f64, usize),
+    Force(Space<f64>, PointIndex),
+    Torque(f64, usize),
+    Spring(Spring, [PointIndex; 2]),
+    Damper(Damper, [PointIndex; 2]),
+    TorsionSpring(Spring, usize),
+    TorsionDamper(Damper, usize),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum PointIndex {
+    /// The indices of the coordinates.
+    Moving([Option<usize>; 3]),
+    Fixed(Space<f64>),
+}
+
+/// No point, or no angle or distance, has this name.
+#[derive(Clone, PartialEq, Eq)]
+pub struct NoSuchPlace {
+    /// The name.
+    pub name: String,
+    /// Whether a point was wanted.
+    pub is_point: bool,
+    /// The names that could be given.
+    pub places: Vec<String>,
+}
+
+impl fmt::Display for NoSuchPlace {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let kind = if self.is_point { "point" } else { "angle or distance" };
+        write!(formatter, "there is no {kind} `{}`", self.name)?;
+        for (index, place) in self.places.iter().enumerate() {
+            write!(formatter, "{} `{place}`", if index == 0 { "; there is" } else { "," })?;
+        }
+        if self.places.is_empty() && self.is_point {
+            formatter.write_str("; declare one, as in `output tip: Point = ..`")?;
+        }
+        Ok(())
+    }
+}
+
+crate::__debug_by_display!(NoSuchPlace);
+
+impl Error for NoSuchPlace {}
+
+/// The names of the coordinates of a point.
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+impl NamedLoads {
+    /// No load on the mechanism of this description.
+    #[must_use]
+    pub fn new(description: &Description<'_>) -> Self {
+        let moving = [description.inputs, description.unknowns, description.outputs];
+        let all = description.parameters.iter().chain(moving.into_iter().flatten());
+        Self {
+            gravity: Space::zero(),
+            names: all.map(|quantity| quantity.name.to_string()).collect(),
+            still: description.parameters.len(),
+            loads: Vec::new(),
+        }
+    }
+
+    /// Whether there is no load.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.loads.is_empty()
+    }
+
+    /// The names of points on which loads can act.
+    #[must_use]
+    pub fn points(&self) -> Vec<&str> {
+        self.names.iter().filter_map(|name| name.strip_suffix(".x")).collect()
+    }
+
+    /// The names of angles and distances on which loads can act.
+    #[must_use]
+    pub fn angles(&self) -> Vec<&str> {
+        let moving = self.names[self.still..].iter().map(String::as_str);
+        moving.filter(|name| !name.contains('.')).collect()
+    }
+
+    /// The acceleration of gravity: see [`gravity`](crate::load::Loads::gravity).
+    #[must_use]
+    pub fn gravity(mut self, acceleration: impl VaryingVector<f64>) -> Self {
+        self.gravity = acceleration.entry(0);
+        self
+    }
+
+    /// A mass at a point: see [`mass`](crate::load::Loads::mass).
+    ///
+    /// # Errors
+    /// [`NoSuchPlace`] if no point has the name, as for all loads at points.
+    pub fn mass(self, mass: f64, point: &str) -> Result<Self, NoSuchPlace> {
+        let point = self.point(point)?;
+        Ok(self.and(NamedLoad::Mass(mass, point)))
+    }
+
+    /// The moment of inertia of a link about its centre of mass, in the plane: see [`inertia`](crate::load::Loads::inertia).
+    ///
+    /// # Errors
+    /// [`NoSuchPlace`] if no angle has the name, as for all loads on angles.
+    pub fn inertia(self, inertia: f64, angle: &str) -> Result<Self, NoSuchPlace> {
+        let angle = self.number(angle)?;
+        Ok(self.and(NamedLoad::Inertia(inertia, angle)))
+    }
+
+    /// A constant force at a point.
+    ///
+    /// # Errors
+    /// As for [`mass`](Self::mass).
+    pub fn force(self, force: impl VaryingVector<f64>, point: &str) -> Result<Self, NoSuchPlace> {
+        let point = self.point(point)?;
+        Ok(self.and(NamedLoad::Force(force.entry(0), point)))
+    }
+
+    /// A constant torque on an angle, or a constant force along a distance.
+    ///
+    /// # Errors
+    /// As for [`inertia`](Self::inertia).
+    pub fn torque(self, torque: f64, angle: &str) -> Result<Self, NoSuchPlace> {
+        let angle = self.number(angle)?;
+        Ok(self.and(NamedLoad::Torque(torque, angle)))
+    }
+
+    /// A spring between two points, with its stiffness and its length at rest.
+    ///
+    /// # Errors
+    /// As for [`mass`](Self::mass).
+    pub fn spring<'n>(
+        self,
+        stiffness: f64,
+        rest: f64,
+        from: impl Into<PointPlace<'n>>,
+        to: impl Into<PointPlace<'n>>,
+    ) -> Result<Self, NoSuchPlace> {
+        let ends = [self.place(from.into())?, self.place(to.into())?];
+        Ok(self.and(NamedLoad::Spring(Spring { stiffness, rest }, ends)))
+    }
+
+    /// A damper between two points.
+    ///
+    /// # Errors
+    /// As for [`mass`](Self::mass).
+    pub fn damper<'n>(
+        self,
+        damping: f64,
+        from: impl Into<PointPlace<'n>>,
+        to: impl Into<PointPlace<'n>>,
+    ) -> Result<Self, NoSuchPlace> {
+        let ends = [self.place(from.into())?, self.place(to.into())?];
+        Ok(self.and(NamedLoad::Damper(Damper { damping }, ends)))
+    }
+
+    /// A spring that acts on an angle or a distance, with its value at rest.
+    ///
+    /// # Errors
+    /// As for [`inertia`](Self::inertia).
+    pub fn torsion_spring(self, stiffness: f64, rest: f64, angle: &str) -> Result<Self, NoSuchPlace> {
+        let angle = self.number(angle)?;
+        Ok(self.and(NamedLoad::TorsionSpring(Spring { stiffness, rest }, angle)))
+    }
+
+    /// A damper that acts on an angle or a distance.
+    ///
+    /// # Errors
+    /// As for [`inertia`](Self::inertia).
+    pub fn torsion_damper(self, damping: f64, angle: &str) -> Result<Self, NoSuchPlace> {
+        let angle = self.number(angle)?;
+        Ok(self.and(NamedLoad::TorsionDamper(Damper { damping }, angle)))
+    }
+
+    fn and(mut self, load: NamedLoad) -> Self {
+        self.loads.push(load);
+        self
+    }
+
+    fn number(&self, name: &str) -> Result<usize, NoSuchPlace> {
+        let index = self.names[self.still..].iter().position(|own| own == name);
+        index
+            .map(|index| self.still + index)
+            .ok_or_else(|| self.no_such_place(name, false))
+    }
+
+    fn point(&self, name: &str) -> Result<PointIndex, NoSuchPlace> {
+        let coordinate = |axis| {
+            let is_own = |own: &String| own.rsplit_once('.') == Some((name, axis));
+            self.names.iter().position(is_own)
+        };
+        let coordinates = AXES.map(coordinate);
+        match coordinates {
+            [Some(_), Some(_), _] => Ok(PointIndex::Moving(coordinates)),
+            _ => Err(self.no_such_place(name, true)),
+        }
+    }
+
+    fn place(&self, place: PointPlace<'_>) -> Result<PointIndex, NoSuchPlace> {
+        match place {
+            PointPlace::Named(name) => self.point(name),
+            PointPlace::Fixed(point) => Ok(PointIndex::Fixed(point)),
+        }
+    }
+
+    fn no_such_place(&self, name: &str, is_point: bool) -> NoSuchPlace {
+        let places = if is_point { self.points() } else { self.angles() };
+        NoSuchPlace {
+            name: name.to_string(),
+            is_point,
+            places: places.into_iter().map(ToString::to_string).collect(),
+        }
+    }
+
+    /// The effort of the drive of one input with its rates, from the motions of parameters, inputs, unknowns and outputs with their changes
+    /// along this input.
+    pub(crate) fn effort<T: Scalar>(&self, quantities: &[NamedMotion<T>]) -> Result<[T; EFFORT_ENTRIES], LoadError> {
+        let mut totals = Totals::<ByNames<'_, T>>::new([NamedPose { quantities }], self.gravity);
+        for (place, load) in self.loads.iter().enumerate() {
+            totals.load = place + 1;
+            load.add(&mut totals)?;
+        }
+        if !totals.are_finite() {
+            return Err(LoadError::NotFinite);
+        }
+        let [effort] = totals.effort;
+        Ok(core::array::from_fn(|order| effort[order]))
+    }
+}
+
+impl NamedLoad {
+    fn add<T: Scalar>(self, totals: &mut Totals<ByNames<'_, T>>) -> Result<(), LoadError> {
+        match self {
+            Self::Mass(mass, point) => {
+                let point = |pose: NamedPose<'_, T>| pose.point(point);
+                Mass { mass, point }.add(totals)
+            }
+            Self::Inertia(moment, angle) => {
+                let (angle, axis) = (|pose: NamedPose<'_, T>| pose.number(angle), Space::new(0.0, 0.0, 1.0));
+                Inertia { moment, axis, angle }.add(totals)
+            }
+            Self::Force(force, point) => {
+                let point = |pose: NamedPose<'_, T>| pose.point(point);
+                Force { force, point }.add(totals)
+            }
+            Self::Torque(torque, angle) => {
+                let angle = |pose: NamedPose<'_, T>| pose.number(angle);
+                Torque { torque, angle }.add(totals)
+            }
+            Self::Spring(kind, [from, to]) => {
+                let [from, to] = [from, to].map(|end| move |pose: NamedPose<'_, T>| pose.point(end));
+                BetweenPoints { kind, from, to }.add(totals)
+            }
+            Self::Damper(kind, [from, to]) => {
+                let [from, to] = [from, to].map(|end| move |pose: NamedPose<'_, T>| pose.point(end));
+                BetweenPoints { kind, from, to }.add(totals)
+            }
+            Self::TorsionSpring(kind, angle) => {
+                let angle = |pose: NamedPose<'_, T>| pose.number(angle);
+                OnAngle { kind, angle }.add(totals)
+            }
+            Self::TorsionDamper(kind, angle) => {
+                let angle = |pose: NamedPose<'_, T>| pose.number(angle);
+                OnAngle { kind, angle }.add(totals)
+            }
+        }
+    }
+}
+
+/// The quantities of a mechanism, of which one input moves.
+#[derive(Clone, Copy)]
+struct ByNames<'p, T>(PhantomData<&'p T>);
+
+impl<'p, T: Scalar> LoadedSystem for ByNames<'p, T> {
+    type Scalar = T;
+    type Motion<V: Copy> = [V; ENTRIES];
+    type Inputs<V: Copy> = [V; 1];
+    type Moving = NamedPose<'p, T>;
+}
+
+#[derive(Clone, Copy)]
+struct NamedPose<'p, T> {
+    quantities: &'p [NamedMotion<T>],
+}
+
+impl<T: Scalar> NamedPose<'_, T> {
+    fn number(self, index: usize) -> NumberMotion<T> {
+        NumberMotion(self.quantities[index])
+    }
+
+    fn point(self, point: PointIndex) -> PointMotion<T> {
+        let still = |value: f64| core::array::from_fn(|order| value.entry(order));
+        PointMotion(match point {
+            PointIndex::Moving(coordinates) => {
+                coordinates.map(|index| index.map_or_else(|| still(0.0), |index| self.quantities[index]))
+            }
+            PointIndex::Fixed(Space { x, y, z }) => [x, y, z].map(still),
+        })
+    }
+}
+
+#[derive(Clone, Copy)]
+struct NumberMotion<T>(NamedMotion<T>);
+
+impl<T: Number> VaryingNumber<Change<T>> for NumberMotion<T> {
+    const ENTRIES: usize = ENTRIES;
+
+    fn entry(&self, order: usize) -> Change<T> {
+        self.0[order]
+    }
+}
+
+#[derive(Clone, Copy)]
+struct PointMotion<T>([NamedMotion<T>; 3]);
+
+impl<T: Number> VaryingVector<Change<T>> for PointMotion<T> {
+    const ENTRIES: usize = ENTRIES;
+
+    fn entry(&self, order: usize) -> Space<Change<T>> {
+        let [x, y, z] = self.0;
+        Space::new(x[order], y[order], z[order])
+    }
+}

@@ -1,0 +1,112 @@
+//! Columns, as people name them.
+
+use kin_core::RATES;
+use kin_core::any::{Description, Quantity};
+
+use super::fault::similar;
+use super::loads::Effort;
+
+/// The word for all columns.
+pub(super) const ALL: &str = "all";
+
+/// The name of a derivative.
+pub(super) fn label(quantity: &str, order: usize) -> String {
+    match order.checked_sub(1) {
+        None => quantity.to_owned(),
+        Some(rate) => format!("{quantity}_{}", RATES[rate]),
+    }
+}
+
+/// The names of all columns: inputs, unknowns and outputs with their rates, and the efforts if there are loads.
+pub(super) fn names(description: &Description<'_>, has_loads: bool) -> Vec<String> {
+    let quantities = [description.inputs, description.unknowns, description.outputs];
+    let of_one = |quantity: &Quantity<'_>| {
+        let name = quantity.name.to_owned();
+        (0..=description.order).map(move |order| label(&name, order))
+    };
+    let efforts = Effort::all(if has_loads { description.inputs.len() } else { 0 });
+    let quantities = quantities.into_iter().flatten().flat_map(of_one);
+    quantities
+        .chain(efforts.map(|effort| effort.name(description)))
+        .collect()
+}
+
+/// The columns of a name: one, or the coordinates of a point, as in `tip` and `tip_velocity`.
+pub(super) fn named<'n>(name: &str, names: &'n [String]) -> Result<Vec<&'n str>, String> {
+    let own: Vec<&str> = names.iter().map(String::as_str).filter(|own| *own == name).collect();
+    if !own.is_empty() {
+        return Ok(own);
+    }
+    let point = |own: &str| {
+        let (point, rest) = own.split_once('.')?;
+        // behind the letter of the axis
+        Some(format!("{point}{}", rest.get(1..)?))
+    };
+    let coordinates = names.iter().map(String::as_str);
+    let coordinates: Vec<&str> = coordinates.filter(|own| point(own).as_deref() == Some(name)).collect();
+    if !coordinates.is_empty() {
+        return Ok(coordinates);
+    }
+    // a beginning comes before what is similar
+    let begun = names
+        .iter()
+        .filter(|own| own.starts_with(name))
+        .min_by_key(|own| own.len());
+    let advice = if let Some(own) = begun {
+        format!("did you mean `{own}`?")
+    } else {
+        let points: Vec<String> = names.iter().filter_map(|own| point(own)).collect();
+        similar(name, names.iter().chain(&points).map(String::as_str))
+    };
+    let example = names.get(1).map_or("", String::as_str);
+    Err(if advice.starts_with("did you mean") {
+        format!("there is no column `{name}`; {advice}")
+    } else {
+        format!("there is no column `{name}`; a column is called by its quantity and its rate, as in `{example}`")
+    })
+}
+
+/// The columns of several names, in their order, each once; none if there are no names, or if all are wanted.
+pub(super) fn chosen(wanted: &[String], names: &[String]) -> Result<Vec<String>, String> {
+    let mut all: Vec<String> = Vec::new();
+    for name in wanted.iter().filter(|name| *name != ALL) {
+        for own in named(name, names)? {
+            if !all.iter().any(|known| known == own) {
+                all.push(own.to_owned());
+            }
+        }
+    }
+    if wanted.iter().any(|name| name == ALL) {
+        all.clear();
+    }
+    Ok(all)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::subject::Subject;
+    use super::*;
+    use kin_core::library::FiveBar;
+
+    #[test]
+    fn a_point_has_the_columns_of_its_coordinates() {
+        let subject = Subject::of::<FiveBar>();
+        let names = names(subject.description(), true);
+        let chosen = |wanted: &[&str]| {
+            let wanted: Vec<String> = wanted.iter().map(|&name| name.to_owned()).collect();
+            chosen(&wanted, &names)
+        };
+        let both = ["hand.x_velocity", "hand.y_velocity"].map(str::to_owned).to_vec();
+        assert_eq!(chosen(&["hand_velocity", "hand.x_velocity"]), Ok(both));
+        assert_eq!(chosen(&["all", "hand"]), Ok(Vec::new()));
+        for (wrong, advice) in [
+            ("hnad", "did you mean `hand`?"),
+            ("alpha_acc", "did you mean `alpha_acceleration`?"),
+            ("alpha_efort", "did you mean `alpha_effort`?"),
+            ("zzz", "as in `alpha_velocity`"),
+        ] {
+            let message = chosen(&[wrong]).unwrap_err();
+            assert!(message.ends_with(advice), "{message}");
+        }
+    }
+}

@@ -1,0 +1,159 @@
+//! The mistakes of a file, or its outline, as JSON for editors.
+
+use std::ops::Range;
+
+use kin_compiler::Quantity;
+use kin_core::any::Described as _;
+use proc_macro2::{TokenStream, TokenTree};
+use serde_json::{Value, json};
+
+use super::super::case::Typed;
+use super::super::subject::Subject;
+use super::place::Mistake;
+use super::read::KinFile;
+use super::sections::{is_ident, is_punct, range_of};
+
+/// The version of the form, which grows when a member changes or goes.
+const VERSION: u32 = 1;
+
+/// One object: see the chapter on the program.
+pub(super) fn checked(file: &str, text: &str, read: Result<KinFile, Vec<Mistake>>) -> String {
+    let (mistakes, outline) = match read {
+        Err(mistakes) => {
+            let mistakes = mistakes.iter();
+            let mistakes = mistakes.map(|mistake| one(text, "error", &mistake.message, &mistake.range));
+            (mistakes.collect::<Vec<_>>(), Value::Null)
+        }
+        Ok(file) => {
+            let outline = outline(text, &file);
+            (remarks(text, file), outline)
+        }
+    };
+    let object = json!({ "version": VERSION, "file": file, "mistakes": mistakes, "outline": outline });
+    format!("{object}\n")
+}
+
+fn one(text: &str, severity: &str, message: &str, range: &Range<usize>) -> Value {
+    json!({
+        "severity": severity,
+        "message": message,
+        "advice": advice(message),
+        "range": place(text, range),
+    })
+}
+
+/// The part of a message that says what to do: behind the first colon or semicolon that stands in no code.
+fn advice(message: &str) -> Option<&str> {
+    let mut is_code = false;
+    for (place, letter) in message.char_indices() {
+        match letter {
+            '`' => is_code = !is_code,
+            ';' | ':' if !is_code => return message[place + 1..].strip_prefix(' '),
+            _ => {}
+        }
+    }
+    None
+}
+
+/// A range as editors count: lines from zero, and units of UTF-16 in the line from zero.
+fn place(text: &str, range: &Range<usize>) -> Value {
+    let position = |byte: usize| {
+        let before = text.get(..byte).unwrap_or(text);
+        let line = before.rsplit('\n').next().unwrap_or("");
+        json!({ "line": before.matches('\n').count(), "character": line.encode_utf16().count() })
+    };
+    json!({ "start": position(range.start), "end": position(range.end.max(range.start)) })
+}
+
+/// What is remarkable about the dimensions, at their places.
+fn remarks(text: &str, file: KinFile) -> Vec<Value> {
+    let typed = Typed {
+        set: file.set,
+        over: file.over,
+        ..Typed::default()
+    };
+    let section = file.sections.iter().find(|section| section.name == "dimensions");
+    let section = section.map_or(0..0, |section| section.whole.clone());
+    let remarks = typed.remarks(&Subject::new(file.mechanism)).into_iter();
+    remarks
+        .map(|(name, remark)| {
+            let inside = text[section.clone()].parse::<TokenStream>().unwrap_or_default();
+            let start = find(inside, &name, '=').map_or(section.clone(), |range| {
+                section.start + range.start..section.start + range.end
+            });
+            one(text, "warning", &remark, &start)
+        })
+        .collect()
+}
+
+fn outline(text: &str, file: &KinFile) -> Value {
+    let compiled = file.mechanism.declaration();
+    let description = file.mechanism.description();
+    // the first line is none of the language
+    let first = text.lines().next().map_or(0, str::len);
+    let declared = format!("{}{}", " ".repeat(first), &text[first..]);
+    let tokens: TokenStream = declared.parse().unwrap_or_default();
+    let quantities = |quantities: &[Quantity]| -> Vec<Value> {
+        let one = |quantity: &Quantity| {
+            json!({
+                "name": quantity.name,
+                "dimension": format!("{:?}", quantity.dimension),
+                "documentation": quantity.documentation,
+                "range": find(tokens.clone(), &quantity.name, ':').map(|range| place(text, &range)),
+            })
+        };
+        quantities.iter().map(one).collect()
+    };
+    let blocks = description.blocks.iter();
+    let blocks: Vec<Value> = blocks
+        .map(|block| json!({ "unknowns": block.unknowns, "solution": block.solution.to_string() }))
+        .collect();
+    let sections = file.sections.iter();
+    let sections: Vec<Value> = sections
+        .map(|section| json!({ "name": section.name, "range": place(text, &section.whole) }))
+        .collect();
+    json!({
+        "name": compiled.name(),
+        "documentation": compiled.documentation(),
+        "dimensions": quantities(compiled.parameters()),
+        "inputs": quantities(compiled.inputs()),
+        "unknowns": quantities(compiled.unknowns()),
+        "outputs": quantities(compiled.outputs()),
+        "blocks": blocks,
+        "assemblies": file.mechanism.assembly_names(),
+        "sections": sections,
+    })
+}
+
+/// The first place of a name before a sign.
+fn find(tokens: TokenStream, name: &str, sign: char) -> Option<Range<usize>> {
+    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    tokens.iter().enumerate().find_map(|(place, token)| match token {
+        TokenTree::Group(group) => find(group.stream(), name, sign),
+        token => (is_ident(Some(token), name) && is_punct(tokens.get(place + 1), sign)).then(|| range_of(token)),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_count_in_utf_16() {
+        let text = "kin 1\n\u{1d703}ö = 30;";
+        let start = text.find("30").unwrap();
+        let position = json!({ "line": 1, "character": 6 });
+        assert_eq!(place(text, &(start..start + 2))["start"], position);
+    }
+
+    #[test]
+    fn advice_stands_behind_the_mistake() {
+        for (message, wanted) in [
+            ("`a: b` is wrong; write `c`", Some("write `c`")),
+            ("an angle has a unit: write `3deg`", Some("write `3deg`")),
+            ("there are two sections", None),
+        ] {
+            assert_eq!(advice(message), wanted);
+        }
+    }
+}

@@ -1,0 +1,308 @@
+//! The loads of a file: `mass tip = 2kg;`.
+
+use std::ops::Range;
+
+use kin_core::Dimension;
+use kin_core::any::Description;
+use kin_core::load::NamedLoads;
+use proc_macro2::TokenTree;
+
+use super::super::fault::{listed, similar};
+use super::super::loads::{End, InSi, Load, Loads};
+use super::super::units::{self, Kind};
+use super::super::value::{self, Lengths};
+use super::place::Mistake;
+use super::sections::{Entry, Part, range_of};
+
+/// The words with which a load begins.
+const KINDS: [&str; 7] = ["gravity", "mass", "inertia", "force", "torque", "spring", "damper"];
+
+/// The loads, and what is wrong in them.
+pub(super) fn read(
+    entries: &[Entry],
+    description: &Description<'_>,
+    section: Option<Range<usize>>,
+    lengths: &mut Lengths,
+) -> (Loads, Vec<Mistake>) {
+    let (mut loads, mut mistakes) = (Loads::default(), Vec::new());
+    let mut reader = Reader {
+        places: NamedLoads::new(description),
+        description,
+        lengths,
+    };
+    for entry in entries {
+        let gravity = loads.gravity.is_some();
+        match reader.load(entry) {
+            Ok(Read::Gravity(_)) if gravity => mistakes.push(entry.head.mistake("gravity has two values")),
+            Ok(Read::Gravity(acceleration)) => loads.gravity = Some(acceleration),
+            Ok(Read::Load(load)) => loads.all.push(load),
+            Err(mistake) => mistakes.push(mistake),
+        }
+    }
+    let mut parameters = description.parameters.iter();
+    let length = parameters.find(|quantity| quantity.dimension == Dimension::Length);
+    if let (Some(length), Some(section), None, [_, ..]) = (length, section, reader.lengths.unit, entries) {
+        let message = format!(
+            "loads need the unit of the lengths: write one of them with its unit, as in `{} = 45mm;`",
+            length.name
+        );
+        mistakes.push(Mistake::new(message, section));
+    }
+    (loads, mistakes)
+}
+
+/// What an entry says.
+enum Read {
+    Gravity([InSi; 3]),
+    Load(Load),
+}
+
+/// Where a load acts.
+enum Place {
+    Point(String),
+    Fixed([InSi; 3]),
+    Angle(String),
+    Distance(String),
+}
+
+struct Reader<'r, 'd> {
+    places: NamedLoads,
+    description: &'r Description<'d>,
+    lengths: &'r mut Lengths,
+}
+
+impl Reader<'_, '_> {
+    fn load(&mut self, entry: &Entry) -> Result<Read, Mistake> {
+        let kind = entry.words.first().map(ToString::to_string).unwrap_or_default();
+        let Some(kind) = KINDS.into_iter().find(|own| *own == kind) else {
+            let first = entry.words.first().map_or(entry.head.range.clone(), range_of);
+            let message = match similar(&kind, KINDS) {
+                advice if advice.starts_with("did") => format!("there is no load `{kind}`; {advice}"),
+                _ => format!(
+                    "a load begins with its kind, as in `mass tip = 2kg;`; there are {}",
+                    listed(&KINDS)
+                ),
+            };
+            return Err(Mistake::new(message, first));
+        };
+        let places = self.places_of(entry)?;
+        let value = &entry.value;
+        let load = match (kind, places.as_slice()) {
+            ("gravity", []) => return vector(units::ACCELERATION, value).map(Read::Gravity),
+            ("mass", [Place::Point(point)]) => Load::Mass(size(units::MASS, value)?, point.clone()),
+            ("inertia", [Place::Angle(angle)]) => Load::Inertia(size(units::INERTIA, value)?, angle.clone()),
+            ("force", [Place::Point(point)]) => Load::Force(vector(units::FORCE, value)?, point.clone()),
+            ("force", [Place::Distance(distance)]) => Load::Torque(number(units::FORCE, value)?, distance.clone()),
+            ("torque", [Place::Angle(angle)]) => Load::Torque(number(units::TORQUE, value)?, angle.clone()),
+            ("spring", [Place::Angle(angle)]) => {
+                let (stiffness, rest) = self.spring(units::TORSION_STIFFNESS, units::ANGLE, value)?;
+                Load::TorsionSpring(stiffness, rest, angle.clone())
+            }
+            ("spring", [Place::Distance(distance)]) => {
+                let (stiffness, rest) = self.spring(units::STIFFNESS, units::LENGTH, value)?;
+                Load::TorsionSpring(stiffness, rest, distance.clone())
+            }
+            ("damper", [Place::Angle(angle)]) => {
+                Load::TorsionDamper(number(units::TORSION_DAMPING, value)?, angle.clone())
+            }
+            ("damper", [Place::Distance(distance)]) => {
+                Load::TorsionDamper(number(units::DAMPING, value)?, distance.clone())
+            }
+            ("spring" | "damper", [from, to]) => {
+                let (Some(from), Some(to)) = (end(from), end(to)) else {
+                    return Err(entry
+                        .head
+                        .mistake(format!("a {kind} is between two points, or on one angle")));
+                };
+                let ends = [from, to];
+                if kind == "damper" {
+                    Load::Damper(number(units::DAMPING, value)?, ends)
+                } else {
+                    let (stiffness, rest) = self.spring(units::STIFFNESS, units::LENGTH, value)?;
+                    Load::Spring(stiffness, rest, ends)
+                }
+            }
+            _ => return Err(entry.head.mistake(self.advice(kind))),
+        };
+        Ok(Read::Load(load))
+    }
+
+    /// How a load of a kind is written.
+    fn advice(&self, kind: &str) -> String {
+        let angles = |dimension: Dimension| {
+            let names = self.places.angles().into_iter();
+            names
+                .map(str::to_owned)
+                .find(|name| self.dimension(name) == Some(dimension))
+        };
+        let angle = angles(Dimension::Angle).unwrap_or_else(|| "psi".to_owned());
+        let point = self
+            .places
+            .points()
+            .first()
+            .map_or_else(|| "tip".to_owned(), |&name| name.to_owned());
+        match kind {
+            "gravity" => "gravity is written as `gravity = (0, -9.81m/s2);`".to_owned(),
+            "mass" => format!("a mass is at a point: write `mass {point} = 2kg;`"),
+            "inertia" => format!("a moment of inertia is with an angle: write `inertia {angle} = 0.02kgm2;`"),
+            "force" => match angles(Dimension::Length) {
+                Some(distance) => format!(
+                    "a force is at a point or along a distance: write `force {point} = (0, -10N);` or `force \
+                     {distance} = 10N;`"
+                ),
+                None => format!("a force is at a point: write `force {point} = (0, -10N);`"),
+            },
+            "torque" => format!("a torque is on an angle: write `torque {angle} = 3Nm;`"),
+            "spring" => format!(
+                "a spring is between two points, or on an angle: write `spring {point} to (0, 200mm) = 900N/m, rest \
+                 150mm;` or `spring {angle} = 12Nm/rad, rest 30deg;`"
+            ),
+            _ => format!(
+                "a damper is between two points, or on an angle: write `damper {point} to (0, 200mm) = 5Ns/m;` or \
+                 `damper {angle} = 0.1Nms/rad;`"
+            ),
+        }
+    }
+
+    /// The dimension of a quantity that moves.
+    fn dimension(&self, name: &str) -> Option<Dimension> {
+        let Description {
+            inputs,
+            unknowns,
+            outputs,
+            ..
+        } = self.description;
+        let mut all = inputs.iter().chain(*unknowns).chain(*outputs);
+        all.find(|quantity| quantity.name == name)
+            .map(|quantity| quantity.dimension)
+    }
+
+    /// The places behind the first word, with `to` between them.
+    fn places_of(&mut self, entry: &Entry) -> Result<Vec<Place>, Mistake> {
+        let Some(words) = entry.words.get(1..).filter(|words| !words.is_empty()) else {
+            return Ok(Vec::new());
+        };
+        let is_to = |word: &TokenTree| matches!(word, TokenTree::Ident(word) if word == "to");
+        let start = entry.head.range.start;
+        let mut places = Vec::new();
+        for words in words.split(is_to) {
+            let (Some(first), Some(last)) = (words.first(), words.last()) else {
+                return Err(entry.head.mistake("a point is missing beside `to`"));
+            };
+            let range = range_of(first).start..range_of(last).end;
+            let text = entry.head.text[range.start - start..range.end - start].to_owned();
+            places.push(self.place(&Part { text, range })?);
+        }
+        Ok(places)
+    }
+
+    fn place(&mut self, part: &Part) -> Result<Place, Mistake> {
+        if part.text.starts_with('(') {
+            return self.fixed(part).map(Place::Fixed);
+        }
+        let name = part.text.clone();
+        if self.places.points().contains(&name.as_str()) {
+            return Ok(Place::Point(name));
+        }
+        match self.dimension(&name) {
+            Some(Dimension::Angle) => Ok(Place::Angle(name)),
+            Some(Dimension::Length) if !name.contains('.') => Ok(Place::Distance(name)),
+            Some(Dimension::Length) => {
+                let point = name.split('.').next().unwrap_or("");
+                Err(part.mistake(format!("loads act on the whole point: write `{point}`")))
+            }
+            Some(Dimension::Scalar) => Err(part.mistake(format!("`{name}` is a plain number, on which no load acts"))),
+            None => {
+                let (points, angles) = (self.places.points(), self.places.angles());
+                let advice = similar(&name, points.iter().chain(&angles).copied());
+                let more = if points.is_empty() {
+                    "; points are declared, as in `output tip: Point = ..;`"
+                } else {
+                    ""
+                };
+                Err(part.mistake(format!("there is no point and no angle `{name}`; {advice}{more}")))
+            }
+        }
+    }
+
+    /// A point of the ground.
+    fn fixed(&mut self, part: &Part) -> Result<[InSi; 3], Mistake> {
+        let mut point = [InSi::new(units::LENGTH, 0.0); 3];
+        let parts = part.coordinates().filter(|parts| (2..=3).contains(&parts.len()));
+        let parts = parts.ok_or_else(|| part.mistake("a point of the ground is written as `(0, 200mm)`"))?;
+        for (place, part) in point.iter_mut().zip(parts) {
+            *place = self.at_rest(units::LENGTH, &part)?;
+        }
+        Ok(point)
+    }
+
+    /// A length or an angle.
+    fn at_rest(&mut self, kind: Kind, part: &Part) -> Result<InSi, Mistake> {
+        let is_length = kind == units::LENGTH;
+        let dimension = if is_length { Dimension::Length } else { Dimension::Angle };
+        let value = value::quantity(dimension, &part.text, self.lengths).map_err(|message| part.mistake(message))?;
+        let metres = if is_length { self.lengths.metres() } else { 1.0 };
+        Ok(InSi::new(kind, value * metres))
+    }
+
+    /// A stiffness, and what it is at rest, which is zero if it is not told.
+    fn spring(&mut self, kind: Kind, at_rest: Kind, part: &Part) -> Result<(InSi, InSi), Mistake> {
+        let parts = part.parts();
+        let example = if at_rest == units::ANGLE { "30deg" } else { "150mm" };
+        match parts.as_slice() {
+            [stiffness] => Ok((number(kind, stiffness)?, InSi::new(at_rest, 0.0))),
+            [stiffness, rest] => {
+                let Some(value) = rest.text.strip_prefix("rest ") else {
+                    return Err(rest.mistake(format!("behind the stiffness comes the rest: write `rest {example}`")));
+                };
+                let start = rest.range.end - value.len();
+                let value = Part {
+                    text: value.to_owned(),
+                    range: start..rest.range.end,
+                };
+                Ok((number(kind, stiffness)?, self.at_rest(at_rest, &value)?))
+            }
+            _ => Err(part.mistake(format!(
+                "a spring has a stiffness and a rest: write `{}{}, rest {example}`",
+                900, kind.units[0].name
+            ))),
+        }
+    }
+}
+
+fn number(kind: Kind, part: &Part) -> Result<InSi, Mistake> {
+    let value = value::in_si(kind, &part.text).map_err(|message| part.mistake(message))?;
+    Ok(InSi::new(kind, value))
+}
+
+/// A mass or a moment of inertia.
+fn size(kind: Kind, part: &Part) -> Result<InSi, Mistake> {
+    if part.text.starts_with('-') {
+        return Err(part.mistake(format!(
+            "{} is not negative: a hole is part of its link, whose mass and centre are those of the whole",
+            kind.name
+        )));
+    }
+    number(kind, part)
+}
+
+fn vector(kind: Kind, part: &Part) -> Result<[InSi; 3], Mistake> {
+    let parts = part.coordinates().filter(|parts| (2..=3).contains(&parts.len()));
+    let parts = parts.ok_or_else(|| {
+        let name = kind.units[0].name;
+        part.mistake(format!("{} has a direction: write `(0, -10{name})`", kind.name))
+    })?;
+    let mut vector = [InSi::new(kind, 0.0); 3];
+    for (place, part) in vector.iter_mut().zip(parts) {
+        *place = number(kind, &part)?;
+    }
+    Ok(vector)
+}
+
+fn end(place: &Place) -> Option<End> {
+    match place {
+        Place::Point(name) => Some(End::Named(name.clone())),
+        Place::Fixed(point) => Some(End::Fixed(*point)),
+        Place::Angle(_) | Place::Distance(_) => None,
+    }
+}

@@ -1,0 +1,322 @@
+//! The sections of a file: which statements are the declaration, and which say more.
+
+use std::ops::Range;
+
+use proc_macro2::{Delimiter, Group, TokenTree};
+
+use super::super::motion;
+use super::place::Mistake;
+
+/// The sections of a file, apart from each other.
+#[derive(Debug, Default)]
+pub(super) struct Sections {
+    pub(super) dimensions: Vec<Entry>,
+    pub(super) motion: Vec<Entry>,
+    pub(super) loads: Vec<Entry>,
+    pub(super) assembly: Option<Part>,
+    pub(super) columns: Vec<Part>,
+    /// Where they stand.
+    pub(super) places: Vec<Section>,
+    /// What is wrong in them.
+    pub(super) mistakes: Vec<Mistake>,
+}
+
+/// A section, which is no part of the declaration.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Section {
+    /// Its first word.
+    pub(crate) name: &'static str,
+    /// The bytes of this word.
+    pub(crate) word: Range<usize>,
+    /// All its bytes.
+    pub(crate) whole: Range<usize>,
+}
+
+/// A part of the text of a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Part {
+    pub(super) text: String,
+    pub(super) range: Range<usize>,
+}
+
+/// What stands before an `=`, and behind it.
+#[derive(Clone, Debug)]
+pub(super) struct Entry {
+    pub(super) head: Part,
+    /// The tokens of the head.
+    pub(super) words: Vec<TokenTree>,
+    pub(super) value: Part,
+}
+
+impl Part {
+    /// A part without the blanks around it.
+    pub(super) fn new(text: &str, range: Range<usize>) -> Self {
+        let own = &text[range.clone()];
+        let start = range.start + (own.len() - own.trim_start().len());
+        Self {
+            text: own.trim().to_owned(),
+            range: start..start + own.trim().len(),
+        }
+    }
+
+    /// The parts between commas.
+    pub(super) fn parts(&self) -> Vec<Self> {
+        let part = |range: Range<usize>| Self {
+            text: self.text[range.clone()].to_owned(),
+            range: self.range.start + range.start..self.range.start + range.end,
+        };
+        motion::parts(&self.text).into_iter().map(part).collect()
+    }
+
+    /// The parts of `(x, y)`.
+    pub(super) fn coordinates(&self) -> Option<Vec<Self>> {
+        let inner = self.text.strip_prefix('(')?.strip_suffix(')')?;
+        let start = self.range.start + 1;
+        let inner = Self {
+            text: inner.to_owned(),
+            range: start..start + inner.len(),
+        };
+        Some(inner.parts())
+    }
+
+    pub(super) fn mistake(&self, message: impl Into<String>) -> Mistake {
+        Mistake::new(message, self.range.clone())
+    }
+}
+
+pub(super) fn range_of(token: &TokenTree) -> Range<usize> {
+    token.span().byte_range()
+}
+
+pub(super) fn is_ident(token: Option<&TokenTree>, name: &str) -> bool {
+    matches!(token, Some(TokenTree::Ident(ident)) if ident == name)
+}
+
+pub(super) fn is_punct(token: Option<&TokenTree>, letter: char) -> bool {
+    matches!(token, Some(TokenTree::Punct(punct)) if punct.as_char() == letter)
+}
+
+fn braces(token: Option<&TokenTree>) -> Option<&Group> {
+    match token {
+        Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Brace => Some(group),
+        _ => None,
+    }
+}
+
+impl Sections {
+    /// Divides the file into its sections.
+    pub(super) fn read(text: &str, tokens: &[TokenTree]) -> Result<Self, Mistake> {
+        let mut sections = Self::default();
+        let mut declared: Vec<TokenTree> = Vec::new();
+        let mut place = 0;
+        while let Some(token) = tokens.get(place) {
+            check_end(&declared, token)?;
+            let Some(name) = section_at(&declared, &tokens[place..]) else {
+                declared.push(token.clone());
+                place += 1;
+                continue;
+            };
+            if sections.places.iter().any(|section| section.name == name) {
+                let message = format!("there are two sections `{name}`");
+                sections.mistakes.push(Mistake::new(message, range_of(token)));
+            }
+            let end = if let Some(group) = braces(tokens.get(place + 1)) {
+                sections.entries_of(name, group, text);
+                place + 1
+            } else {
+                sections.statement(name, place, tokens, text)?
+            };
+            sections.places.push(Section {
+                name,
+                word: range_of(token),
+                whole: range_of(token).start..range_of(&tokens[end]).end,
+            });
+            place = end + 1;
+        }
+        check_form(&declared, true)?;
+        Ok(sections)
+    }
+
+    /// The word of a section; nothing if there is none.
+    pub(super) fn place_of(&self, name: &str) -> Option<Range<usize>> {
+        let section = self.places.iter().find(|section| section.name == name);
+        section.map(|section| section.word.clone())
+    }
+
+    /// A section of one statement, of which the place of the `;` is returned.
+    fn statement(
+        &mut self,
+        name: &'static str,
+        place: usize,
+        tokens: &[TokenTree],
+        text: &str,
+    ) -> Result<usize, Mistake> {
+        let end = (place..tokens.len()).find(|index| is_punct(tokens.get(*index), ';'));
+        let Some(end) = end else {
+            let message = match name {
+                "columns" => "the columns end with `;`, as in `columns psi, psi_velocity;`",
+                _ => "the assembly ends with `;`, as in `assembly = open;`",
+            };
+            return Err(Mistake::new(message, range_of(&tokens[place])));
+        };
+        let begin = if name == "columns" { place } else { place + 1 };
+        let whole = Part::new(text, range_of(&tokens[begin]).end..range_of(&tokens[end]).start);
+        if name == "columns" {
+            let is_empty = |part: &Part| part.text.is_empty();
+            let (empty, columns) = whole.parts().into_iter().partition(is_empty);
+            self.columns = columns;
+            let empty: Vec<Part> = empty;
+            self.mistakes
+                .extend(empty.iter().map(|_| whole.mistake("a name is missing beside a comma")));
+        } else {
+            self.assembly = Some(whole);
+        }
+        Ok(end)
+    }
+
+    /// The entries of a section in braces: `name = value;`.
+    fn entries_of(&mut self, name: &str, group: &Group, text: &str) {
+        let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
+        for part in tokens.split(|token| is_punct(Some(token), ';')) {
+            let (Some(first), Some(last)) = (part.first(), part.last()) else {
+                continue;
+            };
+            match entry(name, part, range_of(first).start..range_of(last).end, text) {
+                Ok(entry) => match name {
+                    "dimensions" => self.dimensions.push(entry),
+                    "motion" => self.motion.push(entry),
+                    _ => self.loads.push(entry),
+                },
+                Err(mistake) => self.mistakes.push(mistake),
+            }
+        }
+    }
+}
+
+/// The section that begins here, behind these tokens of the declaration.
+fn section_at(declared: &[TokenTree], tokens: &[TokenTree]) -> Option<&'static str> {
+    let (first, next) = (tokens.first(), tokens.get(1));
+    let in_braces = ["dimensions", "motion", "loads"];
+    if let Some(name) = in_braces.into_iter().find(|name| is_ident(first, name)) {
+        return braces(next).map(|_| name);
+    }
+    if is_ident(first, "assembly") {
+        return (is_punct(next, '=') && !is_punct(tokens.get(2), '=')).then_some("assembly");
+    }
+    let begins = declared
+        .last()
+        .is_none_or(|last| is_punct(Some(last), ';') || braces(Some(last)).is_some());
+    (begins && is_ident(first, "columns") && matches!(next, Some(TokenTree::Ident(_)))).then_some("columns")
+}
+
+fn entry(section: &str, part: &[TokenTree], whole: Range<usize>, text: &str) -> Result<Entry, Mistake> {
+    let Some(equals) = part.iter().position(|token| is_punct(Some(token), '=')) else {
+        let message = match section {
+            "loads" => "a load and its value are written as `mass tip = 2kg;`",
+            _ => "a name and a value are written as `r1 = 90;`",
+        };
+        return Err(Mistake::new(message, whole));
+    };
+    if part[equals + 1..].iter().any(|token| is_punct(Some(token), '=')) && !text[whole.clone()].contains("..=") {
+        return Err(Mistake::new("two values without a `;` between them", whole));
+    }
+    let head = Part::new(text, whole.start..range_of(&part[equals]).start);
+    let value = Part::new(text, range_of(&part[equals]).end..whole.end);
+    if value.text.is_empty() {
+        return Err(Mistake::new(format!("`{}` has no value", head.text), whole));
+    }
+    let words = part[..equals].to_vec();
+    Ok(Entry { head, words, value })
+}
+
+/// A text with blanks in some ranges, so that every token keeps its place.
+pub(super) fn blank<'r>(text: &str, ranges: impl Iterator<Item = &'r Range<usize>>) -> String {
+    let mut blanked = text.to_owned();
+    for range in ranges {
+        let letters = text[range.clone()].chars();
+        let blanks: String = letters
+            .map(|letter| match letter {
+                '\n' => "\n".to_owned(),
+                _ => " ".repeat(letter.len_utf8()),
+            })
+            .collect();
+        blanked.replace_range(range.clone(), &blanks);
+    }
+    blanked
+}
+
+/// Refuses attributes, which a file does not have, and sections of other names. All else is left to the compiler.
+fn check_form(tokens: &[TokenTree], is_outside: bool) -> Result<(), Mistake> {
+    let mut braces_seen = 0;
+    for (place, token) in tokens.iter().enumerate() {
+        match token {
+            TokenTree::Punct(punct) if punct.as_char() == '#' => {
+                let is_inner = is_punct(tokens.get(place + 1), '!');
+                let attribute = tokens.get(place + 1 + usize::from(is_inner));
+                if !is_documentation(attribute) {
+                    let range = range_of(token);
+                    let end = attribute.map_or(range.end, |attribute| range_of(attribute).end);
+                    return Err(Mistake::new(
+                        "of attributes only doc comments are allowed in a .kin file: write `/// text`",
+                        range.start..end,
+                    ));
+                }
+            }
+            TokenTree::Group(group) => {
+                if group.delimiter() == Delimiter::Brace {
+                    braces_seen += 1;
+                    if !is_outside || braces_seen > 1 {
+                        return Err(Mistake::new(
+                            "these braces have no place here: a file has one structure, `dimensions { .. }`, \
+                             `motion { .. }` and `loads { .. }`",
+                            group.span_open().byte_range(),
+                        ));
+                    }
+                }
+                let inner: Vec<TokenTree> = group.stream().into_iter().collect();
+                check_form(&inner, false)?;
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+/// Whether it is what a doc comment becomes: `[doc = "text"]`.
+fn is_documentation(attribute: Option<&TokenTree>) -> bool {
+    let Some(TokenTree::Group(group)) = attribute else {
+        return false;
+    };
+    let inner: Vec<TokenTree> = group.stream().into_iter().collect();
+    let [doc, equals, TokenTree::Literal(text)] = inner.as_slice() else {
+        return false;
+    };
+    is_ident(Some(doc), "doc") && is_punct(Some(equals), '=') && text.to_string().starts_with(['"', 'r'])
+}
+
+/// The words behind which a statement goes on, and those with which a line may go on.
+const HEADS: [&str; 11] = [
+    "struct", "pub", "input", "unknown", "output", "let", "ground", "body", "slide", "on", "with",
+];
+const INFIXES: [&str; 3] = ["in", "where", "on"];
+
+/// Refuses a line that begins a statement while the one before has no end.
+fn check_end(before: &[TokenTree], token: &TokenTree) -> Result<(), Mistake> {
+    let Some(last) = before.last() else { return Ok(()) };
+    let is_operand = match last {
+        TokenTree::Ident(word) => !HEADS.iter().any(|head| word == head),
+        TokenTree::Literal(_) => true,
+        TokenTree::Group(group) => group.delimiter() == Delimiter::Parenthesis,
+        TokenTree::Punct(_) => false,
+    };
+    let begins = match token {
+        TokenTree::Ident(word) => !INFIXES.iter().any(|infix| word == infix),
+        TokenTree::Literal(_) => true,
+        TokenTree::Group(_) | TokenTree::Punct(_) => false,
+    };
+    let is_next_line = last.span().end().line < token.span().start().line;
+    if is_operand && begins && is_next_line {
+        return Err(Mistake::new("a statement ends with `;`", range_of(last)));
+    }
+    Ok(())
+}
