@@ -2,6 +2,7 @@
 //!
 //! Every message begins in lower case with the mistake and ends with the remedy.
 
+use std::collections::BTreeSet;
 use std::fmt::Display;
 
 use proc_macro2::{Punct, Spacing, Span, TokenStream};
@@ -15,6 +16,8 @@ use crate::work;
 #[derive(Default)]
 pub(crate) struct Mistakes {
     errors: Vec<syn::Error>,
+    /// Where statements stand that are read several times.
+    repeated: Vec<Extent>,
 }
 
 impl Mistakes {
@@ -34,6 +37,11 @@ impl Mistakes {
 
     pub(crate) fn push(&mut self, error: syn::Error) {
         self.errors.push(error);
+    }
+
+    /// Tells one mistake at each place within a stretch of source, whose statements are read several times.
+    pub(crate) fn tell_once_within(&mut self, extent: Extent) {
+        self.repeated.push(extent);
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -57,7 +65,17 @@ impl Mistakes {
 
     /// The mistakes, one by one.
     pub(crate) fn into_errors(mut self) -> impl Iterator<Item = syn::Error> {
-        std::mem::take(&mut self.errors).into_iter().flatten()
+        let repeated: Vec<_> = self
+            .repeated
+            .iter()
+            .map(|extent| extent.first.start()..extent.last.end())
+            .collect();
+        let mut told = BTreeSet::new();
+        let errors = std::mem::take(&mut self.errors).into_iter().flatten();
+        errors.filter(move |error| {
+            let (start, end) = (error.span().start(), error.span().end());
+            !repeated.iter().any(|stretch| stretch.contains(&start)) || told.insert((start, end))
+        })
     }
 
     /// The messages alone, for tests.

@@ -1,0 +1,524 @@
+//! `let platform = frame(center, rotation);`: what `platform * point` and products of frames stand for.
+//!
+//! They are written out, as a person would: `center + rotation * point` in space, `pin + point * cis(angle)` in the
+//! plane. So no later pass knows of frames.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use proc_macro2::{Ident, Span};
+use syn::ext::IdentExt;
+use syn::parse::{ParseStream, Result};
+use syn::{Token, parenthesized, token};
+
+use crate::mistakes::{Extent, Mistakes};
+use crate::syntax::formula::{self, Context};
+use crate::syntax::{
+    ArithmeticOperator, Callee, Declaration, FormulaKind, FreshNames, LetStatement, Operand, Statement, TypedFormula,
+    ValueShape, shape,
+};
+
+const WORD: &str = "frame";
+
+/// The message about a frame that is part of a formula.
+pub(super) const ALONE: &str = "a frame has a name of its own: write `let platform = frame(center, rotation);`, and then \
+                                `platform * point`";
+
+/// Whether a call is that of a frame. The word is not reserved.
+pub(super) fn is_call(word: &str) -> bool {
+    word == WORD
+}
+
+/// Reads `= frame(center, rotation)` behind the name of a `let`, if that stands there.
+pub(super) fn parse(input: ParseStream<'_>) -> Result<Option<(TypedFormula, TypedFormula)>> {
+    let ahead = input.fork();
+    let is_frame = ahead.parse::<Token![=]>().is_ok()
+        && Ident::parse_any(&ahead).is_ok_and(|word| word == WORD)
+        && ahead.peek(token::Paren);
+    if !is_frame {
+        return Ok(None);
+    }
+    input.parse::<Token![=]>()?;
+    let word = Ident::parse_any(input)?;
+    let content;
+    let parentheses = parenthesized!(content in input);
+    let mut arguments = Vec::new();
+    while !content.is_empty() {
+        arguments.push(formula::parse(&content, Context::Argument)?);
+        content.parse::<Option<Token![,]>>()?;
+    }
+    if !input.is_empty() {
+        return Err(syn::Error::new(word.span(), ALONE));
+    }
+    let given = arguments.len();
+    let [origin, turn] = <[TypedFormula; 2]>::try_from(arguments).map_err(|_| {
+        syn::Error::new_spanned(
+            Extent::at(word.span()).to(Extent::at(parentheses.span.close())),
+            format!(
+                "`frame` takes 2 arguments, but is given {given}: write `frame(center, rotation)`, and `frame(pin, angle)` in \
+                 the plane"
+            ),
+        )
+    })?;
+    Ok(Some((origin, turn)))
+}
+
+/// Writes out all frames.
+pub(super) fn write_out(declaration: &mut Declaration, mistakes: &mut Mistakes) {
+    let names = declaration.statements.iter().filter_map(|statement| match statement {
+        Statement::Frame(frame) => Some(frame.name.to_string()),
+        _ => None,
+    });
+    let mut later: BTreeSet<String> = names.collect();
+    if later.is_empty() {
+        return;
+    }
+    let taken = declaration.quantity_names();
+    later.retain(|name| !taken.contains(name));
+    let mut frames = Frames {
+        shapes: declaration.shapes(),
+        known: BTreeMap::new(),
+        later,
+        used: BTreeSet::new(),
+    };
+    for mut statement in std::mem::take(&mut declaration.statements) {
+        match frames.written_out(&mut statement, &mut declaration.fresh) {
+            Ok(None) => declaration.statements.push(statement),
+            Ok(Some(parts)) => declaration.statements.extend(parts.into_iter().map(Statement::Let)),
+            Err(error) => {
+                mistakes.push(error);
+                declaration.complete = false;
+                if let Statement::Let(LetStatement { name, .. }) = &statement {
+                    declaration.broken.insert(name.to_string());
+                }
+                if let Statement::Frame(frame) = &statement {
+                    declaration.broken.insert(frame.name.to_string());
+                }
+                for formula in statement.formulas() {
+                    formula.visit_names(&mut |name| {
+                        declaration.mentioned.insert(name.to_string());
+                    });
+                }
+            }
+        }
+    }
+    for (word, frame) in &frames.known {
+        if !frames.used.contains(word) && !declaration.mentioned.contains(word) {
+            let written = declaration.fresh.written(word);
+            mistakes.error(
+                &frame.name,
+                format!("`let {written}` is never used: use it, or remove it"),
+            );
+            declaration.complete = false;
+        }
+    }
+}
+
+/// A frame with a name.
+struct NamedFrame {
+    name: Ident,
+    frame: Frame,
+}
+
+/// A frame: where its origin is, and how it is turned.
+#[derive(Clone)]
+struct Frame {
+    origin: TypedFormula,
+    /// An angle in the plane, a rotation in space.
+    turn: TypedFormula,
+    in_plane: bool,
+}
+
+/// A formula, or a frame that it stands for.
+enum Value {
+    Formula(TypedFormula),
+    Frame(Frame),
+}
+
+struct Frames {
+    /// The shapes of the names so far.
+    shapes: BTreeMap<String, ValueShape>,
+    known: BTreeMap<String, NamedFrame>,
+    /// The frames that come later.
+    later: BTreeSet<String>,
+    used: BTreeSet<String>,
+}
+
+impl Frames {
+    /// Writes out the frames in a statement. For a frame itself, the result is the abbreviations of its parts.
+    fn written_out(&mut self, statement: &mut Statement, fresh: &mut FreshNames) -> Result<Option<Vec<LetStatement>>> {
+        match statement {
+            Statement::Frame(statement) => {
+                let word = statement.name.to_string();
+                if !self.later.remove(&word) {
+                    return Err(syn::Error::new(
+                        statement.name.span(),
+                        format!("`{word}` is declared twice: choose another name for this frame"),
+                    ));
+                }
+                statement.origin = self.formula(&statement.origin)?;
+                statement.turn = self.formula(&statement.turn)?;
+                let frame = self.frame(&statement.origin, &statement.turn)?;
+                self.declare(&statement.name, frame, fresh).map(Some)
+            }
+            Statement::Let(statement) => match self.value(&statement.value)? {
+                Value::Frame(frame) => self.declare(&statement.name, frame, fresh).map(Some),
+                Value::Formula(value) => {
+                    if let Some(shape) = self.shape(&value) {
+                        self.shapes.insert(statement.name.to_string(), shape);
+                    }
+                    statement.value = value;
+                    Ok(None)
+                }
+            },
+            Statement::Repeats(columns) => {
+                columns.retain(|column| !column.iter().any(|element| self.is_frame(element)));
+                Ok(None)
+            }
+            _ => {
+                for formula in statement.formulas() {
+                    *formula = self.formula(formula)?;
+                }
+                Ok(None)
+            }
+        }
+    }
+
+    /// The frame of an origin and a turn, if they can be that.
+    fn frame(&self, origin: &TypedFormula, turn: &TypedFormula) -> Result<Frame> {
+        let wrong = |at: &TypedFormula, message: &str| Err(syn::Error::new_spanned(at.extent, message));
+        let in_plane = match self.shape(turn) {
+            Some(ValueShape::Plane) => {
+                return wrong(
+                    turn,
+                    "a frame of the plane is turned by an angle: write `frame(pin, angle)`, without `cis`",
+                );
+            }
+            Some(ValueShape::Space) => {
+                return wrong(
+                    turn,
+                    "a frame is turned by a rotation, but this is a vector: write `frame(center, rot_z(angle))`",
+                );
+            }
+            Some(ValueShape::Scalar) => true,
+            // a mistake in it is told where it is
+            Some(ValueShape::Rotation) | None => false,
+        };
+        match self.shape(origin) {
+            Some(ValueShape::Space) if in_plane => wrong(
+                turn,
+                "a frame of space is turned by a rotation, but this is a scalar: write `rot_z(angle)`, or another rotation",
+            ),
+            Some(ValueShape::Rotation) => wrong(
+                origin,
+                "a frame has a point as its origin, but this is a rotation: write the point first, `frame(center, rotation)`",
+            ),
+            Some(ValueShape::Plane) if !in_plane && self.shape(turn).is_some() => wrong(
+                origin,
+                "a frame of space has its origin in space: write `vec3(v.x, v.y, 0)` to place a plane vector v in space",
+            ),
+            Some(ValueShape::Scalar) if !in_plane && !is_zero(origin) => wrong(
+                origin,
+                "a frame of space has its origin in space, but this is a scalar: write `vec3(x, y, z)`",
+            ),
+            _ => Ok(Frame {
+                origin: origin.clone(),
+                turn: turn.clone(),
+                in_plane,
+            }),
+        }
+    }
+
+    /// Gives a frame its name. Parts that are no names get one.
+    fn declare(&mut self, name: &Ident, mut frame: Frame, fresh: &mut FreshNames) -> Result<Vec<LetStatement>> {
+        let turn = if frame.in_plane { "angle" } else { "rotation" };
+        let mut parts = Vec::new();
+        for (part, value) in [("origin", &mut frame.origin), (turn, &mut frame.turn)] {
+            let is_short = matches!(
+                value.kind,
+                FormulaKind::Name(_) | FormulaKind::Number { .. } | FormulaKind::Degrees { .. } | FormulaKind::Pi
+            );
+            if is_short {
+                continue;
+            }
+            let name = fresh.part_of_frame(name, part);
+            if let Some(shape) = self.shape(value) {
+                self.shapes.insert(name.to_string(), shape);
+            }
+            let named = TypedFormula::new(FormulaKind::Name(name.clone()), value.extent)?;
+            let value = std::mem::replace(value, named);
+            parts.push(LetStatement { name, value });
+        }
+        let name = name.clone();
+        self.known.insert(name.to_string(), NamedFrame { name, frame });
+        Ok(parts)
+    }
+
+    /// The shape of a formula, `None` where a name in it is not known.
+    fn shape(&self, formula: &TypedFormula) -> Option<ValueShape> {
+        let mut known = true;
+        formula.visit_names(&mut |name| known &= self.shapes.contains_key(&name.to_string()));
+        known.then(|| shape(formula, &|name| self.shapes.get(name).copied()))
+    }
+
+    fn is_frame(&self, formula: &TypedFormula) -> bool {
+        matches!(&formula.kind, FormulaKind::Name(name) if self.known.contains_key(&name.to_string()))
+    }
+
+    fn formula(&mut self, formula: &TypedFormula) -> Result<TypedFormula> {
+        match self.value(formula)? {
+            Value::Formula(formula) => Ok(formula),
+            Value::Frame(_) => Err(syn::Error::new_spanned(
+                formula.extent,
+                format!("this is a frame and no quantity: write `{formula} * point` for the place of a point"),
+            )),
+        }
+    }
+
+    fn value(&mut self, formula: &TypedFormula) -> Result<Value> {
+        let value = match &formula.kind {
+            FormulaKind::Name(name) => {
+                let word = name.to_string();
+                if self.later.contains(&word) {
+                    return Err(syn::Error::new(
+                        name.span(),
+                        format!("`{word}` is used before it is known: move `let {word} = …;` above this"),
+                    ));
+                }
+                if let Some(named) = self.known.get(&word) {
+                    self.used.insert(word);
+                    return Ok(Value::Frame(named.frame.at(name.span())));
+                }
+                formula.clone()
+            }
+            FormulaKind::Parenthesis(inner) => match self.value(inner)? {
+                Value::Frame(frame) => return Ok(Value::Frame(frame)),
+                Value::Formula(inner) => TypedFormula::new(FormulaKind::Parenthesis(Box::new(inner)), formula.extent)?,
+            },
+            FormulaKind::Product { first, rest } => return self.product(first, rest),
+            FormulaKind::Sum { first, rest } => {
+                let mut terms = Chain::of_terms(self.formula(first)?);
+                for operand in rest {
+                    let term = self.formula(&operand.formula)?;
+                    terms.add(operand.operator, operand.span, term)?;
+                }
+                terms.sum()?
+            }
+            _ => formula.with_parts(&mut |part| self.formula(part))?,
+        };
+        Ok(Value::Formula(value))
+    }
+
+    /// A product, from left to right.
+    fn product(&mut self, first: &TypedFormula, rest: &[Operand]) -> Result<Value> {
+        /// The product so far.
+        enum Product {
+            Factors(Chain),
+            Frame(Frame),
+        }
+        let mut product = match self.value(first)? {
+            Value::Formula(formula) => Product::Factors(Chain::of_factors(formula)),
+            Value::Frame(frame) => Product::Frame(frame),
+        };
+        for Operand {
+            operator,
+            span,
+            formula,
+        } in rest
+        {
+            let wrong = |message: &str| Err(syn::Error::new(*span, message));
+            product = match (product, operator, self.value(formula)?) {
+                (Product::Factors(mut factors), _, Value::Formula(right)) => {
+                    factors.times(*operator, *span, right)?;
+                    Product::Factors(factors)
+                }
+                (Product::Frame(frame), ArithmeticOperator::Multiply, Value::Formula(point)) => {
+                    self.check_point(&frame, &point)?;
+                    Product::Factors(Chain::of_factors(frame.place(point, *span)?))
+                }
+                (Product::Frame(outer), ArithmeticOperator::Multiply, Value::Frame(inner)) => {
+                    if outer.in_plane != inner.in_plane {
+                        return wrong(
+                            "one of these frames is of the plane, and the other of space: declare both alike",
+                        );
+                    }
+                    Product::Frame(outer.times(inner, *span)?)
+                }
+                (Product::Factors(_), ArithmeticOperator::Multiply, Value::Frame(_)) => {
+                    return wrong("a frame places what stands behind it: write the frame first, `platform * point`");
+                }
+                _ => return wrong("a frame cannot be divided, and nothing by it: write `platform * point`"),
+            };
+        }
+        Ok(match product {
+            Product::Factors(factors) => Value::Formula(factors.product()?),
+            Product::Frame(frame) => Value::Frame(frame),
+        })
+    }
+
+    fn check_point(&self, frame: &Frame, point: &TypedFormula) -> Result<()> {
+        let message = match (self.shape(point), frame.in_plane) {
+            (Some(ValueShape::Space | ValueShape::Rotation), true) => {
+                "this frame is one of the plane: write a point of the plane behind it, as `vec2(x, y)`"
+            }
+            (Some(ValueShape::Scalar), false) if !is_zero(point) => {
+                "a frame of space places points of space, but this is a scalar: write `vec3(x, y, z)`"
+            }
+            (Some(ValueShape::Plane), false) => {
+                "a frame of space places points of space, but this is a plane vector: write `vec3(v.x, v.y, 0)`"
+            }
+            (Some(ValueShape::Rotation), false) => {
+                "a frame places points: write the product of rotations without it, or `frame(0, rotation)` for this one"
+            }
+            _ => return Ok(()),
+        };
+        Err(syn::Error::new_spanned(point.extent, message))
+    }
+}
+
+impl Frame {
+    /// The frame as it is used at a place.
+    fn at(&self, span: Span) -> Self {
+        let at = |formula: &TypedFormula| {
+            let mut formula = formula.clone();
+            formula.extent = Extent::at(span);
+            if let FormulaKind::Name(name) = &mut formula.kind {
+                name.set_span(span);
+            }
+            formula
+        };
+        Self {
+            origin: at(&self.origin),
+            turn: at(&self.turn),
+            in_plane: self.in_plane,
+        }
+    }
+
+    /// A vector of the frame, as one of the frame around it.
+    fn turned(&self, vector: TypedFormula, span: Span) -> Result<TypedFormula> {
+        let (first, second) = if self.in_plane {
+            let call = FormulaKind::Call {
+                callee: Callee::Cis,
+                arguments: vec![self.turn.clone()],
+                method: false,
+            };
+            (vector, TypedFormula::new(call, self.turn.extent)?)
+        } else {
+            (self.turn.clone(), vector)
+        };
+        let mut factors = Chain::of_factors(first);
+        factors.times(ArithmeticOperator::Multiply, span, second)?;
+        factors.product()
+    }
+
+    /// A point of the frame, as one of the frame around it.
+    fn place(self, point: TypedFormula, span: Span) -> Result<TypedFormula> {
+        if is_zero(&point) {
+            return Ok(self.origin);
+        }
+        let turned = self.turned(point, span)?;
+        if is_zero(&self.origin) {
+            return Ok(turned);
+        }
+        let mut terms = Chain::of_terms(self.origin);
+        terms.add(ArithmeticOperator::Add, span, turned)?;
+        terms.sum()
+    }
+
+    /// A frame within this one, as one of the frame around it.
+    fn times(self, inner: Self, span: Span) -> Result<Self> {
+        let turn = if self.in_plane {
+            let mut terms = Chain::of_terms(self.turn.clone());
+            terms.add(ArithmeticOperator::Add, span, inner.turn)?;
+            terms.sum()?
+        } else {
+            self.turned(inner.turn, span)?
+        };
+        Ok(Self {
+            in_plane: self.in_plane,
+            turn,
+            origin: self.place(inner.origin, span)?,
+        })
+    }
+}
+
+/// A sum or a product.
+struct Chain {
+    first: TypedFormula,
+    rest: Vec<Operand>,
+}
+
+impl Chain {
+    fn new(first: TypedFormula) -> Self {
+        let rest = Vec::new();
+        Self { first, rest }
+    }
+
+    /// A sum with the terms of a formula.
+    fn of_terms(formula: TypedFormula) -> Self {
+        match formula.kind {
+            FormulaKind::Sum { first, rest } => Self { first: *first, rest },
+            _ => Self::new(formula),
+        }
+    }
+
+    /// A product with the factors of a formula.
+    fn of_factors(formula: TypedFormula) -> Self {
+        match formula.kind {
+            FormulaKind::Product { first, rest } => Self { first: *first, rest },
+            _ => Self::new(formula),
+        }
+    }
+
+    fn push(&mut self, operator: ArithmeticOperator, span: Span, formula: TypedFormula) {
+        self.rest.push(Operand {
+            operator,
+            span,
+            formula,
+        });
+    }
+
+    /// Adds the terms of a formula, or subtracts the formula.
+    fn add(&mut self, operator: ArithmeticOperator, span: Span, term: TypedFormula) -> Result<()> {
+        if operator == ArithmeticOperator::Subtract && matches!(term.kind, FormulaKind::Sum { .. }) {
+            self.push(operator, span, term.grouped()?);
+            return Ok(());
+        }
+        let terms = Self::of_terms(term);
+        self.push(operator, span, terms.first);
+        self.rest.extend(terms.rest);
+        Ok(())
+    }
+
+    /// Multiplies or divides by a formula.
+    fn times(&mut self, operator: ArithmeticOperator, span: Span, factor: TypedFormula) -> Result<()> {
+        if self.rest.is_empty() && matches!(self.first.kind, FormulaKind::Sum { .. }) {
+            self.first = self.first.clone().grouped()?;
+        }
+        let factor = match factor.kind {
+            FormulaKind::Sum { .. } | FormulaKind::Product { .. } => factor.grouped()?,
+            _ => factor,
+        };
+        self.push(operator, span, factor);
+        Ok(())
+    }
+
+    fn sum(self) -> Result<TypedFormula> {
+        self.formula(|first, rest| FormulaKind::Sum { first, rest })
+    }
+
+    fn product(self) -> Result<TypedFormula> {
+        self.formula(|first, rest| FormulaKind::Product { first, rest })
+    }
+
+    fn formula(self, kind: fn(Box<TypedFormula>, Vec<Operand>) -> FormulaKind) -> Result<TypedFormula> {
+        formula::chain(self.first, self.rest, kind)
+    }
+}
+
+fn is_zero(formula: &TypedFormula) -> bool {
+    match &formula.kind {
+        FormulaKind::Number { value, .. } => *value == 0.0,
+        FormulaKind::Parenthesis(inner) => is_zero(inner),
+        _ => false,
+    }
+}
