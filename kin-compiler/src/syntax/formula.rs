@@ -430,7 +430,7 @@ fn word(input: ParseStream<'_>) -> Result<TypedFormula> {
         return at("parameters are written without `self`: write their names alone".to_owned());
     }
     if input.peek(token::Paren) {
-        if frames::is_call(&text) {
+        if frames::is_frame(&text) {
             return at(frames::ALONE.to_owned());
         }
         if !is_function(&text) {

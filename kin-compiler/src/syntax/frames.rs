@@ -24,7 +24,7 @@ pub(super) const ALONE: &str = "a frame has a name of its own: write `let platfo
                                 `platform * point`";
 
 /// Whether a call is that of a frame. The word is not reserved.
-pub(super) fn is_call(word: &str) -> bool {
+pub(crate) fn is_frame(word: &str) -> bool {
     word == WORD
 }
 

@@ -36,6 +36,7 @@ pub(crate) use callee::{form, function_names, is_function};
 pub use dimension::{Dimension, ValueShape};
 pub(crate) use elsewhere::instead_of_request;
 use fresh::FreshNames;
+pub(crate) use frames::is_frame;
 pub(crate) use name::keyword as is_keyword;
 pub(crate) use request::Request;
 pub(crate) use runtime::runtime;

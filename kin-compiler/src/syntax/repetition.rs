@@ -67,7 +67,7 @@ pub(super) fn read(tokens: &TokenStream, declaration: &mut Declaration, mistakes
             return None;
         }
     };
-    mistakes.tell_once_within(head.extent);
+    mistakes.tell_once_within(tokens);
     let elements = elements(&head, mistakes);
     let complete = std::mem::replace(&mut declaration.complete, true);
     let body = body(&head.body, declaration, mistakes);
