@@ -109,7 +109,9 @@ fn repetition(tokens: &[TokenTree], known: &BTreeSet<String>, runtime: &TokenStr
         TokenTree::Group(group) => trees(&group.stream()),
         token => vec![token.clone()],
     };
-    let list = tokens.iter().position(|token| matches!(token, TokenTree::Ident(word) if word == "in"));
+    let list = tokens
+        .iter()
+        .position(|token| matches!(token, TokenTree::Ident(word) if word == "in"));
     let (names, rest) = tokens[1..].split_at(list.unwrap_or(tokens.len()) - 1);
     let (list, body) = match rest {
         [_, list, body, ..] => (of(list), of(body)),
