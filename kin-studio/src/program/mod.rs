@@ -7,6 +7,7 @@ mod case;
 mod command;
 mod fault;
 mod file;
+mod format;
 mod motion;
 mod progress;
 mod server;
@@ -167,6 +168,10 @@ fn run_library(arguments: &[OsString]) -> Result<(), Fault> {
             let path = own.get_one::<PathBuf>("file").cloned().unwrap_or_default();
             tasks::print(&file::check(&path, own.get_flag("steps"))?)
         }
+        Some(("fmt", own)) => {
+            let path = own.get_one::<PathBuf>("file").cloned().unwrap_or_default();
+            tasks::fmt(&path, own.get_flag("check"))
+        }
         Some((_, own)) => {
             let wanted = own.get_one::<String>("mechanism").map_or("", String::as_str);
             let subject = match (find(wanted), advice::advice(arguments, true)) {
@@ -254,6 +259,24 @@ fn of_files(command: Command) -> Command {
                         .help("The file"),
                 )
                 .after_help("Examples:\n  kin check pump.kin\n  kin check pump.kin --steps"),
+        )
+        .subcommand(
+            Command::new("fmt")
+                .about("Format a .kin file in place")
+                .arg(
+                    Arg::new("check")
+                        .long("check")
+                        .action(ArgAction::SetTrue)
+                        .help("Change nothing, and end with code 1 if the file is in another form"),
+                )
+                .arg(
+                    Arg::new("file")
+                        .required(true)
+                        .value_name("FILE.kin")
+                        .value_parser(clap::value_parser!(PathBuf))
+                        .help("The file, or `-` for the input, which is formatted to the output"),
+                )
+                .after_help("Examples:\n  kin fmt pump.kin\n  kin fmt --check pump.kin"),
         )
 }
 

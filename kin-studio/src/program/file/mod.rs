@@ -6,7 +6,9 @@ mod read;
 use std::path::Path;
 
 use super::fault::Fault;
+use super::format;
 use super::subject::Subject;
+use place::Mistake;
 use read::KinFile;
 
 /// What a file says besides the declaration.
@@ -24,10 +26,15 @@ pub(super) struct Told {
     pub(super) declaration: String,
 }
 
-/// Reads a file, and compiles its declaration.
-fn compiled(path: &Path) -> Result<KinFile, Fault> {
+/// The text of a file, or of the input if its name is `-`.
+pub(super) fn text(path: &Path) -> Result<String, Fault> {
     let shown = path.display().to_string();
-    let text = std::fs::read_to_string(path).map_err(|error| {
+    let text = if path == Path::new("-") {
+        std::io::read_to_string(std::io::stdin())
+    } else {
+        std::fs::read_to_string(path)
+    };
+    let text = text.map_err(|error| {
         Fault::wrong(match error.kind() {
             std::io::ErrorKind::NotFound => format!("there is no file {shown}"),
             std::io::ErrorKind::InvalidData => format!("{shown} is no text in UTF-8"),
@@ -35,11 +42,30 @@ fn compiled(path: &Path) -> Result<KinFile, Fault> {
         })
     })?;
     // a byte order mark, and line ends of other systems
-    let text = text.trim_start_matches('\u{feff}').replace("\r\n", "\n");
-    KinFile::read(&text).map_err(|mistakes| {
-        let shown: Vec<String> = mistakes.iter().map(|mistake| mistake.shown(&shown, &text)).collect();
-        Fault::wrong(shown.join("\n\n"))
-    })
+    Ok(text.trim_start_matches('\u{feff}').replace("\r\n", "\n"))
+}
+
+/// The mistakes in a text, each at its place.
+fn shown(mistakes: &[Mistake], path: &Path, text: &str) -> Fault {
+    let file = path.display().to_string();
+    let shown: Vec<String> = mistakes.iter().map(|mistake| mistake.shown(&file, text)).collect();
+    Fault::wrong(shown.join("\n\n"))
+}
+
+/// Reads a file, and compiles its declaration.
+fn compiled(path: &Path) -> Result<KinFile, Fault> {
+    let text = text(path)?;
+    KinFile::read(&text).map_err(|mistakes| shown(&mistakes, path, &text))
+}
+
+/// The text of a file in one form. Files whose statements cannot be told apart are mistakes.
+pub(super) fn formatted(path: &Path, text: &str) -> Result<String, Fault> {
+    let tokens = |text: &str| KinFile::tokens(text).map_err(|mistakes| shown(&mistakes, path, text));
+    let before = tokens(text)?;
+    let formatted = format::formatted(text, &before);
+    let is_same = format::is_same((text, &before), (&formatted, &tokens(&formatted)?));
+    let changed = || Fault::wrong(format!("{} cannot be formatted, so it is left alone", path.display()));
+    is_same.then_some(formatted).ok_or_else(changed)
 }
 
 /// The mechanism of a file, and what the file says of it.

@@ -83,7 +83,22 @@ impl KinFile {
         Self::read_tokens(text).map_err(|mistakes| other_comment(text).map_or(mistakes, |comment| vec![comment]))
     }
 
+    /// The tokens of a file whose statements can be told apart, whatever they say. Each token is where it was typed.
+    pub(crate) fn tokens(text: &str) -> Result<TokenStream, Vec<Mistake>> {
+        let (_, stream) = Self::lexed(text)?;
+        let tokens: Vec<TokenTree> = stream.clone().into_iter().collect();
+        let sections = Reader { text, tokens: &tokens }.sections();
+        sections.map(|_| stream).map_err(|mistake| vec![mistake])
+    }
+
     fn read_tokens(text: &str) -> Result<Self, Vec<Mistake>> {
+        let (blanked, stream) = Self::lexed(text)?;
+        let tokens: Vec<TokenTree> = stream.into_iter().collect();
+        Reader { text, tokens: &tokens }.read(&blanked)
+    }
+
+    /// The text with blanks in the place of its first line, and its tokens.
+    fn lexed(text: &str) -> Result<(String, TokenStream), Vec<Mistake>> {
         let first = text.lines().next().unwrap_or("");
         if first.trim_end() != FIRST_LINE {
             return Err(vec![wrong_first_line(first)]);
@@ -96,8 +111,7 @@ impl KinFile {
                 range,
             )]
         })?;
-        let tokens: Vec<TokenTree> = stream.into_iter().collect();
-        Reader { text, tokens: &tokens }.read(&blanked)
+        Ok((blanked, stream))
     }
 }
 
