@@ -37,10 +37,8 @@ struct Head {
     extent: Extent,
 }
 
-/// An element of the list.
-struct Element {
-    values: Vec<TypedFormula>,
-}
+/// An element of the list: a value for each name.
+type Element = Vec<TypedFormula>;
 
 /// Whether the tokens begin a `for`, after doc comments.
 pub(super) fn begins(tokens: &[TokenTree]) -> bool {
@@ -99,7 +97,7 @@ pub(super) fn read(tokens: &TokenStream, declaration: &mut Declaration, mistakes
         }
     }
     let columns = (0..head.names.len()).filter(|column| used.in_formulas.contains(&head.names[*column].to_string()));
-    let columns = columns.map(|column| elements.iter().map(|element| element.values[column].clone()).collect());
+    let columns = columns.map(|column| elements.iter().map(|element| element[column].clone()).collect());
     declaration.statements.push(Statement::Repeats(columns.collect()));
     for element in &elements {
         let own: BTreeMap<String, Ident> = locals
@@ -289,8 +287,7 @@ fn element(input: ParseStream<'_>, head: &Head) -> Result<Element> {
         ));
     }
     if !head.in_tuples {
-        let values = vec![formula::parse(input, Context::Argument)?];
-        return Ok(Element { values });
+        return Ok(vec![formula::parse(input, Context::Argument)?]);
     }
     let content;
     parenthesized!(content in input);
@@ -302,56 +299,39 @@ fn element(input: ParseStream<'_>, head: &Head) -> Result<Element> {
     if !input.is_empty() {
         return Err(input.error("unexpected behind an element: write `,` before another one"));
     }
-    Ok(Element { values })
+    Ok(values)
 }
 
 /// The statements that are repeated. Those that cannot be are mistakes.
 fn body(tokens: &TokenStream, declaration: &mut Declaration, mistakes: &mut Mistakes) -> Vec<Statement> {
     let mut statements = Vec::new();
     for chunk in split::statements(tokens.clone(), mistakes) {
-        let mut refuse = |what: &str, advice: &str| {
-            mistakes.error_at(
-                first(&chunk.tokens),
-                format!("{what} stands outside of a `for`: {advice}"),
-            );
-        };
-        if chunk.is_repetition() {
-            refuse("another `for`", "write it behind this one, or one list of all pairs");
-            declaration.poison(&chunk.tokens);
-            continue;
-        }
-        let statement = declaration.statement(&chunk, mistakes);
-        let mut refuse = |what: &str, advice: &str| {
-            mistakes.error_at(
-                first(&chunk.tokens),
-                format!("{what} stands outside of a `for`: {advice}"),
-            );
-        };
-        match &statement {
-            Some(Statement::Inputs(_)) => {
-                refuse("an input", "declare all of them there, `input a1: Angle, a2: Angle;`")
-            }
-            Some(Statement::Unknowns(_)) => {
-                refuse(
+        let (what, advice) = if chunk.is_repetition() {
+            ("another `for`", "write it behind this one, or one list of all pairs")
+        } else {
+            let statement = declaration.statement(&chunk, mistakes);
+            match &statement {
+                Some(Statement::Inputs(_)) => ("an input", "declare all of them there, `input a1: Angle, a2: Angle;`"),
+                Some(Statement::Unknowns(_)) => (
                     "an unknown",
                     "declare all of them there, `unknown a1: Angle, a2: Angle;`",
-                );
+                ),
+                Some(Statement::Order(_)) => ("the order", "it is that of the whole mechanism"),
+                Some(Statement::Requests(_)) => ("a request", "it is one of the whole mechanism"),
+                _ => {
+                    statements.extend(statement);
+                    continue;
+                }
             }
-            Some(Statement::Order(_)) => refuse("the order", "it is that of the whole mechanism"),
-            Some(Statement::Requests(_)) => refuse("a request", "it is one of the whole mechanism"),
-            _ => {
-                statements.extend(statement);
-                continue;
-            }
-        }
+        };
+        let first = chunk.tokens.clone().into_iter().next();
+        mistakes.error_at(
+            first.map_or_else(Span::call_site, |token| token.span()),
+            format!("{what} stands outside of a `for`: {advice}"),
+        );
         declaration.poison(&chunk.tokens);
     }
     statements
-}
-
-fn first(tokens: &TokenStream) -> Span {
-    let first = tokens.clone().into_iter().next();
-    first.map_or_else(Span::call_site, |token| token.span())
 }
 
 /// The name that a statement abbreviates by.
@@ -414,7 +394,7 @@ fn used(body: Vec<Statement>) -> Used {
 /// One copy of a body.
 struct Copy<'a> {
     names: &'a [Ident],
-    element: &'a Element,
+    element: &'a [TypedFormula],
     /// The names of its own abbreviations.
     own: &'a BTreeMap<String, Ident>,
 }
@@ -453,7 +433,7 @@ impl Copy<'_> {
     /// The value that stands for a name of the `for`.
     fn value(&self, name: &Ident) -> Option<&TypedFormula> {
         let place = self.names.iter().position(|own| own == name)?;
-        self.element.values.get(place)
+        self.element.get(place)
     }
 
     fn meaning(&self, name: &Ident) -> Option<TypedFormula> {

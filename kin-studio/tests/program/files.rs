@@ -90,10 +90,7 @@ fn a_platform_is_run() {
     let folder = Folder::new("platform");
     folder.write("platform.kin", PLATFORM);
     let told = typed_in(&folder, "kin run platform.kin sweep --rows 2 --columns x,y,pitch");
-    says(
-        &told,
-        "170.000  -9.75846  6.71925  -0.99571",
-    );
+    says(&told, "170.000  -9.75846  6.71925  -0.99571");
     says(&typed_in(&folder, "kin run platform.kin verify"), "Platform: passed, ");
     // one leg is wrong, and the list says which
     folder.write("platform.kin", &PLATFORM.replace("a5, b5, l5", "a5, l5, b5"));
