@@ -64,7 +64,8 @@ const STUDIO: Package = Package {
     root_items: &[],
     rooms: "names drawing tables report::error+report::model report library figures \
             program::fault+program::text+program::value program::motion program::progress+program::server \
-            program::case+program::subject program::file program::command+program::advice program::tasks program",
+            program::case+program::subject program::format program::file program::command+program::advice program::tasks \
+            program",
 };
 
 const SEARCH: Package = Package {

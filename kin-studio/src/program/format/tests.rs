@@ -80,7 +80,8 @@ input
   a: Length,
   /// two
   b: Length;
-crank*cis( theta )+rod*cis(phi)==ground+-rocker*cis(psi)+ground+rocker*cis(psi)+ground+rocker*cis(psi)-ground+rocker*cis(psi);
+crank*cis( theta )+rod*cis(phi)==ground+-rocker*cis(psi)+ground+rocker*cis(psi)
++ground+rocker*cis(psi)-ground+rocker*cis(psi);
 output tip:Point=ground+blade*cis(psi) // why
   + (crank - 1) // and
   ;

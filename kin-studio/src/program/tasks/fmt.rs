@@ -7,7 +7,7 @@ use super::super::file;
 use super::print;
 
 /// Formats a file in place, or from the input to the output if its name is `-`; or tells whether it is in form.
-pub(in super::super) fn fmt(path: &Path, only_check: bool) -> Result<(), Fault> {
+pub(crate) fn fmt(path: &Path, only_check: bool) -> Result<(), Fault> {
     let text = file::text(path)?;
     let formatted = file::formatted(path, &text)?;
     if only_check && formatted != text {
