@@ -16,6 +16,7 @@ use crate::syntax::{
     ArithmeticOperator, Callee, Declaration, FormulaKind, FreshNames, LetStatement, Operand, Statement, TypedFormula,
     ValueShape, shape,
 };
+use crate::work;
 
 const WORD: &str = "frame";
 
@@ -426,6 +427,10 @@ impl Frame {
 
     /// A frame within this one, as one of the frame around it.
     fn times(self, inner: Self, span: Span) -> Result<Self> {
+        work::turns(self.turn.length() + self.origin.length());
+        if work::is_spent() {
+            return Ok(self);
+        }
         let turn = if self.in_plane {
             let mut terms = Chain::of_terms(self.turn.clone());
             terms.add(ArithmeticOperator::Add, span, inner.turn)?;
@@ -438,6 +443,19 @@ impl Frame {
             turn,
             origin: self.place(inner.origin, span)?,
         })
+    }
+}
+
+impl TypedFormula {
+    /// The number of operands that are copied with it.
+    fn length(&self) -> usize {
+        match &self.kind {
+            FormulaKind::Sum { rest, .. } | FormulaKind::Product { rest, .. } => {
+                1 + rest.iter().map(|operand| operand.formula.length()).sum::<usize>()
+            }
+            FormulaKind::Parenthesis(inner) => inner.length(),
+            _ => 1,
+        }
     }
 }
 

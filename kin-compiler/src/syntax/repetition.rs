@@ -113,7 +113,6 @@ pub(super) fn read(tokens: &TokenStream, declaration: &mut Declaration, mistakes
             if work::is_spent() {
                 break;
             }
-            work::turn();
             match copy.of(statement.clone()) {
                 Ok(statement) => declaration.statements.push(statement),
                 Err(error) => {

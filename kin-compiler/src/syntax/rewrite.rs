@@ -4,6 +4,7 @@ use proc_macro2::Ident;
 use syn::parse::Result;
 
 use crate::syntax::{FormulaKind, Statement, TypedFormula};
+use crate::work;
 
 impl TypedFormula {
     /// The formula with others in the place of those directly in it.
@@ -32,6 +33,7 @@ impl TypedFormula {
 
     /// The formula with others in the place of names.
     pub(super) fn with_names(&self, meaning: &dyn Fn(&Ident) -> Option<Self>) -> Result<Self> {
+        work::turn();
         match &self.kind {
             FormulaKind::Name(name) => Ok(meaning(name).unwrap_or_else(|| self.clone())),
             _ => self.with_parts(&mut |part| part.with_names(meaning)),
