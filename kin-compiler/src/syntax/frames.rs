@@ -126,7 +126,8 @@ struct Frame {
     origin: TypedFormula,
     /// An angle in the plane, a rotation in space.
     turn: TypedFormula,
-    in_plane: bool,
+    /// `None` where a mistake hides it, which is told elsewhere.
+    in_plane: Option<bool>,
 }
 
 /// A formula, or a frame that it stands for.
@@ -200,12 +201,12 @@ impl Frames {
                     "a frame is turned by a rotation, but this is a vector: write `frame(center, rot_z(angle))`",
                 );
             }
-            Some(ValueShape::Scalar) => true,
-            // a mistake in it is told where it is
-            Some(ValueShape::Rotation) | None => false,
+            Some(ValueShape::Scalar) => Some(true),
+            Some(ValueShape::Rotation) => Some(false),
+            None => None,
         };
         match self.shape(origin) {
-            Some(ValueShape::Space) if in_plane => wrong(
+            Some(ValueShape::Space) if in_plane == Some(true) => wrong(
                 turn,
                 "a frame of space is turned by a rotation, but this is a scalar: write `rot_z(angle)`, or another rotation",
             ),
@@ -213,11 +214,11 @@ impl Frames {
                 origin,
                 "a frame has a point as its origin, but this is a rotation: write the point first, `frame(center, rotation)`",
             ),
-            Some(ValueShape::Plane) if !in_plane && self.shape(turn).is_some() => wrong(
+            Some(ValueShape::Plane) if in_plane == Some(false) => wrong(
                 origin,
                 "a frame of space has its origin in space: write `vec3(v.x, v.y, 0)` to place a plane vector v in space",
             ),
-            Some(ValueShape::Scalar) if !in_plane && !is_zero(origin) => wrong(
+            Some(ValueShape::Scalar) if in_plane == Some(false) && !is_zero(origin) => wrong(
                 origin,
                 "a frame of space has its origin in space, but this is a scalar: write `vec3(x, y, z)`",
             ),
@@ -231,7 +232,11 @@ impl Frames {
 
     /// Gives a frame its name. Parts that are no names get one.
     fn declare(&mut self, name: &Ident, mut frame: Frame, fresh: &mut FreshNames) -> Result<Vec<LetStatement>> {
-        let turn = if frame.in_plane { "angle" } else { "rotation" };
+        let turn = if frame.in_plane == Some(true) {
+            "angle"
+        } else {
+            "rotation"
+        };
         let mut parts = Vec::new();
         for (part, value) in [("origin", &mut frame.origin), (turn, &mut frame.turn)] {
             let is_short = matches!(
@@ -337,7 +342,7 @@ impl Frames {
                     Product::Factors(Chain::of_factors(frame.place(point, *span)?))
                 }
                 (Product::Frame(outer), ArithmeticOperator::Multiply, Value::Frame(inner)) => {
-                    if outer.in_plane != inner.in_plane {
+                    if outer.in_plane.is_some() && inner.in_plane.is_some() && outer.in_plane != inner.in_plane {
                         return wrong(
                             "one of these frames is of the plane, and the other of space: declare both alike",
                         );
@@ -357,17 +362,20 @@ impl Frames {
     }
 
     fn check_point(&self, frame: &Frame, point: &TypedFormula) -> Result<()> {
-        let message = match (self.shape(point), frame.in_plane) {
-            (Some(ValueShape::Space | ValueShape::Rotation), true) => {
+        let (Some(shape), Some(in_plane)) = (self.shape(point), frame.in_plane) else {
+            return Ok(());
+        };
+        let message = match (shape, in_plane) {
+            (ValueShape::Space | ValueShape::Rotation, true) => {
                 "this frame is one of the plane: write a point of the plane behind it, as `vec2(x, y)`"
             }
-            (Some(ValueShape::Scalar), false) if !is_zero(point) => {
+            (ValueShape::Scalar, false) if !is_zero(point) => {
                 "a frame of space places points of space, but this is a scalar: write `vec3(x, y, z)`"
             }
-            (Some(ValueShape::Plane), false) => {
+            (ValueShape::Plane, false) => {
                 "a frame of space places points of space, but this is a plane vector: write `vec3(v.x, v.y, 0)`"
             }
-            (Some(ValueShape::Rotation), false) => {
+            (ValueShape::Rotation, false) => {
                 "a frame places points: write the product of rotations without it, or `frame(0, rotation)` for this one"
             }
             _ => return Ok(()),
@@ -396,7 +404,7 @@ impl Frame {
 
     /// A vector of the frame, as one of the frame around it.
     fn turned(&self, vector: TypedFormula, span: Span) -> Result<TypedFormula> {
-        let (first, second) = if self.in_plane {
+        let (first, second) = if self.in_plane == Some(true) {
             let call = FormulaKind::Call {
                 callee: Callee::Cis,
                 arguments: vec![self.turn.clone()],
@@ -431,7 +439,7 @@ impl Frame {
         if work::is_spent() {
             return Ok(self);
         }
-        let turn = if self.in_plane {
+        let turn = if self.in_plane == Some(true) {
             let mut terms = Chain::of_terms(self.turn.clone());
             terms.add(ArithmeticOperator::Add, span, inner.turn)?;
             terms.sum()?
