@@ -5,18 +5,19 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use proc_macro2::{Ident, Span};
+use proc_macro2::Ident;
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
 use syn::{Token, parenthesized, token};
 
 use crate::mistakes::{Extent, Mistakes};
+use crate::syntax::chain::Chain;
 use crate::syntax::formula::{self, Context};
+use crate::syntax::frame::{Frame, is_zero};
 use crate::syntax::{
-    ArithmeticOperator, Callee, Declaration, FormulaKind, FreshNames, LetStatement, Operand, Statement, TypedFormula,
+    ArithmeticOperator, Declaration, FormulaKind, FreshNames, LetStatement, Operand, Statement, TypedFormula,
     ValueShape, shape,
 };
-use crate::work;
 
 const WORD: &str = "frame";
 
@@ -118,16 +119,6 @@ pub(super) fn write_out(declaration: &mut Declaration, mistakes: &mut Mistakes) 
 struct NamedFrame {
     name: Ident,
     frame: Frame,
-}
-
-/// A frame: where its origin is, and how it is turned.
-#[derive(Clone)]
-struct Frame {
-    origin: TypedFormula,
-    /// An angle in the plane, a rotation in space.
-    turn: TypedFormula,
-    /// `None` where a mistake hides it, which is told elsewhere.
-    in_plane: Option<bool>,
 }
 
 /// A formula, or a frame that it stands for.
@@ -381,170 +372,5 @@ impl Frames {
             _ => return Ok(()),
         };
         Err(syn::Error::new_spanned(point.extent, message))
-    }
-}
-
-impl Frame {
-    /// The frame as it is used at a place.
-    fn at(&self, span: Span) -> Self {
-        let at = |formula: &TypedFormula| {
-            let mut formula = formula.clone();
-            formula.extent = Extent::at(span);
-            if let FormulaKind::Name(name) = &mut formula.kind {
-                name.set_span(span);
-            }
-            formula
-        };
-        Self {
-            origin: at(&self.origin),
-            turn: at(&self.turn),
-            in_plane: self.in_plane,
-        }
-    }
-
-    /// A vector of the frame, as one of the frame around it.
-    fn turned(&self, vector: TypedFormula, span: Span) -> Result<TypedFormula> {
-        let (first, second) = if self.in_plane == Some(true) {
-            let call = FormulaKind::Call {
-                callee: Callee::Cis,
-                arguments: vec![self.turn.clone()],
-                method: false,
-            };
-            (vector, TypedFormula::new(call, self.turn.extent)?)
-        } else {
-            (self.turn.clone(), vector)
-        };
-        let mut factors = Chain::of_factors(first);
-        factors.times(ArithmeticOperator::Multiply, span, second)?;
-        factors.product()
-    }
-
-    /// A point of the frame, as one of the frame around it.
-    fn place(self, point: TypedFormula, span: Span) -> Result<TypedFormula> {
-        if is_zero(&point) {
-            return Ok(self.origin);
-        }
-        let turned = self.turned(point, span)?;
-        if is_zero(&self.origin) {
-            return Ok(turned);
-        }
-        let mut terms = Chain::of_terms(self.origin);
-        terms.add(ArithmeticOperator::Add, span, turned)?;
-        terms.sum()
-    }
-
-    /// A frame within this one, as one of the frame around it.
-    fn times(self, inner: Self, span: Span) -> Result<Self> {
-        work::turns(self.turn.length() + self.origin.length());
-        if work::is_spent() {
-            return Ok(self);
-        }
-        let turn = if self.in_plane == Some(true) {
-            let mut terms = Chain::of_terms(self.turn.clone());
-            terms.add(ArithmeticOperator::Add, span, inner.turn)?;
-            terms.sum()?
-        } else {
-            self.turned(inner.turn, span)?
-        };
-        Ok(Self {
-            in_plane: self.in_plane,
-            turn,
-            origin: self.place(inner.origin, span)?,
-        })
-    }
-}
-
-impl TypedFormula {
-    /// The number of operands that are copied with it.
-    fn length(&self) -> usize {
-        match &self.kind {
-            FormulaKind::Sum { rest, .. } | FormulaKind::Product { rest, .. } => {
-                1 + rest.iter().map(|operand| operand.formula.length()).sum::<usize>()
-            }
-            FormulaKind::Parenthesis(inner) => inner.length(),
-            _ => 1,
-        }
-    }
-}
-
-/// A sum or a product.
-struct Chain {
-    first: TypedFormula,
-    rest: Vec<Operand>,
-}
-
-impl Chain {
-    fn new(first: TypedFormula) -> Self {
-        let rest = Vec::new();
-        Self { first, rest }
-    }
-
-    /// A sum with the terms of a formula.
-    fn of_terms(formula: TypedFormula) -> Self {
-        match formula.kind {
-            FormulaKind::Sum { first, rest } => Self { first: *first, rest },
-            _ => Self::new(formula),
-        }
-    }
-
-    /// A product with the factors of a formula.
-    fn of_factors(formula: TypedFormula) -> Self {
-        match formula.kind {
-            FormulaKind::Product { first, rest } => Self { first: *first, rest },
-            _ => Self::new(formula),
-        }
-    }
-
-    fn push(&mut self, operator: ArithmeticOperator, span: Span, formula: TypedFormula) {
-        self.rest.push(Operand {
-            operator,
-            span,
-            formula,
-        });
-    }
-
-    /// Adds the terms of a formula, or subtracts the formula.
-    fn add(&mut self, operator: ArithmeticOperator, span: Span, term: TypedFormula) -> Result<()> {
-        if operator == ArithmeticOperator::Subtract && matches!(term.kind, FormulaKind::Sum { .. }) {
-            self.push(operator, span, term.grouped()?);
-            return Ok(());
-        }
-        let terms = Self::of_terms(term);
-        self.push(operator, span, terms.first);
-        self.rest.extend(terms.rest);
-        Ok(())
-    }
-
-    /// Multiplies or divides by a formula.
-    fn times(&mut self, operator: ArithmeticOperator, span: Span, factor: TypedFormula) -> Result<()> {
-        if self.rest.is_empty() && matches!(self.first.kind, FormulaKind::Sum { .. }) {
-            self.first = self.first.clone().grouped()?;
-        }
-        let factor = match factor.kind {
-            FormulaKind::Sum { .. } | FormulaKind::Product { .. } => factor.grouped()?,
-            _ => factor,
-        };
-        self.push(operator, span, factor);
-        Ok(())
-    }
-
-    fn sum(self) -> Result<TypedFormula> {
-        self.formula(|first, rest| FormulaKind::Sum { first, rest })
-    }
-
-    fn product(self) -> Result<TypedFormula> {
-        self.formula(|first, rest| FormulaKind::Product { first, rest })
-    }
-
-    fn formula(self, kind: fn(Box<TypedFormula>, Vec<Operand>) -> FormulaKind) -> Result<TypedFormula> {
-        formula::chain(self.first, self.rest, kind)
-    }
-}
-
-fn is_zero(formula: &TypedFormula) -> bool {
-    match &formula.kind {
-        FormulaKind::Number { value, .. } => *value == 0.0,
-        FormulaKind::Parenthesis(inner) => is_zero(inner),
-        _ => false,
     }
 }

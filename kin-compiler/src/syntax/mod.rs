@@ -4,10 +4,12 @@
 //! mistake in another.
 
 mod callee;
+mod chain;
 mod comment;
 mod dimension;
 mod elsewhere;
 mod formula;
+mod frame;
 mod frames;
 mod fresh;
 mod head;
