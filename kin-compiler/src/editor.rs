@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 
-use crate::syntax::{Declaration, is_function, is_keyword};
+use crate::syntax::{Declaration, is_frame, is_function, is_keyword};
 
 /// Statements without expressions.
 const SILENT: [&str; 1] = ["order"];
@@ -103,8 +103,38 @@ fn name(token: &TokenTree) -> Option<&Ident> {
     }
 }
 
+/// The statements of a `for`, which know its names.
+fn repetition(tokens: &[TokenTree], known: &BTreeSet<String>, runtime: &TokenStream) -> TokenStream {
+    let of = |token: &TokenTree| match token {
+        TokenTree::Group(group) => trees(&group.stream()),
+        token => vec![token.clone()],
+    };
+    let list = tokens
+        .iter()
+        .position(|token| matches!(token, TokenTree::Ident(word) if word == "in"));
+    let (names, rest) = tokens[1..].split_at(list.unwrap_or(tokens.len()) - 1);
+    let (list, body) = match rest {
+        [_, list, body, ..] => (of(list), of(body)),
+        [_, list] => (of(list), Vec::new()),
+        _ => (Vec::new(), Vec::new()),
+    };
+    let elements = operands(&list, known, runtime, 0);
+    let mut known = known.clone();
+    let names = names.iter().flat_map(of);
+    let bindings = names.filter_map(|name| argument(&[name], &mut known));
+    let bindings: TokenStream = bindings
+        .map(|binding| quote_spanned!(Span::mixed_site()=> let #binding = formula(());))
+        .collect();
+    let statements = body.split(|token| is_punct(token, ';'));
+    let statements = statements.map(|tokens| statement(tokens, &mut known, runtime));
+    quote!({ (#elements); #bindings #(#statements)* })
+}
+
 /// A statement with its expressions.
 fn statement(tokens: &[TokenTree], known: &mut BTreeSet<String>, runtime: &TokenStream) -> TokenStream {
+    if begins(tokens, &["for"]) {
+        return repetition(tokens, known, runtime);
+    }
     if begins(tokens, &["input", "unknown"]) {
         let ranges = tokens
             .split(|token| is_punct(token, ','))
@@ -168,7 +198,7 @@ fn operands(tokens: &[TokenTree], known: &BTreeSet<String>, runtime: &TokenStrea
                 Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis => {
                     rest = &rest[1..];
                     let arguments = arguments(&group.stream(), known, runtime, depth + 1);
-                    if is_function(&word.to_string()) {
+                    if is_function(&word.to_string()) || is_frame(&word.to_string()) {
                         quote!(#word(#arguments))
                     } else {
                         let named = named(word, known, runtime);

@@ -2,9 +2,10 @@
 //!
 //! Every message begins in lower case with the mistake and ends with the remedy.
 
+use std::collections::BTreeSet;
 use std::fmt::Display;
 
-use proc_macro2::{Punct, Spacing, Span, TokenStream};
+use proc_macro2::{Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::{ToTokens, TokenStreamExt};
 
 use crate::work;
@@ -15,6 +16,8 @@ use crate::work;
 #[derive(Default)]
 pub(crate) struct Mistakes {
     errors: Vec<syn::Error>,
+    /// Statements that are read several times.
+    repeated: Vec<TokenStream>,
 }
 
 impl Mistakes {
@@ -34,6 +37,11 @@ impl Mistakes {
 
     pub(crate) fn push(&mut self, error: syn::Error) {
         self.errors.push(error);
+    }
+
+    /// Tells one mistake at each place within statements that are read several times.
+    pub(crate) fn tell_once_within(&mut self, tokens: &TokenStream) {
+        self.repeated.push(tokens.clone());
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -57,13 +65,44 @@ impl Mistakes {
 
     /// The mistakes, one by one.
     pub(crate) fn into_errors(mut self) -> impl Iterator<Item = syn::Error> {
-        std::mem::take(&mut self.errors).into_iter().flatten()
+        let mut repeated = BTreeSet::new();
+        for tokens in &self.repeated {
+            places(tokens, &mut repeated);
+        }
+        let mut told = BTreeSet::new();
+        let errors = std::mem::take(&mut self.errors).into_iter().flatten();
+        errors.filter(move |error| {
+            if repeated.is_empty() {
+                return true;
+            }
+            let mut marked = error.to_compile_error().into_iter();
+            let first = marked.next().map(|token| place(token.span()));
+            let last = marked.last().map(|token| place(token.span()));
+            let is_repeated = first.as_ref().is_some_and(|first| repeated.contains(first));
+            !is_repeated || told.insert((first, last))
+        })
     }
 
     /// The messages alone, for tests.
     #[cfg(test)]
     pub(crate) fn into_messages(self) -> Vec<String> {
         self.into_errors().map(|error| error.to_string()).collect()
+    }
+}
+
+/// A place in the source. The compiler tells lines and columns to no macro of stable Rust, but places can be compared.
+fn place(span: Span) -> String {
+    format!("{span:?}")
+}
+
+/// Adds the places of all tokens.
+fn places(tokens: &TokenStream, all: &mut BTreeSet<String>) {
+    for token in tokens.clone() {
+        if let TokenTree::Group(group) = &token {
+            all.extend([group.span_open(), group.span_close()].map(place));
+            places(&group.stream(), all);
+        }
+        all.insert(place(token.span()));
     }
 }
 

@@ -65,13 +65,14 @@ pub(crate) fn faults(model: &Model, origins: &[Origin], faults: &[Fault], mistak
                         whole(model, origin),
                         format_args!(
                             "too many equations: {} for {} ({}); this {} is one too many{}: remove it, or declare \
-                             the quantity that it determines as an unknown ({}; a plane equation counts as two, an equation in space as three)",
+                             the quantity that it determines as an unknown ({}; a plane equation counts as two, an equation in space as three){}",
                             count(equations.len(), "scalar equation"),
                             count(unknowns.len(), "unknown"),
                             names(unknowns),
                             origin.part,
                             beside,
                             mobility(model, origins),
+                            model.equations[origin.equation].which(),
                         ),
                     );
                 }
@@ -85,11 +86,12 @@ pub(crate) fn faults(model: &Model, origins: &[Origin], faults: &[Fault], mistak
                     whole(model, origins[second]),
                     format_args!(
                         "this {} repeats that of `{}`, so {} {} not determined; replace it by an \
-                         independent equation",
+                         independent equation{}",
                         origins[second].part,
                         model.equations[origins[first].equation].text,
                         names(unknowns),
                         if unknowns.len() == 1 { "is" } else { "are" },
+                        model.equations[origins[second].equation].which(),
                     ),
                 ),
                 None => mistakes.error(

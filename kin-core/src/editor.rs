@@ -79,6 +79,12 @@ pub fn formula<Operands, Value>(_: Operands) -> Value {
     unreachable!()
 }
 
+/// `frame(origin, rotation)` in space, `frame(origin, angle)` in the plane: where a rigid body is. `frame * point` is the
+/// place of a point of the body.
+pub fn frame<Arguments>(_: Arguments) -> Quantity {
+    unreachable!()
+}
+
 /// The items that `with` asks for.
 pub mod requests {
     /// The partial derivatives of unknowns and outputs by every parameter.

@@ -10,7 +10,6 @@ mod name;
 mod names;
 mod print;
 mod rates;
-mod shape;
 mod solution;
 mod term;
 #[cfg(test)]

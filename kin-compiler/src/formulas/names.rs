@@ -3,10 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::name::{Base, Name};
-use super::shape::shape;
 use crate::algebra::Symbol;
 use crate::model::{Model, ValueShape};
-use crate::syntax::{Axis, Declaration, Statement};
+use crate::syntax::{Axis, Declaration, Statement, shape};
 
 /// The notation of every name of a declaration, and the names that are still free.
 pub(super) struct NotationNames {

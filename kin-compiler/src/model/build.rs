@@ -151,6 +151,8 @@ fn formulas(
     let mut outputs = Vec::new();
     let mut lengths = PathLengths::default();
     let drawn = picture::abbreviations(declaration);
+    // what is made of elements with a mistake has no further ones
+    let mut is_spoilt = false;
     for statement in &declaration.statements {
         let mut lowering = Lowering {
             graph,
@@ -159,6 +161,21 @@ fn formulas(
             extreme,
         };
         match statement {
+            Statement::Repeats(columns) => {
+                let spoilt = columns.iter().filter(|column| !lowering.are_alike(column, &drawn));
+                is_spoilt = spoilt.count() > 0;
+            }
+            Statement::Repeated => is_spoilt = false,
+            Statement::Let(statement) if is_spoilt => {
+                scope.mean_all(&statement.value);
+                scope.define(&statement.name, Meaning::Broken);
+            }
+            Statement::Equation(statement) if is_spoilt => {
+                scope.mean_all(&statement.left);
+                scope.mean_all(&statement.right);
+                equations.push(None);
+            }
+            Statement::Output(statement) if is_spoilt => scope.mean_all(&statement.value),
             Statement::Let(statement) if !drawn.contains(&statement.name.to_string()) => {
                 let typed = lowering
                     .formula(&statement.value)
@@ -173,6 +190,7 @@ fn formulas(
                     residual,
                     tokens: statement.tokens.clone(),
                     text: statement.to_string(),
+                    is_copy: statement.is_copy,
                 }));
             }
             Statement::Output(statement) => {

@@ -189,7 +189,7 @@ impl Lowering<'_, '_> {
             .filter(|it| !is_imaginary(it))
             .map(TypedFormula::to_string)
             .collect();
-        exponent.visit_names(&mut |name| self.scope.mean(&name.to_string()));
+        self.scope.mean_all(exponent);
         self.mistakes.error(
             exponential.extent,
             format!(

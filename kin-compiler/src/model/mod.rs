@@ -10,6 +10,7 @@ mod lower;
 mod order;
 mod picture;
 mod range;
+mod repetition;
 mod request;
 mod scope;
 mod usage;
@@ -83,6 +84,19 @@ pub(crate) struct Equation {
     /// The whole equation, for errors that underline all of it.
     pub(crate) tokens: TokenStream,
     pub(crate) text: String,
+    /// Whether it is one of the copies that a `for` stands for.
+    pub(crate) is_copy: bool,
+}
+
+impl Equation {
+    /// Which of the copies at its place it is. It ends a message.
+    pub(crate) fn which(&self) -> String {
+        if self.is_copy {
+            format!("; as a copy it is `{}`", self.text)
+        } else {
+            String::new()
+        }
+    }
 }
 
 /// A quantity that is computed from the others, with derivatives of the same orders.

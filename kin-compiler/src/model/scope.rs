@@ -6,7 +6,7 @@ use proc_macro2::Ident;
 
 use crate::mistakes::{Mistakes, nearest, suggestion};
 use crate::model::value::Typed;
-use crate::syntax::{Declaration, Statement, form, is_keyword};
+use crate::syntax::{Declaration, Statement, TypedFormula, form, is_keyword};
 use crate::work;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -127,10 +127,13 @@ impl<'a> Scope<'a> {
         match &entry.meaning {
             Meaning::Value(value) => return Some(value.clone()),
             Meaning::Broken => {}
-            Meaning::Later => mistakes.error(
-                name,
-                format!("`{word}` is used before it is known: move `let {word} = …;` above this"),
-            ),
+            Meaning::Later => {
+                let word = self.declaration.fresh.written(&word);
+                mistakes.error(
+                    name,
+                    format!("`{word}` is used before it is known: move `let {word} = …;` above this"),
+                );
+            }
             Meaning::Result => mistakes.error(
                 name,
                 format!(
@@ -152,6 +155,9 @@ impl<'a> Scope<'a> {
         if let Some(form) = form(word) {
             self.lacks_arguments = true;
             return format!("`{word}` is a function: write its arguments, as in `{form}`");
+        }
+        if self.declaration.fresh.is_inner(word) {
+            return format!("`{word}` is a name within a `for`, and known there alone: use it in its braces");
         }
         let broken = &self.declaration.broken;
         let usable: Vec<String> = self
@@ -196,6 +202,11 @@ impl<'a> Scope<'a> {
     /// Counts a name in a wrong place as used, because the mistake there has been reported.
     pub(super) fn mean(&mut self, word: &str) {
         self.meant.insert(word.to_owned());
+    }
+
+    /// Counts the names in a formula as used that is not read, because a mistake before it has been reported.
+    pub(super) fn mean_all(&mut self, formula: &TypedFormula) {
+        formula.visit_names(&mut |name| self.mean(&name.to_string()));
     }
 
     /// Whether no parameter, input, unknown, `let` or output has this name.

@@ -48,6 +48,11 @@ pub(super) fn unused_names(declaration: &Declaration, scope: &Scope<'_>, mistake
         if entry.used || declaration.mentioned.contains(&word) || scope.is_meant(&word) {
             continue;
         }
+        // a frame that is not used has been told
+        if declaration.fresh.is_of_frame(&word) {
+            continue;
+        }
+        let word = declaration.fresh.written(&word);
         let complaint = match entry.role {
             NameRole::Parameter | NameRole::Input => format!(
                 "{} `{word}` is not used in any equation or output: use it, or remove it",
@@ -112,7 +117,7 @@ pub(super) fn unknowns_in_equations(
                 }
                 None => format!("{subject} contains no unknown, so it determines none: {remedy}"),
             };
-            mistakes.error(&equation.tokens, complaint);
+            mistakes.error(&equation.tokens, complaint + &equation.which());
         }
     }
     let mut written = None;

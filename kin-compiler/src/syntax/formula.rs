@@ -15,8 +15,8 @@ use crate::syntax::elsewhere::{
     about_suffix, differentiates, form_in_small_letters, instead_of_function, is_derivative, is_unit,
 };
 use crate::syntax::{
-    ArithmeticOperator, Axis, Callee, FormulaKind, Operand, TypedFormula, callee, form, function_names, is_function,
-    nesting,
+    ArithmeticOperator, Axis, Callee, FormulaKind, Operand, TypedFormula, callee, form, frames, function_names,
+    is_function, nesting,
 };
 
 /// The largest exponent of `powi`: far larger than any mechanism needs, and small enough to multiply out.
@@ -48,7 +48,7 @@ pub(crate) enum Context {
 
 impl TypedFormula {
     /// A formula, unless it is nested too deep.
-    fn new(kind: FormulaKind, extent: Extent) -> Result<Self> {
+    pub(super) fn new(kind: FormulaKind, extent: Extent) -> Result<Self> {
         let depth = match &kind {
             FormulaKind::Number { .. } | FormulaKind::Degrees { .. } | FormulaKind::Pi | FormulaKind::Name(_) => 0,
             FormulaKind::Negate(of)
@@ -166,7 +166,7 @@ fn operation(
 }
 
 /// A sum or a product. A single operand is returned as it is.
-fn chain(
+pub(super) fn chain(
     first: TypedFormula,
     rest: Vec<Operand>,
     kind: fn(Box<TypedFormula>, Vec<Operand>) -> FormulaKind,
@@ -430,6 +430,9 @@ fn word(input: ParseStream<'_>) -> Result<TypedFormula> {
         return at("parameters are written without `self`: write their names alone".to_owned());
     }
     if input.peek(token::Paren) {
+        if frames::is_frame(&text) {
+            return at(frames::ALONE.to_owned());
+        }
         if !is_function(&text) {
             return Err(unknown_function(&word, false));
         }
@@ -464,7 +467,7 @@ fn foreign(word: &str) -> Option<&'static str> {
             "a formula has no cases: write equations that always hold, and `where` or `in` after an unknown to choose its branch"
         }
         "for" | "while" | "loop" | "break" | "continue" => {
-            "there are no loops here: write every equation out as a statement of its own"
+            "there are no loops within a formula: a `for` is a statement of its own, as in `for (a, b) in [(a1, b1), (a2, b2)] { a == b; }`"
         }
         "move" | "async" => "there are no closures here: write the formula itself",
         "unsafe" => "a formula has no blocks: write `( … )` to group",

@@ -8,7 +8,7 @@ use syn::parse::{ParseStream, Parser, Result};
 use syn::{Attribute, Token, Visibility, braced};
 
 use crate::mistakes::{Extent, Mistakes};
-use crate::syntax::{Declaration, Dimension, ParameterField, name, split};
+use crate::syntax::{Declaration, Dimension, FreshNames, ParameterField, name, split};
 
 const EXAMPLE: &str = "write `struct Name { … }` with the parameters as fields first";
 
@@ -49,6 +49,7 @@ pub(crate) fn parse(tokens: TokenStream, mistakes: &mut Mistakes) -> Option<(Dec
         statements: Vec::new(),
         broken: BTreeSet::new(),
         mentioned: BTreeSet::new(),
+        fresh: FreshNames::default(),
         has_fields: !head.fields.is_empty(),
         complete: head.mistake.is_none(),
         breaks_off: false,

@@ -4,22 +4,29 @@
 //! mistake in another.
 
 mod callee;
+mod chain;
 mod comment;
 mod dimension;
 mod elsewhere;
 mod formula;
+mod frame;
+mod frames;
+mod fresh;
 mod head;
 mod name;
 mod nesting;
 mod order;
 mod picture;
 mod print;
+mod repetition;
 mod request;
+mod rewrite;
 mod runtime;
+mod shape;
 mod split;
 mod statement;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use syn::{Attribute, Visibility};
@@ -30,9 +37,12 @@ use crate::mistakes::{Extent, Mistakes};
 pub(crate) use callee::{form, function_names, is_function};
 pub use dimension::{Dimension, ValueShape};
 pub(crate) use elsewhere::instead_of_request;
+pub(crate) use frames::is_frame;
+use fresh::FreshNames;
 pub(crate) use name::keyword as is_keyword;
 pub(crate) use request::Request;
 pub(crate) use runtime::runtime;
+pub(crate) use shape::shape;
 
 /// The contents of the braces of `mechanism! { … }`.
 #[expect(clippy::struct_excessive_bools, reason = "each is another fact about the text")]
@@ -50,6 +60,8 @@ pub(crate) struct Declaration {
     pub(crate) broken: BTreeSet<String>,
     /// Names that occur in unreadable statements. They may be in use.
     pub(crate) mentioned: BTreeSet<String>,
+    /// The names that the copies of a `for` and frames have in place of written ones.
+    pub(crate) fresh: FreshNames,
     /// Whether the fields of the struct could be separated. If not, any name may be one of them.
     pub(crate) has_fields: bool,
     /// Whether every statement and field could be read.
@@ -70,10 +82,13 @@ pub(crate) struct ParameterField {
 }
 
 /// One statement of the body.
+#[derive(Clone)]
 pub(crate) enum Statement {
     Inputs(Vec<QuantityItem>),
     Unknowns(Vec<UnknownItem>),
     Let(LetStatement),
+    /// Only while it is read: `frames.rs` writes it out.
+    Frame(FrameStatement),
     Equation(EquationStatement),
     Output(OutputStatement),
     Order(OrderStatement),
@@ -82,21 +97,36 @@ pub(crate) enum Statement {
     Body(BodyStatement),
     Ground(GroundStatement),
     Slide(SlideStatement),
+    /// Before the copies that a `for` stands for: what each of its names that occur in formulas stands for.
+    Repeats(Vec<Vec<TypedFormula>>),
+    /// Behind these copies.
+    Repeated,
+}
+
+/// `let platform = frame(center, rotation)`
+#[derive(Clone)]
+pub(crate) struct FrameStatement {
+    name: Ident,
+    origin: TypedFormula,
+    turn: TypedFormula,
 }
 
 /// `body rod: pin, piston`
+#[derive(Clone)]
 pub(crate) struct BodyStatement {
     pub(crate) name: Ident,
     pub(crate) points: Vec<TypedFormula>,
 }
 
 /// `ground 0, pivot`
+#[derive(Clone)]
 pub(crate) struct GroundStatement {
     pub(crate) word: Span,
     pub(crate) points: Vec<TypedFormula>,
 }
 
 /// `slide piston along vec2(1, 0)`, and `on lever` if a body carries the line
+#[derive(Clone)]
 pub(crate) struct SlideStatement {
     pub(crate) point: TypedFormula,
     pub(crate) direction: TypedFormula,
@@ -104,6 +134,7 @@ pub(crate) struct SlideStatement {
 }
 
 /// `theta2: Angle`
+#[derive(Clone)]
 pub(crate) struct QuantityItem {
     pub(crate) documentation: Vec<Attribute>,
     pub(crate) name: Ident,
@@ -111,17 +142,20 @@ pub(crate) struct QuantityItem {
 }
 
 /// `e: Length where e > 0`
+#[derive(Clone)]
 pub(crate) struct UnknownItem {
     pub(crate) quantity: QuantityItem,
     pub(crate) range: Option<RangeClause>,
 }
 
 /// The range that picks the branch of an unknown.
+#[derive(Clone)]
 pub(crate) struct RangeClause {
     pub(crate) kind: RangeKind,
     pub(crate) extent: Extent,
 }
 
+#[derive(Clone)]
 pub(crate) enum RangeKind {
     /// `where e > 0`
     Comparison {
@@ -146,21 +180,26 @@ pub(crate) enum Relation {
 }
 
 /// `let half = r3 / 2`
+#[derive(Clone)]
 pub(crate) struct LetStatement {
     pub(crate) name: Ident,
     pub(crate) value: TypedFormula,
 }
 
 /// `left == right`
+#[derive(Clone)]
 pub(crate) struct EquationStatement {
     pub(crate) left: TypedFormula,
     pub(crate) right: TypedFormula,
     /// The place of the `==`.
     pub(crate) operator: Extent,
     pub(crate) tokens: TokenStream,
+    /// Whether it is one of the copies that a `for` stands for.
+    pub(crate) is_copy: bool,
 }
 
 /// `output midpoint: Point = …`
+#[derive(Clone)]
 pub(crate) struct OutputStatement {
     pub(crate) documentation: Vec<Attribute>,
     pub(crate) name: Ident,
@@ -169,6 +208,7 @@ pub(crate) struct OutputStatement {
 }
 
 /// `order = 6`
+#[derive(Clone)]
 pub(crate) struct OrderStatement {
     pub(crate) order: usize,
     pub(crate) extent: Extent,
@@ -294,6 +334,11 @@ pub(crate) fn parse(tokens: TokenStream, mistakes: &mut Mistakes) -> Option<Decl
 /// Reads a declaration without comments of other languages.
 fn read(tokens: TokenStream, mistakes: &mut Mistakes) -> Option<Declaration> {
     let (mut declaration, body) = head::parse(tokens, mistakes)?;
+    declaration.fresh.take(&body);
+    for field in &declaration.fields {
+        declaration.fresh.take(field);
+    }
+    let mut repetitions = Vec::new();
     for chunk in split::statements(body, mistakes) {
         declaration.source.push(chunk.tokens.clone());
         if nesting::is_cut(&chunk.tokens) {
@@ -301,21 +346,15 @@ fn read(tokens: TokenStream, mistakes: &mut Mistakes) -> Option<Declaration> {
             declaration.breaks_off = true;
             continue;
         }
-        let last = last_span(&chunk.tokens);
-        match statement::parse(chunk.tokens.clone()) {
-            Ok(Some(statement)) => {
-                declaration.statements.push(statement);
-                if !chunk.terminated {
-                    mistakes.error_at(last, "a `;` is missing after this: every statement ends with `;`");
-                }
-            }
-            Ok(None) => {}
-            Err(error) => {
-                mistakes.push(error);
-                declaration.poison(&chunk.tokens);
-            }
+        if chunk.is_repetition() {
+            repetitions.extend(repetition::read(&chunk.tokens, &mut declaration, mistakes));
+            continue;
         }
+        let statement = declaration.statement(&chunk, mistakes);
+        declaration.statements.extend(statement);
     }
+    repetition::check_names(&repetitions, &mut declaration, mistakes);
+    frames::write_out(&mut declaration, mistakes);
     Some(declaration)
 }
 
@@ -332,6 +371,9 @@ impl Declaration {
         let is_equation = |tokens: &&TokenStream| {
             let mut tokens = (*tokens).clone().into_iter();
             let (first, second) = (tokens.next(), tokens.next());
+            if matches!(&first, Some(TokenTree::Ident(word)) if word == "for") {
+                return true;
+            }
             !matches!(
                 (first, second),
                 (Some(TokenTree::Ident(_)), Some(TokenTree::Ident(_))) | (None, _)
@@ -352,6 +394,60 @@ impl Declaration {
                 Mentions { names, alone }
             })
             .collect()
+    }
+
+    /// The names of all quantities.
+    fn quantity_names(&self) -> BTreeSet<String> {
+        let mut names: BTreeSet<String> = self.parameters.iter().map(|field| field.name.to_string()).collect();
+        for statement in &self.statements {
+            match statement {
+                Statement::Inputs(items) => names.extend(items.iter().map(|item| item.name.to_string())),
+                Statement::Unknowns(items) => names.extend(items.iter().map(|item| item.quantity.name.to_string())),
+                Statement::Let(statement) => drop(names.insert(statement.name.to_string())),
+                Statement::Output(output) => drop(names.insert(output.name.to_string())),
+                _ => {}
+            }
+        }
+        names
+    }
+
+    /// The shapes of all quantities but abbreviations and outputs.
+    fn shapes(&self) -> BTreeMap<String, ValueShape> {
+        let parameters = self.parameters.iter();
+        let mut shapes: BTreeMap<String, ValueShape> = parameters
+            .filter_map(|field| Some((field.name.to_string(), field.dimension?.shape())))
+            .collect();
+        for statement in &self.statements {
+            match statement {
+                Statement::Inputs(items) => {
+                    shapes.extend(items.iter().map(|item| (item.name.to_string(), item.dimension.shape())));
+                }
+                Statement::Unknowns(items) => {
+                    let quantities = items.iter().map(|item| &item.quantity);
+                    shapes.extend(quantities.map(|item| (item.name.to_string(), item.dimension.shape())));
+                }
+                _ => {}
+            }
+        }
+        shapes
+    }
+
+    /// Reads a statement other than a `for`.
+    fn statement(&mut self, chunk: &split::Chunk, mistakes: &mut Mistakes) -> Option<Statement> {
+        match statement::parse(chunk.tokens.clone()) {
+            Ok(statement) => {
+                if statement.is_some() && !chunk.terminated {
+                    let last = last_span(&chunk.tokens);
+                    mistakes.error_at(last, "a `;` is missing after this: every statement ends with `;`");
+                }
+                statement
+            }
+            Err(error) => {
+                mistakes.push(error);
+                self.poison(&chunk.tokens);
+                None
+            }
+        }
     }
 
     /// Remembers the names in an unreadable stretch of source, so that they cause no further errors.
@@ -419,6 +515,9 @@ mod tests {
                     .map_or(String::new(), |guide| format!(" on {guide}"));
                 format!("slide {} along {}{guide}", slide.point, slide.direction)
             }
+            Statement::Frame(_) => unreachable!("frames are written out"),
+            Statement::Repeats(columns) => format!("{} names", columns.len()),
+            Statement::Repeated => "end".to_owned(),
         }
     }
 

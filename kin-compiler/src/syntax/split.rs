@@ -6,13 +6,20 @@ use proc_macro2::{Delimiter, Group, Ident, Spacing, TokenStream, TokenTree};
 
 use crate::mistakes::Mistakes;
 use crate::syntax::name::{self, STATEMENT_WORDS};
-use crate::syntax::{Dimension, picture, request};
+use crate::syntax::{Dimension, picture, repetition, request};
 
 /// The tokens of one statement without its `;`.
 pub(crate) struct Chunk {
     pub(crate) tokens: TokenStream,
     /// Whether it ended in a `;`.
     pub(crate) terminated: bool,
+}
+
+impl Chunk {
+    /// Whether it is a `for`.
+    pub(crate) fn is_repetition(&self) -> bool {
+        repetition::begins(&self.tokens.clone().into_iter().collect::<Vec<_>>())
+    }
 }
 
 /// Cuts the body at every `;`. If a `;` is missing, cuts before a word that can only begin a statement.
@@ -28,6 +35,11 @@ pub(crate) fn statements(body: TokenStream, mistakes: &mut Mistakes) -> Vec<Chun
     };
     for (index, token) in tokens.iter().enumerate() {
         if is_punct(token, ';') {
+            finish(&mut current, true);
+            continue;
+        }
+        if repetition::is_body(token) && repetition::begins(&current) {
+            current.push(token.clone());
             finish(&mut current, true);
             continue;
         }

@@ -10,8 +10,8 @@ use crate::syntax::elsewhere::{instead_of_statement, is_link};
 use crate::syntax::formula::{self, Context};
 use crate::syntax::name::{self, STATEMENT_WORDS};
 use crate::syntax::{
-    Dimension, EquationStatement, FormulaKind, LetStatement, OutputStatement, QuantityItem, RangeClause, RangeKind,
-    Relation, Request, Statement, UnknownItem, head, order, picture, request,
+    Dimension, EquationStatement, FormulaKind, FrameStatement, LetStatement, OutputStatement, QuantityItem,
+    RangeClause, RangeKind, Relation, Request, Statement, UnknownItem, frames, head, order, picture, request,
 };
 
 /// Reads a statement without its `;`. An empty statement is not a mistake.
@@ -42,7 +42,7 @@ fn statement(input: ParseStream<'_>) -> Result<Option<Statement>> {
         }
         Some("let") => {
             Ident::parse_any(input)?;
-            abbreviation(input, start).map(Statement::Let)
+            abbreviation(input, start)
         }
         Some("output") => {
             Ident::parse_any(input)?;
@@ -386,8 +386,8 @@ fn ends_in_brackets(input: ParseStream<'_>) -> Option<String> {
     ))
 }
 
-/// Reads `half = r3 / 2` after `let`.
-fn abbreviation(input: ParseStream<'_>, start: Span) -> Result<LetStatement> {
+/// Reads `half = r3 / 2` or `platform = frame(center, rotation)` after `let`.
+fn abbreviation(input: ParseStream<'_>, start: Span) -> Result<Statement> {
     if input.peek(Token![mut]) {
         return Err(input.error("a `let` is an abbreviation and never changes: write it without `mut`"));
     }
@@ -398,8 +398,11 @@ fn abbreviation(input: ParseStream<'_>, start: Span) -> Result<LetStatement> {
             format!("the dimension of a `let` follows from its expression: write `let {name} = …`"),
         ));
     }
+    if let Some((origin, turn)) = frames::parse(input)? {
+        return Ok(Statement::Frame(FrameStatement { name, origin, turn }));
+    }
     let value = definition(input, &name, &format!("let {name} = …"))?;
-    Ok(LetStatement { name, value })
+    Ok(Statement::Let(LetStatement { name, value }))
 }
 
 /// Reads `midpoint: Point = …` after `output`.
@@ -475,5 +478,6 @@ fn equation(input: ParseStream<'_>) -> Result<EquationStatement> {
         right,
         operator,
         tokens,
+        is_copy: false,
     })
 }

@@ -10,6 +10,7 @@ pub(crate) mod library;
 mod limits;
 mod mistakes;
 mod optimiser;
+mod written_out;
 
 use proc_macro2::TokenStream;
 

@@ -43,7 +43,7 @@ compare! {
     inverted_slider_crank_typings: InvertedDrivenByCylinder;
     multi_loop: FourBarsInSeries, FourBarsInSeriesShuffled, WattSixBar, StephensonSixBar, Whitworth,
         ToggleOnCoupler, GearedYoke, TwoDyads;
-    outputs: FourBarOutputs, OutputOutsideDomain, ClosureOutsideDomain;
+    outputs: FourBarOutputs, OutputOutsideDomain, ClosureOutsideDomain, OutputsOfFrames;
     ranged: RangedCoupler, RangedRocker, RangedAngle, RangedAngleBelow, RangedSine, RangedSineObtuse,
         RangedSlider, RangedLever, RangedCircular, RangedLinear, RangedTwice, RangedIncline, RangedBetween;
     scalar_forms: LinearForm, QuadraticForm, QuadraticWhere, SquareForm, SquareWhere, SquareWhereNegative,
@@ -55,5 +55,5 @@ compare! {
     slider_crank_typings: SliderCrankInclined, SliderCrankAlongVector, SliderCrankDrivenAtSlider,
         SliderCrankDrivenByRod;
     space: RssrByLength, RssrWithBall, RssrDrivenAtRocker, RsspByLength, RsspWithBall, UniversalJointByNormal,
-        SphericalFourBarAboutAxis, StewartGoughLegByLength, BennettByTripleProduct, PlaneProducts;
+        SphericalFourBarAboutAxis, StewartGoughLegByLength, LegsOfFrames, BennettByTripleProduct, PlaneProducts;
 }

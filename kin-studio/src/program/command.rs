@@ -310,5 +310,5 @@ pub(crate) fn with_examples(command: clap::Command, program: &str, mechanism: &s
 pub(crate) const EXIT_CODES: &str = "Exit codes:
   0  done
   1  the mechanism does not close somewhere it was asked for, or a fit ended before a minimum;
-     what closes is printed or written
+     what closes is printed or written; or `fmt --check` finds another form
   2  something was typed wrong, or a file cannot be read or written";

@@ -9,6 +9,7 @@ mod columns;
 mod command;
 mod fault;
 mod file;
+mod format;
 mod loads;
 mod motion;
 mod progress;
@@ -180,6 +181,10 @@ fn run_library(arguments: &[OsString]) -> Result<(), Fault> {
                 count => Err(Fault::wrong(format!("there are {count} mistakes"))),
             }
         }
+        Some(("fmt", own)) => {
+            let path = own.get_one::<PathBuf>("file").cloned().unwrap_or_default();
+            tasks::fmt(&path, own.get_flag("check"))
+        }
         Some((_, own)) => {
             let wanted = own.get_one::<String>("mechanism").map_or("", String::as_str);
             let subject = match (find(wanted), advice::advice(arguments, true)) {
@@ -276,6 +281,24 @@ fn of_files(command: Command) -> Command {
                 .after_help(
                     "Examples:\n  kin check pump.kin\n  kin check pump.kin --steps\n  kin check - --json < pump.kin",
                 ),
+        )
+        .subcommand(
+            Command::new("fmt")
+                .about("Format a .kin file in place")
+                .arg(
+                    Arg::new("check")
+                        .long("check")
+                        .action(ArgAction::SetTrue)
+                        .help("Change nothing, and end with code 1 if the file is in another form"),
+                )
+                .arg(
+                    Arg::new("file")
+                        .required(true)
+                        .value_name("FILE.kin")
+                        .value_parser(clap::value_parser!(PathBuf))
+                        .help("The file, or `-` for the input, which is formatted to the output"),
+                )
+                .after_help("Examples:\n  kin fmt pump.kin\n  kin fmt --check pump.kin"),
         )
 }
 

@@ -11,6 +11,7 @@ use crate::typed::{Folder, kin, typed_in};
 
 const WIPER: &str = include_str!("wiper.kin");
 const ROBOT: &str = include_str!("robot.kin");
+const PLATFORM: &str = include_str!("platform.kin");
 
 /// Waits until the page of a server says something.
 fn wait(server: &Server, is_there: impl Fn(&str) -> bool) -> String {
@@ -171,6 +172,50 @@ fn an_outline_of_the_input() {
     let output = child.wait_with_output().unwrap();
     assert!(output.status.success());
     assert_snapshot!("an outline for an editor", String::from_utf8(output.stdout).unwrap());
+}
+
+/// Six legs that are declared as one, on a body that is a frame.
+#[test]
+fn a_platform_is_run() {
+    let folder = Folder::new("platform");
+    folder.write("platform.kin", PLATFORM);
+    let told = typed_in(&folder, "kin run platform.kin sweep --rows 2 --columns x,y,pitch");
+    says(&told, "170.000  -9.75846  6.71925  -0.99571");
+    says(&typed_in(&folder, "kin run platform.kin verify"), "Platform: passed, ");
+    // one leg is wrong, and the list says which
+    folder.write("platform.kin", &PLATFORM.replace("a5, b5, l5", "a5, l5, b5"));
+    let told = typed_in(&folder, "kin check platform.kin");
+    says(
+        &told,
+        "but this is a scalar: write `vec3(x, y, z)`\n  --> platform.kin:15:36\n",
+    );
+    assert_eq!(told.matches("-->").count(), 1, "{told}");
+}
+
+#[test]
+fn a_file_is_formatted() {
+    let folder = Folder::new("formatted");
+    let path = folder.write("wiper.kin", &WIPER.replace(' ', "  ").replacen("kin  1", "kin 1", 1));
+    let read = || std::fs::read_to_string(&path).unwrap();
+    let told = typed_in(&folder, "kin fmt --check wiper.kin");
+    says(&told, "wiper.kin is in another form");
+    says(&told, "-- code 1\n");
+    assert_ne!(read(), WIPER);
+    assert_eq!(
+        typed_in(&folder, "kin fmt wiper.kin"),
+        "$ kin fmt wiper.kin\n-- code 0\n"
+    );
+    // but for the words of comments
+    assert_eq!(read().replace("  ", " "), WIPER);
+    says(&typed_in(&folder, "kin fmt --check wiper.kin"), "-- code 0\n");
+
+    // what has mistakes in its form is left alone
+    let spoilt = WIPER.replacen("psi: Angle;", "psi:  Angle", 1);
+    folder.write("wiper.kin", &spoilt);
+    let told = typed_in(&folder, "kin fmt wiper.kin");
+    says(&told, "a statement ends with `;`\n --> wiper.kin:5:");
+    says(&told, "-- code 2\n");
+    assert_eq!(read(), spoilt);
 }
 
 /// The page comes back when the file is mended.

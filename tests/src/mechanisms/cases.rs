@@ -338,6 +338,9 @@ groups! {
         StewartGoughLeg [1.0, 0.2, -0.3, 0.6, -0.5, 0.2] at [-0.5, 0.5] [-0.4, 0.6] [1.5, 2.5] [-0.7, 0.7] [-0.6, 0.8] [-3.1, 3.1];
         StewartGoughLegByLength [1.0, 0.2, -0.3, 0.6, -0.5, 0.2] at [-0.5, 0.5] [-0.4, 0.6] [1.5, 2.5] [-0.7, 0.7] [-0.6, 0.8] [-3.1, 3.1];
         Bennett [2.0, 0.6, 1.3] at [-3.1, 3.1];
+        LegsOfFrames [
+            1.0, 0.2, -0.3, -0.9, 0.4, 0.1, 0.6, -0.5, 0.2, -0.7, 0.3, 0.1, 0.4
+        ] at [1.5, 2.5] [-3.1, 3.1] [-0.7, 0.7];
     }
 
     /// With outputs, and with functions that are not defined everywhere.
@@ -345,6 +348,9 @@ groups! {
         FourBarOutputs [90.0, 30.0, 60.0, 45.0, 25.0, 15.0] at [-1.9, 1.9];
         OutputOutsideDomain [1.5] at [1.8, 5.0];
         ClosureOutsideDomain [1.5] at [0.3, 5.0];
+    }
+    + besides {
+        OutputsOfFrames [90.0, 30.0, 60.0, 45.0, 25.0, 15.0, -10.0, 20.0] at [-1.9, 1.9];
     }
 
     /// Unknowns that are found as unit vectors.

@@ -51,3 +51,27 @@ mechanism! {
 
     x == sqrt(t * a) + a * ln(t / a) / 8;
 }
+
+mechanism! {
+    /// A four-bar whose coupler is a frame on that of the crank, with the picture of two of its points.
+    #[allow(missing_docs)]
+    pub struct OutputsOfFrames {
+        pub r1: Length,
+        pub r2: Length,
+        pub r3: Length,
+        pub r4: Length,
+        pub p: Vector,
+        pub q: Vector,
+    }
+    input theta2: Angle;
+    unknown bend: Angle, theta4: Angle;
+    let crank = frame(0, theta2);
+    let rod = frame(r2, bend);
+    let coupler = crank * rod;
+    coupler * r3 == r1 + r4 * cis(theta4);
+    ground 0, vec2(r1, 0);
+    for (trace, tip, plate) in [(p, near, upper), (q, far, lower)] {
+        output tip: Point = coupler * trace;
+        body plate: coupler * 0, coupler * r3, tip;
+    }
+}

@@ -126,6 +126,28 @@ mechanism! {
 }
 
 mechanism! {
+    /// Two legs, repeated, of a tilting table on a lift: a frame on another.
+    pub struct LegsOfFrames {
+        base1: Point3,
+        base2: Point3,
+        joint1: Vector3,
+        joint2: Vector3,
+        height: Length,
+    }
+    input lift: Length, yaw: Angle, tilt: Angle;
+    unknown leg1: Length where leg1 > 0, leg2: Length where leg2 > 0;
+
+    let slide = frame(vec3(0, 0, lift), rot_z(yaw));
+    let hinge = frame(vec3(0, 0, height), rot_x(tilt));
+    let table = slide * hinge;
+    for (base, joint, leg, head) in [(base1, joint1, leg1, head1), (base2, joint2, leg2, head2)] {
+        let top = table * joint;
+        norm(top - base) == leg;
+        output head: Point3 = top;
+    }
+}
+
+mechanism! {
     /// Links 2 and 3 lie in one plane with the second axis and the diagonal: an equation with a second solution, half a turn
     /// away, in which the loop does not close.
     pub struct BennettByTripleProduct {

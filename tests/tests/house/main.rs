@@ -65,7 +65,7 @@ const STUDIO: Package = Package {
     rooms: "names drawing tables report::error+report::model report library figures \
             program::fault+program::text+program::units+program::value program::motion program::loads \
             program::progress+program::server program::case+program::subject+program::assembly+program::columns \
-            program::file program::command+program::advice program::tasks program",
+            program::format program::file program::command+program::advice program::tasks program",
 };
 
 const SEARCH: Package = Package {

@@ -8,12 +8,13 @@ mod place;
 mod read;
 mod sections;
 
-use std::io::Read as _;
 use std::path::Path;
 
 use super::fault::Fault;
+use super::format;
 use super::loads::Loads;
 use super::subject::Subject;
+use place::Mistake;
 use read::KinFile;
 
 /// What a file says besides the declaration.
@@ -36,11 +37,10 @@ pub(super) struct Told {
 }
 
 /// The text of a file, or of the input if its name is `-`, without a byte order mark and line ends of other systems.
-fn text_of(path: &Path) -> Result<String, Fault> {
+pub(super) fn text_of(path: &Path) -> Result<String, Fault> {
     let shown = path.display();
     let text = if path == Path::new("-") {
-        let mut text = String::new();
-        std::io::stdin().read_to_string(&mut text).map(|_| text)
+        std::io::read_to_string(std::io::stdin())
     } else {
         std::fs::read_to_string(path)
     };
@@ -54,14 +54,27 @@ fn text_of(path: &Path) -> Result<String, Fault> {
     Ok(text.trim_start_matches('\u{feff}').replace("\r\n", "\n"))
 }
 
+/// The mistakes in a text, each at its place.
+fn shown(mistakes: &[Mistake], path: &Path, text: &str) -> Fault {
+    let file = path.display().to_string();
+    let shown: Vec<String> = mistakes.iter().map(|mistake| mistake.shown(&file, text)).collect();
+    Fault::wrong(shown.join("\n\n"))
+}
+
 /// Reads a file, and compiles its declaration.
 fn compiled(path: &Path) -> Result<KinFile, Fault> {
     let text = text_of(path)?;
-    KinFile::read(&text).map_err(|mistakes| {
-        let file = path.display().to_string();
-        let shown: Vec<String> = mistakes.iter().map(|mistake| mistake.shown(&file, &text)).collect();
-        Fault::wrong(shown.join("\n\n"))
-    })
+    KinFile::read(&text).map_err(|mistakes| shown(&mistakes, path, &text))
+}
+
+/// The text of a file in one form. Files whose statements cannot be told apart are mistakes.
+pub(super) fn formatted(path: &Path, text: &str) -> Result<String, Fault> {
+    let tokens = |text: &str| KinFile::tokens(text).map_err(|mistakes| shown(&mistakes, path, text));
+    let before = tokens(text)?;
+    let formatted = format::formatted(text, &before);
+    let is_same = format::is_same((text, &before), (&formatted, &tokens(&formatted)?));
+    let changed = || Fault::wrong(format!("{} cannot be formatted, so it is left alone", path.display()));
+    is_same.then_some(formatted).ok_or_else(changed)
 }
 
 /// The mechanism of a file, and what the file says of it.

@@ -42,19 +42,16 @@ impl KinFile {
         Self::read_tokens(text).map_err(|mistakes| other_comment(text).map_or(mistakes, |comment| vec![comment]))
     }
 
+    /// The tokens of a file whose statements can be told apart, whatever they say. Each token is where it was typed.
+    pub(crate) fn tokens(text: &str) -> Result<TokenStream, Vec<Mistake>> {
+        let (_, stream) = Self::lexed(text)?;
+        let tokens: Vec<TokenTree> = stream.clone().into_iter().collect();
+        let sections = Sections::read(text, &tokens);
+        sections.map(|_| stream).map_err(|mistake| vec![mistake])
+    }
+
     fn read_tokens(text: &str) -> Result<Self, Vec<Mistake>> {
-        let first = text.lines().next().unwrap_or("");
-        if first.trim_end() != FIRST_LINE {
-            return Err(vec![wrong_first_line(first)]);
-        }
-        let blanked = format!("{}{}", " ".repeat(first.len()), &text[first.len()..]);
-        let stream: TokenStream = blanked.parse().map_err(|error: proc_macro2::LexError| {
-            let range = error.span().byte_range();
-            vec![Mistake::new(
-                "this cannot be read: a bracket or a quotation mark has no partner, or a sign is none of the language",
-                range,
-            )]
-        })?;
+        let (blanked, stream) = Self::lexed(text)?;
         let tokens: Vec<TokenTree> = stream.into_iter().collect();
         let mut sections = Sections::read(text, &tokens).map_err(|mistake| vec![mistake])?;
         let mut mistakes = std::mem::take(&mut sections.mistakes);
@@ -68,6 +65,23 @@ impl KinFile {
             }
             Err(error) => Err(vec![Mistake::new(error.to_string(), 0..0)]),
         }
+    }
+
+    /// The text with blanks in the place of its first line, and its tokens.
+    fn lexed(text: &str) -> Result<(String, TokenStream), Vec<Mistake>> {
+        let first = text.lines().next().unwrap_or("");
+        if first.trim_end() != FIRST_LINE {
+            return Err(vec![wrong_first_line(first)]);
+        }
+        let blanked = format!("{}{}", " ".repeat(first.len()), &text[first.len()..]);
+        let stream: TokenStream = blanked.parse().map_err(|error: proc_macro2::LexError| {
+            let range = error.span().byte_range();
+            vec![Mistake::new(
+                "this cannot be read: a bracket or a quotation mark has no partner, or a sign is none of the language",
+                range,
+            )]
+        })?;
+        Ok((blanked, stream))
     }
 
     /// The file with what its sections say of the mechanism.

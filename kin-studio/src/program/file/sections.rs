@@ -263,12 +263,13 @@ fn check_form(tokens: &[TokenTree], is_outside: bool) -> Result<(), Mistake> {
                 }
             }
             TokenTree::Group(group) => {
-                if group.delimiter() == Delimiter::Brace {
+                let repeats = is_outside && is_repetition(&tokens[..place]);
+                if group.delimiter() == Delimiter::Brace && !repeats {
                     braces_seen += 1;
                     if !is_outside || braces_seen > 1 {
                         return Err(Mistake::new(
-                            "these braces have no place here: a file has one structure, `dimensions { .. }`, \
-                             `motion { .. }` and `loads { .. }`",
+                            "these braces have no place here: a file has one structure, `for … in […] { .. }`, \
+                             `dimensions { .. }`, `motion { .. }` and `loads { .. }`",
                             group.span_open().byte_range(),
                         ));
                     }
@@ -280,6 +281,13 @@ fn check_form(tokens: &[TokenTree], is_outside: bool) -> Result<(), Mistake> {
         }
     }
     Ok(())
+}
+
+/// Whether the statement at the end of some tokens is a `for`.
+fn is_repetition(tokens: &[TokenTree]) -> bool {
+    let is_end = |token: &TokenTree| is_punct(Some(token), ';') || braces(Some(token)).is_some();
+    let statement = tokens.rsplit(is_end).next();
+    is_ident(statement.and_then(<[TokenTree]>::first), "for")
 }
 
 /// Whether it is what a doc comment becomes: `[doc = "text"]`.

@@ -3,6 +3,7 @@
 mod code;
 mod cycle;
 mod fit;
+mod fmt;
 mod list;
 mod peaks;
 mod report;
@@ -13,6 +14,7 @@ mod table;
 mod verify;
 mod watch;
 
+pub(super) use fmt::fmt;
 pub(super) use list::list;
 pub(super) use watch::watch;
 

@@ -80,6 +80,30 @@ pub(super) fn abbreviations_in_a_chain(random: &mut Random, n: usize) -> String 
     format!("struct M {{ k: Scalar }} input t: Angle; unknown n: Scalar; let y0 = k * t; {lets} n == y{n} + t;")
 }
 
+/// Bodies that carry one another, in one formula or each with a name.
+pub(super) fn frames_in_a_row(random: &mut Random, n: usize) -> String {
+    let link = *random.pick(&[
+        "frame(vec3(a, 0, 0), rot_z(t) * rot_x(u))",
+        "frame(0, rot_z(t))",
+        "frame(a, t)",
+    ]);
+    let point = if link == "frame(a, t)" {
+        "vec2(a, 0)"
+    } else {
+        "vec3(0, a, a)"
+    };
+    let (lets, arm) = if random.one_in(2) {
+        (String::new(), repeated(n + 1, " * ", |_| "f0".to_owned()))
+    } else {
+        let lets = repeated(n, "", |index| format!("let f{} = f{index} * f0;", index + 1));
+        (lets, format!("f{n}"))
+    };
+    format!(
+        "struct M {{ a: Length }} input t: Angle; unknown u: Angle; let f0 = {link}; {lets} \
+         a * sin(u) == ({arm} * {point}).x; "
+    )
+}
+
 /// Sums and differences that double with each step if they are written out.
 pub(super) fn abbreviations_used_twice(random: &mut Random, n: usize) -> String {
     let step = *random.pick(&["_ + _", "cis(t) * _ + _", "_ - 2 * _", "_ * cis(x) - _"]);

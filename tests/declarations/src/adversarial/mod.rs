@@ -52,6 +52,7 @@ families! {
     deep::squares_in_a_chain to 16
     deep::abbreviations_in_a_chain to 200
     deep::abbreviations_used_twice to 60
+    deep::frames_in_a_row to 60
     algebra::power_of_a_sum to 64
     algebra::powers_of_powers to 12
     algebra::powers_of_length to 30
@@ -68,6 +69,7 @@ families! {
     wide::many_outputs to 300
     wide::many_parameters to 500
     wide::many_unknowns to 100
+    wide::copies to 60
     wide::too_many_equations to 60
     wide::high_order to 12
     wide::sensitivities_of_all_orders to 12

@@ -126,7 +126,7 @@ pub(super) fn nothing_said(random: &mut Random, n: usize) -> String {
     })
 }
 
-const TOKENS: &str = "struct M a b t u Length Angle Point input unknown let output order with test where in ; ; ; , , : : = == == + - \
+const TOKENS: &str = "for for frame {a==b;} [(a,b)] (a,b) struct M a b t u Length Angle Point input unknown let output order with test where in ; ; ; , , : : = == == + - \
     * / < > .. ..= . :: # ! & ? | sin cis vec3 rot powi PI x 1 2.5 1e308 'a \"s\" () (a) {} []";
 
 pub(super) fn tokens_at_random(random: &mut Random, n: usize) -> String {
@@ -184,6 +184,18 @@ pub(super) fn statements_at_random(random: &mut Random, n: usize) -> String {
         "unknown u: Angle where u",
         "unknown u: Angle in 1..0",
         "w == t + u",
+        "for (x, y) in [(u, a), (v, t), (u, l)] { x == y; let z = x; y + z == 0; }",
+        "for x in [u] { x == a * sin(t); }",
+        "for o in [o1, o2] { output o: Length = a; body o: 0, f * 0; }",
+        "for (x) in [a] { for y in [x] { x == y; } }",
+        "for x in [] { u == a; }",
+        "for u in [a, f] { u == g * l; }",
+        "let f = frame(vec2(a, 0), t)",
+        "let f = frame(0, rot_z(t))",
+        "let g = f * f",
+        "let g = frame(f * l, u)",
+        "l == f * vec2(u, 0)",
+        "output g: Point3 = f * g * vec3(a, 0, 0)",
         "norm(l) == a",
         "rot_x(u) == rot_x(t)",
         "rot_x(u) * vec3(a, 0, 0) == vec3(a, 0, 0)",

@@ -140,6 +140,20 @@ pub(super) fn many_parameters(random: &mut Random, n: usize) -> String {
     format!("struct M {{ {fields}, }} input t: Angle; unknown u: Length; u == ({sum}) * cos(t); {sensitivities}")
 }
 
+/// As many copies of as many statements.
+pub(super) fn copies(random: &mut Random, n: usize) -> String {
+    let unknowns = repeated(n, ", ", |index| format!("x{index}: Scalar"));
+    let list = repeated(n, ", ", |index| format!("(x{index}, {index} + k)"));
+    let step = *random.pick(&["_ + t", "b * _", "sin(_)", "_ * _"]);
+    let lets = repeated(n, "", |index| {
+        format!("let y{} = {};", index + 1, step.replace('_', &format!("y{index}")))
+    });
+    format!(
+        "struct M {{ k: Scalar }} input t: Angle; unknown {unknowns}; \
+         for (x, b) in [{list}] {{ let y0 = b * t; {lets} x == y{n} + b; }}"
+    )
+}
+
 pub(super) fn many_unknowns(random: &mut Random, n: usize) -> String {
     let kind = random.below(4);
     let unknowns = repeated(n, ", ", |index| format!("x{index}: Scalar"));

@@ -22,6 +22,11 @@ mechanism! {
     r2 * cis(theta2) + r3 * theta3.cis() == r1 + r4 * cis(theta4);
     output pin: Point = r2 * cis(theta2) + tip * cis(theta3) + half;
     with sensitivities, transmission_angles;
+    let coupler = frame(r2 * cis(theta2), theta3);
+    for (trace, trail) in [(tip, pen), (tip / 2, rubber)] {
+        let mark = coupler * trace;
+        output trail: Point = mark;
+    }
 }
 
 fn main() -> Result<(), SolveError> {
@@ -77,6 +82,8 @@ fn names_are_completed(server: &mut Server) {
         ("theta3.cis()", "theta3.¦", &["cis", "sin"]),
         ("+ half", "+ half.¦", &["x", "y", "norm"]),
         ("with sensitivities", "with sen¦", &["sensitivities", "test"]),
+        ("coupler * trace", "coupler * tr¦", &["trace", "tip", "coupler"]),
+        ("= mark", "= ma¦", &["mark", "trace"]),
     ] {
         let offered = server.completions(&with(old, new));
         for name in wanted {
@@ -102,6 +109,8 @@ fn names_are_explained_and_followed(server: &mut Server) {
         ("theta3.cis", "the¦ta3.cis", "theta3: Angle, theta4"),
         ("r1 + r4", "r¦1 + r4", "r1: Length, pub r2"),
         ("+ half", "+ ha¦lf", "half = (r3"),
+        ("coupler * trace", "coupler * tra¦ce", "trace, trail) in"),
+        ("(tip, pen)", "(ti¦p, pen)", "tip: Vector }"),
         ("pose.theta3", "pose.the¦ta3", "theta3: Angle, theta4"),
     ] {
         let found = server.definitions(&with(old, new));

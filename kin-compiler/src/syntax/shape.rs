@@ -1,10 +1,9 @@
 //! The shapes of formulas without mistakes.
 
-use crate::model::ValueShape;
-use crate::syntax::{Callee, FormulaKind, TypedFormula};
+use crate::syntax::{Callee, FormulaKind, TypedFormula, ValueShape};
 
 /// The shape of a formula without mistakes; `known` gives the shapes of the names.
-pub(super) fn shape(formula: &TypedFormula, known: &dyn Fn(&str) -> Option<ValueShape>) -> ValueShape {
+pub(crate) fn shape(formula: &TypedFormula, known: &dyn Fn(&str) -> Option<ValueShape>) -> ValueShape {
     match &formula.kind {
         FormulaKind::Number { .. }
         | FormulaKind::Degrees { .. }

@@ -1,0 +1,31 @@
+//! `kin fmt`: `.kin` files in one form.
+
+use std::path::Path;
+
+use super::super::fault::Fault;
+use super::super::file;
+use super::print;
+
+/// Formats a file in place, or from the input to the output if its name is `-`; or tells whether it is in form.
+pub(crate) fn fmt(path: &Path, only_check: bool) -> Result<(), Fault> {
+    let text = file::text_of(path)?;
+    let formatted = file::formatted(path, &text)?;
+    if only_check && formatted != text {
+        let message = format!(
+            "{} is in another form: write `kin fmt` without `--check`",
+            path.display()
+        );
+        return Err(Fault::open(message));
+    }
+    if only_check {
+        return Ok(());
+    }
+    if path == Path::new("-") {
+        return print(&formatted);
+    }
+    if formatted == text {
+        return Ok(());
+    }
+    std::fs::write(path, formatted)
+        .map_err(|error| Fault::wrong(format!("{} cannot be written: {error}", path.display())))
+}
