@@ -191,6 +191,7 @@ impl<T: Scalar> FoundMotion<'_, T> {
             }
         }
         self.write_outputs(&mut numbers.outputs);
+        self.write_position(None, &mut numbers.positions);
     }
 
     /// Writes the motions of the scalar outputs that there is a place for.

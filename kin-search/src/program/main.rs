@@ -3,6 +3,7 @@
 mod bench;
 #[cfg(feature = "cluster")]
 mod cluster;
+mod declared;
 mod fault;
 mod functions;
 #[cfg(feature = "refine")]

@@ -1,6 +1,5 @@
 //! `kin run`: mechanisms of people who write no Rust.
 
-mod place;
 mod read;
 
 use std::path::Path;
@@ -26,20 +25,7 @@ pub(super) struct Told {
 
 /// Reads a file, and compiles its declaration.
 fn compiled(path: &Path) -> Result<KinFile, Fault> {
-    let shown = path.display().to_string();
-    let text = std::fs::read_to_string(path).map_err(|error| {
-        Fault::wrong(match error.kind() {
-            std::io::ErrorKind::NotFound => format!("there is no file {shown}"),
-            std::io::ErrorKind::InvalidData => format!("{shown} is no text in UTF-8"),
-            _ => format!("{shown} cannot be read: {error}"),
-        })
-    })?;
-    // a byte order mark, and line ends of other systems
-    let text = text.trim_start_matches('\u{feff}').replace("\r\n", "\n");
-    KinFile::read(&text).map_err(|mistakes| {
-        let shown: Vec<String> = mistakes.iter().map(|mistake| mistake.shown(&shown, &text)).collect();
-        Fault::wrong(shown.join("\n\n"))
-    })
+    crate::file::read(path, KinFile::read).map_err(Fault::wrong)
 }
 
 /// The mechanism of a file, and what the file says of it.
