@@ -587,10 +587,8 @@ const WIPER: &str = "
     struct Wiper { crank: Length, rod: Length, rocker: Length, frame: Length }
     input theta: Angle;
     unknown phi: Angle, psi: Angle;
-    output tip: Point;
-    crank * cis(theta) + rod * cis(phi) == vec2(frame, 0) + rocker * cis(psi);
-    tip = vec2(frame, 0) + 2 * rocker * cis(psi);
-    with transmission_angles;
+    crank * cis(theta) + rod * cis(phi) == frame + rocker * cis(psi);
+    output tip: Point = frame + 2 * rocker * cis(psi);
 ";
 
 #[test]

@@ -15,7 +15,7 @@ use super::line::LineFunction;
 use super::names::{of_order, plain};
 use super::path::PathFunction;
 use super::pose::PoseFunction;
-use super::solver::SearchedMechanism;
+use super::solver::{OfMechanism, SearchedMechanism};
 use super::turn::TurnFunction;
 
 /// The reason why a text gives no functions.
@@ -90,11 +90,6 @@ impl fmt::Display for DeclarationError {
 }
 
 impl Error for DeclarationError {}
-
-/// A function of a mechanism.
-pub(crate) trait OfMechanism {
-    fn mechanism(&self) -> &SearchedMechanism;
-}
 
 /// The text that declares the mechanism of a function, if it has one.
 pub(crate) fn declaration_of(function: &ScalarUDF) -> Option<&str> {

@@ -16,10 +16,9 @@ use kin_core::{Dimension, in_small_letters};
 
 use super::arguments::{Argument, FEWEST_ROWS, Numbers, Texts, accepted, coerced, signature, valid_rows};
 use super::assembly;
-use super::declaration::OfMechanism;
 use super::names::{of_order, plain, unit};
 use super::settings;
-use super::solver::{SearchedMechanism, Solver};
+use super::solver::{OfMechanism, SearchedMechanism, Solver};
 
 /// The section of the documentation to which the functions belong.
 pub(crate) const SECTION: DocSection = DocSection {

@@ -255,7 +255,7 @@ macro_rules! function_of_a_search {
 
         impl Eq for $function {}
 
-        impl super::declaration::OfMechanism for $function {
+        impl super::solver::OfMechanism for $function {
             fn mechanism(&self) -> &super::solver::SearchedMechanism {
                 &self.search.mechanism
             }

@@ -43,6 +43,11 @@ impl SearchedMechanism {
     }
 }
 
+/// A function of a mechanism.
+pub(crate) trait OfMechanism {
+    fn mechanism(&self) -> &SearchedMechanism;
+}
+
 impl Deref for SearchedMechanism {
     type Target = dyn Solver;
 

@@ -186,7 +186,7 @@ async fn finish(
             }
             #[cfg(feature = "refine")]
             if has_pages {
-                arguments.pages.write(&rows)?;
+                arguments.pages.write(&rows, &arguments.declared)?;
             }
         }
     }

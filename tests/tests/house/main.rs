@@ -62,7 +62,7 @@ const STUDIO: Package = Package {
     name: "kin-studio",
     faces: &["lib", "bin"],
     root_items: &[],
-    rooms: "names drawing tables report::error+report::model report library figures \
+    rooms: "names drawing tables file report::error+report::model report library figures \
             program::fault+program::text+program::value program::motion program::progress+program::server \
             program::case+program::subject program::file program::command+program::advice program::tasks program",
 };
