@@ -619,7 +619,7 @@ fn declarations_whose_names_are_taken_are_refused() {
         assert!(message.contains(told), "{message}");
     }
     for (quantity, told) in [
-        ("speed", "the function `blade_turn` would have `speed` twice"),
+        ("speed", "would have `speed` twice: names in SQL"),
         ("ROD", "the function `blade` would have `rod` twice"),
     ] {
         let text = WIPER.replace("Wiper", "Blade").replace("crank", quantity);
