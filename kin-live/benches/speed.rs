@@ -10,7 +10,10 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use kin_core::any::{AssemblyMotionOver, Described, MotionNearOver, Of};
-use kin_core::batch::{AnyBatch, Column, ColumnChoice, GivenColumns, Outcome, Place, Vectors, WantedColumns};
+use kin_core::batch::{
+    AnyBatch, AnyFold, Column, ColumnChoice, Fold, GivenColumns, KeptMemory, Outcome, Place, Turn, Vectors,
+    WantedColumns,
+};
 use kin_core::library::{ClassThreeTriad, FourBar, JansenLeg, SliderCrank, WattI};
 use kin_core::{Mechanism, Plane};
 
@@ -124,6 +127,28 @@ fn compare<M: Mechanism<Scalar = f64>>(file: &str, mechanism: &M, input: impl Fn
         }
         println!(
             "{:20} in batches of {vectors:?} {:6.1} ns, compiled {:6.1} ns: {:4.1} times",
+            "",
+            nanoseconds(own),
+            nanoseconds(expected),
+            nanoseconds(own) / nanoseconds(expected),
+        );
+        if M::ASSEMBLY_COUNT == 0 {
+            continue;
+        }
+        let turn = Turn::whole(0, POSES);
+        let mut folds = [Fold::of(Place::Unknown(0, orders - 1))];
+        let mut memory = KeptMemory::default();
+        let mut run = |own: &dyn AnyFold| {
+            let summary = own.fold_batch(turn, given, &mut folds, &mut memory, vectors);
+            black_box((summary.expect("the columns have one length"), &folds));
+        };
+        let (mut own, mut expected) = (Duration::MAX, Duration::MAX);
+        for _ in 0..100 {
+            own = own.min(shortest(1, || run(&live)));
+            expected = expected.min(shortest(1, || run(compiled)));
+        }
+        println!(
+            "{:20} folded over a turn {vectors:?} {:6.1} ns, compiled {:6.1} ns: {:4.1} times",
             "",
             nanoseconds(own),
             nanoseconds(expected),

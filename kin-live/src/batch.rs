@@ -3,10 +3,10 @@
 use kin_core::__private::live::FactorRow;
 use kin_core::any::PositionChoice;
 use kin_core::batch::{
-    AnyBatch, CHUNKS, GivenColumns, LengthMismatch, Numbers, Outcome, SliceSolver, Summary, Vectors, WantedColumns,
-    solve_slices,
+    AnyBatch, AnyFold, CHUNKS, Fold, FoldError, GivenColumns, KeptMemory, LengthMismatch, Numbers, Outcome,
+    SliceSolver, Summary, Turn, Vectors, WantedColumns, fold_slices, solve_slices,
 };
-use kin_core::{Scalar, SolveError};
+use kin_core::{Scalar, SolveError, TransmissionAngle};
 
 use crate::mechanism::Mechanism;
 use crate::motion::FoundMotion;
@@ -20,18 +20,27 @@ pub struct BatchMemory<T> {
     rows: Vec<FactorRow>,
 }
 
-impl SliceSolver for Mechanism {
-    type Memory<T> = BatchMemory<T>;
+impl<T> Default for BatchMemory<T> {
+    fn default() -> Self {
+        Self {
+            numbers: Vec::new(),
+            near: Vec::new(),
+            reals: Vec::new(),
+            rows: Vec::new(),
+        }
+    }
+}
 
-    fn memory<T: Scalar>(&self) -> BatchMemory<T> {
+impl SliceSolver for Mechanism {
+    type Memory<T: Send + 'static> = BatchMemory<T>;
+
+    fn prepare<T: Scalar + Send + 'static>(&self, memory: &mut BatchMemory<T>) {
         let lengths = self.motion.lengths();
         let zero = T::constant(0.0);
-        BatchMemory {
-            numbers: vec![zero; lengths.numbers(CHUNKS)],
-            near: vec![zero; self.motion.near_length()],
-            reals: vec![0.0; lengths.reals],
-            rows: vec![FactorRow::default(); CHUNKS * lengths.rows],
-        }
+        memory.numbers.resize(lengths.numbers(CHUNKS), zero);
+        memory.near.resize(self.motion.near_length(), zero);
+        memory.reals.resize(lengths.reals, 0.0);
+        memory.rows.resize(CHUNKS * lengths.rows, FactorRow::default());
     }
 
     fn solve_alone(
@@ -56,7 +65,7 @@ impl SliceSolver for Mechanism {
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn solve<T: Scalar>(
+    fn solve<T: Scalar + Send + 'static>(
         &self,
         memory: &mut BatchMemory<T>,
         parameters: &[T],
@@ -85,6 +94,17 @@ impl SliceSolver for Mechanism {
             })
             .map_err(|fault| self.error(fault, parameters, inputs))
     }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn transmission_angles<T: Scalar>(
+        &self,
+        parameters: &[T],
+        inputs: &[T],
+        unknowns: &[T],
+        angles: &mut [TransmissionAngle<T>],
+    ) {
+        self.angles_of_dyads_at(parameters, self.motions(inputs), unknowns, angles);
+    }
 }
 
 impl AnyBatch for Mechanism {
@@ -96,5 +116,18 @@ impl AnyBatch for Mechanism {
         vectors: Vectors,
     ) -> Result<Summary, LengthMismatch> {
         solve_slices(self, given, wanted, outcomes, vectors)
+    }
+}
+
+impl AnyFold for Mechanism {
+    fn fold_batch(
+        &self,
+        turn: Turn,
+        given: GivenColumns<'_>,
+        folds: &mut [Fold],
+        memory: &mut KeptMemory,
+        vectors: Vectors,
+    ) -> Result<Summary, FoldError> {
+        fold_slices(self, turn, given, folds, memory, vectors)
     }
 }

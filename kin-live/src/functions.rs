@@ -152,12 +152,24 @@ impl Mechanism {
 
 impl<T: Scalar> TransmissionOver<T> for Mechanism {
     fn angles_of_dyads(&self, parameters: &[T], inputs: &[T], unknowns: &[T], angles: &mut [TransmissionAngle<T>]) {
-        self.transmission
-            .run(parameters, Inputs::positions(inputs), unknowns, |result| {
-                for (index, (place, name)) in angles.iter_mut().zip(&self.dyads).enumerate() {
-                    *place = TransmissionAngle::of(*name, result(2 * index), result(2 * index + 1));
-                }
-            });
+        self.angles_of_dyads_at(parameters, Inputs::positions(inputs), unknowns, angles);
+    }
+}
+
+impl Mechanism {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn angles_of_dyads_at<T: Scalar>(
+        &self,
+        parameters: &[T],
+        inputs: Inputs<'_, T>,
+        unknowns: &[T],
+        angles: &mut [TransmissionAngle<T>],
+    ) {
+        self.transmission.run(parameters, inputs, unknowns, |result| {
+            for (index, (place, name)) in angles.iter_mut().zip(&self.dyads).enumerate() {
+                *place = TransmissionAngle::of(*name, result(2 * index), result(2 * index + 1));
+            }
+        });
     }
 }
 

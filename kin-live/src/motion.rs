@@ -204,6 +204,7 @@ impl<T: Scalar, const C: usize> FoundMotion<'_, T, C> {
             }
         }
         self.write_outputs(&mut numbers.outputs);
+        self.write_position(None, &mut numbers.positions);
     }
 
     /// Writes the motions of the scalar outputs that there is a place for.

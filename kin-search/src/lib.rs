@@ -26,7 +26,7 @@ mod say;
 pub mod session;
 
 #[cfg(feature = "sql")]
-pub use function::{Functions, functions, register};
+pub use function::{DeclarationError, Functions, Owner, functions, register};
 #[cfg(feature = "sql")]
 pub use say::say;
 #[cfg(feature = "sql")]

@@ -5,10 +5,14 @@ use std::fmt::{self, Write as _};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use kin_core::any::Of;
-use kin_core::{Mechanism, Row};
-use kin_fit::{Candidate, JobError, Misfit, Objective, Refined, Refinement, read_candidates};
-use kin_studio::report::{Draft, ReportError, file_name};
+use kin_fit::{Candidate, FitFunctions, JobError, Misfit, Objective, Refined, Refinement, read_candidates};
+use kin_studio::report::{self, Draft, ReportError, ReportFunctions, Untyped, file_name};
+
+/// The functions of a mechanism that is refined and has pages: `Of::<M>::FUNCTIONS` has them for every mechanism that
+/// rustc compiled, and so has `kin_live::Mechanism`.
+pub trait RefinedFunctions: FitFunctions + ReportFunctions {}
+
+impl<F: FitFunctions + ReportFunctions> RefinedFunctions for F {}
 
 /// The reason why pages were not written.
 #[derive(Debug)]
@@ -95,34 +99,30 @@ fn summary(result: &Refined, objective: &Objective) -> String {
 }
 
 /// The report of kin-studio about a mechanism in an assembly, which is chosen by its index.
-fn draft<M: Mechanism<Scalar = f64>>(
-    mechanism: &M,
+fn draft<'f>(
+    functions: &'f dyn RefinedFunctions,
+    parameters: &[f64],
     assembly: Option<usize>,
     id: u64,
     said: String,
-) -> Draft<'static, M> {
-    let draft = kin_studio::report(mechanism)
-        .title(format!("{}, candidate {id}", M::DESCRIPTION.name))
+) -> Draft<'f, Untyped> {
+    let draft = report::of(functions, parameters)
+        .title(format!("{}, candidate {id}", functions.description().name))
         .documentation(said);
-    match assembly.and_then(M::assembly) {
+    match assembly {
         Some(assembly) => draft.assembly(assembly),
         None => draft,
     }
 }
 
 /// The report about a result, in its assembly, over its travel or the full turn.
-fn report<M: Mechanism<Scalar = f64>>(result: &Refined, objective: &Objective) -> Draft<'static, M> {
+fn drafted<'f>(functions: &'f dyn RefinedFunctions, result: &Refined, objective: &Objective) -> Draft<'f, Untyped> {
     let inputs = objective.inputs_at(result.inputs[0]);
-    let assembly = result.design.choice().index();
-    let draft = draft::<M>(
-        &result.design.mechanism(),
-        assembly,
-        result.id,
-        summary(result, objective),
-    )
-    .at(Row::from_fn(|index| inputs[index]))
-    .moving(objective.moving_input())
-    .plots(objective.quantities());
+    let (design, said) = (&result.design, summary(result, objective));
+    let draft = draft(functions, design.parameters(), design.choice().index(), result.id, said)
+        .at(&inputs)
+        .moving(objective.moving_input())
+        .plots(objective.quantities());
     let [from, to] = result.figures.travel;
     if result.figures.is_full_turn || from == to {
         draft
@@ -131,19 +131,20 @@ fn report<M: Mechanism<Scalar = f64>>(result: &Refined, objective: &Objective) -
     }
 }
 
-/// Writes a page for each result into a folder, which is made if need be, and returns their paths. `M` is the mechanism
-/// of the objective. The files are called after the mechanism, the place of the result and the number of its candidate.
+/// Writes a page for each result into a folder, which is made if need be, and returns their paths. The functions are
+/// those of the objective. The files are called after the mechanism, the place of the result and the number of its candidate.
 ///
 /// # Errors
 /// [`PageError`].
-pub fn write_pages<M: Mechanism<Scalar = f64>>(
+pub fn write_pages(
+    functions: &dyn RefinedFunctions,
     refinement: &Refinement,
     objective: &Objective,
     folder: impl AsRef<Path>,
 ) -> Result<Vec<PathBuf>, PageError> {
     let reports = refinement.results.iter();
-    let reports = reports.map(|result| (result.id, report::<M>(result, objective)));
-    write(reports, folder.as_ref())
+    let reports = reports.map(|result| (result.id, drafted(functions, result, objective)));
+    write(functions, reports, folder.as_ref())
 }
 
 /// Writes a page for each row of a table into a folder, which is made if need be, and returns their paths.
@@ -155,42 +156,45 @@ pub fn write_pages<M: Mechanism<Scalar = f64>>(
 /// [`PageError`].
 ///
 /// ```
+/// use kin_core::any::Of;
 /// use kin_core::library::FourBar;
 /// use kin_search::pages::write_pages_of;
 ///
 /// let folder = std::env::temp_dir().join(format!("kin-pages-{}", std::process::id()));
-/// let pages = write_pages_of::<FourBar>("id,r1,r2,r3,r4,assembly,swing\n7,90,30,80,60,open,61.2\n", &folder)?;
+/// let rows = "id,r1,r2,r3,r4,assembly,swing\n7,90,30,80,60,open,61.2\n";
+/// let pages = write_pages_of(Of::<FourBar>::FUNCTIONS, rows, &folder)?;
 /// assert!(pages[0].ends_with("four-bar-1-7.html"));
 /// assert!(std::fs::read_to_string(&pages[0])?.contains("swing: 61.2"));
 /// # std::fs::remove_dir_all(folder)?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn write_pages_of<M: Mechanism<Scalar = f64>>(
+pub fn write_pages_of(
+    functions: &'static dyn RefinedFunctions,
     table: &str,
     folder: impl AsRef<Path>,
 ) -> Result<Vec<PathBuf>, PageError> {
-    let rows = read_candidates(Of::<M>::FUNCTIONS, table, usize::MAX).map_err(PageError::Table)?;
+    let rows = read_candidates(functions, table, usize::MAX).map_err(PageError::Table)?;
     let reports = rows.into_iter().map(|(candidate, said)| {
         let Candidate {
             id, parameters, choice, ..
         } = candidate;
-        let mechanism = M::from_parameters(Row::from_fn(|index| parameters[index]));
-        (id, draft(&mechanism, choice.index(), id, said))
+        (id, draft(functions, &parameters, choice.index(), id, said))
     });
-    write(reports, folder.as_ref())
+    write(functions, reports, folder.as_ref())
 }
 
 /// Writes reports, each with the number of its candidate. The files are called after the mechanism, the place of the
 /// report and this number.
-fn write<M: Mechanism<Scalar = f64>>(
-    reports: impl Iterator<Item = (u64, Draft<'static, M>)>,
+fn write<'f>(
+    functions: &dyn RefinedFunctions,
+    reports: impl Iterator<Item = (u64, Draft<'f, Untyped>)>,
     folder: &Path,
 ) -> Result<Vec<PathBuf>, PageError> {
     fs::create_dir_all(folder).map_err(|error| PageError::Folder {
         path: folder.to_owned(),
         error,
     })?;
-    let name = file_name(M::DESCRIPTION.name);
+    let name = file_name(functions.description().name);
     let pages = reports.enumerate().map(|(place, (id, draft))| {
         let path = folder.join(format!("{name}-{}-{id}.html", place + 1));
         let written = draft.write(&path);

@@ -231,6 +231,63 @@ fn a_killed_executor_changes_nothing() {
     assert_eq!(table(&answer(&[&query])), table(&output));
 }
 
+/// A wiper whose blade is so many levers long.
+fn wiper(levers: u32) -> String {
+    format!(
+        "kin 1
+struct Wiper {{ crank: Length, rod: Length, lever: Length, frame: Length }}
+input theta: Angle;
+unknown phi: Angle, psi: Angle;
+crank * cis(theta) + rod * cis(phi) == frame + lever * cis(psi);
+output tip: Point = frame + {levers} * lever * cis(psi);
+"
+    )
+}
+
+/// Neither scheduler nor executors know the mechanism: its declaration goes with the query.
+#[test]
+fn a_declaration_goes_with_the_query() {
+    let folder = Folder::new("declaration");
+    let query = folder.file(
+        "wipers.sql",
+        "set kin.vectors = 'compiled';
+         select id, turn['psi_swing'] as swing, turn['tip_y_greatest'] as top
+         from (select value as id, wiper_turn(1 + 0.001 * (value % 997), 8 + 0.001 * (value % 1009), 5, 10) as turn
+               from range(0, 2000))
+         where turn['rotates'] order by swing desc, id limit 5;
+         select sum(wiper(1, 9 + 0.001 * value, 5, 10, 0.7)['tip_x']) > 0 as is_there from range(0, 2000);",
+    );
+    let (_scheduler, address) = scheduler(&[]);
+    let _executors = [executor(&address), executor(&address)];
+    let mut answers = Vec::new();
+    // the same name stands for another mechanism in the next query
+    for levers in [2, 3, 2] {
+        let file = folder.file("wiper.kin", &wiper(levers));
+        let here = answer(&[&query, "--mechanism", &file]);
+        let there = answer(&[&query, "--mechanism", &file, "--cluster", &address, "--range", "500"]);
+        assert!(table(&here).len() >= 8, "{here}");
+        assert!(there.contains("range 4 of 4: finished"), "{there}");
+        assert_eq!(table(&here), table(&there));
+        answers.push(table(&here).concat());
+    }
+    assert_ne!(answers[0], answers[1]);
+    assert_eq!(answers[0], answers[2]);
+
+    // ranges that were kept for one mechanism are not those of another
+    let parts = folder.path("parts");
+    let kept = |levers: u32| {
+        let file = folder.file("wiper.kin", &wiper(levers));
+        let search = [&query, "--mechanism", &file, "--cluster", &address, "--parts", &parts];
+        Process::program(&[&["query"], search.as_slice()].concat()).end()
+    };
+    let (status, output) = kept(2);
+    assert!(status.success(), "{output}");
+    let (status, output) = kept(2);
+    assert!(status.success() && output.contains("were finished before"), "{output}");
+    let (_, output) = kept(3);
+    assert!(!output.contains("were finished before"), "{output}");
+}
+
 /// The search of the book for a straight line, in which each round begins with the rows of the one before. One of two
 /// executors is killed while a round is searched.
 fn straight_line(sql: &str) {

@@ -502,3 +502,130 @@ async fn a_query_that_needs_more_memory_than_it_may_take_ends_with_an_error() {
     let message = ask(&session, sql).await.unwrap_err();
     assert!(message.contains("Resources exhausted"), "{message}");
 }
+
+/// The text of a mechanism of the library, with another name.
+fn renamed(file: &str, name: &str, other: &str) -> String {
+    let head = format!("pub struct {name} {{");
+    let found = file.split("\ncrate::mechanism! {").find(|text| text.contains(&head));
+    let text = found.unwrap().split("\n}\n").next().unwrap();
+    text.replace(&head, &format!("pub struct {other} {{"))
+}
+
+/// All fields of a function in many rows.
+fn rows_of(name: &str, arguments: &str) -> String {
+    format!("select unnest({name}({arguments})) from range(0, 300) as ids(id)")
+}
+
+#[tokio::test]
+async fn declarations_give_the_bits_of_compiled_mechanisms() {
+    let four_bar = include_str!("../../kin-core/src/library/four_bar.rs");
+    let hoeken = include_str!("../../kin-core/src/library/hoeken_linkage.rs");
+    let slider_crank = include_str!("../../kin-core/src/library/slider_crank.rs");
+    let watt = include_str!("../../kin-core/src/library/watt_six_bars.rs");
+    let jansen = include_str!("../../kin-core/src/library/jansen_leg.rs");
+    let mut functions = Functions::library();
+    for (file, name) in [
+        (four_bar, "FourBar"),
+        (hoeken, "HoekenLinkage"),
+        (slider_crank, "OffsetSliderCrank"),
+        (watt, "WattI"),
+        (jansen, "JansenLeg"),
+    ] {
+        functions = functions
+            .with_declaration(&renamed(file, name, &format!("Own{name}")))
+            .unwrap();
+    }
+    let session = session(&functions, &Options::default()).unwrap();
+    let calls = [
+        ("four_bar", "90, 30, 60 + id / 10.0, 45, 0.02 * id, -10, 2, -0.5, 0.3"),
+        ("four_bar", "90, 30, 60, 45, 0.02 * id, 'crossed'"),
+        ("four_bar_turn", "90, 30, 70 + id / 10.0, 60"),
+        ("four_bar_turn", "90, 30, 80, 60, 'crossed', 700, 2, 0.5, 1 + 0.01 * id"),
+        ("hoeken_linkage", "2, 1, 2.5, 0.02 * id, 1"),
+        ("hoeken_linkage_turn", "2, 0.5 + 0.001 * id, 2.5"),
+        (
+            "hoeken_linkage_line",
+            "2, 0.9 + 0.001 * id, 2.5, 'open', 90, 1, 2.0, 4.2",
+        ),
+        ("hoeken_linkage_path_error", "'0 4; 1 4; 2 4', 2, 0.9 + 0.001 * id, 2.5"),
+        ("offset_slider_crank_turn", "1, 3, 0.01 * id"),
+    ];
+    for (name, arguments) in calls {
+        let compiled = ask(&session, &rows_of(name, arguments)).await.unwrap();
+        let own = ask(&session, &rows_of(&format!("own_{name}"), arguments))
+            .await
+            .unwrap();
+        assert_eq!(compiled.num_rows(), 300);
+        let mut numbers_seen = 0;
+        for (compiled, own) in compiled.columns().iter().zip(own.columns()) {
+            // bits, since arrays of numbers that are equal may differ in the sign of a zero
+            assert_eq!(compiled.to_data(), own.to_data(), "{name}({arguments})");
+            if let Some(numbers) = compiled.as_primitive_opt::<Float64Type>() {
+                let own = own.as_primitive::<Float64Type>();
+                let bits = |value: Option<f64>| value.map(f64::to_bits);
+                assert!(numbers.iter().map(bits).eq(own.iter().map(bits)), "{name}({arguments})");
+                numbers_seen += numbers.iter().flatten().count();
+            }
+        }
+        assert!(numbers_seen > 300, "{name}({arguments})");
+    }
+    // every function of a mechanism is there, with the same arguments
+    let of = |prefix: &str| -> Vec<String> {
+        let lines = functions.list().into_iter();
+        lines
+            .filter_map(|line| line.strip_prefix(prefix).map(str::to_owned))
+            .collect()
+    };
+    for name in ["four_bar", "watt_i", "jansen_leg"] {
+        let own = of(&format!("own_{name}"));
+        assert!(own.len() >= 2, "{name}");
+        assert!(own.iter().all(|line| of(name).contains(line)), "{name}");
+    }
+}
+
+const WIPER: &str = "
+    struct Wiper { crank: Length, rod: Length, rocker: Length, frame: Length }
+    input theta: Angle;
+    unknown phi: Angle, psi: Angle;
+    crank * cis(theta) + rod * cis(phi) == frame + rocker * cis(psi);
+    output tip: Point = frame + 2 * rocker * cis(psi);
+";
+
+#[test]
+fn declarations_whose_names_are_taken_are_refused() {
+    let functions = Functions::library().with_declaration(WIPER).unwrap();
+    for suffix in ["(", "_turn(", "_line(", "_path_error("] {
+        let name = format!("wiper{suffix}");
+        assert!(functions.list().iter().any(|line| line.starts_with(&name)), "{name}");
+    }
+    let message = |text: &str| functions.clone().with_declaration(text).unwrap_err().to_string();
+    for (name, told) in [
+        (
+            "Wiper",
+            "the mechanism `Wiper` would have the function `wiper`, which another declaration has already",
+        ),
+        (
+            "FourBar",
+            "would have the function `four_bar`, which the library has already",
+        ),
+        (
+            "FourBarTurn",
+            "would have the function `four_bar_turn`, which the library has already",
+        ),
+        ("Lag", "would have the function `lag`, which SQL has already"),
+        ("Sqrt", "would have the function `sqrt`, which SQL has already"),
+    ] {
+        let message = message(&WIPER.replace("Wiper", name));
+        assert!(message.contains(told), "{message}");
+    }
+    for (quantity, told) in [
+        ("speed", "would have `speed` twice: names in SQL"),
+        ("ROD", "the function `blade` would have `rod` twice"),
+    ] {
+        let text = WIPER.replace("Wiper", "Blade").replace("crank", quantity);
+        let message = message(&text);
+        assert!(message.contains(told), "{message}");
+    }
+    let message = message("struct Empty { a: Length }\ninput b: Angle;\nunknown c: Angle;\nc == d;");
+    assert!(message.contains('d'), "{message}");
+}

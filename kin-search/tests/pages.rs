@@ -24,7 +24,8 @@ fn pages_are_written() {
     let candidate = Candidate::new(&known, Assembly::Open).numbered(42);
     let found = polish(&objective, &[candidate], &Settings::default()).expect("a good objective");
     let folder = std::env::temp_dir().join(format!("kin-search-pages-{}", std::process::id()));
-    let paths = write_pages::<HoekenLinkage>(&found, &objective, &folder).expect("a folder for temporary files");
+    let paths =
+        write_pages(Of::<HoekenLinkage>::FUNCTIONS, &found, &objective, &folder).expect("a folder for temporary files");
     assert_eq!(paths.len(), 1);
     assert!(paths[0].ends_with("hoeken-linkage-1-42.html"), "{paths:?}");
     let page = std::fs::read_to_string(&paths[0]).expect("it was written");

@@ -11,6 +11,8 @@
 pub mod drawing;
 #[cfg(feature = "gallery")]
 pub mod figures;
+#[cfg(feature = "file")]
+pub mod file;
 #[cfg(any(feature = "gallery", feature = "program"))]
 pub mod library;
 mod names;

@@ -69,8 +69,11 @@ pub use outcome::{LengthMismatch, Outcome, Summary};
 pub use parallel::ParallelBatch;
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
+pub use slices::KeptMemory;
+#[cfg(feature = "alloc")]
+#[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 #[doc(hidden)]
-pub use slices::{CHUNKS, Numbers, SliceSolver, solve_slices};
+pub use slices::{CHUNKS, Numbers, SliceSolver, fold_slices, solve_slices};
 pub use sweep::Batch;
 #[doc(hidden)]
 pub use sweep::{Guide, InAssembly, Nearest};

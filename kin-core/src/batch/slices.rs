@@ -1,30 +1,37 @@
 //! Batches of a solver that works on slices.
 
+use alloc::boxed::Box;
 use alloc::vec;
 use alloc::vec::Vec;
+use core::any::Any;
 use core::cell::Cell;
+use core::fmt;
+use core::ops::Range;
 
 use super::conclusion::{Chunk, Conclusion};
 use super::destination::{Entries, Stored};
 use super::dispatch::{Kernel, Vectors};
+use super::fold::{Piece, check_numbers, entries, fold_pieces};
 use super::lanes::{Lanes, verdicts};
 use super::outcome::{LengthMismatch, Outcome, Summary};
+use super::transmission::{Angles, TransmissionEntries};
 use super::untyped::{ColumnChoice, GivenColumns, WantedColumns};
 use super::view::repeat;
-use super::{Column, Place};
+use super::{Column, Fold, FoldError, FoldedNumber, Place, Poses, Turn};
 use crate::any::{Described, PositionChoice};
 use crate::failure::SolveError;
 use crate::number::Number;
-use crate::quantity::NameKind;
+use crate::picture::TransmissionAngle;
+use crate::quantity::{Name, NameKind};
 use crate::solve::Scalar;
 
 /// A solver in numbers of any type, with memory that serves many poses.
 pub trait SliceSolver: Described {
-    /// The memory of the solver.
-    type Memory<T>;
+    /// The memory of the solver, which may be that of another solver of the same type.
+    type Memory<T: Send + 'static>: Default + Send + 'static;
 
-    /// Memory for numbers of one type, for [`CHUNKS`] chunks of poses.
-    fn memory<T: Scalar>(&self) -> Self::Memory<T>;
+    /// Makes the memory large enough for [`CHUNKS`] chunks of poses.
+    fn prepare<T: Scalar + Send + 'static>(&self, memory: &mut Self::Memory<T>);
 
     /// Solves a pose, as [`AnyMechanism`](crate::any::AnyMechanism) does.
     ///
@@ -44,7 +51,7 @@ pub trait SliceSolver: Described {
     ///
     /// # Errors
     /// Those of the solver, in the first chunk that fails as a whole. Numbers may be found that are not finite.
-    fn solve<T: Scalar>(
+    fn solve<T: Scalar + Send + 'static>(
         &self,
         memory: &mut Self::Memory<T>,
         parameters: &[T],
@@ -52,6 +59,38 @@ pub trait SliceSolver: Described {
         choice: PositionChoice<'_, T>,
         found: &mut [Numbers<T>],
     ) -> Result<(), SolveError>;
+
+    /// Calculates the transmission angles of a pose, or of a chunk of poses, from the inputs with all orders and the
+    /// positions of the unknowns.
+    fn transmission_angles<T: Scalar>(
+        &self,
+        parameters: &[T],
+        inputs: &[T],
+        unknowns: &[T],
+        angles: &mut [TransmissionAngle<T>],
+    );
+}
+
+/// Memory that is kept from one batch to the next. A declared mechanism that runs without rustc takes it from here, and
+/// a compiled one needs none.
+#[derive(Default)]
+pub struct KeptMemory(Option<Box<dyn Any + Send>>);
+
+impl fmt::Debug for KeptMemory {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.debug_struct("KeptMemory").finish_non_exhaustive()
+    }
+}
+
+impl KeptMemory {
+    /// The memory of this type, which is empty if that of another type was kept.
+    fn of<R: Default + Send + 'static>(&mut self) -> &mut R {
+        if !self.0.as_ref().is_some_and(|kept| kept.is::<R>()) {
+            self.0 = Some(Box::new(R::default()));
+        }
+        let kept = self.0.as_mut().and_then(|kept| kept.downcast_mut());
+        kept.unwrap_or_else(|| unreachable!("memory of this type has just been put there"))
+    }
 }
 
 /// The chunks that are solved side by side: an operation is looked up once for all of them.
@@ -60,6 +99,8 @@ pub const CHUNKS: usize = 4;
 /// The numbers of a pose, or of several.
 #[derive(Debug)]
 pub struct Numbers<T> {
+    /// The positions of the unknowns, of directions the angles. It is empty where no transmission angles are wanted.
+    pub positions: Vec<T>,
     /// The motions of the unknowns, one after the other. A direction has its cosine in the place of its angle.
     pub unknowns: Vec<T>,
     /// The sines of directions.
@@ -68,16 +109,28 @@ pub struct Numbers<T> {
     pub outputs: Vec<T>,
 }
 
-impl<T: Scalar> Numbers<T> {
-    fn of(solver: &impl Described) -> Self {
-        let description = solver.description();
-        let orders = description.order + 1;
-        let zero = T::constant(0.0);
+impl<T> Default for Numbers<T> {
+    fn default() -> Self {
         Self {
-            unknowns: vec![zero; description.unknowns.len() * orders],
-            sines: vec![None; description.unknowns.len()],
-            outputs: vec![zero; description.outputs.len() * orders],
+            positions: Vec::new(),
+            unknowns: Vec::new(),
+            sines: Vec::new(),
+            outputs: Vec::new(),
         }
+    }
+}
+
+impl<T: Scalar> Numbers<T> {
+    /// Makes room for the numbers of a solver.
+    fn prepare(&mut self, solver: &impl Described, has_angles: bool) {
+        let description = solver.description();
+        let (orders, unknowns) = (description.order + 1, description.unknowns.len());
+        let zero = T::constant(0.0);
+        self.positions.resize(if has_angles { unknowns } else { 0 }, zero);
+        self.unknowns.resize(unknowns * orders, zero);
+        self.sines.clear();
+        self.sines.resize(unknowns, None);
+        self.outputs.resize(description.outputs.len() * orders, zero);
     }
 
     /// The sum of all numbers, which is finite if and only if all of them are, unless the sum itself overflows.
@@ -94,6 +147,72 @@ impl<T: Scalar> Numbers<T> {
             sum = sum + *entry;
         }
         sum
+    }
+}
+
+/// What is given to a solver: the columns of its parameters, of all orders of its first input, of the second, …, and of
+/// values nearby, unless the assembly is chosen.
+struct Given<'g> {
+    parameters: &'g [Column<'g>],
+    inputs: Vec<Column<'g>>,
+    near: &'g [Column<'g>],
+    assembly: Option<usize>,
+}
+
+impl<'g> Given<'g> {
+    /// The columns that a solver takes, or `None` if it has no such assembly.
+    fn of(solver: &impl Described, given: GivenColumns<'g>) -> Option<Self> {
+        let description = solver.description();
+        let orders = description.order + 1;
+        let assemblies = solver.assembly_count();
+        let (assembly, near) = match given.choice {
+            ColumnChoice::Near(near) if assemblies == 0 => (None, &near[..description.unknowns.len()]),
+            ColumnChoice::Assembly(index) if index < assemblies => (Some(index), [].as_slice()),
+            _ => return None,
+        };
+        let inputs = given.inputs[..description.inputs.len()].iter();
+        let every_order = inputs
+            .flat_map(|columns| (0..orders).map(|order| columns.get(order).copied().unwrap_or(Column::Same(0.0))));
+        Some(Self {
+            parameters: &given.parameters[..description.parameters.len()],
+            inputs: every_order.collect(),
+            near,
+            assembly,
+        })
+    }
+
+    /// Refuses columns of another length than there are poses.
+    fn check(&self, solver: &impl Described, count: usize) -> Result<(), LengthMismatch> {
+        let orders = solver.description().order + 1;
+        let columns = [
+            (NameKind::Parameter, self.parameters, 1),
+            (NameKind::Input, &self.inputs, orders),
+            (NameKind::Unknown, self.near, 1),
+        ];
+        for (kind, columns, orders) in columns {
+            for (index, column) in columns.iter().enumerate() {
+                check_length(solver, kind, index / orders, column.length(), count)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Refuses a column of another length than there are poses.
+fn check_length(
+    solver: &impl Described,
+    kind: NameKind,
+    index: usize,
+    length: Option<usize>,
+    count: usize,
+) -> Result<(), LengthMismatch> {
+    match length {
+        Some(length) if length != count => Err(LengthMismatch {
+            quantity: solver.name(kind, index),
+            poses: count,
+            length,
+        }),
+        _ => Ok(()),
     }
 }
 
@@ -130,44 +249,15 @@ pub fn solve_slices<S: SliceSolver>(
     outcomes: &mut [Outcome],
     vectors: Vectors,
 ) -> Result<Summary, LengthMismatch> {
-    let description = solver.description();
-    let orders = description.order + 1;
     let count = outcomes.len();
-    let assemblies = solver.assembly_count();
-    let (guide, near) = match given.choice {
-        ColumnChoice::Near(near) if assemblies == 0 => (None, near),
-        ColumnChoice::Assembly(index) if index < assemblies => (Some(index), [].as_slice()),
-        _ => {
-            outcomes.fill(Outcome::Failed);
-            return Ok(Summary {
-                failed: count,
-                ..Summary::default()
-            });
-        }
+    let Some(given) = Given::of(solver, given) else {
+        outcomes.fill(Outcome::Failed);
+        return Ok(Summary {
+            failed: count,
+            ..Summary::default()
+        });
     };
-    let inputs: Vec<Column<'_>> = given.inputs[..description.inputs.len()]
-        .iter()
-        .flat_map(|columns| (0..orders).map(|order| columns.get(order).copied().unwrap_or(Column::Same(0.0))))
-        .collect();
-    let check = |kind, index: usize, length: Option<usize>| match length {
-        Some(length) if length != count => Err(LengthMismatch {
-            quantity: solver.name(kind, index),
-            poses: count,
-            length,
-        }),
-        _ => Ok(()),
-    };
-    let parameters = &given.parameters[..description.parameters.len()];
-    let near = &near[..if guide.is_none() { description.unknowns.len() } else { 0 }];
-    for (index, column) in parameters.iter().enumerate() {
-        check(NameKind::Parameter, index, column.length())?;
-    }
-    for (index, column) in inputs.iter().enumerate() {
-        check(NameKind::Input, index / orders, column.length())?;
-    }
-    for (index, column) in near.iter().enumerate() {
-        check(NameKind::Unknown, index, column.length())?;
-    }
+    given.check(solver, count)?;
     let mut entries = Vec::new();
     for (place, column) in wanted.iter_mut() {
         let (kind, index) = match *place {
@@ -175,27 +265,120 @@ pub fn solve_slices<S: SliceSolver>(
             Place::Unknown(index, _) | Place::Sine(index) => (NameKind::Unknown, index),
             Place::Output(index, _) => (NameKind::Output, index),
         };
-        check(kind, index, Some(column.len()))?;
+        check_length(solver, kind, index, Some(column.len()), count)?;
         entries.push((*place, Cell::from_mut(&mut **column).as_slice_of_cells()));
     }
     Ok(vectors.run(SliceRun {
         alone: PoseByPose {
             solver,
-            parameters,
-            inputs: &inputs,
-            near,
-            assembly: guide,
+            parameters: given.parameters,
+            inputs: &given.inputs,
+            near: given.near,
+            assembly: given.assembly,
             entries: &entries,
-            orders,
+            angles: &TransmissionEntries::nowhere([].as_slice()),
+            orders: solver.description().order + 1,
         },
         outcomes,
+        memory: &mut KeptMemory::default(),
     }))
+}
+
+/// Summarises the poses of a turn of a solver that works on slices, as [`AnyFold`](super::AnyFold) does.
+///
+/// # Errors
+/// Those of [`AnyFold`](super::AnyFold).
+pub fn fold_slices<S: SliceSolver>(
+    solver: &S,
+    turn: Turn,
+    given: GivenColumns<'_>,
+    folds: &mut [Fold],
+    memory: &mut KeptMemory,
+    vectors: Vectors,
+) -> Result<Summary, FoldError> {
+    let orders = solver.description().order + 1;
+    let missing = FoldError::NoSuchInput { input: turn.input };
+    let given = Given::of(solver, given).filter(|given| given.assembly.is_some());
+    let mut given = given.ok_or(missing)?;
+    *given.inputs.get_mut(turn.input * orders).ok_or(missing)? = Column::Same(f64::NAN);
+    check_numbers(folds, solver.description(), solver.dyad_count())?;
+    given.check(solver, turn.poses)?;
+    Ok(fold_pieces(&Poses::Turn(turn), folds, vectors, |piece| {
+        let Piece {
+            range,
+            turning,
+            folds,
+            outcomes,
+        } = piece;
+        let (parameters, mut inputs) = (parts(given.parameters, &range), parts(&given.inputs, &range));
+        inputs[turn.input * orders] = Column::Each(turning);
+        let mut places = Vec::with_capacity(folds.len());
+        let of_dyads: Vec<Entries<'_, f64>> = vec![&[]; solver.dyad_count()];
+        let mut angles = TransmissionEntries::nowhere(of_dyads);
+        for (number, entries) in entries(folds, outcomes.len()) {
+            match number {
+                FoldedNumber::At(place) => places.push((place, entries)),
+                FoldedNumber::TransmissionAngle(dyad) => angles.of_dyads[dyad] = entries,
+                FoldedNumber::SmallestTransmissionAngle => angles.smallest = entries,
+            }
+        }
+        vectors.run(SliceRun {
+            alone: PoseByPose {
+                solver,
+                parameters: &parameters,
+                inputs: &inputs,
+                near: &[],
+                assembly: given.assembly,
+                entries: &places,
+                angles: &TransmissionEntries {
+                    of_dyads: angles.of_dyads.as_slice(),
+                    smallest: angles.smallest,
+                },
+                orders,
+            },
+            outcomes,
+            memory: &mut *memory,
+        })
+    }))
+}
+
+/// The columns of a range of poses.
+fn parts<'c>(columns: &[Column<'c>], range: &Range<usize>) -> Vec<Column<'c>> {
+    let columns = columns.iter();
+    columns.map(|column| column.part(range.clone())).collect()
 }
 
 /// A batch with the places for its results.
 struct SliceRun<'r, S> {
     alone: PoseByPose<'r, S>,
     outcomes: &'r mut [Outcome],
+    memory: &'r mut KeptMemory,
+}
+
+/// What a batch in lanes takes from memory that is kept.
+struct Room<T, M> {
+    /// The numbers that are the same in all poses: those of parameters, of inputs, and nearby.
+    same: [Vec<T>; 3],
+    parameters: Vec<T>,
+    inputs: Vec<T>,
+    near: Vec<T>,
+    found: [Numbers<T>; CHUNKS],
+    angles: Vec<TransmissionAngle<T>>,
+    solver: M,
+}
+
+impl<T, M: Default> Default for Room<T, M> {
+    fn default() -> Self {
+        Self {
+            same: Default::default(),
+            parameters: Vec::new(),
+            inputs: Vec::new(),
+            near: Vec::new(),
+            found: Default::default(),
+            angles: Vec::new(),
+            solver: M::default(),
+        }
+    }
 }
 
 /// A batch whose poses can be solved alone.
@@ -208,6 +391,7 @@ struct PoseByPose<'r, S> {
     /// The assembly, unless values nearby choose the position.
     assembly: Option<usize>,
     entries: &'r [(Place, Entries<'r, f64>)],
+    angles: &'r TransmissionEntries<'r, f64, &'r [Entries<'r, f64>]>,
     orders: usize,
 }
 
@@ -223,11 +407,15 @@ impl<S: SliceSolver> PoseByPose<'_, S> {
     fn settle(&self, index: usize) -> Result<(), SolveError> {
         let at = |columns: &[Column<'_>]| columns.iter().map(|column| column.at(index)).collect::<Vec<f64>>();
         let (parameters, inputs, near) = (at(self.parameters), at(self.inputs), at(self.near));
-        let mut found = Numbers::of(self.solver);
+        let mut found = Numbers::default();
+        found.prepare(self.solver, self.angles.are_wanted());
         let result = self
             .solver
             .solve_alone(&parameters, &inputs, self.choice(&near), &mut found);
-        if result.is_err() {
+        if result.is_ok() {
+            let _ = self.store_angles(index, &parameters, &inputs, &found, &mut self.no_angles());
+        } else {
+            self.angles.leave_out(index);
             found.unknowns.fill(f64::NAN);
             found.sines.fill(Some(f64::NAN));
             found.outputs.fill(f64::NAN);
@@ -257,6 +445,35 @@ impl<S: SliceSolver> PoseByPose<'_, S> {
         }
     }
 
+    /// Calculates and stores the transmission angles that are wanted, starting at a pose. Returns a number that is finite if
+    /// all of them are.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn store_angles<V: Scalar + Angles<Element = f64>>(
+        &self,
+        start: usize,
+        parameters: &[V],
+        inputs: &[V],
+        found: &Numbers<V>,
+        angles: &mut [TransmissionAngle<V>],
+    ) -> V {
+        self.angles.store(start, || {
+            self.solver
+                .transmission_angles(parameters, inputs, &found.positions, angles);
+            &*angles
+        })
+    }
+
+    /// Room for the transmission angles, if any are wanted.
+    fn no_angles<V: Scalar>(&self) -> Vec<TransmissionAngle<V>> {
+        let zero = V::constant(0.0);
+        let count = if self.angles.are_wanted() {
+            self.solver.dyad_count()
+        } else {
+            0
+        };
+        vec![TransmissionAngle::of(Name::NONE, zero, zero); count]
+    }
+
     /// Stores NaN in the place of the sines of a pose that has failed.
     fn leave_out_sines(&self, index: usize) {
         for (place, entries) in self.entries {
@@ -273,27 +490,47 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<const W: usize, const FUSED: bool>(self) -> Summary {
-        let Self { alone, outcomes } = self;
+        let Self {
+            alone,
+            outcomes,
+            memory,
+        } = self;
         let count = outcomes.len();
         let mut conclusion = Conclusion::of(count);
         outcomes.fill(Outcome::Solved);
         let zero = Lanes::<W, FUSED>::constant(0.0);
-        let lanes = |columns: &[Column<'_>]| {
-            let mut same = vec![zero; columns.len()];
-            repeat(&mut same, columns);
-            same
-        };
-        let (same_parameters, same_inputs, same_near) =
-            (lanes(alone.parameters), lanes(alone.inputs), lanes(alone.near));
+        let Room {
+            same,
+            parameters,
+            inputs,
+            near,
+            found,
+            angles,
+            solver: memory,
+        } = memory.of::<Room<Lanes<W, FUSED>, S::Memory<Lanes<W, FUSED>>>>();
+        let given = [alone.parameters, alone.inputs, alone.near];
+        for (same, columns) in same.iter_mut().zip(given) {
+            same.resize(columns.len(), zero);
+            repeat(same, columns);
+        }
         // the numbers of columns that are the same for all poses stay where they are
-        let [parameter_columns, input_columns, near_columns] = [alone.parameters, alone.inputs, alone.near].map(each);
-        let mut near = same_near;
-        let (mut parameters, mut inputs) = (same_parameters.repeat(CHUNKS), same_inputs.repeat(CHUNKS));
+        let [parameter_columns, input_columns, near_columns] = given.map(each);
         let (parameter_count, input_count) = (alone.parameters.len(), alone.inputs.len());
-        let mut memory = alone.solver.memory::<Lanes<W, FUSED>>();
-        let mut found: Vec<_> = (0..CHUNKS)
-            .map(|_| Numbers::<Lanes<W, FUSED>>::of(alone.solver))
-            .collect();
+        for (numbers, chunks, same) in [
+            (&mut *parameters, CHUNKS, &same[0]),
+            (&mut *inputs, CHUNKS, &same[1]),
+            (&mut *near, 1, &same[2]),
+        ] {
+            numbers.clear();
+            for _ in 0..chunks {
+                numbers.extend_from_slice(same);
+            }
+        }
+        alone.solver.prepare(memory);
+        for found in found.iter_mut() {
+            found.prepare(alone.solver, alone.angles.are_wanted());
+        }
+        *angles = alone.no_angles();
         let mut next = 0;
         // The poses before this one are solved chunk by chunk, because some of them fail.
         let mut one_by_one = 0;
@@ -309,17 +546,28 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
                 gather_each(&mut parameters[own..], &parameter_columns, start);
                 gather_each(&mut inputs[first..], &input_columns, start);
             }
-            gather_each(&mut near, &near_columns, start);
+            gather_each(near, &near_columns, start);
             verdicts::forget::<f64>();
             let result = alone.solver.solve(
-                &mut memory,
+                memory,
                 &parameters[..chunks * parameter_count],
                 &inputs[..chunks * input_count],
-                alone.choice(&near),
+                alone.choice(near),
                 &mut found[..chunks],
             );
             let is_found = result.is_ok();
-            if is_found && found[..chunks].iter().all(|found| found.sum().is_finite_throughout()) {
+            let mut sum = Lanes([f64::NAN; W]);
+            let mut is_finite = is_found;
+            for (chunk, found) in found[..chunks].iter().enumerate() {
+                if !is_finite {
+                    break;
+                }
+                let own = &parameters[chunk * parameter_count..(chunk + 1) * parameter_count];
+                let motions = &inputs[chunk * input_count..(chunk + 1) * input_count];
+                sum = found.sum() + alone.store_angles(start + chunk * W, own, motions, found, angles);
+                is_finite = sum.is_finite_throughout();
+            }
+            if is_finite {
                 for (chunk, found) in found[..chunks].iter().enumerate() {
                     let own = &inputs[chunk * input_count..(chunk + 1) * input_count];
                     alone.store(start + chunk * W, own, found, None);
@@ -332,9 +580,7 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
                 continue;
             }
             let (parameters, inputs, found) = (&parameters[..parameter_count], &inputs[..input_count], &mut found[0]);
-            let mut sum = Lanes([f64::NAN; W]);
             if is_found {
-                sum = found.sum();
                 alone.store(start, inputs, found, Some(sum.gaps()));
             } else {
                 found.unknowns.fill(sum);
@@ -342,6 +588,7 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
                 found.sines.fill(None);
                 alone.store(start, inputs, found, None);
             }
+            alone.angles.clear(start, sum.gaps());
             let mut squares = Lanes::constant(0.0);
             for entry in parameters {
                 squares = squares.plus_product(*entry, *entry);

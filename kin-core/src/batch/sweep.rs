@@ -6,11 +6,11 @@ use num_traits::Float;
 
 use super::Column;
 use super::conclusion::{Chunk, Conclusion};
-use super::destination::Destination;
+use super::destination::{Destination, Entries};
 use super::dispatch::{Kernel, Vectors};
 use super::outcome::{LengthMismatch, Outcome, Summary};
 use super::target::{Columns, Target};
-use super::transmission::TransmissionEntries;
+use super::transmission::{TransmissionEntries, angles_at};
 use super::view::{View, gather, look, repeat};
 use crate::batch::lanes::{Element, Lanes, verdicts};
 use crate::failure::SolveError;
@@ -23,6 +23,10 @@ type MotionsInLanes<M, const W: usize, const FUSED: bool> =
     <<M as Mechanism>::With<Lanes<W, FUSED, <M as Mechanism>::Scalar>> as Mechanism>::Inputs<
         <M as Mechanism>::Motion<Lanes<W, FUSED, <M as Mechanism>::Scalar>>,
     >;
+
+/// The places of the transmission angles of a declared mechanism.
+pub(super) type AngleEntries<'t, M> =
+    TransmissionEntries<'t, <M as Mechanism>::Scalar, <M as Mechanism>::Dyads<Entries<'t, <M as Mechanism>::Scalar>>>;
 
 /// Many poses of one mechanism, or of many that differ in their dimensions: columns in, columns out.
 ///
@@ -223,14 +227,16 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Batch<'a, M, G> {
     ) -> Result<Summary, LengthMismatch> {
         let mut destination = Destination::nowhere();
         destination.find(poses, outcomes.len())?;
-        Ok(self.store(&destination, &TransmissionEntries::nowhere(), outcomes))
+        let nowhere: Entries<'_, M::Scalar> = &[];
+        let angles = TransmissionEntries::nowhere(Row::splat(nowhere));
+        Ok(self.store(&destination, &angles, outcomes))
     }
 
     /// Solves poses and stores their numbers and their transmission angles.
     pub(super) fn store<'d>(
         &self,
         destination: &Destination<'d, M>,
-        angles: &TransmissionEntries<'d, M>,
+        angles: &AngleEntries<'d, M>,
         outcomes: &mut [Outcome],
     ) -> Summary {
         self.vectors.run(BatchRun {
@@ -299,7 +305,7 @@ struct PoseByPose<'p, 'd, 'a, M: Mechanism<Scalar: Element>, G> {
     batch: &'p Batch<'a, M, G>,
     near: &'p M::Unknowns<Column<'a, M::Scalar>>,
     destination: &'p Destination<'d, M>,
-    angles: &'p TransmissionEntries<'d, M>,
+    angles: &'p AngleEntries<'d, M>,
 }
 
 impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> PoseByPose<'_, '_, 'a, M, G> {
@@ -314,7 +320,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> PoseByPose<'_, '_, 'a, 
         let nothing = M::Motion::splat(M::Scalar::nan());
         let (unknowns, sines, outputs, result) = match self.batch.guide.solve(&mechanism, inputs, near) {
             Ok(pose) => {
-                let _ = self.angles.store(index, &mechanism, &inputs, &pose);
+                let _ = self.angles.store(index, || angles_at(&mechanism, &inputs, &pose));
                 (
                     pose.unknown_columns(),
                     pose.unknown_sines(),
@@ -400,7 +406,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
             let mut sum = Lanes([M::Scalar::nan(); W]);
             verdicts::forget::<M::Scalar>();
             if let Ok(pose) = batch.guide.solve(&mechanism, motions, guess) {
-                let angles = alone.angles.store(start, &mechanism, &motions, &pose);
+                let angles = alone.angles.store(start, || angles_at(&mechanism, &motions, &pose));
                 let (unknowns, outputs) = (pose.unknown_columns(), pose.output_motions());
                 let sines = pose.unknown_sines();
                 // The sum is finite if and only if all numbers are, unless the sum itself overflows. Start with a

@@ -4,9 +4,7 @@
 use std::vec;
 use std::vec::Vec;
 
-#[cfg(feature = "rayon")]
-use super::Batch;
-use super::{Column, Outcome, Vectors};
+use super::{Batch, Column, Outcome, Vectors};
 use crate::library::{ClassThreeTriad, ClassThreeTriadBatch, FourBar, FourBarBatch};
 use crate::prelude::*;
 

@@ -6,51 +6,43 @@ use super::destination::{Entries, Stored};
 use super::lanes::{Element, Lanes};
 use crate::mechanism::{Mechanism, Pose};
 use crate::number::{Number, Row};
+use crate::picture::TransmissionAngle;
 
-/// The places of the transmission angles, each folded to at most a right angle.
-pub(super) struct TransmissionEntries<'t, M: Mechanism> {
-    pub(super) of_dyads: M::Dyads<Entries<'t, M::Scalar>>,
+/// The places of the transmission angles, each folded to at most a right angle. `R` is a row with a place for each dyad.
+pub(super) struct TransmissionEntries<'t, E, R> {
+    pub(super) of_dyads: R,
     /// The place of the smallest of all.
-    pub(super) smallest: Entries<'t, M::Scalar>,
+    pub(super) smallest: Entries<'t, E>,
 }
 
-impl<'t, M: Mechanism<Scalar: Element>> TransmissionEntries<'t, M> {
-    /// The places of a batch in which no transmission angle is wanted.
-    pub(super) fn nowhere() -> Self {
-        let nowhere: Entries<'t, M::Scalar> = &[];
+impl<'t, E: Element, R: AsRef<[Entries<'t, E>]>> TransmissionEntries<'t, E, R> {
+    /// The places of a batch in which no transmission angle is wanted. Those of the dyads are empty.
+    pub(super) fn nowhere(of_dyads: R) -> Self {
         Self {
-            of_dyads: Row::splat(nowhere),
-            smallest: nowhere,
+            of_dyads,
+            smallest: &[],
         }
     }
 
-    fn are_wanted(&self) -> bool {
+    pub(super) fn are_wanted(&self) -> bool {
         !self.smallest.is_empty() || self.of_dyads.as_ref().iter().any(|entries| !entries.is_empty())
     }
 
-    /// Calculates and stores the angles of one pose or several, starting at a given pose, where they are wanted. Returns a number
-    /// that is finite if all of them are.
+    /// Stores the angles of one pose or several, starting at a given pose, where they are wanted. Only then are they
+    /// calculated. Returns a number that is finite if all of them are.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn store<T: Mechanism<Scalar: Angles<Element = M::Scalar>>>(
+    pub(super) fn store<T: Angles<Element = E>, A: AsRef<[TransmissionAngle<T>]>>(
         &self,
         start: usize,
-        mechanism: &T,
-        inputs: &T::Inputs<T::Motion<T::Scalar>>,
-        pose: &T::Pose,
-    ) -> T::Scalar {
+        angles: impl FnOnce() -> A,
+    ) -> T {
         // Adding negative zero changes nothing, which the compiler knows.
-        let mut sum = T::Scalar::constant(-0.0);
+        let mut sum = T::constant(-0.0);
         if !self.are_wanted() {
             return sum;
         }
-        let (inputs, unknowns) = (inputs.as_ref(), pose.unknown_motions());
-        let unknowns = unknowns.as_ref();
-        let angles = mechanism.transmission_angles_at(
-            Row::from_fn(|input| inputs[input].as_ref()[0]),
-            Row::from_fn(|unknown| unknowns[unknown].as_ref()[0]),
-        );
-        let mut smallest = T::Scalar::constant(core::f64::consts::FRAC_PI_2);
-        for (transmission, entries) in angles.as_ref().iter().zip(self.of_dyads.as_ref()) {
+        let mut smallest = T::constant(core::f64::consts::FRAC_PI_2);
+        for (transmission, entries) in angles().as_ref().iter().zip(self.of_dyads.as_ref()) {
             let folded = transmission.angle.folded();
             sum = sum + folded;
             smallest = folded.or_smaller(smallest);
@@ -63,19 +55,34 @@ impl<'t, M: Mechanism<Scalar: Element>> TransmissionEntries<'t, M> {
     /// Stores NaN for a pose that fails.
     pub(super) fn leave_out(&self, index: usize) {
         for entries in self.of_dyads.as_ref() {
-            M::Scalar::nan().store(entries, index);
+            E::nan().store(entries, index);
         }
-        M::Scalar::nan().store(self.smallest, index);
+        E::nan().store(self.smallest, index);
     }
 
     /// Stores NaN for several poses, starting at a given pose: where `gone` is NaN. It is zero for the others.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn clear<const W: usize, const FUSED: bool>(&self, start: usize, gone: Lanes<W, FUSED, M::Scalar>) {
+    pub(super) fn clear<const W: usize, const FUSED: bool>(&self, start: usize, gone: Lanes<W, FUSED, E>) {
         for entries in self.of_dyads.as_ref() {
             take_away(gone, entries, start);
         }
         take_away(gone, self.smallest, start);
     }
+}
+
+/// The transmission angles of a declared mechanism in one pose or several.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn angles_at<M: Mechanism>(
+    mechanism: &M,
+    inputs: &M::Inputs<M::Motion<M::Scalar>>,
+    pose: &M::Pose,
+) -> M::Dyads<TransmissionAngle<M::Scalar>> {
+    let (inputs, unknowns) = (inputs.as_ref(), pose.unknown_motions());
+    let unknowns = unknowns.as_ref();
+    mechanism.transmission_angles_at(
+        Row::from_fn(|input| inputs[input].as_ref()[0]),
+        Row::from_fn(|unknown| unknowns[unknown].as_ref()[0]),
+    )
 }
 
 /// Takes numbers away from what is stored, starting at a given pose.

@@ -2,7 +2,10 @@
 
 use alloc::vec::Vec;
 
-use super::{Batch, Column, Columns, Fold, FoldError, LengthMismatch, Outcome, Place, Summary, Turn, Vectors, Visitor};
+use super::{
+    Batch, Column, Columns, Fold, FoldError, KeptMemory, LengthMismatch, Outcome, Place, Summary, Turn, Vectors,
+    Visitor,
+};
 use crate::any::{Described, Of};
 use crate::mechanism::Mechanism;
 use crate::number::Row;
@@ -117,7 +120,8 @@ impl<M: Mechanism<Scalar = f64>> AnyBatch for Of<M> {
 
 /// Summaries of the poses of a turn, on columns by their indices.
 pub trait AnyFold: Described {
-    /// Solves the poses of a turn, and summarises some of their numbers. What is given for the position of the input that turns is not read.
+    /// Solves the poses of a turn, and summarises some of their numbers. What is given for the position of the input that
+    /// turns is not read. A mechanism that runs without rustc works faster if the memory is kept for the next call.
     ///
     /// # Errors
     /// As for [`Batch::fold`]. A coupled mechanism has no turn: its position is only known from values nearby.
@@ -126,6 +130,7 @@ pub trait AnyFold: Described {
         turn: Turn,
         given: GivenColumns<'_>,
         folds: &mut [Fold],
+        memory: &mut KeptMemory,
         vectors: Vectors,
     ) -> Result<Summary, FoldError>;
 }
@@ -136,6 +141,7 @@ impl<M: Mechanism<Scalar = f64>> AnyFold for Of<M> {
         turn: Turn,
         given: GivenColumns<'_>,
         folds: &mut [Fold],
+        _: &mut KeptMemory,
         vectors: Vectors,
     ) -> Result<Summary, FoldError> {
         let (parameters, inputs) = given.rows::<M>();
@@ -147,9 +153,6 @@ impl<M: Mechanism<Scalar = f64>> AnyFold for Of<M> {
                 .vectors(vectors)
                 .fold(turn, folds);
         }
-        Err(FoldError::NoSuchInput {
-            mechanism: M::DESCRIPTION.name,
-            input: turn.input,
-        })
+        Err(FoldError::NoSuchInput { input: turn.input })
     }
 }

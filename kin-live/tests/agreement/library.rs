@@ -5,19 +5,21 @@ use kin_agreement::{assert_agreement, declaration};
 /// Compares the mechanisms of files.
 macro_rules! compare {
     ($($file:literal: $($name:ident),+;)+) => {
-        $($({
+        0 $($(+ {
             let file = include_str!(concat!("../../../kin-core/src/library/", $file, ".rs"));
             let text = declaration(file, stringify!($name));
-            let [finite, solved] = assert_agreement::<kin_core::library::$name>(text);
+            let [finite, solved, folded] = assert_agreement::<kin_core::library::$name>(text);
             println!("{}: {solved} positions", stringify!($name));
             assert!(finite > 0, "{} is never calculated", stringify!($name));
+            folded
         })+)+
     };
 }
 
 #[test]
 fn every_mechanism_of_the_library() {
-    compare! {
+    // by this mechanism and by that, since few random dimensions close everywhere
+    let folded = compare! {
         "andrews_squeezer": AndrewsSqueezer;
         "approximate_slider_crank": SliderCrankFirstApproximation, SliderCrankHigherApproximation;
         "bennett": Bennett;
@@ -45,5 +47,6 @@ fn every_mechanism_of_the_library() {
         "universal_joint": UniversalJoint;
         "watt_six_bars": WattI, WattII, WattIByDyad, WattIIByCouplers;
         "whitworth_quick_return": WhitworthQuickReturn;
-    }
+    };
+    assert!(folded > 10_000, "{folded} numbers are summarised");
 }

@@ -12,7 +12,7 @@ macro_rules! agrees {
         #[test]
         fn $test() {
             mechanism! { $($declaration)* }
-            let [finite, _] = assert_agreement::<$name>(stringify!($($declaration)*));
+            let [finite, ..] = assert_agreement::<$name>(stringify!($($declaration)*));
             assert!(finite > 1000, "{finite} results are finite");
         }
     };

@@ -19,7 +19,7 @@ macro_rules! compare {
                 assert_eq!(declarations(file).len(), names.len(), "the file declares others");
                 $({
                     let text = declaration(file, stringify!($name));
-                    let [finite, solved] = assert_agreement::<mechanisms::$file::$name>(text);
+                    let [finite, solved, _] = assert_agreement::<mechanisms::$file::$name>(text);
                     println!("{}: {finite} results, {solved} positions", stringify!($name));
                     assert!(finite > 0, "{} is never calculated", stringify!($name));
                 })+

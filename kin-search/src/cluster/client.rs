@@ -164,7 +164,7 @@ impl Connection {
         let parts = match &self.client.parts {
             Some(folder) => Some(Parts::open(
                 folder,
-                &format!("{}\n{}\n{}", self.identity.tag(), vectors(remote), cut.text()),
+                &format!("{}\n{}\n{}", self.identity.tag(), vectors(remote), cut.text()?),
             )?),
             None => None,
         };

@@ -4,17 +4,18 @@
 //! was interrupted goes on where it stopped. If the rows are sorted and only the first are asked for, each range yields
 //! its own first, and the first of all are among them.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use datafusion::arrow::array::RecordBatch;
 use datafusion::arrow::datatypes::{Field, Schema, SchemaRef};
-use datafusion::common::tree_node::TreeNode;
+use datafusion::common::tree_node::{TreeNode, TreeNodeRecursion};
 use datafusion::common::{Column, Result};
 use datafusion::datasource::{MemTable, provider_as_source};
 use datafusion::logical_expr::{Expr, LogicalPlan, LogicalPlanBuilder};
 
 use super::ids::{self, Ids};
-use crate::function::is_own;
+use crate::function::{declaration_of, is_own};
 
 /// A search that can be done range by range.
 #[derive(Clone, Debug)]
@@ -59,8 +60,24 @@ impl Cut {
     }
 
     /// What the rows of a range depend on besides the ids, as text.
-    pub(super) fn text(&self) -> String {
-        self.part.display_indent_schema().to_string()
+    pub(super) fn text(&self) -> Result<String> {
+        let mut text = self.part.display_indent_schema().to_string();
+        let mut declarations: BTreeSet<String> = BTreeSet::new();
+        self.part.apply_with_subqueries(|node| {
+            node.apply_expressions(|expression| {
+                expression.apply(|part| {
+                    if let Expr::ScalarFunction(call) = part {
+                        declarations.extend(declaration_of(&call.func).map(str::to_owned));
+                    }
+                    Ok(TreeNodeRecursion::Continue)
+                })
+            })
+        })?;
+        for declaration in declarations {
+            text += "\n";
+            text += &declaration;
+        }
+        Ok(text)
     }
 
     /// The columns of a range's rows.

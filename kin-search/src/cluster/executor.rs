@@ -18,6 +18,7 @@ use crate::function::Functions;
 use crate::session::Signals;
 
 use super::address::{Listen, PAUSE, Place, announce};
+use super::codec::PhysicalCodec;
 use super::fault::Fault;
 use super::identity::{Identity, executor_name};
 use super::scheduler::settings;
@@ -103,6 +104,7 @@ impl Executor {
                 executor_heartbeat_interval_seconds: 1,
                 override_function_registry: Some(Arc::clone(&registry)),
                 override_config_producer: Some(Arc::new(settings)),
+                override_physical_codec: Some(Arc::new(PhysicalCodec::default())),
                 ..ExecutorProcessConfig::default()
             };
             announce((self.listen.ip(), port).into());

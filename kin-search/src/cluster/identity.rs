@@ -7,7 +7,7 @@ use crate::function::Functions;
 /// The version and the functions of a process.
 ///
 /// Processes of one cluster must agree in both. Another version can round differently, and a function that is missing
-/// fails in the middle of a search.
+/// fails in the middle of a search. Functions of declarations go with a query, and need not be there.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Identity {
     fingerprint: String,
@@ -20,7 +20,7 @@ impl Identity {
     pub fn of(functions: &Functions) -> Self {
         Self {
             fingerprint: functions.fingerprint(),
-            functions: functions.list(),
+            functions: functions.compiled_list(),
         }
     }
 

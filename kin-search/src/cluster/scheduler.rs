@@ -22,7 +22,7 @@ use crate::session::{self, Options, Signals};
 
 use super::address::{Listen, announce};
 use super::admission::Admission;
-use super::codec::Codec;
+use super::codec::{Codec, PhysicalCodec};
 use super::fault::Fault;
 use super::identity::Identity;
 use super::options::Caller;
@@ -86,6 +86,7 @@ impl Scheduler {
             override_config_producer: Some(Arc::clone(&config_producer)),
             override_session_builder: Some(Arc::clone(&session_builder)),
             override_logical_codec: Some(Arc::new(Codec::default())),
+            override_physical_codec: Some(Arc::new(PhysicalCodec::default())),
             ..SchedulerConfig::default()
         };
         config.validate()?;

@@ -6,7 +6,7 @@ use datafusion::common::{Result, exec_err};
 
 use super::numbers;
 use super::search::{Call, Search, function_of_a_search};
-use super::solver::Solver;
+use super::solver::SearchedMechanism;
 use super::trace::{Trace, point_of, share};
 
 /// A function such as `hoeken_linkage_line(ground, crank, coupler, …)`.
@@ -27,10 +27,10 @@ point is the first output in the plane.";
 
 impl LineFunction {
     /// The function, if the mechanism has a point in the plane.
-    pub(crate) fn new(solver: &'static dyn Solver) -> Option<Self> {
-        let point = point_of(solver.description())?;
+    pub(crate) fn new(mechanism: &SearchedMechanism) -> Option<Self> {
+        let point = point_of(mechanism.description())?;
         Some(Self {
-            search: Search::new(solver, "line", Vec::new(), TEXT),
+            search: Search::new(mechanism, "line", Vec::new(), TEXT),
             point,
             fields: numbers::fields(FIELDS),
         })
@@ -50,7 +50,7 @@ impl LineFunction {
             }
             let turn = candidate.turn;
             let inputs = (0..turn.poses).map(|pose| turn.value(pose));
-            trace.solve(&*self.search.solver, &candidate, inputs, self.point, call.vectors)?;
+            trace.solve(&*self.search.mechanism, &candidate, inputs, self.point, call.vectors)?;
             let closed = share(trace.closed(), trace.poses());
             let [length, deviation, unevenness] = stroke(&trace).map_or([None; 3], |stroke| stroke.map(Some));
             Ok([Some(closed), length, deviation, unevenness])

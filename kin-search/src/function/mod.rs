@@ -13,10 +13,12 @@
 //! with coupled blocks has only poses, because its position is known from values nearby. Paths are those of the first
 //! output in the plane.
 //!
-//! [`Functions`] is a list of them. The library's are there from the beginning, and a program adds its own mechanisms.
+//! [`Functions`] is a list of them. The library's are there from the beginning, and a program adds its own mechanisms, or
+//! declares others while it runs.
 
 pub(crate) mod arguments;
 mod assembly;
+mod declaration;
 mod line;
 mod list;
 mod names;
@@ -31,6 +33,9 @@ mod trace;
 mod turn;
 pub(crate) mod used;
 
+#[cfg(feature = "cluster")]
+pub(crate) use declaration::declaration_of;
+pub use declaration::{DeclarationError, Owner};
 pub use list::{Functions, functions, register};
 pub(crate) use path::ENDING;
 pub(crate) use points::{Points, text_of};

@@ -8,7 +8,7 @@ use super::arguments::Argument;
 use super::numbers;
 use super::points::Points;
 use super::search::{Call, Search, function_of_a_search};
-use super::solver::Solver;
+use super::solver::SearchedMechanism;
 use super::trace::{Trace, point_of, share};
 
 /// A function such as `hoeken_linkage_path_error('points', ground, crank, coupler, …)`.
@@ -34,10 +34,10 @@ prescribed timing; or the points themselves, as in '0 1; 0.5 1.2'";
 
 impl PathFunction {
     /// The function, if the mechanism has a point in the plane.
-    pub(crate) fn new(solver: &'static dyn Solver) -> Option<Self> {
-        let point = point_of(solver.description())?;
+    pub(crate) fn new(mechanism: &SearchedMechanism) -> Option<Self> {
+        let point = point_of(mechanism.description())?;
         Some(Self {
-            search: Search::new(solver, ENDING, vec![Argument::text("points", POINTS)], TEXT),
+            search: Search::new(mechanism, ENDING, vec![Argument::text("points", POINTS)], TEXT),
             point,
             fields: numbers::fields(FIELDS),
         })
@@ -56,7 +56,7 @@ impl PathFunction {
             let Some((_, points)) = &known else {
                 return exec_err!("{} has no points", self.search.name);
             };
-            let (turn, solver) = (candidate.turn, &*self.search.solver);
+            let (turn, solver) = (candidate.turn, &*self.search.mechanism);
             let squares = match points {
                 Points::Free(free) => {
                     let inputs = (0..turn.poses).map(|pose| turn.value(pose));

@@ -18,7 +18,7 @@ use super::arguments::{Argument, FEWEST_ROWS, Numbers, Texts, accepted, coerced,
 use super::assembly;
 use super::names::{of_order, plain, unit};
 use super::settings;
-use super::solver::Solver;
+use super::solver::{OfMechanism, SearchedMechanism, Solver};
 
 /// The section of the documentation to which the functions belong.
 pub(crate) const SECTION: DocSection = DocSection {
@@ -52,7 +52,7 @@ fn text_of(outcome: Outcome) -> &'static str {
 #[derive(Debug)]
 pub(crate) struct PoseFunction {
     name: String,
-    solver: &'static dyn Solver,
+    mechanism: SearchedMechanism,
     assemblies: Vec<String>,
     arguments: Vec<Argument>,
     /// The number of arguments that cannot be left out.
@@ -108,7 +108,8 @@ pub(crate) fn choice(solver: &dyn Solver, assemblies: &[String]) -> Vec<Argument
 }
 
 impl PoseFunction {
-    pub(crate) fn new(solver: &'static dyn Solver) -> Self {
+    pub(crate) fn new(mechanism: &SearchedMechanism) -> Self {
+        let solver = &**mechanism;
         let description = solver.description();
         let name = in_small_letters(description.name, '_');
         let assemblies = solver.assembly_names();
@@ -137,7 +138,7 @@ impl PoseFunction {
         let documentation = documentation(&name, solver, &arguments);
         Self {
             name,
-            solver,
+            mechanism: mechanism.clone(),
             assemblies,
             arguments,
             required,
@@ -155,7 +156,7 @@ impl PoseFunction {
         let is_text = |place: &usize| types[*place] != DataType::Float64;
         let assembly = (self.required..types.len()).find(is_text);
         let rates: Vec<usize> = (self.required..types.len()).filter(|place| !is_text(place)).collect();
-        let inputs = self.solver.description().inputs.len();
+        let inputs = self.mechanism.description().inputs.len();
         if rates.len() + usize::from(assembly.is_some()) + self.required != types.len() {
             return plan_err!("{} takes one text at most, the assembly", self.name);
         }
@@ -176,7 +177,7 @@ impl PoseFunction {
 
     /// The fields of the result through an order.
     fn fields(&self, order: usize) -> Fields {
-        let description = self.solver.description();
+        let description = self.mechanism.description();
         let mut fields = Vec::new();
         for quantity in description.unknowns.iter().chain(description.outputs) {
             for order in 0..=order {
@@ -194,7 +195,7 @@ impl PoseFunction {
         let rows = args.number_rows;
         let types: Vec<DataType> = args.args.iter().map(ColumnarValue::data_type).collect();
         let layout = self.layout(&types)?;
-        let description = self.solver.description();
+        let description = self.mechanism.description();
         let vectors = settings::vectors(&args.config_options)?;
         let valid = valid_rows(&args.args, rows);
         let numbers = |places: &mut dyn Iterator<Item = usize>| -> Result<Vec<Numbers>> {
@@ -235,7 +236,7 @@ impl PoseFunction {
                 inputs: &motions,
                 choice,
             };
-            let found = Poses::solve(self.solver, given, layout.order, rows, vectors)?;
+            let found = Poses::solve(&*self.mechanism, given, layout.order, rows, vectors)?;
             match (&mut poses, own_rows) {
                 (Some(poses), Some(own_rows)) => poses.take(&found, &own_rows),
                 (poses, _) => *poses = Some(found),
@@ -400,11 +401,17 @@ pub(crate) fn documented(name: &str, text: String, arguments: &[Argument]) -> Do
 
 impl PartialEq for PoseFunction {
     fn eq(&self, other: &Self) -> bool {
-        self.name == other.name
+        self.name == other.name && self.mechanism.declaration() == other.mechanism.declaration()
     }
 }
 
 impl Eq for PoseFunction {}
+
+impl OfMechanism for PoseFunction {
+    fn mechanism(&self) -> &SearchedMechanism {
+        &self.mechanism
+    }
+}
 
 impl Hash for PoseFunction {
     fn hash<H: Hasher>(&self, state: &mut H) {

@@ -12,7 +12,7 @@ use super::assembly;
 use super::names::{plain, unit};
 use super::pose::{choice, dimensions, documented};
 use super::settings;
-use super::solver::Solver;
+use super::solver::{SearchedMechanism, Solver};
 use super::used;
 
 /// The number of poses of a turn, unless it is given.
@@ -24,7 +24,7 @@ const MOST_POSES: f64 = 1e6;
 #[derive(Debug)]
 pub(crate) struct Search {
     pub(crate) name: String,
-    pub(crate) solver: &'static dyn Solver,
+    pub(crate) mechanism: SearchedMechanism,
     assemblies: Vec<String>,
     arguments: Vec<Argument>,
     /// The number of texts that come first.
@@ -74,19 +74,19 @@ impl Search {
     }
 
     /// A function with this ending of its name. The texts come before the dimensions.
-    pub(crate) fn new(solver: &'static dyn Solver, ending: &str, texts: Vec<Argument>, result: &str) -> Self {
-        let description = solver.description();
+    pub(crate) fn new(mechanism: &SearchedMechanism, ending: &str, texts: Vec<Argument>, result: &str) -> Self {
+        let description = mechanism.description();
         let name = format!("{}_{ending}", in_small_letters(description.name, '_'));
-        let assemblies = solver.assembly_names();
+        let assemblies = mechanism.assembly_names();
         let text_count = texts.len();
         let mut arguments = texts;
-        arguments.extend(dimensions(solver));
+        arguments.extend(dimensions(&**mechanism));
         for input in description.inputs.iter().skip(1) {
             let meaning = format!("{}, which stands ({})", input.description, unit(input.dimension, 0));
             arguments.push(Argument::number(plain(input), meaning));
         }
         let required = arguments.len();
-        arguments.extend(choice(solver, &assemblies));
+        arguments.extend(choice(&**mechanism, &assemblies));
         let turning = description.inputs.first().map_or("", |input| input.name);
         arguments.extend([
             Argument::number("poses", "The number of poses; 360 if it is left out"),
@@ -110,7 +110,7 @@ impl Search {
         let documentation = documented(&name, text, &arguments);
         Self {
             name,
-            solver,
+            mechanism: mechanism.clone(),
             assemblies,
             arguments,
             texts: text_count,
@@ -206,7 +206,7 @@ impl<'s> Call<'s> {
             (Some(from), Some(to)) => (Turn::between(0, from, to, poses), false),
             _ => (Turn::whole(0, poses), true),
         };
-        let parameters = self.search.solver.description().parameters.len();
+        let parameters = self.search.mechanism.description().parameters.len();
         let assembly = match self.assembly.at(row) {
             Some(text) => assembly::index_of(&self.search.assemblies, text)?,
             None => 0,
@@ -249,10 +249,17 @@ macro_rules! function_of_a_search {
         impl PartialEq for $function {
             fn eq(&self, other: &Self) -> bool {
                 self.search.name == other.search.name
+                    && self.search.mechanism.declaration() == other.search.mechanism.declaration()
             }
         }
 
         impl Eq for $function {}
+
+        impl super::solver::OfMechanism for $function {
+            fn mechanism(&self) -> &super::solver::SearchedMechanism {
+                &self.search.mechanism
+            }
+        }
 
         impl std::hash::Hash for $function {
             fn hash<H: std::hash::Hasher>(&self, state: &mut H) {

@@ -1,6 +1,8 @@
-//! The solver of a mechanism of any type, with its columns by index.
+//! A mechanism of any origin, with its columns by index.
 
 use std::fmt;
+use std::ops::Deref;
+use std::sync::Arc;
 
 use kin_core::batch::{AnyBatch, AnyFold};
 
@@ -9,7 +11,52 @@ pub(crate) trait Solver: AnyBatch + AnyFold + Send + Sync {}
 
 impl<F: AnyBatch + AnyFold + Send + Sync> Solver for F {}
 
-impl fmt::Debug for dyn Solver {
+/// A mechanism whose functions are called in SQL. Copies share it.
+#[derive(Clone)]
+pub(crate) struct SearchedMechanism(Arc<Inner>);
+
+struct Inner {
+    solver: Box<dyn Solver>,
+    declaration: Option<String>,
+}
+
+impl SearchedMechanism {
+    /// A mechanism that rustc compiled.
+    pub(crate) fn compiled(solver: impl Solver + 'static) -> Self {
+        Self(Arc::new(Inner {
+            solver: Box::new(solver),
+            declaration: None,
+        }))
+    }
+
+    /// A mechanism that was declared while the program runs, and the text that declares it.
+    pub(crate) fn declared(solver: impl Solver + 'static, declaration: &str) -> Self {
+        Self(Arc::new(Inner {
+            solver: Box::new(solver),
+            declaration: Some(declaration.to_owned()),
+        }))
+    }
+
+    /// The text that declares it, unless rustc compiled it.
+    pub(crate) fn declaration(&self) -> Option<&str> {
+        self.0.declaration.as_deref()
+    }
+}
+
+/// A function of a mechanism.
+pub(crate) trait OfMechanism {
+    fn mechanism(&self) -> &SearchedMechanism;
+}
+
+impl Deref for SearchedMechanism {
+    type Target = dyn Solver;
+
+    fn deref(&self) -> &Self::Target {
+        &*self.0.solver
+    }
+}
+
+impl fmt::Debug for SearchedMechanism {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(self.description().name)
     }

@@ -6,11 +6,11 @@ use datafusion::arrow::array::{ArrayRef, BooleanArray, Float64Builder, StructArr
 use datafusion::arrow::datatypes::{DataType, Field, Fields};
 use datafusion::common::{Result, exec_datafusion_err};
 use kin_core::RATES;
-use kin_core::batch::{Column, Fold, FoldedNumber, Place, Turn};
+use kin_core::batch::{Column, Fold, FoldedNumber, KeptMemory, Place, Turn};
 
 use super::names::plain;
 use super::search::{Call, Search, function_of_a_search};
-use super::solver::Solver;
+use super::solver::SearchedMechanism;
 
 /// A function such as `four_bar_turn(r1, r2, r3, r4, …)`.
 #[derive(Debug)]
@@ -48,12 +48,12 @@ and each output q has q_least, q_greatest and their difference q_swing; and the 
 as in q_peak_velocity. A name that begins with where_ or contains _where_ is the value of the input there.";
 
 impl TurnFunction {
-    pub(crate) fn new(solver: &'static dyn Solver) -> Self {
-        let description = solver.description();
+    pub(crate) fn new(mechanism: &SearchedMechanism) -> Self {
+        let description = mechanism.description();
         let number = |name: &str| Field::new(name, DataType::Float64, true);
         let mut fields = vec![number("closed"), Field::new("rotates", DataType::Boolean, true)];
         let mut numbers = Vec::new();
-        if solver.dyad_count() > 0 {
+        if mechanism.dyad_count() > 0 {
             numbers.push((FoldedNumber::SmallestTransmissionAngle, Summarised::Least));
             fields.extend([number("min_transmission"), number("where_min_transmission")]);
         }
@@ -71,7 +71,7 @@ impl TurnFunction {
             }
         }
         Self {
-            search: Search::new(solver, "turn", Vec::new(), TEXT),
+            search: Search::new(mechanism, "turn", Vec::new(), TEXT),
             numbers,
             fields: fields.into(),
         }
@@ -105,6 +105,7 @@ impl TurnFunction {
         };
         let mut folds: Vec<Fold> = used().map(|(number, _)| Fold::of(number)).collect();
         let columns: usize = used().map(|(_, summarised)| summarised.fields()).sum();
+        let mut memory = KeptMemory::default();
         let mut closed = Float64Builder::with_capacity(call.rows);
         let mut rotates = Vec::with_capacity(call.rows);
         let mut numbers: Vec<Float64Builder> = (0..columns).map(|_| Float64Builder::with_capacity(call.rows)).collect();
@@ -115,10 +116,10 @@ impl TurnFunction {
                 numbers.iter_mut().for_each(Float64Builder::append_null);
                 continue;
             };
-            let solver = &self.search.solver;
+            let mechanism = &self.search.mechanism;
             let summary = candidate
                 .given(Column::Same(0.0), |given| {
-                    solver.fold_batch(candidate.turn, given, &mut folds, call.vectors)
+                    mechanism.fold_batch(candidate.turn, given, &mut folds, &mut memory, call.vectors)
                 })
                 .map_err(|error| exec_datafusion_err!("{}: {error}", self.search.name))?;
             let count = |poses: usize| f64::from(u32::try_from(poses).unwrap_or(u32::MAX));

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use kin_search::Functions;
 
+use super::declared::DeclaredArguments;
 use super::fault::Fault;
 use super::print::print;
 
@@ -12,10 +13,13 @@ use super::print::print;
 pub(crate) struct FunctionsArguments {
     /// The function to describe; all are listed without it
     name: Option<String>,
+    #[command(flatten)]
+    declared: DeclaredArguments,
 }
 
 /// Prints the list, or one function.
 pub(crate) fn run(arguments: &FunctionsArguments, functions: &Functions) -> Result<(), Fault> {
+    let functions = arguments.declared.join(functions)?;
     let Some(name) = &arguments.name else {
         return print(
             &functions

@@ -3,6 +3,7 @@
 mod bench;
 #[cfg(feature = "cluster")]
 mod cluster;
+mod declared;
 mod fault;
 mod functions;
 #[cfg(feature = "refine")]
@@ -63,7 +64,7 @@ async fn main() -> ExitCode {
         Command::Functions(arguments) => functions::run(&arguments, &functions),
         Command::Bench(arguments) => bench::run(&arguments, &functions).await,
         #[cfg(feature = "refine")]
-        Command::Refine(arguments) => refine::run(&arguments),
+        Command::Refine(arguments) => refine::run(&arguments, &functions),
         #[cfg(feature = "cluster")]
         Command::Scheduler(arguments) => arguments.run(&functions).await,
         #[cfg(feature = "cluster")]

@@ -1,38 +1,48 @@
 //! The mechanisms that are refined, and that have pages.
 
-/// Calls something with the type of the mechanism that has this name, such as `four_bar`:
-/// `of_mechanism!(name, |M| pages::<M>(rows))`. The result is a [`Fault`](super::fault::Fault) that lists all names if
-/// there is none.
-macro_rules! of_mechanism {
-    ($name:expr, |$M:ident| $call:expr) => {
-        of_mechanism! {
-            @of $name, $M, $call,
-            kin_fit::TracedFourBar, kin_core::library::FourBar, kin_core::library::SliderCrank,
-            kin_core::library::OffsetSliderCrank,
-            kin_core::library::HoekenLinkage, kin_core::library::ChebyshevLinkage, kin_core::library::RobertsLinkage,
-            kin_core::library::WattI, kin_core::library::WattII, kin_core::library::StephensonIII,
-            kin_core::library::JansenLeg, kin_core::library::KlannLeg
-        }
-    };
-    (@of $name:expr, $M:ident, $call:expr, $($mechanism:ty),+) => {{
-        let wanted: &str = $name;
-        let mut names = Vec::new();
-        'found: {
-            $(of_mechanism!(@try 'found wanted, names, $M, $call, $mechanism);)+
-            Err($crate::fault::Fault::Wrong(format!(
-                "`{wanted}` is no mechanism that this program refines or shows; there are {}",
-                names.join(", ")
-            )))
-        }
-    }};
-    (@try $found:lifetime $wanted:ident, $names:ident, $M:ident, $call:expr, $mechanism:ty) => {{
-        type $M = $mechanism;
-        let description = <$M as kin_core::Mechanism>::DESCRIPTION;
-        let name = kin_core::in_small_letters(description.name, '_');
-        if name == $wanted {
-            break $found $call;
-        }
-        $names.push(name);
-    }};
+use kin_core::any::Of;
+use kin_core::in_small_letters;
+use kin_core::library::{
+    ChebyshevLinkage, FourBar, HoekenLinkage, JansenLeg, KlannLeg, OffsetSliderCrank, RobertsLinkage, SliderCrank,
+    StephensonIII, WattI, WattII,
+};
+use kin_search::pages::RefinedFunctions;
+
+use super::declared::DeclaredArguments;
+use super::fault::Fault;
+
+/// The mechanisms of the program.
+const COMPILED: [&dyn RefinedFunctions; 12] = [
+    Of::<kin_fit::TracedFourBar>::FUNCTIONS,
+    Of::<FourBar>::FUNCTIONS,
+    Of::<SliderCrank>::FUNCTIONS,
+    Of::<OffsetSliderCrank>::FUNCTIONS,
+    Of::<HoekenLinkage>::FUNCTIONS,
+    Of::<ChebyshevLinkage>::FUNCTIONS,
+    Of::<RobertsLinkage>::FUNCTIONS,
+    Of::<WattI>::FUNCTIONS,
+    Of::<WattII>::FUNCTIONS,
+    Of::<StephensonIII>::FUNCTIONS,
+    Of::<JansenLeg>::FUNCTIONS,
+    Of::<KlannLeg>::FUNCTIONS,
+];
+
+/// The mechanism of this name, such as `four_bar`, of the program or of a file. The fault lists all names if there is
+/// none.
+pub(crate) fn mechanism(name: &str, declared: &DeclaredArguments) -> Result<&'static dyn RefinedFunctions, Fault> {
+    let mut all = COMPILED.to_vec();
+    for mechanism in declared.mechanisms()? {
+        // objectives keep a mechanism as long as the program runs
+        all.push(Box::leak(Box::new(mechanism)));
+    }
+    let own = |functions: &dyn RefinedFunctions| in_small_letters(functions.description().name, '_');
+    let found = all.iter().find(|functions| own(**functions) == name);
+    found.copied().ok_or_else(|| {
+        let names: Vec<String> = all.iter().map(|functions| own(*functions)).collect();
+        Fault::Wrong(format!(
+            "`{name}` is no mechanism that this program refines or shows; there are {}, and those of files that \
+             `--mechanism` names",
+            names.join(", ")
+        ))
+    })
 }
-pub(crate) use of_mechanism;

@@ -8,8 +8,9 @@ use datafusion::arrow::compute::cast;
 use datafusion::arrow::datatypes::DataType;
 use kin_search::pages::write_pages_of;
 
+use super::declared::DeclaredArguments;
 use super::fault::Fault;
-use super::mechanisms::of_mechanism;
+use super::mechanisms::mechanism;
 use super::print::separated;
 use kin_search::say;
 
@@ -32,13 +33,12 @@ impl PagesArguments {
     }
 
     /// Writes the pages that are wanted, and tells their paths.
-    pub(crate) fn write(&self, rows: &[RecordBatch]) -> Result<(), Fault> {
+    pub(crate) fn write(&self, rows: &[RecordBatch], declared: &DeclaredArguments) -> Result<(), Fault> {
         let Some(folder) = &self.pages else {
             return Ok(());
         };
-        let mechanism = mechanism(rows)?;
-        let table = separated(rows)?;
-        let pages = of_mechanism!(&mechanism, |M| write_pages_of::<M>(&table, folder).map_err(wrong))?;
+        let functions = mechanism(&name(rows)?, declared)?;
+        let pages = write_pages_of(functions, &separated(rows)?, folder).map_err(wrong)?;
         for page in &pages {
             say(format_args!("{}", page.display()));
         }
@@ -50,7 +50,7 @@ impl PagesArguments {
 }
 
 /// The name in the column `mechanism`, which is the same in all rows.
-fn mechanism(rows: &[RecordBatch]) -> Result<String, Fault> {
+fn name(rows: &[RecordBatch]) -> Result<String, Fault> {
     let mut mechanism: Option<String> = None;
     for rows in rows.iter().filter(|rows| rows.num_rows() > 0) {
         let column = rows.column_by_name("mechanism").ok_or_else(|| {

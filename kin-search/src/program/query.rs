@@ -15,6 +15,7 @@ use kin_search::session::{Drafts, Signals, plan, rows, statements};
 use kin_search::{Functions, Options, say, session};
 use url::Url;
 
+use super::declared::DeclaredArguments;
 use super::fault::{Fault, INTERRUPTED};
 use super::memory::bytes;
 use super::print::to_output;
@@ -34,6 +35,8 @@ pub(crate) struct QueryArguments {
     /// How many cores of this machine work; all if not given. Executors of a cluster have a limit of their own
     #[arg(long, value_parser = clap::builder::RangedU64ValueParser::<usize>::new().range(1..))]
     cores: Option<usize>,
+    #[command(flatten)]
+    declared: DeclaredArguments,
     #[cfg(feature = "refine")]
     #[command(flatten)]
     pages: super::pages::PagesArguments,
@@ -70,6 +73,7 @@ pub(crate) async fn run(arguments: QueryArguments, functions: &Functions) -> Res
         memory: arguments.memory,
         partitions: arguments.cores,
     };
+    let functions = &arguments.declared.join(functions)?;
     let session = session(functions, &options)?;
     let drafts = Drafts::of(&session);
     let mut signals = Signals::listen().map_err(|error| Fault::Wrong(format!("cannot listen for signals: {error}")))?;
@@ -182,7 +186,7 @@ async fn finish(
             }
             #[cfg(feature = "refine")]
             if has_pages {
-                arguments.pages.write(&rows)?;
+                arguments.pages.write(&rows, &arguments.declared)?;
             }
         }
     }

@@ -5,14 +5,13 @@ use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
 use datafusion::parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
-use kin_core::Mechanism;
-use kin_core::any::Of;
 use kin_fit::{Job, polish};
-use kin_search::pages::write_pages;
-use kin_search::say;
+use kin_search::pages::{RefinedFunctions, write_pages};
+use kin_search::{Functions, say};
 
+use super::declared::DeclaredArguments;
 use super::fault::Fault;
-use super::mechanisms::of_mechanism;
+use super::mechanisms::mechanism;
 use super::print::{print, separated};
 
 /// What `refine` takes.
@@ -32,13 +31,18 @@ pub(crate) struct RefineArguments {
     /// How many threads work, which has no influence on the results; all cores if not given
     #[arg(long, value_name = "COUNT")]
     threads: Option<usize>,
+    #[command(flatten)]
+    declared: DeclaredArguments,
 }
 
 /// Prints the results as comma-separated values, and what was dropped to the standard error.
-pub(crate) fn run(arguments: &RefineArguments) -> Result<(), Fault> {
+pub(crate) fn run(arguments: &RefineArguments, functions: &Functions) -> Result<(), Fault> {
     let job = Job::read(&text(&arguments.job)?).map_err(wrong)?;
     let candidates = table(&arguments.candidates)?;
-    of_mechanism!(&job.mechanism, |M| refined::<M>(arguments, &job, &candidates))
+    // names that are taken are refused as for a query
+    arguments.declared.join(functions)?;
+    let functions = mechanism(&job.mechanism, &arguments.declared)?;
+    refined(arguments, functions, &job, &candidates)
 }
 
 fn text(path: &Path) -> Result<String, Fault> {
@@ -61,8 +65,12 @@ fn wrong(error: impl std::fmt::Display) -> Fault {
     Fault::Wrong(error.to_string())
 }
 
-fn refined<M: Mechanism<Scalar = f64>>(arguments: &RefineArguments, job: &Job, candidates: &str) -> Result<(), Fault> {
-    let functions = Of::<M>::FUNCTIONS;
+fn refined(
+    arguments: &RefineArguments,
+    functions: &'static dyn RefinedFunctions,
+    job: &Job,
+    candidates: &str,
+) -> Result<(), Fault> {
     let objective = job.objective(functions).map_err(wrong)?;
     let best = arguments.best.unwrap_or(usize::MAX);
     let candidates = job.candidates(functions, candidates, best).map_err(wrong)?;
@@ -77,7 +85,7 @@ fn refined<M: Mechanism<Scalar = f64>>(arguments: &RefineArguments, job: &Job, c
         say(format_args!("{count} dropped: {kind}"));
     }
     if let Some(folder) = &arguments.pages {
-        for path in write_pages::<M>(&found, &objective, folder).map_err(wrong)? {
+        for path in write_pages(functions, &found, &objective, folder).map_err(wrong)? {
             say(format_args!("{}", path.display()));
         }
     }

@@ -125,6 +125,55 @@ fn mistakes_end_with_a_message() {
     }
 }
 
+#[test]
+fn files_declare_mechanisms() {
+    let example = |name: &str| PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("examples").join(name);
+    let (wiper, query) = (example("wiper.kin"), example("wiper.sql"));
+    let query = fs::read_to_string(query).unwrap().replace("200000", "2000");
+    let query = file("wiper.sql", &query);
+    let run = |command: &str, arguments: &[&str], files: &[&PathBuf]| {
+        let mut program = program();
+        program.arg(command).args(arguments);
+        for file in files {
+            program.arg("--mechanism").arg(file);
+        }
+        let output = program.output().unwrap();
+        let text = |bytes| String::from_utf8(bytes).unwrap();
+        (output.status.code(), text(output.stdout), text(output.stderr))
+    };
+    let query = query.display().to_string();
+    let (code, found, message) = run("query", &[&query], &[&wiper]);
+    assert!(code == Some(0) && found.contains("| transmission"), "{found}{message}");
+    let (code, _, message) = run("query", &[&query], &[]);
+    assert!(code == Some(1) && message.contains("wiper_turn"), "{message}");
+    let (_, told, _) = run("functions", &["wiper_turn"], &[&wiper]);
+    assert!(
+        told.contains("wiper_turn(crank, rod, lever, frame, arm") && told.contains("crank: Crank. (length)"),
+        "{told}"
+    );
+
+    let mistake = file(
+        "mistake.kin",
+        "kin 1\nstruct Wiper { crank: Length }\ninput theta: Angle;\nunknown h: Length;\nh == cranc * sin(theta);\n",
+    );
+    let (code, _, message) = run("query", &[&query], &[&mistake]);
+    assert!(
+        code == Some(1) && message.contains("mistake.kin:5:6") && message.contains("^^^^^"),
+        "{message}"
+    );
+    let (code, _, message) = run("functions", &[], &[&wiper, &wiper]);
+    let told = "the mechanism `Wiper` would have the function `wiper`, which another declaration has already";
+    assert!(
+        code == Some(1) && message.contains(told) && message.contains("wiper.kin: "),
+        "{message}"
+    );
+    let (code, _, message) = run("query", &[&query], &[&PathBuf::from("nowhere.kin")]);
+    assert!(
+        code == Some(1) && message.contains("there is no file nowhere.kin"),
+        "{message}"
+    );
+}
+
 #[cfg(unix)]
 #[test]
 fn an_interrupt_cancels_the_query() {

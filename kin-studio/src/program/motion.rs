@@ -8,6 +8,7 @@ use kin_core::law::{ConstantSpeed, Dwell, LawError, Piecewise, Rise, Scca, Seque
 use super::fault::similar;
 use super::text::Units;
 use super::value::{self, Lengths};
+use crate::file::parts;
 
 /// The motion of one input.
 #[derive(Clone, Debug, PartialEq)]
@@ -321,25 +322,6 @@ impl Step {
 /// The time of a rest.
 fn rest(text: &str) -> Option<&str> {
     text.trim().strip_prefix("rest ")
-}
-
-/// The parts of a text between commas that stand in no parentheses, without the blanks around them.
-pub(crate) fn parts(text: &str) -> Vec<Range<usize>> {
-    let (mut found, mut start, mut depth) = (Vec::new(), 0, 0_usize);
-    for (place, letter) in text.char_indices().chain([(text.len(), ',')]) {
-        match letter {
-            '(' => depth += 1,
-            ')' => depth = depth.saturating_sub(1),
-            ',' if depth == 0 || place == text.len() => {
-                let part = &text[start..place];
-                let from = start + (part.len() - part.trim_start().len());
-                found.push(from..from + part.trim().len());
-                start = place + 1;
-            }
-            _ => {}
-        }
-    }
-    found
 }
 
 /// The message for a range as other programs write it: `0-360`, `0:360:10`, `0 to 360`.

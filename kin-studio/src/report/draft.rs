@@ -18,10 +18,14 @@ use super::{ReportError, gather};
 /// it.
 #[derive(Clone, Debug)]
 #[must_use = "write it, or ask for its `report`"]
-pub struct Draft<'l, M: Mechanism<Scalar = f64>> {
+pub struct Draft<'l, M> {
     wishes: Wishes<'l>,
     mechanism: PhantomData<M>,
 }
+
+/// A mechanism without a type, in the place of the type in a [`Draft`].
+#[derive(Clone, Copy, Debug)]
+pub struct Untyped;
 
 /// A draft without the type of its mechanism.
 #[derive(Clone, Debug)]
@@ -120,25 +124,6 @@ impl<'l, M: Mechanism<Scalar = f64>> Draft<'l, M> {
         self
     }
 
-    /// The input that moves, by its name; otherwise the first one.
-    pub fn moving(mut self, input: impl Into<String>) -> Self {
-        self.wishes.moving = Some(input.into());
-        self
-    }
-
-    /// The range of the moving input; otherwise as far as the mechanism closes.
-    pub fn range(mut self, range: RangeInclusive<f64>) -> Self {
-        self.wishes.range = Some([*range.start(), *range.end()]);
-        self
-    }
-
-    /// The speed of the moving input, or of the first one that moves along the line of [`between`](Self::between);
-    /// otherwise 1, so that rates are per unit of the input.
-    pub fn speed(mut self, speed: f64) -> Self {
-        self.wishes.speed = Some(speed);
-        self
-    }
-
     /// All inputs move together, along the straight line between two places in the space of the inputs. The variable of
     /// the page is the first input that moves, as for a [sweep](kin_core::sweep::Assembled::between).
     ///
@@ -176,6 +161,48 @@ impl<'l, M: Mechanism<Scalar = f64>> Draft<'l, M> {
     /// ```
     pub fn under_laws(mut self, laws: M::Inputs<&'l dyn Piecewise<f64>>, range: impl ClosedRange) -> Self {
         self.wishes.way = WayWished::UnderLaws(laws.as_ref().to_vec(), range.ends());
+        self
+    }
+}
+
+impl<'l> Draft<'l, Untyped> {
+    pub(super) fn of(functions: &'l dyn ReportFunctions, parameters: &[f64]) -> Self {
+        Self {
+            wishes: Wishes::new(functions, parameters),
+            mechanism: PhantomData,
+        }
+    }
+
+    /// The assembly that is shown first, by its index; otherwise the first one that closes.
+    pub fn assembly(mut self, index: usize) -> Self {
+        self.wishes.assembly = Some(AssemblyChoice::Index(index));
+        self
+    }
+
+    /// Where the inputs stand that do not move; otherwise zero.
+    pub fn at(mut self, inputs: &[f64]) -> Self {
+        self.wishes.at = Some(inputs.to_vec());
+        self
+    }
+}
+
+impl<M> Draft<'_, M> {
+    /// The input that moves, by its name; otherwise the first one.
+    pub fn moving(mut self, input: impl Into<String>) -> Self {
+        self.wishes.moving = Some(input.into());
+        self
+    }
+
+    /// The range of the moving input; otherwise as far as the mechanism closes.
+    pub fn range(mut self, range: RangeInclusive<f64>) -> Self {
+        self.wishes.range = Some([*range.start(), *range.end()]);
+        self
+    }
+
+    /// The speed of the moving input, or of the first one that moves along the line of [`between`](Self::between);
+    /// otherwise 1, so that rates are per unit of the input.
+    pub fn speed(mut self, speed: f64) -> Self {
+        self.wishes.speed = Some(speed);
         self
     }
 

@@ -21,12 +21,11 @@ mod html;
 mod model;
 mod read;
 
-pub use draft::Draft;
+pub use draft::{Draft, Untyped};
 #[cfg(feature = "program")]
 pub(crate) use draft::{WayWished, Wishes};
 pub use error::ReportError;
-#[cfg(feature = "program")]
-pub(crate) use functions::ReportFunctions;
+pub use functions::ReportFunctions;
 pub use model::*;
 
 use kin_core::{Mechanism, in_small_letters};
@@ -46,6 +45,20 @@ use kin_core::{Mechanism, in_small_letters};
 /// ```
 pub fn report<'l, M: Mechanism<Scalar = f64>>(mechanism: &M) -> Draft<'l, M> {
     Draft::new(mechanism)
+}
+
+/// Begins a report about a mechanism of any origin, with its scalar parameters in the order of the declaration.
+///
+/// ```
+/// use kin_core::any::Of;
+/// use kin_core::library::SliderCrank;
+///
+/// let page = kin_studio::report::of(Of::<SliderCrank>::FUNCTIONS, &[0.1, 0.3]).assembly(1).report()?;
+/// assert_eq!(page.range[0], 0.0);
+/// # Ok::<(), kin_studio::report::ReportError>(())
+/// ```
+pub fn of<'l>(functions: &'l dyn ReportFunctions, parameters: &[f64]) -> Draft<'l, Untyped> {
+    Draft::of(functions, parameters)
 }
 
 /// The name of a mechanism's page without its ending: `FourBar` has `four-bar`.

@@ -2,7 +2,10 @@
 
 use kin_core::Mechanism;
 use kin_core::any::{Described, Of};
-use kin_core::batch::{AnyBatch, Column, ColumnChoice, GivenColumns, Outcome, Place, Vectors, WantedColumns};
+use kin_core::batch::{
+    AnyBatch, AnyFold, Column, ColumnChoice, Fold, FoldedNumber, GivenColumns, KeptMemory, Outcome, Place, Turn,
+    Vectors, WantedColumns,
+};
 
 use crate::bits::Bits;
 use crate::random::Random;
@@ -18,6 +21,19 @@ struct Columns {
     near: Vec<Vec<f64>>,
 }
 
+/// The places of all numbers of a mechanism.
+fn places(own: &(impl Described + ?Sized)) -> Vec<Place> {
+    let description = own.description();
+    let mut places: Vec<Place> = Vec::new();
+    for order in 0..=description.order {
+        places.extend((0..description.inputs.len()).map(|index| Place::Input(index, order)));
+        places.extend((0..description.unknowns.len()).map(|index| Place::Unknown(index, order)));
+        places.extend((0..description.outputs.len()).map(|index| Place::Output(index, order)));
+    }
+    places.extend((0..description.unknowns.len()).map(Place::Sine));
+    places
+}
+
 /// All numbers that a batch finds, and its outcomes.
 fn found<M: Mechanism>(
     own: &dyn AnyBatch,
@@ -25,8 +41,6 @@ fn found<M: Mechanism>(
     assembly: usize,
     vectors: Vectors,
 ) -> (Vec<Vec<u64>>, Vec<String>) {
-    let description = own.description();
-    let orders = description.order + 1;
     let each = |columns: &[Vec<f64>]| -> Vec<Column<'static>> {
         columns
             .iter()
@@ -46,13 +60,7 @@ fn found<M: Mechanism>(
             ColumnChoice::Assembly(assembly)
         },
     };
-    let mut places: Vec<Place> = Vec::new();
-    for order in 0..orders {
-        places.extend((0..description.inputs.len()).map(|index| Place::Input(index, order)));
-        places.extend((0..description.unknowns.len()).map(|index| Place::Unknown(index, order)));
-        places.extend((0..description.outputs.len()).map(|index| Place::Output(index, order)));
-    }
-    places.extend((0..description.unknowns.len()).map(Place::Sine));
+    let places = places(own);
     let mut numbers = vec![vec![0.5; POSES]; places.len()];
     let wanted = places
         .into_iter()
@@ -100,4 +108,69 @@ pub(crate) fn agreeing<M: Mechanism<Scalar = f64>>(live: &kin_live::Mechanism) -
         }
     }
     solved
+}
+
+/// The poses of a turn: two pieces, of which the second one is no multiple of a number of lanes.
+const TURN: usize = 801;
+
+/// The summaries of all numbers over a turn of the first input, and the count of poses.
+fn folded(
+    own: &dyn AnyFold,
+    parameters: &[f64],
+    speeds: &[f64],
+    assembly: usize,
+    memory: &mut KeptMemory,
+    vectors: Vectors,
+) -> Vec<String> {
+    let numbers = places(own).into_iter().map(FoldedNumber::At);
+    let dyads = (0..own.dyad_count()).map(FoldedNumber::TransmissionAngle);
+    let smallest = (own.dyad_count() > 0).then_some(FoldedNumber::SmallestTransmissionAngle);
+    let mut folds: Vec<Fold> = numbers.chain(dyads).chain(smallest).map(Fold::of).collect();
+    let parameters: Vec<Column<'_>> = parameters.iter().copied().map(Column::Same).collect();
+    let motion = speeds.iter().copied().map(Column::Same).collect::<Vec<_>>();
+    let inputs = vec![motion.as_slice(); own.description().inputs.len()];
+    let given = GivenColumns {
+        parameters: &parameters,
+        inputs: &inputs,
+        choice: ColumnChoice::Assembly(assembly),
+    };
+    let summary = own.fold_batch(Turn::whole(0, TURN), given, &mut folds, memory, vectors);
+    let told = summary.map(|summary| format!("{} {} {}", summary.solved, summary.alone, summary.failed));
+    let bits = |found: Option<(usize, f64)>| found.map(|(pose, value)| (pose, value.to_bits()));
+    let all = folds.iter().map(|fold| {
+        let folded = fold.folded();
+        let sums = [folded.sum, folded.sum_of_squares].map(f64::to_bits);
+        let number = fold.number();
+        format!(
+            "{number:?} {} {:?} {:?} {sums:?}",
+            folded.count,
+            bits(folded.least),
+            bits(folded.greatest)
+        )
+    });
+    [format!("{told:?}")].into_iter().chain(all).collect()
+}
+
+/// Compares folds over a turn in all assemblies, with memory that is kept from one to the next. Returns how many numbers
+/// were summarised.
+pub(crate) fn agreeing_folds<M: Mechanism<Scalar = f64>>(live: &kin_live::Mechanism, memory: &mut KeptMemory) -> usize {
+    let description = live.description();
+    let mut random = Random::new(6);
+    let mut count = 0;
+    for vectors in [Vectors::Compiled, Vectors::Avx2, Vectors::Avx512] {
+        for assembly in 0..M::ASSEMBLY_COUNT.clamp(1, 4) {
+            for _ in 0..4 {
+                let mut numbers = |count: usize| (0..count).map(|_| random.number()).collect::<Vec<f64>>();
+                let parameters = numbers(description.parameters.len());
+                let parameters: Vec<f64> = parameters.into_iter().map(|value| value * value + 0.5).collect();
+                let speeds = numbers(description.order + 1);
+                let own = folded(live, &parameters, &speeds, assembly, memory, vectors);
+                let none = &mut KeptMemory::default();
+                let expected = folded(Of::<M>::FUNCTIONS, &parameters, &speeds, assembly, none, vectors);
+                assert_eq!(own, expected, "{} {vectors:?}", description.name);
+                count += own.iter().filter(|line| line.contains("Some")).count();
+            }
+        }
+    }
+    count
 }

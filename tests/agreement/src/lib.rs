@@ -6,7 +6,10 @@ mod random;
 mod sheets;
 mod solvers;
 
+use std::cell::RefCell;
+
 use kin_core::Mechanism;
+use kin_core::batch::KeptMemory;
 use kin_core::series::Series;
 
 /// The positions, possible or not, at which everything is compared.
@@ -37,13 +40,18 @@ pub fn declarations(file: &str) -> Vec<&str> {
         .collect()
 }
 
+thread_local! {
+    /// Memory of folds, which one mechanism leaves to the next.
+    static MEMORY: RefCell<KeptMemory> = RefCell::default();
+}
+
 /// Compares a mechanism with its text in several kinds of numbers. Returns how many results of its translated methods
-/// were finite, and how many positions were solved.
+/// were finite, how many positions were solved, and how many numbers were summarised over turns.
 ///
 /// # Panics
 /// If they differ.
 #[must_use]
-pub fn assert_agreement<M: Mechanism<Scalar = f64>>(text: &str) -> [usize; 2] {
+pub fn assert_agreement<M: Mechanism<Scalar = f64>>(text: &str) -> [usize; 3] {
     let live = kin_live::Mechanism::declare(text).unwrap_or_else(|error| panic!("{error}\n{text}"));
     let declaration = live.declaration();
     assert_eq!(declaration.name(), M::DESCRIPTION.name);
@@ -57,5 +65,6 @@ pub fn assert_agreement<M: Mechanism<Scalar = f64>>(text: &str) -> [usize; 2] {
         + solvers::agreeing::<M, f32>(&live)
         + solvers::agreeing::<M, Series<4>>(&live)
         + batches::agreeing::<M>(&live);
-    [finite, solved]
+    let folded = MEMORY.with_borrow_mut(|memory| batches::agreeing_folds::<M>(&live, memory));
+    [finite, solved, folded]
 }

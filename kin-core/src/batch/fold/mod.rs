@@ -16,3 +16,5 @@ pub use folded::Folded;
 pub use number::{FoldError, FoldedNumber};
 pub use poses::{Poses, Turn};
 pub use reduce::Fold;
+#[cfg(feature = "alloc")]
+pub(super) use run::{Piece, check_numbers, entries, fold_pieces};

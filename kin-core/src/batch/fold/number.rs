@@ -5,8 +5,7 @@ use core::fmt;
 
 use crate::batch::outcome::LengthMismatch;
 use crate::batch::target::Place;
-use crate::mechanism::{Description, Mechanism};
-use crate::number::Row;
+use crate::mechanism::Description;
 use crate::quantity::Quantity;
 
 /// A number of a pose that a [`Fold`](super::Fold) summarises.
@@ -55,9 +54,8 @@ impl FoldedNumber {
         (order <= description.order).then_some(Self::At(place))
     }
 
-    /// Whether the mechanism has this number.
-    pub(super) fn is_of<M: Mechanism>(self) -> bool {
-        let description = M::DESCRIPTION;
+    /// Whether a mechanism with so many dyads has this number.
+    pub(super) fn is_of(self, description: &Description<'_>, dyads: usize) -> bool {
         match self {
             Self::At(place) => {
                 let (quantities, index, order) = match place {
@@ -68,8 +66,8 @@ impl FoldedNumber {
                 };
                 index < quantities.len() && order <= description.order
             }
-            Self::TransmissionAngle(dyad) => dyad < M::Dyads::<f64>::LENGTH,
-            Self::SmallestTransmissionAngle => M::Dyads::<f64>::LENGTH > 0,
+            Self::TransmissionAngle(dyad) => dyad < dyads,
+            Self::SmallestTransmissionAngle => dyads > 0,
         }
     }
 }
@@ -82,15 +80,11 @@ pub enum FoldError {
     Length(LengthMismatch),
     /// The mechanism does not have this number.
     NoSuchNumber {
-        /// The name of the mechanism.
-        mechanism: &'static str,
         /// The number.
         number: FoldedNumber,
     },
     /// The mechanism does not have the input that turns.
     NoSuchInput {
-        /// The name of the mechanism.
-        mechanism: &'static str,
         /// The index of the input.
         input: usize,
     },
@@ -113,13 +107,13 @@ impl fmt::Display for FoldError {
                 formatter,
                 "a column of `{quantity}` has {length} entries, but {poses} poses are folded: give one entry for each pose"
             ),
-            Self::NoSuchNumber { mechanism, number } => write!(
+            Self::NoSuchNumber { number } => write!(
                 formatter,
-                "`{mechanism}` has no number {number:?}: its `DESCRIPTION` lists the quantities and the order"
+                "the mechanism has no number {number:?}: its description lists the quantities and the order"
             ),
-            Self::NoSuchInput { mechanism, input } => write!(
+            Self::NoSuchInput { input } => write!(
                 formatter,
-                "`{mechanism}` has no input {input} that could turn: inputs count from 0, as in its `DESCRIPTION`"
+                "the mechanism has no input {input} that could turn: inputs count from 0, as in its description"
             ),
         }
     }

@@ -8,13 +8,14 @@ use super::number::{FoldError, FoldedNumber};
 use super::poses::{Poses, Turn};
 use super::reduce::{Fold, PIECE, ROOM, Reduction, Room};
 use crate::batch::Column;
-use crate::batch::destination::Destination;
-use crate::batch::dispatch::MOST_LANES;
+use crate::batch::destination::{Destination, Entries};
+use crate::batch::dispatch::{MOST_LANES, Vectors};
 use crate::batch::outcome::{Outcome, Summary};
 use crate::batch::sweep::{Batch, Guide};
 use crate::batch::target::Place;
 use crate::batch::transmission::TransmissionEntries;
-use crate::mechanism::Mechanism;
+use crate::mechanism::{Description, Mechanism};
+use crate::number::Row;
 
 impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Batch<'a, M, G> {
     /// Solves all poses, as [`solve`](Self::solve) does, and summarises numbers of them instead of storing them.
@@ -55,71 +56,117 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Batch<'a, M, G> {
     pub fn fold(mut self, poses: impl Into<Poses>, folds: &mut [Fold]) -> Result<Summary, FoldError> {
         let poses = poses.into();
         self.check(&poses, folds)?;
-        start(folds);
-        let mut scratch = Scratch {
-            turning: Room([0.0; ROOM]),
-            outcomes: [Outcome::Unsolved; ROOM],
-        };
-        let (mut summary, mut first) = (Summary::default(), 0);
-        while first < poses.count() {
-            let range = piece(first, poses.count());
-            summary = summary.and(self.fold_piece(&poses, range.clone(), &mut scratch, folds));
-            first = range.end;
-        }
-        copy_twins(folds);
-        Ok(summary)
+        Ok(fold_pieces(&poses, folds, self.vectors, |piece| {
+            self.fold_piece(&poses, piece)
+        }))
     }
 
     /// Takes the column of the input that turns out of the batch, and checks all others.
     fn check(&mut self, poses: &Poses, folds: &[Fold]) -> Result<(), FoldError> {
-        let mechanism = M::DESCRIPTION.name;
         if let Poses::Turn(Turn { input, .. }) = *poses {
             let motion = self.inputs.as_mut().get_mut(input);
-            motion.ok_or(FoldError::NoSuchInput { mechanism, input })?[0] = Column::Same(f64::NAN);
+            motion.ok_or(FoldError::NoSuchInput { input })?[0] = Column::Same(f64::NAN);
         }
-        for Fold { number, .. } in folds {
-            if !number.is_of::<M>() {
-                let number = *number;
-                return Err(FoldError::NoSuchNumber { mechanism, number });
-            }
-        }
+        check_numbers(folds, &M::DESCRIPTION, M::Dyads::<f64>::LENGTH)?;
         Ok(self.check_lengths(poses.count())?)
     }
 
-    /// Solves a piece and adds it to the summaries.
-    fn fold_piece(&self, poses: &Poses, range: Range<usize>, scratch: &mut Scratch, folds: &mut [Fold]) -> Summary {
-        let (first, count) = (range.start, range.len());
-        let (turning, outcomes) = (&mut scratch.turning.0[..count], &mut scratch.outcomes[..count]);
-        let mut batch = self.part(range);
+    /// Solves a piece.
+    fn fold_piece(&self, poses: &Poses, piece: Piece<'_>) -> Summary {
+        let mut batch = self.part(piece.range);
         if let Poses::Turn(turn) = poses {
-            turn.fill(first, turning);
-            batch.inputs[turn.input][0] = Column::Each(turning);
+            batch.inputs[turn.input][0] = Column::Each(piece.turning);
         }
         let mut destination = Destination::nowhere();
-        let mut angles = TransmissionEntries::<M>::nowhere();
-        for fold in folds.iter_mut() {
-            let entries = Cell::from_mut(&mut fold.room.0[..count]).as_slice_of_cells();
-            match fold.number {
+        let mut angles = TransmissionEntries::nowhere(M::Dyads::<Entries<'_, f64>>::splat(&[]));
+        for (number, entries) in entries(piece.folds, piece.outcomes.len()) {
+            match number {
                 FoldedNumber::At(place) => *destination.entries(place) = entries,
                 FoldedNumber::TransmissionAngle(dyad) => angles.of_dyads[dyad] = entries,
                 FoldedNumber::SmallestTransmissionAngle => angles.smallest = entries,
             }
         }
-        let mut summary = batch.store(&destination, &angles, outcomes);
-        if let Some((index, _)) = &mut summary.first_failure {
+        batch.store(&destination, &angles, piece.outcomes)
+    }
+}
+
+/// Refuses folds of numbers that a mechanism with so many dyads does not have.
+pub(in crate::batch) fn check_numbers(
+    folds: &[Fold],
+    description: &Description<'_>,
+    dyads: usize,
+) -> Result<(), FoldError> {
+    let missing = folds.iter().find(|fold| !fold.number.is_of(description, dyads));
+    missing.map_or(Ok(()), |fold| Err(FoldError::NoSuchNumber { number: fold.number }))
+}
+
+/// A piece of the poses of a fold, which are to be solved.
+pub(in crate::batch) struct Piece<'p> {
+    /// The poses.
+    pub(in crate::batch) range: Range<usize>,
+    /// The values of the input that turns, if one does.
+    pub(in crate::batch) turning: &'p [f64],
+    /// The folds, in whose [room](entries) the numbers are stored.
+    pub(in crate::batch) folds: &'p mut [Fold],
+    /// An outcome for each pose.
+    pub(in crate::batch) outcomes: &'p mut [Outcome],
+}
+
+/// The places of the folded numbers of so many poses. Of folds of the same number the last one has its values.
+pub(in crate::batch) fn entries(
+    folds: &mut [Fold],
+    count: usize,
+) -> impl Iterator<Item = (FoldedNumber, Entries<'_, f64>)> {
+    folds.iter_mut().map(move |fold| {
+        let room = Cell::from_mut(&mut fold.room.0[..count]);
+        (fold.number, room.as_slice_of_cells())
+    })
+}
+
+/// Solves poses piece by piece, and adds each piece to the summaries.
+pub(in crate::batch) fn fold_pieces(
+    poses: &Poses,
+    folds: &mut [Fold],
+    vectors: Vectors,
+    mut solve: impl FnMut(Piece<'_>) -> Summary,
+) -> Summary {
+    start(folds);
+    let mut scratch = Scratch {
+        turning: Room([0.0; ROOM]),
+        outcomes: [Outcome::Unsolved; ROOM],
+    };
+    let (mut summary, mut first) = (Summary::default(), 0);
+    while first < poses.count() {
+        let range = piece(first, poses.count());
+        let end = range.end;
+        let count = range.len();
+        let (turning, outcomes) = (&mut scratch.turning.0[..count], &mut scratch.outcomes[..count]);
+        if let Poses::Turn(turn) = poses {
+            turn.fill(first, turning);
+        }
+        let mut own = solve(Piece {
+            range,
+            turning,
+            folds: &mut *folds,
+            outcomes: &mut *outcomes,
+        });
+        if let Some((index, _)) = &mut own.first_failure {
             *index += first;
         }
-        if summary.failed > 0 {
+        if own.failed > 0 {
             leave_out(folds, outcomes);
         }
-        self.vectors.run(Reduction {
-            folds,
+        vectors.run(Reduction {
+            folds: &mut *folds,
             first,
             count,
-            is_complete: summary.failed == 0,
+            is_complete: own.failed == 0,
         });
-        summary
+        summary = summary.and(own);
+        first = end;
     }
+    copy_twins(folds);
+    summary
 }
 
 /// Room for what a piece needs besides the values of its folds.

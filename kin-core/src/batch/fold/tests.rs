@@ -267,7 +267,7 @@ fn nothing_is_the_summary_of_no_pose() {
 
 #[test]
 fn a_number_that_is_not_there_is_named() {
-    let (mechanism, vectors) = ("FourBar", Vectors::Compiled);
+    let vectors = Vectors::Compiled;
     let inputs = crank(Column::Same(0.1));
     for number in [
         FoldedNumber::At(Place::Unknown(2, 0)),
@@ -279,13 +279,13 @@ fn a_number_that_is_not_there_is_named() {
         let result = Batch::<FourBar, _>::new(same(LINKAGE), inputs, Assembly::Open)
             .vectors(vectors)
             .fold(5, &mut folds);
-        assert_eq!(result, Err(FoldError::NoSuchNumber { mechanism, number }));
+        assert_eq!(result, Err(FoldError::NoSuchNumber { number }));
     }
     let turn = Turn::whole(1, 5);
     let result = Batch::<FourBar, _>::new(same(LINKAGE), inputs, Assembly::Open)
         .vectors(vectors)
         .fold(turn, &mut []);
-    assert_eq!(result, Err(FoldError::NoSuchInput { mechanism, input: 1 }));
+    assert_eq!(result, Err(FoldError::NoSuchInput { input: 1 }));
     let inputs = crank(Column::Each(&[0.1; 4]));
     let result = Batch::<FourBar, _>::new(same(LINKAGE), inputs, Assembly::Open)
         .vectors(vectors)

@@ -5,8 +5,7 @@ use kin_live::Mechanism;
 
 use super::super::assembly;
 use super::super::value::Lengths;
-use super::place::Mistake;
-use super::sections::Part;
+use crate::file::{Mistake, Part};
 
 /// What is wrong with the assembly, if anything is.
 pub(super) fn mistake(mechanism: &Mechanism, part: &Part, lengths: &mut Lengths) -> Option<Mistake> {

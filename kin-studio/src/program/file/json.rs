@@ -9,9 +9,8 @@ use serde_json::{Value, json};
 
 use super::super::case::Typed;
 use super::super::subject::Subject;
-use super::place::Mistake;
 use super::read::KinFile;
-use super::sections::{is_ident, is_punct, range_of};
+use crate::file::{Mistake, is_ident, is_punct, range_of};
 
 /// The version of the form, which grows when a member changes or goes.
 const VERSION: u32 = 1;

@@ -11,8 +11,7 @@ use super::super::fault::{listed, similar};
 use super::super::loads::{End, InSi, Load, Loads};
 use super::super::units::{self, Kind};
 use super::super::value::{self, Lengths};
-use super::place::Mistake;
-use super::sections::{Entry, Part, range_of};
+use crate::file::{Entry, Mistake, Part, range_of};
 
 /// The words with which a load begins.
 const KINDS: [&str; 7] = ["gravity", "mass", "inertia", "force", "torque", "spring", "damper"];

@@ -4,9 +4,7 @@ mod assemblies;
 mod json;
 mod loads;
 mod numbers;
-mod place;
 mod read;
-mod sections;
 
 use std::path::Path;
 
@@ -14,7 +12,7 @@ use super::fault::Fault;
 use super::format;
 use super::loads::Loads;
 use super::subject::Subject;
-use place::Mistake;
+use crate::file::{Mistake, shown, text_of, tokens};
 use read::KinFile;
 
 /// What a file says besides the declaration.
@@ -36,40 +34,19 @@ pub(super) struct Told {
     pub(super) declaration: String,
 }
 
-/// The text of a file, or of the input if its name is `-`, without a byte order mark and line ends of other systems.
-pub(super) fn text_of(path: &Path) -> Result<String, Fault> {
-    let shown = path.display();
-    let text = if path == Path::new("-") {
-        std::io::read_to_string(std::io::stdin())
-    } else {
-        std::fs::read_to_string(path)
-    };
-    let text = text.map_err(|error| {
-        Fault::wrong(match error.kind() {
-            std::io::ErrorKind::NotFound => format!("there is no file {shown}"),
-            std::io::ErrorKind::InvalidData => format!("{shown} is no text in UTF-8"),
-            _ => format!("{shown} cannot be read: {error}"),
-        })
-    })?;
-    Ok(text.trim_start_matches('\u{feff}').replace("\r\n", "\n"))
-}
-
-/// The mistakes in a text, each at its place.
-fn shown(mistakes: &[Mistake], path: &Path, text: &str) -> Fault {
-    let file = path.display().to_string();
-    let shown: Vec<String> = mistakes.iter().map(|mistake| mistake.shown(&file, text)).collect();
-    Fault::wrong(shown.join("\n\n"))
+fn wrong(mistakes: &[Mistake], path: &Path, text: &str) -> Fault {
+    Fault::wrong(shown(mistakes, path, text))
 }
 
 /// Reads a file, and compiles its declaration.
 fn compiled(path: &Path) -> Result<KinFile, Fault> {
-    let text = text_of(path)?;
-    KinFile::read(&text).map_err(|mistakes| shown(&mistakes, path, &text))
+    let text = text_of(path).map_err(Fault::wrong)?;
+    KinFile::read(&text).map_err(|mistakes| wrong(&mistakes, path, &text))
 }
 
 /// The text of a file in one form. Files whose statements cannot be told apart are mistakes.
 pub(super) fn formatted(path: &Path, text: &str) -> Result<String, Fault> {
-    let tokens = |text: &str| KinFile::tokens(text).map_err(|mistakes| shown(&mistakes, path, text));
+    let tokens = |text: &str| tokens(text).map_err(|mistakes| wrong(&mistakes, path, text));
     let before = tokens(text)?;
     let formatted = format::formatted(text, &before);
     let is_same = format::is_same((text, &before), (&formatted, &tokens(&formatted)?));
@@ -103,7 +80,7 @@ pub(super) fn check(path: &Path, steps: bool) -> Result<String, Fault> {
 
 /// The mistakes of a file for an editor, and how many there are.
 pub(super) fn check_as_json(path: &Path) -> Result<(String, usize), Fault> {
-    let text = text_of(path)?;
+    let text = text_of(path).map_err(Fault::wrong)?;
     let read = KinFile::read(&text);
     let count = read.as_ref().err().map_or(0, Vec::len);
     Ok((json::checked(&path.display().to_string(), &text, read), count))

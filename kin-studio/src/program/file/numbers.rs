@@ -8,8 +8,7 @@ use kin_core::Dimension;
 use super::super::fault::similar;
 use super::super::motion::InputMotion;
 use super::super::value::{self, Lengths};
-use super::place::Mistake;
-use super::sections::{Entry, Part};
+use crate::file::{Entry, Mistake, Part};
 
 /// A quantity of the declaration.
 #[derive(Clone, Debug)]

@@ -1,18 +1,13 @@
 //! A `.kin` file, taken apart: the declaration, and what is asked of it.
 
 use kin_core::any::Described as _;
-use kin_live::{DeclareError, Mechanism};
-use proc_macro2::{TokenStream, TokenTree};
+use kin_live::Mechanism;
 
 use super::super::columns;
 use super::super::loads::Loads;
 use super::super::value::Lengths;
-use super::place::Mistake;
-use super::sections::{Section, Sections, blank};
 use super::{assemblies, loads, numbers};
-
-/// The first line of every file.
-const FIRST_LINE: &str = "kin 1";
+use crate::file::{KinDeclaration, Mistake, Section, in_order};
 
 /// A file that was read.
 #[derive(Debug)]
@@ -38,60 +33,19 @@ pub(crate) struct KinFile {
 impl KinFile {
     /// Reads the text of a file, and compiles its declaration.
     pub(crate) fn read(text: &str) -> Result<Self, Vec<Mistake>> {
-        // a sign that begins comments elsewhere may be taken for many things
-        Self::read_tokens(text).map_err(|mistakes| other_comment(text).map_or(mistakes, |comment| vec![comment]))
-    }
-
-    /// The tokens of a file whose statements can be told apart, whatever they say. Each token is where it was typed.
-    pub(crate) fn tokens(text: &str) -> Result<TokenStream, Vec<Mistake>> {
-        let (_, stream) = Self::lexed(text)?;
-        let tokens: Vec<TokenTree> = stream.clone().into_iter().collect();
-        let sections = Sections::read(text, &tokens);
-        sections.map(|_| stream).map_err(|mistake| vec![mistake])
-    }
-
-    fn read_tokens(text: &str) -> Result<Self, Vec<Mistake>> {
-        let (blanked, stream) = Self::lexed(text)?;
-        let tokens: Vec<TokenTree> = stream.into_iter().collect();
-        let mut sections = Sections::read(text, &tokens).map_err(|mistake| vec![mistake])?;
-        let mut mistakes = std::mem::take(&mut sections.mistakes);
-        // with blanks in the place of all else, so that every token keeps its own
-        let declaration = blank(&blanked, sections.places.iter().map(|section| &section.whole));
-        match Mechanism::declare(&declaration) {
-            Ok(mechanism) => Self::of(sections, text, &declaration, mechanism, mistakes),
-            Err(DeclareError::Mistakes(found)) => {
-                mistakes.extend(found.into_iter().map(|one| Mistake::new(one.message, one.bytes)));
-                Err(in_order(mistakes))
-            }
-            Err(error) => Err(vec![Mistake::new(error.to_string(), 0..0)]),
-        }
-    }
-
-    /// The text with blanks in the place of its first line, and its tokens.
-    fn lexed(text: &str) -> Result<(String, TokenStream), Vec<Mistake>> {
-        let first = text.lines().next().unwrap_or("");
-        if first.trim_end() != FIRST_LINE {
-            return Err(vec![wrong_first_line(first)]);
-        }
-        let blanked = format!("{}{}", " ".repeat(first.len()), &text[first.len()..]);
-        let stream: TokenStream = blanked.parse().map_err(|error: proc_macro2::LexError| {
-            let range = error.span().byte_range();
-            vec![Mistake::new(
-                "this cannot be read: a bracket or a quotation mark has no partner, or a sign is none of the language",
-                range,
-            )]
-        })?;
-        Ok((blanked, stream))
+        KinDeclaration::read(text)
+            .and_then(|file| Self::of(file, text))
+            .map_err(|mistakes| in_order(mistakes, text))
     }
 
     /// The file with what its sections say of the mechanism.
-    fn of(
-        sections: Sections,
-        text: &str,
-        declaration: &str,
-        mechanism: Mechanism,
-        mut mistakes: Vec<Mistake>,
-    ) -> Result<Self, Vec<Mistake>> {
+    fn of(file: KinDeclaration, text: &str) -> Result<Self, Vec<Mistake>> {
+        let KinDeclaration {
+            mechanism,
+            text: declaration,
+            mut sections,
+        } = file;
+        let mut mistakes = std::mem::take(&mut sections.mistakes);
         let compiled = mechanism.declaration();
         let mut lengths = Lengths::default();
         let place = sections.place_of("dimensions");
@@ -115,12 +69,11 @@ impl KinFile {
             mistakes.extend(assemblies::mistake(&mechanism, assembly, &mut lengths));
         }
         if !mistakes.is_empty() {
-            return Err(in_order(mistakes));
+            return Err(mistakes);
         }
-        let declaration = declaration.lines().map(str::trim_end).collect::<Vec<_>>().join("\n");
         Ok(Self {
             mechanism,
-            declaration: declaration.trim().to_owned(),
+            declaration,
             set,
             over,
             assembly: sections.assembly.map(|assembly| assembly.text),
@@ -129,39 +82,6 @@ impl KinFile {
             sections: sections.places,
         })
     }
-}
-
-/// Mistakes in the order of their places.
-fn in_order(mut mistakes: Vec<Mistake>) -> Vec<Mistake> {
-    mistakes.sort_by_key(|mistake| mistake.range.start);
-    mistakes
-}
-
-/// A comment as other languages have them.
-fn other_comment(text: &str) -> Option<Mistake> {
-    let mut start = 0;
-    for line in text.split_inclusive('\n') {
-        let code = line.split("//").next().unwrap_or(line);
-        let mut signs = code.match_indices('#');
-        let is_attribute = |place: usize| code[place + 1..].starts_with(['[', '!']);
-        if let Some((place, _)) = signs.find(|(place, _)| !is_attribute(*place)) {
-            let place = start + place;
-            return Some(Mistake::new("a comment begins with `//`", place..place + 1));
-        }
-        start += line.len();
-    }
-    None
-}
-
-fn wrong_first_line(first: &str) -> Mistake {
-    let message = match first.trim().strip_prefix("kin ") {
-        Some(version) if version.trim().parse::<u32>().is_ok() => format!(
-            "the file has the format {}, and this version of kin reads the format 1: use a later version",
-            version.trim()
-        ),
-        _ => format!("the first line of a .kin file is `{FIRST_LINE}`"),
-    };
-    Mistake::new(message, 0..first.len().max(1))
 }
 
 #[cfg(test)]

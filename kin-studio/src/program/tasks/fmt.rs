@@ -8,7 +8,7 @@ use super::print;
 
 /// Formats a file in place, or from the input to the output if its name is `-`; or tells whether it is in form.
 pub(crate) fn fmt(path: &Path, only_check: bool) -> Result<(), Fault> {
-    let text = file::text_of(path)?;
+    let text = crate::file::text_of(path).map_err(Fault::wrong)?;
     let formatted = file::formatted(path, &text)?;
     if only_check && formatted != text {
         let message = format!(

@@ -4,21 +4,20 @@ use std::ops::Range;
 
 use proc_macro2::{Delimiter, Group, TokenTree};
 
-use super::super::motion;
-use super::place::Mistake;
+use super::mistake::Mistake;
 
 /// The sections of a file, apart from each other.
 #[derive(Debug, Default)]
-pub(super) struct Sections {
-    pub(super) dimensions: Vec<Entry>,
-    pub(super) motion: Vec<Entry>,
-    pub(super) loads: Vec<Entry>,
-    pub(super) assembly: Option<Part>,
-    pub(super) columns: Vec<Part>,
+pub(crate) struct Sections {
+    pub(crate) dimensions: Vec<Entry>,
+    pub(crate) motion: Vec<Entry>,
+    pub(crate) loads: Vec<Entry>,
+    pub(crate) assembly: Option<Part>,
+    pub(crate) columns: Vec<Part>,
     /// Where they stand.
-    pub(super) places: Vec<Section>,
+    pub(crate) places: Vec<Section>,
     /// What is wrong in them.
-    pub(super) mistakes: Vec<Mistake>,
+    pub(crate) mistakes: Vec<Mistake>,
 }
 
 /// A section, which is no part of the declaration.
@@ -34,23 +33,23 @@ pub(crate) struct Section {
 
 /// A part of the text of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Part {
-    pub(super) text: String,
-    pub(super) range: Range<usize>,
+pub(crate) struct Part {
+    pub(crate) text: String,
+    pub(crate) range: Range<usize>,
 }
 
 /// What stands before an `=`, and behind it.
 #[derive(Clone, Debug)]
-pub(super) struct Entry {
-    pub(super) head: Part,
+pub(crate) struct Entry {
+    pub(crate) head: Part,
     /// The tokens of the head.
-    pub(super) words: Vec<TokenTree>,
-    pub(super) value: Part,
+    pub(crate) words: Vec<TokenTree>,
+    pub(crate) value: Part,
 }
 
 impl Part {
     /// A part without the blanks around it.
-    pub(super) fn new(text: &str, range: Range<usize>) -> Self {
+    pub(crate) fn new(text: &str, range: Range<usize>) -> Self {
         let own = &text[range.clone()];
         let start = range.start + (own.len() - own.trim_start().len());
         Self {
@@ -60,16 +59,16 @@ impl Part {
     }
 
     /// The parts between commas.
-    pub(super) fn parts(&self) -> Vec<Self> {
+    pub(crate) fn parts(&self) -> Vec<Self> {
         let part = |range: Range<usize>| Self {
             text: self.text[range.clone()].to_owned(),
             range: self.range.start + range.start..self.range.start + range.end,
         };
-        motion::parts(&self.text).into_iter().map(part).collect()
+        parts(&self.text).into_iter().map(part).collect()
     }
 
     /// The parts of `(x, y)`.
-    pub(super) fn coordinates(&self) -> Option<Vec<Self>> {
+    pub(crate) fn coordinates(&self) -> Option<Vec<Self>> {
         let inner = self.text.strip_prefix('(')?.strip_suffix(')')?;
         let start = self.range.start + 1;
         let inner = Self {
@@ -79,20 +78,39 @@ impl Part {
         Some(inner.parts())
     }
 
-    pub(super) fn mistake(&self, message: impl Into<String>) -> Mistake {
+    pub(crate) fn mistake(&self, message: impl Into<String>) -> Mistake {
         Mistake::new(message, self.range.clone())
     }
 }
 
-pub(super) fn range_of(token: &TokenTree) -> Range<usize> {
+/// The parts of a text between commas that stand in no parentheses, without the blanks around them.
+pub(crate) fn parts(text: &str) -> Vec<Range<usize>> {
+    let (mut found, mut start, mut depth) = (Vec::new(), 0, 0_usize);
+    for (place, letter) in text.char_indices().chain([(text.len(), ',')]) {
+        match letter {
+            '(' => depth += 1,
+            ')' => depth = depth.saturating_sub(1),
+            ',' if depth == 0 || place == text.len() => {
+                let part = &text[start..place];
+                let from = start + (part.len() - part.trim_start().len());
+                found.push(from..from + part.trim().len());
+                start = place + 1;
+            }
+            _ => {}
+        }
+    }
+    found
+}
+
+pub(crate) fn range_of(token: &TokenTree) -> Range<usize> {
     token.span().byte_range()
 }
 
-pub(super) fn is_ident(token: Option<&TokenTree>, name: &str) -> bool {
+pub(crate) fn is_ident(token: Option<&TokenTree>, name: &str) -> bool {
     matches!(token, Some(TokenTree::Ident(ident)) if ident == name)
 }
 
-pub(super) fn is_punct(token: Option<&TokenTree>, letter: char) -> bool {
+pub(crate) fn is_punct(token: Option<&TokenTree>, letter: char) -> bool {
     matches!(token, Some(TokenTree::Punct(punct)) if punct.as_char() == letter)
 }
 
@@ -105,7 +123,7 @@ fn braces(token: Option<&TokenTree>) -> Option<&Group> {
 
 impl Sections {
     /// Divides the file into its sections.
-    pub(super) fn read(text: &str, tokens: &[TokenTree]) -> Result<Self, Mistake> {
+    pub(crate) fn read(text: &str, tokens: &[TokenTree]) -> Result<Self, Mistake> {
         let mut sections = Self::default();
         let mut declared: Vec<TokenTree> = Vec::new();
         let mut place = 0;
@@ -138,7 +156,7 @@ impl Sections {
     }
 
     /// The word of a section; nothing if there is none.
-    pub(super) fn place_of(&self, name: &str) -> Option<Range<usize>> {
+    pub(crate) fn place_of(&self, name: &str) -> Option<Range<usize>> {
         let section = self.places.iter().find(|section| section.name == name);
         section.map(|section| section.word.clone())
     }
@@ -230,7 +248,7 @@ fn entry(section: &str, part: &[TokenTree], whole: Range<usize>, text: &str) -> 
 }
 
 /// A text with blanks in some ranges, so that every token keeps its place.
-pub(super) fn blank<'r>(text: &str, ranges: impl Iterator<Item = &'r Range<usize>>) -> String {
+pub(crate) fn blank<'r>(text: &str, ranges: impl Iterator<Item = &'r Range<usize>>) -> String {
     let mut blanked = text.to_owned();
     for range in ranges {
         let letters = text[range.clone()].chars();

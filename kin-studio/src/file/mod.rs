@@ -1,0 +1,54 @@
+//! `.kin` files: mechanisms of people who write no Rust.
+
+mod declaration;
+mod mistake;
+#[cfg_attr(
+    not(feature = "program"),
+    allow(dead_code, reason = "the program reads the numbers of sections")
+)]
+mod sections;
+
+use std::path::Path;
+
+#[cfg(feature = "program")]
+pub(crate) use declaration::tokens;
+pub(crate) use declaration::{KinDeclaration, in_order};
+pub(crate) use mistake::Mistake;
+#[cfg(feature = "program")]
+pub(crate) use sections::{Entry, Part, Section, is_ident, is_punct, parts, range_of};
+
+/// The declaration in a `.kin` file, as [`kin_live::Mechanism::declare`] takes it. The numbers of the file are not read.
+///
+/// # Errors
+/// The reason why the file cannot be read, or every mistake of the declaration, each with its line and a mark below it.
+pub fn declaration(path: &Path) -> Result<String, String> {
+    let text = text_of(path)?;
+    let file = KinDeclaration::read(&text).and_then(|file| match file.sections.mistakes.as_slice() {
+        [] => Ok(file.text),
+        mistakes => Err(mistakes.to_vec()),
+    });
+    file.map_err(|mistakes| shown(&in_order(mistakes, &text), path, &text))
+}
+
+/// The text of a file, or of the input if its name is `-`, without a byte order mark and line ends of other systems.
+pub(crate) fn text_of(path: &Path) -> Result<String, String> {
+    let shown = path.display();
+    let text = if path == Path::new("-") {
+        std::io::read_to_string(std::io::stdin())
+    } else {
+        std::fs::read_to_string(path)
+    };
+    let text = text.map_err(|error| match error.kind() {
+        std::io::ErrorKind::NotFound => format!("there is no file {shown}"),
+        std::io::ErrorKind::InvalidData => format!("{shown} is no text in UTF-8"),
+        _ => format!("{shown} cannot be read: {error}"),
+    })?;
+    Ok(text.trim_start_matches('\u{feff}').replace("\r\n", "\n"))
+}
+
+/// The mistakes in a text, each at its place.
+pub(crate) fn shown(mistakes: &[Mistake], path: &Path, text: &str) -> String {
+    let file = path.display().to_string();
+    let shown: Vec<String> = mistakes.iter().map(|mistake| mistake.shown(&file, text)).collect();
+    shown.join("\n\n")
+}
