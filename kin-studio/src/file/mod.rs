@@ -1,5 +1,6 @@
 //! `.kin` files: mechanisms of people who write no Rust.
 
+#[cfg_attr(not(feature = "program"), allow(dead_code, reason = "the program formats files"))]
 mod declaration;
 mod mistake;
 #[cfg_attr(
