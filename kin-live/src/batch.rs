@@ -3,9 +3,11 @@
 use kin_core::__private::live::FactorRow;
 use kin_core::any::PositionChoice;
 use kin_core::batch::{
-    AnyBatch, AnyFold, CHUNKS, Fold, FoldError, GivenColumns, KeptMemory, LengthMismatch, Numbers, Outcome,
-    SliceSolver, Summary, Turn, Vectors, WantedColumns, fold_slices, solve_slices,
+    AnyBatch, CHUNKS, GivenColumns, LengthMismatch, Numbers, Outcome, SliceSolver, Summary, Vectors, WantedColumns,
+    solve_slices,
 };
+#[cfg(feature = "folds")]
+use kin_core::batch::{AnyFold, Fold, FoldError, KeptMemory, Turn, fold_slices};
 use kin_core::{Scalar, SolveError, TransmissionAngle};
 
 use crate::mechanism::Mechanism;
@@ -119,6 +121,7 @@ impl AnyBatch for Mechanism {
     }
 }
 
+#[cfg(feature = "folds")]
 impl AnyFold for Mechanism {
     fn fold_batch(
         &self,

@@ -26,7 +26,7 @@ pub enum FoldedNumber {
     /// no pose.
     At(Place),
     /// The transmission angle of a dyad, folded to at most a right angle, by the index of the dyad in the order of
-    /// [`Mechanism::transmission_angles`].
+    /// [`Mechanism::transmission_angles`](crate::Mechanism::transmission_angles).
     TransmissionAngle(usize),
     /// The smallest transmission angle of all dyads, each folded to at most a right angle.
     SmallestTransmissionAngle,
