@@ -132,7 +132,8 @@ fn drafted<'f>(functions: &'f dyn RefinedFunctions, result: &Refined, objective:
 }
 
 /// Writes a page for each result into a folder, which is made if need be, and returns their paths. The functions are
-/// those of the objective. The files are called after the mechanism, the place of the result and the number of its candidate.
+/// those of the objective. The files are called after the mechanism, the place of the result and the number of its
+/// candidate.
 ///
 /// # Errors
 /// [`PageError`].

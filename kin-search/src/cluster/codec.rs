@@ -1,5 +1,5 @@
-//! How plans with ranges of ids, with small tables of the client, and with functions of declarations are written for the
-//! scheduler and for executors.
+//! How plans with ranges of ids, with small tables of the client, and with functions of declarations are written for
+//! the scheduler and for executors.
 
 use std::sync::Arc;
 

@@ -82,8 +82,8 @@ impl fmt::Display for DeclarationError {
             }
             Self::Alike { function, name } => write!(
                 formatter,
-                "the function `{function}` would have `{name}` twice: names in SQL have small letters only, and `_` in the \
-                 place of a point. Give the quantity another name"
+                "the function `{function}` would have `{name}` twice: names in SQL have small letters only, and `_` in \
+                 the place of a point. Give the quantity another name"
             ),
         }
     }

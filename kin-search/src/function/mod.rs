@@ -13,8 +13,8 @@
 //! with coupled blocks has only poses, because its position is known from values nearby. Paths are those of the first
 //! output in the plane.
 //!
-//! [`Functions`] is a list of them. The library's are there from the beginning, and a program adds its own mechanisms, or
-//! declares others while it runs.
+//! [`Functions`] is a list of them. The library's are there from the beginning, and a program adds its own mechanisms,
+//! or declares others while it runs.
 
 pub(crate) mod arguments;
 mod assembly;

@@ -21,7 +21,8 @@ pub(crate) struct KinDeclaration {
 }
 
 impl KinDeclaration {
-    /// Divides the text of a file, and compiles the declaration. The mistakes in the form of sections stand beside them.
+    /// Divides the text of a file, and compiles the declaration. The mistakes in the form of sections stand beside
+    /// them.
     pub(crate) fn read(text: &str) -> Result<Self, Vec<Mistake>> {
         let (blanked, stream) = lexed(text)?;
         let tokens: Vec<TokenTree> = stream.into_iter().collect();
@@ -72,8 +73,8 @@ fn lexed(text: &str) -> Result<(String, TokenStream), Vec<Mistake>> {
     Ok((blanked, stream))
 }
 
-/// Mistakes of a text in the order of their places, or else its comment as other languages have them: the sign that begins
-/// it may be taken for many things.
+/// Mistakes of a text in the order of their places, or else its comment as other languages have them: the sign that
+/// begins it may be taken for many things.
 pub(crate) fn in_order(mut mistakes: Vec<Mistake>, text: &str) -> Vec<Mistake> {
     mistakes.sort_by_key(|mistake| mistake.range.start);
     other_comment(text).map_or(mistakes, |comment| vec![comment])

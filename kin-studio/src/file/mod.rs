@@ -18,7 +18,8 @@ pub(crate) use mistake::Mistake;
 #[cfg(feature = "program")]
 pub(crate) use sections::{Entry, Part, Section, is_ident, is_punct, parts, range_of};
 
-/// The declaration in a `.kin` file, as [`kin_live::Mechanism::declare`] takes it. The numbers of the file are not read.
+/// The declaration in a `.kin` file, as [`kin_live::Mechanism::declare`] takes it. The numbers of the file are not
+/// read.
 ///
 /// # Errors
 /// The reason why the file cannot be read, or every mistake of the declaration, each with its line and a mark below it.

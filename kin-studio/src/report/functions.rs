@@ -4,8 +4,8 @@ use kin_core::any::{Pictured, PlacesOver};
 use kin_core::linkage::LinkageFunctions;
 use kin_core::tape::RecordedFunctions;
 
-/// The functions of a mechanism for its report: `Of::<M>::FUNCTIONS` has them for every mechanism that rustc compiled, and
-/// so has `kin_live::Mechanism`. All else is compiled once, in this crate.
+/// The functions of a mechanism for its report: `Of::<M>::FUNCTIONS` has them for every mechanism that rustc compiled,
+/// and so has `kin_live::Mechanism`. All else is compiled once, in this crate.
 pub trait ReportFunctions: LinkageFunctions + Pictured + PlacesOver<f64> + RecordedFunctions<f64> {}
 
 impl<F: LinkageFunctions + Pictured + PlacesOver<f64> + RecordedFunctions<f64>> ReportFunctions for F {}

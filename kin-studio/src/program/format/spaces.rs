@@ -62,8 +62,8 @@ pub(super) fn space(atoms: &[Atom<'_>], place: usize, as_typed: bool) -> &'stati
         return " ";
     }
     let is_tight = |atom: &Atom<'_>| matches!(atom.text, "." | ".." | "..=" | "::") && atom.kind == Kind::Sign;
-    // `1.` before `..` would be another number
-    let is_joined = is_tight(atom) && !before.text.ends_with('.') || is_tight(before);
+    // `1.` before `..` would be another number; `'` is the beginning of a name
+    let is_joined = is_tight(atom) && !before.text.ends_with('.') || is_tight(before) || before.is("'");
     let is_call = atom.is("(") && before.kind == Kind::Word && before.text != "for" && !is_between(atoms, place - 1);
     let is_inside = matches!(before.text, "(" | "[") || matches!(text, ")" | "]");
     if is_joined || is_call || is_inside || is_unary(atoms, place - 1) {
