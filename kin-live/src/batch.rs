@@ -98,7 +98,7 @@ impl SliceSolver for Mechanism {
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn transmission_angles<T: Scalar>(
+    fn angles_of_dyads<T: Scalar>(
         &self,
         parameters: &[T],
         inputs: &[T],

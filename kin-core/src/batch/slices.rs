@@ -62,7 +62,7 @@ pub trait SliceSolver: Described {
 
     /// Calculates the transmission angles of a pose, or of a chunk of poses, from the inputs with all orders and the
     /// positions of the unknowns.
-    fn transmission_angles<T: Scalar>(
+    fn angles_of_dyads<T: Scalar>(
         &self,
         parameters: &[T],
         inputs: &[T],
@@ -458,7 +458,7 @@ impl<S: SliceSolver> PoseByPose<'_, S> {
     ) -> V {
         self.angles.store(start, || {
             self.solver
-                .transmission_angles(parameters, inputs, &found.positions, angles);
+                .angles_of_dyads(parameters, inputs, &found.positions, angles);
             &*angles
         })
     }
