@@ -90,6 +90,7 @@ impl OwnedDescription {
             bodies,
             slides,
             points,
+            guess: tables.borrow_owner().outline.guess.as_deref(),
         }
     }
 }

@@ -35,6 +35,8 @@ pub struct Outline {
     pub slides: Vec<Slide>,
     /// The marked points, each with its joint.
     pub points: Vec<(String, usize)>,
+    /// The statements that would declare it, if it follows from the vector equations.
+    pub guess: Option<String>,
 }
 
 /// A rigid body that moves.

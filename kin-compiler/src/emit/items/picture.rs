@@ -82,12 +82,17 @@ fn table(outline: &Outline, runtime: &TokenStream) -> TokenStream {
         let joint = Literal::usize_unsuffixed(*joint);
         quote!((#name, #joint))
     });
+    let guess = match &outline.guess {
+        Some(statements) => quote!(::core::option::Option::Some(#statements)),
+        None => quote!(::core::option::Option::None),
+    };
     quote! {
         #runtime::Outline {
             ground: #ground,
             bodies: &[#(#bodies),*],
             slides: &[#(#slides),*],
             points: &[#(#points),*],
+            guess: #guess,
         }
     }
 }

@@ -4,6 +4,7 @@
 
 mod closures;
 mod groups;
+mod guess;
 mod names;
 mod outline;
 mod statements;

@@ -82,6 +82,7 @@ pub(super) fn picture<'a>(
         slides: slides.collect(),
         bodies,
         points,
+        guess: None,
     };
     Some(Picture {
         outline,

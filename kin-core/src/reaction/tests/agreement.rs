@@ -1,0 +1,146 @@
+//! Forces in joints beside other ways to the same numbers.
+
+use std::string::ToString;
+use std::vec::Vec;
+
+use super::{FOUR_BAR, FourBar, first, heavy};
+use crate::any::AssemblyChoice;
+use crate::assembly::Assembly;
+use crate::geometry::Plane;
+use crate::law::{Law as _, Piecewise, Rise, Shape};
+use crate::library;
+use crate::linkage::AnyLinkage;
+use crate::load::{Loaded, Loads};
+use crate::mechanism::Mechanism;
+use crate::reaction::ReactionPart;
+
+/// Efforts by equilibrium and by virtual work, with both rates, and the forces along a sweep beside those of single poses.
+fn compare<M: Mechanism<Scalar = f64>>(mechanism: &M, range: [f64; 2], assembly: AssemblyChoice) {
+    let law = Rise::new(Shape::Polynomial56789, range[0], range[1], 0.7).expect("a law");
+    let laws: [&dyn Piecewise<f64>; 1] = [&law];
+    let linkage = AnyLinkage::of(mechanism);
+    let loads = heavy(&linkage);
+    let reactions = linkage.reactions_as_guessed(&loads).expect("bodies of the plane");
+    let sweep = linkage.sweep(assembly.clone()).under_laws(&laws, 0.05..=0.65, 7);
+    let efforts: Vec<Vec<f64>> = (0..3)
+        .map(|order| sweep.of_effort(&loads, 0, order).column().expect("it closes"))
+        .collect();
+    let rows: Vec<_> = (0..7)
+        .map(|row| {
+            let motion = law.at(sweep.at(row));
+            reactions.at(&[motion], assembly.position()).expect("it is determined")
+        })
+        .collect();
+    let close = |one: f64, other: f64, size: f64| assert!((one - other).abs() <= 1e-10 * size, "{one} {other} {size}");
+    for (order, column) in efforts.iter().enumerate() {
+        let size = column.iter().fold(0.0, |size: f64, value| size.max(value.abs()));
+        assert!(size > 0.0);
+        for (row, effort) in rows.iter().zip(column) {
+            close(row.effort(0).expect("it is determined")[order], *effort, size);
+        }
+    }
+    for name in reactions.names() {
+        for order in 0..3 {
+            let column = sweep.of_reaction(&reactions, name, ReactionPart::Force, order).column();
+            let column = column.expect("it is determined");
+            let size = column.iter().fold(0.0, |size: f64, value| size.max(value.abs()));
+            for (row, force) in rows.iter().zip(column) {
+                close(row.of(name).expect("it is determined").magnitude()[order], force, size);
+            }
+        }
+    }
+}
+
+#[test]
+fn virtual_work_gives_the_same_efforts() {
+    compare(&FOUR_BAR, [0.4, 2.9], first(&FOUR_BAR));
+    let engine: library::SliderCrank = library::SliderCrank { r: 0.1, l: 0.3 };
+    compare(&engine, [0.4, 3.9], first(&engine));
+    let offset: library::OffsetSliderCrank = library::OffsetSliderCrank {
+        r: 0.1,
+        l: 0.3,
+        h: 0.04,
+    };
+    compare(&offset, [0.4, 3.9], first(&offset));
+    let inverted: library::InvertedSliderCrank = library::InvertedSliderCrank { r1: 0.5, r2: 0.2 };
+    compare(&inverted, [0.4, 3.9], AssemblyChoice::Index(0));
+    let quick: library::WhitworthQuickReturn = library::WhitworthQuickReturn {
+        ground: 0.05,
+        crank: 0.1,
+        arm: 0.15,
+        rod: 0.5,
+    };
+    compare(&quick, [0.4, 3.9], AssemblyChoice::Index(0));
+    let watt = library::WattI {
+        r1: 0.9,
+        r2: 0.3,
+        r3: 0.8,
+        r4: 0.6,
+        p: Plane::new(0.35, 0.1),
+        q: Plane::new(0.4, 0.3),
+        r5: 0.5,
+        r6: 0.45,
+    };
+    compare(&watt, [0.6, 1.4], first(&watt));
+    let yoke: library::ScotchYoke = library::ScotchYoke { crank: 0.2, gamma: 1.4 };
+    compare(&yoke, [0.3, 2.1], AssemblyChoice::Index(0));
+}
+
+/// The forces of the ground, with the moment of the drive, change the momentum of the links.
+#[test]
+fn the_ground_feels_the_shaking_force() {
+    let linkage = AnyLinkage::of(&FOUR_BAR);
+    let loads = linkage
+        .loads()
+        .mass_of("crank", 0.7, "crank_centre", 0.01)
+        .and_then(|loads| loads.mass_of("coupler", 1.4, "coupler_centre", 0.05))
+        .and_then(|loads| loads.mass_of("rocker", 1.1, "rocker_centre", 0.03))
+        .expect("all names are there");
+    let typed = Loads::<FourBar>::new()
+        .mass(0.7, |pose| pose.crank_centre)
+        .mass(1.4, |pose| pose.coupler_centre)
+        .mass(1.1, |pose| pose.rocker_centre)
+        .inertia(0.01, |pose| pose.theta2)
+        .inertia(0.05, |pose| pose.theta3)
+        .inertia(0.03, |pose| pose.theta4);
+    let reactions = linkage.reactions(&loads).expect("its bodies are declared");
+    assert_eq!(reactions.names().collect::<Vec<_>>(), ["base", "pivot", "pin", "knee"]);
+    for start in [0.3, 1.7, 4.0] {
+        let crank = crate::motion::Motion::from((start, 7.0, -3.0, 20.0, 80.0));
+        let balance = FOUR_BAR.balance(&typed, [crank], Assembly::Open).expect("it closes");
+        let found = reactions
+            .at(&[crank], crate::any::PositionChoice::Assembly(0))
+            .expect("it is determined");
+        let [base, pivot] = ["base", "pivot"].map(|name| found.of(name).expect("it is determined"));
+        let [effort] = balance.efforts();
+        for order in 0..3 {
+            let shaking = balance.shaking_force().as_slice()[order];
+            let moment = balance.shaking_moment().as_slice()[order].z;
+            let own = found.effort(0).expect("it is determined")[order];
+            for (found, expected) in [
+                (base.x[order] + pivot.x[order], -shaking.x),
+                (base.y[order] + pivot.y[order], -shaking.y),
+                (own + 0.9 * pivot.y[order], -moment),
+                (own, effort.as_slice()[order]),
+            ] {
+                assert!(
+                    (found - expected).abs() <= 1e-11 * expected.abs(),
+                    "{order}: {found} {expected}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn names_tell_the_bodies() {
+    let linkage = AnyLinkage::of(&FOUR_BAR);
+    let reactions = linkage.reactions(&linkage.loads()).expect("its bodies are declared");
+    assert_eq!(reactions.bodies_of("knee").expect("a joint"), ["rocker", "coupler"]);
+    assert_eq!(reactions.bodies_of("base").expect("a joint"), ["crank", "ground"]);
+    let error = reactions.bodies_of("ankle").expect_err("no joint");
+    assert_eq!(
+        error.to_string(),
+        "there is no reaction `ankle`; there is `base`, `pivot`, `pin`, `knee`"
+    );
+}
