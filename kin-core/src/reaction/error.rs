@@ -51,6 +51,8 @@ pub enum ReactionError {
         freedoms: usize,
         /// The bodies.
         bodies: Vec<String>,
+        /// The equations that are no vectors, which may hold them.
+        equations: Vec<String>,
     },
     /// The joints hold the bodies in other positions, but not in this one: a change point or a limit.
     Singular {
@@ -142,13 +144,27 @@ impl fmt::Display for ReactionError {
                     "let it act on a point that one body alone has"
                 }
             ),
-            Self::Free { freedoms, bodies } => write!(
-                formatter,
-                "the joints leave {} {freedoms} freedom{} while the inputs stand: a joint is not declared, or an equation that is no \
-                 joint holds them, as that of a gear, whose force is not found",
-                Listed(bodies),
-                if *freedoms == 1 { "" } else { "s" }
-            ),
+            Self::Free {
+                freedoms,
+                bodies,
+                equations,
+            } => {
+                write!(
+                    formatter,
+                    "the joints leave {} {freedoms} freedom{} while the inputs stand: ",
+                    Listed(bodies),
+                    if *freedoms == 1 { "" } else { "s" }
+                )?;
+                if equations.is_empty() {
+                    formatter.write_str("declare the joint that is missing")
+                } else {
+                    write!(
+                        formatter,
+                        "declare the joint that is missing, or no joint stands for {}, and the force of a gear or a rack is not found",
+                        Listed(equations)
+                    )
+                }
+            }
             Self::Singular { pivot, grows } => write!(
                 formatter,
                 "the position is singular: towards it the forces {} grow beyond all bounds; the smallest pivot of their equations is {} of \

@@ -82,6 +82,7 @@ fn table(outline: &Outline, runtime: &TokenStream) -> TokenStream {
         let joint = Literal::usize_unsuffixed(*joint);
         quote!((#name, #joint))
     });
+    let scalar_equations = &outline.scalar_equations;
     let guess = match &outline.guess {
         Some(statements) => quote!(::core::option::Option::Some(#statements)),
         None => quote!(::core::option::Option::None),
@@ -92,6 +93,7 @@ fn table(outline: &Outline, runtime: &TokenStream) -> TokenStream {
             bodies: &[#(#bodies),*],
             slides: &[#(#slides),*],
             points: &[#(#points),*],
+            scalar_equations: &[#(#scalar_equations),*],
             guess: #guess,
         }
     }

@@ -261,7 +261,8 @@ impl<'a, 'b> Chains<'a, 'b> {
             bodies: bodies.collect(),
             slides,
             points: points.collect(),
-            guess: None,
+            scalar_equations: Vec::new(),
+        guess: None,
         };
         outline.guess = Some(guess::statements(&outline, &directions, |place| {
             self.written(calculated[place])

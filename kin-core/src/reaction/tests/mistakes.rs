@@ -99,8 +99,8 @@ fn what_no_joint_holds() {
     let error = still(&reactions, &[0.4]);
     assert_eq!(
         message(error),
-        "the joints leave `wheel` 1 freedom while the inputs stand: a joint is not declared, or an equation that is no joint holds \
-         them, as that of a gear, whose force is not found"
+        "the joints leave `wheel` 1 freedom while the inputs stand: declare the joint that is missing, or no joint stands for \
+         `phi == -ratio * theta`, and the force of a gear or a rack is not found"
     );
 }
 
