@@ -30,7 +30,7 @@ pub enum ReactionError {
     NotRigid {
         /// The body.
         body: String,
-        /// The rate of the distance between two of its joints, in the first motion of an input that changes it.
+        /// The speed of one of its joints against its first two, per unit of an input.
         rate: f64,
     },
     /// Nothing tells how a body turns: it has one joint without a slide, or its first two joints coincide.
@@ -123,7 +123,7 @@ impl fmt::Display for ReactionError {
             ),
             Self::NotRigid { body, rate } => write!(
                 formatter,
-                "the points of the body `{body}` do not keep their distances: one changes by {} per unit of an input",
+                "the points of the body `{body}` do not keep their distances: one moves against the others by {} per unit of an input",
                 Digits(*rate)
             ),
             Self::NoFrame { body } => write!(

@@ -55,7 +55,7 @@ impl<const N: usize> MovedFrame<N> {
     }
 }
 
-/// Distances may change by this part of their terms, by the rounding of a position that is known to half of its digits.
+/// Distances may change by this part of the largest speed, by the rounding of a position that is known to half of its digits.
 const RIGID: f64 = 1e-7;
 
 impl<const N: usize> MovedMechanism<N> {
@@ -64,33 +64,37 @@ impl<const N: usize> MovedMechanism<N> {
         self.places[self.joints + slide]
     }
 
-    /// The frames of all bodies, which keep the distances of their joints.
+    /// The frames of all bodies.
     pub(super) fn frames(&self, outline: &Outline<'_>) -> Result<Vec<MovedFrame<N>>, ReactionError> {
         let bodies = outline.bodies.iter().enumerate();
-        bodies
-            .map(|(index, body)| {
-                let name = || body.name.to_string();
-                let frame = BodyFrame::of(outline, index).ok_or_else(|| ReactionError::NoFrame { body: name() })?;
-                let [origin, along] = frame.origin_and_axis(&self.places);
-                let length = along.norm();
-                if length.real() <= f64::MIN_POSITIVE {
-                    return Err(ReactionError::NoFrame { body: name() });
+        let frames = bodies.map(|(index, body)| {
+            let frame = BodyFrame::of(outline, index).map(|frame| frame.origin_and_axis(&self.places));
+            let frame = frame.filter(|[_, along]| along.norm_squared().real() > f64::MIN_POSITIVE);
+            let [origin, along] = frame.ok_or_else(|| ReactionError::NoFrame {
+                body: body.name.to_string(),
+            })?;
+            let axis = along.scale(Series::constant(1.0) / along.norm());
+            let turn = axis.cross(slope_of(axis));
+            Ok(MovedFrame { origin, axis, turn })
+        });
+        frames.collect()
+    }
+
+    /// Whether the joints of each body move with its frame.
+    pub(super) fn check(&self, outline: &Outline<'_>, frames: &[MovedFrame<N>]) -> Result<(), ReactionError> {
+        let size = |vector: Plane<Series<N>>| vector.x.real().abs() + vector.y.real().abs();
+        let joints = self.places[..self.joints].iter();
+        let largest = joints.map(|joint| size(slope_of(*joint))).fold(0.0, f64::max);
+        for (body, frame) in outline.bodies.iter().zip(frames) {
+            for &joint in body.joints {
+                let place = self.places[joint];
+                let rate = size(slope_of(place) - frame.velocity(place));
+                if rate > RIGID * largest {
+                    let body = body.name.to_string();
+                    return Err(ReactionError::NotRigid { body, rate });
                 }
-                let axis = along.scale(Series::constant(1.0) / length);
-                let turn = axis.cross(slope_of(axis));
-                let moved = MovedFrame { origin, axis, turn };
-                for &joint in body.joints {
-                    let arm = self.places[joint] - origin;
-                    let velocity = slope_of(arm);
-                    let free = velocity - left(arm).scale(turn);
-                    let size = |vector: Plane<Series<N>>| vector.x.real().abs() + vector.y.real().abs();
-                    if size(free) > RIGID * (size(velocity) + size(left(arm).scale(turn))) {
-                        let rate = size(free);
-                        return Err(ReactionError::NotRigid { body: name(), rate });
-                    }
-                }
-                Ok(moved)
-            })
-            .collect()
+            }
+        }
+        Ok(())
     }
 }

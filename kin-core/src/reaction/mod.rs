@@ -391,6 +391,7 @@ impl ReactionPlace<'_> {
             });
             let moved = self.moved(parameters, &inputs.collect::<Vec<_>>())?;
             let frames = moved.frames(outline)?;
+            moved.check(outline, &frames)?;
             Ok(Influence { moved, frames })
         });
         moved.collect()

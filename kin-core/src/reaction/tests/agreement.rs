@@ -144,3 +144,84 @@ fn names_tell_the_bodies() {
         "there is no reaction `ankle`; there is `base`, `pivot`, `pin`, `knee`"
     );
 }
+
+crate::mechanism! {
+    /// A table that a crank lifts between two walls, and a dyad on its edge: three bodies share a joint, and the table cannot turn.
+    struct Lift { crank: Length, rod: Length, width: Length, link: Length, arm: Length }
+    input theta: Angle;
+    unknown phi: Angle, height: Length, psi: Angle, chi: Angle;
+    crank * cis(theta) + rod * cis(phi) == vec2(0, height);
+    vec2(width, height) + link * cis(psi) == vec2(3 * width, 0) + arm * cis(chi);
+    output pin: Point = crank * cis(theta);
+    output foot: Point = vec2(0, height);
+    output edge: Point = vec2(width, height);
+    output elbow: Point = vec2(3 * width, 0) + arm * cis(chi);
+    output load: Point = vec2(width / 2, height + width / 3);
+    ground 0, vec2(3 * width, 0);
+    body lever: 0, pin;
+    body strut: pin, foot;
+    body table: foot, edge, load;
+    body link: edge, elbow;
+    body arm: vec2(3 * width, 0), elbow;
+    slide foot along vec2(0, 1);
+}
+
+const LIFT: Lift = Lift { crank: 0.1, rod: 0.3, width: 0.2, link: 0.35, arm: 0.3 };
+
+/// A guide holds a table that nothing else keeps from turning: by its moment.
+#[test]
+fn a_guide_has_a_moment() {
+    compare(&LIFT, [0.4, 2.2], AssemblyChoice::Index(0));
+    let linkage = AnyLinkage::of(&LIFT);
+    let loads = linkage.loads().force(Plane::new(0.0, -50.0), "load").expect("a point");
+    let reactions = linkage.reactions(&loads).expect("its bodies are declared");
+    let crank = crate::motion::Motion::at_constant_speed(0.8, 0.0);
+    let choice = crate::any::PositionChoice::Assembly(0);
+    let found = reactions.at(&[crank], choice).expect("it is determined");
+    let of = |name: &str| found.of(name).expect("it is determined");
+    // link and arm carry nothing, and the force has an arm of half the width
+    assert!(of("elbow").magnitude()[0] < 1e-12 && of("edge").magnitude()[0] < 1e-12);
+    let slide = of("foot_slide");
+    assert!((slide.moment[0] - 50.0 * 0.1).abs() < 1e-12, "{:?}", slide.moment);
+    assert_eq!(reactions.bodies_of("foot_slide").expect("a slide"), ["strut", "ground"]);
+}
+
+/// The rates of a force are its differences along the motion.
+#[test]
+fn rates_are_differences() {
+    const STEP: f64 = 1e-5;
+    let linkage = AnyLinkage::of(&LIFT);
+    let loads = heavy(&linkage)
+        .spring(300.0, 0.1, "load", Plane::new(0.5, 0.2))
+        .and_then(|loads| loads.damper(20.0, "load", Plane::new(0.1, 0.9)))
+        .and_then(|loads| loads.torsion_spring(4.0, 0.3, "chi"))
+        .and_then(|loads| loads.torsion_damper(3.0, "height"))
+        .and_then(|loads| loads.inertia(0.04, "psi"))
+        .expect("all names are there");
+    let reactions = linkage.reactions(&loads).expect("its bodies are declared");
+    let law = Rise::new(Shape::Polynomial56789, 0.4, 2.0, 0.7).expect("a law");
+    let at = |time: f64| {
+        let found = reactions.at(&[law.at(time)], crate::any::PositionChoice::Assembly(0));
+        found.expect("it is determined")
+    };
+    for time in [0.2, 0.45] {
+        let [before, own, behind] = [time - STEP, time, time + STEP].map(at);
+        for name in reactions.names() {
+            let [before, own, behind] = [&before, &own, &behind].map(|found| found.of(name).expect("it is determined"));
+            for (before, own, behind) in [
+                (before.x, own.x, behind.x),
+                (before.y, own.y, behind.y),
+                (before.moment, own.moment, behind.moment),
+                (before.magnitude(), own.magnitude(), behind.magnitude()),
+            ] {
+                for order in 0..2 {
+                    let difference = (behind[order] - before[order]) / (2.0 * STEP);
+                    // the error is the square of the step times a rate two orders higher, which is up to 1e4 times as large
+                    let size = own[order].abs() + own[order + 1].abs() + difference.abs();
+                    let rounding = 1e-6 * size + 1e-8;
+                    assert!((own[order + 1] - difference).abs() <= rounding, "{name} {order}: {own:?} {difference}");
+                }
+            }
+        }
+    }
+}

@@ -42,6 +42,17 @@ crate::mechanism! {
     body wheel: vec2(distance, 0), rim;
 }
 
+crate::mechanism! {
+    /// A crank and a rod that are said to be one body.
+    struct Bent { crank: Length, rod: Length }
+    input theta: Angle;
+    unknown phi: Angle, s: Length;
+    crank * cis(theta) + rod * cis(phi) == vec2(s, 0);
+    let pin = crank * cis(theta);
+    ground 0;
+    body both: 0, pin, vec2(s, 0);
+}
+
 fn still(reactions: &NamedReactions<'_>, inputs: &[f64]) -> Result<Reactions, ReactionError> {
     let inputs: Vec<Motion> = inputs
         .iter()
@@ -102,6 +113,15 @@ fn what_no_joint_holds() {
         "the joints leave `wheel` 1 freedom while the inputs stand: declare the joint that is missing, or no joint stands for \
          `phi == -ratio * theta`, and the force of a gear or a rack is not found"
     );
+}
+
+#[test]
+fn bodies_are_rigid() {
+    let linkage = AnyLinkage::of(&Bent { crank: 1.0, rod: 3.0 });
+    let reactions = linkage.reactions(&linkage.loads()).expect("its bodies are declared");
+    let expected = "the points of the body `both` do not keep their distances: one moves against the others by ";
+    let error = message(still(&reactions, &[0.4]));
+    assert!(error.starts_with(expected), "{error}");
 }
 
 #[test]

@@ -3,6 +3,7 @@
 mod agreement;
 mod mistakes;
 mod published;
+mod squeezer;
 
 use crate::any::AssemblyChoice;
 use crate::linkage::AnyLinkage;
