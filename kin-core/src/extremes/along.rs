@@ -18,7 +18,7 @@ use crate::any::Of;
 use crate::load::{EFFORT_ENTRIES, LoadError, NamedLoads};
 use crate::mechanism::{JacobianError, JacobianMeasure, Mechanism, rows_of};
 use crate::number::Number;
-use crate::reaction::{NamedReactions, ReactionPart};
+use crate::reaction::{NamedReactions, ReactionError, ReactionPart};
 use crate::sweep::{Local, SmoothDrive, Sweep, UntypedSweep};
 
 /// A sweep whose quantities can be asked for. A new version may add items.
@@ -413,16 +413,11 @@ impl<'c, 'q, S: QuantitySource> QuantityAlong<'c, S, ByReaction<'q>> {
         part: ReactionPart,
         order: usize,
     ) -> Self {
-        let index = reactions
-            .index(name)
-            .map_err(|error| ExtremesError::of_reaction(f64::NAN, error));
-        let index = index.and_then(|index| {
-            if order < EFFORT_ENTRIES {
-                Ok(index)
-            } else {
-                Err(ExtremesError::of_loads(f64::NAN, LoadError::NoEffort { input: order }))
-            }
+        let index = reactions.index(name).and_then(|index| {
+            let is_known = order < EFFORT_ENTRIES;
+            is_known.then_some(index).ok_or(ReactionError::NoSuchRate { order })
         });
+        let index = index.map_err(|error| ExtremesError::of_reaction(f64::NAN, error));
         Self::new(
             sweep,
             ByReaction {

@@ -139,9 +139,7 @@ impl<const N: usize> Equations<'_, N> {
             let bodies = (0..self.frames.len()).filter(moves);
             return Err(ReactionError::Free {
                 freedoms: freedoms.len(),
-                bodies: bodies
-                    .map(|body| self.outline.bodies[body].name.to_string())
-                    .collect(),
+                bodies: bodies.map(|body| self.outline.bodies[body].name.to_string()).collect(),
                 equations: self.outline.scalar_equations.iter().map(ToString::to_string).collect(),
             });
         }

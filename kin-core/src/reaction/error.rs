@@ -61,6 +61,11 @@ pub enum ReactionError {
         /// The reactions that grow beyond all bounds.
         grows: Vec<String>,
     },
+    /// A force has its value and two rates.
+    NoSuchRate {
+        /// The order that was asked for.
+        order: usize,
+    },
     /// No reaction has this name.
     NoSuchReaction {
         /// The name.
@@ -171,6 +176,10 @@ impl fmt::Display for ReactionError {
                  the largest",
                 Listed(grows),
                 Digits(*pivot)
+            ),
+            Self::NoSuchRate { order } => write!(
+                formatter,
+                "a force in a joint has the orders 0, 1 and 2, its value and two rates: there is no order {order}"
             ),
             Self::NoSuchReaction { name, names } => {
                 write!(formatter, "there is no reaction `{name}`; there is {}", Listed(names))

@@ -262,7 +262,7 @@ impl<'a, 'b> Chains<'a, 'b> {
             slides,
             points: points.collect(),
             scalar_equations: Vec::new(),
-        guess: None,
+            guess: None,
         };
         outline.guess = Some(guess::statements(&outline, &directions, |place| {
             self.written(calculated[place])

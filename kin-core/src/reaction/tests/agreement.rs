@@ -166,7 +166,13 @@ crate::mechanism! {
     slide foot along vec2(0, 1);
 }
 
-const LIFT: Lift = Lift { crank: 0.1, rod: 0.3, width: 0.2, link: 0.35, arm: 0.3 };
+const LIFT: Lift = Lift {
+    crank: 0.1,
+    rod: 0.3,
+    width: 0.2,
+    link: 0.35,
+    arm: 0.3,
+};
 
 /// A guide holds a table that nothing else keeps from turning: by its moment.
 #[test]
@@ -219,7 +225,10 @@ fn rates_are_differences() {
                     // the error is the square of the step times a rate two orders higher, which is up to 1e4 times as large
                     let size = own[order].abs() + own[order + 1].abs() + difference.abs();
                     let rounding = 1e-6 * size + 1e-8;
-                    assert!((own[order + 1] - difference).abs() <= rounding, "{name} {order}: {own:?} {difference}");
+                    assert!(
+                        (own[order + 1] - difference).abs() <= rounding,
+                        "{name} {order}: {own:?} {difference}"
+                    );
                 }
             }
         }

@@ -4,13 +4,13 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::FOUR_BAR;
-use crate::any::PositionChoice;
+use crate::any::{AssemblyChoice, PositionChoice};
 use crate::geometry::Plane;
 use crate::library;
 use crate::linkage::AnyLinkage;
 use crate::load::{Loads, NamedLoads};
 use crate::motion::Motion;
-use crate::reaction::{NamedReactions, ReactionError, Reactions};
+use crate::reaction::{NamedReactions, ReactionError, ReactionPart, Reactions};
 
 crate::mechanism! {
     /// Two of the four-bars of IFToMM's problem A02: a coupler on three cranks of one length.
@@ -148,6 +148,22 @@ fn guesses_are_shown() {
         "the mechanism is one of space: the forces in its joints need their axes, which nothing declares; forces in joints are found in \
          the plane"
     );
+}
+
+#[test]
+fn rates_end() {
+    let linkage = AnyLinkage::of(&FOUR_BAR);
+    let reactions = linkage.reactions(&linkage.loads()).expect("its bodies are declared");
+    let sweep = linkage.sweep(AssemblyChoice::Index(0)).between(&[0.0], &[1.0], 3);
+    let error = |name, order| {
+        let quantity = sweep.of_reaction(&reactions, name, ReactionPart::X, order);
+        quantity.peak().expect_err("a mistake").to_string()
+    };
+    assert_eq!(
+        error("knee", 3),
+        "a force in a joint has the orders 0, 1 and 2, its value and two rates: there is no order 3"
+    );
+    assert!(error("nee", 0).starts_with("there is no reaction `nee`; there is `base`"));
 }
 
 #[test]

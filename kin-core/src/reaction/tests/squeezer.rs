@@ -62,9 +62,13 @@ const BODIES: [(&str, f64, f64, [f64; 2]); 7] = [
 
 fn loads(linkage: &AnyLinkage<'_>) -> NamedLoads {
     let loads = linkage.loads().torque(0.033, "beta").expect("an angle");
-    let loads = loads.spring(4530.0, 0.077_85, "hook", Plane::new(0.014, 0.072)).expect("points");
+    let loads = loads
+        .spring(4530.0, 0.077_85, "hook", Plane::new(0.014, 0.072))
+        .expect("points");
     BODIES.iter().fold(loads, |loads, (name, mass, inertia, [x, y])| {
-        loads.mass_of(name, *mass, Plane::new(*x, *y), *inertia).expect("a body")
+        loads
+            .mass_of(name, *mass, Plane::new(*x, *y), *inertia)
+            .expect("a body")
     })
 }
 
@@ -110,8 +114,13 @@ fn the_multipliers_are_forces() {
             theta -= (pose.beta.value() - beta) / rate;
         }
         let motion = Motion::from((theta, speed / rate, acceleration, 0.0, 0.0));
-        let found = reactions.at(&[motion], PositionChoice::Near(&near)).expect("it is determined");
-        for (name, multipliers) in ["knee_k3", "knee_k4", "knee_k6"].iter().zip(multipliers.chunks_exact(2)) {
+        let found = reactions
+            .at(&[motion], PositionChoice::Near(&near))
+            .expect("it is determined");
+        for (name, multipliers) in ["knee_k3", "knee_k4", "knee_k6"]
+            .iter()
+            .zip(multipliers.chunks_exact(2))
+        {
             let force = found.of(name).expect("it is determined");
             for (own, multiplier) in [force.x[0], force.y[0]].iter().zip(multipliers) {
                 assert!((own - multiplier).abs() < 1e-9 * 200.0, "{name}: {own} {multiplier}");
