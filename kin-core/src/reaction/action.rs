@@ -194,7 +194,7 @@ impl<const N: usize> Influences<'_, '_, N> {
         };
         match dimension {
             Dimension::Length => or(or(self.on_slides(quantity), Self::on_lines), Self::on_axes),
-            Dimension::Angle | Dimension::Scalar => or(self.from_ground(quantity), Self::between_bodies),
+            Dimension::Angle | Dimension::Scalar => or(self.against_ground(quantity), Self::between_bodies),
         }
     }
 
@@ -228,7 +228,7 @@ impl<const N: usize> Influences<'_, '_, N> {
     }
 
     /// The bodies that turn like an angle.
-    pub(super) fn from_ground(&self, quantity: usize) -> Vec<Action> {
+    pub(super) fn against_ground(&self, quantity: usize) -> Vec<Action> {
         let bodies = 0..self.outline.bodies.len();
         let found = bodies.filter_map(|body| {
             let sign = self.sign(quantity, |one| one.frames[body].turn)?;

@@ -82,7 +82,7 @@ impl<const N: usize> Demand<'_, N> {
             }
             NamedLoad::Inertia(inertia, angle) => {
                 let what = self.what(&format!("the inertia of `{}`", self.loads.name(angle)));
-                let found = |influences: &Influences<'_, '_, N>| influences.from_ground(angle);
+                let found = |influences: &Influences<'_, '_, N>| influences.against_ground(angle);
                 let Action { on, .. } = self.influences.action(what, found, |_| true)?;
                 if let Some(body) = on {
                     self.add_inertia(inertia, body)?;

@@ -1,6 +1,6 @@
 //! The equations of equilibrium, and their solution in series.
 
-use alloc::string::ToString;
+use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -8,7 +8,7 @@ use super::ReactionError;
 use super::action::{Action, Influences, Wrench, both, both_turned};
 use super::connection::{Connection, Member, holders};
 use super::frames::{MovedFrame, MovedMechanism, left};
-use super::rank::{Rank, rank};
+use super::rank::{Rank, largest, rank};
 use crate::geometry::Plane;
 use crate::number::Number;
 use crate::number::series::Series;
@@ -45,6 +45,12 @@ pub(super) struct Solution<const N: usize> {
     pub(super) efforts: Vec<Determined<N>>,
 }
 
+/// The unknowns, and the forces of a unit of each.
+struct System<const N: usize> {
+    unknowns: Vec<Unknown>,
+    columns: Vec<Vec<Series<N>>>,
+}
+
 pub(super) struct Equations<'e, const N: usize> {
     pub(super) outline: &'e Outline<'e>,
     pub(super) connections: &'e [Connection],
@@ -57,12 +63,20 @@ pub(super) struct Equations<'e, const N: usize> {
 impl<const N: usize> Equations<'_, N> {
     /// The forces with which the bodies move as they do, from what each lacks without them.
     pub(super) fn solve(&self, demand: &[Wrench<Series<N>>]) -> Result<Solution<N>, ReactionError> {
-        let (unknowns, columns, Rank { basis, .. }) = self.unknowns()?;
+        let System { unknowns, columns } = self.system();
+        let reals: Vec<Vec<f64>> = columns.iter().map(|column| reals(column)).collect();
+        let Rank { basis, null, pivot } = rank(&reals);
         let count = demand.len() * OF_BODY;
-        let mut entries: Vec<Series<N>> = Vec::with_capacity(count * count);
-        for row in 0..count {
-            entries.extend(basis.iter().map(|column| columns[*column][row]));
+        if unknowns.len() < count {
+            return Err(self.free(&columns));
         }
+        if basis.len() < count {
+            let grows = self.taking_part(&unknowns, &null);
+            return Err(ReactionError::Singular { pivot, grows });
+        }
+        let row = |row: usize| basis.iter().map(move |column| (*column, row));
+        let places = (0..count).flat_map(row);
+        let mut entries: Vec<Series<N>> = places.map(|(column, row)| columns[column][row]).collect();
         let mut rows = vec![FactorRow::default(); count];
         factor_in(&mut entries, &mut rows).map_err(|_| ReactionError::NotFinite)?;
         let solve = |right: &[Series<N>]| {
@@ -80,7 +94,7 @@ impl<const N: usize> Equations<'_, N> {
         for free in (0..unknowns.len()).filter(|column| !basis.contains(column)) {
             is_open[free] = true;
             let parts = solve(&columns[free]);
-            let open = taking_part(&parts, &basis, &columns, &columns[free]);
+            let open = open(&parts, &basis, &columns, &columns[free]);
             for (column, takes_part) in basis.iter().zip(open) {
                 is_open[*column] |= takes_part;
             }
@@ -92,7 +106,7 @@ impl<const N: usize> Equations<'_, N> {
     }
 
     /// The unknowns with their columns. Slides have moments where nothing else keeps the slider from turning.
-    fn unknowns(&self) -> Result<(Vec<Unknown>, Vec<Vec<Series<N>>>, Rank), ReactionError> {
+    fn system(&self) -> System<N> {
         let mut unknowns: Vec<Unknown> = Vec::new();
         for (connection, own) in self.connections.iter().enumerate() {
             match own.slide {
@@ -106,61 +120,50 @@ impl<const N: usize> Equations<'_, N> {
             let Some(slide) = own.slide else { continue };
             let guide = self.outline.slides[slide].guide;
             for on in holders(self.outline, own.joint) {
-                if !self.influences.keeps_angle([on, guide]) {
-                    continue;
-                }
                 let turns = |motion: &Vec<f64>| {
                     let turn = |member: Member| member.map_or(0.0, |body| motion[body * OF_BODY + 2]);
-                    let largest = motion.iter().fold(0.0, |largest: f64, entry| largest.max(entry.abs()));
-                    (turn(on) - turn(guide)).abs() > NO_PART * largest
+                    (turn(on) - turn(guide)).abs() > NO_PART * largest(motion)
                 };
-                if self.freedoms(&columns).iter().any(turns) {
+                if self.influences.keeps_angle([on, guide]) && self.freedoms(&columns).iter().any(turns) {
                     let unknown = Unknown::Moment { connection, on };
                     columns.push(self.column(unknown));
                     unknowns.push(unknown);
                 }
             }
         }
-        let real: Vec<Vec<f64>> = columns.iter().map(|column| reals(column)).collect();
-        let rank = rank(&real);
-        let count = self.frames.len() * OF_BODY;
-        if rank.basis.len() == count {
-            return Ok((unknowns, columns, rank));
+        System { unknowns, columns }
+    }
+
+    /// Which bodies can move though the inputs stand.
+    fn free(&self, columns: &[Vec<Series<N>>]) -> ReactionError {
+        let freedoms = self.freedoms(columns);
+        let moves = |motion: &Vec<f64>, body: usize| {
+            largest(&motion[body * OF_BODY..(body + 1) * OF_BODY]) > NO_PART * largest(motion)
+        };
+        let bodies = (0..self.frames.len()).filter(|body| freedoms.iter().any(|motion| moves(motion, *body)));
+        ReactionError::Free {
+            freedoms: freedoms.len(),
+            bodies: bodies.map(|body| self.outline.bodies[body].name.to_string()).collect(),
+            equations: self.outline.scalar_equations.iter().map(ToString::to_string).collect(),
         }
-        if unknowns.len() < count {
-            let freedoms = self.freedoms(&columns);
-            let moves = |body: &usize| {
-                freedoms.iter().any(|motion| {
-                    let largest = motion.iter().fold(0.0, |largest: f64, entry| largest.max(entry.abs()));
-                    let own = &motion[body * OF_BODY..(body + 1) * OF_BODY];
-                    own.iter().any(|entry| entry.abs() > NO_PART * largest)
-                })
-            };
-            let bodies = (0..self.frames.len()).filter(moves);
-            return Err(ReactionError::Free {
-                freedoms: freedoms.len(),
-                bodies: bodies.map(|body| self.outline.bodies[body].name.to_string()).collect(),
-                equations: self.outline.scalar_equations.iter().map(ToString::to_string).collect(),
-            });
-        }
-        let mut grows = Vec::new();
+    }
+
+    /// The connections with a part in combinations that are zero.
+    fn taking_part(&self, unknowns: &[Unknown], combinations: &[Vec<f64>]) -> Vec<String> {
+        let mut names: Vec<String> = Vec::new();
         for (column, unknown) in unknowns.iter().enumerate() {
-            let takes_part = |combination: &Vec<f64>| {
-                let largest = combination
-                    .iter()
-                    .fold(0.0, |largest: f64, entry| largest.max(entry.abs()));
-                combination[column].abs() > NO_PART * largest
-            };
-            if let Unknown::Pin { connection, .. } | Unknown::Normal { connection } | Unknown::Moment { connection, .. } =
+            let takes_part = |combination: &Vec<f64>| combination[column].abs() > NO_PART * largest(combination);
+            let (Unknown::Pin { connection, .. } | Unknown::Normal { connection } | Unknown::Moment { connection, .. }) =
                 *unknown
-                && rank.null.iter().any(takes_part)
-            {
-                grows.push(self.connections[connection].name.clone());
+            else {
+                continue;
+            };
+            let name = &self.connections[connection].name;
+            if combinations.iter().any(takes_part) && !names.contains(name) {
+                names.push(name.clone());
             }
         }
-        grows.dedup();
-        let pivot = rank.pivot;
-        Err(ReactionError::Singular { pivot, grows })
+        names
     }
 
     /// The motions of the bodies that no column resists: a velocity and a rate of turning for each.
@@ -278,7 +281,7 @@ fn reals<const N: usize>(column: &[Series<N>]) -> Vec<f64> {
 const TERMS: usize = 3;
 
 /// Which unknowns of the basis take part in a combination that is zero, by the sizes of their forces beside that of the column itself.
-fn taking_part<const N: usize>(
+fn open<const N: usize>(
     parts: &[Series<N>],
     basis: &[usize],
     columns: &[Vec<Series<N>>],

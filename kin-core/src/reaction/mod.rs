@@ -238,7 +238,7 @@ impl<'m> NamedReactions<'m> {
     /// [`ReactionError`] where the mechanism has no pose, where loads or drives have no certain place, and where the joints do not hold the
     /// bodies.
     pub fn at(&self, inputs: &[Motion], choice: PositionChoice<'_, f64>) -> Result<Reactions, ReactionError> {
-        let values: Vec<f64> = inputs.iter().map(|input| input.value()).collect();
+        let values: Vec<f64> = inputs.iter().map(Motion::value).collect();
         let description = self.functions.description();
         let mut unknowns = vec![0.0; description.unknowns.len()];
         self.functions

@@ -17,14 +17,20 @@ pub(super) struct Rank {
     pub(super) pivot: f64,
 }
 
+/// The size of the largest entry.
+pub(super) fn largest(entries: &[f64]) -> f64 {
+    entries.iter().fold(0.0, |largest, entry| largest.max(entry.abs()))
+}
+
 /// Eliminates a matrix that is given by its columns. Each is first divided by its largest entry.
 pub(super) fn rank(columns: &[Vec<f64>]) -> Rank {
-    let largest_of = |column: &[f64]| column.iter().fold(0.0, |largest: f64, entry| largest.max(entry.abs()));
-    let sizes: Vec<f64> = columns.iter().map(|column| largest_of(column)).collect();
+    let sizes: Vec<f64> = columns.iter().map(|column| largest(column)).collect();
     let mut entries: Vec<Vec<f64>> = columns.to_vec();
     for (column, size) in entries.iter_mut().zip(&sizes) {
         if *size > 0.0 {
-            column.iter_mut().for_each(|entry| *entry /= size);
+            for entry in column {
+                *entry /= size;
+            }
         }
     }
     let height = entries.first().map_or(0, Vec::len);

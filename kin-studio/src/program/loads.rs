@@ -3,7 +3,7 @@
 use kin_core::any::{Description, Outline};
 use kin_core::linkage::{AnyLinkage, LinkageFunctions};
 use kin_core::load::{NamedLoads, NoSuchPlace, PointPlace};
-use kin_core::reaction::{ReactionError, ReactionPart};
+use kin_core::reaction::{NamedReactions, ReactionError, ReactionPart};
 use kin_core::{Dimension, Plane, Space};
 
 use super::fault::Fault;
@@ -178,7 +178,7 @@ impl ForceColumns {
         // the names depend on no dimension
         let linkage = AnyLinkage::new(functions, &vec![1.0; description.parameters.len()]);
         let reactions = linkage.reactions(&linkage.loads());
-        for name in reactions.iter().flat_map(|reactions| reactions.names()) {
+        for name in reactions.iter().flat_map(NamedReactions::names) {
             let parts = [
                 ReactionPart::X,
                 ReactionPart::Y,

@@ -83,9 +83,10 @@ fn table(outline: &Outline, runtime: &TokenStream) -> TokenStream {
         quote!((#name, #joint))
     });
     let scalar_equations = &outline.scalar_equations;
-    let guess = match &outline.guess {
-        Some(statements) => quote!(::core::option::Option::Some(#statements)),
-        None => quote!(::core::option::Option::None),
+    let guess = if let Some(statements) = &outline.guess {
+        quote!(::core::option::Option::Some(#statements))
+    } else {
+        quote!(::core::option::Option::None)
     };
     quote! {
         #runtime::Outline {

@@ -13,7 +13,7 @@ use crate::motion::Motion;
 use crate::reaction::{NamedReactions, ReactionError, ReactionPart, Reactions};
 
 crate::mechanism! {
-    /// Two of the four-bars of IFToMM's problem A02: a coupler on three cranks of one length.
+    /// A coupler on three cranks of one length: problem A02 of the library of benchmarks of `IFToMM`.
     struct NFourBar { length: Length }
     input theta: Angle;
     unknown tip_x: Length, tip_y: Length;
@@ -98,6 +98,26 @@ fn a_coupler_on_three_cranks() {
     for (own, other) in own.iter().zip(balance.expect("it closes").efforts()[0].as_slice()) {
         assert!((own - other).abs() < 1e-13 * (1.0 + other.abs()), "{own} {other}");
     }
+}
+
+/// The cranks and the coupler lie on one line.
+#[test]
+fn a_change_point_is_singular() {
+    let linkage = AnyLinkage::of(&NFourBar { length: 1.0 });
+    let reactions = linkage.reactions(&linkage.loads()).expect("its bodies are declared");
+    let reactions = reactions.driving("theta", "first").expect("a body");
+    let error = still(&reactions, &[0.0]).expect_err("it is singular");
+    let ReactionError::Singular { pivot, grows } = &error else {
+        panic!("{error}")
+    };
+    assert!(*pivot < 1e-12, "{pivot}");
+    assert!(grows.contains(&"b2".to_string()), "{grows:?}");
+    assert!(
+        error
+            .to_string()
+            .starts_with("the position is singular: towards it the forces `"),
+        "{error}"
+    );
 }
 
 #[test]

@@ -5,10 +5,9 @@ mod mistakes;
 mod published;
 mod squeezer;
 
-use crate::any::AssemblyChoice;
+use crate::geometry::Plane;
 use crate::linkage::AnyLinkage;
 use crate::load::NamedLoads;
-use crate::mechanism::Mechanism;
 
 crate::mechanism! {
     /// Four-bar linkage with declared bodies and centres.
@@ -38,18 +37,13 @@ pub(super) const FOUR_BAR: FourBar = FourBar {
 
 /// Every body of a linkage with a mass, a centre and an inertia, which no other one has.
 pub(super) fn heavy(linkage: &AnyLinkage<'_>) -> NamedLoads {
-    let loads = linkage.loads().gravity(crate::geometry::Plane::new(0.3, -9.81));
+    let loads = linkage.loads().gravity(Plane::new(0.3, -9.81));
     let bodies = linkage.outline().bodies.iter().enumerate();
     bodies.fold(loads, |loads, (index, body)| {
         let part = f64::from(u8::try_from(index).expect("a few bodies")) + 1.0;
-        let centre = crate::geometry::Plane::new(0.07 * part, 0.11 - 0.03 * part);
+        let centre = Plane::new(0.07 * part, 0.11 - 0.03 * part);
         loads
             .mass_of(body.name, 0.8 + 0.3 * part, centre, 0.02 * part)
             .expect("the body is there")
     })
-}
-
-/// The first assembly of a mechanism, or values near its example.
-pub(super) fn first<M: Mechanism<Scalar = f64>>(_: &M) -> AssemblyChoice {
-    AssemblyChoice::Index(0)
 }

@@ -147,11 +147,13 @@ impl Reader<'_, '_> {
             .map_or_else(|| "tip".to_owned(), |&name| name.to_owned());
         match kind {
             "gravity" => "gravity is written as `gravity = (0, -9.81m/s2);`".to_owned(),
-            "mass" => format!(
-                "a mass is at a point, or that of a body: write `mass {point} = 2kg;` or `mass of {} = 2kg at (30mm, 0), inertia \
-                 0.02kgm2;`",
-                self.places.bodies().first().unwrap_or(&"rod")
-            ),
+            "mass" => match self.places.bodies().first() {
+                Some(body) => format!(
+                    "a mass is at a point, or that of a body: write `mass {point} = 2kg;` or `mass of {body} = 2kg at (30mm, 0), \
+                     inertia 0.02kgm2;`"
+                ),
+                None => format!("a mass is at a point: write `mass {point} = 2kg;`"),
+            },
             "inertia" => format!("a moment of inertia is with an angle: write `inertia {angle} = 0.02kgm2;`"),
             "force" => match angles(Dimension::Length) {
                 Some(distance) => format!(
@@ -255,6 +257,9 @@ impl Reader<'_, '_> {
                 Err(part.mistake(format!("loads act on the whole point: write `{point}`")))
             }
             Some(Dimension::Scalar) => Err(part.mistake(format!("`{name}` is a plain number, on which no load acts"))),
+            None if self.places.bodies().contains(&name.as_str()) => Err(part.mistake(format!(
+                "`{name}` is a body: write `mass of {name} = 2kg at (30mm, 0), inertia 0.02kgm2;`, or name a point"
+            ))),
             None => {
                 let (points, angles) = (self.places.points(), self.places.angles());
                 let advice = similar(&name, points.iter().chain(&angles).copied());
