@@ -10,7 +10,7 @@ use super::groups::Groups;
 use super::guess;
 use super::outline::{Joint, Picture};
 use super::terms::{LinkTerm, terms};
-use super::turning::{Direction, Manner, TurningAngles, manner};
+use super::turning::{Manner, SlideDirection, TurningAngles, manner};
 use crate::model::ValueShape;
 use crate::syntax::{EquationStatement, OutputStatement, TypedFormula};
 use crate::translate::tree::{Body, Outline, Slide};
@@ -246,7 +246,7 @@ impl<'a, 'b> Chains<'a, 'b> {
             };
             Some((slide, direction.clone()))
         });
-        let (slides, directions): (Vec<Slide>, Vec<Direction>) = found.unzip();
+        let (slides, directions): (Vec<Slide>, Vec<SlideDirection>) = found.unzip();
         let bodies = groups.iter().map(|&group| Body {
             name: self.name(&parts, group),
             joints: places(group),

@@ -2,12 +2,12 @@
 
 use super::SkeletonNames;
 use super::terms::LinkTerm;
-use super::turning::Direction;
+use super::turning::SlideDirection;
 use crate::model::ValueShape;
 use crate::translate::tree::Outline;
 
 /// One statement in a line. `joint` writes a joint by its place.
-pub(super) fn statements(outline: &Outline, directions: &[Direction], joint: impl Fn(usize) -> String) -> String {
+pub(super) fn statements(outline: &Outline, directions: &[SlideDirection], joint: impl Fn(usize) -> String) -> String {
     let point = |place: &usize| {
         let mut named = outline.points.iter().filter(|(_, own)| own == place);
         named.next().map_or_else(|| joint(*place), |(name, _)| name.clone())

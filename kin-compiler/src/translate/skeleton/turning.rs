@@ -20,7 +20,7 @@ pub(super) enum Manner {
     /// Its length is not. The direction has any length but zero.
     Sliding {
         turning: TurningAngles,
-        direction: Direction,
+        direction: SlideDirection,
     },
     /// Nothing is known of it.
     Free,
@@ -28,7 +28,7 @@ pub(super) enum Manner {
 
 /// The direction of a slide.
 #[derive(Clone)]
-pub(super) struct Direction {
+pub(super) struct SlideDirection {
     pub(super) tree: Tree,
     /// As a declaration writes it.
     pub(super) text: String,
@@ -54,7 +54,7 @@ pub(super) fn manner(formula: &TypedFormula, shape: ValueShape, names: &Skeleton
     }
     let direction = match factor.direction {
         None => axis(Axis::X, shape),
-        Some(direction) => Direction {
+        Some(direction) => SlideDirection {
             tree: in_picture(direction.tree, shape),
             ..direction
         },
@@ -72,7 +72,7 @@ struct Factor {
     /// Whether a scalar in it varies.
     slides: bool,
     /// The vector in it, without such scalars; none if it is a scalar.
-    direction: Option<Direction>,
+    direction: Option<SlideDirection>,
 }
 
 /// `None` if it varies in another way than by turning or by a scalar factor.
@@ -89,7 +89,7 @@ fn factor(formula: &TypedFormula, names: &SkeletonNames<'_>) -> Option<Factor> {
         let rotation = (shape == ValueShape::Rotation).then(|| (formula.to_string(), false));
         return Some(Factor {
             rotations: rotation.into_iter().collect(),
-            direction: Some(Direction {
+            direction: Some(SlideDirection {
                 tree: vector,
                 text: format!("({formula})"),
             }),
@@ -108,13 +108,18 @@ fn factor(formula: &TypedFormula, names: &SkeletonNames<'_>) -> Option<Factor> {
         }
         FormulaKind::Call { callee, arguments, .. } => {
             let text = formula.to_string();
-            call(*callee, arguments, Direction { tree: vector, text }, names)
+            call(*callee, arguments, SlideDirection { tree: vector, text }, names)
         }
         _ => None,
     }
 }
 
-fn call(callee: Callee, arguments: &[TypedFormula], vector: Direction, names: &SkeletonNames<'_>) -> Option<Factor> {
+fn call(
+    callee: Callee,
+    arguments: &[TypedFormula],
+    vector: SlideDirection,
+    names: &SkeletonNames<'_>,
+) -> Option<Factor> {
     let mut factor = Factor::default();
     match (callee, arguments) {
         (Callee::Cis, [angle]) => {
@@ -124,7 +129,7 @@ fn call(callee: Callee, arguments: &[TypedFormula], vector: Direction, names: &S
         (Callee::Polar, [length, angle]) => {
             add_angle(angle, 1.0, names, &mut factor.angles);
             factor.slides = names.varies(length);
-            factor.direction = Some(Direction {
+            factor.direction = Some(SlideDirection {
                 tree: Tree::call(ValueShape::Plane, Operation::Cis, vec![names.tree(angle)]),
                 text: format!("cis({angle})"),
             });
@@ -169,7 +174,7 @@ impl Factor {
         self.rotations.extend(other.rotations);
         self.slides |= other.slides;
         self.direction = match (self.direction.take(), other.direction) {
-            (Some(left), Some(right)) => Some(Direction {
+            (Some(left), Some(right)) => Some(SlideDirection {
                 tree: product(left.tree, right.tree),
                 text: format!("{} * {}", left.text, right.text),
             }),
@@ -179,10 +184,10 @@ impl Factor {
 }
 
 /// The unit vector along an axis.
-fn axis(along: Axis, shape: ValueShape) -> Direction {
+fn axis(along: Axis, shape: ValueShape) -> SlideDirection {
     let parts = || shape.axes().iter().map(|own| if *own == along { 1.0 } else { 0.0 });
     let texts: Vec<String> = parts().map(|part: f64| part.to_string()).collect();
-    Direction {
+    SlideDirection {
         tree: Tree::call(shape, Operation::Vector, parts().map(Tree::number).collect()),
         text: format!("vec{}({})", texts.len(), texts.join(", ")),
     }

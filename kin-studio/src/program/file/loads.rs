@@ -149,8 +149,8 @@ impl Reader<'_, '_> {
             "gravity" => "gravity is written as `gravity = (0, -9.81m/s2);`".to_owned(),
             "mass" => match self.places.bodies().first() {
                 Some(body) => format!(
-                    "a mass is at a point, or that of a body: write `mass {point} = 2kg;` or `mass of {body} = 2kg at (30mm, 0), \
-                     inertia 0.02kgm2;`"
+                    "a mass is at a point, or that of a body: write `mass {point} = 2kg;` or `mass of {body} = 2kg \
+                     at (30mm, 0), inertia 0.02kgm2;`"
                 ),
                 None => format!("a mass is at a point: write `mass {point} = 2kg;`"),
             },
@@ -176,8 +176,8 @@ impl Reader<'_, '_> {
 
     /// `mass of rod = 2kg at (30mm, 0), inertia 0.02kgm2`.
     fn mass_of(&mut self, entry: &Entry) -> Result<Load, Mistake> {
-        let form = "the mass of a body has a centre and an inertia: write `2kg at (30mm, 0), inertia 0.02kgm2`, or a point of the body \
-                    behind `at`";
+        let form = "the mass of a body has a centre and an inertia: write `2kg at (30mm, 0), inertia 0.02kgm2`, or a \
+                    point of the body behind `at`";
         let body = match &entry.words[2..] {
             [TokenTree::Ident(body)] => body.to_string(),
             _ => return Err(entry.head.mistake(self.advice("mass"))),

@@ -91,7 +91,7 @@ pub(super) fn headed(assembly: &str, count: usize, text: String) -> String {
     }
 }
 
-/// The table in the units that are shown, with the forces that are wanted. Those in joints are not shown without being asked for.
+/// The table in the units that are shown, with the forces that are wanted. Those in joints are shown if they are named.
 fn table(subject: &Subject, case: &Case, rows: usize, wanted: &[String]) -> Result<Table, Fault> {
     let mut table = in_units(subject.table(case, rows)?, case);
     let description = subject.description();
