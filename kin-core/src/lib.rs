@@ -135,6 +135,8 @@ mod number;
 mod picture;
 pub mod prelude;
 mod quantity;
+#[cfg(feature = "alloc")]
+pub mod reaction;
 #[doc(hidden)]
 pub mod solve;
 #[cfg(feature = "serde")]

@@ -26,6 +26,7 @@ struct Tables<'n> {
     bodies: Vec<Body<'n>>,
     slides: Vec<Slide>,
     points: Vec<(&'n str, usize)>,
+    scalar_equations: Vec<&'n str>,
 }
 
 self_cell!(
@@ -83,13 +84,19 @@ impl OwnedDescription {
     pub(crate) fn outline(&self) -> Outline<'_> {
         let tables = self.borrow_owner();
         let Tables {
-            bodies, slides, points, ..
+            bodies,
+            slides,
+            points,
+            scalar_equations,
+            ..
         } = tables.borrow_dependent();
         Outline {
             ground: &tables.borrow_owner().outline.ground,
             bodies,
             slides,
             points,
+            scalar_equations,
+            guess: tables.borrow_owner().outline.guess.as_deref(),
         }
     }
 }
@@ -129,6 +136,7 @@ fn tables(names: &Names) -> Tables<'_> {
             .iter()
             .map(|(name, joint)| (name.as_str(), *joint))
             .collect(),
+        scalar_equations: outline.scalar_equations.iter().map(String::as_str).collect(),
     }
 }
 

@@ -101,11 +101,15 @@ pub(super) fn check(declaration: &Declaration, graph: &Graph, scope: &mut Scope<
                 for point in &body.points {
                     points.point(point);
                 }
-                let guides = declaration.statements.iter().any(|statement| {
-                    matches!(statement, Statement::Slide(slide) if slide.guide.as_ref() == Some(&body.name))
-                });
+                // a body of one point carries the line of a slide, or slides along one
+                let slides = |only: &TypedFormula| {
+                    declaration.statements.iter().any(|statement| {
+                        matches!(statement, Statement::Slide(slide) if slide.guide.as_ref() == Some(&body.name)
+                            || slide.point.to_string() == only.to_string())
+                    })
+                };
                 if let [only] = body.points.as_slice()
-                    && !guides
+                    && !slides(only)
                 {
                     points.mistakes.error(
                         only.extent,

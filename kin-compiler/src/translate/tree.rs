@@ -35,6 +35,10 @@ pub struct Outline {
     pub slides: Vec<Slide>,
     /// The marked points, each with its joint.
     pub points: Vec<(String, usize)>,
+    /// The equations that are no vectors, as that of a gear.
+    pub scalar_equations: Vec<String>,
+    /// The statements that would declare it, if it follows from the vector equations.
+    pub guess: Option<String>,
 }
 
 /// A rigid body that moves.

@@ -18,6 +18,7 @@ use crate::any::Of;
 use crate::load::{EFFORT_ENTRIES, LoadError, NamedLoads};
 use crate::mechanism::{JacobianError, JacobianMeasure, Mechanism, rows_of};
 use crate::number::Number;
+use crate::reaction::{NamedReactions, ReactionError, ReactionPart};
 use crate::sweep::{Local, SmoothDrive, Sweep, UntypedSweep};
 
 /// A sweep whose quantities can be asked for. A new version may add items.
@@ -268,6 +269,26 @@ impl<S: QuantitySource> AskedQuantity<S> for ByEffort<'_> {
     }
 }
 
+/// A part of the force in a joint, or one of its rates.
+#[derive(Clone, Debug)]
+pub struct ByReaction<'q> {
+    reactions: &'q NamedReactions<'q>,
+    index: Result<usize, ExtremesError>,
+    part: ReactionPart,
+    order: usize,
+}
+
+impl<S: QuantitySource> AskedQuantity<S> for ByReaction<'_> {
+    fn check(&self, _: &S, _: usize) -> Result<(), ExtremesError> {
+        self.index.clone().map(|_| ())
+    }
+
+    fn at(&self, sweep: &S, station: &SweepStation<'_>) -> Result<Local, ExtremesError> {
+        let index = self.index.clone()?;
+        station.reaction(sweep.changed(), self.reactions, (index, self.part), self.order)
+    }
+}
+
 impl<M, D, A, F> AskedQuantity<Sweep<M, D>> for ByExpression<F>
 where
     M: Mechanism<Scalar = f64>,
@@ -381,6 +402,31 @@ impl<'c, S: QuantitySource> QuantityAlong<'c, S, ByJacobian> {
 impl<'c, 'q, S: QuantitySource> QuantityAlong<'c, S, ByEffort<'q>> {
     pub(crate) fn by_effort(sweep: &'c S, loads: &'q NamedLoads, input: usize, order: usize) -> Self {
         Self::new(sweep, ByEffort { loads, input, order })
+    }
+}
+
+impl<'c, 'q, S: QuantitySource> QuantityAlong<'c, S, ByReaction<'q>> {
+    pub(crate) fn by_reaction(
+        sweep: &'c S,
+        reactions: &'q NamedReactions<'q>,
+        name: &str,
+        part: ReactionPart,
+        order: usize,
+    ) -> Self {
+        let index = reactions.index(name).and_then(|index| {
+            let is_known = order < EFFORT_ENTRIES;
+            is_known.then_some(index).ok_or(ReactionError::NoSuchRate { order })
+        });
+        let index = index.map_err(|error| ExtremesError::of_reaction(f64::NAN, error));
+        Self::new(
+            sweep,
+            ByReaction {
+                reactions,
+                index,
+                part,
+                order,
+            },
+        )
     }
 }
 

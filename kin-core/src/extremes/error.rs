@@ -9,6 +9,7 @@ use crate::failure::SolveError;
 use crate::load::LoadError;
 use crate::mechanism::JacobianError;
 use crate::quantity::Digits;
+use crate::reaction::ReactionError;
 use crate::sweep::{NoSuchColumn, SweepError};
 
 /// The reason why a question to a sweep has no answer.
@@ -57,6 +58,13 @@ pub enum ExtremesError {
         /// The reason.
         error: Box<LoadError>,
     },
+    /// The force in a joint is not found at a place where the mechanism closes.
+    Reaction {
+        /// The place; NaN if the question itself is at fault.
+        at: f64,
+        /// The reason.
+        error: Box<ReactionError>,
+    },
     /// The results have no Jacobian with singular values, whatever the place.
     Jacobian(Box<JacobianError>),
     /// The peak moves with the end of the circuit or stands at a kink, so that it has no sensitivity of its own.
@@ -93,6 +101,18 @@ impl ExtremesError {
     pub(super) fn of_loads(at: f64, error: LoadError) -> Self {
         let error = Box::new(error);
         Self::Load { at, error }
+    }
+
+    /// The error of the force in a joint at a place of a sweep.
+    pub(super) fn of_reaction(at: f64, error: ReactionError) -> Self {
+        match error {
+            ReactionError::Solve(_) => Self::Gap { at },
+            ReactionError::NotFinite => Self::NotFinite { at },
+            error => {
+                let error = Box::new(error);
+                Self::Reaction { at, error }
+            }
+        }
     }
 
     /// The error of a Jacobian at a place of a sweep.
@@ -136,6 +156,8 @@ impl fmt::Display for ExtremesError {
             ),
             Self::NotFinite { at } => write!(formatter, "the quantity is not finite at {}", Digits(*at)),
             Self::Load { at, error } => write!(formatter, "at {}: {error}", Digits(*at)),
+            Self::Reaction { at, error } if at.is_nan() => write!(formatter, "{error}"),
+            Self::Reaction { at, error } => write!(formatter, "at {}: {error}", Digits(*at)),
             Self::Jacobian(error) => write!(formatter, "{error}"),
             Self::NoSensitivity { at, kind } => write!(
                 formatter,
@@ -179,6 +201,7 @@ impl Error for ExtremesError {
             Self::Sweep(error) => Some(error),
             Self::NothingCloses(error) => Some(error),
             Self::Load { error, .. } => Some(&**error),
+            Self::Reaction { error, .. } => Some(&**error),
             Self::Jacobian(error) => Some(&**error),
             _ => None,
         }

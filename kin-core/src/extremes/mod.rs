@@ -67,7 +67,9 @@ mod tests;
 pub use along::QuantityAlong;
 pub(crate) use along::pose_quantity;
 #[doc(hidden)]
-pub use along::{AskedQuantity, ByDyad, ByEffort, ByExpression, ByJacobian, ByName, QuantitySource, SensitiveQuantity};
+pub use along::{
+    AskedQuantity, ByDyad, ByEffort, ByExpression, ByJacobian, ByName, ByReaction, QuantitySource, SensitiveQuantity,
+};
 pub use answer::Answer;
 pub use at::At;
 pub(crate) use branch::{KnownStretch, KnownSweep, StationQuantity, named_quantity};

@@ -5,13 +5,14 @@ use alloc::vec::Vec;
 
 use super::ExtremesError;
 use super::margin::{DyadFunctions, Margins};
-use crate::any::{NearOver, Of, OutputsOver};
+use crate::any::{NearOver, Of, OutputsOver, PlacesOver};
 use crate::failure::SolveError;
 use crate::load::{Change, EFFORT_ENTRIES, NamedLoads, NamedMotion};
 use crate::mechanism::{Description, Jacobian, Mechanism};
 use crate::number::series::Series;
 use crate::number::{Changing, Number, NumberRow};
 use crate::quantity::{Dimension, Quantity};
+use crate::reaction::{NamedReactions, ReactionFunctions, ReactionPart, ReactionPlace};
 use crate::solve::{Scalar, nearest_turn};
 use crate::sweep::{Local, READ, TERMS, by_time, composed};
 
@@ -28,8 +29,14 @@ pub trait NamedFunctions:
 
 impl<F: PositionFunctions<Series<UP_TO_SNAP>> + PositionFunctions<Series<READ>> + DyadFunctions> NamedFunctions for F {}
 
-/// What the dependence of a quantity on the dimensions needs beside: positions in series that change with a dimension.
-pub trait ChangedFunctions: NamedFunctions + PositionFunctions<Changing<Series<UP_TO_SNAP>>> {
+/// What the dependence of a quantity on the dimensions, and forces, need beside: positions in series that change with a dimension or an
+/// input, and the places of the picture.
+pub trait ChangedFunctions:
+    NamedFunctions
+    + PositionFunctions<Changing<Series<UP_TO_SNAP>>>
+    + PlacesOver<Changing<Series<UP_TO_SNAP>>>
+    + ReactionFunctions
+{
     /// The same in longer series, if the mechanism has derivatives above snap.
     fn above_snap(&self) -> Option<&dyn PositionFunctions<Changing<Series<READ>>>>;
 }
@@ -244,15 +251,47 @@ impl SweepStation<'_> {
         for (index, output) in outputs.iter_mut().enumerate() {
             *output = unwrapped(self.description.outputs[index], *output, self.outputs[index]);
         }
+        let by_time = |quantity: Number| -> NamedMotion<Local> {
+            let (value, change) = (quantity.value.derivatives(), quantity.change.derivatives());
+            core::array::from_fn(|order| Change::new(self.by_time(&value, order), self.by_time(&change, order)))
+        };
         let all = [&*parameters, &*inputs, &*unknowns, &outputs].into_iter().flatten();
-        let quantities: Vec<NamedMotion<Local>> = all
-            .map(|quantity| {
-                let (value, change) = (quantity.value.derivatives(), quantity.change.derivatives());
-                core::array::from_fn(|order| Change::new(self.by_time(&value, order), self.by_time(&change, order)))
-            })
-            .collect();
-        let effort = loads.effort(&quantities);
+        let quantities: Vec<NamedMotion<Local>> = all.map(|quantity| by_time(*quantity)).collect();
+        let mut places: Vec<[NamedMotion<Local>; 2]> = Vec::new();
+        if loads.has_bodies() && !functions.is_space() {
+            let mut all: Vec<[Number; 2]> = Vec::new();
+            let mut add = |place: &[Number]| all.push([place[0], place[1]]);
+            PlacesOver::<Number>::places(functions, parameters, inputs, unknowns, &mut add);
+            let joints = all.len() - functions.outline().slides.len();
+            for [x, y] in &mut all[joints..] {
+                let length = (*x * *x + *y * *y).sqrt();
+                (*x, *y) = (*x / length, *y / length);
+            }
+            places.extend(all.into_iter().map(|place| place.map(by_time)));
+        }
+        let effort = loads.effort(&quantities, &places);
         effort.map_err(|error| ExtremesError::of_loads(at, error))
+    }
+
+    /// A part of the force in a joint, or one of its rates.
+    pub(super) fn reaction(
+        &self,
+        functions: &dyn ChangedFunctions,
+        reactions: &NamedReactions<'_>,
+        (index, part): (usize, ReactionPart),
+        order: usize,
+    ) -> Result<Local, ExtremesError> {
+        let place = ReactionPlace {
+            functions,
+            parameters: &self.parameters,
+            inputs: self.inputs.chunks_exact(READ).map(Series::from_motion).collect(),
+            unknowns: &self.unknowns,
+            outputs: &self.outputs,
+            rate: self.rate,
+        };
+        let found = reactions.part(&place, index, part);
+        let found = found.map_err(|error| ExtremesError::of_reaction(self.variable.real(), error))?;
+        Ok(self.by_time(&found.derivatives(), order))
     }
 
     /// [`margins`](Self::margins) of dimensions that change with the parameter in which the variable is a series.

@@ -8,8 +8,8 @@ use std::vec::Vec;
 use super::{AnyLinkage, LinkageFunctions};
 use crate::any::{
     AnyMechanism, AssemblyChoice, AssemblyMotionOver, AssemblyOver, Block, ClosureOver, ClosureTerm, ClosureTermsOver,
-    Described, Description, EveryPosition, FormsOver, MotionNearOver, Name, NameKind, Named, NearOver, Of, OutputsOver,
-    PositionChoice, Quantity, TransmissionOver,
+    Described, Description, EveryPosition, FormsOver, Formulas, MotionNearOver, Name, NameKind, Named, NearOver, Of,
+    Outline, OutputsOver, Pictured, PlacesOver, PositionChoice, Quantity, TransmissionOver,
 };
 use crate::curve::LimitKind;
 use crate::cycle::{SearchMethod, SearchedFunctions};
@@ -99,6 +99,26 @@ impl<T: Scalar> ClosureTermsOver<T> for Made<'_> {
 impl<T: Scalar> OutputsOver<T> for Made<'_> {
     fn outputs(&self, parameters: &[T], inputs: &[T], unknowns: &[T], outputs: &mut [T]) {
         INNER.outputs(parameters, inputs, unknowns, outputs);
+    }
+}
+
+impl<T: Scalar> PlacesOver<T> for Made<'_> {
+    fn places(&self, parameters: &[T], inputs: &[T], unknowns: &[T], found: &mut dyn FnMut(&[T])) {
+        INNER.places(parameters, inputs, unknowns, found);
+    }
+}
+
+impl Pictured for Made<'_> {
+    fn outline(&self) -> Outline<'_> {
+        INNER.outline()
+    }
+
+    fn is_space(&self) -> bool {
+        INNER.is_space()
+    }
+
+    fn formulas(&self) -> Formulas<'_> {
+        INNER.formulas()
     }
 }
 

@@ -26,6 +26,7 @@ mod cycle;
 #[cfg(test)]
 mod made_tests;
 mod position;
+mod reaction;
 mod sweep;
 #[cfg(test)]
 mod tests;

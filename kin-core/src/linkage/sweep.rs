@@ -8,13 +8,14 @@ use super::AnyLinkage;
 use crate::any::AssemblyChoice;
 use crate::exact::{ExactTable, ExactTableError, Precision, exact_table};
 use crate::extremes::{
-    ByDyad, ByEffort, ByJacobian, ByName, ChangedFunctions, NamedFunctions, QuantityAlong, QuantitySource,
+    ByDyad, ByEffort, ByJacobian, ByName, ByReaction, ChangedFunctions, NamedFunctions, QuantityAlong, QuantitySource,
 };
 use crate::failure::SolveError;
 use crate::law::{Piecewise, Side};
 use crate::load::NamedLoads;
 use crate::mechanism::JacobianMeasure;
 use crate::number::{ClosedRange, NumberRow};
+use crate::reaction::{NamedReactions, ReactionPart};
 use crate::sweep::{
     Footing, Laws, READ, SmoothDrive, StraightLine, SweepError, Table, TabledMechanism, UntypedSweep, Walk,
 };
@@ -170,6 +171,18 @@ impl<D: SmoothDrive> AnySweep<'_, D> {
         order: usize,
     ) -> QuantityAlong<'_, Self, ByEffort<'q>> {
         QuantityAlong::by_effort(self, loads, input, order)
+    }
+
+    /// A part of the force in a joint, by the name of the joint: order 0 is the force or moment, 1 and 2 are its rates by time. See
+    /// [`NamedReactions`].
+    pub fn of_reaction<'q>(
+        &self,
+        reactions: &'q NamedReactions<'q>,
+        name: &str,
+        part: ReactionPart,
+        order: usize,
+    ) -> QuantityAlong<'_, Self, ByReaction<'q>> {
+        QuantityAlong::by_reaction(self, reactions, name, part, order)
     }
 
     /// A measure of the Jacobian of results, by their names: see [`of_jacobian`](crate::sweep::Sweep::of_jacobian).

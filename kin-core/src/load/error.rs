@@ -14,9 +14,10 @@ use crate::quantity::Digits;
 pub enum LoadError {
     /// The mechanism has no pose there.
     Solve(SolveError),
-    /// The two ends of a spring or damper coincide, so that its force has no direction.
+    /// The two ends of a spring or damper coincide, so that its force has no direction. Or the first two joints of a body do, so that its
+    /// frame has none.
     NoDirection {
-        /// The place of the spring or damper.
+        /// The place of the spring, damper or body.
         load: usize,
     },
     /// The three points of a body lie on a line, so that they do not determine its orientation.
@@ -24,11 +25,11 @@ pub enum LoadError {
         /// The place of the body.
         load: usize,
     },
-    /// The three points do not belong to one rigid body: distances between them change as the mechanism moves.
+    /// The points do not belong to one rigid body: distances between them change as the mechanism moves.
     NotRigid {
         /// The place of the body.
         load: usize,
-        /// The rate of the scalar product of two sides of the triangle of the points, per unit of an input.
+        /// The rate of the scalar product of two lines between the points, per unit of an input.
         rate: f64,
     },
     /// The mass properties resist no motion of some inputs, so that accelerations are not determined.
@@ -50,6 +51,11 @@ pub enum LoadError {
         /// Its value.
         value: f64,
     },
+    /// The load is the mass of a body, which is of the plane, and the picture is one of space.
+    BodyInSpace {
+        /// The place of the body.
+        load: usize,
+    },
     /// A result is not finite: a mass, a force, the effort of a drive or another number of a load is not, or is too large.
     NotFinite,
 }
@@ -66,7 +72,7 @@ impl fmt::Display for LoadError {
             Self::Solve(error) => error.fmt(formatter),
             Self::NoDirection { load } => write!(
                 formatter,
-                "load {load}: the two ends of the spring or damper coincide, so that its force has no direction"
+                "load {load}: its two points coincide, so that the line between them has no direction"
             ),
             Self::Collinear { load } => write!(
                 formatter,
@@ -74,8 +80,8 @@ impl fmt::Display for LoadError {
             ),
             Self::NotRigid { load, rate } => write!(
                 formatter,
-                "load {load}: the three points do not belong to one rigid body: the scalar product of two sides of their \
-                 triangle changes by {rate} per unit of an input"
+                "load {load}: the points do not belong to one rigid body: the scalar product of two lines between them changes \
+                 by {rate} per unit of an input"
             ),
             Self::NoInertia { input } => write!(
                 formatter,
@@ -91,6 +97,10 @@ impl fmt::Display for LoadError {
                 "load {load}: the {quantity} is {}: give one that is not negative; a hole is part of its link, whose mass and centre \
                  are those of the whole",
                 Digits(*value)
+            ),
+            Self::BodyInSpace { load } => write!(
+                formatter,
+                "load {load}: bodies have masses by their names in the plane alone; in space give the mass at a point, or `Loads::body`"
             ),
             Self::NotFinite => write!(
                 formatter,

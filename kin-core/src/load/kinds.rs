@@ -57,14 +57,18 @@ impl<M: LoadedSystem, P: VaryingVector<Change<M::Scalar>>, F: Fn(M::Moving) -> P
 }
 
 /// Refuses what no body has.
-fn not_negative(load: usize, quantity: &'static str, value: f64) -> Result<(), LoadError> {
+pub(super) fn not_negative(load: usize, quantity: &'static str, value: f64) -> Result<(), LoadError> {
     if value < 0.0 {
         return Err(LoadError::Negative { load, quantity, value });
     }
     Ok(())
 }
 
-fn add_mass<M: LoadedSystem>(totals: &mut Totals<M>, mass: f64, point: &[Coordinate<M>; 3]) -> Result<(), LoadError> {
+pub(super) fn add_mass<M: LoadedSystem>(
+    totals: &mut Totals<M>,
+    mass: f64,
+    point: &[Coordinate<M>; 3],
+) -> Result<(), LoadError> {
     not_negative(totals.load, "mass", mass)?;
     for coordinate in point {
         totals.inertia(mass, coordinate, coordinate);
@@ -178,7 +182,7 @@ impl<M: LoadedSystem, P: VaryingVector<Change<M::Scalar>>, F: Fn(M::Moving) -> [
 }
 
 /// Whether the scalar product of two vectors is constant up to half of the digits, otherwise its rate.
-fn rigid<M: LoadedSystem>(one: &[Coordinate<M>; 3], two: &[Coordinate<M>; 3]) -> Result<(), f64> {
+pub(super) fn rigid<M: LoadedSystem>(one: &[Coordinate<M>; 3], two: &[Coordinate<M>; 3]) -> Result<(), f64> {
     let product = dot(one, two);
     for (input, influence) in product.influence.as_ref().iter().enumerate() {
         let part = |a: &Coordinate<M>, b: &Coordinate<M>| (a.motion[0] * b.influence[input][0]).real().abs();
@@ -257,14 +261,14 @@ pub struct OnAngle<K, F> {
 /// The stiffness of a spring and its length at rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spring {
-    pub(super) stiffness: f64,
-    pub(super) rest: f64,
+    pub(crate) stiffness: f64,
+    pub(crate) rest: f64,
 }
 
 /// The constant of a damper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Damper {
-    pub(super) damping: f64,
+    pub(crate) damping: f64,
 }
 
 /// The square of the distance of two points.

@@ -61,7 +61,7 @@
 //! [`NamedLoads`] acts on points and angles by their names. A program that does not know the type of its mechanism asks an
 //! [`AnySweep`](crate::linkage::AnySweep) for their efforts.
 //!
-//! Not here are joint reactions, friction and impact.
+//! The forces in the joints are those of [`reaction`](crate::reaction). Not here are friction and impact.
 
 mod balance;
 mod coordinate;
@@ -71,6 +71,8 @@ mod kinds;
 mod loaded;
 #[cfg(feature = "alloc")]
 mod named;
+#[cfg(feature = "alloc")]
+mod plane_body;
 mod system;
 #[cfg(test)]
 mod tests;
@@ -83,10 +85,12 @@ pub use error::LoadError;
 pub use kinds::{BetweenPoints, Damper, Force, Inertia, Load, Mass, OnAngle, Solid, SpaceBody, Spring, Torque};
 pub use loaded::{Loaded, LoadsOf};
 #[cfg(feature = "alloc")]
-pub(crate) use named::{EFFORT_ENTRIES, NamedMotion};
+pub(crate) use named::{EFFORT_ENTRIES, NamedLoad, NamedMotion, PointIndex};
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
-pub use named::{NamedLoads, NoSuchPlace, PointPlace};
+pub use named::{NamedLoads, NoSuchPlace, PlaceKind, PointPlace};
+#[cfg(feature = "alloc")]
+pub(crate) use plane_body::BodyFrame;
 pub use system::LoadedSystem;
 #[doc(hidden)]
 pub use totals::Totals;

@@ -8,9 +8,11 @@ use core::marker::PhantomData;
 
 use crate::geometry::{Plane, Space};
 use crate::load::kinds::{BetweenPoints, Damper, Force, Inertia, Load, Mass, OnAngle, Spring, Torque};
+use crate::load::plane_body::{BodyFrame, PlaneBody};
 use crate::load::{Change, LoadError, LoadedSystem, Totals, VaryingNumber, VaryingVector};
 use crate::mechanism::Description;
 use crate::number::Number;
+use crate::picture::Outline;
 use crate::solve::Scalar;
 
 /// The number of entries of a motion: the value, and the derivatives from which the second rate of an effort follows.
@@ -89,12 +91,17 @@ pub struct NamedLoads {
     names: Vec<String>,
     /// The number of parameters, which do not move.
     still: usize,
+    /// The bodies, each with its frame.
+    bodies: Vec<(String, Option<BodyFrame>)>,
     loads: Vec<NamedLoad>,
 }
 
 /// A load with the indices of its quantities.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum NamedLoad {
+pub(crate) enum NamedLoad {
+    /// A mass and a moment of inertia about its centre, and the body. A centre that is no point of the mechanism lies in the frame of the
+    /// body.
+    Body(f64, f64, PointIndex, usize, BodyFrame),
     Mass(f64, PointIndex),
     Inertia(f64, usize),
     Force(Space<f64>, PointIndex),
@@ -106,32 +113,47 @@ enum NamedLoad {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum PointIndex {
+pub(crate) enum PointIndex {
     /// The indices of the coordinates.
     Moving([Option<usize>; 3]),
     Fixed(Space<f64>),
 }
 
-/// No point, or no angle or distance, has this name.
+/// The kind of a place on which loads act.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PlaceKind {
+    /// A point.
+    Point,
+    /// An angle or a distance.
+    Angle,
+    /// A body of the picture.
+    Body,
+}
+
+/// No place of the kind that is wanted has this name.
 #[derive(Clone, PartialEq, Eq)]
 pub struct NoSuchPlace {
     /// The name.
     pub name: String,
-    /// Whether a point was wanted.
-    pub is_point: bool,
+    /// The kind that is wanted.
+    pub kind: PlaceKind,
     /// The names that could be given.
     pub places: Vec<String>,
 }
 
 impl fmt::Display for NoSuchPlace {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let kind = if self.is_point { "point" } else { "angle or distance" };
+        let (kind, advice) = match self.kind {
+            PlaceKind::Point => ("point", "; declare one, as in `output tip: Point = ..`"),
+            PlaceKind::Angle => ("angle or distance", ""),
+            PlaceKind::Body => ("body", "; state the bodies, as in `body crank: 0, pin;`"),
+        };
         write!(formatter, "there is no {kind} `{}`", self.name)?;
         for (index, place) in self.places.iter().enumerate() {
             write!(formatter, "{} `{place}`", if index == 0 { "; there is" } else { "," })?;
         }
-        if self.places.is_empty() && self.is_point {
-            formatter.write_str("; declare one, as in `output tip: Point = ..`")?;
+        if self.places.is_empty() {
+            formatter.write_str(advice)?;
         }
         Ok(())
     }
@@ -154,8 +176,19 @@ impl NamedLoads {
             gravity: Space::zero(),
             names: all.map(|quantity| quantity.name.to_string()).collect(),
             still: description.parameters.len(),
+            bodies: Vec::new(),
             loads: Vec::new(),
         }
+    }
+
+    /// The same with the bodies of a picture, whose masses [`mass_of`](Self::mass_of) gives.
+    #[must_use]
+    pub fn with_bodies(mut self, outline: &Outline<'_>) -> Self {
+        let bodies = outline.bodies.iter().enumerate();
+        self.bodies = bodies
+            .map(|(index, body)| (body.name.to_string(), BodyFrame::of(outline, index)))
+            .collect();
+        self
     }
 
     /// Whether there is no load.
@@ -177,6 +210,13 @@ impl NamedLoads {
         moving.filter(|name| !name.contains('.')).collect()
     }
 
+    /// The names of the bodies that can have a mass.
+    #[must_use]
+    pub fn bodies(&self) -> Vec<&str> {
+        let known = self.bodies.iter().filter(|(_, frame)| frame.is_some());
+        known.map(|(name, _)| name.as_str()).collect()
+    }
+
     /// The acceleration of gravity: see [`gravity`](crate::load::Loads::gravity).
     #[must_use]
     pub fn gravity(mut self, acceleration: impl VaryingVector<f64>) -> Self {
@@ -191,6 +231,41 @@ impl NamedLoads {
     pub fn mass(self, mass: f64, point: &str) -> Result<Self, NoSuchPlace> {
         let point = self.point(point)?;
         Ok(self.and(NamedLoad::Mass(mass, point)))
+    }
+
+    /// The mass of a body of the plane, its centre, and its moment of inertia about this centre.
+    ///
+    /// The centre is a point of the mechanism that moves with the body, or a [`Plane`] in the frame of the body: the first axis leads from
+    /// its first joint to its second one, and the second lies to the left of it. The frame of a body with one joint lies along the slide
+    /// that it carries, or along which it moves.
+    ///
+    /// ```
+    /// use kin_core::any::{Of, Pictured};
+    /// use kin_core::library::FourBar;
+    /// use kin_core::load::NamedLoads;
+    /// use kin_core::prelude::*;
+    ///
+    /// let bodies = Of::<FourBar>::FUNCTIONS.outline();
+    /// let loads = NamedLoads::new(&FourBar::<f64>::DESCRIPTION).with_bodies(&bodies);
+    /// let loads = loads.mass_of("r3", 1.4, Plane::new(0.18, 0.02), 0.016)?;
+    /// assert_eq!(loads.bodies(), ["r2", "r3", "r4"]);
+    /// # Ok::<(), kin_core::load::NoSuchPlace>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`NoSuchPlace`] if no body, or no point, has the name.
+    pub fn mass_of<'n>(
+        self,
+        body: &str,
+        mass: f64,
+        centre: impl Into<PointPlace<'n>>,
+        inertia: f64,
+    ) -> Result<Self, NoSuchPlace> {
+        let index = self.bodies.iter().position(|(name, _)| name == body);
+        let found = index.and_then(|index| Some((index, self.bodies[index].1?)));
+        let (index, frame) = found.ok_or_else(|| self.no_such_place(body, PlaceKind::Body))?;
+        let centre = self.place(centre.into())?;
+        Ok(self.and(NamedLoad::Body(mass, inertia, centre, index, frame)))
     }
 
     /// The moment of inertia of a link about its centre of mass, in the plane: see [`inertia`](crate::load::Loads::inertia).
@@ -276,7 +351,7 @@ impl NamedLoads {
         let index = self.names[self.still..].iter().position(|own| own == name);
         index
             .map(|index| self.still + index)
-            .ok_or_else(|| self.no_such_place(name, false))
+            .ok_or_else(|| self.no_such_place(name, PlaceKind::Angle))
     }
 
     fn point(&self, name: &str) -> Result<PointIndex, NoSuchPlace> {
@@ -287,7 +362,7 @@ impl NamedLoads {
         let coordinates = AXES.map(coordinate);
         match coordinates {
             [Some(_), Some(_), _] => Ok(PointIndex::Moving(coordinates)),
-            _ => Err(self.no_such_place(name, true)),
+            _ => Err(self.no_such_place(name, PlaceKind::Point)),
         }
     }
 
@@ -298,19 +373,56 @@ impl NamedLoads {
         }
     }
 
-    fn no_such_place(&self, name: &str, is_point: bool) -> NoSuchPlace {
-        let places = if is_point { self.points() } else { self.angles() };
+    fn no_such_place(&self, name: &str, kind: PlaceKind) -> NoSuchPlace {
+        let places = match kind {
+            PlaceKind::Point => self.points(),
+            PlaceKind::Angle => self.angles(),
+            PlaceKind::Body => self.bodies(),
+        };
         NoSuchPlace {
             name: name.to_string(),
-            is_point,
+            kind,
             places: places.into_iter().map(ToString::to_string).collect(),
         }
     }
 
-    /// The effort of the drive of one input with its rates, from the motions of parameters, inputs, unknowns and outputs with their changes
-    /// along this input.
-    pub(crate) fn effort<T: Scalar>(&self, quantities: &[NamedMotion<T>]) -> Result<[T; EFFORT_ENTRIES], LoadError> {
-        let mut totals = Totals::<ByNames<'_, T>>::new([NamedPose { quantities }], self.gravity);
+    /// The loads in their order.
+    pub(crate) fn all(&self) -> &[NamedLoad] {
+        &self.loads
+    }
+
+    /// The acceleration of gravity, in the plane.
+    pub(crate) fn gravity_in_plane(&self) -> Plane<f64> {
+        Plane::new(self.gravity.x, self.gravity.y)
+    }
+
+    /// The name of a point with these coordinates, none if it does not move.
+    pub(crate) fn point_name(&self, point: PointIndex) -> Option<&str> {
+        match point {
+            PointIndex::Moving([Some(x), ..]) if x >= self.still => self.names[x].strip_suffix(".x"),
+            _ => None,
+        }
+    }
+
+    /// The name of an angle or distance.
+    pub(crate) fn name(&self, quantity: usize) -> &str {
+        &self.names[quantity]
+    }
+
+    /// Whether a load acts on a body by its name.
+    pub(crate) fn has_bodies(&self) -> bool {
+        self.loads.iter().any(|load| matches!(load, NamedLoad::Body(..)))
+    }
+
+    /// The effort of the drive of one input with its rates, from the motions of parameters, inputs, unknowns and outputs, and of the places of
+    /// a picture in the plane, with their changes along this input. The directions of slides are unit vectors. Nothing needs the places if
+    /// no [body](Self::has_bodies) has a mass.
+    pub(crate) fn effort<T: Scalar>(
+        &self,
+        quantities: &[NamedMotion<T>],
+        places: &[[NamedMotion<T>; 2]],
+    ) -> Result<[T; EFFORT_ENTRIES], LoadError> {
+        let mut totals = Totals::<ByNames<'_, T>>::new([NamedPose { quantities, places }], self.gravity);
         for (place, load) in self.loads.iter().enumerate() {
             totals.load = place + 1;
             load.add(&mut totals)?;
@@ -326,6 +438,30 @@ impl NamedLoads {
 impl NamedLoad {
     fn add<T: Scalar>(self, totals: &mut Totals<ByNames<'_, T>>) -> Result<(), LoadError> {
         match self {
+            Self::Body(..) if totals.poses[0].places.is_empty() => Err(LoadError::BodyInSpace { load: totals.load }),
+            Self::Body(mass, inertia, PointIndex::Fixed(centre), _, frame) => {
+                let frame = |pose: NamedPose<'_, T>| pose.frame(frame);
+                let centre = [centre.x, centre.y];
+                PlaneBody {
+                    mass,
+                    centre,
+                    inertia,
+                    frame,
+                }
+                .add(totals)
+            }
+            Self::Body(mass, inertia, point, _, frame) => {
+                let point = |pose: NamedPose<'_, T>| pose.point(point);
+                Mass { mass, point }.add(totals)?;
+                let (frame, mass, centre) = (|pose: NamedPose<'_, T>| pose.frame(frame), 0.0, [0.0; 2]);
+                PlaneBody {
+                    mass,
+                    centre,
+                    inertia,
+                    frame,
+                }
+                .add(totals)
+            }
             Self::Mass(mass, point) => {
                 let point = |pose: NamedPose<'_, T>| pose.point(point);
                 Mass { mass, point }.add(totals)
@@ -376,11 +512,31 @@ impl<'p, T: Scalar> LoadedSystem for ByNames<'p, T> {
 #[derive(Clone, Copy)]
 struct NamedPose<'p, T> {
     quantities: &'p [NamedMotion<T>],
+    /// The joints and the directions of the picture.
+    places: &'p [[NamedMotion<T>; 2]],
 }
 
 impl<T: Scalar> NamedPose<'_, T> {
     fn number(self, index: usize) -> NumberMotion<T> {
         NumberMotion(self.quantities[index])
+    }
+
+    /// The origin of the frame of a body, and a point on its axis.
+    fn frame(self, frame: BodyFrame) -> [PointMotion<T>; 2] {
+        let still = core::array::from_fn(|order| 0.0.entry(order));
+        let place = |place: [NamedMotion<T>; 2]| PointMotion([place[0], place[1], still]);
+        let origin = self.places[frame.origin()];
+        match frame {
+            BodyFrame::Joints([_, end]) => [place(origin), place(self.places[end])],
+            BodyFrame::Slide { before_end, .. } => {
+                let along = self.places[self.places.len() - before_end];
+                let end = core::array::from_fn(|axis| {
+                    let (origin, along): (NamedMotion<T>, NamedMotion<T>) = (origin[axis], along[axis]);
+                    core::array::from_fn(|order| origin[order] + along[order])
+                });
+                [place(origin), place(end)]
+            }
+        }
     }
 
     fn point(self, point: PointIndex) -> PointMotion<T> {

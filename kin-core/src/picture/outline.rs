@@ -11,6 +11,11 @@ pub struct Outline<'d> {
     pub slides: &'d [Slide],
     /// The marked points, each with the number of its joint.
     pub points: &'d [(&'d str, usize)],
+    /// The equations that are no vectors, as that of a gear, which the picture does not show.
+    pub scalar_equations: &'d [&'d str],
+    /// The statements that would declare it, if it was guessed from the vector equations: `body r2: 0, r2 * cis(theta2);` and so on, one in
+    /// a line. `None` if the declaration states its bodies itself.
+    pub guess: Option<&'d str>,
 }
 
 impl Outline<'_> {
@@ -20,6 +25,8 @@ impl Outline<'_> {
         bodies: &[],
         slides: &[],
         points: &[],
+        scalar_equations: &[],
+        guess: None,
     };
 }
 

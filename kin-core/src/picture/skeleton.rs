@@ -105,6 +105,8 @@ mod tests {
         bodies: &[Body::new("crank", &[0, 1]), Body::new("rod", &[1, 2])],
         slides: &[Slide::on_ground(2)],
         points: &[("pin", 1)],
+        scalar_equations: &[],
+        guess: None,
     };
 
     #[test]

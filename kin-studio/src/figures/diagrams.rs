@@ -120,6 +120,8 @@ pub(super) fn dyads() -> Figure {
             bodies: &[Body::new("a", &[0, 1]), Body::new("b", &[1, 2])],
             slides: &[],
             points: &[("P", 0), ("Q", 2)],
+            scalar_equations: &[],
+            guess: None,
         }
     };
     let at_the_end = const {
@@ -128,6 +130,8 @@ pub(super) fn dyads() -> Figure {
             bodies: &[Body::new("a", &[0, 1])],
             slides: &[Slide::on_ground(1)],
             points: &[("P", 0)],
+            scalar_equations: &[],
+            guess: None,
         }
     };
     let in_the_middle = const {
@@ -136,6 +140,8 @@ pub(super) fn dyads() -> Figure {
             bodies: &[Body::new("lever", &[0, 2])],
             slides: &[Slide::on_body(1, 0)],
             points: &[("P", 0), ("Q", 1)],
+            scalar_equations: &[],
+            guess: None,
         }
     };
     let lever = at(3.0, 1.2);
@@ -183,6 +189,8 @@ pub(super) fn torn_triad() -> Figure {
             ],
             slides: &[],
             points: &[("on the platform", 5), ("on the leg", 6)],
+            scalar_equations: &[],
+            guess: None,
         }
     };
     let mut scene = dyad(

@@ -67,6 +67,25 @@ impl Part {
         parts(&self.text).into_iter().map(part).collect()
     }
 
+    /// What stands behind a word at the beginning.
+    pub(crate) fn behind(&self, word: &str) -> Option<Self> {
+        let text = self.text.strip_prefix(word)?;
+        let range = self.range.end - text.len()..self.range.end;
+        let text = text.to_owned();
+        Some(Self { text, range })
+    }
+
+    /// What stands before a word and behind it.
+    pub(crate) fn around(&self, word: &str) -> Option<(Self, Self)> {
+        let place = self.text.find(word)?;
+        let part = |range: Range<usize>| {
+            let Self { text, range } = Self::new(&self.text, range);
+            let range = self.range.start + range.start..self.range.start + range.end;
+            Self { text, range }
+        };
+        Some((part(0..place), part(place + word.len()..self.text.len())))
+    }
+
     /// The parts of `(x, y)`.
     pub(crate) fn coordinates(&self) -> Option<Vec<Self>> {
         let inner = self.text.strip_prefix('(')?.strip_suffix(')')?;

@@ -6,7 +6,7 @@ use kin_core::load::NamedLoads;
 
 use super::assembly;
 use super::fault::{Fault, listed, similar};
-use super::loads::{Effort, Loads};
+use super::loads::{ForceColumns, Loads};
 use super::motion::{InputMotion, LawName, Step, checked};
 use super::subject::{Subject, Wanted};
 use super::value::{self, Lengths};
@@ -137,7 +137,9 @@ impl Typed {
             motions: self.motions(subject, said, otherwise, &mut lengths)?,
             lead,
             assembly,
-            loads: self.loads.named(subject.description(), lengths.metres())?,
+            loads: self
+                .loads
+                .named(subject.description(), &subject.outline(), lengths.metres())?,
             length: lengths.name(),
             in_degrees: !self.radians,
         })
@@ -419,10 +421,11 @@ impl Case {
             .unwrap_or(1.0)
     }
 
-    /// The efforts that the loads ask of the drives.
-    pub(crate) fn efforts(&self) -> Vec<Effort> {
-        let count = if self.loads.is_some() { self.motions.len() } else { 0 };
-        Effort::all(count).collect()
+    /// The forces that the loads cause.
+    pub(crate) fn forces(&self, subject: &Subject) -> ForceColumns {
+        self.loads
+            .as_ref()
+            .map_or_else(ForceColumns::default, |_| subject.forces())
     }
 
     /// The metres of the unit of length.

@@ -4,7 +4,7 @@ use kin_core::RATES;
 use kin_core::any::{Description, Quantity};
 
 use super::fault::similar;
-use super::loads::Effort;
+use super::loads::ForceColumns;
 
 /// The word for all columns.
 pub(super) const ALL: &str = "all";
@@ -17,17 +17,16 @@ pub(super) fn label(quantity: &str, order: usize) -> String {
     }
 }
 
-/// The names of all columns: inputs, unknowns and outputs with their rates, and the efforts if there are loads.
-pub(super) fn names(description: &Description<'_>, has_loads: bool) -> Vec<String> {
+/// The names of all columns: inputs, unknowns and outputs with their rates, and the forces if there are loads.
+pub(super) fn names(description: &Description<'_>, forces: &ForceColumns) -> Vec<String> {
     let quantities = [description.inputs, description.unknowns, description.outputs];
     let of_one = |quantity: &Quantity<'_>| {
         let name = quantity.name.to_owned();
         (0..=description.order).map(move |order| label(&name, order))
     };
-    let efforts = Effort::all(if has_loads { description.inputs.len() } else { 0 });
     let quantities = quantities.into_iter().flatten().flat_map(of_one);
     quantities
-        .chain(efforts.map(|effort| effort.name(description)))
+        .chain(forces.all.iter().map(|force| force.name(description)))
         .collect()
 }
 
@@ -91,7 +90,7 @@ mod tests {
     #[test]
     fn a_point_has_the_columns_of_its_coordinates() {
         let subject = Subject::of::<FiveBar>();
-        let names = names(subject.description(), true);
+        let names = names(subject.description(), &subject.forces());
         let chosen = |wanted: &[&str]| {
             let wanted: Vec<String> = wanted.iter().map(|&name| name.to_owned()).collect();
             chosen(&wanted, &names)

@@ -1,8 +1,10 @@
-//! The loads of a file, in SI, and the efforts that they ask of the drives.
+//! The loads of a file, in SI, and the columns of the forces that they cause.
 
-use kin_core::any::Description;
+use kin_core::any::{Description, Outline};
+use kin_core::linkage::{AnyLinkage, LinkageFunctions};
 use kin_core::load::{NamedLoads, NoSuchPlace, PointPlace};
-use kin_core::{Dimension, Space};
+use kin_core::reaction::{NamedReactions, ReactionError, ReactionPart};
+use kin_core::{Dimension, Plane, Space};
 
 use super::fault::Fault;
 use super::units::Kind;
@@ -24,6 +26,15 @@ pub(crate) struct InSi {
     lengths: i32,
 }
 
+/// The centre of a body.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Centre {
+    /// A point of the mechanism.
+    Named(String),
+    /// A point in the frame of the body.
+    InBody([InSi; 2]),
+}
+
 /// The end of a spring or damper.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum End {
@@ -36,6 +47,8 @@ pub(crate) enum End {
 /// A load, at a point or on an angle or distance, by its name.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Load {
+    /// The mass of a body, its centre, and its moment of inertia.
+    Body(String, InSi, Centre, InSi),
     /// A mass at a point.
     Mass(InSi, String),
     /// A moment of inertia with an angle.
@@ -80,12 +93,17 @@ impl Loads {
     }
 
     /// The loads on a mechanism whose unit of lengths has so many metres, if there are any.
-    pub(crate) fn named(&self, description: &Description<'_>, metres: f64) -> Result<Option<NamedLoads>, Fault> {
+    pub(crate) fn named(
+        &self,
+        description: &Description<'_>,
+        outline: &Outline<'_>,
+        metres: f64,
+    ) -> Result<Option<NamedLoads>, Fault> {
         if self.is_empty() {
             return Ok(None);
         }
         let gravity = self.gravity.map_or(Space::zero(), |gravity| space(gravity, metres));
-        let mut loads = NamedLoads::new(description).gravity(gravity);
+        let mut loads = NamedLoads::new(description).with_bodies(outline).gravity(gravity);
         for load in &self.all {
             loads = load.added(loads, metres).map_err(Fault::wrong)?;
         }
@@ -106,6 +124,12 @@ impl Load {
     fn added(&self, loads: NamedLoads, metres: f64) -> Result<NamedLoads, NoSuchPlace> {
         let own = |number: &InSi| number.own(metres);
         match self {
+            Self::Body(body, mass, Centre::Named(centre), inertia) => {
+                loads.mass_of(body, own(mass), centre.as_str(), own(inertia))
+            }
+            Self::Body(body, mass, Centre::InBody([x, y]), inertia) => {
+                loads.mass_of(body, own(mass), Plane::new(own(x), own(y)), own(inertia))
+            }
             Self::Mass(mass, point) => loads.mass(own(mass), point),
             Self::Inertia(inertia, angle) => loads.inertia(own(inertia), angle),
             Self::Force(force, point) => loads.force(space(*force, metres), point),
@@ -120,43 +144,121 @@ impl Load {
     }
 }
 
-/// The effort of the drive of an input, or one of its rates.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Effort {
-    /// The input.
-    pub(crate) input: usize,
-    /// The order of the rate, 0 for the effort itself.
+/// A column of a force that the loads cause, or of one of its rates.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct ForceColumn {
+    /// What it is.
+    pub(crate) force: Force,
+    /// The order of the rate, 0 for the force itself.
     pub(crate) order: usize,
 }
 
-impl Effort {
-    /// The efforts of so many inputs with their rates.
-    pub(crate) fn all(inputs: usize) -> impl Iterator<Item = Self> {
-        (0..inputs).flat_map(|input| (0..RATES.len()).map(move |order| Self { input, order }))
+/// A force that the loads cause.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Force {
+    /// The effort of the drive of an input.
+    Effort(usize),
+    /// A part of the force in a joint.
+    Reaction(String, ReactionPart),
+}
+
+/// The columns of forces, and why there are none of joints.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct ForceColumns {
+    /// All of them.
+    pub(crate) all: Vec<ForceColumn>,
+    joints: Option<ReactionError>,
+}
+
+impl ForceColumns {
+    /// Those of a mechanism under loads.
+    pub(crate) fn of(functions: &dyn LinkageFunctions) -> Self {
+        let description = functions.description();
+        let mut forces: Vec<Force> = (0..description.inputs.len()).map(Force::Effort).collect();
+        // the names depend on no dimension
+        let linkage = AnyLinkage::new(functions, &vec![1.0; description.parameters.len()]);
+        let reactions = linkage.reactions(&linkage.loads());
+        for name in reactions.iter().flat_map(NamedReactions::names) {
+            let parts = [
+                ReactionPart::X,
+                ReactionPart::Y,
+                ReactionPart::Force,
+                ReactionPart::Moment,
+            ];
+            let is_slide = reactions.iter().any(|reactions| reactions.is_slide(name) == Ok(true));
+            let own = parts
+                .into_iter()
+                .filter(|part| is_slide || *part != ReactionPart::Moment);
+            forces.extend(own.map(|part| Force::Reaction(name.to_owned(), part)));
+        }
+        let column = |force: &Force, order| ForceColumn {
+            force: force.clone(),
+            order,
+        };
+        let all = forces
+            .iter()
+            .flat_map(|force| (0..RATES.len()).map(move |order| column(force, order)));
+        Self {
+            all: all.collect(),
+            joints: reactions.err(),
+        }
     }
 
-    /// The name of its column.
-    pub(crate) fn name(self, description: &Description<'_>) -> String {
-        format!("{}_{}", description.inputs[self.input].name, RATES[self.order].0)
+    /// The efforts of drives alone.
+    pub(crate) fn efforts(&self) -> impl Iterator<Item = &ForceColumn> {
+        let is_effort = |column: &&ForceColumn| matches!(column.force, Force::Effort(_));
+        self.all.iter().filter(is_effort)
+    }
+
+    /// Why a name is that of no column, if it is meant to be a force in a joint.
+    pub(crate) fn advice(&self, name: &str) -> Option<String> {
+        let is_force = ["_force", "_moment"].iter().any(|part| name.contains(part));
+        let error = self.joints.as_ref().filter(|_| is_force)?;
+        Some(format!("there is no column `{name}`: {error}"))
+    }
+}
+
+impl ForceColumn {
+    /// Its name.
+    pub(crate) fn name(&self, description: &Description<'_>) -> String {
+        let rate = RATES[self.order].0;
+        match &self.force {
+            Force::Effort(input) => format!("{}_effort{rate}", description.inputs[*input].name),
+            Force::Reaction(name, part) => {
+                let part = match part {
+                    ReactionPart::X => "x",
+                    ReactionPart::Y => "y",
+                    ReactionPart::Force => "force",
+                    ReactionPart::Moment => "moment",
+                };
+                format!("{name}_{part}{rate}")
+            }
+        }
+    }
+
+    /// Whether it is a torque or a moment.
+    fn is_torque(&self, description: &Description<'_>) -> bool {
+        match &self.force {
+            Force::Effort(input) => description.inputs[*input].dimension != Dimension::Length,
+            Force::Reaction(_, part) => *part == ReactionPart::Moment,
+        }
     }
 
     /// Its unit.
-    pub(crate) fn unit(self, description: &Description<'_>) -> String {
-        let unit = match description.inputs[self.input].dimension {
-            Dimension::Length => "N",
-            Dimension::Angle | Dimension::Scalar => "N m",
-        };
+    pub(crate) fn unit(&self, description: &Description<'_>) -> String {
+        let unit = if self.is_torque(description) { "N m" } else { "N" };
         format!("{unit}{}", RATES[self.order].1)
     }
 
     /// What one of it is in its unit, if the unit of lengths has so many metres.
-    pub(crate) fn size(self, description: &Description<'_>, metres: f64) -> f64 {
-        match description.inputs[self.input].dimension {
-            Dimension::Length => metres,
-            Dimension::Angle | Dimension::Scalar => metres * metres,
+    pub(crate) fn size(&self, description: &Description<'_>, metres: f64) -> f64 {
+        if self.is_torque(description) {
+            metres * metres
+        } else {
+            metres
         }
     }
 }
 
-/// The names of an effort and its rates, each with the end of its unit.
-const RATES: [(&str, &str); 3] = [("effort", ""), ("effort_rate", "/s"), ("effort_second_rate", "/s²")];
+/// The ends of the names of a force and its rates, each with the end of its unit.
+const RATES: [(&str, &str); 3] = [("", ""), ("_rate", "/s"), ("_second_rate", "/s²")];

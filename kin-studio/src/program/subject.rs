@@ -4,7 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use kin_core::TrackError;
-use kin_core::any::{AssemblyChoice, Described as _, Description, Named, Of, PositionChoice, Quantity};
+use kin_core::any::{AssemblyChoice, Described as _, Description, Named, Of, Outline, PositionChoice, Quantity};
 use kin_core::batch::LengthMismatch;
 use kin_core::cycle::BlockClass;
 use kin_core::exact::{ExactTable, ExactTableError, Precision};
@@ -15,7 +15,8 @@ use kin_core::law::{Piecewise, Side};
 use kin_core::linkage::{AnyCycle, AnyLinkage, AnySweep, TabledMechanism};
 use kin_core::load::NamedLoads;
 use kin_core::prelude::*;
-use kin_core::sweep::{Laws, StraightLine, SweepError, Table};
+use kin_core::reaction::NamedReactions;
+use kin_core::sweep::{Laws, SmoothDrive, StraightLine, SweepError, Table};
 use kin_core::tape::structure::Tape;
 use kin_core::tape::{self, RecordError};
 use kin_core::verify::{self, Sampling, VerifiedFunctions};
@@ -23,7 +24,7 @@ use kin_fit::{Choice, FitFunctions};
 
 use super::case::Case;
 use super::fault::Fault;
-use super::loads::Effort;
+use super::loads::{Force, ForceColumn, ForceColumns};
 use super::motion::InputMotion;
 use super::text;
 use crate::library::{Design, DesignAssembly};
@@ -356,32 +357,81 @@ impl Subject {
         }
     }
 
-    /// The extremes of an effort over a sweep, in units of the mechanism.
-    pub(crate) fn extent_of_effort(&self, case: &Case, loads: &NamedLoads, effort: Effort) -> Result<Extent, Fault> {
-        let Effort { input, order } = effort;
+    /// The bodies and joints.
+    pub(crate) fn outline(&self) -> Outline<'_> {
+        self.functions.outline()
+    }
+
+    /// The columns of forces that loads cause.
+    pub(crate) fn forces(&self) -> ForceColumns {
+        ForceColumns::of(&*self.functions)
+    }
+
+    /// The extremes of a force over a sweep, in units of the mechanism.
+    pub(crate) fn extent_of_force(
+        &self,
+        case: &Case,
+        loads: &NamedLoads,
+        force: &ForceColumn,
+    ) -> Result<Extent, Fault> {
         match case.time_of_laws() {
-            None => extent_of(&self.line(case, ROWS_OF_PEAKS)?.of_effort(loads, input, order)),
+            None => self.extent_along(case, loads, force, &self.line(case, ROWS_OF_PEAKS)?),
             Some(duration) => self.under_laws(case, duration, ROWS_OF_PEAKS, |sweep| {
-                extent_of(&sweep.of_effort(loads, input, order))
+                self.extent_along(case, loads, force, &sweep)
             })?,
         }
     }
 
-    /// An effort in the rows of a sweep, in its unit.
-    pub(crate) fn column_of_effort(&self, case: &Case, rows: usize, effort: Effort) -> Result<Vec<f64>, Fault> {
+    fn extent_along<D: SmoothDrive>(
+        &self,
+        case: &Case,
+        loads: &NamedLoads,
+        ForceColumn { force, order }: &ForceColumn,
+        sweep: &AnySweep<'_, D>,
+    ) -> Result<Extent, Fault> {
+        match force {
+            Force::Effort(input) => extent_of(&sweep.of_effort(loads, *input, *order)),
+            Force::Reaction(name, part) => {
+                let reactions = self.reactions(case, loads)?;
+                extent_of(&sweep.of_reaction(&reactions, name, *part, *order))
+            }
+        }
+    }
+
+    /// A force in the rows of a sweep, in its unit.
+    pub(crate) fn column_of_force(&self, case: &Case, rows: usize, force: &ForceColumn) -> Result<Vec<f64>, Fault> {
         let Some(loads) = &case.loads else {
             return Ok(Vec::new());
         };
-        let Effort { input, order } = effort;
         let column = match case.time_of_laws() {
-            None => self.line(case, rows)?.of_effort(loads, input, order).column(),
+            None => self.column_along(case, loads, force, &self.line(case, rows)?),
             Some(duration) => self.under_laws(case, duration, rows, |sweep| {
-                sweep.of_effort(loads, input, order).column()
+                self.column_along(case, loads, force, &sweep)
             })?,
         };
-        let size = effort.size(self.description(), case.metres());
-        let column = column.map_err(of_extremes)?;
-        Ok(column.into_iter().map(|value| value * size).collect())
+        let size = force.size(self.description(), case.metres());
+        Ok(column?.into_iter().map(|value| value * size).collect())
+    }
+
+    fn column_along<D: SmoothDrive>(
+        &self,
+        case: &Case,
+        loads: &NamedLoads,
+        ForceColumn { force, order }: &ForceColumn,
+        sweep: &AnySweep<'_, D>,
+    ) -> Result<Vec<f64>, Fault> {
+        let column = match force {
+            Force::Effort(input) => sweep.of_effort(loads, *input, *order).column(),
+            Force::Reaction(name, part) => {
+                let reactions = self.reactions(case, loads)?;
+                sweep.of_reaction(&reactions, name, *part, *order).column()
+            }
+        };
+        column.map_err(of_extremes)
+    }
+
+    fn reactions(&self, case: &Case, loads: &NamedLoads) -> Result<NamedReactions<'_>, Fault> {
+        self.linkage(&case.parameters).reactions(loads).map_err(Fault::wrong)
     }
 
     /// The times inside of the motion at which the speed of an input jumps, where a mass has no bounded effort.

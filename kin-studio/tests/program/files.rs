@@ -12,6 +12,7 @@ use crate::typed::{Folder, kin, typed_in};
 const WIPER: &str = include_str!("wiper.kin");
 const ROBOT: &str = include_str!("robot.kin");
 const PLATFORM: &str = include_str!("platform.kin");
+const PRESS: &str = include_str!("press.kin");
 
 /// Waits until the page of a server says something.
 fn wait(server: &Server, is_there: impl Fn(&str) -> bool) -> String {
@@ -155,6 +156,51 @@ columns theta, theta_effort, theta_acceleration;
         count += 1;
     }
     assert_eq!(count, 5, "{told}");
+}
+
+/// Bodies have masses, and joints have forces.
+#[test]
+fn forces_in_joints() {
+    let folder = Folder::new("forces");
+    folder.write("press.kin", PRESS);
+    let bodies = [
+        "ground 0, pivot;",
+        "body crank: 0, pin;",
+        "body coupler: pin, knee;",
+        "body rocker: pivot, knee;",
+    ];
+    let guessed = bodies
+        .iter()
+        .fold(PRESS.to_owned(), |text, body| text.replacen(body, "", 1));
+    folder.write("guessed.kin", &guessed);
+    let loads = guessed.replace("mass of coupler", "//").replace("mass of rocker", "//");
+    folder.write("light.kin", &loads);
+    let all = [
+        "run press.kin sweep --rows 5",
+        "run press.kin sweep --rows 3 --columns ground_crank_force_second_rate,pivot_x --csv",
+        "run press.kin sweep --rows 3 --columns knee_moment",
+        "run press.kin peaks",
+        "run press.kin peaks --of pin_force,theta_effort",
+        "run guessed.kin sweep",
+        "run light.kin sweep",
+    ]
+    .map(|words| typed_in(&folder, &format!("kin {words}")));
+    assert_snapshot!("forces in joints", all.join("\n"));
+}
+
+/// Forces are those of the file in metres, and the body that hangs on a crank pulls at it with its weight.
+#[test]
+fn forces_are_in_si() {
+    let folder = Folder::new("newtons");
+    folder.write("press.kin", PRESS);
+    folder.write("metres.kin", &PRESS.replacen("ground = 200mm", "ground = 0.2m", 1));
+    let forces = ["press", "metres"].map(|name| {
+        let words = format!("kin run {name}.kin sweep --rows 5 --columns theta_effort,knee_x,knee_force_rate,pivot_y");
+        let told = typed_in(&folder, &words);
+        told.lines().skip(1).map(str::to_owned).collect::<Vec<_>>()
+    });
+    assert!(forces[0].len() > 6, "{forces:?}");
+    assert_eq!(forces[0], forces[1]);
 }
 
 /// An editor checks what it has not saved, and makes an outline of it.

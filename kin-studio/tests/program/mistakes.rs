@@ -152,6 +152,34 @@ fn mistakes_in_kin_files_have_places() {
     );
 }
 
+/// The masses of bodies have a form of their own.
+#[test]
+fn mistakes_in_masses_of_bodies() {
+    let folder = Folder::new("bodies");
+    let right = include_str!("press.kin");
+    let all = [
+        ("mass of coupler", "mass of couple"),
+        ("mass of coupler", "mass of"),
+        ("mass of coupler", "mass coupler"),
+        ("mass of coupler", "mass of the coupler"),
+        ("1.4kg at (90mm, 0)", "1.4kg"),
+        ("1.4kg at (90mm, 0)", "1.4kg at knie"),
+        ("1.4kg at (90mm, 0)", "1.4kg at (90kg, 0)"),
+        ("1.4kg at (90mm, 0)", "-1.4kg at (90mm, 0)"),
+        ("1.4kg at (90mm, 0)", "at (90mm, 0)"),
+        (", inertia 0.016kg*m2", ", 0.016kg*m2"),
+        (", inertia 0.016kg*m2", ", inertia 0.016kg"),
+        (", inertia 0.016kg*m2", ", inertia 0.016kg*m2, 3"),
+        ("knee_force,", "knee_forc,"),
+    ]
+    .map(|(own, other)| {
+        assert!(right.contains(own), "{own}");
+        folder.write("press.kin", &right.replacen(own, other, 1));
+        typed_in(&folder, "kin check press.kin")
+    });
+    assert_snapshot!("mistakes in masses of bodies", all.join("\n"));
+}
+
 /// Every statement beside the declaration has its mistakes, all of which are told at once.
 #[test]
 fn mistakes_in_loads_motions_and_columns() {

@@ -82,12 +82,20 @@ fn table(outline: &Outline, runtime: &TokenStream) -> TokenStream {
         let joint = Literal::usize_unsuffixed(*joint);
         quote!((#name, #joint))
     });
+    let scalar_equations = &outline.scalar_equations;
+    let guess = if let Some(statements) = &outline.guess {
+        quote!(::core::option::Option::Some(#statements))
+    } else {
+        quote!(::core::option::Option::None)
+    };
     quote! {
         #runtime::Outline {
             ground: #ground,
             bodies: &[#(#bodies),*],
             slides: &[#(#slides),*],
             points: &[#(#points),*],
+            scalar_equations: &[#(#scalar_equations),*],
+            guess: #guess,
         }
     }
 }

@@ -7,12 +7,13 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::SkeletonNames;
 use super::groups::Groups;
+use super::guess;
 use super::outline::{Joint, Picture};
 use super::terms::{LinkTerm, terms};
-use super::turning::{Manner, TurningAngles, manner};
+use super::turning::{Manner, SlideDirection, TurningAngles, manner};
 use crate::model::ValueShape;
 use crate::syntax::{EquationStatement, OutputStatement, TypedFormula};
-use crate::translate::tree::{Body, Outline, Slide, Tree};
+use crate::translate::tree::{Body, Outline, Slide};
 
 /// The origin of all chains.
 const ORIGIN: usize = 0;
@@ -245,7 +246,7 @@ impl<'a, 'b> Chains<'a, 'b> {
             };
             Some((slide, direction.clone()))
         });
-        let (slides, directions): (Vec<Slide>, Vec<Tree>) = found.unzip();
+        let (slides, directions): (Vec<Slide>, Vec<SlideDirection>) = found.unzip();
         let bodies = groups.iter().map(|&group| Body {
             name: self.name(&parts, group),
             joints: places(group),
@@ -253,20 +254,38 @@ impl<'a, 'b> Chains<'a, 'b> {
         let points = points
             .into_iter()
             .filter_map(|(name, joint)| Some((name, place(joint)?)));
-        let outline = Outline {
+        let mut outline = Outline {
             shape: self.shape,
             joints: calculated.len(),
             ground: places(ground),
             bodies: bodies.collect(),
             slides,
             points: points.collect(),
+            scalar_equations: Vec::new(),
+            guess: None,
         };
+        outline.guess = Some(guess::statements(&outline, &directions, |place| {
+            self.written(calculated[place])
+        }));
         Picture {
             outline,
             joints: self.joints,
             shown: calculated,
-            directions,
+            directions: directions.into_iter().map(|direction| direction.tree).collect(),
         }
+    }
+
+    /// A joint as a declaration writes it.
+    fn written(&self, joint: usize) -> String {
+        let mut terms = Vec::new();
+        let mut next = Some(joint);
+        while let Some(joint) = next {
+            let Joint { before, term } = &self.joints[joint];
+            terms.extend(*term);
+            next = *before;
+        }
+        terms.reverse();
+        guess::sum(&terms, self.shape, self.names)
     }
 
     /// Whether no term that leads to a joint varies.

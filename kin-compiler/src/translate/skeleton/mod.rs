@@ -4,6 +4,7 @@
 
 mod closures;
 mod groups;
+mod guess;
 mod names;
 mod outline;
 mod statements;
@@ -22,20 +23,31 @@ use outline::Picture;
 
 /// The outline of a declaration, and the method `places`: its joints, and the directions of its slides behind them.
 pub(super) fn outline(declaration: &Declaration, model: &Model, names: &Names) -> (Outline, Sheet) {
-    let picture = picture(declaration, model, names);
+    let mut picture = picture(declaration, model, names);
+    let equations = equations(declaration, model);
+    let scalar = equations.filter(|(_, shape)| *shape == ValueShape::Scalar);
+    picture.outline.scalar_equations = scalar.map(|(equation, _)| equation.to_string()).collect();
     let sheet = places(&picture, names);
     (picture.outline, sheet)
 }
 
-fn picture<'a>(declaration: &'a Declaration, model: &Model, names: &'a Names) -> Picture<'a> {
-    let names = &SkeletonNames::new(declaration, model, names);
+/// The equations with the shapes of their sides.
+fn equations<'a>(
+    declaration: &'a Declaration,
+    model: &Model,
+) -> impl Iterator<Item = (&'a EquationStatement, ValueShape)> {
     let equations = declaration.statements.iter().filter_map(|statement| match statement {
         Statement::Equation(equation) => Some(equation),
         _ => None,
     });
-    let (equations, shapes): (Vec<&EquationStatement>, Vec<ValueShape>) = equations
+    equations
         .zip(&model.equations)
         .map(|(equation, declared)| (equation, declared.residual.shape()))
+}
+
+fn picture<'a>(declaration: &'a Declaration, model: &Model, names: &'a Names) -> Picture<'a> {
+    let names = &SkeletonNames::new(declaration, model, names);
+    let (equations, shapes): (Vec<&EquationStatement>, Vec<ValueShape>) = equations(declaration, model)
         .filter(|(_, shape)| matches!(shape, ValueShape::Plane | ValueShape::Space))
         .unzip();
     let points: Vec<&OutputStatement> = declaration

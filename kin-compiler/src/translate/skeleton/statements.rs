@@ -82,6 +82,8 @@ pub(super) fn picture<'a>(
         slides: slides.collect(),
         bodies,
         points,
+        scalar_equations: Vec::new(),
+        guess: None,
     };
     Some(Picture {
         outline,

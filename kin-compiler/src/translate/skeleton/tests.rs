@@ -23,7 +23,23 @@ fn outlined(statements: &TokenStream) -> String {
     let Some(model) = model::build(&declaration, &mut mistakes) else {
         return mistakes.into_messages().join("; ");
     };
-    print(&sheets(&declaration, &model))
+    let sheets = sheets(&declaration, &model);
+    // what is guessed is declared by the statements that the guess shows
+    if let Some(guess) = &sheets.outline.guess
+        && !sheets.outline.bodies.is_empty()
+    {
+        let guess: TokenStream = guess.parse().expect("statements are tokens");
+        let declared = outlined(&quote!(#statements #guess));
+        // the joints may have other numbers
+        let joined = |text: &str| -> Vec<usize> {
+            let mut counts: Vec<usize> = text.split(']').map(|part| part.matches(',').count()).collect();
+            counts.sort_unstable();
+            counts
+        };
+        let own = print(&sheets);
+        assert_eq!(joined(&declared), joined(&own), "{declared}\n{own}\n{guess}");
+    }
+    print(&sheets)
 }
 
 fn print(Sheets { outline, places, .. }: &Sheets) -> String {

@@ -18,9 +18,20 @@ pub(super) enum Manner {
     /// Its length is constant.
     Rigid(TurningAngles),
     /// Its length is not. The direction has any length but zero.
-    Sliding { turning: TurningAngles, direction: Tree },
+    Sliding {
+        turning: TurningAngles,
+        direction: SlideDirection,
+    },
     /// Nothing is known of it.
     Free,
+}
+
+/// The direction of a slide.
+#[derive(Clone)]
+pub(super) struct SlideDirection {
+    pub(super) tree: Tree,
+    /// As a declaration writes it.
+    pub(super) text: String,
 }
 
 /// How a term moves in a picture of the given shape.
@@ -43,7 +54,10 @@ pub(super) fn manner(formula: &TypedFormula, shape: ValueShape, names: &Skeleton
     }
     let direction = match factor.direction {
         None => axis(Axis::X, shape),
-        Some(direction) => in_picture(direction, shape),
+        Some(direction) => SlideDirection {
+            tree: in_picture(direction.tree, shape),
+            ..direction
+        },
     };
     Manner::Sliding { turning, direction }
 }
@@ -58,7 +72,7 @@ struct Factor {
     /// Whether a scalar in it varies.
     slides: bool,
     /// The vector in it, without such scalars; none if it is a scalar.
-    direction: Option<Tree>,
+    direction: Option<SlideDirection>,
 }
 
 /// `None` if it varies in another way than by turning or by a scalar factor.
@@ -75,7 +89,10 @@ fn factor(formula: &TypedFormula, names: &SkeletonNames<'_>) -> Option<Factor> {
         let rotation = (shape == ValueShape::Rotation).then(|| (formula.to_string(), false));
         return Some(Factor {
             rotations: rotation.into_iter().collect(),
-            direction: Some(vector),
+            direction: Some(SlideDirection {
+                tree: vector,
+                text: format!("({formula})"),
+            }),
             ..Factor::default()
         });
     }
@@ -89,12 +106,20 @@ fn factor(formula: &TypedFormula, names: &SkeletonNames<'_>) -> Option<Factor> {
             }
             Some(product)
         }
-        FormulaKind::Call { callee, arguments, .. } => call(*callee, arguments, vector, names),
+        FormulaKind::Call { callee, arguments, .. } => {
+            let text = formula.to_string();
+            call(*callee, arguments, SlideDirection { tree: vector, text }, names)
+        }
         _ => None,
     }
 }
 
-fn call(callee: Callee, arguments: &[TypedFormula], vector: Tree, names: &SkeletonNames<'_>) -> Option<Factor> {
+fn call(
+    callee: Callee,
+    arguments: &[TypedFormula],
+    vector: SlideDirection,
+    names: &SkeletonNames<'_>,
+) -> Option<Factor> {
     let mut factor = Factor::default();
     match (callee, arguments) {
         (Callee::Cis, [angle]) => {
@@ -104,8 +129,10 @@ fn call(callee: Callee, arguments: &[TypedFormula], vector: Tree, names: &Skelet
         (Callee::Polar, [length, angle]) => {
             add_angle(angle, 1.0, names, &mut factor.angles);
             factor.slides = names.varies(length);
-            let angle = names.tree(angle);
-            factor.direction = Some(Tree::call(ValueShape::Plane, Operation::Cis, vec![angle]));
+            factor.direction = Some(SlideDirection {
+                tree: Tree::call(ValueShape::Plane, Operation::Cis, vec![names.tree(angle)]),
+                text: format!("cis({angle})"),
+            });
         }
         (Callee::RotX | Callee::RotY | Callee::RotZ, [angle]) => {
             let mut angles = BTreeMap::new();
@@ -147,17 +174,23 @@ impl Factor {
         self.rotations.extend(other.rotations);
         self.slides |= other.slides;
         self.direction = match (self.direction.take(), other.direction) {
-            (Some(left), Some(right)) => Some(product(left, right)),
+            (Some(left), Some(right)) => Some(SlideDirection {
+                tree: product(left.tree, right.tree),
+                text: format!("{} * {}", left.text, right.text),
+            }),
             (left, right) => left.or(right),
         };
     }
 }
 
 /// The unit vector along an axis.
-fn axis(along: Axis, shape: ValueShape) -> Tree {
-    let parts = shape.axes().iter();
-    let parts = parts.map(|own| Tree::number(if *own == along { 1.0 } else { 0.0 }));
-    Tree::call(shape, Operation::Vector, parts.collect())
+fn axis(along: Axis, shape: ValueShape) -> SlideDirection {
+    let parts = || shape.axes().iter().map(|own| if *own == along { 1.0 } else { 0.0 });
+    let texts: Vec<String> = parts().map(|part: f64| part.to_string()).collect();
+    SlideDirection {
+        tree: Tree::call(shape, Operation::Vector, parts().map(Tree::number).collect()),
+        text: format!("vec{}({})", texts.len(), texts.join(", ")),
+    }
 }
 
 /// An angle as a sum of what varies in it, each so many times.

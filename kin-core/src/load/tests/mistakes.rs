@@ -47,7 +47,7 @@ fn points_of_several_links_or_of_a_line_are_no_body() {
     assert!(
         error
             .to_string()
-            .starts_with("load 1: the three points do not belong to one rigid body")
+            .starts_with("load 1: the points do not belong to one rigid body")
     );
     let thin = Loads::<Spatial>::new().body(solid(), |pose| [pose.pin, pose.middle, pose.ball]);
     assert_eq!(

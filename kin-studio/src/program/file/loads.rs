@@ -8,10 +8,10 @@ use kin_core::load::NamedLoads;
 use proc_macro2::TokenTree;
 
 use super::super::fault::{listed, similar};
-use super::super::loads::{End, InSi, Load, Loads};
+use super::super::loads::{Centre, End, InSi, Load, Loads};
 use super::super::units::{self, Kind};
 use super::super::value::{self, Lengths};
-use crate::file::{Entry, Mistake, Part, range_of};
+use crate::file::{Entry, Mistake, Part, is_ident, range_of};
 
 /// The words with which a load begins.
 const KINDS: [&str; 7] = ["gravity", "mass", "inertia", "force", "torque", "spring", "damper"];
@@ -19,13 +19,14 @@ const KINDS: [&str; 7] = ["gravity", "mass", "inertia", "force", "torque", "spri
 /// The loads, and what is wrong in them.
 pub(super) fn read(
     entries: &[Entry],
+    places: NamedLoads,
     description: &Description<'_>,
     section: Option<Range<usize>>,
     lengths: &mut Lengths,
 ) -> (Loads, Vec<Mistake>) {
     let (mut loads, mut mistakes) = (Loads::default(), Vec::new());
     let mut reader = Reader {
-        places: NamedLoads::new(description),
+        places,
         description,
         lengths,
     };
@@ -84,6 +85,9 @@ impl Reader<'_, '_> {
             };
             return Err(Mistake::new(message, first));
         };
+        if kind == "mass" && is_ident(entry.words.get(1), "of") {
+            return self.mass_of(entry).map(Read::Load);
+        }
         let places = self.places_of(entry)?;
         let value = &entry.value;
         let load = match (kind, places.as_slice()) {
@@ -142,7 +146,13 @@ impl Reader<'_, '_> {
             .map_or_else(|| "tip".to_owned(), |&name| name.to_owned());
         match kind {
             "gravity" => "gravity is written as `gravity = (0, -9.81m/s2);`".to_owned(),
-            "mass" => format!("a mass is at a point: write `mass {point} = 2kg;`"),
+            "mass" => match self.places.bodies().first() {
+                Some(body) => format!(
+                    "a mass is at a point, or that of a body: write `mass {point} = 2kg;` or `mass of {body} = 2kg \
+                     at (30mm, 0), inertia 0.02kgm2;`"
+                ),
+                None => format!("a mass is at a point: write `mass {point} = 2kg;`"),
+            },
             "inertia" => format!("a moment of inertia is with an angle: write `inertia {angle} = 0.02kgm2;`"),
             "force" => match angles(Dimension::Length) {
                 Some(distance) => format!(
@@ -161,6 +171,41 @@ impl Reader<'_, '_> {
                  `damper {angle} = 0.1Nms/rad;`"
             ),
         }
+    }
+
+    /// `mass of rod = 2kg at (30mm, 0), inertia 0.02kgm2`.
+    fn mass_of(&mut self, entry: &Entry) -> Result<Load, Mistake> {
+        let form = "the mass of a body has a centre and an inertia: write `2kg at (30mm, 0), inertia 0.02kgm2`, or a \
+                    point of the body behind `at`";
+        let body = match &entry.words[2..] {
+            [TokenTree::Ident(body)] => body.to_string(),
+            _ => return Err(entry.head.mistake(self.advice("mass"))),
+        };
+        if !self.places.bodies().contains(&body.as_str()) {
+            let message = match self.places.bodies().as_slice() {
+                [] => format!("there is no body `{body}`; bodies are declared, as in `body {body}: 0, pin;`"),
+                bodies => format!("there is no body `{body}`; {}", similar(&body, bodies.iter().copied())),
+            };
+            return Err(Mistake::new(message, range_of(&entry.words[2])));
+        }
+        let parts = entry.value.parts();
+        let (mass, inertia) = match parts.as_slice() {
+            [mass] => (mass, InSi::new(units::INERTIA, 0.0)),
+            [mass, inertia] => {
+                let value = inertia.behind("inertia ").ok_or_else(|| inertia.mistake(form))?;
+                (mass, size(units::INERTIA, &value)?)
+            }
+            _ => return Err(entry.value.mistake(form)),
+        };
+        let (mass, centre) = mass.around(" at ").ok_or_else(|| mass.mistake(form))?;
+        let centre = if self.places.points().contains(&centre.text.as_str()) {
+            Centre::Named(centre.text)
+        } else if let Some([x, y]) = centre.coordinates().as_deref() {
+            Centre::InBody([self.at_rest(units::LENGTH, x)?, self.at_rest(units::LENGTH, y)?])
+        } else {
+            return Err(centre.mistake(form));
+        };
+        Ok(Load::Body(body, size(units::MASS, &mass)?, centre, inertia))
     }
 
     /// The dimension of a quantity that moves.
@@ -211,6 +256,9 @@ impl Reader<'_, '_> {
                 Err(part.mistake(format!("loads act on the whole point: write `{point}`")))
             }
             Some(Dimension::Scalar) => Err(part.mistake(format!("`{name}` is a plain number, on which no load acts"))),
+            None if self.places.bodies().contains(&name.as_str()) => Err(part.mistake(format!(
+                "`{name}` is a body: write `mass of {name} = 2kg at (30mm, 0), inertia 0.02kgm2;`, or name a point"
+            ))),
             None => {
                 let (points, angles) = (self.places.points(), self.places.angles());
                 let advice = similar(&name, points.iter().chain(&angles).copied());
@@ -251,14 +299,9 @@ impl Reader<'_, '_> {
         match parts.as_slice() {
             [stiffness] => Ok((number(kind, stiffness)?, InSi::new(at_rest, 0.0))),
             [stiffness, rest] => {
-                let Some(value) = rest.text.strip_prefix("rest ") else {
-                    return Err(rest.mistake(format!("behind the stiffness comes the rest: write `rest {example}`")));
-                };
-                let start = rest.range.end - value.len();
-                let value = Part {
-                    text: value.to_owned(),
-                    range: start..rest.range.end,
-                };
+                let value = rest.behind("rest ").ok_or_else(|| {
+                    rest.mistake(format!("behind the stiffness comes the rest: write `rest {example}`"))
+                })?;
                 Ok((number(kind, stiffness)?, self.at_rest(at_rest, &value)?))
             }
             _ => Err(part.mistake(format!(

@@ -1,10 +1,11 @@
 //! A `.kin` file, taken apart: the declaration, and what is asked of it.
 
-use kin_core::any::Described as _;
+use kin_core::any::{Described as _, Pictured as _};
+use kin_core::load::NamedLoads;
 use kin_live::Mechanism;
 
 use super::super::columns;
-use super::super::loads::Loads;
+use super::super::loads::{ForceColumns, Loads};
 use super::super::value::Lengths;
 use super::{assemblies, loads, numbers};
 use crate::file::{KinDeclaration, Mistake, Section, in_order};
@@ -55,13 +56,31 @@ impl KinFile {
         let (over, wrong) = numbers::motions(compiled.inputs(), &sections.motion, &mut lengths, &mut set);
         mistakes.extend(wrong);
         let description = mechanism.description();
-        let (loads, wrong) = loads::read(&sections.loads, description, sections.place_of("loads"), &mut lengths);
+        let mut places = NamedLoads::new(description);
+        // the frame of a guessed body is nobody's word
+        if mechanism.outline().guess.is_none() {
+            places = places.with_bodies(&mechanism.outline());
+        }
+        let place = sections.place_of("loads");
+        let (loads, wrong) = loads::read(&sections.loads, places, description, place, &mut lengths);
         mistakes.extend(wrong);
-        let names = columns::names(description, !loads.is_empty());
+        let forces = if loads.is_empty() {
+            ForceColumns::default()
+        } else {
+            ForceColumns::of(&mechanism)
+        };
+        let names = columns::names(description, &forces);
+        let mut advised = false;
         for column in &sections.columns {
             if column.text != columns::ALL
                 && let Err(message) = columns::named(&column.text, &names)
             {
+                let advice = forces.advice(&column.text);
+                if advice.is_some() && advised {
+                    continue;
+                }
+                advised |= advice.is_some();
+                let message = advice.unwrap_or(message);
                 mistakes.push(Mistake::new(message, column.range.clone()));
             }
         }

@@ -9,7 +9,7 @@ use super::super::columns::{self, label};
 use super::super::command::Peaks;
 use super::super::fault::Fault;
 use super::super::file::Told;
-use super::super::loads::Effort;
+use super::super::loads::ForceColumn;
 use super::super::progress::watched;
 use super::super::subject::{Extent, Reached, Subject};
 use super::super::text::{self, Column, Units};
@@ -26,7 +26,7 @@ struct Sought {
     unit: String,
     /// What one of the mechanism's units is in this unit.
     size: f64,
-    effort: Option<Effort>,
+    force: Option<ForceColumn>,
 }
 
 pub(super) fn run(subject: &Subject, options: &Peaks, told: &Told) -> Result<(), Fault> {
@@ -42,8 +42,8 @@ pub(super) fn run(subject: &Subject, options: &Peaks, told: &Told) -> Result<(),
             wanted
                 .iter()
                 .map(|one| {
-                    let extent = match (one.effort, &case.loads) {
-                        (Some(effort), Some(loads)) => subject.extent_of_effort(&case, loads, effort),
+                    let extent = match (&one.force, &case.loads) {
+                        (Some(force), Some(loads)) => subject.extent_of_force(&case, loads, force),
                         _ => subject.extent(&case, &one.name),
                     };
                     step();
@@ -71,18 +71,19 @@ fn sought(subject: &Subject, case: &Case, options: &Peaks, told: &Told) -> Resul
             name: label(quantity.name, order),
             unit: units.unit(quantity.dimension, order),
             size: units.value(quantity.dimension, 1.0),
-            effort: None,
+            force: None,
         };
         (0..=highest).map(one).collect()
     };
     let results = description.unknowns.iter().chain(description.outputs);
-    let efforts = case.efforts().into_iter().map(|effort| Sought {
-        name: effort.name(description),
-        unit: effort.unit(description),
-        size: effort.size(description, case.metres()),
-        effort: Some(effort),
-    });
-    let efforts: Vec<Sought> = efforts.collect();
+    let force = |force: &ForceColumn| Sought {
+        name: force.name(description),
+        unit: force.unit(description),
+        size: force.size(description, case.metres()),
+        force: Some(force.clone()),
+    };
+    let columns_of_forces = case.forces(subject);
+    let forces: Vec<Sought> = columns_of_forces.all.iter().map(force).collect();
     if options.of.is_empty() && !told.columns.is_empty() {
         let names = columns_of(subject, &[], told)?;
         let all: Vec<Sought> = description
@@ -91,7 +92,7 @@ fn sought(subject: &Subject, case: &Case, options: &Peaks, told: &Told) -> Resul
             .chain(results.clone())
             .flat_map(rates)
             .collect();
-        let all = || all.iter().chain(&efforts);
+        let all = || all.iter().chain(&forces);
         // inputs are sought only if the file names them
         let named = names
             .iter()
@@ -101,6 +102,8 @@ fn sought(subject: &Subject, case: &Case, options: &Peaks, told: &Told) -> Resul
             return Ok(named);
         }
     }
+    // forces in joints are sought only if they are named
+    let efforts = columns_of_forces.efforts().map(force);
     let whole: Vec<Sought> = results.clone().flat_map(rates).chain(efforts).collect();
     if options.of.is_empty() || options.of.iter().any(|name| name == columns::ALL) {
         return Ok(whole);
@@ -111,9 +114,11 @@ fn sought(subject: &Subject, case: &Case, options: &Peaks, told: &Told) -> Resul
         if let Some(rates) = of_quantity {
             some.extend(rates);
         } else {
-            let names: Vec<String> = whole.iter().map(|one| one.name.clone()).collect();
-            let own = columns::named(name, &names).map_err(Fault::Wrong)?;
-            some.extend(whole.iter().filter(|one| own.contains(&one.name.as_str())).cloned());
+            let all: Vec<Sought> = results.clone().flat_map(rates).chain(forces.clone()).collect();
+            let names: Vec<String> = all.iter().map(|one| one.name.clone()).collect();
+            let own = columns::named(name, &names);
+            let own = own.map_err(|message| Fault::Wrong(columns_of_forces.advice(name).unwrap_or(message)))?;
+            some.extend(all.iter().filter(|one| own.contains(&one.name.as_str())).cloned());
         }
     }
     Ok(some)

@@ -10,6 +10,7 @@ use super::super::columns;
 use super::super::command::Sweep;
 use super::super::fault::Fault;
 use super::super::file::Told;
+use super::super::loads::{Force, ForceColumns};
 use super::super::progress::watched;
 use super::super::subject::Subject;
 use super::super::text::{self, Column};
@@ -68,9 +69,17 @@ pub(super) fn tell_jolts(subject: &Subject, case: &Case) -> Result<(), Fault> {
 
 /// The columns that were typed, or else those of the file; none for those that are shown without being asked for.
 pub(super) fn columns_of(subject: &Subject, typed: &[String], told: &Told) -> Result<Vec<String>, Fault> {
-    let names = columns::names(subject.description(), !told.loads.is_empty());
+    let forces = if told.loads.is_empty() {
+        ForceColumns::default()
+    } else {
+        subject.forces()
+    };
+    let names = columns::names(subject.description(), &forces);
     let wanted = if typed.is_empty() { &told.columns } else { typed };
-    columns::chosen(wanted, &names).map_err(Fault::Wrong)
+    columns::chosen(wanted, &names).map_err(|message| {
+        let advice = wanted.iter().find_map(|name| forces.advice(name));
+        Fault::Wrong(advice.unwrap_or(message))
+    })
 }
 
 /// What is shown of one of several assemblies, below its name.
@@ -82,15 +91,15 @@ pub(super) fn headed(assembly: &str, count: usize, text: String) -> String {
     }
 }
 
-/// The table in the units that are shown, with the efforts that are wanted.
+/// The table in the units that are shown, with the forces that are wanted. Those in joints are shown if they are named.
 fn table(subject: &Subject, case: &Case, rows: usize, wanted: &[String]) -> Result<Table, Fault> {
     let mut table = in_units(subject.table(case, rows)?, case);
     let description = subject.description();
-    for effort in case.efforts() {
-        let name = effort.name(description);
-        if wanted.is_empty() || wanted.contains(&name) {
-            let values = subject.column_of_effort(case, rows, effort)?;
-            table = table.with_column(&name, &effort.unit(description), values);
+    for force in &case.forces(subject).all {
+        let name = force.name(description);
+        if wanted.is_empty() && matches!(force.force, Force::Effort(_)) || wanted.contains(&name) {
+            let values = subject.column_of_force(case, rows, force)?;
+            table = table.with_column(&name, &force.unit(description), values);
         }
     }
     Ok(table)

@@ -1,0 +1,97 @@
+//! A rigid body of the plane, in the frame of its joints.
+
+use crate::load::coordinate::{Coordinate, difference, dot};
+use crate::load::kinds::{Load, add_mass, not_negative, rigid};
+use crate::load::totals::Totals;
+use crate::load::{Change, LoadError, LoadedSystem, VaryingVector};
+use crate::number::Number;
+use crate::picture::Outline;
+
+/// Where the frame of a body lies, by the places of the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum BodyFrame {
+    /// From its first joint to its second one.
+    Joints([usize; 2]),
+    /// From its only joint along a slide, which stands so far before the end of the places.
+    Slide { joint: usize, before_end: usize },
+}
+
+impl BodyFrame {
+    /// The frame of a body of an outline, unless nothing tells how it turns.
+    pub(crate) fn of(outline: &Outline<'_>, body: usize) -> Option<Self> {
+        match *outline.bodies.get(body)?.joints {
+            [one, other, ..] => Some(Self::Joints([one, other])),
+            [joint] => {
+                let slides = || outline.slides.iter();
+                let carried = slides().position(|slide| slide.guide == Some(body));
+                let slide = carried.or_else(|| slides().position(|slide| slide.joint == joint))?;
+                let before_end = slides().count() - slide;
+                Some(Self::Slide { joint, before_end })
+            }
+            [] => None,
+        }
+    }
+
+    /// The joint in which it begins.
+    pub(crate) fn origin(self) -> usize {
+        match self {
+            Self::Joints([joint, _]) | Self::Slide { joint, .. } => joint,
+        }
+    }
+
+    /// Its origin, and a vector along it.
+    pub(crate) fn origin_and_axis<V: Copy + core::ops::Sub<Output = V>>(self, places: &[V]) -> [V; 2] {
+        match self {
+            Self::Joints([one, other]) => [places[one], places[other] - places[one]],
+            Self::Slide { joint, before_end } => [places[joint], places[places.len() - before_end]],
+        }
+    }
+}
+
+/// A mass with its centre and its moment of inertia about it.
+#[derive(Clone, Copy)]
+pub(super) struct PlaneBody<F> {
+    pub(super) mass: f64,
+    /// The centre, in the frame of the body.
+    pub(super) centre: [f64; 2],
+    pub(super) inertia: f64,
+    /// The origin of the frame, and a point on its axis.
+    pub(super) frame: F,
+}
+
+impl<M, P, F> Load<M> for PlaneBody<F>
+where
+    M: LoadedSystem,
+    P: VaryingVector<Change<M::Scalar>>,
+    F: Fn(M::Moving) -> [P; 2] + Copy,
+{
+    const COUNT: usize = 1;
+
+    // The axis is a unit vector e that turns at the rate ω: the energy of rotation is I ω² / 2 = I e' · e' / 2.
+    fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {
+        let load = totals.load;
+        let [origin, end] = [0, 1].map(|end| Coordinate::of_point(&totals.poses, |pose| (self.frame)(pose)[end]));
+        let along = difference(&end, &origin);
+        rigid(&along, &along).map_err(|rate| LoadError::NotRigid { load, rate })?;
+        let square = dot::<M>(&along, &along).motion[0];
+        let length = square.sqrt();
+        if length.real() <= M::Scalar::SMALLEST {
+            return Err(LoadError::NoDirection { load });
+        }
+        let [x, y, z] = along.map(|coordinate| coordinate.scale(M::Scalar::constant(1.0) / length));
+        let [right, up] = self.centre.map(M::Scalar::constant);
+        let centre = [
+            origin[0] + x.scale(right) - y.scale(up),
+            origin[1] + y.scale(right) + x.scale(up),
+            origin[2],
+        ];
+        add_mass(totals, self.mass, &centre)?;
+        not_negative(load, "moment of inertia", self.inertia)?;
+        let axis = [x, y, z];
+        for coordinate in &axis {
+            totals.inertia(self.inertia, coordinate, coordinate);
+        }
+        totals.spin(self.inertia, &axis, &axis);
+        Ok(())
+    }
+}

@@ -1,0 +1,336 @@
+//! Where a torque on an angle, or a force along a distance, acts on the bodies.
+
+use alloc::string::String;
+use alloc::vec::Vec;
+
+use super::ReactionError;
+use super::connection::{Member, hub, loaded, member_name};
+use super::frames::{MovedFrame, MovedMechanism, slope, slope_of};
+use crate::geometry::Plane;
+use crate::number::Number;
+use crate::number::series::Series;
+use crate::picture::Outline;
+use crate::quantity::Dimension;
+
+/// The mechanism while one input alone moves at unit speed.
+#[derive(Clone, Debug)]
+pub(crate) struct Influence<const N: usize> {
+    pub(super) moved: MovedMechanism<N>,
+    pub(super) frames: Vec<MovedFrame<N>>,
+}
+
+/// Two bodies between which a torque or a force acts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Action {
+    pub(super) on: Member,
+    pub(super) by: Member,
+    kind: ActionKind,
+    /// -1 where the quantity falls as the body moves forwards.
+    sign: f64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum ActionKind {
+    Couple,
+    /// Along a slide, at its joint.
+    Slide {
+        joint: usize,
+        slide: usize,
+    },
+    /// Along the line between two joints, on the second one.
+    Line([usize; 2]),
+    /// Along an axis of coordinates.
+    Axis {
+        joint: usize,
+        axis: usize,
+    },
+}
+
+/// The force on a body, and its moment about the origin of the body's frame.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Wrench<T> {
+    pub(super) force: Plane<T>,
+    pub(super) moment: T,
+}
+
+impl<const N: usize> Wrench<Series<N>> {
+    /// A force at a place on a body.
+    pub(super) fn of_force(frame: &MovedFrame<N>, force: Plane<Series<N>>, at: Plane<Series<N>>) -> Self {
+        let moment = (at - frame.origin).cross(force);
+        Self { force, moment }
+    }
+
+    /// A couple.
+    pub(super) fn of_moment(moment: Series<N>) -> Self {
+        let force = Plane::zero();
+        Self { force, moment }
+    }
+}
+
+/// A force and the opposite one, on the bodies that move.
+pub(super) fn both<const N: usize>(
+    [on, by]: [Member; 2],
+    frames: &[MovedFrame<N>],
+    force: Plane<Series<N>>,
+    [at, from]: [Plane<Series<N>>; 2],
+) -> Vec<(usize, Wrench<Series<N>>)> {
+    let on = on.map(|body| (body, Wrench::of_force(&frames[body], force, at)));
+    let by = by.map(|body| (body, Wrench::of_force(&frames[body], -force, from)));
+    on.into_iter().chain(by).collect()
+}
+
+/// A couple and the opposite one.
+pub(super) fn both_turned<const N: usize>([on, by]: [Member; 2], moment: Series<N>) -> Vec<(usize, Wrench<Series<N>>)> {
+    let on = on.map(|body| (body, Wrench::of_moment(moment)));
+    let by = by.map(|body| (body, Wrench::of_moment(-moment)));
+    on.into_iter().chain(by).collect()
+}
+
+impl Action {
+    /// A torque from the ground.
+    pub(super) fn on_body(body: usize, sign: f64) -> Self {
+        Self {
+            on: Some(body),
+            by: None,
+            kind: ActionKind::Couple,
+            sign,
+        }
+    }
+
+    /// The forces of a torque or force of this size.
+    pub(super) fn wrenches<const N: usize>(
+        &self,
+        moved: &MovedMechanism<N>,
+        frames: &[MovedFrame<N>],
+        size: Series<N>,
+    ) -> Vec<(usize, Wrench<Series<N>>)> {
+        let size = Series::constant(self.sign) * size;
+        let pair = [self.on, self.by];
+        match self.kind {
+            ActionKind::Couple => both_turned(pair, size),
+            ActionKind::Slide { joint, slide } => {
+                let at = moved.places[joint];
+                both(pair, frames, moved.direction(slide).scale(size), [at, at])
+            }
+            ActionKind::Line([from, to]) => {
+                let [from, to] = [from, to].map(|joint| moved.places[joint]);
+                let line = to - from;
+                both(pair, frames, line.scale(size / line.norm()), [to, from])
+            }
+            ActionKind::Axis { joint, axis } => {
+                let zero = Series::constant(0.0);
+                let force = if axis == 0 {
+                    Plane::new(size, zero)
+                } else {
+                    Plane::new(zero, size)
+                };
+                let at = moved.places[joint];
+                both(pair, frames, force, [at, at])
+            }
+        }
+    }
+
+    pub(super) fn acts_on(&self, body: usize) -> bool {
+        [self.on, self.by].contains(&Some(body))
+    }
+
+    /// What the bodies are called in a message.
+    pub(super) fn name(&self, outline: &Outline<'_>) -> String {
+        match self.by {
+            None => member_name(outline, self.on),
+            by => member_name(outline, self.on) + " against " + &member_name(outline, by),
+        }
+    }
+}
+
+/// So many terms of two rates must agree, and to this part of their sizes: a body that turns at another rate does not agree in all of them.
+const TERMS: usize = 3;
+const AGREEMENT: f64 = 1e-7;
+
+/// The sign with which all rates agree with those of a quantity.
+fn sign_of<const N: usize>(rates: &[[Series<N>; 2]]) -> Option<f64> {
+    [1.0, -1.0].into_iter().find(|sign| {
+        rates.iter().all(|[own, wanted]| {
+            let (own, wanted) = (own.coefficients(), wanted.coefficients());
+            let mut terms = own.iter().zip(&wanted).take(TERMS);
+            terms.all(|(own, wanted)| (own - sign * wanted).abs() <= AGREEMENT * (1.0 + own.abs() + wanted.abs()))
+        }) && rates.iter().any(|[_, wanted]| wanted.real() != 0.0)
+    })
+}
+
+/// The mechanism while each of its inputs moves alone.
+pub(super) struct Influences<'i, 'o, const N: usize> {
+    pub(super) outline: &'i Outline<'o>,
+    pub(super) all: &'i [Influence<N>],
+    /// The same with other dimensions, in which bodies of the same length no longer move alike. It is only asked for if several bodies do.
+    pub(super) otherwise: &'i dyn Fn() -> Vec<Influence<N>>,
+}
+
+impl<const N: usize> Influences<'_, '_, N> {
+    /// The sign with which something moves like a quantity, by the rates of both in each motion.
+    fn sign(&self, quantity: usize, rate: impl Fn(&Influence<N>) -> Series<N>) -> Option<f64> {
+        let rates: Vec<[Series<N>; 2]> = self
+            .all
+            .iter()
+            .map(|one| [rate(one), slope(one.moved.quantities[quantity])])
+            .collect();
+        sign_of(&rates)
+    }
+
+    /// Whether a body never turns against another one.
+    pub(super) fn keeps_angle(&self, pair: [Member; 2]) -> bool {
+        self.all.iter().all(|one| {
+            let rates = pair.map(|member| one.turn(member));
+            let (rate, sizes) = (rates[0] - rates[1], rates.map(|rate| rate.coefficients()));
+            let mut terms = rate.coefficients().into_iter().enumerate().take(TERMS);
+            terms.all(|(term, rate)| rate.abs() <= AGREEMENT * (1.0 + sizes[0][term].abs() + sizes[1][term].abs()))
+        })
+    }
+
+    /// Where the torque on an angle, or the force along a distance, could act.
+    pub(super) fn actions(&self, quantity: usize, dimension: Dimension) -> Vec<Action> {
+        let or = |found: Vec<Action>, other: fn(&Self, usize) -> Vec<Action>| {
+            if found.is_empty() { other(self, quantity) } else { found }
+        };
+        match dimension {
+            Dimension::Length => or(or(self.on_slides(quantity), Self::on_lines), Self::on_axes),
+            Dimension::Angle | Dimension::Scalar => or(self.against_ground(quantity), Self::between_bodies),
+        }
+    }
+
+    /// The only place of something that acts on a quantity, among those that are `wanted`.
+    pub(super) fn action(
+        &self,
+        what: String,
+        found: impl Fn(&Influences<'_, '_, N>) -> Vec<Action>,
+        wanted: impl Fn(&Action) -> bool,
+    ) -> Result<Action, ReactionError> {
+        let mut actions = found(self);
+        actions.retain(&wanted);
+        if actions.len() > 1 {
+            let all = (self.otherwise)();
+            let other = found(&Influences {
+                outline: self.outline,
+                all: &all,
+                otherwise: self.otherwise,
+            });
+            if other.iter().any(|action| actions.contains(action)) {
+                actions.retain(|action| other.contains(action));
+            }
+        }
+        match actions[..] {
+            [only] => Ok(only),
+            _ => Err(ReactionError::Place {
+                what,
+                places: actions.iter().map(|action| action.name(self.outline)).collect(),
+            }),
+        }
+    }
+
+    /// The bodies that turn like an angle.
+    pub(super) fn against_ground(&self, quantity: usize) -> Vec<Action> {
+        let bodies = 0..self.outline.bodies.len();
+        let found = bodies.filter_map(|body| {
+            let sign = self.sign(quantity, |one| one.frames[body].turn)?;
+            Some(Action::on_body(body, sign))
+        });
+        found.collect()
+    }
+
+    fn between_bodies(&self, quantity: usize) -> Vec<Action> {
+        let bodies = self.outline.bodies;
+        let mut found = Vec::new();
+        for (by, first) in bodies.iter().enumerate() {
+            for (on, second) in bodies.iter().enumerate().skip(by + 1) {
+                let is_joined = first.joints.iter().any(|joint| second.joints.contains(joint));
+                let sign = self.sign(quantity, |one| one.frames[on].turn - one.frames[by].turn);
+                if let (true, Some(sign)) = (is_joined, sign) {
+                    let (on, by, kind) = (Some(on), Some(by), ActionKind::Couple);
+                    found.push(Action { on, by, kind, sign });
+                }
+            }
+        }
+        found
+    }
+
+    fn on_slides(&self, quantity: usize) -> Vec<Action> {
+        let slides = self.outline.slides.iter().enumerate();
+        let found = slides.filter_map(|(index, slide)| {
+            let (joint, by) = (slide.joint, slide.guide);
+            let sign = self.sign(quantity, |one| {
+                let place = one.moved.places[joint];
+                one.moved
+                    .direction(index)
+                    .dot(slope_of(place) - one.velocity(by, place))
+            })?;
+            let on = hub(self.outline, joint)?;
+            let kind = ActionKind::Slide { joint, slide: index };
+            Some(Action { on, by, kind, sign })
+        });
+        found.collect()
+    }
+
+    fn on_lines(&self, quantity: usize) -> Vec<Action> {
+        let count = self.all.first().map_or(0, |one| one.moved.joints);
+        let mut found = Vec::new();
+        for from in 0..count {
+            for to in from + 1..count {
+                let sign = self.sign(quantity, |one| {
+                    let line = one.moved.places[to] - one.moved.places[from];
+                    line.dot(slope_of(line)) / line.norm()
+                });
+                let Some(sign) = sign else { continue };
+                for by in loaded(self.outline, from) {
+                    for on in loaded(self.outline, to) {
+                        let kind = ActionKind::Line([from, to]);
+                        found.push(Action { on, by, kind, sign });
+                    }
+                }
+            }
+        }
+        found
+    }
+
+    fn on_axes(&self, quantity: usize) -> Vec<Action> {
+        let mut joints: Vec<usize> = self
+            .outline
+            .bodies
+            .iter()
+            .flat_map(|body| body.joints)
+            .copied()
+            .collect();
+        joints.sort_unstable();
+        joints.dedup();
+        let mut found = Vec::new();
+        for joint in joints {
+            for axis in [0, 1] {
+                let sign = self.sign(quantity, |one| {
+                    let Plane { x, y } = slope_of(one.moved.places[joint]);
+                    if axis == 0 { x } else { y }
+                });
+                let Some(sign) = sign else { continue };
+                for on in loaded(self.outline, joint) {
+                    let kind = ActionKind::Axis { joint, axis };
+                    found.push(Action {
+                        on,
+                        by: None,
+                        kind,
+                        sign,
+                    });
+                }
+            }
+        }
+        found
+    }
+}
+
+impl<const N: usize> Influence<N> {
+    fn turn(&self, member: Member) -> Series<N> {
+        member.map_or(Series::constant(0.0), |body| self.frames[body].turn)
+    }
+
+    /// The velocity of a place that a body carries.
+    fn velocity(&self, member: Member, place: Plane<Series<N>>) -> Plane<Series<N>> {
+        member.map_or_else(Plane::zero, |body| self.frames[body].velocity(place))
+    }
+}

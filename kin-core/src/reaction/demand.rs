@@ -1,0 +1,226 @@
+//! What the loads and the inertia of bodies ask of the joints and drives.
+
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
+
+use super::ReactionError;
+use super::action::{Action, Influences, Wrench, both};
+use super::connection::{Member, loaded, member_name};
+use super::frames::{MovedFrame, MovedMechanism, left, slope, slope_of};
+use crate::geometry::{Plane, Space};
+use crate::load::{LoadError, NamedLoad, NamedLoads, PointIndex};
+use crate::mechanism::Description;
+use crate::number::Number;
+use crate::number::series::Series;
+use crate::quantity::Dimension;
+
+/// The sums of the forces that each body lacks, and of their moments about the origin of its frame.
+pub(super) struct Demand<'d, const N: usize> {
+    pub(super) loads: &'d NamedLoads,
+    pub(super) description: &'d Description<'d>,
+    pub(super) influences: &'d Influences<'d, 'd, N>,
+    pub(super) moved: &'d MovedMechanism<N>,
+    pub(super) frames: &'d [MovedFrame<N>],
+    /// The change of the variable of the series for each unit of time.
+    pub(super) rate: f64,
+    pub(super) bodies: Vec<Wrench<Series<N>>>,
+    /// The place of the load that is being added, from 1 on.
+    pub(super) load: usize,
+}
+
+/// A point on which a load acts, and the body that holds it.
+#[derive(Clone, Copy)]
+struct Held<const N: usize> {
+    at: Plane<Series<N>>,
+    by: Member,
+}
+
+impl<const N: usize> Demand<'_, N> {
+    /// The derivative by time.
+    fn by_time(&self, series: Series<N>) -> Series<N> {
+        slope(series) * Series::constant(self.rate)
+    }
+
+    fn acceleration(&self, point: Plane<Series<N>>) -> Plane<Series<N>> {
+        slope_of(slope_of(point)).scale(Series::constant(self.rate * self.rate))
+    }
+
+    fn subtract(&mut self, wrenches: Vec<(usize, Wrench<Series<N>>)>) {
+        for (body, wrench) in wrenches {
+            let sum = &mut self.bodies[body];
+            sum.force = sum.force - wrench.force;
+            sum.moment = sum.moment - wrench.moment;
+        }
+    }
+
+    /// Adds all loads.
+    pub(super) fn add_all(&mut self) -> Result<(), ReactionError> {
+        for (place, load) in self.loads.all().iter().enumerate() {
+            self.load = place + 1;
+            self.add(*load)?;
+        }
+        Ok(())
+    }
+
+    fn add(&mut self, load: NamedLoad) -> Result<(), ReactionError> {
+        match load {
+            NamedLoad::Body(mass, inertia, centre, body, _) => {
+                let at = match centre {
+                    PointIndex::Fixed(Space { x, y, .. }) => {
+                        let MovedFrame { origin, axis, .. } = self.frames[body];
+                        origin + axis.scale(Series::constant(x)) + left(axis).scale(Series::constant(y))
+                    }
+                    PointIndex::Moving(_) => self.point(centre),
+                };
+                self.add_mass(mass, Held { at, by: Some(body) })?;
+                self.add_inertia(inertia, body)?;
+            }
+            NamedLoad::Mass(mass, point) => {
+                let held = self.held(point)?;
+                self.add_mass(mass, held)?;
+            }
+            NamedLoad::Inertia(inertia, angle) => {
+                let what = self.what(&format!("the inertia of `{}`", self.loads.name(angle)));
+                let found = |influences: &Influences<'_, '_, N>| influences.against_ground(angle);
+                let Action { on, .. } = self.influences.action(what, found, |_| true)?;
+                if let Some(body) = on {
+                    self.add_inertia(inertia, body)?;
+                }
+            }
+            NamedLoad::Force(force, point) => {
+                let held = self.held(point)?;
+                let force = Plane::new(Series::constant(force.x), Series::constant(force.y));
+                self.subtract(both([held.by, None], self.frames, force, [held.at; 2]));
+            }
+            NamedLoad::Torque(torque, quantity) => self.act(quantity, Series::constant(torque))?,
+            NamedLoad::TorsionSpring(spring, quantity) => {
+                let twist = self.moved.quantities[quantity] - Series::constant(spring.rest);
+                self.act(quantity, -twist * Series::constant(spring.stiffness))?;
+            }
+            NamedLoad::TorsionDamper(damper, quantity) => {
+                let speed = self.by_time(self.moved.quantities[quantity]);
+                self.act(quantity, -speed * Series::constant(damper.damping))?;
+            }
+            NamedLoad::Spring(spring, ends) => {
+                let ends = self.ends(ends)?;
+                let line = ends[1].at - ends[0].at;
+                let force = if spring.rest == 0.0 {
+                    line.scale(Series::constant(spring.stiffness))
+                } else {
+                    let length = self.length(line)?;
+                    let stretch = Series::constant(1.0) - Series::constant(spring.rest) / length;
+                    line.scale(stretch * Series::constant(spring.stiffness))
+                };
+                self.pull(ends, force);
+            }
+            NamedLoad::Damper(damper, ends) => {
+                let ends = self.ends(ends)?;
+                let line = ends[1].at - ends[0].at;
+                let length = self.length(line)?;
+                let force = line.scale(self.by_time(length) / length * Series::constant(damper.damping));
+                self.pull(ends, force);
+            }
+        }
+        Ok(())
+    }
+
+    /// A force on the first end towards the second one, and the opposite one there.
+    fn pull(&mut self, [from, to]: [Held<N>; 2], force: Plane<Series<N>>) {
+        self.subtract(both([from.by, to.by], self.frames, force, [from.at, to.at]));
+    }
+
+    fn length(&self, line: Plane<Series<N>>) -> Result<Series<N>, LoadError> {
+        let square = line.norm_squared();
+        if square.real() > f64::MIN_POSITIVE {
+            Ok(square.sqrt())
+        } else {
+            Err(LoadError::NoDirection { load: self.load })
+        }
+    }
+
+    fn not_negative(&self, quantity: &'static str, value: f64) -> Result<(), LoadError> {
+        let load = self.load;
+        if value < 0.0 {
+            return Err(LoadError::Negative { load, quantity, value });
+        }
+        Ok(())
+    }
+
+    fn add_mass(&mut self, mass: f64, held: Held<N>) -> Result<(), LoadError> {
+        self.not_negative("mass", mass)?;
+        let gravity = self.loads.gravity_in_plane();
+        let gravity = Plane::new(Series::constant(gravity.x), Series::constant(gravity.y));
+        let lacking = (gravity - self.acceleration(held.at)).scale(Series::constant(mass));
+        self.subtract(both([held.by, None], self.frames, lacking, [held.at; 2]));
+        Ok(())
+    }
+
+    fn add_inertia(&mut self, inertia: f64, body: usize) -> Result<(), LoadError> {
+        self.not_negative("moment of inertia", inertia)?;
+        let acceleration = slope(self.frames[body].turn) * Series::constant(self.rate * self.rate);
+        let lacking = -acceleration * Series::constant(inertia);
+        self.subtract([(body, Wrench::of_moment(lacking))].into());
+        Ok(())
+    }
+
+    /// A torque on an angle, or a force along a distance.
+    fn act(&mut self, quantity: usize, size: Series<N>) -> Result<(), ReactionError> {
+        let what = self.what(&format!("the torque or force on `{}`", self.loads.name(quantity)));
+        let dimension = self.dimension(quantity);
+        let found = |influences: &Influences<'_, '_, N>| influences.actions(quantity, dimension);
+        let action = self.influences.action(what, found, |_| true)?;
+        self.subtract(action.wrenches(self.moved, self.frames, size));
+        Ok(())
+    }
+
+    fn dimension(&self, quantity: usize) -> Dimension {
+        let Description {
+            parameters,
+            inputs,
+            unknowns,
+            outputs,
+            ..
+        } = self.description;
+        let mut all = [parameters, inputs, unknowns, outputs].into_iter().copied().flatten();
+        all.nth(quantity)
+            .map_or(Dimension::Scalar, |quantity| quantity.dimension)
+    }
+
+    fn what(&self, load: &str) -> String {
+        format!("load {}, {load},", self.load)
+    }
+
+    fn ends(&self, [from, to]: [PointIndex; 2]) -> Result<[Held<N>; 2], ReactionError> {
+        Ok([self.held(from)?, self.held(to)?])
+    }
+
+    /// The place of a point.
+    fn point(&self, point: PointIndex) -> Plane<Series<N>> {
+        match point {
+            PointIndex::Fixed(Space { x, y, .. }) => Plane::new(Series::constant(x), Series::constant(y)),
+            PointIndex::Moving([x, y, _]) => {
+                let part = |index: Option<usize>| index.map_or(Series::ZERO, |index| self.moved.quantities[index]);
+                Plane::new(part(x), part(y))
+            }
+        }
+    }
+
+    /// A point, and the body that holds it. What stands still is held by the ground.
+    fn held(&self, point: PointIndex) -> Result<Held<N>, ReactionError> {
+        let at = self.point(point);
+        let Some(name) = self.loads.point_name(point) else {
+            return Ok(Held { at, by: None });
+        };
+        let outline = self.influences.outline;
+        let joint = outline.points.iter().find(|(own, _)| *own == name);
+        let holders = joint.map_or_else(Vec::new, |(_, joint)| loaded(outline, *joint));
+        match holders[..] {
+            [by] => Ok(Held { at, by }),
+            _ => Err(ReactionError::Place {
+                what: self.what(&format!("at `{name}`")),
+                places: holders.iter().map(|member| member_name(outline, *member)).collect(),
+            }),
+        }
+    }
+}

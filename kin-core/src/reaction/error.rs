@@ -1,0 +1,210 @@
+//! The reasons why reactions are not found.
+
+use alloc::string::String;
+use alloc::vec::Vec;
+use core::error::Error;
+use core::fmt;
+
+use crate::failure::SolveError;
+use crate::load::LoadError;
+use crate::quantity::Digits;
+
+/// The reason why a mechanism has no reactions, or why one of them is not determined.
+#[derive(Clone, PartialEq)]
+#[non_exhaustive]
+pub enum ReactionError {
+    /// The mechanism has no pose there.
+    Solve(SolveError),
+    /// The loads have no forces there.
+    Load(LoadError),
+    /// The bodies are guessed from the equations.
+    Guessed {
+        /// The statements that would declare the guess.
+        statements: String,
+    },
+    /// The mechanism is one of space, where the axes of joints are not known.
+    Space,
+    /// The mechanism has no bodies.
+    NoBodies,
+    /// The points of a body do not keep their distances.
+    NotRigid {
+        /// The body.
+        body: String,
+        /// The speed of one of its joints against its first two, per unit of an input.
+        rate: f64,
+    },
+    /// Nothing tells how a body turns: it has one joint without a slide, or its first two joints coincide.
+    NoFrame {
+        /// The body.
+        body: String,
+    },
+    /// No body, or several, hold the place where a load or a drive acts.
+    Place {
+        /// What acts there, in a few words.
+        what: String,
+        /// Where it could act: none, or several places.
+        places: Vec<String>,
+    },
+    /// The joints leave bodies free to move while the inputs stand.
+    Free {
+        /// By how many freedoms.
+        freedoms: usize,
+        /// The bodies.
+        bodies: Vec<String>,
+        /// The equations that are no vectors, which may hold them.
+        equations: Vec<String>,
+    },
+    /// The joints hold the bodies in other positions, but not in this one: a change point or a limit.
+    Singular {
+        /// The smallest pivot of the equilibrium equations as a part of the largest.
+        pivot: f64,
+        /// The reactions that grow beyond all bounds.
+        grows: Vec<String>,
+    },
+    /// A force has its value and two rates.
+    NoSuchRate {
+        /// The order that was asked for.
+        order: usize,
+    },
+    /// No reaction has this name.
+    NoSuchReaction {
+        /// The name.
+        name: String,
+        /// The names that there are.
+        names: Vec<String>,
+    },
+    /// The mechanism holds itself in more than one way, so that equilibrium alone does not determine the reaction.
+    Undetermined {
+        /// The reaction.
+        reaction: String,
+        /// All reactions that are not determined.
+        all: Vec<String>,
+    },
+    /// A result is not finite.
+    NotFinite,
+}
+
+impl From<SolveError> for ReactionError {
+    fn from(error: SolveError) -> Self {
+        Self::Solve(error)
+    }
+}
+
+impl From<LoadError> for ReactionError {
+    fn from(error: LoadError) -> Self {
+        Self::Load(error)
+    }
+}
+
+/// Names between commas.
+struct Listed<'n>(&'n [String]);
+
+impl fmt::Display for Listed<'_> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, name) in self.0.iter().enumerate() {
+            write!(formatter, "{}`{name}`", if index == 0 { "" } else { ", " })?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for ReactionError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Solve(error) => write!(formatter, "{error}"),
+            Self::Load(error) => write!(formatter, "{error}"),
+            Self::Guessed { statements } => write!(
+                formatter,
+                "the declaration does not state its bodies, on which the forces in joints depend; if this is how they are joined, add\n{statements}"
+            ),
+            Self::Space => write!(
+                formatter,
+                "the mechanism is one of space: the forces in its joints need their axes, which nothing declares; forces in joints are \
+                 found in the plane"
+            ),
+            Self::NoBodies => write!(
+                formatter,
+                "the mechanism has no bodies: state them, as in `body crank: 0, pin;`"
+            ),
+            Self::NotRigid { body, rate } => write!(
+                formatter,
+                "the points of the body `{body}` do not keep their distances: one moves against the others by {} per unit of an input",
+                Digits(*rate)
+            ),
+            Self::NoFrame { body } => write!(
+                formatter,
+                "nothing tells how the body `{body}` turns: give it a second joint apart from its first one, or a slide"
+            ),
+            Self::Place { what, places } if places.is_empty() => write!(
+                formatter,
+                "no body holds the place of {what}: list the point among those of its body, or let a body turn like the angle"
+            ),
+            Self::Place { what, places } => write!(
+                formatter,
+                "{what} could act on each of {}, on which the forces in joints depend: {}",
+                Listed(places),
+                if what.starts_with("the drive") {
+                    "say which by `driving`"
+                } else {
+                    "let it act on a point that one body alone has"
+                }
+            ),
+            Self::Free {
+                freedoms,
+                bodies,
+                equations,
+            } => {
+                write!(
+                    formatter,
+                    "the joints leave {} {freedoms} freedom{} while the inputs stand: ",
+                    Listed(bodies),
+                    if *freedoms == 1 { "" } else { "s" }
+                )?;
+                if equations.is_empty() {
+                    formatter.write_str("declare the joint that is missing")
+                } else {
+                    write!(
+                        formatter,
+                        "declare the joint that is missing, or no joint stands for {}, and the force of a gear or a rack is not found",
+                        Listed(equations)
+                    )
+                }
+            }
+            Self::Singular { pivot, grows } => write!(
+                formatter,
+                "the position is singular: towards it the forces {} grow beyond all bounds; the smallest pivot of their equations is {} of \
+                 the largest",
+                Listed(grows),
+                Digits(*pivot)
+            ),
+            Self::NoSuchRate { order } => write!(
+                formatter,
+                "a force in a joint has the orders 0, 1 and 2, its value and two rates: there is no order {order}"
+            ),
+            Self::NoSuchReaction { name, names } => {
+                write!(formatter, "there is no reaction `{name}`; there is {}", Listed(names))
+            }
+            Self::Undetermined { reaction, all } => write!(
+                formatter,
+                "the force `{reaction}` is not determined: the joints hold the bodies in more than one way, and equilibrium leaves open {}",
+                Listed(all)
+            ),
+            Self::NotFinite => write!(
+                formatter,
+                "a force in a joint is not finite: a mass, force or other number of a load is not finite or too large"
+            ),
+        }
+    }
+}
+
+crate::__debug_by_display!(ReactionError);
+
+impl Error for ReactionError {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        match self {
+            Self::Solve(error) => Some(error),
+            Self::Load(error) => Some(error),
+            _ => None,
+        }
+    }
+}

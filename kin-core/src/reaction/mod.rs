@@ -1,0 +1,483 @@
+//! Joint reactions: the forces in pins and slides, with their rates.
+//!
+//! [`NamedReactions`] are those of a mechanism of the plane under [loads](NamedLoads), without its type:
+//! [`AnyLinkage::reactions`](crate::linkage::AnyLinkage::reactions) makes them. In a pose they tell each force with two rates by time,
+//! and a sweep tells its peak, its extremes and its mean: [`of_reaction`](crate::linkage::AnySweep::of_reaction).
+//!
+//! ```
+//! use kin_core::any::PositionChoice;
+//! use kin_core::linkage::AnyLinkage;
+//! use kin_core::load::NamedLoads;
+//! use kin_core::prelude::*;
+//!
+//! mechanism! {
+//!     /// Slider-crank in metres.
+//!     pub struct Engine { pub r: Length, pub l: Length }
+//!     input theta: Angle;
+//!     unknown phi: Angle, s: Length;
+//!     r * cis(theta) + l * cis(phi) == vec2(s, 0);
+//!     output pin: Point = r * cis(theta);
+//!     output piston: Point = vec2(s, 0);
+//!
+//!     ground 0;
+//!     body crank: 0, pin;
+//!     body rod: pin, piston;
+//!     slide piston along vec2(1, 0);
+//! }
+//!
+//! let engine = Engine { r: 0.05, l: 0.15 };
+//! let linkage = AnyLinkage::of(&engine);
+//! let loads = linkage.loads().force(Plane::new(-800.0, 0.0), "piston")?;
+//! let reactions = linkage.reactions(&loads)?;
+//! let crank = Motion::at_constant_speed(1.0, 0.0);
+//! let found = reactions.at(&[crank], PositionChoice::Assembly(0))?;
+//! // the gas force goes along the rod, and the cylinder holds its part across
+//! let slope = -0.05 * 1.0_f64.sin() / 0.15;
+//! let side = 800.0 * slope / (1.0 - slope * slope).sqrt();
+//! assert!((found.of("piston")?.y[0] + side).abs() < 1e-11);
+//! assert_eq!(reactions.names().collect::<Vec<_>>(), ["ground_crank", "pin", "piston"]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Method
+//!
+//! Newton's and Euler's equations of each body, three in the plane, are linear in the forces: two components for each pin, a normal force
+//! for each slide, a moment where nothing but the slide keeps its slider from turning, and the efforts of the drives. (J. Wittenburg,
+//! *Dynamics of Multibody Systems*, 2nd edition, Springer 2008, chapter 5.) Their matrix and the loads are series in time, and so are the
+//! solutions, from the triangular factors of one matrix: rates are exact, and nothing is divided by a speed.
+
+mod action;
+mod connection;
+mod demand;
+mod equations;
+mod error;
+mod frames;
+mod rank;
+#[cfg(test)]
+mod tests;
+
+pub use error::ReactionError;
+
+use alloc::string::{String, ToString};
+use alloc::vec;
+use alloc::vec::Vec;
+use core::fmt;
+
+use crate::any::{AnyMechanism, NearOver, OutputsOver, Pictured, PlacesOver, PositionChoice};
+use crate::failure::SolveError;
+use crate::geometry::Plane;
+use crate::hermite::TERMS;
+use crate::load::NamedLoads;
+use crate::motion::Motion;
+use crate::number::series::Series;
+use crate::number::{Number, NumberRow, singular_values};
+use crate::picture::Outline;
+use crate::quantity::Dimension;
+use crate::solve::nearest_turn;
+use action::{Action, Influence, Influences, Wrench};
+use connection::{Connection, Member, connections, member_name};
+use demand::Demand;
+use equations::{Equations, Solution};
+use frames::MovedMechanism;
+
+/// The orders of a motion up to snap, and the terms of a series of each.
+const REACH: usize = 4 + TERMS;
+
+/// The number of orders of a force: its value and two rates.
+const ORDERS: usize = 3;
+
+/// A motion as a series.
+pub type MovedNumber = Series<REACH>;
+
+/// The functions of a mechanism from which its reactions are found. Every declared mechanism has them.
+pub trait ReactionFunctions:
+    AnyMechanism + Pictured + NearOver<MovedNumber> + OutputsOver<MovedNumber> + PlacesOver<MovedNumber>
+{
+}
+
+impl<F> ReactionFunctions for F where
+    F: ?Sized + AnyMechanism + Pictured + NearOver<MovedNumber> + OutputsOver<MovedNumber> + PlacesOver<MovedNumber>
+{
+}
+
+/// Which part of a reaction is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ReactionPart {
+    /// The force along x.
+    X,
+    /// The force along y.
+    Y,
+    /// The size of the force.
+    Force,
+    /// The moment of a slide about its joint; zero in a pin.
+    Moment,
+}
+
+/// The reactions of a mechanism of the plane under loads.
+///
+/// A reaction is called by the point of its joint, which is an output, as in `"knee"`: it acts on the body that is declared later, and the
+/// earlier one exerts it; of the ground and of guides it acts on the body that they hold. Where more than two bodies meet, one of them
+/// holds the others, and each of these has its own: `"knee_rod"`. A joint without a name is called by its bodies: `"crank_rod"`.
+/// If bodies are pinned to a slider, the reaction of its guide is `"piston_slide"`.
+///
+/// The body that holds the others is the ground; or the slider, which is a body with this joint alone; or the first body.
+#[derive(Clone)]
+pub struct NamedReactions<'m> {
+    functions: &'m dyn ReactionFunctions,
+    parameters: NumberRow,
+    loads: NamedLoads,
+    connections: Vec<Connection>,
+    /// The body that an input is said to drive.
+    driven: Vec<Option<usize>>,
+}
+
+impl fmt::Debug for NamedReactions<'_> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.debug_list().entries(self.names()).finish()
+    }
+}
+
+/// The place at which reactions are wanted.
+pub(crate) struct ReactionPlace<'p> {
+    pub(crate) functions: &'p dyn ReactionFunctions,
+    pub(crate) parameters: &'p [f64],
+    /// The inputs as series in a variable.
+    pub(crate) inputs: Vec<MovedNumber>,
+    /// The unknowns and outputs, with unwrapped angles.
+    pub(crate) unknowns: &'p [f64],
+    pub(crate) outputs: &'p [f64],
+    /// The change of the variable for each unit of time.
+    pub(crate) rate: f64,
+}
+
+/// By so much dimensions are changed, each by another part of it, to tell apart what moves alike by its length alone.
+const CHANGE: f64 = 1e-4;
+
+impl<'m> NamedReactions<'m> {
+    /// The reactions under loads. `guessed` admits bodies that no statement declares.
+    pub(crate) fn new(
+        functions: &'m dyn ReactionFunctions,
+        parameters: &[f64],
+        loads: &NamedLoads,
+        guessed: bool,
+    ) -> Result<Self, ReactionError> {
+        let outline = functions.outline();
+        if functions.is_space() {
+            return Err(ReactionError::Space);
+        }
+        if outline.bodies.is_empty() {
+            return Err(ReactionError::NoBodies);
+        }
+        if let (Some(statements), false) = (outline.guess, guessed) {
+            let statements = statements.to_string();
+            return Err(ReactionError::Guessed { statements });
+        }
+        Ok(Self {
+            functions,
+            parameters: parameters.into(),
+            loads: loads.clone(),
+            connections: connections(&outline),
+            driven: vec![None; functions.description().inputs.len()],
+        })
+    }
+
+    /// The same, where the drive of an input turns or pushes this body. It need only be said if several bodies move like the input.
+    ///
+    /// # Errors
+    /// [`ReactionError::Place`] if there is no such input or body.
+    pub fn driving(mut self, input: &str, body: &str) -> Result<Self, ReactionError> {
+        let bodies = self.functions.outline().bodies;
+        let inputs = self.functions.description().inputs;
+        let input_index = inputs.iter().position(|own| own.name == input);
+        let body_index = bodies.iter().position(|own| own.name == body);
+        if let (Some(input), Some(_)) = (input_index, body_index) {
+            self.driven[input] = body_index;
+            return Ok(self);
+        }
+        Err(ReactionError::Place {
+            what: drive_of(input),
+            places: bodies.iter().map(|body| body.name.to_string()).collect(),
+        })
+    }
+
+    /// The names of all reactions.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.connections.iter().map(|connection| connection.name.as_str())
+    }
+
+    /// The bodies of a reaction: the one on which it acts, and the one that exerts it, which may be the `ground`.
+    ///
+    /// # Errors
+    /// [`ReactionError::NoSuchReaction`].
+    pub fn bodies_of(&self, name: &str) -> Result<[String; 2], ReactionError> {
+        let Connection { on, by, .. } = self.connections[self.index(name)?];
+        let outline = self.functions.outline();
+        Ok([on, by].map(|member: Member| member_name(&outline, member)))
+    }
+
+    /// Whether a reaction is that of a slide, which may have a moment.
+    ///
+    /// # Errors
+    /// [`ReactionError::NoSuchReaction`].
+    pub fn is_slide(&self, name: &str) -> Result<bool, ReactionError> {
+        Ok(self.connections[self.index(name)?].slide.is_some())
+    }
+
+    pub(crate) fn index(&self, name: &str) -> Result<usize, ReactionError> {
+        self.names()
+            .position(|own| own == name)
+            .ok_or_else(|| ReactionError::NoSuchReaction {
+                name: name.to_string(),
+                names: self.names().map(ToString::to_string).collect(),
+            })
+    }
+
+    /// The reactions in the pose at given motions of the inputs, through snap.
+    ///
+    /// # Errors
+    /// [`ReactionError`] where the mechanism has no pose, where loads or drives have no certain place, and where the joints do not hold the
+    /// bodies.
+    pub fn at(&self, inputs: &[Motion], choice: PositionChoice<'_, f64>) -> Result<Reactions, ReactionError> {
+        let values: Vec<f64> = inputs.iter().map(Motion::value).collect();
+        let description = self.functions.description();
+        let mut unknowns = vec![0.0; description.unknowns.len()];
+        self.functions
+            .position(&self.parameters, &values, choice, &mut unknowns)?;
+        let series = |motion: &Motion| {
+            Series::from_derivatives(core::array::from_fn(|order| motion.derivative(order).unwrap_or(0.0)))
+        };
+        let place = ReactionPlace {
+            functions: self.functions,
+            parameters: &self.parameters,
+            inputs: inputs.iter().map(series).collect(),
+            unknowns: &unknowns,
+            outputs: &[],
+            rate: 1.0,
+        };
+        Ok(Reactions {
+            names: self.names().map(ToString::to_string).collect(),
+            solution: self.solution(&place)?,
+        })
+    }
+
+    /// One part of a reaction as a series in the variable.
+    pub(crate) fn part(
+        &self,
+        place: &ReactionPlace<'_>,
+        index: usize,
+        part: ReactionPart,
+    ) -> Result<MovedNumber, ReactionError> {
+        let solution = self.solution(place)?;
+        let force = solution.forces[index];
+        let found = match part {
+            ReactionPart::X => force.map(|force| force.x),
+            ReactionPart::Y => force.map(|force| force.y),
+            ReactionPart::Force => force.map(size),
+            ReactionPart::Moment => solution.moments[index],
+        };
+        found.ok_or_else(|| {
+            let names: Vec<String> = self.names().map(ToString::to_string).collect();
+            undetermined(&solution, &names, index)
+        })
+    }
+
+    fn solution(&self, place: &ReactionPlace<'_>) -> Result<Solution<REACH>, ReactionError> {
+        let description = place.functions.description();
+        let outline = place.functions.outline();
+        let moved = place.moved(place.parameters, &place.inputs)?;
+        let frames = moved.frames(&outline)?;
+        let all = place.influences(place.parameters, &outline)?;
+        let otherwise = || place.otherwise(&outline).unwrap_or_default();
+        let influences = Influences {
+            outline: &outline,
+            all: &all,
+            otherwise: &otherwise,
+        };
+        let nothing = Wrench {
+            force: Plane::zero(),
+            moment: Series::ZERO,
+        };
+        let mut demand = Demand {
+            loads: &self.loads,
+            description,
+            influences: &influences,
+            moved: &moved,
+            frames: &frames,
+            rate: place.rate,
+            bodies: vec![nothing; frames.len()],
+            load: 0,
+        };
+        demand.add_all()?;
+        let drives = description.inputs.iter().enumerate().map(|(input, quantity)| {
+            let index = description.parameters.len() + input;
+            let found = |influences: &Influences<'_, '_, REACH>| influences.actions(index, quantity.dimension);
+            let wanted = |action: &Action| self.driven[input].is_none_or(|body| action.acts_on(body));
+            influences.action(drive_of(quantity.name), found, wanted)
+        });
+        let drives = drives.collect::<Result<Vec<Action>, _>>()?;
+        let equations = Equations {
+            outline: &outline,
+            connections: &self.connections,
+            influences: &influences,
+            moved: &moved,
+            frames: &frames,
+            drives: &drives,
+        };
+        equations.solve(&demand.bodies)
+    }
+}
+
+fn drive_of(input: &str) -> String {
+    ["the drive of `", input, "`"].concat()
+}
+
+/// The length of a vector. Where it passes through zero, it is that behind the zero.
+fn size(force: Plane<MovedNumber>) -> MovedNumber {
+    let length = singular_values(&[force.x, force.y], 1);
+    length.first().copied().unwrap_or(Series::ZERO)
+}
+
+fn undetermined(solution: &Solution<REACH>, names: &[String], index: usize) -> ReactionError {
+    let is_open = |index: &usize| solution.forces[*index].is_none() || solution.moments[*index].is_none();
+    ReactionError::Undetermined {
+        reaction: names[index].clone(),
+        all: (0..names.len())
+            .filter(is_open)
+            .map(|index| names[index].clone())
+            .collect(),
+    }
+}
+
+impl ReactionPlace<'_> {
+    /// The mechanism near the place, with inputs that move.
+    fn moved(&self, parameters: &[f64], inputs: &[MovedNumber]) -> Result<MovedMechanism<REACH>, SolveError> {
+        let description = self.functions.description();
+        let parameters: Vec<MovedNumber> = parameters.iter().copied().map(Series::constant).collect();
+        let near: Vec<MovedNumber> = self.unknowns.iter().copied().map(Series::constant).collect();
+        let mut unknowns = near.clone();
+        let functions = self.functions;
+        NearOver::<MovedNumber>::position_near(functions, &parameters, inputs, &near, &mut unknowns)?;
+        let mut outputs = vec![Series::ZERO; description.outputs.len()];
+        OutputsOver::<MovedNumber>::outputs(functions, &parameters, inputs, &unknowns, &mut outputs);
+        for ((output, quantity), near) in outputs.iter_mut().zip(description.outputs).zip(self.outputs) {
+            if quantity.dimension == Dimension::Angle {
+                *output = nearest_turn(*output, Series::constant(*near));
+            }
+        }
+        let mut places: Vec<Plane<MovedNumber>> = Vec::new();
+        let mut add = |coordinates: &[MovedNumber]| places.push(Plane::new(coordinates[0], coordinates[1]));
+        PlacesOver::<MovedNumber>::places(functions, &parameters, inputs, &unknowns, &mut add);
+        let joints = places.len() - functions.outline().slides.len();
+        for direction in &mut places[joints..] {
+            *direction = direction.scale(Series::constant(1.0) / direction.norm());
+        }
+        let quantities = [parameters.as_slice(), inputs, &unknowns, &outputs].concat();
+        Ok(MovedMechanism {
+            quantities,
+            places,
+            joints,
+        })
+    }
+
+    /// The mechanism while each input moves alone at unit speed.
+    fn influences(&self, parameters: &[f64], outline: &Outline<'_>) -> Result<Vec<Influence<REACH>>, ReactionError> {
+        let count = self.inputs.len();
+        let moved = (0..count).map(|moved| {
+            let inputs = self.inputs.iter().enumerate().map(|(input, motion)| {
+                let rate = f64::from(u8::from(input == moved));
+                let mut terms = [0.0; REACH];
+                (terms[0], terms[1]) = (motion.real(), rate);
+                Series::from_coefficients(terms)
+            });
+            let moved = self.moved(parameters, &inputs.collect::<Vec<_>>())?;
+            let frames = moved.frames(outline)?;
+            moved.check(outline, &frames)?;
+            Ok(Influence { moved, frames })
+        });
+        moved.collect()
+    }
+
+    /// The same with other dimensions, where it still closes.
+    fn otherwise(&self, outline: &Outline<'_>) -> Option<Vec<Influence<REACH>>> {
+        let mut part = 0.0;
+        let parameters = self.parameters.iter().map(|parameter| {
+            part = (part + core::f64::consts::FRAC_1_SQRT_2) % 1.0;
+            parameter * (1.0 + CHANGE * part)
+        });
+        self.influences(&parameters.collect::<Vec<_>>(), outline).ok()
+    }
+}
+
+/// The force in a joint, with its rates by time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reaction {
+    /// The force along x: its value, its rate and its second rate.
+    pub x: [f64; ORDERS],
+    /// The force along y.
+    pub y: [f64; ORDERS],
+    /// The moment of a slide about its joint; zero in a pin.
+    pub moment: [f64; ORDERS],
+    force: Plane<MovedNumber>,
+}
+
+impl Reaction {
+    /// The size of the force with its rates. Where the force passes through zero, the rates are those behind the zero.
+    #[must_use]
+    pub fn magnitude(&self) -> [f64; ORDERS] {
+        orders(size(self.force))
+    }
+
+    /// The angle of the force with its rates, -π ..= π; none if the force is zero.
+    #[must_use]
+    pub fn direction(&self) -> Option<[f64; ORDERS]> {
+        let Plane { x, y } = self.force;
+        let is_zero = x.real() == 0.0 && y.real() == 0.0;
+        (!is_zero).then(|| orders(y.atan2(x)))
+    }
+}
+
+fn orders(series: MovedNumber) -> [f64; ORDERS] {
+    let derivatives = series.derivatives();
+    core::array::from_fn(|order| derivatives[order])
+}
+
+/// The reactions in one pose.
+#[derive(Clone, Debug)]
+pub struct Reactions {
+    names: Vec<String>,
+    solution: Solution<REACH>,
+}
+
+impl Reactions {
+    /// A reaction by its name.
+    ///
+    /// # Errors
+    /// [`ReactionError::Undetermined`] if equilibrium alone does not determine it, and [`ReactionError::NoSuchReaction`].
+    pub fn of(&self, name: &str) -> Result<Reaction, ReactionError> {
+        let index = self.names.iter().position(|own| own == name);
+        let index = index.ok_or_else(|| ReactionError::NoSuchReaction {
+            name: name.to_string(),
+            names: self.names.clone(),
+        })?;
+        match (self.solution.forces[index], self.solution.moments[index]) {
+            (Some(force), Some(moment)) => Ok(Reaction {
+                x: orders(force.x),
+                y: orders(force.y),
+                moment: orders(moment),
+                force,
+            }),
+            _ => Err(undetermined(&self.solution, &self.names, index)),
+        }
+    }
+
+    /// All reactions with their names.
+    pub fn all(&self) -> impl Iterator<Item = (&str, Result<Reaction, ReactionError>)> {
+        self.names.iter().map(|name| (name.as_str(), self.of(name)))
+    }
+
+    /// The effort of the drive of an input, with its rates; none if equilibrium does not determine it.
+    #[must_use]
+    pub fn effort(&self, input: usize) -> Option<[f64; ORDERS]> {
+        self.solution.efforts.get(input).copied().flatten().map(orders)
+    }
+}
