@@ -64,7 +64,8 @@ impl KinFile {
         let place = sections.place_of("loads");
         let (loads, wrong) = loads::read(&sections.loads, places, description, place, &mut lengths);
         mistakes.extend(wrong);
-        let forces = if loads.is_empty() {
+        // a mistake in the loads is no reason to miss their columns
+        let forces = if sections.loads.is_empty() {
             ForceColumns::default()
         } else {
             ForceColumns::of(&mechanism)
