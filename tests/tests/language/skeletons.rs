@@ -193,7 +193,15 @@ fn scalar_equations_have_an_empty_skeleton() {
     let gear: Gear = Gear { ratio: 2.0 };
     let pose = gear.position(1.0).unwrap();
     let skeleton = Mechanism::skeleton(&gear, &pose);
-    assert_eq!(*skeleton.outline(), Outline::NONE);
+    let outline = *skeleton.outline();
+    let (scalar_equations, guess) = (outline.scalar_equations, outline.guess);
+    assert_eq!(scalar_equations, ["phi == ratio * theta"]);
+    let nothing = Outline {
+        scalar_equations,
+        guess,
+        ..Outline::NONE
+    };
+    assert_eq!(outline, nothing);
     assert!(skeleton.joints().is_empty());
 }
 
