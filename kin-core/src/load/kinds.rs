@@ -57,7 +57,7 @@ impl<M: LoadedSystem, P: VaryingVector<Change<M::Scalar>>, F: Fn(M::Moving) -> P
 }
 
 /// Refuses what no body has.
-pub(super) fn not_negative(load: usize, quantity: &'static str, value: f64) -> Result<(), LoadError> {
+pub(crate) fn not_negative(load: usize, quantity: &'static str, value: f64) -> Result<(), LoadError> {
     if value < 0.0 {
         return Err(LoadError::Negative { load, quantity, value });
     }

@@ -439,21 +439,16 @@ impl NamedLoad {
     fn add<T: Scalar>(self, totals: &mut Totals<ByNames<'_, T>>) -> Result<(), LoadError> {
         match self {
             Self::Body(..) if totals.poses[0].places.is_empty() => Err(LoadError::BodyInSpace { load: totals.load }),
-            Self::Body(mass, inertia, PointIndex::Fixed(centre), _, frame) => {
+            Self::Body(mass, inertia, centre, _, frame) => {
                 let frame = |pose: NamedPose<'_, T>| pose.frame(frame);
-                let centre = [centre.x, centre.y];
-                PlaneBody {
-                    mass,
-                    centre,
-                    inertia,
-                    frame,
-                }
-                .add(totals)
-            }
-            Self::Body(mass, inertia, point, _, frame) => {
-                let point = |pose: NamedPose<'_, T>| pose.point(point);
-                Mass { mass, point }.add(totals)?;
-                let (frame, mass, centre) = (|pose: NamedPose<'_, T>| pose.frame(frame), 0.0, [0.0; 2]);
+                let (mass, centre) = match centre {
+                    PointIndex::Fixed(centre) => (mass, [centre.x, centre.y]),
+                    PointIndex::Moving(_) => {
+                        let point = |pose: NamedPose<'_, T>| pose.point(centre);
+                        Mass { mass, point }.add(totals)?;
+                        (0.0, [0.0; 2])
+                    }
+                };
                 PlaneBody {
                     mass,
                     centre,
@@ -521,22 +516,14 @@ impl<T: Scalar> NamedPose<'_, T> {
         NumberMotion(self.quantities[index])
     }
 
-    /// The origin of the frame of a body, and a point on its axis.
+    /// The origin of the frame of a body, and a vector along it.
     fn frame(self, frame: BodyFrame) -> [PointMotion<T>; 2] {
         let still = core::array::from_fn(|order| 0.0.entry(order));
-        let place = |place: [NamedMotion<T>; 2]| PointMotion([place[0], place[1], still]);
-        let origin = self.places[frame.origin()];
-        match frame {
-            BodyFrame::Joints([_, end]) => [place(origin), place(self.places[end])],
-            BodyFrame::Slide { before_end, .. } => {
-                let along = self.places[self.places.len() - before_end];
-                let end = core::array::from_fn(|axis| {
-                    let (origin, along): (NamedMotion<T>, NamedMotion<T>) = (origin[axis], along[axis]);
-                    core::array::from_fn(|order| origin[order] + along[order])
-                });
-                [place(origin), place(end)]
-            }
-        }
+        let minus = |end: [NamedMotion<T>; 2], start: [NamedMotion<T>; 2]| {
+            core::array::from_fn(|axis| core::array::from_fn(|order| end[axis][order] - start[axis][order]))
+        };
+        let frame = frame.origin_and_axis(self.places, minus);
+        frame.map(|[x, y]| PointMotion([x, y, still]))
     }
 
     fn point(self, point: PointIndex) -> PointMotion<T> {

@@ -1,6 +1,6 @@
 //! A rigid body of the plane, in the frame of its joints.
 
-use crate::load::coordinate::{Coordinate, difference, dot};
+use crate::load::coordinate::{Coordinate, dot};
 use crate::load::kinds::{Load, add_mass, not_negative, rigid};
 use crate::load::totals::Totals;
 use crate::load::{Change, LoadError, LoadedSystem, VaryingVector};
@@ -32,17 +32,10 @@ impl BodyFrame {
         }
     }
 
-    /// The joint in which it begins.
-    pub(crate) fn origin(self) -> usize {
-        match self {
-            Self::Joints([joint, _]) | Self::Slide { joint, .. } => joint,
-        }
-    }
-
     /// Its origin, and a vector along it.
-    pub(crate) fn origin_and_axis<V: Copy + core::ops::Sub<Output = V>>(self, places: &[V]) -> [V; 2] {
+    pub(crate) fn origin_and_axis<V: Copy>(self, places: &[V], minus: impl FnOnce(V, V) -> V) -> [V; 2] {
         match self {
-            Self::Joints([one, other]) => [places[one], places[other] - places[one]],
+            Self::Joints([one, other]) => [places[one], minus(places[other], places[one])],
             Self::Slide { joint, before_end } => [places[joint], places[places.len() - before_end]],
         }
     }
@@ -55,7 +48,7 @@ pub(super) struct PlaneBody<F> {
     /// The centre, in the frame of the body.
     pub(super) centre: [f64; 2],
     pub(super) inertia: f64,
-    /// The origin of the frame, and a point on its axis.
+    /// The origin of the frame, and a vector along it.
     pub(super) frame: F,
 }
 
@@ -70,8 +63,7 @@ where
     // The axis is a unit vector e that turns at the rate ω: the energy of rotation is I ω² / 2 = I e' · e' / 2.
     fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {
         let load = totals.load;
-        let [origin, end] = [0, 1].map(|end| Coordinate::of_point(&totals.poses, |pose| (self.frame)(pose)[end]));
-        let along = difference(&end, &origin);
+        let [origin, along] = [0, 1].map(|part| Coordinate::of_point(&totals.poses, |pose| (self.frame)(pose)[part]));
         rigid(&along, &along).map_err(|rate| LoadError::NotRigid { load, rate })?;
         let square = dot::<M>(&along, &along).motion[0];
         let length = square.sqrt();

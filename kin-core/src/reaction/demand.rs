@@ -9,7 +9,7 @@ use super::action::{Action, Influences, Wrench, both};
 use super::connection::{Member, loaded, member_name};
 use super::frames::{MovedFrame, MovedMechanism, left, slope, slope_of};
 use crate::geometry::{Plane, Space};
-use crate::load::{LoadError, NamedLoad, NamedLoads, PointIndex};
+use crate::load::{LoadError, NamedLoad, NamedLoads, PointIndex, not_negative};
 use crate::mechanism::Description;
 use crate::number::Number;
 use crate::number::series::Series;
@@ -139,16 +139,8 @@ impl<const N: usize> Demand<'_, N> {
         }
     }
 
-    fn not_negative(&self, quantity: &'static str, value: f64) -> Result<(), LoadError> {
-        let load = self.load;
-        if value < 0.0 {
-            return Err(LoadError::Negative { load, quantity, value });
-        }
-        Ok(())
-    }
-
     fn add_mass(&mut self, mass: f64, held: Held<N>) -> Result<(), LoadError> {
-        self.not_negative("mass", mass)?;
+        not_negative(self.load, "mass", mass)?;
         let gravity = self.loads.gravity_in_plane();
         let gravity = Plane::new(Series::constant(gravity.x), Series::constant(gravity.y));
         let lacking = (gravity - self.acceleration(held.at)).scale(Series::constant(mass));
@@ -157,7 +149,7 @@ impl<const N: usize> Demand<'_, N> {
     }
 
     fn add_inertia(&mut self, inertia: f64, body: usize) -> Result<(), LoadError> {
-        self.not_negative("moment of inertia", inertia)?;
+        not_negative(self.load, "moment of inertia", inertia)?;
         let acceleration = slope(self.frames[body].turn) * Series::constant(self.rate * self.rate);
         let lacking = -acceleration * Series::constant(inertia);
         self.subtract([(body, Wrench::of_moment(lacking))].into());

@@ -68,7 +68,8 @@ impl<const N: usize> MovedMechanism<N> {
     pub(super) fn frames(&self, outline: &Outline<'_>) -> Result<Vec<MovedFrame<N>>, ReactionError> {
         let bodies = outline.bodies.iter().enumerate();
         let frames = bodies.map(|(index, body)| {
-            let frame = BodyFrame::of(outline, index).map(|frame| frame.origin_and_axis(&self.places));
+            let frame = BodyFrame::of(outline, index)
+                .map(|frame| frame.origin_and_axis(&self.places, |end, start| end - start));
             let frame = frame.filter(|[_, along]| along.norm_squared().real() > f64::MIN_POSITIVE);
             let [origin, along] = frame.ok_or_else(|| ReactionError::NoFrame {
                 body: body.name.to_string(),

@@ -224,12 +224,7 @@ impl<'m> NamedReactions<'m> {
     }
 
     pub(crate) fn index(&self, name: &str) -> Result<usize, ReactionError> {
-        self.names()
-            .position(|own| own == name)
-            .ok_or_else(|| ReactionError::NoSuchReaction {
-                name: name.to_string(),
-                names: self.names().map(ToString::to_string).collect(),
-            })
+        index_of(name, || self.names())
     }
 
     /// The reactions in the pose at given motions of the inputs, through snap.
@@ -329,6 +324,15 @@ impl<'m> NamedReactions<'m> {
 
 fn drive_of(input: &str) -> String {
     ["the drive of `", input, "`"].concat()
+}
+
+/// The index of a reaction among the names of all.
+fn index_of<'n, N: Iterator<Item = &'n str>>(name: &str, names: impl Fn() -> N) -> Result<usize, ReactionError> {
+    let index = names().position(|own| own == name);
+    index.ok_or_else(|| ReactionError::NoSuchReaction {
+        name: name.to_string(),
+        names: names().map(ToString::to_string).collect(),
+    })
 }
 
 /// The length of a vector. Where it passes through zero, it is that behind the zero.
@@ -454,11 +458,7 @@ impl Reactions {
     /// # Errors
     /// [`ReactionError::Undetermined`] if equilibrium alone does not determine it, and [`ReactionError::NoSuchReaction`].
     pub fn of(&self, name: &str) -> Result<Reaction, ReactionError> {
-        let index = self.names.iter().position(|own| own == name);
-        let index = index.ok_or_else(|| ReactionError::NoSuchReaction {
-            name: name.to_string(),
-            names: self.names.clone(),
-        })?;
+        let index = index_of(name, || self.names.iter().map(String::as_str))?;
         match (self.solution.forces[index], self.solution.moments[index]) {
             (Some(force), Some(moment)) => Ok(Reaction {
                 x: orders(force.x),
