@@ -82,6 +82,7 @@ mod varying;
 pub use balance::{Balance, Rates};
 pub use dynamics::EquivalentInertia;
 pub use error::LoadError;
+#[cfg(feature = "alloc")]
 pub(crate) use kinds::not_negative;
 pub use kinds::{BetweenPoints, Damper, Force, Inertia, Load, Mass, OnAngle, Solid, SpaceBody, Spring, Torque};
 pub use loaded::{Loaded, LoadsOf};
