@@ -536,10 +536,10 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
         let mut one_by_one = 0;
         // If there are fewer poses than lanes, they are solved one by one.
         while next < count && count >= W {
-            let is_wide = alone.assembly.is_some() && next >= one_by_one && next + CHUNKS * W <= count;
+            let is_wide = alone.assembly.is_some() && next >= one_by_one && next + W < count && count >= CHUNKS * W;
             let chunks = if is_wide { CHUNKS } else { 1 };
-            // The last chunk overlaps the one before it. The overlapped poses are solved twice, with the same result.
-            let start = next.min(count - W);
+            // The last chunks overlap those before them. The overlapped poses are solved twice, with the same result.
+            let start = next.min(count - chunks * W);
             for chunk in 0..chunks {
                 let (own, first) = (chunk * parameter_count, chunk * input_count);
                 let start = start + chunk * W;
@@ -576,7 +576,7 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
                 continue;
             }
             if is_wide {
-                one_by_one = next + CHUNKS * W;
+                one_by_one = start + CHUNKS * W;
                 continue;
             }
             let (parameters, inputs, found) = (&parameters[..parameter_count], &inputs[..input_count], &mut found[0]);

@@ -208,6 +208,11 @@ impl Assembler {
 
     fn write(&mut self, value: &Value, parts: &[Held], to: Register, operations: &mut Vec<Operation>) {
         let registers: Vec<Register> = parts.iter().map(|held| held.register).collect();
+        if let Some(operation) = products(value, parts, to, operations.last()) {
+            operations.pop();
+            operations.push(operation);
+            return;
+        }
         operations.push(match (value, registers.as_slice()) {
             (Value::Symbol(symbol), _) => Operation::Copy {
                 to,
@@ -578,5 +583,21 @@ impl Assembler {
             label: labels.name(label),
         };
         self.call(call, operations);
+    }
+}
+
+/// The operation that adds two products, if the last one has found the first of them for this value alone.
+fn products(value: &Value, parts: &[Held], to: Register, last: Option<&Operation>) -> Option<Operation> {
+    let (Some(&Operation::Multiply { to: found, a, b }), &[rest, c, d]) = (last, parts) else {
+        return None;
+    };
+    let [c, d] = [c.register, d.register];
+    if !rest.is_temporary || rest.register != found || [c, d].contains(&found) {
+        return None;
+    }
+    match value {
+        Value::PlusProduct(..) => Some(Operation::SumOfProducts { to, a, b, c, d }),
+        Value::MinusProduct(..) => Some(Operation::DifferenceOfProducts { to, a, b, c, d }),
+        _ => None,
     }
 }

@@ -411,6 +411,8 @@ pub(crate) fn arithmetic<T: Scalar, const C: usize>(
         Operation::Negate { to, a } => each!(to = |a| -a),
         Operation::PlusProduct { to, rest, a, b } => each!(to = |rest, a, b| rest.plus_product(a, b)),
         Operation::MinusProduct { to, rest, a, b } => each!(to = |rest, a, b| rest.minus_product(a, b)),
+        Operation::SumOfProducts { to, a, b, c, d } => each!(to = |a, b, c, d| (a * b).plus_product(c, d)),
+        Operation::DifferenceOfProducts { to, a, b, c, d } => each!(to = |a, b, c, d| (a * b).minus_product(c, d)),
         Operation::SineCosine { sine, cosine, angle } => {
             for chunk in chunks {
                 let angle = registers[usize::from(angle)][chunk];
