@@ -586,18 +586,29 @@ impl Assembler {
     }
 }
 
-/// The operation that adds two products, if the last one has found the first of them for this value alone.
+/// The operation that adds two products, if the last one has found the first of them, or the rest with it, for this
+/// value alone.
 fn products(value: &Value, parts: &[Held], to: Register, last: Option<&Operation>) -> Option<Operation> {
-    let (Some(&Operation::Multiply { to: found, a, b }), &[rest, c, d]) = (last, parts) else {
+    use Operation::{
+        DifferenceOfProducts, MinusProduct, MinusProducts, Multiply, PlusMinusProducts, PlusProduct, PlusProducts,
+        SumOfProducts,
+    };
+    let (&last, &[rest, c, d]) = (last?, parts) else {
+        return None;
+    };
+    let (Multiply { to: found, .. } | PlusProduct { to: found, .. } | MinusProduct { to: found, .. }) = last else {
         return None;
     };
     let [c, d] = [c.register, d.register];
     if !rest.is_temporary || rest.register != found || [c, d].contains(&found) {
         return None;
     }
-    match value {
-        Value::PlusProduct(..) => Some(Operation::SumOfProducts { to, a, b, c, d }),
-        Value::MinusProduct(..) => Some(Operation::DifferenceOfProducts { to, a, b, c, d }),
+    match (last, value) {
+        (Multiply { a, b, .. }, Value::PlusProduct(..)) => Some(SumOfProducts { to, a, b, c, d }),
+        (Multiply { a, b, .. }, Value::MinusProduct(..)) => Some(DifferenceOfProducts { to, a, b, c, d }),
+        (PlusProduct { rest, a, b, .. }, Value::PlusProduct(..)) => Some(PlusProducts { to, rest, a, b, c, d }),
+        (PlusProduct { rest, a, b, .. }, Value::MinusProduct(..)) => Some(PlusMinusProducts { to, rest, a, b, c, d }),
+        (MinusProduct { rest, a, b, .. }, Value::MinusProduct(..)) => Some(MinusProducts { to, rest, a, b, c, d }),
         _ => None,
     }
 }

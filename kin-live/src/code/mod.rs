@@ -80,6 +80,33 @@ pub(crate) enum Operation {
         c: Register,
         d: Register,
     },
+    /// rest + a b + c d.
+    PlusProducts {
+        to: Register,
+        rest: Register,
+        a: Register,
+        b: Register,
+        c: Register,
+        d: Register,
+    },
+    /// rest + a b - c d.
+    PlusMinusProducts {
+        to: Register,
+        rest: Register,
+        a: Register,
+        b: Register,
+        c: Register,
+        d: Register,
+    },
+    /// rest - a b - c d.
+    MinusProducts {
+        to: Register,
+        rest: Register,
+        a: Register,
+        b: Register,
+        c: Register,
+        d: Register,
+    },
     SineCosine {
         sine: Register,
         cosine: Register,

@@ -7,6 +7,8 @@
 mod closed_form;
 mod newton;
 
+use std::cell::Cell;
+
 use kin_compiler::lowered::Selection;
 use kin_core::__private::live::{
     SolutionInRange, choose_in, decisive_in, decisive_vector_in, factor_in, nearest_turn, substitute_in,
@@ -380,20 +382,22 @@ pub(crate) fn arithmetic<T: Scalar, const C: usize>(
     constants: &[f64],
     operation: Operation,
 ) {
-    // Each register is looked up once for all chunks.
+    // Each register is looked up once for all chunks. Cells may be read between writes: a copy of all chunks of an operand
+    // would have to pass through memory once more.
     macro_rules! each {
         ($to:ident = |$($operand:ident),*| $value:expr) => {{
+            let cells = Cell::from_mut(&mut *registers).as_slice_of_cells();
+            $(let $operand = numbers(&cells[usize::from($operand)]);)*
+            let to = numbers(&cells[usize::from($to)]);
             if chunks.len() == C {
-                $(let $operand = registers[usize::from($operand)];)*
-                let to = &mut registers[usize::from($to)];
                 for chunk in 0..C {
-                    $(let $operand = $operand[chunk];)*
-                    to[chunk] = $value;
+                    $(let $operand = $operand[chunk].get();)*
+                    to[chunk].set($value);
                 }
             } else {
                 for chunk in chunks {
-                    $(let $operand = registers[usize::from($operand)][chunk];)*
-                    registers[usize::from($to)][chunk] = $value;
+                    $(let $operand = $operand[chunk].get();)*
+                    to[chunk].set($value);
                 }
             }
         }};
@@ -413,6 +417,15 @@ pub(crate) fn arithmetic<T: Scalar, const C: usize>(
         Operation::MinusProduct { to, rest, a, b } => each!(to = |rest, a, b| rest.minus_product(a, b)),
         Operation::SumOfProducts { to, a, b, c, d } => each!(to = |a, b, c, d| (a * b).plus_product(c, d)),
         Operation::DifferenceOfProducts { to, a, b, c, d } => each!(to = |a, b, c, d| (a * b).minus_product(c, d)),
+        Operation::PlusProducts { to, rest, a, b, c, d } => {
+            each!(to = |rest, a, b, c, d| rest.plus_product(a, b).plus_product(c, d))
+        }
+        Operation::PlusMinusProducts { to, rest, a, b, c, d } => {
+            each!(to = |rest, a, b, c, d| rest.plus_product(a, b).minus_product(c, d))
+        }
+        Operation::MinusProducts { to, rest, a, b, c, d } => {
+            each!(to = |rest, a, b, c, d| rest.minus_product(a, b).minus_product(c, d))
+        }
         Operation::SineCosine { sine, cosine, angle } => {
             for chunk in chunks {
                 let angle = registers[usize::from(angle)][chunk];
@@ -426,4 +439,11 @@ pub(crate) fn arithmetic<T: Scalar, const C: usize>(
         // calls are taken elsewhere, and terms are not skipped here
         Operation::Call(_) | Operation::Doubt { .. } => {}
     }
+}
+
+/// The numbers of a register.
+#[inline(always)]
+fn numbers<T, const C: usize>(register: &Cell<[T; C]>) -> &[Cell<T>] {
+    let numbers: &Cell<[T]> = register;
+    numbers.as_slice_of_cells()
 }
