@@ -418,13 +418,13 @@ pub(crate) fn arithmetic<T: Scalar, const C: usize>(
         Operation::SumOfProducts { to, a, b, c, d } => each!(to = |a, b, c, d| (a * b).plus_product(c, d)),
         Operation::DifferenceOfProducts { to, a, b, c, d } => each!(to = |a, b, c, d| (a * b).minus_product(c, d)),
         Operation::PlusProducts { to, rest, a, b, c, d } => {
-            each!(to = |rest, a, b, c, d| rest.plus_product(a, b).plus_product(c, d))
+            each!(to = |rest, a, b, c, d| rest.plus_product(a, b).plus_product(c, d));
         }
         Operation::PlusMinusProducts { to, rest, a, b, c, d } => {
-            each!(to = |rest, a, b, c, d| rest.plus_product(a, b).minus_product(c, d))
+            each!(to = |rest, a, b, c, d| rest.plus_product(a, b).minus_product(c, d));
         }
         Operation::MinusProducts { to, rest, a, b, c, d } => {
-            each!(to = |rest, a, b, c, d| rest.minus_product(a, b).minus_product(c, d))
+            each!(to = |rest, a, b, c, d| rest.minus_product(a, b).minus_product(c, d));
         }
         Operation::SineCosine { sine, cosine, angle } => {
             for chunk in chunks {
