@@ -1,10 +1,10 @@
 //! A mechanism without its type: slices in and out.
 //!
-//! An answer that is written for [`AnyMechanism`] is compiled once, in the crate that gives it. For each mechanism only its own functions
+//! An answer that is written for [`AnyMechanism`] is compiled once, in the crate that gives it. For each mechanism only its functions
 //! are compiled, and of those only the ones that the answer names: there is a trait for each of them, with the number type as parameter.
 //! [`Of`] implements all of them for every declared mechanism.
 //!
-//! All slices have the lengths that the [`Description`] tells. Parameters are an argument, so that an answer can change dimensions, or
+//! All slices have the lengths that the [`Description`] gives. Parameters are an argument, so that an answer can change dimensions, or
 //! give them derivatives.
 //!
 //! ```
@@ -170,7 +170,7 @@ pub trait AssemblyMotionOver<T> {
 
 /// Positions near others with all time derivatives.
 pub trait MotionNearOver<T> {
-    /// Writes the motions of unknowns and outputs as [`AssemblyMotionOver`] does. Outputs without a place are left out.
+    /// Writes the motions of unknowns and outputs as [`AssemblyMotionOver`] does. Outputs beyond the slice are left out.
     ///
     /// # Errors
     /// Those of [`Mechanism::solve_near`].
@@ -219,11 +219,11 @@ pub trait FormsOver<T> {
     fn block_forms(&self, parameters: &[T], found: &mut dyn FnMut(BlockForm<T>));
 }
 
-/// The places of the picture in numbers of one type.
-pub trait PlacesOver<T> {
+/// The skeleton in numbers of one type.
+pub trait SkeletonOver<T> {
     /// Passes on the coordinates of each joint of the [`outline`](Pictured::outline), and then of the direction of each slide: two in the
     /// plane, three in space.
-    fn places(&self, parameters: &[T], inputs: &[T], unknowns: &[T], found: &mut dyn FnMut(&[T]));
+    fn skeleton_points(&self, parameters: &[T], inputs: &[T], unknowns: &[T], found: &mut dyn FnMut(&[T]));
 }
 
 /// What is shown of a mechanism beside its motion.
@@ -439,11 +439,11 @@ impl<M: Mechanism, T: Scalar> FormsOver<T> for Of<M> {
     }
 }
 
-impl<M: Mechanism, T: Scalar> PlacesOver<T> for Of<M> {
-    fn places(&self, parameters: &[T], inputs: &[T], unknowns: &[T], found: &mut dyn FnMut(&[T])) {
-        let places = with::<M, T>(parameters).places(row(inputs), row(unknowns));
-        for place in places.as_slice() {
-            let point = place.in_space();
+impl<M: Mechanism, T: Scalar> SkeletonOver<T> for Of<M> {
+    fn skeleton_points(&self, parameters: &[T], inputs: &[T], unknowns: &[T], found: &mut dyn FnMut(&[T])) {
+        let points = with::<M, T>(parameters).skeleton_points(row(inputs), row(unknowns));
+        for point in points.as_slice() {
+            let point = point.in_space();
             let count = if self.is_space() { 3 } else { 2 };
             found(&[point.x, point.y, point.z][..count]);
         }
@@ -456,7 +456,7 @@ impl<M: Mechanism> Pictured for Of<M> {
     }
 
     fn is_space(&self) -> bool {
-        !<<M::Places as PointArray>::Point as PlaneOrSpace>::IS_PLANE
+        !<<M::SkeletonPoints as PointArray>::Point as PlaneOrSpace>::IS_PLANE
     }
 
     fn formulas(&self) -> Formulas<'_> {

@@ -217,7 +217,7 @@ impl<'a> SheetText<'a> {
                 Step::Turning(operand) => {
                     kind = vector_type(operand.shape);
                     let operand = self.tokens(operand);
-                    quote_spanned!(site=> #runtime::Rotation::turn(#value, #operand))
+                    quote_spanned!(site=> #runtime::Rotation::rotate(#value, #operand))
                 }
             });
         }

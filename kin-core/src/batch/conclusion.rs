@@ -93,11 +93,11 @@ impl<const W: usize, const FUSED: bool, E: Element> Chunk<W, FUSED, E> {
             squares,
         } = self;
         let margins = verdicts::read().within(squares);
-        let mut is_told = start == next && summary.first_failure.is_some();
+        let mut is_conclusive = start == next && summary.first_failure.is_some();
         for lane in 0..W {
-            is_told &= Float::is_finite(sum.0[lane]) | (margins.0[lane] < E::zero());
+            is_conclusive &= Float::is_finite(sum.0[lane]) | (margins.0[lane] < E::zero());
         }
-        if !is_told {
+        if !is_conclusive {
             settle_all([start, next], &sum.0, &margins.0, outcomes, summary, alone);
             return Lanes::constant(0.0);
         }
@@ -130,13 +130,13 @@ fn settle_all<E: Element>(
             continue;
         }
         let margin = margin.real();
-        let is_told = margin < 0.0 && summary.first_failure.is_some();
+        let is_conclusive = margin < 0.0 && summary.first_failure.is_some();
         if index < next {
             // Its outcome is known, but its numbers have been overwritten.
             if outcomes[index].is_solved() {
                 let _ = alone(index);
             }
-        } else if is_told {
+        } else if is_conclusive {
             summary.fail(1);
             outcomes[index] = Outcome::OutOfReach { margin };
         } else {

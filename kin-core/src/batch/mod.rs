@@ -60,7 +60,7 @@ pub use column::Parameter;
 #[cfg(feature = "alloc")]
 pub(crate) use dispatch::Kernel;
 pub use dispatch::Vectors;
-pub use fold::{Fold, FoldError, Folded, FoldedNumber, Poses, Turn};
+pub use fold::{Fold, FoldError, Folded, FoldedNumber, InputGrid, Poses};
 #[doc(hidden)]
 pub use lanes::Element;
 pub use outcome::{LengthMismatch, Outcome, Summary};
@@ -79,7 +79,7 @@ pub use sweep::Batch;
 pub use sweep::{Guide, InAssembly, Nearest};
 #[doc(hidden)]
 pub use target::{Columns, MotionColumns, Visitor};
-pub use target::{Place, Target};
+pub use target::{Slot, Target};
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 pub use untyped::{AnyBatch, AnyFold, ColumnChoice, GivenColumns, WantedColumns};

@@ -24,7 +24,7 @@ type MotionsInLanes<M, const W: usize, const FUSED: bool> =
         <M as Mechanism>::Motion<Lanes<W, FUSED, <M as Mechanism>::Scalar>>,
     >;
 
-/// The places of the transmission angles of a declared mechanism.
+/// The entries of the transmission angles of a declared mechanism.
 pub(super) type AngleEntries<'t, M> =
     TransmissionEntries<'t, <M as Mechanism>::Scalar, <M as Mechanism>::Dyads<Entries<'t, <M as Mechanism>::Scalar>>>;
 
@@ -209,7 +209,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Batch<'a, M, G> {
     ///
     /// # Errors
     /// [`LengthMismatch`] if the length of a column differs from the number of outcomes. Nothing is solved then. The outcome of a pose
-    /// tells whether it was solved.
+    /// says whether it was solved.
     pub fn solve<P: Columns<C>, C: Target<M::Scalar>>(
         &self,
         poses: &mut P,
@@ -294,7 +294,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Batch<'a, M, G> {
     }
 }
 
-/// A batch with the places for its results.
+/// A batch with the columns for its results.
 struct BatchRun<'p, 'd, 'a, M: Mechanism<Scalar: Element>, G> {
     alone: PoseByPose<'p, 'd, 'a, M, G>,
     outcomes: &'p mut [Outcome],

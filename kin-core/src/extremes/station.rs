@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 use super::ExtremesError;
 use super::margin::{DyadFunctions, Margins};
-use crate::any::{NearOver, Of, OutputsOver, PlacesOver};
+use crate::any::{NearOver, Of, OutputsOver, SkeletonOver};
 use crate::failure::SolveError;
 use crate::load::{Change, EFFORT_ENTRIES, NamedLoads, NamedMotion};
 use crate::mechanism::{Description, Jacobian, Mechanism};
@@ -34,7 +34,7 @@ impl<F: PositionFunctions<Series<UP_TO_SNAP>> + PositionFunctions<Series<READ>> 
 pub trait ChangedFunctions:
     NamedFunctions
     + PositionFunctions<Changing<Series<UP_TO_SNAP>>>
-    + PlacesOver<Changing<Series<UP_TO_SNAP>>>
+    + SkeletonOver<Changing<Series<UP_TO_SNAP>>>
     + ReactionFunctions
 {
     /// The same in longer series, if the mechanism has derivatives above snap.
@@ -261,7 +261,7 @@ impl SweepStation<'_> {
         if loads.has_bodies() && !functions.is_space() {
             let mut all: Vec<[Number; 2]> = Vec::new();
             let mut add = |place: &[Number]| all.push([place[0], place[1]]);
-            PlacesOver::<Number>::places(functions, parameters, inputs, unknowns, &mut add);
+            SkeletonOver::<Number>::skeleton_points(functions, parameters, inputs, unknowns, &mut add);
             let joints = all.len() - functions.outline().slides.len();
             for [x, y] in &mut all[joints..] {
                 let length = (*x * *x + *y * *y).sqrt();

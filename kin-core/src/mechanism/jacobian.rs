@@ -44,7 +44,7 @@ impl<const N: usize> JacobianNumber for Series<N> {
 /// one dimension, and all inputs have one; otherwise they would depend on the unit of length. [`Mechanism::jacobian_of`] refuses
 /// to mix dimensions. Divide the rows of lengths by a length that you state, and make a matrix [`from_rows`](Self::from_rows).
 ///
-/// They tell nothing of rounding errors: the [condition of a pose](crate::Mechanism::condition) does.
+/// They say nothing about rounding errors: the [condition of a pose](crate::Mechanism::condition) does.
 ///
 /// [`Mechanism::jacobian_of`]: crate::Mechanism::jacobian_of
 #[derive(Clone, Debug, PartialEq)]
@@ -54,7 +54,7 @@ pub struct Jacobian<T> {
     width: usize,
 }
 
-/// A number that tells how evenly a Jacobian turns velocities of the inputs into those of the results.
+/// A number that measures how evenly a Jacobian turns velocities of the inputs into those of the results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum JacobianMeasure {
@@ -92,9 +92,9 @@ impl<T: Copy> Jacobian<T> {
 
     /// The matrix with a number for each row and each column.
     pub(crate) fn from_fn(height: usize, width: usize, mut entry: impl FnMut(usize, usize) -> T) -> Self {
-        let places = (0..height * width).map(|place| (place / width, place % width));
+        let entries = (0..height * width).map(|index| (index / width, index % width));
         Self {
-            entries: places.map(|(row, column)| entry(row, column)).collect(),
+            entries: entries.map(|(row, column)| entry(row, column)).collect(),
             width,
         }
     }
@@ -208,17 +208,17 @@ pub(crate) fn rows_of(description: &Description<'_>, names: &[&str]) -> Result<V
     let results = || description.unknowns.iter().chain(description.outputs);
     let mut rows = Vec::new();
     for name in names {
-        let is_meant = |own: &str| {
-            let rest = own.strip_prefix(name);
+        let is_meant = |result: &str| {
+            let rest = result.strip_prefix(name);
             rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
         };
-        let meant = results().enumerate().filter(|(_, own)| is_meant(own.name));
+        let meant = results().enumerate().filter(|(_, quantity)| is_meant(quantity.name));
         let before = rows.len();
         rows.extend(meant.map(|(row, _)| row));
         if rows.len() == before {
             return Err(JacobianError::NoSuchResult {
                 name: name.to_string(),
-                results: results().map(|own| own.name.to_string()).collect(),
+                results: results().map(|quantity| quantity.name.to_string()).collect(),
             });
         }
     }

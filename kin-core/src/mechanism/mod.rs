@@ -122,7 +122,7 @@ pub trait Mechanism: Copy + Debug + 'static {
     /// A value for each dyad of two links, or of a link and a slider.
     type Dyads<V: Copy>: Row<V>;
     /// The joints of the skeleton and the directions of its slides: an array of points of the plane or of space.
-    type Places: PointArray<Point: PlaneOrSpace<Scalar = Self::Scalar>>;
+    type SkeletonPoints: PointArray<Point: PlaneOrSpace<Scalar = Self::Scalar>>;
 
     /// The names, dimensions and equations, and the methods that solve them.
     const DESCRIPTION: Description<'static>;
@@ -260,7 +260,11 @@ pub trait Mechanism: Copy + Debug + 'static {
     }
 
     /// The joints of the skeleton and the directions of its slides, for any values of inputs and unknowns.
-    fn places(&self, inputs: Self::Inputs<Self::Scalar>, unknowns: Self::Unknowns<Self::Scalar>) -> Self::Places;
+    fn skeleton_points(
+        &self,
+        inputs: Self::Inputs<Self::Scalar>,
+        unknowns: Self::Unknowns<Self::Scalar>,
+    ) -> Self::SkeletonPoints;
 
     /// The scalar outputs, for any values of inputs and unknowns. An angle that an output finds itself is in -π ..= π.
     fn outputs_at(
@@ -270,9 +274,9 @@ pub trait Mechanism: Copy + Debug + 'static {
     ) -> <Self::Pose as Pose>::Outputs<Self::Scalar>;
 
     /// The skeleton of a pose of any order, as the inherent `skeleton` gives it.
-    fn skeleton(&self, pose: &impl PoseOf<Self>) -> Skeleton<'static, Self::Places> {
+    fn skeleton(&self, pose: &impl PoseOf<Self>) -> Skeleton<'static, Self::SkeletonPoints> {
         let (inputs, unknowns) = pose.values();
-        Skeleton::new(&Self::OUTLINE, self.places(inputs, unknowns))
+        Skeleton::new(&Self::OUTLINE, self.skeleton_points(inputs, unknowns))
     }
 
     /// The form of each block, with the lengths of its links as numbers from the parameters. See [`BlockForm`].

@@ -5,7 +5,7 @@ use core::fmt::{self, Display, Write};
 use super::Description;
 use crate::quantity::{Name, NameKind};
 
-/// A value, for example an error, shown with the names of a mechanism in the place of their indices.
+/// A value, for example an error, shown with the names of a mechanism instead of their indices.
 ///
 /// ```
 /// use kin_core::any::{Described, Name, NameKind, Named, Of};
@@ -44,7 +44,7 @@ impl<V: Display> Display for Named<'_, V> {
 /// The longest text between brackets that may stand for a name.
 const LONGEST: usize = "parameter 65535".len();
 
-/// A writer that puts names in the place of indices.
+/// A writer that puts names instead of indices.
 struct NameWriter<'n, 'f, 'g> {
     description: &'n Description<'n>,
     formatter: &'f mut fmt::Formatter<'g>,
@@ -67,7 +67,7 @@ impl<'n> NameWriter<'n, '_, '_> {
     fn name(&self) -> Option<&'n str> {
         let (text, length) = self.index.as_ref()?;
         let (word, index) = str::from_utf8(&text[..*length]).ok()?.split_once(' ')?;
-        let (of, _) = NameKind::ALL.iter().find(|(_, own)| *own == word)?;
+        let (of, _) = NameKind::ALL.iter().find(|(_, word_of_kind)| *word_of_kind == word)?;
         self.description.name_of(*of, index.parse().ok()?)
     }
 }

@@ -66,11 +66,11 @@ pub(super) fn sensitivities_at<M: Mechanism<Scalar = f64>>(
                 Row::from_fn(|order| FirstOrder::constant(motion[order]))
             },
         );
-    for (place, partial) in partials.as_mut().iter_mut().enumerate() {
+    for (index, partial) in partials.as_mut().iter_mut().enumerate() {
         let mut next = 0;
         let changed = mechanism.convert(|value| {
             next += 1;
-            FirstOrder::from_coefficients([value, if next == place + 1 { 1.0 } else { 0.0 }])
+            FirstOrder::from_coefficients([value, if next == index + 1 { 1.0 } else { 0.0 }])
         });
         let pose = changed.solve(fixed, assembly)?;
         let change = |motion: &M::Motion<FirstOrder>| M::Motion::from_fn(|order| motion[order].coefficients()[1]);

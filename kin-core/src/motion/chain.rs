@@ -24,11 +24,11 @@ impl<T: Number, const N: usize> Motion<T, N> {
         // from the highest derivative by θ down, each in its motion as far as it is needed
         let mut above = [T::constant(0.0); N];
         for (order, derivative) in self.derivatives.into_iter().enumerate().rev() {
-            let mut own = [derivative; N];
+            let mut series = [derivative; N];
             for rate in 1..N - order {
-                own[rate] = leibniz(&above[..rate], &rates[..rate]);
+                series[rate] = leibniz(&above[..rate], &rates[..rate]);
             }
-            above = own;
+            above = series;
         }
         Self::new(above)
     }

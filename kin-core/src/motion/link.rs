@@ -2,7 +2,7 @@
 
 use crate::geometry::Plane;
 use crate::motion::Motion;
-use crate::motion::curve::{finite, finite_vector, quarter_turn};
+use crate::motion::curve::{finite, finite_vector, quarter_revolution};
 use crate::solve::{self, Scalar};
 
 /// The motion of a link, given by the motion of one of its points and of its angle.
@@ -72,8 +72,8 @@ impl<T: Scalar, const N: usize> LinkMotion<T, N> {
     /// assert_eq!(wheel.carried(Plane::new(0.0, 4.0)).velocity(), Plane::new(12.0, 0.0));
     /// ```
     #[must_use]
-    pub fn carried(&self, place: Plane<T>) -> Motion<Plane<T>, N> {
-        let arm = place - self.point.value();
+    pub fn carried(&self, point: Plane<T>) -> Motion<Plane<T>, N> {
+        let arm = point - self.point.value();
         let (sine, cosine) = (self.angle - Motion::constant(self.angle.value())).sin_cos();
         self.point
             + Motion::from_coordinates(
@@ -101,7 +101,7 @@ impl<T: Scalar, const N: usize> LinkMotion<T, N> {
     pub fn instant_centre(&self) -> Option<Plane<T>> {
         let turning = self.turning::<1>();
         solve::regular(turning).ok()?;
-        let arm = quarter_turn(self.point.rate::<1>()).scale(T::constant(1.0) / turning);
+        let arm = quarter_revolution(self.point.rate::<1>()).scale(T::constant(1.0) / turning);
         finite_vector(self.point.value() + arm)
     }
 

@@ -63,7 +63,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
 
-use crate::any::{AnyMechanism, NearOver, OutputsOver, Pictured, PlacesOver, PositionChoice};
+use crate::any::{AnyMechanism, NearOver, OutputsOver, Pictured, PositionChoice, SkeletonOver};
 use crate::failure::SolveError;
 use crate::geometry::Plane;
 use crate::hermite::TERMS;
@@ -91,12 +91,12 @@ pub type MovedNumber = Series<REACH>;
 
 /// The functions of a mechanism from which its reactions are found. Every declared mechanism has them.
 pub trait ReactionFunctions:
-    AnyMechanism + Pictured + NearOver<MovedNumber> + OutputsOver<MovedNumber> + PlacesOver<MovedNumber>
+    AnyMechanism + Pictured + NearOver<MovedNumber> + OutputsOver<MovedNumber> + SkeletonOver<MovedNumber>
 {
 }
 
 impl<F> ReactionFunctions for F where
-    F: ?Sized + AnyMechanism + Pictured + NearOver<MovedNumber> + OutputsOver<MovedNumber> + PlacesOver<MovedNumber>
+    F: ?Sized + AnyMechanism + Pictured + NearOver<MovedNumber> + OutputsOver<MovedNumber> + SkeletonOver<MovedNumber>
 {
 }
 
@@ -370,7 +370,7 @@ impl ReactionPlace<'_> {
         }
         let mut places: Vec<Plane<MovedNumber>> = Vec::new();
         let mut add = |coordinates: &[MovedNumber]| places.push(Plane::new(coordinates[0], coordinates[1]));
-        PlacesOver::<MovedNumber>::places(functions, &parameters, inputs, &unknowns, &mut add);
+        SkeletonOver::<MovedNumber>::skeleton_points(functions, &parameters, inputs, &unknowns, &mut add);
         let joints = places.len() - functions.outline().slides.len();
         for direction in &mut places[joints..] {
             *direction = direction.scale(Series::constant(1.0) / direction.norm());

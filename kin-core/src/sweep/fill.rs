@@ -15,7 +15,7 @@ use super::unwrap::unwrap;
 use super::walk::Walk;
 use super::{Sweep, limits};
 use crate::any::{AssemblyOver, Of};
-use crate::batch::{AnyBatch, Column, ColumnChoice, GivenColumns, Outcome, Place, Vectors, WantedColumns};
+use crate::batch::{AnyBatch, Column, ColumnChoice, GivenColumns, Outcome, Slot, Vectors, WantedColumns};
 use crate::failure::SolveError;
 use crate::mechanism::Mechanism;
 use crate::number::Number;
@@ -178,7 +178,7 @@ impl UntypedSweep<'_> {
         }
         let inputs = &*inputs;
         let parameters: Vec<Column<'_>> = self.parameters.iter().copied().map(Column::Same).collect();
-        let solve = |rows: Range<usize>, wanted: Vec<(Place, &mut [f64])>, outcomes: &mut [Outcome]| {
+        let solve = |rows: Range<usize>, wanted: Vec<(Slot, &mut [f64])>, outcomes: &mut [Outcome]| {
             let columns = same.iter().zip(inputs.chunks_exact(count));
             let columns: Vec<Column<'_>> = columns
                 .map(|(same, values)| same.map_or(Column::Each(&values[rows.clone()]), Column::Same))
@@ -218,8 +218,8 @@ impl UntypedSweep<'_> {
             for (index, column) in results.chunks_exact_mut(count).enumerate() {
                 let (quantity, order) = (index / orders, index % orders);
                 let place = match quantity.checked_sub(unknowns) {
-                    None => Place::Unknown(quantity, order),
-                    Some(output) => Place::Output(output, order),
+                    None => Slot::Unknown(quantity, order),
+                    Some(output) => Slot::Output(output, order),
                 };
                 wanted.push((place, &mut column[rows.clone()]));
             }
@@ -306,7 +306,7 @@ pub(super) fn outcome<T>(result: &Result<T, SolveError>) -> Outcome {
 }
 
 /// The sines of the unknowns that have a column for them.
-fn sines_of<'s>(columns: impl Iterator<Item = &'s mut [f64]>) -> Vec<(Place, &'s mut [f64])> {
+fn sines_of<'s>(columns: impl Iterator<Item = &'s mut [f64]>) -> Vec<(Slot, &'s mut [f64])> {
     let all = columns.enumerate().filter(|(_, column)| !column.is_empty());
-    all.map(|(unknown, column)| (Place::Sine(unknown), column)).collect()
+    all.map(|(unknown, column)| (Slot::Sine(unknown), column)).collect()
 }

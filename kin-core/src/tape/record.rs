@@ -7,7 +7,7 @@ use std::string::{String, ToString as _};
 use std::vec::Vec;
 
 use crate::any::{
-    Described, MotionOver, Of, Pictured, PlacesOver, PositionChoice, PositionOver, assembly, motions, row,
+    Described, MotionOver, Of, Pictured, PositionChoice, PositionOver, SkeletonOver, assembly, motions, row,
 };
 use crate::assembly::Assembly;
 use crate::failure::SolveError;
@@ -276,12 +276,12 @@ struct Run<'d> {
 
 /// The functions of a mechanism from which a tape is recorded.
 pub trait RecordedFunctions<F>:
-    Described + Pictured + PositionOver<Recorded<F>> + MotionOver<Recorded<F>> + PlacesOver<Recorded<F>>
+    Described + Pictured + PositionOver<Recorded<F>> + MotionOver<Recorded<F>> + SkeletonOver<Recorded<F>>
 {
 }
 
 impl<F, S> RecordedFunctions<F> for S where
-    S: Described + Pictured + PositionOver<Recorded<F>> + MotionOver<Recorded<F>> + PlacesOver<Recorded<F>>
+    S: Described + Pictured + PositionOver<Recorded<F>> + MotionOver<Recorded<F>> + SkeletonOver<Recorded<F>>
 {
 }
 
@@ -515,7 +515,7 @@ fn solved<'d, F: Scalar>(
     results.extend((solver.more)(arguments)?);
     if options.has_skeleton {
         let mut all: Vec<Vec<Recorded<F>>> = Vec::new();
-        mechanism.places(parameters, &places, &values(&unknowns), &mut |place| {
+        mechanism.skeleton_points(parameters, &places, &values(&unknowns), &mut |place| {
             all.push(place.to_vec());
         });
         let joints = all.len().saturating_sub(mechanism.outline().slides.len());

@@ -2,7 +2,7 @@
 
 use kin_compiler::Declaration;
 use kin_compiler::tree::Sheet;
-use kin_core::any::{ClosureOver, Of, OutputsOver, PlacesOver};
+use kin_core::any::{ClosureOver, Of, OutputsOver, SkeletonOver};
 use kin_core::{Mechanism, Row};
 use kin_live::sheet::SheetCode;
 
@@ -35,7 +35,7 @@ pub(crate) fn agreeing<M: Mechanism<Scalar = f64>, T: Bits>(declaration: &Declar
 /// The places of the compiled mechanism, part by part.
 fn places<M: Mechanism<Scalar = f64>, T: Bits>([parameters, inputs, unknowns]: &Numbers<T>, found: &mut [T]) {
     let mut all = Vec::new();
-    Of::<M>::FUNCTIONS.places(parameters, inputs, unknowns, &mut |place| all.extend_from_slice(place));
+    Of::<M>::FUNCTIONS.skeleton_points(parameters, inputs, unknowns, &mut |place| all.extend_from_slice(place));
     found.copy_from_slice(&all);
 }
 

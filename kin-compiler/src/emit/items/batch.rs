@@ -150,7 +150,7 @@ fn columns(mechanism: &Compiled<'_>) -> TokenStream {
                 Column: 'a,
             {
                 #(
-                    self.#fields.each(#firsts, #runtime::batch::Place::#kinds, #visitor);
+                    self.#fields.each(#firsts, #runtime::batch::Slot::#kinds, #visitor);
                 )*
             }
         }

@@ -34,9 +34,9 @@ pub(in crate::emit) fn tokens(
     let places = quote!([#runtime::#kind<T>; #count]);
     let site = Span::mixed_site();
     let items = quote_spanned! {site=>
-        type Places = #places;
+        type SkeletonPoints = #places;
         const OUTLINE: #runtime::Outline = #table;
-        fn places(&self, inputs: [T; #inputs], unknowns: [T; #unknowns]) -> #places {
+        fn skeleton_points(&self, inputs: [T; #inputs], unknowns: [T; #unknowns]) -> #places {
             #rows
             #bindings
             [#(#joints,)* #(#directions),*]

@@ -4,7 +4,7 @@
 use super::folded::{Folded, count};
 use super::number::FoldedNumber;
 use crate::batch::dispatch::{Kernel, MOST_LANES};
-use crate::batch::target::Place;
+use crate::batch::target::Slot;
 
 /// The number of poses of a piece, whose values are added up together. The order of additions depends on nothing else.
 pub(super) const PIECE: usize = 512;
@@ -17,7 +17,7 @@ const ABREAST: usize = 16;
 /// one.
 pub(super) const ROOM: usize = PIECE + MOST_LANES;
 
-/// Room for the values of a piece, on cache lines of its own.
+/// Room for the values of a piece, on separate cache lines.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub(super) struct Room(pub(super) [f64; ROOM]);
@@ -77,7 +77,7 @@ impl Kernel for Reduction<'_> {
         for fold in self.folds {
             let values = &fold.room.0[..self.count];
             // The sine of an unknown that is not a direction is missing in every pose.
-            let can_be_missing = matches!(fold.number, FoldedNumber::At(Place::Sine(_)));
+            let can_be_missing = matches!(fold.number, FoldedNumber::At(Slot::Sine(_)));
             if self.is_complete && !can_be_missing {
                 reduce::<true>(values, self.first, &mut fold.folded);
             } else {
@@ -143,7 +143,7 @@ fn of_rows<const COMPLETE: bool>(rows: &[[f64; ABREAST]]) -> (Running, [u64; ABR
     (running.clone(), missing)
 }
 
-/// What is known of the values so far: one set for each place of a row, or one for all of them.
+/// What is known of the values so far: one set for each lane of a row, or one for all of them.
 #[derive(Clone)]
 struct RunningRow<V> {
     least: V,
@@ -184,9 +184,9 @@ impl Running {
         }
     }
 
-    /// One set for all places.
+    /// One set for all lanes.
     ///
-    /// This is a separate function: a compiler that sees how the places are joined arranges everything before in vectors of
+    /// This is a separate function: a compiler that sees how the lanes are joined arranges everything before in vectors of
     /// two.
     #[inline(never)]
     fn joined(&self) -> RunningRow<f64> {
@@ -199,7 +199,7 @@ impl Running {
     }
 }
 
-/// A row with zero in the place of NaN.
+/// A row with zero instead of NaN.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn without_nan(row: &[f64; ABREAST]) -> [f64; ABREAST] {
     let mut numbers = [0.0; ABREAST];
@@ -237,15 +237,15 @@ fn in_halves(mut lanes: [f64; ABREAST], combine: impl Fn(f64, f64) -> f64) -> f6
     lanes[0]
 }
 
-/// The first place with this value, and the value there, which may be another zero.
+/// The first index of this value, and the value there, which may be another zero.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn first_of(values: &[f64], wanted: f64) -> Option<(usize, f64)> {
     let (rows, rest) = values.as_chunks::<ABREAST>();
     let found = first_rows(rows, wanted);
-    let index = first_place(&found).unwrap_or_else(|| {
+    let index = first_index(&found).unwrap_or_else(|| {
         #[expect(clippy::float_cmp, reason = "it is one of these values")]
-        let place = rest.iter().position(|value| *value == wanted);
-        values.len() - rest.len() + place.unwrap_or(rest.len())
+        let offset = rest.iter().position(|value| *value == wanted);
+        values.len() - rest.len() + offset.unwrap_or(rest.len())
     });
     values.get(index).map(|value| (index, *value))
 }
@@ -274,10 +274,10 @@ fn first_rows(rows: &[[f64; ABREAST]], wanted: f64) -> [f64; ABREAST] {
     found
 }
 
-/// The first place that was found, from the start of the row in which each lane found it. A separate function, as
+/// The first index that was found, from the start of the row in which each lane found it. A separate function, as
 /// [`Running::joined`] is.
 #[inline(never)]
-fn first_place(found: &[f64; ABREAST]) -> Option<usize> {
+fn first_index(found: &[f64; ABREAST]) -> Option<usize> {
     let mut first = f64::INFINITY;
     for (lane, start) in found.iter().enumerate() {
         first = lesser(start + count(lane), first);
@@ -285,8 +285,8 @@ fn first_place(found: &[f64; ABREAST]) -> Option<usize> {
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
-        reason = "a place among a few hundred"
+        reason = "an index among a few hundred"
     )]
-    let place = first as usize;
-    first.is_finite().then_some(place)
+    let index = first as usize;
+    first.is_finite().then_some(index)
 }

@@ -342,7 +342,7 @@ impl<const W: usize, const FUSED: bool, E: Element> Scalar for Lanes<W, FUSED, E
         Some(kept)
     }
 
-    /// A lane that fails does not need its own root, so it gets the one by which its shortfall is measured: a root takes
+    /// A lane that fails does not need its root, so it gets the root by which its shortfall is measured: a root takes
     /// longer than twenty other operations.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn rooted<const N: usize, const K: usize>(self, check: impl Check<Self, N, K>) -> Option<(Self, Self)> {
@@ -395,11 +395,11 @@ impl<const W: usize, const FUSED: bool, E: Element> Scalar for Lanes<W, FUSED, E
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn measured_over<M: RowMeasure>(_: M, count: usize, operand: impl Fn(usize) -> Self) -> Self {
-        let mut own = Self([M::start(); W]);
+        let mut measured = Self([M::start(); W]);
         for index in 0..count {
-            own = own.with(operand(index), M::with);
+            measured = measured.with(operand(index), M::with);
         }
-        own.map(M::end)
+        measured.map(M::end)
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
