@@ -7,7 +7,7 @@ use core::f64::consts::PI;
 use core::fmt;
 use core::marker::PhantomData;
 
-use super::line::turned;
+use super::line::wrapped;
 use super::measure::{CircuitExtreme, CircuitPeak, MeasureError, Stroke, WorstTransmission};
 use super::station::MeasuredCycle;
 use super::{Cycle, SearchedCycle};
@@ -17,7 +17,7 @@ use crate::mechanism::Mechanism;
 use crate::picture::TransmissionAngle;
 use crate::quantity::Name;
 
-/// The smallest stroke of a quantity that moves, as a part of its largest value, and the shortest way between its ends, as a part of a turn.
+/// The smallest stroke of a quantity that moves, as a part of its largest value, and the shortest way between its ends, as a part of a revolution.
 const STILL: f64 = 1e-12;
 
 /// A circuit of a cycle. [`Cycle::along`] makes it; the words are those of a sweep.
@@ -72,11 +72,11 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     ///
     /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
     /// let cycle = linkage.cycle()?;
-    /// let turn = cycle.along(0);
+    /// let measures = cycle.along(0);
     /// println!("the rocker swings by {} rad", turn.of("theta4").stroke()?.length());
     /// // for each radian per second of the crank
-    /// println!("and has at most {} rad/s", turn.of("theta4_velocity").peak()?.value);
-    /// println!("at {} rad the transmission is worst", turn.worst_transmission()?.input);
+    /// println!("and has at most {} rad/s", measures.of("theta4_velocity").peak()?.value);
+    /// println!("at {} rad the transmission is worst", measures.worst_transmission()?.input);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
@@ -174,7 +174,7 @@ impl<'c, C> CircuitAlong<'c, C> {
                 let sweep = self.cycle.sweep(&station);
                 for extreme in sweep.transmission_extremes(self.cycle.functions, dyad)? {
                     if let Some(angle) = extreme.value {
-                        let size = turned(angle).abs();
+                        let size = wrapped(angle).abs();
                         candidate(transmission.block, size.min(PI - size), extreme.at);
                     }
                 }
@@ -244,19 +244,19 @@ impl QuantityOnCircuit<'_> {
         self.range().map(|(stroke, _)| stroke)
     }
 
-    /// The stroke, and whether both of its ends lie inside of branches or at their limits, so that the quantity turns there.
+    /// The stroke, and whether both of its ends lie inside of branches or at their limits, so that the quantity reverses there.
     fn range(&self) -> Result<(Stroke, bool), MeasureError> {
         let mut range: Option<(Stroke, [ExtremeKind; 2])> = None;
         for CircuitExtreme { branch, extreme } in self.extremes()? {
             let input = extreme.at;
             let value = extreme.value.ok_or(ExtremesError::Unbounded { at: input })?;
-            let own = CircuitPeak { value, input, branch };
-            let (stroke, kinds) = range.get_or_insert((Stroke { low: own, high: own }, [extreme.kind; 2]));
+            let peak = CircuitPeak { value, input, branch };
+            let (stroke, kinds) = range.get_or_insert((Stroke { low: peak, high: peak }, [extreme.kind; 2]));
             if value < stroke.low.value {
-                (stroke.low, kinds[0]) = (own, extreme.kind);
+                (stroke.low, kinds[0]) = (peak, extreme.kind);
             }
             if value > stroke.high.value {
-                (stroke.high, kinds[1]) = (own, extreme.kind);
+                (stroke.high, kinds[1]) = (peak, extreme.kind);
             }
         }
         let (stroke, kinds) = range.ok_or(MeasureError::NoSuchCircuit)?;
@@ -267,7 +267,7 @@ impl QuantityOnCircuit<'_> {
     /// largest value, divided by the shorter one. It is 1 or more.
     ///
     /// # Errors
-    /// [`MeasureError::NoFullTurn`], if the input does not turn once along the circuit, [`MeasureError::NoReturn`], if the quantity turns
+    /// [`MeasureError::NoFullRevolution`], if the input does not make one revolution along the circuit, [`MeasureError::NoReturn`], if the quantity makes full revolutions
     /// fully or stays where it is; otherwise as for [`stroke`](Self::stroke).
     ///
     /// ```
@@ -285,18 +285,18 @@ impl QuantityOnCircuit<'_> {
     /// ```
     pub fn time_ratio(&self) -> Result<f64, MeasureError> {
         let [branch] = self.cycle.circuit(self.circuit)? else {
-            return Err(MeasureError::NoFullTurn);
+            return Err(MeasureError::NoFullRevolution);
         };
         let branch = self.cycle.branch(*branch);
-        if !branch.is_full_turn() {
-            return Err(MeasureError::NoFullTurn);
+        if !branch.is_full_revolution() {
+            return Err(MeasureError::NoFullRevolution);
         }
-        let turn = branch.ends[1].input - branch.ends[0].input;
+        let revolution = branch.ends[1].input - branch.ends[0].input;
         let (stroke, returns) = self.range()?;
         let way = (stroke.high.input - stroke.low.input).abs();
-        let [short, long] = [way.min(turn - way), way.max(turn - way)];
+        let [short, long] = [way.min(revolution - way), way.max(revolution - way)];
         let (low, high) = (stroke.low.value, stroke.high.value);
-        let is_still = stroke.length() <= STILL * low.abs().max(high.abs()) || short <= STILL * turn;
+        let is_still = stroke.length() <= STILL * low.abs().max(high.abs()) || short <= STILL * revolution;
         if !returns || is_still {
             return Err(MeasureError::NoReturn { low, high });
         }

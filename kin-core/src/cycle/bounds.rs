@@ -26,13 +26,13 @@ pub(super) struct Doubt(u8);
 impl Doubt {
     /// Every value exists.
     pub(super) const NONE: Self = Self(0);
-    /// The values exist from some place of the interval on, or everywhere, or nowhere.
+    /// The values exist from some point of the interval on, or everywhere, or nowhere.
     const RISING: Self = Self(1);
-    /// The values exist up to some place of the interval, or everywhere, or nowhere.
+    /// The values exist up to some point of the interval, or everywhere, or nowhere.
     const FALLING: Self = Self(2);
     /// Nothing is known about where the values exist.
     const OPEN: Self = Self(4);
-    /// Rounding decides in the middle of the interval, and a shorter interval tells no more.
+    /// Rounding decides in the middle of the interval, and a shorter interval decides no more.
     const ROUNDING: Self = Self(8);
 
     /// The doubt about a number made of two.
@@ -41,13 +41,13 @@ impl Doubt {
         Self(self.0 | other.0)
     }
 
-    /// Whether values exist at both ends only if they exist in between, and the places where they exist touch one certain end.
+    /// Whether values exist at both ends only if they exist in between, and the points where they exist touch one certain end.
     #[inline]
     pub(super) const fn is_one_sided(self) -> bool {
         self.0 == Self::RISING.0 || self.0 == Self::FALLING.0
     }
 
-    /// Whether rounding decides, so that a shorter interval tells no more.
+    /// Whether rounding decides, so that a shorter interval decides no more.
     #[inline]
     pub(super) const fn is_rounding(self) -> bool {
         self.0 & Self::ROUNDING.0 != 0
@@ -312,19 +312,19 @@ impl Bounds {
 #[inline]
 fn at_corners<const N: usize>(operands: [Bounds; N], mut visit: impl FnMut([f64; N])) {
     let corners = operands.map(Bounds::corners);
-    let mut place = [0_usize; N];
+    let mut corner = [0_usize; N];
     loop {
-        visit(core::array::from_fn(|index| corners[index].0[place[index]]));
+        visit(core::array::from_fn(|index| corners[index].0[corner[index]]));
         let mut index = 0;
         loop {
             if index == N {
                 return;
             }
-            place[index] += 1;
-            if place[index] < corners[index].1 {
+            corner[index] += 1;
+            if corner[index] < corners[index].1 {
                 break;
             }
-            place[index] = 0;
+            corner[index] = 0;
             index += 1;
         }
     }
@@ -375,10 +375,10 @@ fn trend<const N: usize, const K: usize>(
     let mut doubt = Doubt::NONE;
     for (index, operand) in operands.into_iter().enumerate() {
         let ends = |value: f64| {
-            let mut own = operands;
-            own[index] = Bounds::constant(value);
+            let mut varied = operands;
+            varied[index] = Bounds::constant(value);
             let (mut all, mut any) = (true, false);
-            at_corners(own, |values| {
+            at_corners(varied, |values| {
                 let holds = check.holds(values)[condition];
                 (all, any) = (all && holds, any || holds);
             });
@@ -587,7 +587,7 @@ impl Number for Bounds {
         self.rising([-HUGE, HUGE], Number::atan, slopes)
     }
 
-    /// The angle goes on beyond half a turn, so that it is continuous over the interval.
+    /// The angle goes on beyond half a revolution, so that it is continuous over the interval.
     #[inline(never)]
     fn atan2(self, x: Self) -> Self {
         let doubt = self.doubt.and(x.doubt);
@@ -601,8 +601,8 @@ impl Number for Bounds {
         );
         let steepest = Float::sqrt(inverse[1].abs());
         let error = (self.error + x.error) * steepest + FUNCTION * 4.0;
-        let half_turn = core::f64::consts::PI;
-        let mut values = [middle - half_turn, middle + half_turn];
+        let half_revolution = core::f64::consts::PI;
+        let mut values = [middle - half_revolution, middle + half_revolution];
         if slopes[0].abs().max(slopes[1].abs()) > 1.0 {
             let [low, high] = self.seen_from_the_middle(x);
             values = [middle + low - FUNCTION, middle + high + FUNCTION];
@@ -706,20 +706,20 @@ impl Scalar for Bounds {
     #[inline]
     fn chosen<const N: usize>(choice: impl Choose<Self, N>) -> Result<Assembly, Failure> {
         let mut choices: Option<Result<Assembly, Failure>> = None;
-        let mut is_told = true;
+        let mut is_decided = true;
         let mut ask = |values: [f64; N]| {
-            let own = choice.choose(values);
-            is_told &= match (&choices, &own) {
+            let assembly = choice.choose(values);
+            is_decided &= match (&choices, &assembly) {
                 (None, _) | (Some(Err(_)), Err(_)) => true,
                 (Some(Ok(one)), Ok(other)) => one == other,
                 _ => false,
             };
-            choices = Some(own);
+            choices = Some(assembly);
         };
         ask(real_parts(choice.operands()));
         at_corners(choice.operands(), ask);
         match choices {
-            Some(choice) if is_told => choice,
+            Some(choice) if is_decided => choice,
             _ => Err(Failure::not_finite(UNDECIDED)),
         }
     }

@@ -14,7 +14,7 @@ fn sign(difference: f64, size: f64) -> core::cmp::Ordering {
     }
 }
 
-/// Grashof's types: whether the shortest link turns fully relative to the others.
+/// Grashof's types: whether the shortest link makes full revolutions relative to the others.
 ///
 /// F. Grashof, *Theoretische Maschinenlehre* 2, 1883: it does if the shortest and the longest link together are shorter than the other two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -30,7 +30,7 @@ pub enum GrashofType {
 /// Barker's classes of four-bar linkages.
 ///
 /// C. R. Barker, *A complete classification of planar four-bar linkages*, Mechanism and Machine Theory 20 (1985), 535-554. His symbols
-/// tell what crank, coupler and rocker do relative to the ground: C turns fully, R swings; G stands for Grashof, R for the other ones with the
+/// say what crank, coupler and rocker do relative to the ground: C turns fully, R swings; G stands for Grashof, R for the other ones with the
 /// number of the longest link, S for a change point, X for two or four equal pairs.
 ///
 /// ```

@@ -18,7 +18,7 @@ pub enum ExactTableError {
     Sweep(SweepError),
     /// The range has no length.
     NoRange {
-        /// The place where it begins and ends.
+        /// The parameter at which it begins and ends.
         at: f64,
     },
     /// The table shall end with the values, and its pieces need a derivative.
@@ -40,9 +40,9 @@ pub enum ExactTableError {
         /// Its value.
         tolerance: f64,
     },
-    /// The mechanism does not close at a place of the range, or is too close to a limit there.
+    /// The mechanism does not close somewhere in the range, or is too close to a limit there.
     NotClosed {
-        /// The place.
+        /// The parameter.
         at: f64,
         /// The reason.
         error: Box<SolveError>,
@@ -53,7 +53,7 @@ pub enum ExactTableError {
         column: String,
         /// The order of its derivative.
         order: usize,
-        /// The place.
+        /// The parameter.
         at: f64,
         /// Twice the difference there.
         error: f64,

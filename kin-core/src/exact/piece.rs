@@ -46,7 +46,7 @@ pub(super) fn piece(left: &[f64], right: &[f64], length: f64, part: f64, result:
     }
 }
 
-/// The first coefficients of a polynomial about another place, by Horner's scheme.
+/// The first coefficients of a polynomial about another point, by Horner's scheme.
 fn shift(coefficients: &mut [f64], way: f64, count: usize) {
     for first in 0..count {
         for index in (first..coefficients.len() - 1).rev() {
@@ -66,31 +66,31 @@ mod tests {
 
     /// The derivatives of a polynomial with the given coefficients.
     fn polynomial(coefficients: &[f64], at: f64, count: usize) -> std::vec::Vec<f64> {
-        let mut own = coefficients.to_vec();
-        shift(&mut own, at, count);
+        let mut shifted = coefficients.to_vec();
+        shift(&mut shifted, at, count);
         let mut factorial = 1.0;
-        for (order, value) in own.iter_mut().enumerate().take(count) {
+        for (order, value) in shifted.iter_mut().enumerate().take(count) {
             *value *= factorial;
             factorial *= number(order + 1);
         }
-        own.truncate(count);
-        own
+        shifted.truncate(count);
+        shifted
     }
 
-    /// With values and n derivatives at both ends, polynomials of degree 2n + 1 are their own pieces, and none of a higher degree.
+    /// With values and n derivatives at both ends, polynomials of degree 2n + 1 are equal to their pieces, and none of a higher degree.
     #[test]
     fn a_piece_of_a_polynomial_is_the_polynomial() {
         let coefficients = [0.3, -1.0, 2.0, 0.5, -0.7, 1.1, 0.2, -0.4, 0.9, -0.6, 0.8];
         let (start, length) = (-0.5, 1.75);
         for count in 1..=MOST {
             for degree in [2 * count - 1, 2 * count] {
-                let own = &coefficients[..=degree];
-                let ends = [start, start + length].map(|at| polynomial(own, at, count));
+                let coefficients = &coefficients[..=degree];
+                let ends = [start, start + length].map(|at| polynomial(coefficients, at, count));
                 let mut worst: f64 = 0.0;
                 for part in [0.0, 0.1, 0.5, 0.83, 1.0] {
                     let mut found = [0.0; MOST];
                     piece(&ends[0], &ends[1], length, part, &mut found[..count]);
-                    let expected = polynomial(own, start + part * length, count);
+                    let expected = polynomial(coefficients, start + part * length, count);
                     for (order, expected) in expected.into_iter().enumerate() {
                         let size = 20_f64.powi(i32::try_from(order).unwrap());
                         worst = worst.max((found[order] - expected).abs() / size);

@@ -14,7 +14,7 @@ use crate::sweep::Local;
     note = "return a `Local`, as `|at| at.theta4.jerk()`, or a `Result<Local, LoadError>`, as `|at| at.effort(&loads, 0)`"
 )]
 pub trait Answer {
-    /// The number, or the reason why there is none at a place of the sweep.
+    /// The number, or the reason why there is none at a point of the sweep.
     ///
     /// # Errors
     /// The error of the loads or of the Jacobian.

@@ -16,8 +16,8 @@ use crate::quantity::{Dimension, RATES};
 use crate::solve::nearest_turn;
 use crate::sweep::{Local, READ};
 
-/// The pose at one place of a sweep, in numbers that carry their derivatives with respect to the variable of the sweep. Any expression of
-/// them carries its own.
+/// The pose at one point of a sweep, in numbers that carry their derivatives with respect to the variable of the sweep. Any expression of
+/// them carries its derivatives.
 ///
 /// It has the fields of the pose: `at.theta4.jerk()`. Plain numbers are constants among them: `2.0 * at.theta4.jerk()`.
 ///
@@ -27,9 +27,9 @@ use crate::sweep::{Local, READ};
 /// use kin_core::prelude::*;
 ///
 /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
-/// let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 100).speed(10.0);
+/// let sweep = linkage.sweep(Assembly::Open).over(0.0..=TAU, 100).speed(10.0);
 /// // power per unit of inertia, whose peak is neither that of the velocity nor that of the acceleration
-/// let power = turn.of_expression(|at| at.theta4.velocity() * at.theta4.acceleration()).peak()?;
+/// let power = sweep.of_expression(|at| at.theta4.velocity() * at.theta4.acceleration()).peak()?;
 /// println!("{} at {} rad", power.value, power.at);
 /// # Ok::<(), kin_core::extremes::ExtremesError>(())
 /// ```
@@ -38,7 +38,7 @@ pub struct At<M: Mechanism> {
     mechanism: M::With<Local>,
     pose: <M::With<Local> as Mechanism>::Pose,
     inputs: <M::With<Local> as Mechanism>::Inputs<<M::With<Local> as Mechanism>::Motion<Local>>,
-    /// The unknowns, with angles on the turns they have reached.
+    /// The unknowns, with angles unwrapped along the sweep.
     near: <M::With<Local> as Mechanism>::Unknowns<Local>,
     /// The outputs, with unwrapped angles.
     outputs: <M::Pose as Pose>::Outputs<f64>,
@@ -70,7 +70,7 @@ impl<M: Mechanism> Deref for At<M> {
 }
 
 impl<M: Mechanism<Scalar = f64>> At<M> {
-    /// The typed pose at a place of a sweep, as the solvers of a mechanism find it: with the dimensions of the sweep, or with others that
+    /// The typed pose at a point of a sweep, as the solvers of a mechanism find it: with the dimensions of the sweep, or with others that
     /// change with the variable.
     pub(super) fn of(station: &SweepStation<'_>, changed: Option<&[Local]>) -> Result<Self, SolveError> {
         let mechanism = M::With::<Local>::from_parameters(match changed {
@@ -242,9 +242,9 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
     ///     .gravity(Plane::new(0.0, -9.81))
     ///     .mass(1.4, |pose| pose.coupler)
     ///     .inertia(0.03, |pose| pose.theta4);
-    /// let turn = press.sweep(Assembly::Open).over(0.0..=TAU, 100).speed(rpm(120.0));
-    /// let peak = turn.of_expression(|at| at.effort(&loads, 0)).peak()?;
-    /// let rms = turn.of_expression(|at| at.effort(&loads, 0)).rms(Over::Time)?;
+    /// let sweep = press.sweep(Assembly::Open).over(0.0..=TAU, 100).speed(rpm(120.0));
+    /// let peak = sweep.of_expression(|at| at.effort(&loads, 0)).peak()?;
+    /// let rms = sweep.of_expression(|at| at.effort(&loads, 0)).rms(Over::Time)?;
     /// println!("{} N m at {}°, in the mean {} N m", peak.value, peak.at.to_degrees(), rms.value);
     /// assert!(rms.value < peak.value.abs());
     /// # Ok::<(), kin_core::extremes::ExtremesError>(())

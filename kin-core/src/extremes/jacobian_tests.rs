@@ -123,21 +123,21 @@ fn derivatives_agree<M: Mechanism<Scalar = f64>>(
         .sweep(AssemblyChoice::of::<M>(assembly))
         .between(from.as_ref(), to.as_ref(), 9);
     for measure in [LargestSingularValue, SmallestSingularValue, InverseConditionNumber] {
-        let own = way.of_expression(|at| Ok::<_, JacobianError>(at.jacobian_of(results)?.measure(measure)));
+        let of_expression = way.of_expression(|at| Ok::<_, JacobianError>(at.jacobian_of(results)?.measure(measure)));
         let named = way.of_jacobian(results, measure);
         assert_eq!(
             named.extremes().unwrap(),
             any.of_jacobian(results, measure).extremes().unwrap()
         );
-        let (one, other) = (own.extremes().unwrap(), named.extremes().unwrap());
+        let (one, other) = (of_expression.extremes().unwrap(), named.extremes().unwrap());
         assert_eq!(one.len(), other.len(), "{measure:?}: {one:?} {other:?}");
         for (one, other) in one.iter().zip(&other) {
             close(one.value.unwrap(), other.value.unwrap(), 1e-12);
             close(one.at, other.at, 1e-7);
         }
         // the derivatives, by Taylor's formula
-        let at = |place: f64| {
-            let along = |input: usize| from[input] + (to[input] - from[input]) * place;
+        let at = |part: f64| {
+            let along = |input: usize| from[input] + (to[input] - from[input]) * part;
             let inputs = M::Inputs::<f64>::from_fn(along);
             let near = mechanism
                 .sweep(assembly)
@@ -322,11 +322,11 @@ fn next_to_singular_poses() {
 }
 
 #[test]
-fn mistakes_are_told() {
+fn mistakes_are_reported() {
     let way = ROBOT.sweep(Assembly::Open).between([2.1, 1.0], [1.8, 1.2], 5);
     let error = way.of_jacobian(&["hnd"], ConditionNumber).highest().unwrap_err();
-    let told = "no unknown and no output is called `hnd`: there are phi, psi, hand.x, hand.y";
-    assert_eq!(error.to_string(), told);
+    let message = "no unknown and no output is called `hnd`: there are phi, psi, hand.x, hand.y";
+    assert_eq!(error.to_string(), message);
     let error = way.of_jacobian(&["hand", "phi"], ConditionNumber).column().unwrap_err();
     let ExtremesError::Jacobian(error) = error else {
         panic!("{error:?}");
@@ -337,9 +337,12 @@ fn mistakes_are_told() {
     assert_eq!((one.as_str(), other.as_str()), ("hand.x", "phi"));
     let error = way.of_jacobian(&[], ConditionNumber).lowest().unwrap_err();
     assert_eq!(error, ExtremesError::Jacobian(JacobianError::Empty.into()));
-    let of_expression = way.of_expression(|at| at.jacobian_of(&["phi", "hand"]).map(|own| own.condition_number()));
+    let of_expression = way.of_expression(|at| {
+        at.jacobian_of(&["phi", "hand"])
+            .map(|jacobian| jacobian.condition_number())
+    });
     assert!(matches!(of_expression.lowest(), Err(ExtremesError::Jacobian(_))));
-    // divided by a length of its own
+    // divided by a separate length
     let scaled = way.of_expression(|at| {
         let [phi, _, x, y] = at.jacobian()?;
         let rows = [phi, x.map(|entry| entry / 1.5), y.map(|entry| entry / 1.5)];

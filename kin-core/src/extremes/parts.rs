@@ -7,7 +7,7 @@ use crate::hermite::Piece;
 use crate::number::Number;
 use crate::sweep::Local;
 
-/// The first pieces of a turn of an angle, or of the whole sweep.
+/// The first pieces of a revolution of an angle, or of the whole sweep.
 const FIRST: f64 = 24.0;
 /// The largest difference between a piece and the poses, as a part of the piece's range.
 const AGREEMENT: f64 = 1e-8;
@@ -20,26 +20,26 @@ const MOST: [usize; 2] = [20_000, 8];
 const DEEP: usize = 4;
 /// The number of halvings after which a change point or a pole is sought between the ends of a piece.
 const SUSPECT: usize = 8;
-/// Distances from a place that may be a pole, in lengths of the shortest piece, and the growth from each of them to the next smaller one.
+/// Distances from a point that may be a pole, in lengths of the shortest piece, and the growth from each of them to the next smaller one.
 const DISTANCES: [f64; 4] = [1e3, 4e3, 16e3, 64e3];
 const POLE_GROWTH: f64 = 1.3;
-/// The distance between places that differ by rounding errors alone, as a part of the piece.
+/// The distance between points that differ by rounding errors alone, as a part of the piece.
 const BESIDE: f64 = 1.0 / 1024.0;
 /// The largest difference between a piece and the poses, and the smallest range with an extreme, in measured rounding errors.
 const MEASURED: [f64; 2] = [8.0, 64.0];
 
 /// The smallest parameter next to a limit whose value counts for the size of the quantity.
 const BESIDE_LIMIT: f64 = 0.1;
-/// Places of a stretch at which the size of the quantity is looked at, as parts of it.
+/// Points of a stretch at which the size of the quantity is read, as parts of it.
 const SIZED: [f64; 4] = [0.2, 0.4, 0.6, 0.8];
 
 /// A part of a curve.
 pub(super) enum CurvePart {
     /// A piece that agrees with the poses.
     Piece(Piece),
-    /// Two neighbouring places between which the values differ by rounding errors alone.
+    /// Two neighbouring points between which the values differ by rounding errors alone.
     Flat,
-    /// Two neighbouring places between which the curve has a kink or a jump.
+    /// Two neighbouring points between which the curve has a kink or a jump.
     Kink,
 }
 
@@ -49,11 +49,11 @@ type VisitPart<'v, 'c> = dyn FnMut(&CurvePart, [&CurveNode<'c>; 2]) -> Result<()
 impl<'c> Curve<'c> {
     /// Divides a stretch into parts, and passes on each with its ends. It returns the nodes at both ends of the stretch.
     ///
-    /// If the stretch is a full turn, its end is its beginning, so that an extreme on the seam is found once.
+    /// If the stretch is a full revolution, its end is its beginning, so that an extreme on the seam is found once.
     pub(super) fn parts(
         &self,
         stretch: &Stretch<'c>,
-        is_turn: bool,
+        is_revolution: bool,
         visit: &mut VisitPart<'_, 'c>,
     ) -> Result<[CurveNode<'c>; 2], ExtremesError> {
         let [from, to] = stretch.parameters;
@@ -82,7 +82,7 @@ impl<'c> Curve<'c> {
                 from + (to - from) * (index / count)
             };
             let mut right = self.node(stretch, parameter, &left.mark)?;
-            if is_turn && index == count {
+            if is_revolution && index == count {
                 right.value = first.value;
             }
             // next to a turning point rates are far larger than elsewhere
@@ -92,16 +92,16 @@ impl<'c> Curve<'c> {
             self.divide(stretch, [&left, &right], 0, size, &mut budget, visit)?;
             self.size.set(self.size.get().max(size));
             left = right;
-            self.tell(left.at);
+            self.report(left.at);
         }
         Ok([first, left])
     }
 
     /// Looks at the size of the quantity in all stretches: where it should be zero on one of them, it is made of rounding errors, whose size
-    /// others tell.
+    /// others give.
     pub(super) fn see_size(&self, stretches: &[Stretch<'c>]) -> Result<(), ExtremesError> {
         let mut size: f64 = 0.0;
-        // a single stretch tells its size itself
+        // a single stretch gives its size itself
         for stretch in stretches.iter().filter(|_| stretches.len() > 1) {
             let [from, to] = stretch.parameters;
             for part in SIZED {
@@ -141,7 +141,7 @@ impl<'c> Curve<'c> {
             return visit(&CurvePart::Kink, [left, right]);
         }
         let [low, high] = piece.bounds();
-        let own = left
+        let largest = left
             .value
             .real()
             .abs()
@@ -153,7 +153,7 @@ impl<'c> Curve<'c> {
             Some(_) => 1.0 + 1.0 / (nearest * nearest),
             None => 1.0,
         };
-        let tolerance = AGREEMENT * (high - low) + ROUNDING * (own * growth).max(size);
+        let tolerance = AGREEMENT * (high - low) + ROUNDING * (largest * growth).max(size);
         let apart = |node: &CurveNode<'c>| (piece.at(node.parameter).real() - node.value.real()).abs();
         let mut apart_most = apart(&middle);
         // the node that is furthest from the piece
@@ -168,7 +168,7 @@ impl<'c> Curve<'c> {
             }
         }
         if apart_most <= tolerance {
-            let is_flat = high - low <= ROUNDING * own.max(size);
+            let is_flat = high - low <= ROUNDING * largest.max(size);
             let part = if is_flat {
                 CurvePart::Flat
             } else {
@@ -200,7 +200,7 @@ impl<'c> Curve<'c> {
         self.divide(stretch, [&middle, right], depth + 1, size, budget, visit)
     }
 
-    /// Whether the quantity grows beyond all bounds between two neighbouring places: on one side it grows from distance to distance.
+    /// Whether the quantity grows beyond all bounds between two neighbouring points: on one side it grows from distance to distance.
     fn is_pole(&self, stretch: &Stretch<'c>, [left, right]: [&CurveNode<'c>; 2]) -> Result<bool, ExtremesError> {
         let [low, high] = [
             stretch.parameters[0].min(stretch.parameters[1]),
@@ -224,7 +224,7 @@ impl<'c> Curve<'c> {
         Ok(false)
     }
 
-    /// The rounding error of the quantity, as places that are close together show it: the difference between poses and the Taylor series
+    /// The rounding error of the quantity, as points that are close together show it: the difference between poses and the Taylor series
     /// of a pose beside them. On one side of a jump the series holds, so the smaller difference of both sides counts. An end of a stretch
     /// has one side, and none is known there.
     fn rounding(&self, stretch: &Stretch<'c>, node: &CurveNode<'c>, step: f64) -> Result<f64, ExtremesError> {
@@ -262,7 +262,7 @@ impl<'c> Curve<'c> {
             let (value, slope) = function(node.value);
             let step = -value / slope;
             let next = (node.parameter + step).clamp(low, high);
-            // rounding errors move the place to and fro
+            // rounding errors move the point to and fro
             if !step.is_finite() || step.abs() >= 0.5 * last || next == node.parameter {
                 break;
             }

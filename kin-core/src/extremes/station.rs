@@ -16,7 +16,7 @@ use crate::reaction::{NamedReactions, ReactionFunctions, ReactionPart, ReactionP
 use crate::solve::{Scalar, nearest_turn};
 use crate::sweep::{Local, READ, TERMS, by_time, composed};
 
-/// The terms from which the derivatives up to snap are read, each with its own series.
+/// The terms from which the derivatives up to snap are read, each as a separate series.
 const UP_TO_SNAP: usize = SNAP + TERMS;
 const SNAP: usize = 4;
 
@@ -30,7 +30,7 @@ pub trait NamedFunctions:
 impl<F: PositionFunctions<Series<UP_TO_SNAP>> + PositionFunctions<Series<READ>> + DyadFunctions> NamedFunctions for F {}
 
 /// What the dependence of a quantity on the dimensions, and forces, need beside: positions in series that change with a dimension or an
-/// input, and the places of the picture.
+/// input, and the points of the skeleton.
 pub trait ChangedFunctions:
     NamedFunctions
     + PositionFunctions<Changing<Series<UP_TO_SNAP>>>
@@ -257,19 +257,19 @@ impl SweepStation<'_> {
         };
         let all = [&*parameters, &*inputs, &*unknowns, &outputs].into_iter().flatten();
         let quantities: Vec<NamedMotion<Local>> = all.map(|quantity| by_time(*quantity)).collect();
-        let mut places: Vec<[NamedMotion<Local>; 2]> = Vec::new();
+        let mut points: Vec<[NamedMotion<Local>; 2]> = Vec::new();
         if loads.has_bodies() && !functions.is_space() {
             let mut all: Vec<[Number; 2]> = Vec::new();
-            let mut add = |place: &[Number]| all.push([place[0], place[1]]);
+            let mut add = |point: &[Number]| all.push([point[0], point[1]]);
             SkeletonOver::<Number>::skeleton_points(functions, parameters, inputs, unknowns, &mut add);
             let joints = all.len() - functions.outline().slides.len();
             for [x, y] in &mut all[joints..] {
                 let length = (*x * *x + *y * *y).sqrt();
                 (*x, *y) = (*x / length, *y / length);
             }
-            places.extend(all.into_iter().map(|place| place.map(by_time)));
+            points.extend(all.into_iter().map(|point| point.map(by_time)));
         }
-        let effort = loads.effort(&quantities, &places);
+        let effort = loads.effort(&quantities, &points);
         effort.map_err(|error| ExtremesError::of_loads(at, error))
     }
 
@@ -281,7 +281,7 @@ impl SweepStation<'_> {
         (index, part): (usize, ReactionPart),
         order: usize,
     ) -> Result<Local, ExtremesError> {
-        let place = ReactionPlace {
+        let here = ReactionPlace {
             functions,
             parameters: &self.parameters,
             inputs: self.inputs.chunks_exact(READ).map(Series::from_motion).collect(),
@@ -289,7 +289,7 @@ impl SweepStation<'_> {
             outputs: &self.outputs,
             rate: self.rate,
         };
-        let found = reactions.part(&place, index, part);
+        let found = reactions.part(&here, index, part);
         let found = found.map_err(|error| ExtremesError::of_reaction(self.variable.real(), error))?;
         Ok(self.by_time(&found.derivatives(), order))
     }
@@ -396,7 +396,7 @@ fn shorter(series: Series<UP_TO_SNAP>) -> Local {
     Local::from_coefficients(core::array::from_fn(|power| coefficients[power]))
 }
 
-/// A value on the turn nearest to another one, if it is an angle.
+/// A value, if it is an angle unwrapped to the closest to another one.
 fn unwrapped<T: Scalar>(quantity: Quantity<'_>, value: T, near: f64) -> T {
     match quantity.dimension {
         Dimension::Angle => nearest_turn(value, T::constant(near)),

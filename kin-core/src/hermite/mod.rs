@@ -1,6 +1,6 @@
 //! Pieces of curves that agree with a function at both ends, in the value and four derivatives: Hermite polynomials of degree 9.
 //!
-//! The error of a piece goes with the tenth power of its length. Seventy-two pieces reproduce a turn of an ordinary crank-rocker to
+//! The error of a piece goes with the tenth power of its length. Seventy-two pieces reproduce a revolution of an ordinary crank-rocker to
 //! rounding.
 
 mod piece;

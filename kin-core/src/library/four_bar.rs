@@ -55,7 +55,7 @@ pub struct CrankRange {
 impl CrankRange {
     /// Whether the crank makes full turns.
     #[must_use]
-    pub fn is_full_turn(&self) -> bool {
+    pub fn is_full_revolution(&self) -> bool {
         self.low == 0.0 && self.high == core::f64::consts::PI
     }
 }

@@ -199,7 +199,7 @@ fn near_a_change_point() {
                 let linkage = FourBar { r1, r2, r3, r4 };
                 let range = linkage.crank_range().unwrap();
                 for assembly in Assembly::BOTH {
-                    if range.is_full_turn() {
+                    if range.is_full_revolution() {
                         // The angles are as sensitive as the gap is small.
                         let tolerance = 64.0 * f64::EPSILON / off.abs();
                         go_round(&linkage, assembly, &[1.0, 1.0 + TAU, 2.0], tolerance);
