@@ -90,9 +90,9 @@ impl<'m> Choices<'m> {
 
     /// The index of the chosen one of `count` options.
     fn one_of(&mut self, count: usize) -> usize {
-        let place = self.depth;
+        let level = self.depth;
         self.depth += 1;
-        self.way.get_mut(place).map_or(0, |choice| {
+        self.way.get_mut(level).map_or(0, |choice| {
             choice.1 = count;
             choice.0
         })
@@ -100,17 +100,17 @@ impl<'m> Choices<'m> {
 
     /// Moves on to the next path; returns false if there is none.
     fn advance(&mut self) -> bool {
-        let mut place = self.depth.min(DEPTH);
+        let mut level = self.depth.min(DEPTH);
         (self.depth, self.taken) = (0, 0);
-        while place > 0 {
-            place -= 1;
-            let (which, count) = self.way[place];
+        while level > 0 {
+            level -= 1;
+            let (which, count) = self.way[level];
             if which + 1 < count {
-                self.way[place].0 = which + 1;
-                self.kept = place + 1;
+                self.way[level].0 = which + 1;
+                self.kept = level + 1;
                 return true;
             }
-            self.way[place] = (0, 1);
+            self.way[level] = (0, 1);
         }
         false
     }
@@ -155,10 +155,10 @@ impl<'m> Choices<'m> {
         let count = if self.depth < self.kept {
             self.way[self.depth].1
         } else {
-            let (mut count, mut places) = (0, room.chunks_exact_mut(variables.max(1)));
+            let (mut count, mut rows) = (0, room.chunks_exact_mut(variables.max(1)));
             self.lost += all(&mut |solution| {
-                if let Some(place) = places.next() {
-                    place.copy_from_slice(solution);
+                if let Some(row) = rows.next() {
+                    row.copy_from_slice(solution);
                     count += 1;
                 }
             });
@@ -229,7 +229,7 @@ pub fn every_in(
     }
 }
 
-/// Passes on the positions that were found in double precision, each refined in the mechanism's own numbers.
+/// Passes on the positions that were found in double precision, each refined in the mechanism's numbers.
 /// One that cannot be refined counts as singular.
 pub fn positions_near<M, const N: usize, const CAPACITY: usize>(
     mechanism: &M,
@@ -255,13 +255,13 @@ where
     search
 }
 
-/// Whether two positions are the same up to whole turns.
+/// Whether two positions are the same up to whole revolutions.
 #[doc(hidden)]
 #[must_use]
 pub fn is_same_position(a: &[f64], b: &[f64]) -> bool {
     a.iter().zip(b).all(|(a, b)| {
         let difference = a - b;
-        let turned = difference - TAU * Float::round(difference / TAU);
-        Float::min(difference.abs(), turned.abs()) <= SAME * (1.0 + a.abs())
+        let wrapped = difference - TAU * Float::round(difference / TAU);
+        Float::min(difference.abs(), wrapped.abs()) <= SAME * (1.0 + a.abs())
     })
 }

@@ -63,7 +63,7 @@ pub(crate) fn rates<'s>(
     rates
 }
 
-/// The Taylor series of the curve at a point, in all orders of the number: those of the unknowns in their own units, which it writes, and
+/// The Taylor series of the curve at a point, in all orders of the number: those of the unknowns in their units, which it writes, and
 /// that of the travel, which it returns.
 ///
 /// `series` is memory for parameters, inputs, unknowns and residuals, in which the parameters stand.

@@ -13,7 +13,7 @@ use crate::motion::Motion;
 use crate::number::{Number, NumberRow, Row};
 use crate::picture::TransmissionAngle;
 use crate::quantity::{Dimension, RATES};
-use crate::solve::nearest_turn;
+use crate::solve::unwrap_near;
 use crate::sweep::{Local, READ};
 
 /// The pose at one point of a sweep, in numbers that carry their derivatives with respect to the variable of the sweep. Any expression of
@@ -139,7 +139,7 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
         let value = *motions.as_ref().get(index)?.as_ref().get(order)?;
         let is_angle = M::DESCRIPTION.unknowns[index].dimension == Dimension::Angle;
         Some(if is_angle && order == 0 {
-            nearest_turn(value, self.near[index])
+            unwrap_near(value, self.near[index])
         } else {
             value
         })
@@ -159,7 +159,7 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
         let value = *motions.as_ref().get(index)?.as_ref().get(order)?;
         let is_angle = M::DESCRIPTION.outputs[index].dimension == Dimension::Angle;
         Some(if is_angle && order == 0 {
-            nearest_turn(value, Local::constant(self.outputs[index]))
+            unwrap_near(value, Local::constant(self.outputs[index]))
         } else {
             value
         })

@@ -13,7 +13,7 @@ use crate::number::series::Series;
 use crate::number::{Changing, Number, NumberRow};
 use crate::quantity::{Dimension, Quantity};
 use crate::reaction::{NamedReactions, ReactionFunctions, ReactionPart, ReactionPlace};
-use crate::solve::{Scalar, nearest_turn};
+use crate::solve::{Scalar, unwrap_near};
 use crate::sweep::{Local, READ, TERMS, by_time, composed};
 
 /// The terms from which the derivatives up to snap are read, each as a separate series.
@@ -399,7 +399,7 @@ fn shorter(series: Series<UP_TO_SNAP>) -> Local {
 /// A value, if it is an angle unwrapped to the closest to another one.
 fn unwrapped<T: Scalar>(quantity: Quantity<'_>, value: T, near: f64) -> T {
     match quantity.dimension {
-        Dimension::Angle => nearest_turn(value, T::constant(near)),
+        Dimension::Angle => unwrap_near(value, T::constant(near)),
         _ => value,
     }
 }

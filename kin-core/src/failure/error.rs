@@ -8,7 +8,7 @@ use crate::quantity::{Digits, Name, WithUnit};
 
 /// The reason why a solver found no position.
 ///
-/// Lengths are in the mechanism's own units, angles in radians.
+/// Lengths are in the mechanism's units, angles in radians.
 #[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Failure {
@@ -64,9 +64,9 @@ pub enum Failure {
         /// The condition number of the Jacobian where the iteration gave up, in the maximum norm after scaling.
         condition: f64,
     },
-    /// The guess for an angle has so many turns that neighbouring numbers are more than a degree apart. No angle of
+    /// The guess for an angle has so many revolutions that neighbouring numbers are more than a degree apart. No angle of
     /// that size is a solution.
-    TooManyTurns {
+    TooManyRevolutions {
         /// The name of the unknown.
         unknown: Name,
         /// The guess near which the unknown was to be solved.
@@ -82,7 +82,7 @@ pub enum Failure {
 }
 
 impl Failure {
-    /// The failure with the place where it occurred: the unknowns of the block, separated by commas, and the inputs of
+    /// The failure with the block where it occurred: the unknowns of the block, separated by commas, and the inputs of
     /// the solver.
     #[cold]
     #[must_use]
@@ -183,7 +183,7 @@ impl fmt::Display for Failure {
                 Digits(residual),
                 Digits(condition)
             ),
-            Self::TooManyTurns {
+            Self::TooManyRevolutions {
                 unknown,
                 guess,
                 spacing,
@@ -240,7 +240,7 @@ pub struct SolveError {
 }
 
 impl SolveError {
-    /// The missing length when the mechanism is out of reach, as a negative number in its own units; zero in a singular
+    /// The missing length when the mechanism is out of reach, as a negative number in its units; zero in a singular
     /// position. `None` if the failure is of another kind.
     #[must_use]
     pub fn margin(&self) -> Option<f64> {
@@ -335,7 +335,7 @@ mod tests {
                  track from a known pose, or bring the inputs back within reach",
             ),
             (
-                Failure::TooManyTurns {
+                Failure::TooManyRevolutions {
                     unknown: "theta3".into(),
                     guess: 1e15,
                     spacing: 0.125,

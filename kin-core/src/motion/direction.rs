@@ -157,7 +157,7 @@ impl<T: Scalar, const N: usize> Direction<T, N> {
     #[inline]
     #[must_use]
     pub fn angle_near(&self, near: T) -> T {
-        solve::nearest_turn(self.angle(), near)
+        solve::unwrap_near(self.angle(), near)
     }
 
     /// The time derivative of the angle of the given order, if there is one. Order 0 is the [`angle`](Self::angle).

@@ -73,7 +73,7 @@ use crate::number::series::Series;
 use crate::number::{Number, NumberRow, singular_values};
 use crate::picture::Outline;
 use crate::quantity::Dimension;
-use crate::solve::nearest_turn;
+use crate::solve::unwrap_near;
 use action::{Action, Influence, Influences, Wrench};
 use connection::{Connection, Member, connections, member_name};
 use demand::Demand;
@@ -365,7 +365,7 @@ impl ReactionPlace<'_> {
         OutputsOver::<MovedNumber>::outputs(functions, &parameters, inputs, &unknowns, &mut outputs);
         for ((output, quantity), near) in outputs.iter_mut().zip(description.outputs).zip(self.outputs) {
             if quantity.dimension == Dimension::Angle {
-                *output = nearest_turn(*output, Series::constant(*near));
+                *output = unwrap_near(*output, Series::constant(*near));
             }
         }
         let mut places: Vec<Plane<MovedNumber>> = Vec::new();

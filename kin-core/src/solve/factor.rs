@@ -138,9 +138,9 @@ fn level<T: Scalar>(entries: &mut [T], rows: &mut [FactorRow]) {
     }
     for (column, row) in rows.iter_mut().enumerate() {
         let column = || (0..count).map(|row| row * count + column);
-        row.column_exponent = levelling::<T>(column().map(|place| &entries[place]));
-        for place in column() {
-            entries[place] = entries[place] * power_of_two(row.column_exponent);
+        row.column_exponent = levelling::<T>(column().map(|index| &entries[index]));
+        for index in column() {
+            entries[index] = entries[index] * power_of_two(row.column_exponent);
         }
     }
 }
@@ -604,9 +604,9 @@ mod tests {
     #[test]
     fn what_is_not_finite_is_refused() {
         for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-            for place in 0..4 {
+            for index in 0..4 {
                 let mut entries = [2.0, 1.0, 1.0, 3.0];
-                entries[place] = value;
+                entries[index] = value;
                 let [a, b, c, d] = entries;
                 assert!(matches!(factor([[a, b], [c, d]]), Err(Failure::NotFinite { .. })));
             }

@@ -57,8 +57,9 @@ pub enum FailureRecord<S> {
         #[serde(with = "lenient")]
         condition: f64,
     },
-    /// [`Failure::TooManyTurns`]
-    TooManyTurns {
+    /// [`Failure::TooManyRevolutions`]
+    #[serde(rename = "TooManyTurns")]
+    TooManyRevolutions {
         unknown: S,
         #[serde(with = "lenient")]
         guess: f64,
@@ -111,11 +112,11 @@ impl<S: From<Name>> From<Failure> for FailureRecord<S> {
                 iterations,
                 condition,
             },
-            Failure::TooManyTurns {
+            Failure::TooManyRevolutions {
                 unknown,
                 guess,
                 spacing,
-            } => Self::TooManyTurns {
+            } => Self::TooManyRevolutions {
                 unknown: unknown.into(),
                 guess,
                 spacing,

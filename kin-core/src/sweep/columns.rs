@@ -59,11 +59,11 @@ impl fmt::Display for Label<'_> {
 
 /// The unit of a column, as text: `rad/s²`, `mm/s`.
 ///
-/// A mechanism has its own units of length and time. Until [`Table::units`](super::Table::units) names them they are `L` and `T`.
+/// A mechanism has units of length and time. Until [`Table::units`](super::Table::units) names them they are `L` and `T`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Unit<'t> {
     /// The unit as it was given, of a column that is no quantity of the mechanism.
-    pub(super) own: Option<&'t str>,
+    pub(super) given_unit: Option<&'t str>,
     pub(super) dimension: Dimension,
     pub(super) order: usize,
     pub(super) is_time: bool,
@@ -75,8 +75,8 @@ pub struct Unit<'t> {
 impl Unit<'_> {
     /// Whether it is the unit of a plain number, which is not written.
     fn is_none(&self) -> bool {
-        match self.own {
-            Some(own) => own.is_empty(),
+        match self.given_unit {
+            Some(given_unit) => given_unit.is_empty(),
             None => self.dimension == Dimension::Scalar && self.order == 0 && !self.is_time,
         }
     }
@@ -84,8 +84,8 @@ impl Unit<'_> {
 
 impl fmt::Display for Unit<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(own) = self.own {
-            return formatter.write_str(own);
+        if let Some(given_unit) = self.given_unit {
+            return formatter.write_str(given_unit);
         }
         if self.is_time {
             return formatter.write_str(self.time);
@@ -184,7 +184,7 @@ impl Heading {
 
 /// The labels of all columns of a mechanism: the variable unless it is an input, then inputs, unknowns and outputs, each in all orders.
 pub(super) fn labels<'d>(description: &'d Description<'d>, variable: Variable) -> impl Iterator<Item = Label<'d>> {
-    let own = match variable {
+    let given = match variable {
         Variable::Input(_) => None,
         _ => Some(Label {
             is_variable: true,
@@ -196,5 +196,5 @@ pub(super) fn labels<'d>(description: &'d Description<'d>, variable: Variable) -
         .into_iter()
         .flatten()
         .flat_map(move |quantity| (0..=description.order).map(move |order| Label::new(*quantity, order)));
-    own.into_iter().chain(all)
+    given.into_iter().chain(all)
 }

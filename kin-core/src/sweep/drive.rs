@@ -26,7 +26,7 @@ pub type Instant = Series<READ>;
 /// The number of derivatives of an input that are read, with its value: those of the highest order, and those of its series.
 pub const READ: usize = RATES.len() + TERMS;
 
-/// The largest rounding of a number of turns that is whole.
+/// The largest rounding of a whole number of revolutions.
 const WHOLE: f64 = 1e-9;
 
 /// The inputs of the mechanism `M`, each in all orders, as numbers of the type `V`.
@@ -75,7 +75,7 @@ pub trait Drive {
         None
     }
 
-    /// The change of the variable for each unit of time, not a number if the rates of the inputs do not tell it.
+    /// The change of the variable for each unit of time, not a number if the rates of the inputs do not determine it.
     #[doc(hidden)]
     fn rate(&self) -> f64 {
         1.0
@@ -96,7 +96,7 @@ pub trait SmoothDrive: Drive {
     #[doc(hidden)]
     fn derivatives(&self, at: f64, side: Side, derivatives: &mut [f64]);
 
-    /// The first place beyond `after` where two pieces of a law meet, if there is one.
+    /// The first joint beyond `after` where two pieces of a law meet, if there is one.
     #[doc(hidden)]
     fn next_joint(&self, after: f64) -> Option<f64> {
         let _ = after;
@@ -375,10 +375,10 @@ impl Drive for Laws<'_> {
     }
 }
 
-/// The lowest order that jumps at a joint. A jump of an angle by whole turns is none: a crank starts a new turn at zero.
+/// The lowest order that jumps at a joint. A jump of an angle by whole revolutions is none: a crank starts a new revolution at zero.
 fn first_jump<const N: usize>(joint: &LawJoint<f64, N>, is_angle: bool) -> Option<usize> {
-    let turns = joint.jump().value() / core::f64::consts::TAU;
-    let is_whole = is_angle && (turns - Float::round(turns)).abs() < WHOLE;
+    let revolutions = joint.jump().value() / core::f64::consts::TAU;
+    let is_whole = is_angle && (revolutions - Float::round(revolutions)).abs() < WHOLE;
     joint.first_jump_from(usize::from(is_whole))
 }
 
@@ -440,7 +440,7 @@ impl SmoothDrive for Laws<'_> {
             .filter_map(|(law, (_, is_angle))| {
                 let duration = law.duration();
                 // times are rounded, and the end of a law that repeats is its beginning
-                let turns = |time: f64| {
+                let repetitions = |time: f64| {
                     if law.repeats() {
                         Float::round(time / duration)
                     } else {
@@ -449,16 +449,17 @@ impl SmoothDrive for Laws<'_> {
                 };
                 let is_here = |time: f64| {
                     let distance = joint - time;
-                    (distance - turns(distance) * duration).abs() <= 16.0 * f64::EPSILON * joint.abs().max(duration)
+                    (distance - repetitions(distance) * duration).abs()
+                        <= 16.0 * f64::EPSILON * joint.abs().max(duration)
                 };
-                let mut joints = law.joints::<ORDERS>().filter(|own| is_here(own.time));
-                joints.find_map(|own| first_jump(&own, is_angle))
+                let mut joints = law.joints::<ORDERS>().filter(|joint_of_law| is_here(joint_of_law.time));
+                joints.find_map(|joint_of_law| first_jump(&joint_of_law, is_angle))
             });
         jumps.min()
     }
 }
 
-/// Columns of one's own, one for each order of each input.
+/// Columns that are given, one for each order of each input.
 #[derive(Clone)]
 pub struct Along<'c> {
     columns: Vec<Column<'c>>,
@@ -600,13 +601,13 @@ mod tests {
         let fall = Rise::new(Shape::Cycloidal, 2.0, 0.0, 0.25).unwrap();
         let laws = Sequence::new([&rise, &fall]).unwrap();
         let joints = |drive: &Laws<'_>| {
-            let mut places = std::vec![];
+            let mut joints = std::vec![];
             let mut after = -0.1;
             while let Some(next) = drive.next_joint(after).filter(|joint| *joint < 1.6) {
-                places.push(next);
+                joints.push(next);
                 after = next;
             }
-            places
+            joints
         };
         assert_eq!(
             joints(&Laws::new(

@@ -48,18 +48,18 @@ pub enum SweepError {
         /// The number of rows of the sweep.
         rows: usize,
     },
-    /// The rows towards a place where the mechanism begins or ceases to close are not as dense as they shall be, and there may be no more.
+    /// The rows towards a limit where the mechanism begins or ceases to close are not as dense as they shall be, and there may be no more.
     TooManyRowsAtLimit {
         /// The largest number of rows allowed.
         most: usize,
-        /// The place where the next row was needed.
+        /// The variable where the next row was needed.
         at: f64,
     },
     /// The straight lines between the rows are not within the tolerance, and there may be no more rows.
     TooManyRows {
         /// The largest number of rows allowed.
         most: usize,
-        /// The place where the next row was needed.
+        /// The variable where the next row was needed.
         at: f64,
         /// The column that deviates most there.
         column: Name,

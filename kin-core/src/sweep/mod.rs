@@ -6,16 +6,16 @@
 //! use kin_core::prelude::*;
 //!
 //! let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
-//! // a turn of the crank at 10 rad/s, in 361 rows
-//! let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 361).speed(10.0);
+//! // a revolution of the crank at 10 rad/s, in 361 rows
+//! let sweep = linkage.sweep(Assembly::Open).over(0.0..=TAU, 361).speed(10.0);
 //!
 //! // as poses, one after the other
-//! for pose in turn.rows() {
+//! for pose in sweep.rows() {
 //!     println!("{}", pose?.theta4.acceleration());
 //! }
 //!
 //! // as a table
-//! let table = turn.table()?;
+//! let table = sweep.table()?;
 //! let jerk = table.column("theta4_jerk")?;
 //! assert_eq!(jerk.len(), 361);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -34,7 +34,7 @@
 //! values, and are [tracked](crate::track()) from row to row. They stay in their circuit: where it ends the sweep ends too, and rows
 //! beyond the gap do not close again.
 //!
-//! Angles continue over turns, whatever the number of rows: a crank that has turned twice stands at 4π. The rates predict each angle from
+//! Angles are unwrapped, whatever the number of rows: a crank stands at 4π after two revolutions. The rates predict each angle from
 //! row to row, and steps that are too long for it are halved. Angles of outputs continue in the same way, and what is calculated from an
 //! angle, as the position of a rack, follows it.
 
@@ -141,7 +141,7 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     /// Over a range of the only input, in a number of rows at equal distances; the first and the last stand at the ends of the range. The
     /// range may run downwards, and the input then moves downwards in time.
     ///
-    /// The speed is 1 unless [`speed`](Sweep::speed) tells another one, so that rates are per unit of the way. A mechanism of several
+    /// The speed is 1 unless [`speed`](Sweep::speed) gives another one, so that rates are per unit of the way. A mechanism of several
     /// inputs takes [`between`](Self::between).
     pub fn over(self, range: impl ClosedRange, rows: usize) -> Sweep<M, StraightLine>
     where
@@ -151,7 +151,7 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
         self.between(from, to, rows)
     }
 
-    /// Over the straight line between two places in the space of the inputs. The variable of the sweep is the first input that moves, and
+    /// Over the straight line between two points in the space of the inputs. The variable of the sweep is the first input that moves, and
     /// the others move in proportion.
     ///
     /// ```
@@ -159,7 +159,7 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     /// use kin_core::prelude::*;
     ///
     /// let robot = FiveBar { ground: 2.0, left: 1.5, left_rod: 2.0, right_rod: 2.0, right: 1.5 };
-    /// // the left crank at 3 rad/s, the right one turns the other way
+    /// // the left crank at 3 rad/s, the right one rotates the other way
     /// let move_up = robot.sweep(Assembly::Open).between([1.0, 2.0], [2.0, 1.0], 100).speed(3.0);
     /// let table = move_up.table()?;
     /// assert_eq!(table.column("beta_velocity")?[0], -3.0);
@@ -219,7 +219,7 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     }
 
     /// Over a range of the time, with a [motion law](crate::law) for each input, in brackets. A law whose value jumps inside of the range
-    /// is an error of every question to the sweep, unless an angle jumps by whole turns.
+    /// is an error of every question to the sweep, unless an angle jumps by whole revolutions.
     ///
     /// ```
     /// use kin_core::law::{Rise, Shape};
@@ -249,7 +249,7 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     /// Along columns: one for each order of each input, as a [batch](crate::batch) takes them. The number of rows is the length of the first column
     /// that has one.
     ///
-    /// Limits between two rows are those on the straight line between their inputs, and their places are parts of the way from one row to the next.
+    /// Limits between two rows are those on the straight line between their inputs, and their positions are parts of the way from one row to the next.
     #[expect(clippy::cast_precision_loss, reason = "a table has far fewer rows than 2⁵³")]
     pub fn along(self, columns: InputMotions<M, Column<'_>>) -> Sweep<M, Along<'_>> {
         let along = Along::new::<M>(&columns);

@@ -17,7 +17,7 @@ use crate::quantity::Dimension;
 /// Angles are in radians unless [`in_degrees`](Self::in_degrees) converts them.
 ///
 /// Where the mechanism does not close, the columns of unknowns and outputs are NaN, [`outcome`](Self::outcome) says why, and
-/// [`margin`](Self::margin) by how much. [`limits`](Self::limits) are the exact places between rows where it ceases to close.
+/// [`margin`](Self::margin) by how much. [`limits`](Self::limits) are the exact points between rows where it ceases to close.
 ///
 /// ```
 /// use kin_core::library::FourBar;
@@ -114,7 +114,7 @@ impl Table {
         self.outcomes.get(row).and_then(Outcome::margin)
     }
 
-    /// The places between rows where the mechanism begins or ceases to close, in the order of the rows. A gap that lies between two rows which
+    /// The points between rows where the mechanism begins or ceases to close, in the order of the rows. A gap that lies between two rows which
     /// both close has two.
     #[must_use]
     pub fn limits(&self) -> &[Limit] {
@@ -142,7 +142,7 @@ impl Table {
         })
     }
 
-    /// The table with degrees in the place of radians, in every column of an angle or of its derivatives, and in its limits.
+    /// The table with degrees instead of radians, in every column of an angle or of its derivatives, and in its limits.
     #[must_use]
     pub fn in_degrees(mut self) -> Self {
         if self.in_degrees {
@@ -234,7 +234,7 @@ impl Table {
         ColumnOf {
             label,
             unit: Unit {
-                own: self.labels[index].unit.as_deref(),
+                given_unit: self.labels[index].unit.as_deref(),
                 dimension: label.dimension,
                 order: label.order,
                 is_time: label.is_variable && label.name == "time",

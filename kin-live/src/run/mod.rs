@@ -9,7 +9,7 @@ mod newton;
 
 use kin_compiler::lowered::Selection;
 use kin_core::__private::live::{
-    SolutionInRange, choose_in, decisive_in, decisive_vector_in, factor_in, nearest_turn, substitute_in,
+    SolutionInRange, choose_in, decisive_in, decisive_vector_in, factor_in, substitute_in, unwrap_near,
 };
 use kin_core::__private::solve::{check_angle, check_value, direction, directions, finite, regular};
 use kin_core::any::Name;
@@ -231,7 +231,7 @@ impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
             Call::OnTurn { unknown, index } => {
                 let place = self.chunk * self.choice.unknowns + index;
                 if let Some(guess) = self.choice.near.and_then(|near| near.get(place)) {
-                    let angle = nearest_turn(self.get(*unknown), *guess);
+                    let angle = unwrap_near(self.get(*unknown), *guess);
                     self.set(*unknown, angle);
                 }
             }

@@ -168,7 +168,7 @@ fn turns(mechanism: &Compiled<'_>) -> TokenStream {
         return TokenStream::new();
     }
     let failed = mechanism.failed_at(&mechanism.unknown_order());
-    quote!(let #near = #runtime::solve::within_turns(#near, [#(#angles),*]) #failed;)
+    quote!(let #near = #runtime::solve::check_guesses(#near, [#(#angles),*]) #failed;)
 }
 
 /// The pose, made of the computed values.

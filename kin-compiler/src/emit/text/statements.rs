@@ -95,7 +95,7 @@ impl ProgramText<'_> {
                     quote!(#near)
                 };
                 let name = self.name(Symbol::Unknown(*unknown));
-                quote!(let #name = #runtime::solve::on_turn(#name, #near, #index);)
+                quote!(let #name = #runtime::solve::unwrap_to_guess(#name, #near, #index);)
             }
             Statement::Candidates {
                 body,

@@ -70,7 +70,7 @@ impl<const M: usize> PathEnd<M> {
 
     /// Whether two paths end at the same point, within their errors.
     pub(super) fn meets(&self, other: &Self) -> bool {
-        let [first, second] = [0, 1].map(|place| (self.marks[place] - other.marks[place]).norm());
+        let [first, second] = [0, 1].map(|mark| (self.marks[mark] - other.marks[mark]).norm());
         let size = self.marks.iter().fold(1.0_f64, |most, mark| most.max(mark.norm()));
         first.max(second) <= (self.error + other.error) * size * size
     }

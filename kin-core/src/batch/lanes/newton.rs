@@ -40,7 +40,7 @@ pub(super) fn root<const W: usize, const FUSED: bool, E: Element>(
     let mut rate = [E::zero(); W];
     let mut last: Option<NewtonStep<W, FUSED, E>> = None;
     for _ in 0..ITERATIONS {
-        // Called once only: with two calls it would not be inlined into this function, and so not compiled for
+        // Called at one site only: with two calls it would not be inlined into this function, and so not compiled for
         // the machine's vectors.
         evaluate(point, residuals, factors);
         for row in factors.chunks_exact_mut(sizes.len().max(1)) {

@@ -47,8 +47,8 @@ pub fn decisive_vector_in<T: Scalar>(vector: Plane<T>, terms: &[T]) -> Plane<T> 
     if T::DOUBT == 0.0 {
         return vector;
     }
-    let (size, own) = (sum_of_sizes(terms), sum_of_sizes(&[vector.x, vector.y]));
-    Plane::new(kept(vector.x, own, size), kept(vector.y, own, size))
+    let (size, length) = (sum_of_sizes(terms), sum_of_sizes(&[vector.x, vector.y]));
+    Plane::new(kept(vector.x, length, size), kept(vector.y, length, size))
 }
 
 /// The smallest positive number that decides, if it is a sum of terms of the given size. For one pose this is [the
@@ -70,7 +70,7 @@ pub(in crate::solve) fn least_from<T: Scalar>(smallest: f64, size: impl FnOnce()
 
 /// Whether a number differs clearly from one end of its range, where `size` is the size of the rounded numbers.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(in crate::solve) fn is_told_from<T: Scalar, R: Real>(end: f64, number: R, size: R) -> R::Truth {
+pub(in crate::solve) fn is_distinct_from<T: Scalar, R: Real>(end: f64, number: R, size: R) -> R::Truth {
     if T::DOUBT == 0.0 || end.is_infinite() {
         return R::certainly(true);
     }
@@ -306,7 +306,7 @@ mod tests {
     /// A number close to an end of a range, relative to the size of the range, is left to the solver for one pose;
     /// other numbers are not.
     #[test]
-    fn an_end_of_a_range_is_told_beyond_a_part_of_its_size() {
+    fn an_end_of_a_range_is_distinct_beyond_a_part_of_its_size() {
         let nearer = |part: f64| 1.0 + part * 3.0 * Four::DOUBT;
         let values = Lanes([2.0, nearer(0.9), nearer(1.1), nearer(20.0)]);
         let Lanes(found) = check_value::<Four>("x", values, 1.0, 3.0).unwrap();

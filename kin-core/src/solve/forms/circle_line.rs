@@ -244,10 +244,10 @@ mod tests {
     proptest! {
         #[test]
         fn both_assemblies_close(
-            a in dimension(), turn in angle(), heading in angle(), stretch in dimension(), travel in coordinate(),
+            a in dimension(), inclination in angle(), heading in angle(), stretch in dimension(), travel in coordinate(),
         ) {
             let unit = direction(heading);
-            let link = direction(turn).scale(a);
+            let link = direction(inclination).scale(a);
             let c = link + unit.scale(travel);
             let scale = a + norm(c);
             let condition = scale * scale / (link.dot(unit).abs() * a);
@@ -327,9 +327,9 @@ mod tests {
             f64::MAX,
             5e-324,
         ] {
-            for place in 0..5 {
+            for index in 0..5 {
                 let mut arguments = [4.0, 1.0, 0.0, 1.0, 0.5];
-                arguments[place] = value;
+                arguments[index] = value;
                 let [a2, u, v, x, y] = arguments;
                 let (direction, c) = (Plane::new(u, v), Plane::new(x, y));
                 for result in [

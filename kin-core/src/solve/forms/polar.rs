@@ -1,4 +1,4 @@
-//! A length along an unknown direction: a slide on a link that turns.
+//! A length along an unknown direction: a slide on a link that rotates.
 
 use super::refusal::{length, refusal};
 use super::root::Root;
@@ -43,7 +43,7 @@ pub fn polar<T: Scalar>(c: Plane<T>, assembly: Assembly) -> Result<Root<T>, Fail
 /// The length and direction of [`polar`] with an offset slide, which passes beside the joint: `(s + offset) u = c` as
 /// complex numbers, `|u| = 1`.
 ///
-/// The offset is fixed to the turning link: its x component lies along the slide, its y component across. s + offset.x
+/// The offset is fixed to the rotating link: its x component lies along the slide, its y component across. s + offset.x
 /// = ± √(|c|² - offset.y²), with the plus sign in [`Assembly::Open`].
 ///
 /// It takes 16 operations: 5 additions, 9 multiplications, 1 division, 1 square root; and one change of sign in the
@@ -252,9 +252,9 @@ mod tests {
             f64::MAX,
             5e-324,
         ] {
-            for place in 0..4 {
+            for index in 0..4 {
                 let mut arguments = [1.0, 0.5, 2.0, 3.0];
-                arguments[place] = value;
+                arguments[index] = value;
                 let [p, q, x, y] = arguments;
                 let (offset, c) = (Plane::new(p, q), Plane::new(x, y));
                 for (s, u) in [

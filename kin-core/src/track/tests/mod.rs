@@ -2,8 +2,8 @@
 
 mod ends;
 mod limits;
+mod revolutions;
 mod steps;
-mod turns;
 
 use core::f64::consts::TAU;
 

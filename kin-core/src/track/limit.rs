@@ -26,9 +26,9 @@ pub(super) enum Passage<'s> {
     Onwards(WayPoint<'s>),
     /// The inputs have reached their target, the unknowns nearly.
     Target(&'s [f64]),
-    /// The curve turns back before the target.
+    /// The curve reverses before the target.
     Limit(WayPoint<'s>, Sides<'s>),
-    /// Ever shorter steps lead to this place, where the curve has no single direction.
+    /// Ever shorter steps lead to this point, where the curve has no single direction.
     ChangePoint(WayPoint<'s>, Sides<'s>),
     /// The curve cannot be followed further, for another reason.
     Lost,
@@ -186,28 +186,28 @@ pub(super) fn pass<'s>(
     let (unknowns, sides) = outcome.split_at_mut(way.count());
     let (travel, kind) = loop {
         let mut scope = scratch.scope();
-        let own = LocalCurve::read(way, here);
-        let best = own.fastest();
-        let own = if best == parameter {
-            own
+        let start = LocalCurve::read(way, here);
+        let best = start.fastest();
+        let start = if best == parameter {
+            start
         } else {
-            let Some(again) = LocalCurve::new(way, own.point, best, &mut scope) else {
+            let Some(again) = LocalCurve::new(way, start.point, best, &mut scope) else {
                 return Passage::Lost;
             };
             parameter = best;
             again
         };
-        let mut found = |point: WayPoint<'_>, own: &Sides<'_>, kind: Kind| {
+        let mut found = |point: WayPoint<'_>, from: &Sides<'_>, kind: Kind| {
             unknowns.copy_from_slice(point.unknowns);
-            own.write(sides);
+            from.write(sides);
             (point.travel, kind)
         };
         // The rates may change by a third of the largest.
-        let bend = largest(own.bends.iter().copied().chain([own.travel_bend]));
+        let bend = largest(start.bends.iter().copied().chain([start.travel_bend]));
         let mut size = longest.min(0.15 / bend);
         let next = loop {
             if size < SHORTEST || creeping > MOST_CREEPING {
-                let has_vanished = own.orientation.logarithm < entry - 10.0;
+                let has_vanished = start.orientation.logarithm < entry - 10.0;
                 if has_vanished {
                     break None;
                 }
@@ -217,7 +217,7 @@ pub(super) fn pass<'s>(
                 break None;
             }
             let mut scope = scope.scope();
-            if let Some(next) = attempted(way, &own, parameter, size, &mut scope) {
+            if let Some(next) = attempted(way, &start, parameter, size, &mut scope) {
                 next.write(there);
                 break Some(LocalCurve::read(way, there));
             }
@@ -229,7 +229,7 @@ pub(super) fn pass<'s>(
             } else {
                 Kind::Spent
             };
-            break found(own.point, &own.sides, kind);
+            break found(start.point, &start.sides, kind);
         };
         creeping = if size < CREEPING { creeping + 1 } else { 0 };
         let growth = way.size_at(next.point.unknowns, parameter) / way.sizes[parameter];
@@ -237,33 +237,33 @@ pub(super) fn pass<'s>(
             return Passage::Lost;
         }
         longest = (LONGEST * growth).min(2.0 * size);
-        let step = size.copysign(own.travel_rate);
+        let step = size.copysign(start.travel_rate);
         // Rounding errors separate the branches that cross here, so there seems to be a way around the crossing.
         if size < BLUR && is_crossed(way, next.point, parameter, &mut scope) {
             break found(next.point, &next.sides, Kind::ChangePoint);
         }
-        if next.travel_rate * own.travel_rate <= 0.0 {
-            let Some((turn, reach)) = turned(way, &own, parameter, step, &mut scope) else {
+        if next.travel_rate * start.travel_rate <= 0.0 {
+            let Some((limit, reach)) = limit_within(way, &start, parameter, step, &mut scope) else {
                 return Passage::Lost;
             };
             let rounding = 16.0 * f64::EPSILON * way.length.max(1.0);
-            break if turn.point.travel > way.length + rounding {
-                let unknowns = arrived(way, &own, parameter, reach, &mut scope);
+            break if limit.point.travel > way.length + rounding {
+                let unknowns = arrived(way, &start, parameter, reach, &mut scope);
                 let travel = way.length;
-                found(WayPoint { unknowns, travel }, &own.sides, Kind::Target)
-            } else if is_crossed(way, turn.point, parameter, &mut scope) {
-                // Rounding errors turn a change point into limits, as errors of the dimensions do.
-                found(turn.point, &turn.sides, Kind::ChangePoint)
+                found(WayPoint { unknowns, travel }, &start.sides, Kind::Target)
+            } else if is_crossed(way, limit.point, parameter, &mut scope) {
+                // Rounding errors divide a change point into limits, as errors of the dimensions do.
+                found(limit.point, &limit.sides, Kind::ChangePoint)
             } else {
-                found(turn.point, &turn.sides, Kind::Limit)
+                found(limit.point, &limit.sides, Kind::Limit)
             };
         }
         if next.point.travel >= way.length {
-            let unknowns = arrived(way, &own, parameter, step, &mut scope);
+            let unknowns = arrived(way, &start, parameter, step, &mut scope);
             let travel = way.length;
-            break found(WayPoint { unknowns, travel }, &own.sides, Kind::Target);
+            break found(WayPoint { unknowns, travel }, &start.sides, Kind::Target);
         }
-        still = if way.are_same(own.point.travel, next.point.travel) {
+        still = if way.are_same(start.point.travel, next.point.travel) {
             still + 1
         } else {
             0
@@ -288,7 +288,7 @@ pub(super) fn pass<'s>(
     }
 }
 
-/// The kinds of a [`Passage`] with a place.
+/// The kinds of a [`Passage`] with a position.
 #[derive(Clone, Copy)]
 enum Kind {
     Onwards,
@@ -328,8 +328,8 @@ fn attempted<'s>(
     for (local, part) in [(&middle, 0.5), (&there, 1.0)] {
         let foreseen = |rate: f64, bend: f64| rate + 2.0 * bend * part * step;
         let changes = (0..way.count()).map(|index| local.rates[index] - foreseen(here.rates[index], here.bends[index]));
-        let turn = local.travel_rate - foreseen(here.travel_rate, here.travel_bend);
-        if largest(changes.chain([turn])) > 0.15 || !local.orientation.is_near(here.orientation) {
+        let rotation = local.travel_rate - foreseen(here.travel_rate, here.travel_bend);
+        if largest(changes.chain([rotation])) > 0.15 || !local.orientation.is_near(here.orientation) {
             return None;
         }
         // As long as the inputs advance, every block stays on its side.
@@ -338,13 +338,13 @@ fn attempted<'s>(
             return None;
         }
     }
-    let turns = [here.travel_rate, middle.travel_rate, there.travel_rate].map(|rate| rate > 0.0);
-    // After the curve has turned once, it may not turn again.
-    (turns[1] == turns[0] || turns[1] == turns[2]).then_some(there)
+    let advances = [here.travel_rate, middle.travel_rate, there.travel_rate].map(|rate| rate > 0.0);
+    // After the curve has reversed once, it may not reverse again.
+    (advances[1] == advances[0] || advances[1] == advances[2]).then_some(there)
 }
 
 /// The limit position within a step, and the step to it. It is the zero of the travel's rate.
-fn turned<'s>(
+fn limit_within<'s>(
     way: &Way<'_>,
     here: &LocalCurve<'_>,
     parameter: usize,
@@ -458,7 +458,7 @@ mod tests {
                 for (from, to) in [(end - far, end - near), (end - near, end - far)] {
                     let expected = Mechanism::position(&LINKAGE, [to], assembly).unwrap();
                     for part in [1.0, 1.1, 1.5] {
-                        // The target is not beyond the limit, where the inputs turn back.
+                        // The target is not beyond the limit, where the inputs reverse.
                         let is_towards = to > from;
                         let part = if is_towards { 1.0 } else { part };
                         let found = found(assembly, [from, to], expected, |reach| reach * part * (1.0 + 1e-9));
