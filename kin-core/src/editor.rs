@@ -28,7 +28,7 @@ scalars! {
     Direction,
     /// A plain number.
     Scalar,
-    /// A rotation of space, which turns the vector behind it: `rotation * vector`.
+    /// A rotation of space, which rotates the vector behind it: `rotation * vector`.
     Rotation,
 }
 

@@ -52,7 +52,7 @@
 //! | moving from one position to another in the same assembly | [`track`](track()), [`TrackError`] |
 //! | many poses over an input or over time, tables with named columns | [`sweep`] |
 //! | peaks, extremes, zeros, dwells and means of a sweep | `extremes` (feature `alloc`) |
-//! | tables that take the place of a solver, read in any language | [`exact`] |
+//! | tables that replace a solver, read in any language | [`exact`] |
 //! | all circuits and branches with their limits, Grashof's type | `cycle` (feature `alloc`) |
 //! | the reason why there is no position | [`SolveError`], [`Failure`] |
 //! | code for any mechanism | [`Mechanism`], [`Pose`] |
@@ -237,7 +237,7 @@ pub use track::{TrackError, TrackErrorOf, TrackLimit, TrackStop, track};
 ///   the [`TransmissionAngle`] of every dyad. `with sensitivities;` requests the method `sensitivities`, which returns
 ///   the partial derivatives of unknowns and outputs, and of all their time derivatives, with respect to each
 ///   parameter: see [`Sensitive`].
-/// - `body`, `ground` and `slide` tell the [`Skeleton`] what belongs together, where the equations do not.
+/// - `body`, `ground` and `slide` state for the [`Skeleton`] what belongs together, where the equations do not.
 /// - A `let` is an abbreviation; it must precede its uses. An output is a quantity that is calculated to the same order
 ///   as the unknowns.
 ///
@@ -245,12 +245,12 @@ pub use track::{TrackError, TrackErrorOf, TrackLimit, TrackStop, track};
 /// `cos`, `tan`, `asin`, `acos`, `atan`, `atan2`, `sinh`, `cosh`, `tanh`, `asinh`, `acosh`, `atanh`, `sqrt`, `exp`,
 /// `ln` and `powi`, and with three functions that make plane vectors: `cis(angle)`, the unit vector at an angle,
 /// `polar(length, angle)`, and `vec2(x, y)`. Functions may be written as methods, and the coordinates of a vector `v`
-/// are `v.x` and `v.y`. Plane vectors multiply like complex numbers, so `v * cis(angle)` is `v` turned by the angle. A
+/// are `v.x` and `v.y`. Plane vectors multiply like complex numbers, so `v * cis(angle)` is `v` rotated by the angle. A
 /// scalar that is added to a vector lies along the x axis.
 ///
-/// The function `vec3(x, y, z)` makes space vectors, whose coordinates are `v.x`, `v.y` and `v.z`. Rotations turn them:
+/// The function `vec3(x, y, z)` makes space vectors, whose coordinates are `v.x`, `v.y` and `v.z`. Rotations rotate them:
 /// `rotation * vector`. A rotation is `rot_x(angle)`, `rot_y(angle)`, `rot_z(angle)`, `rot(axis, angle)` about an axis
-/// of any length but zero, or a product of rotations, of which the last one turns first. Plane and space vectors both
+/// of any length but zero, or a product of rotations, of which the last one rotates first. Plane and space vectors both
 /// have `dot(a, b)`, `cross(a, b)` (a scalar in the plane) and `norm(v)`. Plane and space do not mix:
 /// `vec3(v.x, v.y, 0)` places a plane vector in space, and `vec3(s, 0, 0)` a scalar.
 ///
@@ -570,10 +570,10 @@ macro_rules! __choices {
         impl ::core::fmt::Display for $assembly {
             fn fmt(&self, formatter: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
                 let choices = [$((::core::stringify!($field), self.$field)),*];
-                for (place, (block, assembly)) in $crate::__private::core::iter::Iterator::enumerate(
+                for (index, (block, assembly)) in $crate::__private::core::iter::Iterator::enumerate(
                     $crate::__private::core::iter::IntoIterator::into_iter(choices),
                 ) {
-                    let separator = if place == 0 { "" } else { ", " };
+                    let separator = if index == 0 { "" } else { ", " };
                     ::core::write!(formatter, "{separator}{block}: {assembly}")?;
                 }
                 ::core::result::Result::Ok(())

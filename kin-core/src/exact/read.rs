@@ -442,7 +442,7 @@ impl<'b> ExactColumn<'b> {
     }
 
     /// The measured errors of the value and of each derivative by the parameter, in the column's units: twice the largest difference
-    /// from the poses that was seen at a third, the middle and two thirds of all pieces, and four units in the last digit of the largest
+    /// from the poses that was seen at a third, the middle and two thirds of all pieces, and four units in the last place of the largest
     /// magnitude.
     #[must_use]
     pub fn errors(&self) -> impl ExactSizeIterator<Item = f64> + use<'b> {

@@ -22,7 +22,7 @@
 //! use kin_core::prelude::*;
 //! use kin_core::library::SliderCrank;
 //!
-//! // a servo turns the crank by 90 degrees in 0.4 s, and waits for 0.1 s
+//! // a servo rotates the crank by 90 degrees in 0.4 s, and waits for 0.1 s
 //! let rise = Rise::new(Shape::ModifiedSine, 0.0, 90_f64.to_radians(), 0.4)?;
 //! let dwell = Dwell::new(90_f64.to_radians(), 0.1)?;
 //! let servo = Sequence::new([&rise, &dwell])?;

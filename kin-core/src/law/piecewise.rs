@@ -143,7 +143,7 @@ pub trait Law<T: Number>: Piecewise<T> {
     /// use kin_core::Motion;
     /// use kin_core::law::{Law, Rise, Shape};
     ///
-    /// // 30 mm over 120 degrees of a cam that turns at 10 rad/s
+    /// // 30 mm over 120 degrees of a cam that rotates at 10 rad/s
     /// let rise = Rise::new(Shape::Cycloidal, 0.0, 30.0, 120_f64.to_radians())?;
     /// let cam: Motion = Motion::at_constant_speed(1.0, 10.0);
     /// let follower = rise.driven(cam);
@@ -162,9 +162,9 @@ pub trait Law<T: Number>: Piecewise<T> {
         approached(self, drive.value(), side).driven_by(drive)
     }
 
-    /// The places where pieces meet, with the jump of every derivative below order `N`.
+    /// The joints where pieces meet, with the jump of every derivative below order `N`.
     ///
-    /// The start and the end of a law are joints too: with its own end if it repeats, with rest otherwise.
+    /// The start and the end of a law are joints too: with the end of the law if it repeats, with rest otherwise.
     ///
     /// ```
     /// use kin_core::law::{Law, Rise, Shape};
@@ -236,7 +236,7 @@ pub(crate) fn approached<T: Number, L: Piecewise<T> + ?Sized, const N: usize>(
 
 /// A law that starts again whenever it ends, as that of a cam.
 ///
-/// Its value at the end should be that at the start; [`Law::joints`] tells whether it is.
+/// Its value at the end should be that at the start; [`Law::joints`] says whether it is.
 ///
 /// ```
 /// use kin_core::law::{Law, Rise, Sequence, Shape};

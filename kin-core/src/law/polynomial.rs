@@ -131,7 +131,7 @@ pub(super) fn bernstein<T: Number, const K: usize>(mut differences: [T; K], part
     }
 }
 
-/// Turns derivatives by the part of the duration into derivatives by time, and multiplies them.
+/// Converts derivatives by the part of the duration into derivatives by time, and multiplies them.
 pub(super) fn scale<T: Number>(derivatives: &mut [T], factor: T, duration: T) {
     let mut factor = factor;
     for entry in derivatives {

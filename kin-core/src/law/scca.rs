@@ -134,9 +134,9 @@ impl Scca {
             }
             1 => {
                 let gain = acceleration * since;
-                let own = [T::constant(0.5) * gain * since, gain, acceleration];
-                for (entry, own) in derivatives.iter_mut().zip(own) {
-                    *entry = *entry + own;
+                let terms = [T::constant(0.5) * gain * since, gain, acceleration];
+                for (entry, term) in derivatives.iter_mut().zip(terms) {
+                    *entry = *entry + term;
                 }
             }
             // v = a d/π sin(π x / d)
@@ -155,7 +155,7 @@ impl Scca {
 }
 
 fn add_line<T: Number>(speed: T, since: T, derivatives: &mut [T]) {
-    for (entry, own) in derivatives.iter_mut().zip([speed * since, speed]) {
-        *entry = *entry + own;
+    for (entry, term) in derivatives.iter_mut().zip([speed * since, speed]) {
+        *entry = *entry + term;
     }
 }

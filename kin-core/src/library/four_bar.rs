@@ -42,7 +42,7 @@ crate::mechanism! {
     r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
 }
 
-/// The crank angles at which a four-bar linkage closes: |theta2|, reduced to half a turn, from `low` to `high`, in
+/// The crank angles at which a four-bar linkage closes: |theta2|, reduced to half a revolution, from `low` to `high`, in
 /// radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CrankRange {
@@ -53,7 +53,7 @@ pub struct CrankRange {
 }
 
 impl CrankRange {
-    /// Whether the crank makes full turns.
+    /// Whether the crank makes full revolutions.
     #[must_use]
     pub fn is_full_revolution(&self) -> bool {
         self.low == 0.0 && self.high == core::f64::consts::PI

@@ -6,7 +6,7 @@ crate::mechanism! {
     /// Jansen's leg: eleven bars and a crank that move a foot along a flat path and lift it back.
     ///
     /// The letters come from T. Jansen, The Great Pretender, 010 Publishers 2007.
-    /// [`HOLY_NUMBERS`](JansenLeg::HOLY_NUMBERS) contains his "eleven holy numbers" with the place of the pivot and the
+    /// [`HOLY_NUMBERS`](JansenLeg::HOLY_NUMBERS) contains his "eleven holy numbers" with the position of the pivot and the
     /// crank. The crank `m` turns about the origin; all other parts turn about the pivot (-`a`, -`l`). From the crank's
     /// pin, `j` leads to the upper triangle `b`, `d`, `e`, one corner of which is the pivot. Also from the pin, `k`
     /// leads to the knee, which `c` connects to the pivot. `f` from the upper triangle and `g` from the knee meet at
@@ -97,7 +97,7 @@ crate::mechanism! {
 }
 
 impl JansenLeg {
-    /// Jansen's own dimensions.
+    /// Jansen's dimensions.
     pub const HOLY_NUMBERS: Self = Self {
         a: 38.0,
         b: 41.5,

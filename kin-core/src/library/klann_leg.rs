@@ -6,7 +6,7 @@ use crate::assembly::Assembly;
 use crate::geometry::Plane;
 
 crate::mechanism! {
-    /// Klann's leg: a Stephenson six-bar linkage of the third kind, whose foot moves straight for one half turn of the
+    /// Klann's leg: a Stephenson six-bar linkage of the third kind, whose foot moves straight for half a revolution of the
     /// crank and is lifted for the other half.
     ///
     /// The crank turns about the origin and drives a bent connecting arm. The lower rocker holds the bend of the arm,

@@ -155,7 +155,7 @@ crate::mechanism! {
     ///
     /// As long as that point moves along a circle with the radius `r5`, and link 6 ends at its centre, link 6 stands
     /// still (R. L. Norton, Design of Machinery, McGraw-Hill, chapter 3, "Dwell mechanisms"). On a parallelogram every
-    /// coupler point moves on such a circle for the whole turn:
+    /// coupler point moves on such a circle for the whole revolution:
     ///
     /// ```
     /// use kin_core::library::{StephensonIII, StephensonIIIAssembly};

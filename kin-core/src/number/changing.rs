@@ -190,13 +190,16 @@ mod tests {
             |x| x.ln(),
             |x| x.powi(-3) / (x - x * x) - x,
         ];
-        for (place, (changing, series)) in functions.into_iter().enumerate() {
-            let own = changing(Changing::new(0.4, 1.5));
+        for (index, (changing, series)) in functions.into_iter().enumerate() {
+            let found = changing(Changing::new(0.4, 1.5));
             let [value, change] = series(Series::from_coefficients([0.4, 1.5])).coefficients();
-            assert!((own.value - value).abs() <= 4.0 * f64::EPSILON * value.abs(), "{place}");
             assert!(
-                (own.change - change).abs() <= 16.0 * f64::EPSILON * change.abs(),
-                "{place}"
+                (found.value - value).abs() <= 4.0 * f64::EPSILON * value.abs(),
+                "{index}"
+            );
+            assert!(
+                (found.change - change).abs() <= 16.0 * f64::EPSILON * change.abs(),
+                "{index}"
             );
         }
     }

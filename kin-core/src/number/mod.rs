@@ -76,7 +76,7 @@ pub trait Number:
 
     /// The smallest positive real part that may be a divisor. From here up to its reciprocal, numbers and their
     /// reciprocals have full precision.
-    // Twice `MIN_POSITIVE`: LLVM turns a comparison with `MIN_POSITIVE` itself into integer tests, lane by lane.
+    // Twice `MIN_POSITIVE`: LLVM converts a comparison with `MIN_POSITIVE` itself into integer tests, lane by lane.
     const SMALLEST: f64 = 2.0 * f64::MIN_POSITIVE;
 
     /// The number of successive derivatives that the number carries besides its real part: 0 for a plain number, n for
@@ -106,7 +106,7 @@ pub trait Number:
         let mut are_finite = true;
         #[expect(
             clippy::needless_range_loop,
-            reason = "it stands in thousands of places, and iterators take a compiler longer"
+            reason = "it stands at thousands of calls, and iterators take a compiler longer"
         )]
         for index in 0..numbers.len() {
             are_finite &= numbers[index].is_finite();

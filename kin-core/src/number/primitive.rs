@@ -169,9 +169,9 @@ mod tests {
             "though their sum is not"
         );
         for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-            for place in 0..4 {
+            for wrong_at in 0..4 {
                 let mut numbers = [1.0, f64::MAX, -3.0, 0.0];
-                numbers[place] = wrong;
+                numbers[wrong_at] = wrong;
                 assert!(!f64::are_finite(&numbers), "{numbers:?}");
             }
         }

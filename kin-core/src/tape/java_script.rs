@@ -121,12 +121,16 @@ impl Dialect for JavaScript {
         if value.is_nan() {
             return Code::whole("NaN");
         }
-        let own = if size.is_infinite() {
+        let size_in_code = if size.is_infinite() {
             Code::whole("Infinity")
         } else {
             Code::whole(format!("{size:?}").trim_end_matches(".0"))
         };
-        if value.is_sign_negative() { own.negated() } else { own }
+        if value.is_sign_negative() {
+            size_in_code.negated()
+        } else {
+            size_in_code
+        }
     }
 
     fn truth(&self, holds: bool) -> Code {
@@ -314,15 +318,15 @@ impl<'a> JavaScriptModule<'a> {
         let mut arguments = std::vec![String::new(); tape.arguments.len()];
         // A name with a dollar sign is never that of a quantity.
         for entry in signature.parameters.iter().chain(&signature.inputs) {
-            for (order, place) in entry.places.iter().enumerate() {
-                arguments[*place] = match order {
+            for (order, index) in entry.indices.iter().enumerate() {
+                arguments[*index] = match order {
                     0 => entry.name.clone(),
                     _ => format!("{}${order}", entry.name),
                 };
             }
         }
         for entry in signature.near.iter().chain(&signature.assemblies) {
-            arguments[entry.places[0]] = format!("{}$near", entry.name);
+            arguments[entry.indices[0]] = format!("{}$near", entry.name);
         }
         let body = FunctionBody::new(tape, JavaScript, limit, |index| arguments[index].clone());
         Self { signature, body }
@@ -346,7 +350,7 @@ impl<'a> JavaScriptModule<'a> {
             .signature
             .inputs
             .iter()
-            .map(|entry| (entry.name.clone(), entry.places.len()))
+            .map(|entry| (entry.name.clone(), entry.indices.len()))
             .collect();
         for (name, orders) in &inputs {
             let rates = (1..*orders).map(|order| format!("{name}${order}"));
@@ -364,12 +368,12 @@ impl<'a> JavaScriptModule<'a> {
         }
         let choices = names(&self.signature.assemblies);
         for name in &choices {
-            let place = if choices.len() == 1 {
+            let member = if choices.len() == 1 {
                 String::new()
             } else {
                 format!("?.{name}")
             };
-            self.line(1, &format!("const {name}$near = assembly{place};"));
+            self.line(1, &format!("const {name}$near = assembly{member};"));
             tests.push(format!("({name}$near === OPEN || {name}$near === CROSSED)"));
         }
         let count = |name: &str, count: usize| format!("kinCount({name}) === {count}");
@@ -383,8 +387,8 @@ impl<'a> JavaScriptModule<'a> {
         tests.splice(0..0, numbers.iter().map(|name| format!("typeof {name} === \"number\"")));
         self.line(1, "const isRight =");
         let last = tests.len().saturating_sub(1);
-        for (place, test) in tests.iter().enumerate() {
-            self.line(2, &format!("{test}{}", if place == last { ";" } else { " &&" }));
+        for (index, test) in tests.iter().enumerate() {
+            self.line(2, &format!("{test}{}", if index == last { ";" } else { " &&" }));
         }
         self.line(1, "if (!isRight) throw kinMistake(parameters, inputs, assembly);");
     }
@@ -442,7 +446,7 @@ impl<'a> JavaScriptModule<'a> {
         text
     }
 
-    /// The names of the arguments, and what tells mistakes in them.
+    /// The names of the arguments, and the code that reports mistakes in them.
     fn arguments(&self) -> String {
         let signature = &self.signature;
         let choices = match signature.assemblies.as_slice() {
@@ -572,7 +576,7 @@ fn outline(tape: &Tape<'_>) -> String {
         .iter()
         .map(|(name, joint)| format!("{{ name: {}, joint: {joint} }}", quoted(name)));
     let mut text = String::from(
-        "\n/** Which joints belong together, by their places among the joints of a pose. */\nexport const OUTLINE = {\n",
+        "\n/** Which joints belong together, by their indices among the joints of a pose. */\nexport const OUTLINE = {\n",
     );
     text.push_str(&entry(
         "ground",

@@ -2,13 +2,13 @@
 
 use core::fmt;
 
-/// The number of a node. A node is told by its place among the [nodes](crate::tape::Tape::nodes), and stands behind its
+/// The number of a node. A node is named by its index among the [nodes](crate::tape::Tape::nodes), and stands behind its
 /// operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Value(pub u32);
 
 impl Value {
-    /// The place among the nodes.
+    /// The index among the nodes.
     #[must_use]
     pub const fn index(self) -> usize {
         self.0 as usize

@@ -91,12 +91,16 @@ impl Dialect for Python {
         if value.is_nan() {
             return Code::whole("np.nan");
         }
-        let own = if size.is_infinite() {
+        let size_in_code = if size.is_infinite() {
             Code::whole("np.inf")
         } else {
             Code::whole(format!("{size:?}"))
         };
-        if value.is_sign_negative() { own.negated() } else { own }
+        if value.is_sign_negative() {
+            size_in_code.negated()
+        } else {
+            size_in_code
+        }
     }
 
     fn truth(&self, holds: bool) -> Code {
@@ -160,8 +164,8 @@ impl Language for Python {
         let search = &body.tape.searches[index];
         let outer = body.tape.given(index);
         let given = body.list(&outer);
-        // Inside, each is a parameter with a name of its own.
-        let inner: Vec<String> = (0..outer.len()).map(|place| format!("_g{place}")).collect();
+        // Inside, each is a parameter with a separate name.
+        let inner: Vec<String> = (0..outer.len()).map(|index| format!("_g{index}")).collect();
         let before = body.writer.names_of(&outer);
         for (value, name) in outer.iter().zip(&inner) {
             body.writer.name(*value, name.clone());
@@ -276,8 +280,8 @@ pub(super) struct PythonModule<'a> {
 }
 
 /// The name of an argument. A name that ends with an underscore and a digit behind two is never that of a quantity.
-fn argument(place: usize) -> String {
-    format!("_a{place}")
+fn argument(index: usize) -> String {
+    format!("_a{index}")
 }
 
 impl<'a> PythonModule<'a> {
@@ -295,21 +299,21 @@ impl<'a> PythonModule<'a> {
     fn opening(&mut self) {
         let mut read = Vec::new();
         for entry in &self.signature.parameters {
-            read.push((entry.places[0], format!("parameters[\"{}\"]", entry.name)));
+            read.push((entry.indices[0], format!("parameters[\"{}\"]", entry.name)));
         }
         for entry in &self.signature.inputs {
-            for (order, place) in entry.places.iter().enumerate() {
-                read.push((*place, format!("_rate(inputs[\"{}\"], {order})", entry.name)));
+            for (order, index) in entry.indices.iter().enumerate() {
+                read.push((*index, format!("_rate(inputs[\"{}\"], {order})", entry.name)));
             }
         }
         for entry in &self.signature.near {
-            read.push((entry.places[0], format!("assembly[\"{}\"]", entry.name)));
+            read.push((entry.indices[0], format!("assembly[\"{}\"]", entry.name)));
         }
         match self.signature.assemblies.as_slice() {
-            [only] => read.push((only.places[0], "assembly".to_string())),
+            [only] => read.push((only.indices[0], "assembly".to_string())),
             several => {
                 for entry in several {
-                    read.push((entry.places[0], format!("assembly[\"{}\"]", entry.name)));
+                    read.push((entry.indices[0], format!("assembly[\"{}\"]", entry.name)));
                 }
             }
         }
@@ -329,12 +333,15 @@ impl<'a> PythonModule<'a> {
         match choices {
             [_] => self.body.line(1, "_chosen(\"assembly\", assembly)"),
             several => {
-                for entries in [near.as_slice(), several].into_iter().filter(|own| !own.is_empty()) {
+                for entries in [near.as_slice(), several]
+                    .into_iter()
+                    .filter(|entries| !entries.is_empty())
+                {
                     self.body.line(1, &named("assembly", entries));
                 }
                 for entry in several {
-                    let place = format!("assembly[{}]", quoted(&entry.name));
-                    self.body.line(1, &format!("_chosen({}, {place})", quoted(&place)));
+                    let member = format!("assembly[{}]", quoted(&entry.name));
+                    self.body.line(1, &format!("_chosen({}, {member})", quoted(&member)));
                 }
             }
         }
@@ -344,9 +351,9 @@ impl<'a> PythonModule<'a> {
         }
         self.line(1, ")");
         self.line(1, "_shape = _given[0].shape");
-        self.line(1, "_given = [np.ravel(own).astype(np.float64) for own in _given]");
+        self.line(1, "_given = [np.ravel(entry).astype(np.float64) for entry in _given]");
         self.line(1, "_poses = len(_given[0])");
-        let names: Vec<String> = read.iter().map(|(place, _)| argument(*place)).collect();
+        let names: Vec<String> = read.iter().map(|(index, _)| argument(*index)).collect();
         self.line(1, &format!("{}, = _given", names.join(", ")));
         self.line(1, "_check = np.full(_poses, -1)");
         self.line(1, "_margin = np.full(_poses, np.nan)");

@@ -53,21 +53,21 @@ impl Tape<'_> {
 
     /// The nodes outside of a search, and no constants, that its equations need, in ascending order.
     pub(super) fn given(&self, search: usize) -> Vec<Value> {
-        let own = &self.searches[search];
+        let sought = &self.searches[search];
         let mut given = BTreeSet::new();
         let mut need = |value: Value| {
             let is_plain = matches!(
                 self.nodes[value.index()],
                 TapeNode::Constant(_) | TapeNode::Certain(_) | TapeNode::Unknown { .. }
             );
-            if !is_plain && !own.body.contains(&value) {
+            if !is_plain && !sought.body.contains(&value) {
                 given.insert(value);
             }
         };
-        for value in &own.body {
+        for value in &sought.body {
             self.nodes[value.index()].operands(&mut need);
         }
-        let equations = own.residuals.iter().chain(own.jacobian.iter().flatten());
+        let equations = sought.residuals.iter().chain(sought.jacobian.iter().flatten());
         equations.copied().for_each(&mut need);
         given.into_iter().collect()
     }
@@ -205,7 +205,7 @@ pub struct TapeCheck {
     /// The steps for the margin, if the check fails. No other step uses their nodes.
     pub cold: Vec<Value>,
     /// The distance from failing. It is negative if something is out of reach by that much, about zero in a singular position, and
-    /// not finite if a number is not. For a search or a system it is `None`: the run time tells the largest residual of the search
+    /// not finite if a number is not. For a search or a system it is `None`: the run time gives the largest residual of the search
     /// where it stopped, or the determinant of the system.
     pub margin: Option<Value>,
 }

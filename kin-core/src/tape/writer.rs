@@ -39,7 +39,7 @@ pub(super) struct Writer<'a, D> {
     uses: Vec<usize>,
 }
 
-/// The longest expression that takes the place of a name, in letters.
+/// The longest expression that replaces a name, in letters.
 const LONGEST: usize = 60;
 
 impl<'a, D: Dialect> Writer<'a, D> {
@@ -108,12 +108,12 @@ impl<'a, D: Dialect> Writer<'a, D> {
         let mut named = Vec::new();
         for value in group {
             let node = self.tape.nodes[value.index()];
-            let mut own = 4;
-            node.operands(|operand| own += length[operand.index()].max(5));
-            let place = value.index();
+            let mut own_length = 4;
+            node.operands(|operand| own_length += length[operand.index()].max(5));
+            let index = value.index();
             let is_pair = matches!(node, TapeNode::Call(Function::Sine | Function::Cosine, _));
-            if self.uses[place] == 1 && within[place] == 1 && own <= limit && !is_pair {
-                length[place] = own;
+            if self.uses[index] == 1 && within[index] == 1 && own_length <= limit && !is_pair {
+                length[index] = own_length;
             } else {
                 named.push(*value);
             }

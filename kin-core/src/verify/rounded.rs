@@ -36,7 +36,7 @@ impl Rounded {
         }
     }
 
-    /// The result of a function with a given slope. Its own error is at most one unit in the last place.
+    /// The result of a function with a given slope. The error of the function is at most one unit in the last place.
     fn function(self, value: f64, slope: f64) -> Self {
         Self {
             value,

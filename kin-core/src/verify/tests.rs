@@ -250,7 +250,7 @@ fn a_wrong_output_is_found() {
         let finding = report.worst.finding.expect("there are poses");
         assert_eq!((finding.quantity.as_str(), finding.order), ("product", WRONG));
         assert!(
-            finding.place.contains("x = [") && finding.place.contains("a = "),
+            finding.location.contains("x = [") && finding.location.contains("a = "),
             "{finding}"
         );
     }

@@ -38,7 +38,7 @@ use num_traits::Float;
 
 use crate::assembly::Assembly;
 use crate::failure::Failure;
-use crate::number::elementary::{is_near, near_sine_cosine, ordinary_arc_tangent, turned_round};
+use crate::number::elementary::{is_near, near_sine_cosine, ordinary_arc_tangent, sign_flipped};
 use crate::number::{Number, real_parts};
 use crate::solve::{Check, Choose, Measure, NewtonMemory, RowMeasure, Scalar};
 
@@ -384,7 +384,7 @@ impl<const W: usize, const FUSED: bool, E: Element> Scalar for Lanes<W, FUSED, E
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn times_sign_of(self, other: Self) -> Self {
-        self.with(other, |a, b| turned_round(a, b.bits()))
+        self.with(other, |a, b| sign_flipped(a, b.bits()))
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]

@@ -49,8 +49,8 @@ def at(parameter: float, speed: float = 1.0) -> list[list[float]]:
     start, length = _TABLE[left][0], _TABLE[right][0] - _TABLE[left][0]
     result = []
     for column, change in enumerate(_CHANGES):
-        own = slice(1 + column * ORDERS, 1 + (column + 1) * ORDERS)
-        found = _piece(_TABLE[left][own], _TABLE[right][own], length, (parameter - start) / length)
+        numbers = slice(1 + column * ORDERS, 1 + (column + 1) * ORDERS)
+        found = _piece(_TABLE[left][numbers], _TABLE[right][numbers], length, (parameter - start) / length)
         found[0] += periods * change
         factor = 1.0
         for order in range(ORDERS):
