@@ -80,7 +80,7 @@ pub fn formula<Operands, Value>(_: Operands) -> Value {
 }
 
 /// `frame(origin, rotation)` in space, `frame(origin, angle)` in the plane: where a rigid body is. `frame * point` is the
-/// place of a point of the body.
+/// position of a point of the body.
 pub fn frame<Arguments>(_: Arguments) -> Quantity {
     unreachable!()
 }

@@ -13,7 +13,7 @@ use crate::number::{Number, Row};
 
 /// The distance within which positions are the same, in radians or relative to their lengths. Regular positions lie
 /// further apart.
-const SAME: f64 = 1e-7;
+const SAME_POSITION: f64 = 1e-7;
 
 /// The number of choices on one path. A mechanism with more blocks has too many assemblies to try all.
 const DEPTH: usize = 64;
@@ -262,6 +262,6 @@ pub fn is_same_position(a: &[f64], b: &[f64]) -> bool {
     a.iter().zip(b).all(|(a, b)| {
         let difference = a - b;
         let wrapped = difference - TAU * Float::round(difference / TAU);
-        Float::min(difference.abs(), wrapped.abs()) <= SAME * (1.0 + a.abs())
+        Float::min(difference.abs(), wrapped.abs()) <= SAME_POSITION * (1.0 + a.abs())
     })
 }

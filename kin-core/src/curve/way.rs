@@ -11,7 +11,7 @@ use crate::number::{Number, at_constant_rate, series::Series};
 use crate::quantity::{Dimension, Name, NameKind};
 
 /// The shortest step along the curve, as a part of the way or of the unit.
-pub(crate) const SHORTEST: f64 = 1e-13;
+pub(crate) const SHORTEST_STEP: f64 = 1e-13;
 
 /// A point on the curve of solutions over the line of inputs.
 #[derive(Clone, Copy)]
@@ -133,7 +133,7 @@ impl<'w> Way<'w> {
 
     /// The shortest step of the inputs.
     pub(crate) fn shortest(&self) -> f64 {
-        SHORTEST * self.length.max(1.0)
+        SHORTEST_STEP * self.length.max(1.0)
     }
 
     /// Whether two travels round to the same inputs.

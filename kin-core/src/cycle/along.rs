@@ -73,7 +73,7 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
     /// let cycle = linkage.cycle()?;
     /// let measures = cycle.along(0);
-    /// println!("the rocker swings by {} rad", turn.of("theta4").stroke()?.length());
+    /// println!("the rocker swings by {} rad", measures.of("theta4").stroke()?.length());
     /// // for each radian per second of the crank
     /// println!("and has at most {} rad/s", measures.of("theta4_velocity").peak()?.value);
     /// println!("at {} rad the transmission is worst", measures.worst_transmission()?.input);

@@ -25,9 +25,9 @@ use crate::quantity::{Dimension, Quantity};
 use crate::track::TrackError;
 
 /// The number of intervals of the first division.
-const FIRST: u32 = 8;
+const FIRST_INTERVALS: u32 = 8;
 /// The shortest interval, as a part of the range: a few units in the last place of its ends.
-const SHORTEST: f64 = 1.0 / 1_125_899_906_842_624.0;
+const SHORTEST_INTERVAL: f64 = 1.0 / 1_125_899_906_842_624.0;
 /// The distance of points that may be the same, as a part of the range.
 pub(super) const RESOLUTION: f64 = 1.0 / 16_777_216.0;
 /// The largest number of intervals of an assembly, besides those with which its search begins.
@@ -37,7 +37,7 @@ const BENDING: usize = 512;
 /// The largest number of intervals with which the search of an assembly begins.
 const MOST_SHARED: usize = 256;
 /// The largest distance from a change point at which values lead to it, as a part of the range.
-const FAR: f64 = 2e-2;
+const FARTHEST_SAMPLE: f64 = 2e-2;
 /// The part of that distance at which the nearest of these values lie.
 const NEAREST: f64 = 0.15;
 /// The largest difference of two locations of a change point that agree, as a part of the range.
@@ -123,7 +123,7 @@ impl Known {
 
 /// All pieces of branches of a mechanism whose blocks all have closed forms.
 pub(super) fn search(mechanism: &SoughtMechanism<'_>, functions: &dyn ClosedForms, line: &InputLine) -> FoundPieces {
-    let border = |part: u32| line.low + (line.high - line.low) * (f64::from(part) / f64::from(FIRST));
+    let border = |part: u32| line.low + (line.high - line.low) * (f64::from(part) / f64::from(FIRST_INTERVALS));
     let mut search = ClosedSearch {
         mechanism,
         functions,
@@ -131,7 +131,7 @@ pub(super) fn search(mechanism: &SoughtMechanism<'_>, functions: &dyn ClosedForm
         curved: mechanism.parameters.iter().copied().map(Curved::rounded).collect(),
         line,
         size: mechanism.reach(),
-        division: (0..=FIRST).map(border).collect(),
+        division: (0..=FIRST_INTERVALS).map(border).collect(),
         found: FoundPieces {
             nodes: Vec::new(),
             pieces: Vec::new(),
@@ -284,7 +284,7 @@ impl ClosedSearch<'_> {
     }
 
     fn intervals(&mut self, assembly: usize) -> Vec<Interval> {
-        let shortest = SHORTEST * (self.line.high - self.line.low);
+        let shortest = SHORTEST_INTERVAL * (self.line.high - self.line.low);
         let given = self.division.windows(2).rev();
         let mut waiting: Vec<(f64, f64)> = given.map(|ends| (ends[0], ends[1])).collect();
         let mut done: Vec<Interval> = Vec::with_capacity(32);
@@ -639,7 +639,7 @@ impl ClosedSearch<'_> {
             return Some([known; 2].map(|node| self.at_node(node)));
         }
         // As far as it certainly closes on both sides, but not farther than the curvature allows.
-        let far = FAR * range;
+        let far = FARTHEST_SAMPLE * range;
         let may_close = |interval: &&Interval| interval.known.may_close();
         let before = intervals[..first].iter().rev().take_while(may_close).last();
         let after = intervals[last + 1..].iter().take_while(may_close).last();

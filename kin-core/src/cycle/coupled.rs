@@ -22,7 +22,7 @@ const SEEDS: u32 = 8;
 /// The largest number of searches, each with more seeds than the last.
 const ROUNDS: usize = 3;
 /// The largest distance of positions that are the same.
-const SAME: f64 = 1e-6;
+const SAME_POSITION: f64 = 1e-6;
 /// The distance from a limit at which its other side begins, as a part of the range.
 const BESIDE: f64 = 1e-7;
 /// The largest distance of inputs that are the same node, as a part of the range.
@@ -220,7 +220,7 @@ impl Seed {
     /// Notes that a branch passes a position.
     fn visit(&mut self, mechanism: &SoughtMechanism<'_>, size: f64, unknowns: &[f64]) {
         let mut known = self.positions.iter();
-        if let Some(known) = known.position(|known| mechanism.distance(size, known, unknowns) < SAME) {
+        if let Some(known) = known.position(|known| mechanism.distance(size, known, unknowns) < SAME_POSITION) {
             self.visited[known] = true;
         } else {
             self.positions.push(NumberRow::from(unknowns));
@@ -315,7 +315,7 @@ impl<'a> Search<'a> {
                     && seed
                         .positions
                         .iter()
-                        .all(|known| self.distance(known, &unknowns) >= SAME)
+                        .all(|known| self.distance(known, &unknowns) >= SAME_POSITION)
                 {
                     seed.positions.push(unknowns);
                     seed.visited.push(false);
@@ -460,7 +460,7 @@ impl<'a> Search<'a> {
                 tip == Tip::Node(node)
                     && sample.is_some_and(|(to, known)| {
                         let reached = self.track(s, &unknowns, *to);
-                        reached.is_ok_and(|reached| self.distance(&reached, known) < SAME)
+                        reached.is_ok_and(|reached| self.distance(&reached, known) < SAME_POSITION)
                     })
             });
             if is_known || self.found.pieces.len() >= MOST_PIECES {
@@ -569,7 +569,7 @@ impl<'a> Search<'a> {
         let known = self.found.nodes.iter().position(|node| {
             node.kind == kind
                 && (node.s - s).abs() <= SAME_NODE * range
-                && self.distance(&node.unknowns, unknowns) < SAME
+                && self.distance(&node.unknowns, unknowns) < SAME_POSITION
         });
         known.unwrap_or_else(|| {
             self.found.nodes.push(BranchNode {

@@ -15,7 +15,7 @@ use crate::quantity::{Dimension, Name};
 /// [`MEETING`] or more apart leaves the closure by the square of their distance over eight, which is a hundred times as much.
 const FREE: f64 = MEETING * MEETING / 1024.0;
 /// The number of parts of a straight line at whose ends the closure is tested.
-const PARTS: u32 = 8;
+const TESTED_PARTS: u32 = 8;
 
 /// The largest number of angles half a revolution apart for which both ways are tried.
 const MOST_HALVES: usize = 6;
@@ -80,7 +80,7 @@ pub(super) fn jump(search: &ClosedSearch<'_>, assembly: usize, samples: &[f64; C
     let s = interpolated(&zero, samples, 0.0);
     let at = |curve: &[NumberRow; CROSSING]| {
         NumberRow::from_fn(start.len(), |unknown| {
-            interpolated(samples, &core::array::from_fn(|place| curve[place][unknown]), s)
+            interpolated(samples, &core::array::from_fn(|sample| curve[sample][unknown]), s)
         })
     };
     let unknowns = [at(&onward), at(&back)];
@@ -132,8 +132,8 @@ pub(super) fn is_connected(search: &ClosedSearch<'_>, s: f64, [from, to]: [&[f64
                 way[*unknown] -= core::f64::consts::TAU.copysign(way[*unknown]);
             }
         }
-        (0..=PARTS).all(|step| {
-            let part = f64::from(step) / f64::from(PARTS);
+        (0..=TESTED_PARTS).all(|step| {
+            let part = f64::from(step) / f64::from(TESTED_PARTS);
             let unknowns = NumberRow::from_fn(to.len(), |unknown| from[unknown] + part * way[unknown]);
             is_position(search, s, &unknowns)
         })

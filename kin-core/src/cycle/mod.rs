@@ -133,7 +133,7 @@ pub trait FullCycle: Mechanism<Scalar = f64> {
     /// use kin_core::cycle::FullCycle;
     /// use kin_core::library::FiveBar;
     ///
-    /// // the left crank turns, the right one stands still
+    /// // the left crank rotates, the right one stands still
     /// let robot = FiveBar { ground: 2.0, left: 0.5, left_rod: 2.0, right_rod: 2.0, right: 1.5 };
     /// let cycle = robot.cycle_along([0.0, 1.0], [1.0, 0.0])?;
     /// assert!(cycle.is_complete() && cycle.branches().iter().all(|branch| branch.is_full_revolution()));

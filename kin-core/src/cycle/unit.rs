@@ -24,7 +24,7 @@ const POWERS: core::ops::RangeInclusive<i32> = -4..=4;
 const AGREEMENT: f64 = 1e-12;
 /// The factor by which a mechanism is enlarged and reduced to see whether the declared ranges of its lengths have an
 /// end besides zero.
-const FAR: f64 = 1_099_511_627_776.0;
+const RANGE_TEST: f64 = 1_099_511_627_776.0;
 /// The number of inputs at which it is tested.
 const TESTED: u32 = 16;
 
@@ -85,11 +85,11 @@ impl LengthUnit {
 /// The power of two by which a number becomes at least a half and less than one; less than that at the ends of the
 /// range of numbers.
 fn reciprocal_power(value: f64) -> f64 {
-    const MOST: i32 = 1000;
+    const MOST_EXPONENT: i32 = 1000;
     let (_, exponent, _) = value.integer_decode();
     // The mantissa has 53 digits.
     let power = -(i32::from(exponent) + 53);
-    Float::powi(2.0, power.clamp(-MOST, MOST))
+    Float::powi(2.0, power.clamp(-MOST_EXPONENT, MOST_EXPONENT))
 }
 
 /// Whether each row of the closure is multiplied by a power of a factor by which all lengths are multiplied, and no
@@ -126,7 +126,7 @@ fn ranges_have_no_end(mechanism: &SoughtMechanism<'_>) -> bool {
     if !lengths.any(|unknown| unknown.has_range) {
         return true;
     }
-    let units = [LengthUnit(FAR), LengthUnit(1.0 / FAR)];
+    let units = [LengthUnit(RANGE_TEST), LengthUnit(1.0 / RANGE_TEST)];
     let mechanisms = units.map(|unit| unit.mechanism(mechanism));
     let mut closes = false;
     let values = (0..TESTED).map(|value| f64::from(value) * core::f64::consts::TAU / f64::from(TESTED) + 0.1);

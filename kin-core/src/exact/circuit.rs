@@ -29,11 +29,11 @@ use crate::sweep::{Local, StraightLine, Sweep, Variable, Walk, composed};
 /// The number of terms of the series along the curve.
 const TERMS: usize = 5;
 /// The longest step along the curve.
-const LONGEST: f64 = 0.4;
+const LONGEST_STEP: f64 = 0.4;
 /// The shortest first piece. A shorter one would only bring rounding into the derivatives, and is made where the tolerance needs it.
 const THINNEST: f64 = 0.1;
 /// The shortest step. Where even this is too long, the curve has no single direction.
-const SHORTEST: f64 = 1e-7;
+const SHORTEST_STEP: f64 = 1e-7;
 /// The largest number of steps around a circuit.
 const MOST_STEPS: usize = 100_000;
 /// The cosine of the angle by which the direction of the curve may change in a step.
@@ -328,7 +328,7 @@ impl CircuitCurve<'_> {
         let input = self.input(&here.coordinates);
         let mut way = longest;
         loop {
-            if way < SHORTEST {
+            if way < SHORTEST_STEP {
                 return Err(ExactTableError::ChangePoint { input });
             }
             let change = value(&here.by_arc(), way);
@@ -414,7 +414,7 @@ impl CircuitCurve<'_> {
         let (_, before) = self.periods_between(&start.near, &here.near.coordinates);
         let (whole, behind) = self.periods_between(&start.near, &there.near.coordinates);
         let passes = dot(&before, &tangent) < 0.0 && dot(&behind, &tangent) >= 0.0;
-        let is_near = length(&before).max(length(&behind)) <= 2.0 * LONGEST;
+        let is_near = length(&before).max(length(&behind)) <= 2.0 * LONGEST_STEP;
         let goes_on = dot(&there.near.tangent(), &tangent) > 0.0;
         if !(passes && is_near && goes_on) {
             return None;
@@ -462,7 +462,7 @@ impl CircuitCurve<'_> {
         let start = self.station(0.0, start.ok_or(ExactTableError::ChangePoint { input })?);
         let mut stations = vec![start.clone()];
         let mut here = start.clone();
-        let mut longest = LONGEST;
+        let mut longest = LONGEST_STEP;
         for _ in 0..MOST_STEPS {
             let there = self.next(&here, longest)?;
             let there = self.on_grid(&here, there);
@@ -475,7 +475,7 @@ impl CircuitCurve<'_> {
                 return Ok(pairs.map(|pair| [pair[0].clone(), pair[1].clone()]).collect());
             }
             self.confirm(&there)?;
-            longest = LONGEST.min(2.0 * (there.at - here.at));
+            longest = LONGEST_STEP.min(2.0 * (there.at - here.at));
             if stations.last().is_none_or(|last| there.at - last.at >= THINNEST) {
                 stations.push(there.clone());
             }

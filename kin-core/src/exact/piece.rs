@@ -1,7 +1,7 @@
 //! One piece between two rows.
 
 /// The largest number of numbers of a column in a row: the value and four derivatives.
-pub(super) const MOST: usize = 5;
+pub(super) const MOST_NUMBERS: usize = 5;
 
 /// The value and the derivatives of a column between two rows that are `length` apart, at the part `part` of the way.
 ///
@@ -12,9 +12,9 @@ pub(super) const MOST: usize = 5;
 ///
 /// The programs in other languages do the same operations in the same order.
 pub(super) fn piece(left: &[f64], right: &[f64], length: f64, part: f64, result: &mut [f64]) {
-    let count = left.len().min(right.len()).min(result.len()).min(MOST);
-    let mut powers = [0.0; 2 * MOST];
-    let mut rest = [0.0; MOST];
+    let count = left.len().min(right.len()).min(result.len()).min(MOST_NUMBERS);
+    let mut powers = [0.0; 2 * MOST_NUMBERS];
+    let mut rest = [0.0; MOST_NUMBERS];
     let mut factor = 1.0;
     for order in 0..count {
         powers[order] = left[order] * factor;
@@ -22,7 +22,7 @@ pub(super) fn piece(left: &[f64], right: &[f64], length: f64, part: f64, result:
         factor *= length / number(order + 1);
     }
     // the left row's polynomial about the right row; the difference of the values comes first, for it is exact
-    let mut moved = [0.0; MOST];
+    let mut moved = [0.0; MOST_NUMBERS];
     moved[..count].copy_from_slice(&powers[..count]);
     moved[0] -= rest[0];
     rest[0] = 0.0;
@@ -82,13 +82,13 @@ mod tests {
     fn a_piece_of_a_polynomial_is_the_polynomial() {
         let coefficients = [0.3, -1.0, 2.0, 0.5, -0.7, 1.1, 0.2, -0.4, 0.9, -0.6, 0.8];
         let (start, length) = (-0.5, 1.75);
-        for count in 1..=MOST {
+        for count in 1..=MOST_NUMBERS {
             for degree in [2 * count - 1, 2 * count] {
                 let coefficients = &coefficients[..=degree];
                 let ends = [start, start + length].map(|at| polynomial(coefficients, at, count));
                 let mut worst: f64 = 0.0;
                 for part in [0.0, 0.1, 0.5, 0.83, 1.0] {
-                    let mut found = [0.0; MOST];
+                    let mut found = [0.0; MOST_NUMBERS];
                     piece(&ends[0], &ends[1], length, part, &mut found[..count]);
                     let expected = polynomial(coefficients, start + part * length, count);
                     for (order, expected) in expected.into_iter().enumerate() {
@@ -114,7 +114,7 @@ mod tests {
             [6.0 + sine, cosine, -sine, -cosine, sine]
         });
         for (part, row) in [(0.0, rows[0]), (1.0, rows[1])] {
-            let mut found = [0.0; MOST];
+            let mut found = [0.0; MOST_NUMBERS];
             piece(&rows[0], &rows[1], length, part, &mut found);
             for (order, (found, expected)) in found.into_iter().zip(row).enumerate() {
                 // Values below 7 are rounded by 4 ε. A derivative divides that by a power of the length, and the fourth one of the correction

@@ -1,7 +1,7 @@
 //! What an exact table shall hold, and how well.
 
 use super::ExactTableError;
-use super::piece::MOST;
+use super::piece::MOST_NUMBERS;
 use crate::mechanism::Description;
 
 /// The largest number of rows unless another one is given.
@@ -18,7 +18,7 @@ const MOST_ROWS: usize = 100_000;
 /// tolerances that grow by a hundred from order to order take the fewest rows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Precision {
-    tolerances: [f64; MOST],
+    tolerances: [f64; MOST_NUMBERS],
     order: usize,
     most_rows: usize,
 }
@@ -60,7 +60,7 @@ impl Precision {
 
 impl From<f64> for Precision {
     fn from(tolerance: f64) -> Self {
-        [tolerance; MOST].into()
+        [tolerance; MOST_NUMBERS].into()
     }
 }
 
@@ -68,7 +68,7 @@ impl<const N: usize> From<[f64; N]> for Precision {
     fn from(given: [f64; N]) -> Self {
         const {
             assert!(
-                N > 1 && N <= MOST,
+                N > 1 && N <= MOST_NUMBERS,
                 "a table has from two to five orders: the value and up to four derivatives"
             );
         };

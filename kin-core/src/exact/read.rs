@@ -5,7 +5,7 @@ use core::ops::RangeInclusive;
 use num_traits::Float;
 
 use super::error::{LookupError, ReadError};
-use super::piece::{MOST, piece};
+use super::piece::{MOST_NUMBERS, piece};
 use crate::motion::Motion;
 use crate::quantity::Dimension;
 
@@ -118,7 +118,7 @@ impl<'b> ExactTableRef<'b> {
             });
         }
         let [order, columns, rows, flags, length] = [word(12)?, word(16)?, word(20)?, word(24)?, word(28)?];
-        if version == 0 || flags > 1 || !(1..MOST).contains(&(order as usize)) || columns == 0 || rows < 2 {
+        if version == 0 || flags > 1 || !(1..MOST_NUMBERS).contains(&(order as usize)) || columns == 0 || rows < 2 {
             return contradiction("its head is not one that kin writes");
         }
         let [order_count, column_count, row_count] = [order + 1, columns, rows].map(u64::from);
@@ -377,7 +377,7 @@ impl<'b> ExactTableRef<'b> {
     }
 
     fn read(&self, spot: &Spot, column: usize, result: &mut [f64]) {
-        let mut ends = [[0.0; MOST]; 2];
+        let mut ends = [[0.0; MOST_NUMBERS]; 2];
         let count = self.count();
         for (row, end) in ends.iter_mut().enumerate() {
             let first = self.row(spot.left + row) + 1 + column * count;
@@ -385,7 +385,7 @@ impl<'b> ExactTableRef<'b> {
                 *number = self.number(first + order);
             }
         }
-        let mut derivatives = [0.0; MOST];
+        let mut derivatives = [0.0; MOST_NUMBERS];
         let [left, right] = &ends;
         piece(
             &left[..count],

@@ -9,7 +9,7 @@ use num_traits::Float;
 
 use super::ExactTableError;
 use super::owned::{ExactColumnParts, ExactParts, ExactTable};
-use super::piece::{MOST, piece};
+use super::piece::{MOST_NUMBERS, piece};
 use super::precision::Precision;
 use crate::law::Side;
 use crate::quantity::{Dimension, Quantity};
@@ -159,7 +159,7 @@ fn look<S: Source>(
         let ends = left.numbers.chunks(count).zip(right.numbers.chunks(count));
         let measured = differences.chunks_mut(count).zip(station.numbers.chunks(count));
         for ((left, right), (differences, expected)) in ends.zip(measured) {
-            let mut found = [0.0; MOST];
+            let mut found = [0.0; MOST_NUMBERS];
             piece(left, right, length, part, &mut found[..count]);
             for ((difference, found), expected) in differences.iter_mut().zip(found).zip(expected) {
                 *difference = difference.max((found - expected).abs());

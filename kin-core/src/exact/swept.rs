@@ -22,7 +22,7 @@ use crate::sweep::{READ, SmoothDrive, Sweep, UntypedSweep, Variable, Walk, joint
 const MOST_REVOLUTIONS: u32 = 12;
 
 /// The distance of two parameters that differ by rounding errors alone, as a part of the range's largest number.
-const CLOSE: f64 = 16.0 * f64::EPSILON;
+const SAME_PARAMETER: f64 = 16.0 * f64::EPSILON;
 
 /// A sweep as a motion over its variable.
 struct Swept<'c> {
@@ -155,7 +155,7 @@ impl<'c> Swept<'c> {
             [Side::Left, Side::Right]
         };
         let (low, high) = (from.min(to), from.max(to));
-        let close = CLOSE * low.abs().max(high.abs());
+        let close = SAME_PARAMETER * low.abs().max(high.abs());
         let is_end = |at: f64| (at - low).abs() <= close || (high - at).abs() <= close;
         let (beside_ends, joints): (Vec<f64>, Vec<f64>) = joints(self.drive, [low, high])
             .into_iter()

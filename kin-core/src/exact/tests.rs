@@ -37,7 +37,7 @@ fn difference(dimension: Dimension, one: f64, other: f64) -> f64 {
     }
 }
 
-/// Compares a table with the solver at random places, and returns it. No error may be larger than the one that the table states.
+/// Compares a table with the solver at random parameters, and returns it. No error may be larger than the one that the table states.
 fn compared<M: Mechanism<Scalar = f64>, D: SmoothDrive>(
     name: &str,
     sweep: &Sweep<M, D>,

@@ -58,7 +58,7 @@ impl StretchEnd {
     }
 }
 
-/// A part of the sweep on which the mechanism closes and the curve has no edge, with its own parameter.
+/// A part of the sweep on which the mechanism closes and the curve has no edge, with a separate parameter.
 ///
 /// Towards a turning point the curve is a root of the variable. The parameter s makes it smooth again: the variable is the limit plus
 /// `scale` s². At a change point, where branches cross, it is smooth in the variable itself, and its rates jump. The closer to either of

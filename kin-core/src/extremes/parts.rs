@@ -8,16 +8,16 @@ use crate::number::Number;
 use crate::sweep::Local;
 
 /// The first pieces of a revolution of an angle, or of the whole sweep.
-const FIRST: f64 = 24.0;
+const FIRST_PIECES: f64 = 24.0;
 /// The largest difference between a piece and the poses, as a part of the piece's range.
 const AGREEMENT: f64 = 1e-8;
 /// The largest difference by rounding, as a part of the size of the quantity: its terms may be this many times larger than itself,
 /// in units of ε.
 pub(super) const ROUNDING: f64 = 1e4 * f64::EPSILON;
 /// The largest number of divisions of one stretch, and those that each of its first pieces adds.
-const MOST: [usize; 2] = [20_000, 8];
+const MOST_DIVISIONS: [usize; 2] = [20_000, 8];
 /// The number of halvings after which the rounding errors of the poses are measured.
-const DEEP: usize = 4;
+const MEASURED_DEPTH: usize = 4;
 /// The number of halvings after which a change point or a pole is sought between the ends of a piece.
 const SUSPECT: usize = 8;
 /// Distances from a point that may be a pole, in lengths of the shortest piece, and the growth from each of them to the next smaller one.
@@ -63,7 +63,7 @@ impl<'c> Curve<'c> {
         } else {
             (self.extent.to - self.extent.from).abs()
         };
-        let count = num_traits::Float::ceil(FIRST * way / unit).max(4.0);
+        let count = num_traits::Float::ceil(FIRST_PIECES * way / unit).max(4.0);
         let first = self.node(stretch, from, &stretch.mark)?;
         let mut left = first.clone();
         #[expect(
@@ -71,7 +71,7 @@ impl<'c> Curve<'c> {
             clippy::cast_sign_loss,
             reason = "a count from 4 on, and the conversion ends at the largest number"
         )]
-        let mut budget = MOST[0].saturating_add(MOST[1].saturating_mul(count as usize));
+        let mut budget = MOST_DIVISIONS[0].saturating_add(MOST_DIVISIONS[1].saturating_mul(count as usize));
         let mut size = self.size.get();
         let mut index = 0.0;
         while index < count {
@@ -158,7 +158,7 @@ impl<'c> Curve<'c> {
         let mut apart_most = apart(&middle);
         // the node that is furthest from the piece
         let mut furthest = None;
-        if apart_most <= tolerance || depth >= DEEP {
+        if apart_most <= tolerance || depth >= MEASURED_DEPTH {
             for part in [1.0 / 3.0, 2.0 / 3.0] {
                 let node = self.node(stretch, at(part), &left.mark)?;
                 if apart(&node) > apart_most {
@@ -176,12 +176,15 @@ impl<'c> Curve<'c> {
             };
             return visit(&part, [left, right]);
         }
-        if depth >= DEEP {
+        if depth >= MEASURED_DEPTH {
             // Where a quantity should be zero, some poses have a rounding error and others have none: those that differ, and the ends.
             let mut rounding: f64 = 0.0;
             // The ends are looked at now and then: at a kink, which is none of this, pieces are halved all the way.
             let nodes = [furthest.as_ref().unwrap_or(&middle), left, right];
-            for node in nodes.into_iter().take(if depth.is_multiple_of(DEEP) { 3 } else { 1 }) {
+            for node in nodes
+                .into_iter()
+                .take(if depth.is_multiple_of(MEASURED_DEPTH) { 3 } else { 1 })
+            {
                 rounding = rounding.max(self.rounding(stretch, node, BESIDE * (ends[1] - ends[0]))?);
                 let [agreement, flat] = MEASURED.map(|times| times * rounding);
                 if high - low <= flat && apart_most <= flat {
@@ -246,7 +249,7 @@ impl<'c> Curve<'c> {
         Ok(sides[0].min(sides[1]))
     }
 
-    /// The place where a function of the series vanishes, by Newton's method from a place nearby. The function returns its value and its
+    /// The point where a function of the series vanishes, by Newton's method from a point nearby. The function returns its value and its
     /// slope.
     pub(super) fn refined(
         &self,

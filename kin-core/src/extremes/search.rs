@@ -11,7 +11,7 @@ use crate::number::Number;
 use crate::sweep::Local;
 
 /// The parameters next to a turning point at which a quantity is compared with itself.
-const NEAR: [f64; 2] = [1.0 / 4096.0, 1.0 / 2048.0];
+const NEAR_LIMIT: [f64; 2] = [1.0 / 4096.0, 1.0 / 2048.0];
 /// The growth between them of a quantity that has no bound.
 const GROWTH: f64 = 1.05;
 
@@ -228,7 +228,7 @@ impl<'c> Curve<'c> {
 
     /// The growth of a quantity from a point near a turning point to another one twice as near, in the parameter.
     pub(super) fn growth(&self, stretch: &Stretch<'c>, nearest: &CurveNode<'c>) -> Result<f64, ExtremesError> {
-        let [near, far] = NEAR.map(|parameter| self.node(stretch, parameter, &nearest.mark));
+        let [near, far] = NEAR_LIMIT.map(|parameter| self.node(stretch, parameter, &nearest.mark));
         let (near, far) = (near?.value.real(), far?.value.real());
         Ok(if near == 0.0 { 0.0 } else { near.abs() / far.abs() })
     }
@@ -264,7 +264,7 @@ impl<'c> Curve<'c> {
         Ok(crossings)
     }
 
-    /// Passes on the places inside of a stretch where the quantity crosses a level, and returns the nodes at both ends of the stretch.
+    /// Passes on the points inside of a stretch where the quantity crosses a level, and returns the nodes at both ends of the stretch.
     fn crossings_of(
         &self,
         stretch: &Stretch<'c>,

@@ -579,7 +579,7 @@ crate::mechanism! {
     crank * cis(theta) + travel * cis(alpha) == base + boom * cis(beta);
 }
 
-/// The margin as a series at a point of a sweep, by differences of the extremes' own numbers.
+/// The margin as a series at a point of a sweep, by differences of the extremes' numbers.
 fn margins<M>(sweep: &Sweep<M, StraightLine>, expected: impl Fn(f64) -> f64)
 where
     M: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]>,

@@ -16,7 +16,7 @@ pub trait MadeOfNamedParameters {
     const new: WriteTheParametersByName = WriteTheParametersByName;
 }
 
-/// A mechanism with floating-point numbers as parameters. None implements it, because these have solvers of their own.
+/// A mechanism with floating-point numbers as parameters. None implements it, because these have inherent solvers.
 #[diagnostic::on_unimplemented(
     message = "the parameters of `{Self}` are integers, with which no mechanism is solved",
     label = "write the parameters with a decimal point: `90.0` instead of `90`"
@@ -66,8 +66,8 @@ pub trait IntegersInASweep: Sized {
     solvers_of_integers!(@method sweep [A]);
 }
 
-/// A pose that knows the rates below the order that is asked for. None implements it, because such a pose has a method of
-/// its own.
+/// A pose that knows the rates below the order that is asked for. None implements it, because such a pose has an
+/// inherent method.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not know the rates below this order",
     label = "go on from order to order: `.velocity(rates)` of a position, then `.acceleration(rates)`, and so on",
@@ -86,7 +86,7 @@ pub trait LaterOrders {
     fn snap(&self) {}
 }
 
-/// A mechanism that finds all of its positions. None implements it, because those that do have a method of their own.
+/// A mechanism that finds all of its positions. None implements it, because those that do have an inherent method.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not find all of its positions",
     label = "start from values near a position instead: `position_near`, `solve_near`, and `track` from one to the next",

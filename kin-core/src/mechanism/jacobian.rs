@@ -54,7 +54,7 @@ pub struct Jacobian<T> {
     width: usize,
 }
 
-/// A number that measures how evenly a Jacobian turns velocities of the inputs into those of the results.
+/// A number that measures how evenly a Jacobian converts velocities of the inputs into those of the results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum JacobianMeasure {

@@ -72,7 +72,7 @@ use crate::solve::Scalar;
 /// use kin_core::library::FourBar;
 /// use kin_core::prelude::*;
 ///
-/// /// The largest angular acceleration of any unknown over a turn of the (only) input, wherever the mechanism closes.
+/// /// The largest angular acceleration of any unknown over a revolution of the (only) input, wherever the mechanism closes.
 /// fn peak<M: Mechanism<Scalar = f64>>(mechanism: &M, assembly: M::Assembly, speed: f64) -> f64 {
 ///     let mut peak: f64 = 0.0;
 ///     for step in 0..360 {
@@ -303,7 +303,7 @@ pub trait Mechanism: Copy + Debug + 'static {
     /// It has a row for each unknown and then for each scalar output, and in each row a number for each input, all in the
     /// order in which they were declared. A point has a row for x, a row for y and, in space, a row for z. An entry has the
     /// unit of its unknown or output over that of its input: radians per radian, lengths per radian, and so on. A row
-    /// times the velocities of the inputs is the velocity of its unknown or output, and the transposed rows turn forces
+    /// times the velocities of the inputs is the velocity of its unknown or output, and the transposed rows convert forces
     /// into the efforts of the inputs.
     ///
     /// It does not depend on the velocity of the pose, and never divides by it: the position is solved again from the
@@ -333,7 +333,7 @@ pub trait Mechanism: Copy + Debug + 'static {
     /// has a row for each of its coordinates.
     ///
     /// All of these results must have one dimension, and all inputs must have one: see [`Jacobian`](crate::Jacobian), which
-    /// tells what singular values mean. Along a sweep, [`of_jacobian`](crate::sweep::Sweep::of_jacobian) finds where they
+    /// says what singular values mean. Along a sweep, [`of_jacobian`](crate::sweep::Sweep::of_jacobian) finds where they
     /// are smallest.
     ///
     /// ```
@@ -394,7 +394,7 @@ pub trait Mechanism: Copy + Debug + 'static {
     }
 
     /// The largest of the [conditions](Self::conditions), with angles measured in radians, lengths relative to the
-    /// longest length of the mechanism, and plain numbers relative to their own size if that is larger than 1. From 1/ε
+    /// longest length of the mechanism, and plain numbers relative to their size if that is larger than 1. From 1/ε
     /// on, no digit of the position is reliable.
     fn condition(&self, pose: &impl PoseOf<Self>) -> f64 {
         let (inputs, unknowns) = pose.values();
@@ -415,7 +415,7 @@ pub trait Mechanism: Copy + Debug + 'static {
     /// Calls `found` with every regular position at given inputs: its assembly, and the values of the unknowns.
     ///
     /// Where every block has a closed form, these are the assemblies in which the mechanism closes. Otherwise they are the
-    /// positions that the inherent method `assemblies_at` finds, in double precision, each refined in the mechanism's own
+    /// positions that the inherent method `assemblies_at` finds, in double precision, each refined in the mechanism's
     /// numbers. There is no such method where the coupled equations are not algebraic in the unknowns, their sines and
     /// cosines, or where the product of their degrees is above 1024, as for the angles of several bodies in space. Then
     /// nothing is found, and the search is not complete. A single body on six legs has the method.
@@ -487,7 +487,7 @@ pub trait Pose: Copy + Debug {
     /// mechanism has needed it.
     fn unknown_motions(&self) -> Self::Unknowns<Self::Motion>;
 
-    /// The motions of the unknowns, with the angles that are calculated here on the turns closest to the given values.
+    /// The motions of the unknowns, with the angles that are calculated here unwrapped to the given values.
     /// [`solve_near`](Mechanism::solve_near) puts all other angles there.
     fn unknown_motions_near(&self, near: Self::Unknowns<Self::Scalar>) -> Self::Unknowns<Self::Motion> {
         let _ = near;

@@ -79,7 +79,7 @@ impl<T: Scalar, const N: usize> Motion<Plane<T>, N> {
         finite(T::constant(1.0) / curvature)
     }
 
-    /// The centre of curvature, which is the point about which the path turns; `None` where the point rests or the path
+    /// The centre of curvature, which is the point about which the path bends; `None` where the point rests or the path
     /// is straight. The evolute of the path is the curve of its centres.
     ///
     /// ```
@@ -93,7 +93,7 @@ impl<T: Scalar, const N: usize> Motion<Plane<T>, N> {
     pub fn centre_of_curvature(&self) -> Option<Plane<T>> {
         let tangent = self.tangent()?;
         let radius = self.radius_of_curvature()?;
-        finite_vector(self.rate::<0>() + quarter_revolution(tangent).scale(radius))
+        finite_vector(self.rate::<0>() + normal(tangent).scale(radius))
     }
 
     /// The rate of change of the curvature along the path, dκ/ds, in the reciprocal square of the unit of length;
@@ -116,9 +116,9 @@ impl<T: Scalar, const N: usize> Motion<Plane<T>, N> {
     pub fn curvature_rate(&self) -> Option<T> {
         let (tangent, speed) = self.direction()?;
         let curvature = self.curvature()?;
-        let turning = tangent.cross(self.rate::<3>()) / speed;
+        let bending = tangent.cross(self.rate::<3>()) / speed;
         let stretching = T::constant(3.0) * curvature * tangent.dot(self.rate::<2>());
-        finite((turning - stretching) / (speed * speed))
+        finite((bending - stretching) / (speed * speed))
     }
 
     /// The tangent and the speed.
@@ -140,8 +140,8 @@ impl<T: Scalar, const N: usize> Motion<Plane<T>, N> {
     }
 }
 
-/// The vector turned a quarter turn to its left.
-pub(crate) fn quarter_revolution<T: Scalar>(vector: Plane<T>) -> Plane<T> {
+/// The vector, rotated by a right angle to its left.
+pub(crate) fn normal<T: Scalar>(vector: Plane<T>) -> Plane<T> {
     Plane::new(-vector.y, vector.x)
 }
 

@@ -146,7 +146,7 @@ impl<T: Scalar, const N: usize> Direction<T, N> {
         self.unit.y.atan2(self.unit.x)
     }
 
-    /// The angle closest to a given one in radians, on any turn. Each call calculates an arctangent.
+    /// The angle closest to a given one in radians, unwrapped. Each call calculates an arctangent.
     ///
     /// ```
     /// use core::f64::consts::PI;
@@ -204,7 +204,7 @@ macro_rules! lengths {
     (motions $($length:literal -> $longer:literal: $($entry:ident)*;)+) => {
         $(
             impl<T: Copy> Direction<T, $length> {
-                /// The motion of the angle with a known value, on any turn.
+                /// The motion of the angle with a known value, on any revolution.
                 #[cfg_attr(not(debug_assertions), inline(always))]
                 #[must_use]
                 pub fn motion_from(&self, angle: T) -> Motion<T, $longer> {
@@ -305,7 +305,7 @@ mod tests {
     }
 
     #[test]
-    fn the_angle_is_found_on_any_turn() {
+    fn the_angle_is_found_on_any_revolution() {
         let back = Direction::new(Plane::new(-1.0, 0.0), [2.0]);
         assert_eq!(back.angle(), PI);
         assert_eq!(back.angle_near(-2.0), -PI);

@@ -19,8 +19,8 @@ use crate::number::Number;
 /// use kin_core::prelude::*;
 ///
 /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
-/// let turning = linkage.solve([1.0, -10.0, 0.0, 0.0, 0.0], Assembly::Open)?;
-/// assert_eq!(turning, linkage.solve(Motion::at_constant_speed(1.0, -10.0), Assembly::Open)?);
+/// let moving = linkage.solve([1.0, -10.0, 0.0, 0.0, 0.0], Assembly::Open)?;
+/// assert_eq!(moving, linkage.solve(Motion::at_constant_speed(1.0, -10.0), Assembly::Open)?);
 /// let at_rest = linkage.solve(1.0, Assembly::Open)?;
 /// assert_eq!(at_rest.theta4.velocity(), 0.0);
 /// # Ok::<(), SolveError>(())

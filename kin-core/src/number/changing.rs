@@ -73,7 +73,7 @@ impl<S: Number> Neg for Changing<S> {
 
 impl<S: Number> Number for Changing<S> {
     const EPSILON: f64 = S::EPSILON;
-    const SMALLEST: f64 = S::SMALLEST;
+    const SMALLEST_DIVISOR: f64 = S::SMALLEST_DIVISOR;
     const ORDER: usize = S::ORDER + 1;
 
     fn constant(value: f64) -> Self {

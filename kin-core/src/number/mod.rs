@@ -77,7 +77,7 @@ pub trait Number:
     /// The smallest positive real part that may be a divisor. From here up to its reciprocal, numbers and their
     /// reciprocals have full precision.
     // Twice `MIN_POSITIVE`: LLVM converts a comparison with `MIN_POSITIVE` itself into integer tests, lane by lane.
-    const SMALLEST: f64 = 2.0 * f64::MIN_POSITIVE;
+    const SMALLEST_DIVISOR: f64 = 2.0 * f64::MIN_POSITIVE;
 
     /// The number of successive derivatives that the number carries besides its real part: 0 for a plain number, n for
     /// a series up to the n-th power of time. Iterations continue until the highest derivative is right.

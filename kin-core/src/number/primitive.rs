@@ -15,7 +15,7 @@ macro_rules! primitive {
     ($float:ty, $from_f64:expr, $sine_cosine:expr, $arc_tangent:expr, $arc_tangents:expr) => {
         impl Number for $float {
             const EPSILON: f64 = <$float>::EPSILON as f64;
-            const SMALLEST: f64 = 2.0 * <$float>::MIN_POSITIVE as f64;
+            const SMALLEST_DIVISOR: f64 = 2.0 * <$float>::MIN_POSITIVE as f64;
 
             #[inline]
             fn constant(value: f64) -> Self {

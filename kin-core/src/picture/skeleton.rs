@@ -4,7 +4,7 @@ use super::{Outline, PlaneOrSpace, PointArray, Slide};
 
 /// A mechanism in one position: joints, the bodies between them, and what stands still.
 ///
-/// The closure is the picture. Terms of its vector equations that turn together are one body, terms without any input or unknown are the
+/// The closure is the picture. Terms of its vector equations that rotate together are one body, terms without any input or unknown are the
 /// ground, and a joint at the end of a term of variable length slides along it. A declaration whose equations do not determine that states
 /// its bodies itself, by `body`, `ground` and `slide`. Joints that coincide are one joint. An output that is a point belongs to the body
 /// whose terms it continues.

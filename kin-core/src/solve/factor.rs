@@ -360,7 +360,7 @@ fn levelling<'a, T: Scalar>(entries: impl Iterator<Item = &'a T>) -> i32 {
 
 /// The largest exponent for which both the power of two and its reciprocal have full precision in the type.
 pub(crate) fn range<T: Scalar>() -> i32 {
-    -exponent_of(T::SMALLEST) - 6
+    -exponent_of(T::SMALLEST_DIVISOR) - 6
 }
 
 /// The exponent of the largest power of two that does not exceed a positive number.

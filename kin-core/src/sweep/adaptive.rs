@@ -18,7 +18,7 @@ use crate::batch::Outcome;
 use crate::mechanism::Mechanism;
 
 /// A step between rows is not halved beyond this part of the range. There the curves have an edge: the end of a circuit or a kink.
-const SHORTEST: f64 = 1e-6;
+const SHORTEST_STEP: f64 = 1e-6;
 
 /// The fewest samples between the rows of a sweep at which the ranges of its columns are looked for.
 const PROBES: usize = 16;
@@ -235,7 +235,7 @@ impl<'c> Samples<'c> {
         let start = self.data.len();
         let is_edge = left.outcome.is_solved() != right.outcome.is_solved();
         let is_unclosed = !left.outcome.is_solved() && !right.outcome.is_solved();
-        let is_shortest = (right.at - left.at).abs() <= SHORTEST * (self.sweep.to - self.sweep.from).abs();
+        let is_shortest = (right.at - left.at).abs() <= SHORTEST_STEP * (self.sweep.to - self.sweep.from).abs();
         if is_unclosed || is_shortest {
             return Ok(());
         }

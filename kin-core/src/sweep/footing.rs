@@ -11,7 +11,7 @@ use crate::mechanism::Description;
 use crate::number::NumberRow;
 
 /// The longest step of an angle that is an input.
-pub(super) const LONGEST: f64 = 1.0;
+pub(super) const LONGEST_INPUT_STEP: f64 = 1.0;
 /// The largest difference between an angle and its prediction from the rates at both ends of a step. Half a revolution would be ambiguous.
 pub(super) const PREDICTION: f64 = 1.0;
 /// The largest such difference by which a pose of the other assembly is still known to continue the motion.
@@ -214,7 +214,7 @@ impl<'c> Footing<'c> {
     /// Whether motions of the inputs, in a number of orders, are so close that no angle among them moves far.
     pub(super) fn is_near(&self, motions: &[f64], orders: usize) -> bool {
         angles(self.description.inputs)
-            .all(|input| (motions[input * orders] - self.numbers[input * self.orders]).abs() <= LONGEST)
+            .all(|input| (motions[input * orders] - self.numbers[input * self.orders]).abs() <= LONGEST_INPUT_STEP)
     }
 }
 

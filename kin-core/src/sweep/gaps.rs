@@ -27,9 +27,9 @@ const SUSPECT: f64 = 0.5;
 /// A disagreement by rounding errors, as a part of the value.
 const ROUNDING: f64 = 1e-12;
 /// The shortest step, as a part of the way between two rows. A narrower gap counts as a change point.
-const SHORTEST: f64 = 1e-9;
+const SHORTEST_STEP: f64 = 1e-9;
 /// The most poses between two rows. A kink of a law takes about sixty.
-const MOST: usize = 500;
+const MOST_POSES: usize = 500;
 
 /// The pairs of rows that may have a gap between them, by the rows in front of it.
 pub(super) fn suspects(sweep: &UntypedSweep<'_>, table: &Table) -> Vec<usize> {
@@ -180,8 +180,8 @@ pub(super) fn unclosed_between(
         assembly: sweep.assembly.index()?,
         parameters: sweep.parameters.iter().copied().map(Bend::constant).collect(),
         slopes: NumberRow::from_fn(from.len(), |input| (to[input] - from[input]) / (end - start)),
-        shortest: SHORTEST * (end - start).abs(),
-        budget: MOST,
+        shortest: SHORTEST_STEP * (end - start).abs(),
+        budget: MOST_POSES,
     };
     let (left, right) = (search.bends(start)?, search.bends(end)?);
     search.unclosed(start, &left, end, &right)

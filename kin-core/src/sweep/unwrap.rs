@@ -8,7 +8,7 @@ use core::f64::consts::TAU;
 
 use num_traits::Float;
 
-use super::footing::{Footing, LONGEST, LONGEST_PREDICTION, PREDICTION, WITHOUT_RATES};
+use super::footing::{Footing, LONGEST_INPUT_STEP, LONGEST_PREDICTION, PREDICTION, WITHOUT_RATES};
 use super::table::Table;
 use super::untyped::{UntypedSweep, angles};
 use super::walk::Walk;
@@ -142,7 +142,10 @@ impl<'c> AngleColumns<'c> {
         let variables = table.values(table.variable);
         let inputs_are_close = angles(self.description.inputs).all(|input| {
             let values = table.values(self.first_input + input * self.orders);
-            Vectors::widest().run(MovesBy { values, most: LONGEST })
+            Vectors::widest().run(MovesBy {
+                values,
+                most: LONGEST_INPUT_STEP,
+            })
         });
         let is_predicted = |column: usize| {
             let values = table.values(column);

@@ -10,7 +10,7 @@ use core::mem::take;
 
 use num_traits::Float;
 
-use super::footing::{Footing, LONGEST};
+use super::footing::{Footing, LONGEST_INPUT_STEP};
 use super::untyped::{UntypedSweep, angles};
 use crate::failure::{Failure, InputValues, SolveError};
 use crate::number::NumberRow;
@@ -18,7 +18,7 @@ use crate::quantity::{Name, NameKind};
 use crate::track::{TrackError, track_between};
 
 /// The halvings that one step may take.
-const MOST: usize = 256;
+const MOST_HALVINGS: usize = 256;
 
 /// The end of a circuit of a coupled block, or the point where it was lost.
 pub(crate) struct Gap {
@@ -111,7 +111,7 @@ impl<'c> Walk<'c> {
             (Some(unclosed), _) => unclosed,
         };
         let way = longest_way(sweep, &sweep.inputs(from), motions);
-        (from, Float::ceil(way / LONGEST))
+        (from, Float::ceil(way / LONGEST_INPUT_STEP))
     }
 
     fn hop(&mut self, sweep: &UntypedSweep<'c>, at: f64, motions: &[f64]) -> Result<&Footing<'c>, SolveError> {
@@ -139,7 +139,7 @@ impl<'c> Walk<'c> {
         let Some(last) = last else {
             return self.begin(sweep, at, motions);
         };
-        let mut budget = MOST;
+        let mut budget = MOST_HALVINGS;
         match self.unclosed {
             Some(unclosed) if sweep.has_assemblies() => self.across(sweep, last, unclosed, at, motions, &mut budget),
             _ => self.advance(sweep, last, at, motions, &mut budget),
@@ -163,7 +163,7 @@ impl<'c> Walk<'c> {
         };
         let first = sweep.edge(at, unclosed);
         let beginning = self.solved(sweep, first, &sweep.motions(first))?;
-        let mut budget = MOST;
+        let mut budget = MOST_HALVINGS;
         self.advance(sweep, &beginning, at, motions, &mut budget)
     }
 

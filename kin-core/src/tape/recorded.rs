@@ -90,7 +90,7 @@ macro_rules! functions {
 
 impl<F: Number> Number for Recorded<F> {
     const EPSILON: f64 = F::EPSILON;
-    const SMALLEST: f64 = F::SMALLEST;
+    const SMALLEST_DIVISOR: f64 = F::SMALLEST_DIVISOR;
 
     fn constant(value: f64) -> Self {
         Self::at(recording::constant(value))

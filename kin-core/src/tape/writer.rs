@@ -40,7 +40,7 @@ pub(super) struct Writer<'a, D> {
 }
 
 /// The longest expression that replaces a name, in letters.
-const LONGEST: usize = 60;
+const LONGEST_EXPRESSION: usize = 60;
 
 impl<'a, D: Dialect> Writer<'a, D> {
     pub(super) fn new(tape: &'a Tape<'a>, dialect: D) -> Self {
@@ -99,7 +99,7 @@ impl<'a, D: Dialect> Writer<'a, D> {
     /// A node that is needed once, by a node of the group, becomes a part of that node, unless it is long. Sines and
     /// cosines are left to the caller.
     pub(super) fn named(&self, group: &[Value], limit: Option<usize>) -> Vec<Value> {
-        let limit = limit.unwrap_or(LONGEST);
+        let limit = limit.unwrap_or(LONGEST_EXPRESSION);
         let mut within = vec![0_usize; self.uses.len()];
         for value in group {
             self.tape.nodes[value.index()].operands(|operand| within[operand.index()] += 1);

@@ -1,6 +1,6 @@
 //! The causes that stop a track.
 
-use super::follow::{ANCHOR, BLUR, Ended, FAR, SECANTS, TrackPoint};
+use super::follow::{ANCHOR, BLUR, Ended, GROWTH_TO_POLE, SECANTS, TrackPoint};
 use super::line::TrackLine;
 use super::obstacle::{FIRM, TrackError, TrackLimit, TrackStop};
 use super::steps::Steps;
@@ -103,7 +103,7 @@ fn pole(way: &TrackLine<'_>, here: &TrackPoint<'_>, scratch: &mut LentRows<'_>) 
     }
     // The zero of the reciprocal.
     let distance = values[index] / here.rate(index);
-    if is_angle || grown(&index) < FAR || !(0.0..=BLUR).contains(&distance) {
+    if is_angle || grown(&index) < GROWTH_TO_POLE || !(0.0..=BLUR).contains(&distance) {
         return None;
     }
     // Halfway to a pole an unknown grows to more than 1.6 times its value. At a fold of the same rate, the path has

@@ -14,7 +14,7 @@ use crate::failure::{Failure, InputValues, SolveError};
 use crate::mechanism::Lent;
 
 /// The longest step of the inputs, in units of their sizes.
-pub(super) const LONGEST: f64 = 0.5;
+pub(super) const LONGEST_INPUT_STEP: f64 = 0.5;
 /// The largest size of the last terms of the Taylor series at the end of a step.
 pub(super) const LAST_TERM: f64 = 0.02;
 /// The largest difference between corrected and predicted unknowns. For their rates it is relative to the largest rate.
@@ -30,7 +30,7 @@ pub(super) const CREEPING: f64 = 1e-6;
 /// takes about 25 steps, and each length may be tried several times.
 pub(super) const MOST_CREEPING: u32 = 256;
 /// The factor of growth from which an unknown may be going to infinity.
-pub(super) const FAR: f64 = 1e6;
+pub(super) const GROWTH_TO_POLE: f64 = 1e6;
 /// The number of iterations on a smooth function near its zero.
 pub(super) const SECANTS: usize = 30;
 /// The rate of an unknown above which it replaces the inputs as parameter.
@@ -197,7 +197,7 @@ pub(super) fn follow(
     start.write(here_memory);
     start.write(anchor_memory);
     let assembly = way.assembly_at(start.point, &mut scratch);
-    let mut longest = LONGEST;
+    let mut longest = LONGEST_INPUT_STEP;
     let mut steps = Steps::NONE;
     // Whether following an unknown as parameter has led nowhere since the unknowns became fast.
     let mut is_lost = false;
@@ -212,13 +212,13 @@ pub(super) fn follow(
             is_lost = false;
         }
         // A fast and straight motion, for example behind a gear, is not near a limit.
-        if rate > FAST && rate * trusted < LONGEST && !is_lost {
+        if rate > FAST && rate * trusted < LONGEST_INPUT_STEP && !is_lost {
             let mut scratch = scratch.scope();
             match past_the_limit(&way, &here, &anchor, &beginning, &mut steps, &mut scratch)? {
                 Arrival::Station(there) if there.point.travel > here.point.travel => {
                     there.write(here_memory);
                     there.write(anchor_memory);
-                    (longest, creeping) = (LONGEST, 0);
+                    (longest, creeping) = (LONGEST_INPUT_STEP, 0);
                     continue;
                 }
                 Arrival::End => return Ok(()),
@@ -259,7 +259,7 @@ pub(super) fn follow(
                 Arrival::Station(there) if there.point.travel > here.point.travel + BLUR => {
                     there.write(here_memory);
                     there.write(anchor_memory);
-                    (longest, creeping) = (LONGEST, 0);
+                    (longest, creeping) = (LONGEST_INPUT_STEP, 0);
                     continue;
                 }
                 Arrival::End => return Ok(()),
@@ -285,7 +285,7 @@ pub(super) fn follow(
         } else {
             0
         };
-        longest = LONGEST.min(2.0 * step);
+        longest = LONGEST_INPUT_STEP.min(2.0 * step);
         if step > ANCHOR {
             there.write(anchor_memory);
         }

@@ -2,7 +2,7 @@
 //!
 //! There the fastest unknown is the parameter, and the travel of the inputs is unknown instead.
 
-use super::follow::{BLUR, CREEPING, FAR, MOST_CREEPING};
+use super::follow::{BLUR, CREEPING, GROWTH_TO_POLE, MOST_CREEPING};
 use super::steps::Steps;
 use crate::curve::{
     LentRows, Sides, Way, WayPoint, bordered, corrected, expanded, fastest, is_crossed, largest, largest_difference,
@@ -11,9 +11,9 @@ use crate::curve::{
 use crate::solve::Orientation;
 
 /// The longest step, in sizes of the parameter.
-const LONGEST: f64 = 0.05;
+const LONGEST_STEP: f64 = 0.05;
 /// The shortest step.
-pub(super) const SHORTEST: f64 = 1e-13;
+pub(super) const SHORTEST_STEP: f64 = 1e-13;
 /// The rate below which unknowns are left to steps of the inputs.
 const SLOW: f64 = 16.0;
 /// The largest number of iterations that converge quadratically or halve an interval. It exceeds the number of digits.
@@ -180,7 +180,7 @@ pub(super) fn pass<'s>(
         None => return Passage::Lost,
     }
     let entry = LocalCurve::read(way, here).orientation.logarithm;
-    let mut longest = LONGEST;
+    let mut longest = LONGEST_STEP;
     let (mut still, mut creeping) = (0, 0);
     // what is found is kept where it outlives the steps
     let (unknowns, sides) = outcome.split_at_mut(way.count());
@@ -206,7 +206,7 @@ pub(super) fn pass<'s>(
         let bend = largest(start.bends.iter().copied().chain([start.travel_bend]));
         let mut size = longest.min(0.15 / bend);
         let next = loop {
-            if size < SHORTEST || creeping > MOST_CREEPING {
+            if size < SHORTEST_STEP || creeping > MOST_CREEPING {
                 let has_vanished = start.orientation.logarithm < entry - 10.0;
                 if has_vanished {
                     break None;
@@ -224,7 +224,7 @@ pub(super) fn pass<'s>(
             size *= 0.5;
         };
         let Some(next) = next else {
-            let kind = if size < SHORTEST || creeping > MOST_CREEPING {
+            let kind = if size < SHORTEST_STEP || creeping > MOST_CREEPING {
                 Kind::ChangePoint
             } else {
                 Kind::Spent
@@ -233,10 +233,10 @@ pub(super) fn pass<'s>(
         };
         creeping = if size < CREEPING { creeping + 1 } else { 0 };
         let growth = way.size_at(next.point.unknowns, parameter) / way.sizes[parameter];
-        if growth > FAR {
+        if growth > GROWTH_TO_POLE {
             return Passage::Lost;
         }
-        longest = (LONGEST * growth).min(2.0 * size);
+        longest = (LONGEST_STEP * growth).min(2.0 * size);
         let step = size.copysign(start.travel_rate);
         // Rounding errors separate the branches that cross here, so there seems to be a way around the crossing.
         if size < BLUR && is_crossed(way, next.point, parameter, &mut scope) {

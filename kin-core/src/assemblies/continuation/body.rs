@@ -41,7 +41,7 @@ const TABLED: u16 = 23;
 /// The index of the [constants](CONSTANTS), after the coefficients of all equations.
 const CONSTANT: u16 = STUDY * TABLED;
 /// The part of an equation that is rounding if the other equations leave no more of it.
-const SAME: f64 = 1e-10;
+const DEPENDENT: f64 = 1e-10;
 /// The number of the pseudorandom coefficients of the known body. Of the first eleven it is the one whose poses are
 /// determined best.
 const KNOWN: u64 = 8;
@@ -349,7 +349,7 @@ fn separate(equations: &mut [[f64; MONOMIALS]; EQUATIONS]) {
             }
         }
         let (length, whole) = (Float::sqrt(dot(&rest, &rest)), Float::sqrt(dot(equation, equation)));
-        if length > SAME * whole {
+        if length > DEPENDENT * whole {
             *equation = rest.map(|value| value / length);
         }
     }

@@ -1,6 +1,6 @@
 //! A number type that holds several numbers, for several poses at once.
 //!
-//! Every operation is a short loop over an array, without a branch. A compiler turns it into the widest vector
+//! Every operation is a short loop over an array, without a branch. A compiler converts it into the widest vector
 //! instructions that the calling function may use. There are no intrinsics.
 //!
 //! Each lane decides for itself: where a solver would stop for one of the numbers, that lane becomes NaN and stays NaN,
@@ -96,11 +96,11 @@ impl<const W: usize, const FUSED: bool, E: Element> Lanes<W, FUSED, E> {
         self.0.iter().map(|count| count.real()).sum::<f64>() as usize
     }
 
-    /// The numbers themselves, NaN in lanes where a sum of squares exceeds that of the [largest length](LARGEST).
+    /// The numbers themselves, NaN in lanes where a sum of squares exceeds that of the [largest length](LARGEST_MEASURED).
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(in crate::batch) fn within(self, squares: Self) -> Self {
         self.with(squares, |number, squares| {
-            if squares < E::LARGEST * E::LARGEST {
+            if squares < E::LARGEST_MEASURED * E::LARGEST_MEASURED {
                 number
             } else {
                 E::nan()
@@ -204,7 +204,7 @@ impl<const W: usize, const FUSED: bool, E: Element> Neg for Lanes<W, FUSED, E> {
 
 impl<const W: usize, const FUSED: bool, E: Element> Number for Lanes<W, FUSED, E> {
     const EPSILON: f64 = E::EPSILON;
-    const SMALLEST: f64 = E::SMALLEST;
+    const SMALLEST_DIVISOR: f64 = E::SMALLEST_DIVISOR;
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn constant(value: f64) -> Self {
@@ -469,12 +469,12 @@ fn judge<const W: usize, const FUSED: bool, const N: usize, const K: usize, E: E
 fn verdict<E: Element>(failing: E, margin: E, scale: E) -> E {
     let doubt = -E::of(E::DOUBT_IN_LANES);
     let margin = if margin < doubt * scale { margin } else { E::nan() };
-    let margin = if scale > E::one() / E::LARGEST {
+    let margin = if scale > E::one() / E::LARGEST_MEASURED {
         margin
     } else {
         E::nan()
     };
-    let margin = if scale < E::LARGEST { margin } else { E::nan() };
+    let margin = if scale < E::LARGEST_MEASURED { margin } else { E::nan() };
     if failing == E::zero() { failing } else { margin }
 }
 

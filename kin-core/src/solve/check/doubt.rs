@@ -52,10 +52,10 @@ pub fn decisive_vector_in<T: Scalar>(vector: Plane<T>, terms: &[T]) -> Plane<T> 
 }
 
 /// The smallest positive number that decides, if it is a sum of terms of the given size. For one pose this is [the
-/// smallest](Number::SMALLEST) divisor.
+/// smallest](Number::SMALLEST_DIVISOR) divisor.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(in crate::solve) fn least<T: Scalar>(size: impl FnOnce() -> T) -> T {
-    least_from(T::SMALLEST, size)
+    least_from(T::SMALLEST_DIVISOR, size)
 }
 
 /// The smallest number above `smallest` that decides, if it is a sum of terms of the given size.
@@ -82,10 +82,10 @@ fn kept<T: Scalar>(number: T, judge: T, size: T) -> T {
     number.provided(BeyondDoubt { number: judge, size }).unwrap_or(number)
 }
 
-/// A number that is at least the [smallest](Number::SMALLEST) divisor, otherwise NaN.
+/// A number that is at least the [smallest](Number::SMALLEST_DIVISOR) divisor, otherwise NaN.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(in crate::solve) fn divisor<T: Scalar>(number: T) -> T {
-    let short = Negative(number - T::constant(T::SMALLEST));
+    let short = Negative(number - T::constant(T::SMALLEST_DIVISOR));
     T::either(short, || T::constant(f64::NAN), || number)
 }
 

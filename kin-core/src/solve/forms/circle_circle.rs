@@ -125,7 +125,7 @@ impl<T: Scalar> Check<T, 4, 3> for Reach<T> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [q2, least_q2, d2, least_d2]: [R; 4]) -> [R::Truth; 3] {
-        let [low, high] = ordinary_from(q2, least_q2, T::SMALLEST);
+        let [low, high] = ordinary_from(q2, least_q2, T::SMALLEST_DIVISOR);
         [low, high, d2.is_at_least(least_d2)]
     }
 
@@ -167,7 +167,7 @@ impl<T: Scalar> Check<T, 4, 3> for ReachOfSquares<T> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [q2, least_q2, d2, least_d2]: [R; 4]) -> [R::Truth; 3] {
-        let [low, high] = ordinary_from(q2, least_q2, T::SMALLEST);
+        let [low, high] = ordinary_from(q2, least_q2, T::SMALLEST_DIVISOR);
         [low, high, d2.is_at_least(least_d2)]
     }
 

@@ -126,8 +126,8 @@ impl<T: Scalar> Check<T, 3, 3> for Reach<T> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [q2, least, u2]: [R; 3]) -> [R::Truth; 3] {
-        let [low, high] = ordinary_from(q2, least, T::SMALLEST);
-        [low, high, u2.is_at_least(R::of(T::SMALLEST))]
+        let [low, high] = ordinary_from(q2, least, T::SMALLEST_DIVISOR);
+        [low, high, u2.is_at_least(R::of(T::SMALLEST_DIVISOR))]
     }
 
     fn margin(&self) -> T {
@@ -167,7 +167,7 @@ impl<T: Scalar> Check<T, 3, 3> for ReachAlongX<T> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [q2, least, x]: [R; 3]) -> [R::Truth; 3] {
-        let [low, high] = ordinary_from(q2, least, T::SMALLEST);
+        let [low, high] = ordinary_from(q2, least, T::SMALLEST_DIVISOR);
         [low, high, x.is_finite()]
     }
 

@@ -42,7 +42,7 @@ pub fn cosine_sine<T: Scalar>(a: T, b: T, c: T, size: f64, assembly: Assembly) -
     let noise = ROUNDING * T::EPSILON * size;
     let reach = Reach {
         q2,
-        least: least_from((noise * noise).max(T::SMALLEST), || rho2),
+        least: least_from((noise * noise).max(T::SMALLEST_DIVISOR), || rho2),
         rho2,
         c,
     };
@@ -82,7 +82,7 @@ impl<T: Scalar> Check<T, 2, 2> for Reach<T> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [q2, least]: [R; 2]) -> [R::Truth; 2] {
-        ordinary_from(q2, least, T::SMALLEST)
+        ordinary_from(q2, least, T::SMALLEST_DIVISOR)
     }
 
     fn margin(&self) -> T {

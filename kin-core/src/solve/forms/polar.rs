@@ -99,7 +99,7 @@ impl<T: Scalar> Check<T, 1, 2> for Apart<T> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [d2]: [R; 1]) -> [R::Truth; 2] {
-        ordinary(d2, T::SMALLEST)
+        ordinary(d2, T::SMALLEST_DIVISOR)
     }
 
     fn margin(&self) -> T {
@@ -129,7 +129,7 @@ impl<T: Scalar> Check<T, 3, 3> for Reach<T> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [q2, least, shift]: [R; 3]) -> [R::Truth; 3] {
-        let [low, high] = ordinary_from(q2, least, T::SMALLEST);
+        let [low, high] = ordinary_from(q2, least, T::SMALLEST_DIVISOR);
         [low, high, shift.is_finite()]
     }
 

@@ -80,7 +80,7 @@ impl<T: Scalar> Check<T, 3, 3> for Reach<T> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [q2, least, a]: [R; 3]) -> [R::Truth; 3] {
-        let [low, high] = ordinary_from(q2, least, T::SMALLEST);
+        let [low, high] = ordinary_from(q2, least, T::SMALLEST_DIVISOR);
         [low, high, R::not(a.equals(R::of(0.0)))]
     }
 

@@ -179,7 +179,7 @@ crate::mechanism! {
     y + sin(y) / 10 == asin(q - slope * y);
 }
 
-/// There the solvers cannot tell which function it is, nor the input to the last digit; but they do not name another cause.
+/// There the solvers cannot distinguish which function it is, nor the input to the last digit; but they do not name another cause.
 #[test]
 fn domain_in_a_coupled_block() {
     let mut random = Random::new(44);
