@@ -1,11 +1,11 @@
 //! A mechanism without its type: slices in and out.
 //!
-//! An answer that is written for [`AnyMechanism`] is compiled once, in the crate that gives it. For each mechanism only its functions
-//! are compiled, and of those only the ones that the answer names: there is a trait for each of them, with the number type as parameter.
-//! [`Of`] implements all of them for every declared mechanism.
+//! An answer that is written for [`AnyMechanism`] is compiled once, in the crate that gives it. For each mechanism only
+//! its functions are compiled, and of those only the ones that the answer names: there is a trait for each of them,
+//! with the number type as parameter. [`Of`] implements all of them for every declared mechanism.
 //!
-//! All slices have the lengths that the [`Description`] gives. Parameters are an argument, so that an answer can change dimensions, or
-//! give them derivatives.
+//! All slices have the lengths that the [`Description`] gives. Parameters are an argument, so that an answer can change
+//! dimensions, or give them derivatives.
 //!
 //! ```
 //! use kin_core::any::{AnyMechanism, Of, PositionChoice};
@@ -112,7 +112,8 @@ pub trait NearOver<T> {
     fn position_near(&self, parameters: &[T], inputs: &[T], near: &[T], unknowns: &mut [T]) -> Result<(), SolveError>;
 }
 
-/// Positions in numbers of one type, chosen in both ways. Each way is compiled by itself: name the trait of one way where it is enough.
+/// Positions in numbers of one type, chosen in both ways. Each way is compiled by itself: name the trait of one way
+/// where it is enough.
 pub trait PositionOver<T>: AssemblyOver<T> + NearOver<T> {
     /// Writes the unknowns of a position.
     ///
@@ -154,7 +155,8 @@ pub trait OutputsOver<T> {
 
 /// Positions of an assembly with all time derivatives.
 pub trait AssemblyMotionOver<T> {
-    /// Writes the motions of unknowns and outputs, one after the other, each with all its orders. The inputs are given in the same way.
+    /// Writes the motions of unknowns and outputs, one after the other, each with all its orders. The inputs are given
+    /// in the same way.
     ///
     /// # Errors
     /// Those of [`Mechanism::solve`].
@@ -170,7 +172,8 @@ pub trait AssemblyMotionOver<T> {
 
 /// Positions near others with all time derivatives.
 pub trait MotionNearOver<T> {
-    /// Writes the motions of unknowns and outputs as [`AssemblyMotionOver`] does. Outputs beyond the slice are left out.
+    /// Writes the motions of unknowns and outputs as [`AssemblyMotionOver`] does. Outputs beyond the slice are left
+    /// out.
     ///
     /// # Errors
     /// Those of [`Mechanism::solve_near`].
@@ -221,8 +224,8 @@ pub trait FormsOver<T> {
 
 /// The skeleton in numbers of one type.
 pub trait SkeletonOver<T> {
-    /// Passes on the coordinates of each joint of the [`outline`](Pictured::outline), and then of the direction of each slide: two in the
-    /// plane, three in space.
+    /// Passes on the coordinates of each joint of the [`outline`](Pictured::outline), and then of the direction of each
+    /// slide: two in the plane, three in space.
     fn skeleton_points(&self, parameters: &[T], inputs: &[T], unknowns: &[T], found: &mut dyn FnMut(&[T]));
 }
 
@@ -276,7 +279,8 @@ pub trait Described {
     #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
     fn assembly_name(&self, index: usize) -> Option<alloc::string::String>;
 
-    /// The names of all assemblies: none if a position is chosen by values nearby, and an empty one if there is no choice.
+    /// The names of all assemblies: none if a position is chosen by values nearby, and an empty one if there is no
+    /// choice.
     #[cfg(feature = "alloc")]
     #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
     fn assembly_names(&self) -> Vec<alloc::string::String> {
@@ -284,7 +288,8 @@ pub trait Described {
         indices.filter_map(|index| self.assembly_name(index)).collect()
     }
 
-    /// The names of the choices between two assemblies: none if there is no choice, or if a position is chosen by values nearby.
+    /// The names of the choices between two assemblies: none if there is no choice, or if a position is chosen by
+    /// values nearby.
     #[cfg(feature = "alloc")]
     #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
     fn choices(&self) -> Vec<alloc::string::String>;
@@ -333,7 +338,8 @@ pub(crate) const fn description<M: Mechanism>() -> &'static Description<'static>
     const { &M::DESCRIPTION }
 }
 
-/// The names of the fields of an assembly structure, which is read as it shows itself: `Name { first: Open, second: Open }`.
+/// The names of the fields of an assembly structure, which is read as it shows itself:
+/// `Name { first: Open, second: Open }`.
 #[cfg(feature = "alloc")]
 fn fields(shown: &str) -> Vec<alloc::string::String> {
     let fields = shown.split_once('{').map_or("", |(_, fields)| fields);

@@ -1,4 +1,5 @@
-//! The words of a declaration, as editors complete and explain them. No build sees this module or the code that names it.
+//! The words of a declaration, as editors complete and explain them. No build sees this module or the code that names
+//! it.
 //!
 //! An editor reads a declaration as the arguments and the operands of a dead function. So the types here have no
 //! operators, and a function takes anything.
@@ -79,8 +80,8 @@ pub fn formula<Operands, Value>(_: Operands) -> Value {
     unreachable!()
 }
 
-/// `frame(origin, rotation)` in space, `frame(origin, angle)` in the plane: where a rigid body is. `frame * point` is the
-/// position of a point of the body.
+/// `frame(origin, rotation)` in space, `frame(origin, angle)` in the plane: where a rigid body is. `frame * point` is
+/// the position of a point of the body.
 pub fn frame<Arguments>(_: Arguments) -> Quantity {
     unreachable!()
 }

@@ -74,14 +74,15 @@
 //! # Features
 //!
 //! The solvers do not allocate and need no standard library: without the default feature `std`, the feature `libm`
-//! supplies the floating-point functions. The feature `alloc`, which `std` implies, adds tables and extremes of sweeps. The feature `library` adds declared mechanisms, and `rayon` solves batches on
-//! all cores. The feature `num-dual` makes the dual numbers of that crate a [`Scalar`], and `verify` uses them. The feature
-//! `nalgebra` converts to and from the points and vectors of that crate, and `approx` compares vectors and motions within
-//! a tolerance by the traits of that crate. The feature `serde` lets programs store parameters, motions, assemblies and poses. The feature
+//! supplies the floating-point functions. The feature `alloc`, which `std` implies, adds tables and extremes of sweeps.
+//! The feature `library` adds declared mechanisms, and `rayon` solves batches on all cores. The feature `num-dual`
+//! makes the dual numbers of that crate a [`Scalar`], and `verify` uses them. The feature `nalgebra` converts to and
+//! from the points and vectors of that crate, and `approx` compares vectors and motions within a tolerance by the
+//! traits of that crate. The feature `serde` lets programs store parameters, motions, assemblies and poses. The feature
 //! `tape`, which needs `std`, records solvers as data.
 //!
-//! The features stand for one version of each crate: `num-dual` 0.15, `nalgebra` 0.35, `approx` 0.5, `serde` 1. With another
-//! version, pass vectors as their coordinates.
+//! The features stand for one version of each crate: `num-dual` 0.15, `nalgebra` 0.35, `approx` 0.5, `serde` 1. With
+//! another version, pass vectors as their coordinates.
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![cfg_attr(
@@ -199,7 +200,8 @@ pub use track::{TrackError, TrackErrorOf, TrackLimit, TrackStop, track};
 /// Declares a mechanism by its loop closure, and generates solvers for its position and all time derivatives up to snap
 /// (also called jounce), or up to another order.
 ///
-/// `use kin_core::prelude::*;` imports the macro together with what its solvers take, `Motion` and `Assembly` among others.
+/// `use kin_core::prelude::*;` imports the macro together with what its solvers take, `Motion` and `Assembly` among
+/// others.
 ///
 /// A declaration is a structure with the dimensions of the mechanism, and statements in any order:
 ///
@@ -248,10 +250,10 @@ pub use track::{TrackError, TrackErrorOf, TrackLimit, TrackStop, track};
 /// are `v.x` and `v.y`. Plane vectors multiply like complex numbers, so `v * cis(angle)` is `v` rotated by the angle. A
 /// scalar that is added to a vector lies along the x axis.
 ///
-/// The function `vec3(x, y, z)` makes space vectors, whose coordinates are `v.x`, `v.y` and `v.z`. Rotations rotate them:
-/// `rotation * vector`. A rotation is `rot_x(angle)`, `rot_y(angle)`, `rot_z(angle)`, `rot(axis, angle)` about an axis
-/// of any length but zero, or a product of rotations, of which the last one rotates first. Plane and space vectors both
-/// have `dot(a, b)`, `cross(a, b)` (a scalar in the plane) and `norm(v)`. Plane and space do not mix:
+/// The function `vec3(x, y, z)` makes space vectors, whose coordinates are `v.x`, `v.y` and `v.z`. Rotations rotate
+/// them: `rotation * vector`. A rotation is `rot_x(angle)`, `rot_y(angle)`, `rot_z(angle)`, `rot(axis, angle)` about an
+/// axis of any length but zero, or a product of rotations, of which the last one rotates first. Plane and space vectors
+/// both have `dot(a, b)`, `cross(a, b)` (a scalar in the plane) and `norm(v)`. Plane and space do not mix:
 /// `vec3(v.x, v.y, 0)` places a plane vector in space, and `vec3(s, 0, 0)` a scalar.
 ///
 /// Angles are in radians. Dimensions are checked: a length plus an angle, the sine of a length, and a scalar equal to a
@@ -327,7 +329,8 @@ macro_rules! mechanism {
     };
 }
 
-/// Lets mechanisms be stored: implements serde's `Serialize` and `Deserialize` for their structures, as [`ParameterRecord`](stored::ParameterRecord) does.
+/// Lets mechanisms be stored: implements serde's `Serialize` and `Deserialize` for their structures, as
+/// [`ParameterRecord`](stored::ParameterRecord) does.
 ///
 /// The crate that calls it need not depend on serde. A structure that is storable must not derive these traits.
 ///
@@ -438,7 +441,8 @@ macro_rules! __poses {
     };
 }
 
-/// The messages about calls that people guess, and that a mechanism and its poses do not have. The last pose has all orders.
+/// The messages about calls that people guess, and that a mechanism and its poses do not have. The last pose has all
+/// orders.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __guessed {
@@ -604,7 +608,8 @@ macro_rules! __not_all_positions {
     };
 }
 
-/// What a mechanism with a single position answers without an assembly: the methods of the traits that take one, for every mechanism.
+/// What a mechanism with a single position answers without an assembly: the methods of the traits that take one, for
+/// every mechanism.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __single_position {

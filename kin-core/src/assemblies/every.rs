@@ -20,9 +20,10 @@ const DEPTH: usize = 64;
 
 /// All positions of a mechanism at given inputs, which identify its assemblies. It dereferences to a slice.
 ///
-/// Each is a regular position, found by Newton's method to the last digit. If [`is_complete`](Self::is_complete), there is
-/// no other regular position. In exact arithmetic this holds with probability one. Paths are followed in double precision: a
-/// jump between paths to regular positions is noticed, a jump to a path that ends at a singular position or at infinity is not.
+/// Each is a regular position, found by Newton's method to the last digit. If [`is_complete`](Self::is_complete), there
+/// is no other regular position. In exact arithmetic this holds with probability one. Paths are followed in double
+/// precision: a jump between paths to regular positions is noticed, a jump to a path that ends at a singular position
+/// or at infinity is not.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Assemblies<const N: usize, const CAPACITY: usize> {
     positions: Positions<Near<N>, CAPACITY>,

@@ -17,8 +17,8 @@ pub struct Near<const N: usize>(
     pub [f64; N],
 );
 
-/// The values of `N` unknowns of the mechanism `M` near the wanted position, for `position_near`, `solve_near` and all solvers of mechanisms
-/// with coupled blocks.
+/// The values of `N` unknowns of the mechanism `M` near the wanted position, for `position_near`, `solve_near` and all
+/// solvers of mechanisms with coupled blocks.
 ///
 /// | given | means |
 /// |---|---|

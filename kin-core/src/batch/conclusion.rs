@@ -16,8 +16,8 @@ pub(super) struct Chunk<const W: usize, const FUSED: bool, E> {
     pub(super) next: usize,
     /// The sum of all numbers of each pose, which is not finite where the pose has failed.
     pub(super) sum: Lanes<W, FUSED, E>,
-    /// The sum of the squares of parameters and inputs. The margin of a pose counts only if none of them can be the cause
-    /// of its failure.
+    /// The sum of the squares of parameters and inputs. The margin of a pose counts only if none of them can be the
+    /// cause of its failure.
     pub(super) squares: Lanes<W, FUSED, E>,
 }
 
@@ -77,8 +77,8 @@ impl<const W: usize, const FUSED: bool, E: Element> Conclusion<W, FUSED, E> {
 }
 
 impl<const W: usize, const FUSED: bool, E: Element> Chunk<W, FUSED, E> {
-    /// Writes the outcomes by the margins, and returns which poses have failed by them. A failed pose without a margin is
-    /// solved alone, and so is the first failed pose of the batch, whose whole error is kept.
+    /// Writes the outcomes by the margins, and returns which poses have failed by them. A failed pose without a margin
+    /// is solved alone, and so is the first failed pose of the batch, whose whole error is kept.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn conclude(
         self,

@@ -83,8 +83,8 @@ impl<'t, M: Mechanism<Scalar: Element>> Destination<'t, M> {
         })
     }
 
-    /// Stores motions, starting at a given pose. If poses have failed, `gone` is NaN for these and zero for the others, and
-    /// is taken away from all numbers except those of the inputs.
+    /// Stores motions, starting at a given pose. If poses have failed, `gone` is NaN for these and zero for the others,
+    /// and is taken away from all numbers except those of the inputs.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn store<V: Stored<Element = M::Scalar>, R: Row<V>>(
         &self,
@@ -110,14 +110,15 @@ impl<'t, M: Mechanism<Scalar: Element>> Destination<'t, M> {
         self.sines.as_ref().iter().any(|columns| !columns.is_empty())
     }
 
-    /// Stores NaN as the sines of a pose that has failed. A pose that is solved has sines of directions only, and leaves
-    /// the other columns as they are.
+    /// Stores NaN as the sines of a pose that has failed. A pose that is solved has sines of directions only, and
+    /// leaves the other columns as they are.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn leave_out_sines(&self, index: usize) {
         fill_all(index, M::Scalar::nan(), self.sines.as_ref());
     }
 
-    /// Stores the motions of the inputs, and another number in all other columns but those of sines, starting at a given pose.
+    /// Stores the motions of the inputs, and another number in all other columns but those of sines, starting at a
+    /// given pose.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn fill<V: Stored<Element = M::Scalar>, R: Row<V>>(&self, start: usize, inputs: &[R], number: V) {
         store_all(start, inputs, self.inputs.as_ref(), None);

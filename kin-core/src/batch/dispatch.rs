@@ -95,8 +95,8 @@ pub trait Kernel {
     fn run<const W: usize, const FUSED: bool>(self) -> Self::Result;
 }
 
-/// Not inlined: without optimisation every result has a separate slot on the stack, and this stack would be added to that
-/// of the others.
+/// Not inlined: without optimisation every result has a separate slot on the stack, and this stack would be added to
+/// that of the others.
 #[inline(never)]
 fn compiled<K: Kernel>(kernel: K) -> K::Result {
     K::Element::run::<K, 4, 8, false>(kernel)

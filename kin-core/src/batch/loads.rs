@@ -10,8 +10,8 @@ use crate::mechanism::Mechanism;
 use crate::number::Row;
 
 impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Batch<'a, M, G> {
-    /// The balances of all poses. `read` takes from each what is wanted, or handles its error: the results are stored in the order of the
-    /// columns.
+    /// The balances of all poses. `read` takes from each what is wanted, or handles its error: the results are stored
+    /// in the order of the columns.
     ///
     /// Each result is that of [`Loaded::balance`](crate::load::Loaded::balance), to the last bit. Nothing is allocated.
     ///

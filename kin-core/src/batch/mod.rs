@@ -1,10 +1,10 @@
 //! Many poses in one call: columns of parameters and inputs give columns of motions.
 //!
 //! Every mechanism has a method `batch`. It takes a [`Column`] for each number that `solve` takes: one value for
-//! all poses, or one value per pose. The [`Batch`] stores the motions in a pose of [targets](Target), which are vectors or slices.
-//! It calculates several poses at once, in the widest vectors of the machine, which it detects at run time (feature
-//! `std`, on x86), so no compiler flag is needed. It finds the poses that `solve` finds, up to rounding. Where it
-//! fails, it reports the same [outcome](Outcome): a pose out of reach does not affect the others. With the feature
+//! all poses, or one value per pose. The [`Batch`] stores the motions in a pose of [targets](Target), which are vectors
+//! or slices. It calculates several poses at once, in the widest vectors of the machine, which it detects at run time
+//! (feature `std`, on x86), so no compiler flag is needed. It finds the poses that `solve` finds, up to rounding. Where
+//! it fails, it reports the same [outcome](Outcome): a pose out of reach does not affect the others. With the feature
 //! `rayon`, `on_all_cores` does the same on all cores.
 //!
 //! ```

@@ -45,9 +45,9 @@ pub trait SliceSolver: Described {
         found: &mut Numbers<f64>,
     ) -> Result<(), SolveError>;
 
-    /// Solves a chunk of poses, or [`CHUNKS`] of them side by side: as many as numbers are to be found for. The parameters
-    /// and inputs of a chunk stand behind those of the chunk before; inputs are given with all orders. Values nearby choose the
-    /// position of a single chunk only.
+    /// Solves a chunk of poses, or [`CHUNKS`] of them side by side: as many as numbers are to be found for. The
+    /// parameters and inputs of a chunk stand behind those of the chunk before; inputs are given with all orders.
+    /// Values nearby choose the position of a single chunk only.
     ///
     /// # Errors
     /// Those of the solver, in the first chunk that fails as a whole. Numbers may be found that are not finite.
@@ -284,7 +284,8 @@ pub fn solve_slices<S: SliceSolver>(
     }))
 }
 
-/// Summarises poses at evenly spaced values of an input, of a solver that works on slices, as [`AnyFold`](super::AnyFold) does.
+/// Summarises poses at evenly spaced values of an input, of a solver that works on slices, as
+/// [`AnyFold`](super::AnyFold) does.
 ///
 /// # Errors
 /// Those of [`AnyFold`](super::AnyFold).
@@ -424,8 +425,8 @@ impl<S: SliceSolver> PoseByPose<'_, S> {
         result
     }
 
-    /// Stores the numbers that are wanted, starting at a pose. If poses have failed, `gone` is NaN for these and zero for
-    /// the others, and is taken away from all numbers except those of the inputs.
+    /// Stores the numbers that are wanted, starting at a pose. If poses have failed, `gone` is NaN for these and zero
+    /// for the others, and is taken away from all numbers except those of the inputs.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn store<V: Stored<Element = f64>>(&self, start: usize, inputs: &[V], found: &Numbers<V>, gone: Option<V>) {
         let less = |number: V| gone.map_or(number, |gone| number - gone);
@@ -445,8 +446,8 @@ impl<S: SliceSolver> PoseByPose<'_, S> {
         }
     }
 
-    /// Calculates and stores the transmission angles that are wanted, starting at a pose. Returns a number that is finite if
-    /// all of them are.
+    /// Calculates and stores the transmission angles that are wanted, starting at a pose. Returns a number that is
+    /// finite if all of them are.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn store_angles<V: Scalar + Angles<Element = f64>>(
         &self,

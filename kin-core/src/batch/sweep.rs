@@ -30,8 +30,9 @@ pub(super) type AngleEntries<'t, M> =
 
 /// Many poses of one mechanism, or of many that differ in their dimensions: columns in, columns out.
 ///
-/// The method `batch` of a mechanism makes it. [`new`](Self::new) and [`near`](Self::near) make it for any mechanism, with the columns in
-/// the order of parameters, inputs and unknowns. `G` is the choice among several positions, which these methods set.
+/// The method `batch` of a mechanism makes it. [`new`](Self::new) and [`near`](Self::near) make it for any mechanism,
+/// with the columns in the order of parameters, inputs and unknowns. `G` is the choice among several positions, which
+/// these methods set.
 ///
 /// | for | see |
 /// |---|---|
@@ -205,11 +206,12 @@ impl<'a, M: Mechanism<Scalar: Element>, C: Row<Column<'a, M::Scalar>>> Guide<'a,
 }
 
 impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Batch<'a, M, G> {
-    /// Solves all poses: writes their motions to the columns of `poses`, and an outcome for each pose. Nothing is allocated.
+    /// Solves all poses: writes their motions to the columns of `poses`, and an outcome for each pose. Nothing is
+    /// allocated.
     ///
     /// # Errors
-    /// [`LengthMismatch`] if the length of a column differs from the number of outcomes. Nothing is solved then. The outcome of a pose
-    /// says whether it was solved.
+    /// [`LengthMismatch`] if the length of a column differs from the number of outcomes. Nothing is solved then. The
+    /// outcome of a pose says whether it was solved.
     pub fn solve<P: Columns<C>, C: Target<M::Scalar>>(
         &self,
         poses: &mut P,

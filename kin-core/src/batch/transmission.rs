@@ -8,7 +8,8 @@ use crate::mechanism::{Mechanism, Pose};
 use crate::number::{Number, Row};
 use crate::picture::TransmissionAngle;
 
-/// The entries of the transmission angles, each folded to at most a right angle. `R` is a row with an entry list for each dyad.
+/// The entries of the transmission angles, each folded to at most a right angle. `R` is a row with an entry list for
+/// each dyad.
 pub(super) struct TransmissionEntries<'t, E, R> {
     pub(super) of_dyads: R,
     /// The entries of the smallest of all.
@@ -100,8 +101,8 @@ fn take_away<const W: usize, const FUSED: bool, E: Element>(
 
 /// Angles of one pose or several.
 pub(super) trait Angles: Number + Stored {
-    /// An angle in 0 ..= π or its negative, as the smaller of the angle and its supplement. A transmission angle takes its
-    /// sign from the first lane, so it may be negative in others.
+    /// An angle in 0 ..= π or its negative, as the smaller of the angle and its supplement. A transmission angle takes
+    /// its sign from the first lane, so it may be negative in others.
     fn folded(self) -> Self;
 
     /// The smaller of this number and another.

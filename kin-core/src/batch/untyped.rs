@@ -120,8 +120,9 @@ impl<M: Mechanism<Scalar = f64>> AnyBatch for Of<M> {
 
 /// Summaries of poses at evenly spaced values of an input, on columns by their indices.
 pub trait AnyFold: Described {
-    /// Solves the poses of a grid, and summarises some of their numbers. What is given for the position of the input with
-    /// these values is not read. A mechanism that runs without rustc works faster if the memory is kept for the next call.
+    /// Solves the poses of a grid, and summarises some of their numbers. What is given for the position of the input
+    /// with these values is not read. A mechanism that runs without rustc works faster if the memory is kept for the
+    /// next call.
     ///
     /// # Errors
     /// As for [`Batch::fold`]. A coupled mechanism refuses every grid: its position is only known from values nearby.

@@ -9,8 +9,8 @@ use core::fmt;
 pub enum LimitKind {
     /// A limit position: two assemblies meet, and neither goes on. The inputs can only reverse.
     TurningPoint,
-    /// A change point: assemblies cross, or meet where a part rotates freely or where several blocks have their limits, and geometry does not
-    /// determine which one the mechanism follows.
+    /// A change point: assemblies cross, or meet where a part rotates freely or where several blocks have their limits,
+    /// and geometry does not determine which one the mechanism follows.
     ChangePoint,
     /// A length goes to infinity. The unknowns are those next to the pole.
     Pole,

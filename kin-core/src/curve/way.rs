@@ -205,7 +205,8 @@ impl<'w> Way<'w> {
         &mut series[first..first + self.count()]
     }
 
-    /// The residuals as series, in memory for parameters, inputs, unknowns and residuals in which parameters and unknowns stand.
+    /// The residuals as series, in memory for parameters, inputs, unknowns and residuals in which parameters and
+    /// unknowns stand.
     pub(crate) fn residuals<'m, const N: usize>(
         &self,
         functions: &dyn ClosureOver<Series<N>>,

@@ -17,13 +17,15 @@ use crate::mechanism::Mechanism;
 use crate::picture::TransmissionAngle;
 use crate::quantity::Name;
 
-/// The smallest stroke of a quantity that moves, as a part of its largest value, and the shortest way between its ends, as a part of a revolution.
+/// The smallest stroke of a quantity that moves, as a part of its largest value, and the shortest way between its ends,
+/// as a part of a revolution.
 const STILL: f64 = 1e-12;
 
 /// A circuit of a cycle. [`Cycle::along`] makes it; the words are those of a sweep.
 ///
-/// A quantity along a circuit is the same as along a [sweep](crate::extremes) over each of its branches, where the input moves at the speed 1.
-/// Angles go on from branch to branch, and so do the quantities that depend on them, as the position of a rack does.
+/// A quantity along a circuit is the same as along a [sweep](crate::extremes) over each of its branches, where the
+/// input moves at the speed 1. Angles go on from branch to branch, and so do the quantities that depend on them, as the
+/// position of a rack does.
 ///
 /// `C` is the cycle to which it belongs.
 #[derive(Clone, Copy)]
@@ -42,11 +44,12 @@ impl<C> fmt::Debug for CircuitAlong<'_, C> {
     }
 }
 
-/// A quantity along a circuit. [`CircuitAlong::of`] and [`CircuitAlong::of_expression`] make it, and each of its methods answers a question.
+/// A quantity along a circuit. [`CircuitAlong::of`] and [`CircuitAlong::of_expression`] make it, and each of its
+/// methods answers a question.
 ///
 /// # Errors
-/// For all questions, [`MeasureError::NoSuchCircuit`], and [`MeasureError::Extremes`] if no column has the name, or if the curve of the
-/// quantity is too rough to be searched.
+/// For all questions, [`MeasureError::NoSuchCircuit`], and [`MeasureError::Extremes`] if no column has the name, or if
+/// the curve of the quantity is too rough to be searched.
 #[must_use = "ask for its `stroke`, its `peak` or its `extremes`"]
 pub struct QuantityOnCircuit<'c> {
     cycle: MeasuredCycle<'c>,
@@ -124,13 +127,14 @@ impl<'c, C> CircuitAlong<'c, C> {
         }
     }
 
-    /// A quantity by the name of its column: `"theta4"`, `"foot.x"`, `"theta4_velocity"`. Rates are those with respect to the input.
+    /// A quantity by the name of its column: `"theta4"`, `"foot.x"`, `"theta4_velocity"`. Rates are those with respect
+    /// to the input.
     pub fn of(&self, name: &str) -> QuantityOnCircuit<'c> {
         self.quantity(named_quantity(self.cycle.functions, name))
     }
 
-    /// The smallest transmission angle of all dyads, folded to at most a right angle. It is zero if the circuit has a limit in which a dyad
-    /// is stretched or folded.
+    /// The smallest transmission angle of all dyads, folded to at most a right angle. It is zero if the circuit has a
+    /// limit in which a dyad is stretched or folded.
     ///
     /// # Errors
     /// [`MeasureError::NoDyad`], if the mechanism has none, or if there is no such circuit.
@@ -185,7 +189,8 @@ impl<'c, C> CircuitAlong<'c, C> {
 }
 
 impl QuantityOnCircuit<'_> {
-    /// All extremes, branch by branch in the order of the circuit: those inside, those at limits and kinks, and those at the ends of branches.
+    /// All extremes, branch by branch in the order of the circuit: those inside, those at limits and kinks, and those
+    /// at the ends of branches.
     ///
     /// # Errors
     /// As for all [questions](Self).
@@ -244,7 +249,8 @@ impl QuantityOnCircuit<'_> {
         self.range().map(|(stroke, _)| stroke)
     }
 
-    /// The stroke, and whether both of its ends lie inside of branches or at their limits, so that the quantity reverses there.
+    /// The stroke, and whether both of its ends lie inside of branches or at their limits, so that the quantity
+    /// reverses there.
     fn range(&self) -> Result<(Stroke, bool), MeasureError> {
         let mut range: Option<(Stroke, [ExtremeKind; 2])> = None;
         for CircuitExtreme { branch, extreme } in self.extremes()? {
@@ -263,12 +269,13 @@ impl QuantityOnCircuit<'_> {
         Ok((stroke, !kinds.contains(&ExtremeKind::End)))
     }
 
-    /// The time ratio of a quick return, at a constant speed of the input: the longer of the ways of the input between the smallest and the
-    /// largest value, divided by the shorter one. It is 1 or more.
+    /// The time ratio of a quick return, at a constant speed of the input: the longer of the ways of the input between
+    /// the smallest and the largest value, divided by the shorter one. It is 1 or more.
     ///
     /// # Errors
-    /// [`MeasureError::NoFullRevolution`], if the input does not make one revolution along the circuit, [`MeasureError::NoReturn`], if the quantity makes full revolutions
-    /// fully or stays where it is; otherwise as for [`stroke`](Self::stroke).
+    /// [`MeasureError::NoFullRevolution`], if the input does not make one revolution along the circuit,
+    /// [`MeasureError::NoReturn`], if the quantity makes full revolutions fully or stays where it is; otherwise as for
+    /// [`stroke`](Self::stroke).
     ///
     /// ```
     /// use kin_core::cycle::FullCycle;

@@ -41,7 +41,8 @@ impl Doubt {
         Self(self.0 | other.0)
     }
 
-    /// Whether values exist at both ends only if they exist in between, and the points where they exist touch one certain end.
+    /// Whether values exist at both ends only if they exist in between, and the points where they exist touch one
+    /// certain end.
     #[inline]
     pub(super) const fn is_one_sided(self) -> bool {
         self.0 == Self::RISING.0 || self.0 == Self::FALLING.0
@@ -56,9 +57,10 @@ impl Doubt {
 
 /// All values of a function of one variable t in -1 ..= 1.
 ///
-/// The value at t = 0 has an error of at most `error`. All values lie between `low` and `high`, and all derivatives between `least_slope` and `greatest_slope`,
-/// rounding included: each operation widens its bounds by more than its error. (R. E. Moore, R. B. Kearfott and M. J. Cloud, Introduction
-/// to Interval Analysis, SIAM 2009: natural extensions and, in [`Bounds::tight`], the mean value form.)
+/// The value at t = 0 has an error of at most `error`. All values lie between `low` and `high`, and all derivatives
+/// between `least_slope` and `greatest_slope`, rounding included: each operation widens its bounds by more than its
+/// error. (R. E. Moore, R. B. Kearfott and M. J. Cloud, Introduction to Interval Analysis, SIAM 2009: natural
+/// extensions and, in [`Bounds::tight`], the mean value form.)
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bounds {
     middle: f64,
@@ -102,7 +104,8 @@ fn rounded_product(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 #[inline]
 pub(super) fn widened([low, high]: [f64; 2]) -> [f64; 2] {
     let size = larger(low.abs(), high.abs());
-    // Only the product with an exact zero is zero: bounds do not underflow, and stay above the numbers with which processors are slow.
+    // Only the product with an exact zero is zero: bounds do not underflow, and stay above the numbers with which
+    // processors are slow.
     let slack = if size < TINY && size > 0.0 {
         TINY
     } else {
@@ -279,7 +282,8 @@ impl Bounds {
         Self::rough(middle, values, self.doubt.and(other.doubt))
     }
 
-    /// The angles from the vector in the middle, whose components are `x` and this number, to the corners of the box of all vectors.
+    /// The angles from the vector in the middle, whose components are `x` and this number, to the corners of the box of
+    /// all vectors.
     fn seen_from_the_middle(self, x: Self) -> [f64; 2] {
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for y in self.values() {

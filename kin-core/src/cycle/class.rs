@@ -16,7 +16,8 @@ fn sign(difference: f64, size: f64) -> core::cmp::Ordering {
 
 /// Grashof's types: whether the shortest link makes full revolutions relative to the others.
 ///
-/// F. Grashof, *Theoretische Maschinenlehre* 2, 1883: it does if the shortest and the longest link together are shorter than the other two.
+/// F. Grashof, *Theoretische Maschinenlehre* 2, 1883: it does if the shortest and the longest link together are shorter
+/// than the other two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum GrashofType {
     /// The shortest link makes full revolutions.
@@ -29,9 +30,10 @@ pub enum GrashofType {
 
 /// Barker's classes of four-bar linkages.
 ///
-/// C. R. Barker, *A complete classification of planar four-bar linkages*, Mechanism and Machine Theory 20 (1985), 535-554. His symbols
-/// say what crank, coupler and rocker do relative to the ground: C makes full revolutions, R swings; G stands for Grashof, R for the other ones with the
-/// number of the longest link, S for a change point, X for two or four equal pairs.
+/// C. R. Barker, *A complete classification of planar four-bar linkages*, Mechanism and Machine Theory 20 (1985),
+/// 535-554. His symbols say what crank, coupler and rocker do relative to the ground: C makes full revolutions, R
+/// swings; G stands for Grashof, R for the other ones with the number of the longest link, S for a change point, X for
+/// two or four equal pairs.
 ///
 /// ```
 /// use kin_core::cycle::{BarkerClass, GrashofType};
@@ -75,8 +77,8 @@ pub enum BarkerClass {
 }
 
 impl BarkerClass {
-    /// The class of a linkage with four positive lengths; `None` if one link is longer than the others together, so that it cannot be
-    /// assembled, or if a length is not a positive number.
+    /// The class of a linkage with four positive lengths; `None` if one link is longer than the others together, so
+    /// that it cannot be assembled, or if a length is not a positive number.
     #[must_use]
     pub fn of(ground: f64, crank: f64, coupler: f64, rocker: f64) -> Option<Self> {
         let links = [ground, crank, coupler, rocker];
@@ -164,8 +166,8 @@ impl BarkerClass {
     }
 }
 
-/// The types of slider-cranks. They are four-bars whose ground and rocker are infinitely long: Grashof's condition compares the difference of
-/// crank and coupler with the offset.
+/// The types of slider-cranks. They are four-bars whose ground and rocker are infinitely long: Grashof's condition
+/// compares the difference of crank and coupler with the offset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SliderCrankType {
     /// The crank makes full revolutions: crank + offset < coupler.
@@ -179,7 +181,8 @@ pub enum SliderCrankType {
 }
 
 impl SliderCrankType {
-    /// The type of a slider-crank; `None` if the offset is not smaller than crank and coupler together, so that it cannot be assembled.
+    /// The type of a slider-crank; `None` if the offset is not smaller than crank and coupler together, so that it
+    /// cannot be assembled.
     #[must_use]
     pub fn of(crank: f64, coupler: f64, offset: f64) -> Option<Self> {
         let size = crank + coupler + offset;
@@ -211,8 +214,8 @@ pub enum InvertedSliderCrankType {
 }
 
 impl InvertedSliderCrankType {
-    /// The type of an inverted slider-crank; `None` if the offset is not smaller than ground and crank together, so that it cannot be
-    /// assembled.
+    /// The type of an inverted slider-crank; `None` if the offset is not smaller than ground and crank together, so
+    /// that it cannot be assembled.
     #[must_use]
     pub fn of(ground: f64, crank: f64, offset: f64) -> Option<Self> {
         let size = ground + crank + offset;

@@ -95,8 +95,8 @@ pub(super) struct ClosedSearch<'a> {
     curved: Vec<Curved>,
     pub(super) line: &'a InputLine,
     pub(super) size: f64,
-    /// The ends of the intervals with which the search of an assembly begins: those of the assembly before it, which has most of its blocks
-    /// in common with it.
+    /// The ends of the intervals with which the search of an assembly begins: those of the assembly before it, which
+    /// has most of its blocks in common with it.
     division: Vec<f64>,
     found: FoundPieces,
 }
@@ -332,7 +332,8 @@ impl ClosedSearch<'_> {
         // Whether the assembly closes at the border before an interval, or at the end of the range; nothing if rounding
         // may decide about it.
         let closes_at = |search: &Self, border: usize| {
-            // At the border of an interval that closes everywhere, and at that of one that closes nowhere, nothing needs to be solved.
+            // At the border of an interval that closes everywhere, and at that of one that closes nowhere, nothing
+            // needs to be solved.
             let [before, after] = [border.checked_sub(1), Some(border)]
                 .map(|border| intervals.get(border?).map(|interval| interval.known));
             let known = [before, after].into_iter().flatten().find_map(Known::closes);
@@ -538,8 +539,8 @@ impl ClosedSearch<'_> {
 
     /// Moves an input that closes and one that does not together until no number lies between them.
     ///
-    /// The square of the difference of the two assemblies that meet is zero at the limit, and smooth on the side that closes. Its secants lead
-    /// close to the limit, and bisection does the rest.
+    /// The square of the difference of the two assemblies that meet is zero at the limit, and smooth on the side that
+    /// closes. Its secants lead close to the limit, and bisection does the rest.
     fn narrow(&self, assembly: usize, good: &mut f64, bad: &mut f64) {
         let mut secant: Option<(f64, f64)> = None;
         let mut partner = None;
@@ -767,7 +768,8 @@ impl ClosedSearch<'_> {
         }
     }
 
-    /// The input near another one at which two assemblies cross, the unknowns there, and the index of the other assembly.
+    /// The input near another one at which two assemblies cross, the unknowns there, and the index of the other
+    /// assembly.
     ///
     /// It is found from inputs as far away as another limit allows, and from closer ones as long as these differ: next
     /// to another limit, the assemblies are no smooth functions of the input.
@@ -794,8 +796,9 @@ impl ClosedSearch<'_> {
 
     /// The input at which two assemblies cross, from others within a distance from it.
     ///
-    /// Both are smooth if they change roles at the crossing. So their difference, with its sign changed behind the crossing, is a smooth
-    /// function with a simple zero, which inverse interpolation finds from inputs where the difference has all its digits.
+    /// Both are smooth if they change roles at the crossing. So their difference, with its sign changed behind the
+    /// crossing, is a smooth function with a simple zero, which inverse interpolation finds from inputs where the
+    /// difference has all its digits.
     fn crossing_within(&self, assembly: usize, s: f64, reach: f64) -> Option<BranchCrossing> {
         let samples = around(s, reach);
         let first_assembly = samples.map(|s| self.solved(s, assembly));

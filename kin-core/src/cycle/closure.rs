@@ -8,8 +8,8 @@ use num_traits::{Float, ToPrimitive};
 use super::polynomial::{ClosurePolynomial, ClosureQuantity, Quantities};
 use crate::mechanism::{ClosureHarmonic, ClosureTerm};
 
-/// The largest sum of the multiples of an angle that is taken apart: the binomial coefficients of a larger one have more digits than a
-/// number.
+/// The largest sum of the multiples of an angle that is taken apart: the binomial coefficients of a larger one have
+/// more digits than a number.
 const MOST_MULTIPLES: u32 = 32;
 
 /// The terms of a closure with their coefficients, where the inputs are `from + direction v`.
@@ -27,17 +27,17 @@ pub(super) struct Closure {
     pub(super) equations: Vec<ClosurePolynomial>,
     /// The unknown angle, as a quantity, that was added to the input times the sign.
     pub(super) added: Option<(usize, i32)>,
-    /// The unknown angle, as a quantity, that is the direction of the input, a length, and whose cosine and sine occur with it only. Their products with
-    /// the input replace its variables.
+    /// The unknown angle, as a quantity, that is the direction of the input, a length, and whose cosine and sine occur
+    /// with it only. Their products with the input replace its variables.
     pub(super) slide_angle: Option<usize>,
 }
 
 impl Closure {
-    /// The closure whose first quantity is the input, v, or v plus or minus an unknown angle, whichever makes the lowest degrees. The
-    /// angle of a motor between two links is a difference of their angles, for example.
+    /// The closure whose first quantity is the input, v, or v plus or minus an unknown angle, whichever makes the
+    /// lowest degrees. The angle of a motor between two links is a difference of their angles, for example.
     ///
-    /// It is `None` if v, where it is an angle, or an unknown angle occurs outside of sines and cosines, or if a sine does not repeat itself
-    /// after a revolution of v.
+    /// It is `None` if v, where it is an angle, or an unknown angle occurs outside of sines and cosines, or if a sine
+    /// does not repeat itself after a revolution of v.
     pub(super) fn new(quantities: &Quantities, on_line: ClosureOnLine<'_>) -> Option<Self> {
         let count = quantities.len();
         let mut best: Option<(usize, Self)> = None;
@@ -67,7 +67,8 @@ impl Closure {
         best.map(|(_, closure)| closure.with_the_link_of_the_input())
     }
 
-    /// The closure with the coordinates of the input's link as variables, if the input is the length of a rotating link.
+    /// The closure with the coordinates of the input's link as variables, if the input is the length of a rotating
+    /// link.
     fn with_the_link_of_the_input(mut self) -> Self {
         let input = self.quantities.first(0);
         let is_input = |&(variable, _): &(u16, u8)| variable == input;

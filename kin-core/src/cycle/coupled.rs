@@ -1,6 +1,8 @@
-//! The search where a block has no closed form: from all positions at some inputs, along the curve of solutions in both directions.
+//! The search where a block has no closed form: from all positions at some inputs, along the curve of solutions in both
+//! directions.
 //!
-//! If all limits are known, the ends of the range and the gaps beside those limits that no branch has reached are enough.
+//! If all limits are known, the ends of the range and the gaps beside those limits that no branch has reached are
+//! enough.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -27,13 +29,14 @@ const SAME_POSITION: f64 = 1e-6;
 const BESIDE: f64 = 1e-7;
 /// The largest distance of inputs that are the same node, as a part of the range.
 const SAME_NODE: f64 = 1e-9;
-/// The largest distance of a node from a limit that continuation found, as a part of the range, and of the unknowns there. A multiple
-/// solution is known to a part of the digits only.
+/// The largest distance of a node from a limit that continuation found, as a part of the range, and of the unknowns
+/// there. A multiple solution is known to a part of the digits only.
 const LOCATED: [f64; 2] = [1e-6, 1e-3];
 /// The largest number of pieces.
 const MOST_PIECES: usize = 4096;
 
-/// The distance from a limit at which its two branches are sought, in the fastest unknown: about the root of [`BESIDE`].
+/// The distance from a limit at which its two branches are sought, in the fastest unknown: about the root of
+/// [`BESIDE`].
 const ASIDE: f64 = 1e-3;
 
 /// Whether a limit is a position of the whole mechanism.
@@ -93,8 +96,8 @@ fn division(line: &InputLine) -> impl Iterator<Item = (f64, bool)> {
 
 /// All pieces, from all limits.
 ///
-/// A circuit that does not pass the ends of the range has a smallest input, which is a limit. So it is found from there, or all positions
-/// beside this limit are sought.
+/// A circuit that does not pass the ends of the range has a smallest input, which is a limit. So it is found from
+/// there, or all positions beside this limit are sought.
 fn from_limits(
     mechanism: &SoughtMechanism<'_>,
     functions: &dyn CoupledBlocks,

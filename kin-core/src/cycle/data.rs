@@ -14,7 +14,8 @@ use crate::quantity::Name;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum EndKind {
-    /// A limit. At a limit position the input reverses, and the branch meets another one of its circuit; at a change point branches cross.
+    /// A limit. At a limit position the input reverses, and the branch meets another one of its circuit; at a change
+    /// point branches cross.
     Limit(LimitKind),
     /// The end of the range of the input that was looked at.
     Range,
@@ -77,7 +78,8 @@ impl Branch {
         self.ends.each_ref()
     }
 
-    /// The smallest and the largest input. A branch of a closed range may reach beyond half a revolution, and a full revolution may begin anywhere.
+    /// The smallest and the largest input. A branch of a closed range may reach beyond half a revolution, and a full
+    /// revolution may begin anywhere.
     #[must_use]
     pub fn range(&self) -> RangeInclusive<f64> {
         self.ends[0].input..=self.ends[1].input
@@ -89,7 +91,8 @@ impl Branch {
         self.ends[0].kind == EndKind::FullRevolution
     }
 
-    /// The index of the assembly, if every block has a closed form. [`Cycle::assembly_of`](super::Cycle::assembly_of) gives the assembly.
+    /// The index of the assembly, if every block has a closed form. [`Cycle::assembly_of`](super::Cycle::assembly_of)
+    /// gives the assembly.
     #[must_use]
     pub fn assembly(&self) -> Option<usize> {
         self.assembly
@@ -132,8 +135,8 @@ impl Circuit {
         &self.branches
     }
 
-    /// Whether the mechanism comes back to its start along the circuit. It is false if the circuit ends, or has a change point, at which it
-    /// may go different ways.
+    /// Whether the mechanism comes back to its start along the circuit. It is false if the circuit ends, or has a
+    /// change point, at which it may go different ways.
     #[must_use]
     pub fn is_closed(&self) -> bool {
         self.revolutions.is_some()
@@ -145,7 +148,8 @@ impl Circuit {
         self.input_revolutions
     }
 
-    /// The number of revolutions of each unknown along a closed circuit, counted as the first branch runs with a growing input; 0 for lengths.
+    /// The number of revolutions of each unknown along a closed circuit, counted as the first branch runs with a
+    /// growing input; 0 for lengths.
     #[must_use]
     pub fn revolutions(&self) -> Option<&[i32]> {
         self.revolutions.as_deref()
@@ -190,27 +194,29 @@ impl CycleData {
         &self.incomplete
     }
 
-    /// Where it is not decided whether an assembly closes: its index, and a range of the input. [`Cycle::undecided`](super::Cycle::undecided)
-    /// has the assemblies themselves.
+    /// Where it is not decided whether an assembly closes: its index, and a range of the input.
+    /// [`Cycle::undecided`](super::Cycle::undecided) has the assemblies themselves.
     #[must_use]
     pub fn undecided_assemblies(&self) -> &[(usize, [f64; 2])] {
         &self.undecided
     }
 
-    /// The inputs at which all positions were sought, in ascending order: the ends of the range, and others if limits are not enough. It is
-    /// empty if every block has a closed form.
+    /// The inputs at which all positions were sought, in ascending order: the ends of the range, and others if limits
+    /// are not enough. It is empty if every block has a closed form.
     #[must_use]
     pub fn seeds(&self) -> &[f64] {
         &self.seeds
     }
 
-    /// The way after which the positions repeat themselves: a revolution of the input, or several. `None` if the range has ends.
+    /// The way after which the positions repeat themselves: a revolution of the input, or several. `None` if the range
+    /// has ends.
     #[must_use]
     pub fn period(&self) -> Option<f64> {
         self.period
     }
 
-    /// The branches that have a position at an input, with the index of each. A branch that passes the input several times comes several times.
+    /// The branches that have a position at an input, with the index of each. A branch that passes the input several
+    /// times comes several times.
     pub fn at(&self, input: f64) -> impl Iterator<Item = (usize, &Branch)> {
         let period = self.period;
         self.branches.iter().enumerate().flat_map(move |(index, branch)| {

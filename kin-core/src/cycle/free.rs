@@ -1,7 +1,9 @@
-//! Inputs at which a part rotates freely, such as the link of an inverted slider-crank whose slide stands on the link's pivot.
+//! Inputs at which a part rotates freely, such as the link of an inverted slider-crank whose slide stands on the link's
+//! pivot.
 //!
-//! There the assemblies do not cross, since the free part stands in different directions. But the mechanism moves on smoothly from one
-//! assembly into another one, and at the input itself the free part leads from every direction to every other.
+//! There the assemblies do not cross, since the free part stands in different directions. But the mechanism moves on
+//! smoothly from one assembly into another one, and at the input itself the free part leads from every direction to
+//! every other.
 
 use alloc::vec::Vec;
 
@@ -11,8 +13,9 @@ use super::line::MEETING;
 use crate::number::NumberRow;
 use crate::quantity::{Dimension, Name};
 
-/// The largest error of the closure on a way of positions, as a part of the size. The straight line between two other positions that are
-/// [`MEETING`] or more apart leaves the closure by the square of their distance over eight, which is a hundred times as much.
+/// The largest error of the closure on a way of positions, as a part of the size. The straight line between two other
+/// positions that are [`MEETING`] or more apart leaves the closure by the square of their distance over eight, which is
+/// a hundred times as much.
 const FREE: f64 = MEETING * MEETING / 1024.0;
 /// The number of parts of a straight line at whose ends the closure is tested.
 const TESTED_PARTS: u32 = 8;
@@ -89,8 +92,8 @@ pub(super) fn jump(search: &ClosedSearch<'_>, assembly: usize, samples: &[f64; C
     is_jump.then_some(Jump { s, unknowns, block })
 }
 
-/// The unknowns of an assembly before and behind an input, if they are different positions there: a part rotates freely, and no other assembly goes on
-/// where this one ends, since the declared range of an unknown leaves it out.
+/// The unknowns of an assembly before and behind an input, if they are different positions there: a part rotates
+/// freely, and no other assembly goes on where this one ends, since the declared range of an unknown leaves it out.
 pub(super) fn sides(search: &ClosedSearch<'_>, assembly: usize, s: f64, reach: f64) -> Option<[NumberRow; 2]> {
     // from samples that keep away from it, where the direction of the free part has lost its digits
     let side = |direction: f64| {
@@ -115,8 +118,8 @@ fn is_position(search: &ClosedSearch<'_>, s: f64, unknowns: &[f64]) -> bool {
     residuals.iter().all(|residual| residual.abs() <= FREE * search.size)
 }
 
-/// Whether a straight line between two positions at the same input consists of positions. An angle that is half a revolution
-/// apart may rotate either way.
+/// Whether a straight line between two positions at the same input consists of positions. An angle that is half a
+/// revolution apart may rotate either way.
 pub(super) fn is_connected(search: &ClosedSearch<'_>, s: f64, [from, to]: [&[f64]; 2]) -> bool {
     let unknowns = search.mechanism.unknowns();
     let to = search.mechanism.nearest(to, from);

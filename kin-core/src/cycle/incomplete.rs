@@ -30,8 +30,8 @@ pub enum Incomplete {
         /// Whether the input is an angle.
         is_angle: bool,
     },
-    /// The bounds do not decide whether assemblies close: [`Cycle::undecided`](super::Cycle::undecided) has each with its
-    /// ranges.
+    /// The bounds do not decide whether assemblies close: [`Cycle::undecided`](super::Cycle::undecided) has each with
+    /// its ranges.
     Undecided {
         /// The number of assemblies.
         assemblies: usize,
@@ -47,8 +47,8 @@ pub enum Incomplete {
         /// Whether the input is an angle.
         is_angle: bool,
     },
-    /// The closure of a mechanism with a coupled block is no polynomial in lengths and in cosines and sines of angles, so its
-    /// limits are not all known.
+    /// The closure of a mechanism with a coupled block is no polynomial in lengths and in cosines and sines of angles,
+    /// so its limits are not all known.
     NotAlgebraic,
     /// An unknown of a mechanism with a coupled block has a declared range.
     DeclaredRange {

@@ -37,7 +37,8 @@ impl AlongLine {
     /// The closure, if it is algebraic along the line.
     fn new(mechanism: &SoughtMechanism<'_>, functions: &dyn CoupledBlocks, line: &InputLine) -> Option<Self> {
         let mut moving = (0..line.direction.len()).filter(|input| line.direction[*input] != 0.0);
-        // A length that moves alone stands for the coordinate on the line, so that its products with cosines are no sums.
+        // A length that moves alone stands for the coordinate on the line, so that its products with cosines are no
+        // sums.
         let alone = match (moving.next(), moving.next()) {
             (Some(input), None) if !line.is_angle => Some(input),
             _ => None,
@@ -222,7 +223,8 @@ mod tests {
         (12.9898 * (f64::from(sample) + 0.7) * (super::super::line::count(index) + 1.3)).sin()
     }
 
-    /// Compares the polynomials with the closure, at inputs that have nothing in common and in all positions at the first of them where there are some.
+    /// Compares the polynomials with the closure, at inputs that have nothing in common and in all positions at the
+    /// first of them where there are some.
     fn assert_is_the_closure<M: Mechanism<Scalar = f64>>(mechanism: &M, direction: &[f64]) {
         let functions = Of::<M>::FUNCTIONS;
         let sought = SoughtMechanism {

@@ -17,7 +17,8 @@ use crate::sweep::{Drive, READ, SmoothDrive, Variable, write_steady};
 const MOST_REVOLUTIONS: u32 = 12;
 /// The largest difference of two values of a row, as a part of them, that may be rounding.
 const ROUNDING_OF_ROW: f64 = 1e-9;
-/// The part of a revolution by which the samples of the search are shifted, so that symmetric linkages have no limit exactly there.
+/// The part of a revolution by which the samples of the search are shifted, so that symmetric linkages have no limit
+/// exactly there.
 const SHIFT: f64 = 0.061_803;
 
 /// The largest [`distance`](SoughtMechanism::distance) of two positions next to the input at which they meet.
@@ -163,7 +164,8 @@ impl InputLine {
                 if !rows().all(|(near, far)| is_same(*near, *far, ROUNDING_OF_ROW * (near.abs() + size.max(1.0)))) {
                     return false;
                 }
-                // Each row in the unit of the row: by the bounds of what rounding changes in it, a whole revolution included.
+                // Each row in the unit of the row: by the bounds of what rounding changes in it, a whole revolution
+                // included.
                 let errors = |s: f64, unknowns: &[f64]| {
                     let inputs = self.inputs_at(Bounds::rounded(s));
                     let unknowns: Vec<Bounds> = unknowns.iter().copied().map(Bounds::rounded).collect();

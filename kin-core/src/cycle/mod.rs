@@ -1,8 +1,9 @@
 //! The full cycle of a mechanism: all circuits and branches, with their limits.
 //!
-//! Over an input, the positions of a mechanism form curves. A *circuit* is such a curve: all positions that are reached without taking the
-//! mechanism apart. Where an input reverses, two *branches* of a circuit meet (T. R. Chase and J. A. Mirth, *Circuits and branches of
-//! single-degree-of-freedom planar linkages*, Journal of Mechanical Design 115 (1993), 223-230). [`FullCycle::cycle`] finds all of them.
+//! Over an input, the positions of a mechanism form curves. A *circuit* is such a curve: all positions that are reached
+//! without taking the mechanism apart. Where an input reverses, two *branches* of a circuit meet (T. R. Chase and J. A.
+//! Mirth, *Circuits and branches of single-degree-of-freedom planar linkages*, Journal of Mechanical Design 115 (1993),
+//! 223-230). [`FullCycle::cycle`] finds all of them.
 //!
 //! ```
 //! use kin_core::LimitKind;
@@ -27,20 +28,22 @@
 //! assembly closes everywhere in the interval, or nowhere, or that the condition on which it depends is monotonic
 //! there, so that its values at the ends decide whether there is one limit or none. Other intervals are halved until
 //! rounding decides, where every length counts as known to one unit in its last place. An assembly that closes on both
-//! sides of such an input has a change point there. [`is_complete`](CycleData::is_complete) is then true. One thing is tested and not
-//! proved: the choice by a declared range of an unknown is made at the ends and in the middle of each interval.
+//! sides of such an input has a change point there. [`is_complete`](CycleData::is_complete) is then true. One thing is
+//! tested and not proved: the choice by a declared range of an unknown is made at the ends and in the middle of each
+//! interval.
 //!
 //! The search has a unit of length for itself, so that a multiple of all lengths has the same cycle.
 //!
-//! If a block is coupled, all its limits come first: the real solutions of the closure and det J = 0, with the input unknown, by
-//! continuation. The macro states the closure as [polynomials](crate::Mechanism::closure_terms) in cosines, sines and
-//! lengths. A circuit that does not pass an end of the range has a smallest input, which is a limit. So [`track`](crate::track()) follows all positions
-//! at the [ends](CycleData::seeds), and both branches of every limit that was not reached. [`is_complete`](CycleData::is_complete) is true if no path of the
-//! continuation was lost, and if tracks and continuation have found the same limits. It holds with the reservation of [`Assemblies`](crate::Assemblies): paths
-//! are followed in double precision.
+//! If a block is coupled, all its limits come first: the real solutions of the closure and det J = 0, with the input
+//! unknown, by continuation. The macro states the closure as [polynomials](crate::Mechanism::closure_terms) in cosines,
+//! sines and lengths. A circuit that does not pass an end of the range has a smallest input, which is a limit. So
+//! [`track`](crate::track()) follows all positions at the [ends](CycleData::seeds), and both branches of every limit
+//! that was not reached. [`is_complete`](CycleData::is_complete) is true if no path of the continuation was lost, and
+//! if tracks and continuation have found the same limits. It holds with the reservation of
+//! [`Assemblies`](crate::Assemblies): paths are followed in double precision.
 //!
-//! This needs polynomials of at most 1024 paths, lengths that cannot become infinite, and unknowns without declared ranges. For any other
-//! mechanism all positions are sought at stated inputs, and `is_complete` is false.
+//! This needs polynomials of at most 1024 paths, lengths that cannot become infinite, and unknowns without declared
+//! ranges. For any other mechanism all positions are sought at stated inputs, and `is_complete` is false.
 //! [`incomplete`](CycleData::incomplete) says why.
 
 mod along;
@@ -96,11 +99,12 @@ pub(crate) use station::MeasuredCycle;
 
 /// The full cycle of every mechanism.
 pub trait FullCycle: Mechanism<Scalar = f64> {
-    /// All circuits and branches over the only input: over a revolution of an angle, or as many revolutions as it takes until the closure repeats
-    /// itself; and over all lengths that the sum of the links may reach, twice as far as they reach.
+    /// All circuits and branches over the only input: over a revolution of an angle, or as many revolutions as it takes
+    /// until the closure repeats itself; and over all lengths that the sum of the links may reach, twice as far as they
+    /// reach.
     ///
-    /// A plain number, and an angle with which the closure does not repeat itself within twelve revolutions, is taken from -π to π:
-    /// [`cycle_over`](Self::cycle_over) takes another range.
+    /// A plain number, and an angle with which the closure does not repeat itself within twelve revolutions, is taken
+    /// from -π to π: [`cycle_over`](Self::cycle_over) takes another range.
     ///
     /// # Errors
     /// An error if a parameter is not finite, and that of the solver if it refuses the lengths, because they are too
@@ -123,8 +127,8 @@ pub trait FullCycle: Mechanism<Scalar = f64> {
         Cycle::new(self, Row::splat(0.0), Row::splat(1.0), Some(range.ends()))
     }
 
-    /// All circuits and branches along a line in the space of the inputs: the inputs are `from + s direction`, and s replaces the
-    /// only input of [`cycle`](Self::cycle).
+    /// All circuits and branches along a line in the space of the inputs: the inputs are `from + s direction`, and s
+    /// replaces the only input of [`cycle`](Self::cycle).
     ///
     /// # Errors
     /// As for `cycle`, and an error if an input is not finite, or if the direction is zero.
@@ -191,11 +195,12 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
         })
     }
 
-    /// The assemblies of closed forms about which the bounds decided nothing, each with a range of the input. There, only the ends and the middles
-    /// of intervals were tried.
+    /// The assemblies of closed forms about which the bounds decided nothing, each with a range of the input. There,
+    /// only the ends and the middles of intervals were tried.
     ///
-    /// A block that can move while its input stands still leads here, such as two equal links whose ends coincide at every input. In four of the eight
-    /// assemblies of Peaucellier's cell, the rhombus is folded, and two of its links rotate freely:
+    /// A block that can move while its input stands still leads here, such as two equal links whose ends coincide at
+    /// every input. In four of the eight assemblies of Peaucellier's cell, the rhombus is folded, and two of its links
+    /// rotate freely:
     ///
     /// ```
     /// use kin_core::cycle::FullCycle;

@@ -25,7 +25,8 @@ pub(super) enum Tip {
     Seam,
 }
 
-/// A branch, or a part of one that ends at the seam of a closed range. The tips belong to the smallest and the largest input.
+/// A branch, or a part of one that ends at the seam of a closed range. The tips belong to the smallest and the largest
+/// input.
 #[derive(Clone)]
 pub(super) struct BranchPiece {
     /// The index of the assembly, if the search knows it.

@@ -17,12 +17,12 @@ use crate::track::TrackError;
 const BESIDE: f64 = 64.0 * f64::EPSILON;
 
 impl<M: Mechanism<Scalar = f64>> Cycle<M> {
-    /// The unknowns of a branch at an input of its range, with the angles unwrapped along the branch. An input may be whole
-    /// [periods](super::CycleData::period) beside the range.
+    /// The unknowns of a branch at an input of its range, with the angles unwrapped along the branch. An input may be
+    /// whole [periods](super::CycleData::period) beside the range.
     ///
     /// # Errors
-    /// [`Failure::OutOfRange`] if the input lies outside the branch, with the range of the branch, and the errors of the solver: the input
-    /// lies at an end of the branch.
+    /// [`Failure::OutOfRange`] if the input lies outside the branch, with the range of the branch, and the errors of
+    /// the solver: the input lies at an end of the branch.
     pub fn position_on(&self, branch: usize, input: f64) -> Result<M::Unknowns<f64>, SolveError> {
         self.searched.position_on(branch, input).map(|found| row(&found))
     }

@@ -228,8 +228,8 @@ fn needed(closure: &Closure, blocks: &[Block<'_>], block: usize) -> Vec<usize> {
     (0..=block).filter(|candidate| needed[*candidate]).collect()
 }
 
-/// Whether no unknown can grow beyond all bounds while the input is finite: each length is alone in an equation with a constant
-/// coefficient, or in the two equations of a loop with the coefficients cos θ and sin θ.
+/// Whether no unknown can grow beyond all bounds while the input is finite: each length is alone in an equation with a
+/// constant coefficient, or in the two equations of a loop with the coefficients cos θ and sin θ.
 fn is_bounded(quantities: &Quantities, equations: &[ClosurePolynomial]) -> bool {
     let count = quantities.len() - 1;
     let mut bounded: Vec<bool> = (0..=count)

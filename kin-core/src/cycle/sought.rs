@@ -147,7 +147,8 @@ impl<'f> SoughtMechanism<'f> {
         sum_of_lengths(self.description().parameters, &self.parameters)
     }
 
-    /// The distance of two positions: the largest difference of a direction, or of a length in parts of the size of the mechanism.
+    /// The distance of two positions: the largest difference of a direction, or of a length in parts of the size of the
+    /// mechanism.
     pub(super) fn distance(&self, size: f64, one: &[f64], other: &[f64]) -> f64 {
         let pairs = one.iter().zip(other);
         let named = self.unknowns().iter().zip(pairs);

@@ -115,7 +115,8 @@ fn every_type_of_four_bar() {
     let cycle = four_bar(90.0, 40.0, 90.0, 40.0);
     for branch in cycle.branches() {
         for end in branch.ends() {
-            // Next to a crossing, rounding changes the difference of the assemblies by ε divided by the distance, which is 0.01 there.
+            // Next to a crossing, rounding changes the difference of the assemblies by ε divided by the distance, which
+            // is 0.01 there.
             assert!((2.0 * end.input).sin().abs() < 16.0 * f64::EPSILON / 0.01, "{end:?}");
         }
     }
@@ -204,7 +205,8 @@ crate::mechanism! {
     arm * cis(phi) + rod * cis(psi) == vec2(ram, height);
 }
 
-/// A crank as long as the ground leads the slide to the pivot of its link, where the link rotates freely. All branches meet there.
+/// A crank as long as the ground leads the slide to the pivot of its link, where the link rotates freely. All branches
+/// meet there.
 #[test]
 fn a_link_turns_freely() {
     for length in [1.0, 3.7, 0.1, 250.0] {
@@ -218,7 +220,8 @@ fn a_link_turns_freely() {
         for branch in cycle.branches() {
             let inside = branch.samples()[branch.samples().len() / 2].1[1];
             for (end, joins) in branch.ends().iter().zip(branch.joins()) {
-                // Next to that input, the direction of the link has lost its digits: those 0.01 away have an error of ε divided by that.
+                // Next to that input, the direction of the link has lost its digits: those 0.01 away have an error of ε
+                // divided by that.
                 let tolerance = 16.0 * f64::EPSILON / 0.01;
                 assert_eq!(
                     (end.kind, end.block),
@@ -260,7 +263,8 @@ fn a_link_turns_freely() {
     }
 }
 
-/// If crank and ground are equal, and coupler and rocker as well, both of the latter rotate freely with the crank on the ground.
+/// If crank and ground are equal, and coupler and rocker as well, both of the latter rotate freely with the crank on
+/// the ground.
 #[test]
 fn coupler_and_rocker_turn_freely() {
     let kite = four_bar(2.0, 2.0, 3.0, 3.0);

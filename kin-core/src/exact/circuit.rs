@@ -1,8 +1,8 @@
 //! Tables of whole circuits, through their limits.
 //!
-//! Where an input reverses, the unknowns are a root of it. As in [`track`](crate::track()), the quantity that moves fastest is the local
-//! parameter there, and the input one of the unknowns: with it the curve is as smooth as anywhere. The length of the arc joins all local
-//! parameters into one.
+//! Where an input reverses, the unknowns are a root of it. As in [`track`](crate::track()), the quantity that moves
+//! fastest is the local parameter there, and the input one of the unknowns: with it the curve is as smooth as anywhere.
+//! The length of the arc joins all local parameters into one.
 
 use alloc::boxed::Box;
 use alloc::string::ToString as _;
@@ -30,7 +30,8 @@ use crate::sweep::{Local, StraightLine, Sweep, Variable, Walk, composed};
 const TERMS: usize = 5;
 /// The longest step along the curve.
 const LONGEST_STEP: f64 = 0.4;
-/// The shortest first piece. A shorter one would only bring rounding into the derivatives, and is made where the tolerance needs it.
+/// The shortest first piece. A shorter one would only bring rounding into the derivatives, and is made where the
+/// tolerance needs it.
 const THINNEST: f64 = 0.1;
 /// The shortest step. Where even this is too long, the curve has no single direction.
 const SHORTEST_STEP: f64 = 1e-7;
@@ -48,8 +49,8 @@ const NOISE: f64 = 1e-9;
 const CORRECTIONS: usize = 16;
 /// The largest number of revolutions of an input after which the inputs may be where they were.
 const MOST_REVOLUTIONS: u32 = 12;
-/// The longest piece over which the length of the arc is integrated at once. An error of 10⁻¹² would be one of 10⁻³ in a derivative of order 4
-/// of a short piece of the table.
+/// The longest piece over which the length of the arc is integrated at once. An error of 10⁻¹² would be one of 10⁻³ in
+/// a derivative of order 4 of a short piece of the table.
 const PIECE: f64 = 0.05;
 /// The distance of the parameters at which rows may stand. The lengths of pieces between them are not rounded.
 const GRID: f64 = 1.0 / 65_536.0;
@@ -510,17 +511,19 @@ impl Source for CircuitCurve<'_> {
 }
 
 impl<M: Mechanism<Scalar = f64>> Sweep<M, StraightLine> {
-    /// The whole circuit as an [`ExactTable`]: from the beginning of the range in its direction, on through the limits where the input
-    /// reverses, until the motion has come back to its start. So one closed table holds both assemblies between two limits.
+    /// The whole circuit as an [`ExactTable`]: from the beginning of the range in its direction, on through the limits
+    /// where the input reverses, until the motion has come back to its start. So one closed table holds both assemblies
+    /// between two limits.
     ///
-    /// The parameter is the length of the arc, `arc`: the root of the sum of the squares of all ways of the unknowns and the moving input (of
-    /// several, the one that moves farthest), angles in radians and lengths in units of the longest link. It is smooth where the input reverses. A mechanism that is shown at a
-    /// constant speed of the arc moves evenly. The columns are the inputs that move and the unknowns, in this order. Outputs are not among
-    /// them: at a limit the solver has none of their derivatives. A quantity that is declared as an unknown with a separate equation is
-    /// a column.
+    /// The parameter is the length of the arc, `arc`: the root of the sum of the squares of all ways of the unknowns
+    /// and the moving input (of several, the one that moves farthest), angles in radians and lengths in units of the
+    /// longest link. It is smooth where the input reverses. A mechanism that is shown at a constant speed of the arc
+    /// moves evenly. The columns are the inputs that move and the unknowns, in this order. Outputs are not among them:
+    /// at a limit the solver has none of their derivatives. A quantity that is declared as an unknown with a separate
+    /// equation is a column.
     ///
-    /// The errors are measured against the closure, which is well-conditioned at limits with the fastest quantity as its parameter; `solve`
-    /// is not. Away from limits both are the same.
+    /// The errors are measured against the closure, which is well-conditioned at limits with the fastest quantity as
+    /// its parameter; `solve` is not. Away from limits both are the same.
     ///
     /// ```
     /// use kin_core::library::FourBar;
@@ -538,9 +541,9 @@ impl<M: Mechanism<Scalar = f64>> Sweep<M, StraightLine> {
     /// ```
     ///
     /// # Errors
-    /// [`ExactTableError::NotClosed`] if the mechanism does not close at the beginning, or the motion leads to the end of the domain of a
-    /// function, [`ExactTableError::ChangePoint`] where branches cross, [`ExactTableError::Lost`] if the motion does not come back, and the
-    /// errors of [`exact_table`](Self::exact_table).
+    /// [`ExactTableError::NotClosed`] if the mechanism does not close at the beginning, or the motion leads to the end
+    /// of the domain of a function, [`ExactTableError::ChangePoint`] where branches cross, [`ExactTableError::Lost`] if
+    /// the motion does not come back, and the errors of [`exact_table`](Self::exact_table).
     pub fn exact_circuit(&self, precision: impl Into<Precision>) -> Result<ExactTable, ExactTableError> {
         let precision = precision.into();
         let sweep = self.any();

@@ -76,8 +76,8 @@ pub enum LookupError {
         /// The first and the last parameter of the table.
         range: [f64; 2],
     },
-    /// The parameter is so many periods away from the table, which repeats itself, that numbers of its size do not distinguish one part of a period
-    /// from another.
+    /// The parameter is so many periods away from the table, which repeats itself, that numbers of its size do not
+    /// distinguish one part of a period from another.
     TooManyPeriods {
         /// The parameter.
         at: f64,

@@ -47,7 +47,8 @@ pub enum ExactTableError {
         /// The reason.
         error: Box<SolveError>,
     },
-    /// The pieces do not agree with the poses within the tolerance, and there may be no more rows, or more rows make it worse.
+    /// The pieces do not agree with the poses within the tolerance, and there may be no more rows, or more rows make it
+    /// worse.
     Unreached {
         /// The column that deviates most, as a part of its tolerance.
         column: String,

@@ -1,8 +1,9 @@
-//! Exact tables: a motion as a few kilobytes of numbers, which can be read at every parameter, with all derivatives, to a tolerance.
+//! Exact tables: a motion as a few kilobytes of numbers, which can be read at every parameter, with all derivatives, to
+//! a tolerance.
 //!
-//! A row holds the value and the derivatives of each column at a parameter. Between two rows a column is the polynomial that agrees with both
-//! in all orders, of degree 9 if the derivatives go up to snap. So a table replaces a solver: for an animation, a controller, a
-//! cam. Reading it takes twenty lines of any language.
+//! A row holds the value and the derivatives of each column at a parameter. Between two rows a column is the polynomial
+//! that agrees with both in all orders, of degree 9 if the derivatives go up to snap. So a table replaces a solver: for
+//! an animation, a controller, a cam. Reading it takes twenty lines of any language.
 //!
 //! ```
 //! use std::f64::consts::TAU;
@@ -23,13 +24,13 @@
 //! ```
 //!
 //! # How exact
-//! Pieces are halved until they agree with `solve` in every order, within the [`Precision`] that was asked for, at a third, at the middle
-//! and at two thirds. Twice the largest difference that was seen is the error that the table states for each column and each order,
-//! [`ExactColumn::errors`].
+//! Pieces are halved until they agree with `solve` in every order, within the [`Precision`] that was asked for, at a
+//! third, at the middle and at two thirds. Twice the largest difference that was seen is the error that the table
+//! states for each column and each order, [`ExactColumn::errors`].
 //!
-//! The error of a piece falls with the tenth power of its length in the values, and with one power less for each derivative. Rounding in
-//! the values at both ends of a piece comes back in its derivatives, divided by powers of its length. So sparse rows keep the highest
-//! derivatives best, and a tolerance that rounding does not allow is an error.
+//! The error of a piece falls with the tenth power of its length in the values, and with one power less for each
+//! derivative. Rounding in the values at both ends of a piece comes back in its derivatives, divided by powers of its
+//! length. So sparse rows keep the highest derivatives best, and a tolerance that rounding does not allow is an error.
 
 #[cfg(feature = "alloc")]
 mod circuit;

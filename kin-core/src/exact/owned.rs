@@ -212,7 +212,8 @@ impl ExactTable {
         self.reader().range()
     }
 
-    /// The way after which the table repeats itself, if it does. It has numbers everywhere then, and angles are unwrapped.
+    /// The way after which the table repeats itself, if it does. It has numbers everywhere then, and angles are
+    /// unwrapped.
     #[must_use]
     pub fn period(&self) -> Option<f64> {
         self.reader().period()
@@ -234,7 +235,8 @@ impl ExactTable {
         found.ok_or_else(|| NoSuchColumn::new(name, reader.columns().map(|column| column.name())))
     }
 
-    /// Writes all columns at a parameter into `result`: the value and the derivatives by the parameter, column after column.
+    /// Writes all columns at a parameter into `result`: the value and the derivatives by the parameter, column after
+    /// column.
     ///
     /// # Errors
     /// [`LookupError`], for a parameter that is not in the table, or a result of another length.
@@ -242,11 +244,12 @@ impl ExactTable {
         self.reader().fill(at, result)
     }
 
-    /// Writes all columns at a parameter into `result`: the value and the derivatives by time while the parameter changes at this speed, column
-    /// after column.
+    /// Writes all columns at a parameter into `result`: the value and the derivatives by time while the parameter
+    /// changes at this speed, column after column.
     ///
     /// # Errors
-    /// [`LookupError`], for a parameter that is not in the table, a speed that is not finite, or a result of another length.
+    /// [`LookupError`], for a parameter that is not in the table, a speed that is not finite, or a result of another
+    /// length.
     pub fn fill_at_speed(&self, at: f64, speed: f64, result: &mut [f64]) -> Result<(), LookupError> {
         self.reader().fill_at_speed(at, speed, result)
     }

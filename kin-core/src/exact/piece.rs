@@ -5,10 +5,11 @@ pub(super) const MOST_NUMBERS: usize = 5;
 
 /// The value and the derivatives of a column between two rows that are `length` apart, at the part `part` of the way.
 ///
-/// `left` and `right` hold the value and the derivatives at the two rows. The result is the polynomial of the lowest degree that agrees
-/// with both: the Taylor polynomial of the left row, and a correction, which is a power of `part` times the rest of the right row as a
-/// polynomial about it. (C. Hermite, *Sur la formule d'interpolation de Lagrange*, Journal für die reine und angewandte Mathematik 84,
-/// 1878, 70-79.) The correction is small, so its powers of `part` may cancel each other without harm.
+/// `left` and `right` hold the value and the derivatives at the two rows. The result is the polynomial of the lowest
+/// degree that agrees with both: the Taylor polynomial of the left row, and a correction, which is a power of `part`
+/// times the rest of the right row as a polynomial about it. (C. Hermite, *Sur la formule d'interpolation de Lagrange*,
+/// Journal für die reine und angewandte Mathematik 84, 1878, 70-79.) The correction is small, so its powers of `part`
+/// may cancel each other without harm.
 ///
 /// The programs in other languages do the same operations in the same order.
 pub(super) fn piece(left: &[f64], right: &[f64], length: f64, part: f64, result: &mut [f64]) {
@@ -77,7 +78,8 @@ mod tests {
         shifted
     }
 
-    /// With values and n derivatives at both ends, polynomials of degree 2n + 1 are equal to their pieces, and none of a higher degree.
+    /// With values and n derivatives at both ends, polynomials of degree 2n + 1 are equal to their pieces, and none of
+    /// a higher degree.
     #[test]
     fn a_piece_of_a_polynomial_is_the_polynomial() {
         let coefficients = [0.3, -1.0, 2.0, 0.5, -0.7, 1.1, 0.2, -0.4, 0.9, -0.6, 0.8];
@@ -117,8 +119,8 @@ mod tests {
             let mut found = [0.0; MOST_NUMBERS];
             piece(&rows[0], &rows[1], length, part, &mut found);
             for (order, (found, expected)) in found.into_iter().zip(row).enumerate() {
-                // Values below 7 are rounded by 4 ε. A derivative divides that by a power of the length, and the fourth one of the correction
-                // has coefficients up to 840.
+                // Values below 7 are rounded by 4 ε. A derivative divides that by a power of the length, and the fourth
+                // one of the correction has coefficients up to 840.
                 let allowed = 4.0 * f64::EPSILON * (1.0 + 840.0 * length.powi(-i32::try_from(order).unwrap()));
                 assert!(
                     (found - expected).abs() <= allowed,

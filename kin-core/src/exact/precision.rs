@@ -9,13 +9,14 @@ const MOST_ROWS: usize = 100_000;
 
 /// The tolerances of an exact table, one for each order, and the largest number of its rows.
 ///
-/// A tolerance is a part of the *size* of each column in that order. For the values of an angle the size is one radian, for those of lengths
-/// and numbers the largest magnitude in the table. For a derivative it is the largest magnitude of the column in that order or in a lower
-/// one, which is taken per 1/2π of the range of the parameter: for a full revolution per radian.
+/// A tolerance is a part of the *size* of each column in that order. For the values of an angle the size is one radian,
+/// for those of lengths and numbers the largest magnitude in the table. For a derivative it is the largest magnitude of
+/// the column in that order or in a lower one, which is taken per 1/2π of the range of the parameter: for a full
+/// revolution per radian.
 ///
-/// One number is the tolerance of all orders: `1e-7.into()`. An array is a tolerance for each order, and the table ends with the last of
-/// them: `[1e-13, 1e-11, 1e-9].into()` makes a table of value, velocity and acceleration. Each derivative loses about two digits, so
-/// tolerances that grow by a hundred from order to order take the fewest rows.
+/// One number is the tolerance of all orders: `1e-7.into()`. An array is a tolerance for each order, and the table ends
+/// with the last of them: `[1e-13, 1e-11, 1e-9].into()` makes a table of value, velocity and acceleration. Each
+/// derivative loses about two digits, so tolerances that grow by a hundred from order to order take the fewest rows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Precision {
     tolerances: [f64; MOST_NUMBERS],

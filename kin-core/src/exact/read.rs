@@ -15,14 +15,14 @@ pub(super) const VERSION: u32 = 1;
 pub(super) const MAGIC: [u8; 8] = *b"kinExact";
 /// The number of bytes of the head.
 pub(super) const HEAD: usize = 32;
-/// The most periods between the first row of a closed table and a parameter. With more of them, the parameters that can be distinguished are
-/// further apart than 1/512 of a period.
+/// The most periods between the first row of a closed table and a parameter. With more of them, the parameters that can
+/// be distinguished are further apart than 1/512 of a period.
 pub(super) const MOST_PERIODS: f64 = 8_796_093_022_208.0;
 /// The number of bytes of a number.
 pub(super) const WORD: usize = 8;
 
-/// An exact table that is read where it lies, without the standard library and without allocating: in a file, in flash memory, in a
-/// constant by `include_bytes!`.
+/// An exact table that is read where it lies, without the standard library and without allocating: in a file, in flash
+/// memory, in a constant by `include_bytes!`.
 ///
 /// ```
 /// use std::f64::consts::TAU;
@@ -289,7 +289,8 @@ impl<'b> ExactTableRef<'b> {
         self.parameter_of(0)..=self.parameter_of(self.layout.rows - 1)
     }
 
-    /// The way after which the table repeats itself, if it does. It has numbers everywhere then, and angles are unwrapped.
+    /// The way after which the table repeats itself, if it does. It has numbers everywhere then, and angles are
+    /// unwrapped.
     #[must_use]
     pub fn period(&self) -> Option<f64> {
         self.layout
@@ -310,7 +311,8 @@ impl<'b> ExactTableRef<'b> {
         self.columns().find(|column| column.name() == name)
     }
 
-    /// Writes all columns at a parameter into `result`: the value and the derivatives by the parameter, column after column.
+    /// Writes all columns at a parameter into `result`: the value and the derivatives by the parameter, column after
+    /// column.
     ///
     /// # Errors
     /// [`LookupError`], for a parameter that is not in the table, or a result of another length.
@@ -318,11 +320,12 @@ impl<'b> ExactTableRef<'b> {
         self.fill_at_speed(at, 1.0, result)
     }
 
-    /// Writes all columns at a parameter into `result`: the value and the derivatives by time while the parameter changes at this speed, column
-    /// after column.
+    /// Writes all columns at a parameter into `result`: the value and the derivatives by time while the parameter
+    /// changes at this speed, column after column.
     ///
     /// # Errors
-    /// [`LookupError`], for a parameter that is not in the table, a speed that is not finite, or a result of another length.
+    /// [`LookupError`], for a parameter that is not in the table, a speed that is not finite, or a result of another
+    /// length.
     pub fn fill_at_speed(&self, at: f64, speed: f64, result: &mut [f64]) -> Result<(), LookupError> {
         let needed = self.layout.columns * self.count();
         if result.len() != needed {
@@ -441,9 +444,9 @@ impl<'b> ExactColumn<'b> {
         self.table.number(self.index)
     }
 
-    /// The measured errors of the value and of each derivative by the parameter, in the column's units: twice the largest difference
-    /// from the poses that was seen at a third, the middle and two thirds of all pieces, and four units in the last place of the largest
-    /// magnitude.
+    /// The measured errors of the value and of each derivative by the parameter, in the column's units: twice the
+    /// largest difference from the poses that was seen at a third, the middle and two thirds of all pieces, and four
+    /// units in the last place of the largest magnitude.
     #[must_use]
     pub fn errors(&self) -> impl ExactSizeIterator<Item = f64> + use<'b> {
         let (table, first) = (self.table, self.table.layout.columns + self.index * self.table.count());
@@ -461,7 +464,8 @@ impl<'b> ExactColumn<'b> {
     /// The value and its first derivatives by time, while the parameter changes at this speed.
     ///
     /// # Errors
-    /// [`LookupError`], for a parameter that is not in the table, a speed that is not finite, or more derivatives than the table has.
+    /// [`LookupError`], for a parameter that is not in the table, a speed that is not finite, or more derivatives than
+    /// the table has.
     pub fn at_speed<const N: usize>(&self, at: f64, speed: f64) -> Result<[f64; N], LookupError> {
         let (asked, order) = (N.saturating_sub(1), self.table.layout.order);
         if asked > order {

@@ -16,8 +16,8 @@ use crate::quantity::{Dimension, Quantity};
 
 /// The parts of a piece at which it is compared. The error of a piece vanishes in every odd order in its middle.
 const TESTED: [f64; 3] = [1.0 / 3.0, 0.5, 2.0 / 3.0];
-/// A difference below this multiple of ε, of the size of the values and of a power of one over the length may be rounding: what the values
-/// at both ends of a piece leave in its highest derivatives.
+/// A difference below this multiple of ε, of the size of the values and of a power of one over the length may be
+/// rounding: what the values at both ends of a piece leave in its highest derivatives.
 const ROUNDING: f64 = 2000.0;
 
 /// The numbers at a parameter, and what is needed to find those at a parameter nearby.
@@ -313,7 +313,8 @@ fn table<N: Clone>(
     parts.table()
 }
 
-/// The change of each column over the range, if the motion repeats itself: whole revolutions of angles, and nothing else.
+/// The change of each column over the range, if the motion repeats itself: whole revolutions of angles, and nothing
+/// else.
 fn revolutions<N>(
     columns: &[Quantity<'_>],
     count: usize,

@@ -93,12 +93,14 @@ impl<'c> Source for Swept<'c> {
 }
 
 impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> Sweep<M, D> {
-    /// The motion as an [`ExactTable`]: a table that can be read everywhere in the range, in all orders, to a tolerance.
+    /// The motion as an [`ExactTable`]: a table that can be read everywhere in the range, in all orders, to a
+    /// tolerance.
     ///
-    /// The parameter of the table is the variable of the sweep, whatever its speed. The columns are the inputs that move with it, the
-    /// unknowns and the outputs. The rows of the sweep are there, and as many between them as it takes until all pieces agree with `solve`
-    /// in every order, at a third, the middle and two thirds. A sweep with few rows makes the smallest table. If the input makes full revolutions
-    /// and the motion repeats itself, so does the table.
+    /// The parameter of the table is the variable of the sweep, whatever its speed. The columns are the inputs that
+    /// move with it, the unknowns and the outputs. The rows of the sweep are there, and as many between them as it
+    /// takes until all pieces agree with `solve` in every order, at a third, the middle and two thirds. A sweep with
+    /// few rows makes the smallest table. If the input makes full revolutions and the motion repeats itself, so does
+    /// the table.
     ///
     /// ```
     /// use std::f64::consts::TAU;
@@ -122,8 +124,9 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> Sweep<M, D> {
     /// ```
     ///
     /// # Errors
-    /// [`ExactTableError::NotClosed`] if the mechanism does not close somewhere in the range, [`ExactTableError::Unreached`] if a
-    /// tolerance cannot be reached, and the errors of the sweep and of the tolerances themselves.
+    /// [`ExactTableError::NotClosed`] if the mechanism does not close somewhere in the range,
+    /// [`ExactTableError::Unreached`] if a tolerance cannot be reached, and the errors of the sweep and of the
+    /// tolerances themselves.
     pub fn exact_table(&self, precision: impl Into<Precision>) -> Result<ExactTable, ExactTableError> {
         exact_table(self.any(), &self.drive, precision.into())
     }
@@ -160,7 +163,8 @@ impl<'c> Swept<'c> {
         let (beside_ends, joints): (Vec<f64>, Vec<f64>) = joints(self.drive, [low, high])
             .into_iter()
             .partition(|joint| is_end(*joint));
-        // A row that rounding puts beside a joint stands for it. The ends of the range stay, with the piece of the law that the joint ends.
+        // A row that rounding puts beside a joint stands for it. The ends of the range stay, with the piece of the law
+        // that the joint ends.
         let near = |at: f64, joints: &[f64]| joints.iter().copied().find(|joint| (joint - at).abs() <= close);
         let rows = (0..self.sweep.count.max(2)).map(|row| self.sweep.at(row));
         let mut parameters: Vec<f64> = rows.filter(|row| near(*row, &joints).is_none()).collect();

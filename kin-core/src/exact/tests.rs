@@ -37,7 +37,8 @@ fn difference(dimension: Dimension, one: f64, other: f64) -> f64 {
     }
 }
 
-/// Compares a table with the solver at random parameters, and returns it. No error may be larger than the one that the table states.
+/// Compares a table with the solver at random parameters, and returns it. No error may be larger than the one that the
+/// table states.
 fn compared<M: Mechanism<Scalar = f64>, D: SmoothDrive>(
     name: &str,
     sweep: &Sweep<M, D>,
@@ -376,8 +377,8 @@ fn a_circuit_may_be_entered_anywhere() {
     }
 }
 
-/// A circuit against four-bars that are driven by the angle that moves fastest, which the table does not do: with the motion of that angle
-/// they find those of the others.
+/// A circuit against four-bars that are driven by the angle that moves fastest, which the table does not do: with the
+/// motion of that angle they find those of the others.
 fn compared_circuit(name: &str, linkage: FourBar, start: f64) -> ExactTable {
     let FourBar { r1, r2, r3, r4 } = linkage;
     let circuit = linkage.sweep(Assembly::Open).over(start..=start + 0.1, 2);
@@ -385,7 +386,8 @@ fn compared_circuit(name: &str, linkage: FourBar, start: f64) -> ExactTable {
         .exact_circuit(COARSE)
         .unwrap_or_else(|error| panic!("{name}: {error}"));
     let period = table.period().expect("it is closed");
-    // r2 cis(theta2) + r3 cis(theta3) == r1 + r4 cis(theta4), driven by each of the angles, and the order of the angles then
+    // r2 cis(theta2) + r3 cis(theta3) == r1 + r4 cis(theta4), driven by each of the angles, and the order of the angles
+    // then
     let driven = [
         (linkage, [0, 1, 2]),
         (FourBar { r1, r2: r3, r3: r2, r4 }, [1, 0, 2]),

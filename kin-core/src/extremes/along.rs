@@ -58,11 +58,12 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> QuantitySource for Sweep<M, D> 
     }
 }
 
-/// A quantity along a sweep. [`Sweep::of`] and [`Sweep::of_expression`] make it, and each of its methods answers a question.
+/// A quantity along a sweep. [`Sweep::of`] and [`Sweep::of_expression`] make it, and each of its methods answers a
+/// question.
 ///
 /// # Errors
-/// [`ExtremesError`] for all questions: if no column has the name, if the mechanism closes nowhere, if the sweep has no length, or if the
-/// curve of the quantity is too rough to be searched.
+/// [`ExtremesError`] for all questions: if no column has the name, if the mechanism closes nowhere, if the sweep has no
+/// length, or if the curve of the quantity is too rough to be searched.
 #[must_use = "ask for its `peak`, its `extremes` or its `mean`"]
 pub struct QuantityAlong<'c, S, Q> {
     sweep: &'c S,
@@ -325,9 +326,9 @@ where
 impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> Sweep<M, D> {
     /// A quantity by the name of its column, as in `"theta4_jerk"`, to ask for its peak, its extremes or its mean.
     ///
-    /// Names go on above the order of the mechanism, up to the twelfth derivative, and `"margin"` is the length that is left until the first
-    /// dyad ceases to close. A name that no column has is an error of the question. An expression of a pose goes to
-    /// [`of_expression`](Self::of_expression).
+    /// Names go on above the order of the mechanism, up to the twelfth derivative, and `"margin"` is the length that is
+    /// left until the first dyad ceases to close. A name that no column has is an error of the question. An expression
+    /// of a pose goes to [`of_expression`](Self::of_expression).
     ///
     /// ```
     /// use std::f64::consts::TAU;
@@ -365,13 +366,13 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> Sweep<M, D> {
         QuantityAlong::new(self, ByExpression(expression))
     }
 
-    /// A measure of the Jacobian of results, as its smallest singular value or its condition number: where is a robot close to a singular
-    /// pose? The results are unknowns or outputs, which are called by their names. A point has a row for each of its coordinates. See
-    /// [`Jacobian`](crate::Jacobian), which explains the values.
+    /// A measure of the Jacobian of results, as its smallest singular value or its condition number: where is a robot
+    /// close to a singular pose? The results are unknowns or outputs, which are called by their names. A point has a
+    /// row for each of its coordinates. See [`Jacobian`](crate::Jacobian), which explains the values.
     ///
-    /// Where two singular values are equal, and where one is zero, they have kinks, which are found as such. Where the mechanism ceases
-    /// to close because its inputs cannot hold it, the largest singular value and the condition number grow beyond all bounds.
-    /// A closure has the matrix itself: see [`At::jacobian_of`].
+    /// Where two singular values are equal, and where one is zero, they have kinks, which are found as such. Where the
+    /// mechanism ceases to close because its inputs cannot hold it, the largest singular value and the condition number
+    /// grow beyond all bounds. A closure has the matrix itself: see [`At::jacobian_of`].
     ///
     /// ```
     /// use kin_core::JacobianMeasure;
@@ -446,11 +447,11 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
         }
     }
 
-    /// The same quantity, whose questions report their progress: `progress` is called with the part of the sweep that has been
-    /// searched, which grows. It is 1 in the last call, unless the answer is an error.
+    /// The same quantity, whose questions report their progress: `progress` is called with the part of the sweep that
+    /// has been searched, which grows. It is 1 in the last call, unless the answer is an error.
     ///
-    /// The calls come after each of the pieces with which a search for extremes begins: 24 for a revolution of an input, or for all of another sweep,
-    /// and at least 4 between two joints of a law.
+    /// The calls come after each of the pieces with which a search for extremes begins: 24 for a revolution of an
+    /// input, or for all of another sweep, and at least 4 between two joints of a law.
     ///
     /// ```
     /// use std::f64::consts::TAU;
@@ -506,7 +507,8 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
         self.ask(|asked| asked.best(|value| -value))
     }
 
-    /// All extremes, in the order of the sweep: those inside, those at limits and kinks, and those at its ends. A full revolution has no ends.
+    /// All extremes, in the order of the sweep: those inside, those at limits and kinks, and those at its ends. A full
+    /// revolution has no ends.
     ///
     /// ```
     /// use kin_core::extremes::ExtremeKind;
@@ -530,8 +532,8 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
         self.ask(|asked| Ok(asked.extremes()?.extremes))
     }
 
-    /// The points where the quantity crosses a level, in the order of the sweep: zero for its changes of sign. A jump across the level,
-    /// where two pieces of a law meet, counts as well.
+    /// The points where the quantity crosses a level, in the order of the sweep: zero for its changes of sign. A jump
+    /// across the level, where two pieces of a law meet, counts as well.
     ///
     /// # Errors
     /// [`ExtremesError::Argument`] if the level is not finite.
@@ -564,8 +566,8 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
         rooted(self.ask(|asked| asked.mean(over, 2)))
     }
 
-    /// The values in the rows of the sweep, as a column beside those of its [table](Sweep::table): NaN in rows that do not close, and
-    /// infinite where the quantity is.
+    /// The values in the rows of the sweep, as a column beside those of its [table](Sweep::table): NaN in rows that do
+    /// not close, and infinite where the quantity is.
     ///
     /// ```
     /// use std::f64::consts::TAU;
@@ -621,8 +623,8 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
 impl<S: QuantitySource, Q: SensitiveQuantity<S>> QuantityAlong<'_, S, Q> {
     /// The [`peak`](Self::peak), and how its value and its position depend on every dimension of the mechanism.
     ///
-    /// A peak between the ends of the sweep is taken where it is. One at an end of the sweep stays there. At a limit or a kink there is
-    /// none: it moves with the limit, and its value need not have a derivative.
+    /// A peak between the ends of the sweep is taken where it is. One at an end of the sweep stays there. At a limit or
+    /// a kink there is none: it moves with the limit, and its value need not have a derivative.
     ///
     /// ```
     /// use std::f64::consts::TAU;

@@ -6,7 +6,8 @@ use crate::mechanism::JacobianError;
 use crate::motion::Motion;
 use crate::sweep::Local;
 
-/// A quantity of a pose: a number, a motion for its value, or the result of loads, which may have no balance there, or of a Jacobian.
+/// A quantity of a pose: a number, a motion for its value, or the result of loads, which may have no balance there, or
+/// of a Jacobian.
 ///
 /// Do not implement it for other types: a new version may add items.
 #[diagnostic::on_unimplemented(

@@ -16,8 +16,8 @@ use crate::quantity::{Dimension, RATES};
 use crate::solve::unwrap_near;
 use crate::sweep::{Local, READ};
 
-/// The pose at one point of a sweep, in numbers that carry their derivatives with respect to the variable of the sweep. Any expression of
-/// them carries its derivatives.
+/// The pose at one point of a sweep, in numbers that carry their derivatives with respect to the variable of the sweep.
+/// Any expression of them carries its derivatives.
 ///
 /// It has the fields of the pose: `at.theta4.jerk()`. Plain numbers are constants among them: `2.0 * at.theta4.jerk()`.
 ///
@@ -70,8 +70,8 @@ impl<M: Mechanism> Deref for At<M> {
 }
 
 impl<M: Mechanism<Scalar = f64>> At<M> {
-    /// The typed pose at a point of a sweep, as the solvers of a mechanism find it: with the dimensions of the sweep, or with others that
-    /// change with the variable.
+    /// The typed pose at a point of a sweep, as the solvers of a mechanism find it: with the dimensions of the sweep,
+    /// or with others that change with the variable.
     pub(super) fn of(station: &SweepStation<'_>, changed: Option<&[Local]>) -> Result<Self, SolveError> {
         let mechanism = M::With::<Local>::from_parameters(match changed {
             Some(changed) => row(changed),
@@ -122,8 +122,8 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
         (order <= HIGHEST).then(|| source.input(index, order))
     }
 
-    /// The derivative of an unknown, by its index and its order, up to the twelfth. Those above the order of the mechanism come from its
-    /// position, solved in longer series.
+    /// The derivative of an unknown, by its index and its order, up to the twelfth. Those above the order of the
+    /// mechanism come from its position, solved in longer series.
     #[must_use]
     pub fn unknown(&self, index: usize, order: usize) -> Option<Local> {
         if order > M::DESCRIPTION.order && order <= HIGHEST {
@@ -171,9 +171,9 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
         self.margins().transmission_angle(dyad)
     }
 
-    /// The Jacobian of unknowns or outputs of these names, whose singular values have their derivatives along the sweep. It has the rows
-    /// that [`Mechanism::jacobian_of`](crate::Mechanism::jacobian_of) has at one pose. For one of its measures alone,
-    /// [`of_jacobian`](crate::sweep::Sweep::of_jacobian) is shorter.
+    /// The Jacobian of unknowns or outputs of these names, whose singular values have their derivatives along the
+    /// sweep. It has the rows that [`Mechanism::jacobian_of`](crate::Mechanism::jacobian_of) has at one pose. For one
+    /// of its measures alone, [`of_jacobian`](crate::sweep::Sweep::of_jacobian) is shorter.
     ///
     /// ```
     /// use kin_core::JacobianMeasure;
@@ -200,8 +200,8 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
         Ok(Jacobian::from_fn(rows.len(), M::DESCRIPTION.inputs.len(), entry))
     }
 
-    /// The Jacobian of the pose, with a row for each unknown and then for each scalar output, and a number for each input: see
-    /// [`Mechanism::jacobian`](crate::Mechanism::jacobian).
+    /// The Jacobian of the pose, with a row for each unknown and then for each scalar output, and a number for each
+    /// input: see [`Mechanism::jacobian`](crate::Mechanism::jacobian).
     ///
     /// # Errors
     /// As there.
@@ -211,7 +211,8 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
         self.mechanism.jacobian_near(inputs, near)
     }
 
-    /// The balance of loads and drives, with its change along the sweep. The loads are those of the mechanism over `Local`.
+    /// The balance of loads and drives, with its change along the sweep. The loads are those of the mechanism over
+    /// `Local`.
     ///
     /// # Errors
     /// As for [`balance`](Loaded::balance).
@@ -251,19 +252,22 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
     /// ```
     ///
     /// # Errors
-    /// As for [`balance`](Loaded::balance), and [`LoadError::NoEffort`] if there is no such input, or if the mechanism is declared to a lower order than 2.
+    /// As for [`balance`](Loaded::balance), and [`LoadError::NoEffort`] if there is no such input, or if the mechanism
+    /// is declared to a lower order than 2.
     pub fn effort<L: LoadsOf<M::With<Local>>>(&self, loads: &L, input: usize) -> Result<Local, LoadError> {
         let efforts = self.balance(loads)?.efforts();
         let effort = efforts.as_ref().get(input).and_then(|effort| effort.derivative(0));
         effort.ok_or(LoadError::NoEffort { input })
     }
 
-    /// The margin of a dyad, by its index in the order in which the dyads are solved: by how much its links could be longer or shorter
-    /// until it ceases to close. It is the number of [`Failure::OutOfReach`](crate::Failure::OutOfReach), positive where the dyad closes, and
-    /// zero at a turning point.
+    /// The margin of a dyad, by its index in the order in which the dyads are solved: by how much its links could be
+    /// longer or shorter until it ceases to close. It is the number of
+    /// [`Failure::OutOfReach`](crate::Failure::OutOfReach), positive where the dyad closes, and zero at a turning
+    /// point.
     ///
-    /// For two links a and b whose ends are d apart it is min(a + b - d, d - |a - b|), for a link and a slider the link less the distance of
-    /// its end from the slider's line. The length of a link may change with the position, as that of a cylinder does.
+    /// For two links a and b whose ends are d apart it is min(a + b - d, d - |a - b|), for a link and a slider the link
+    /// less the distance of its end from the slider's line. The length of a link may change with the position, as that
+    /// of a cylinder does.
     ///
     /// ```
     /// use kin_core::prelude::*;

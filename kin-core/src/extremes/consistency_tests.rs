@@ -19,7 +19,8 @@ use crate::sweep::{SmoothDrive, StraightLine, Sweep, Swept, Table};
 use crate::verify::Random;
 
 crate::mechanism! {
-    /// A four-bar linkage with all that can depend on an angle: a rack on a pinion, a gear of half the speed, directions and differences.
+    /// A four-bar linkage with all that can depend on an angle: a rack on a pinion, a gear of half the speed,
+    /// directions and differences.
     struct Geared { r1: Length, r2: Length, r3: Length, r4: Length, pinion: Length }
     input theta2: Angle;
     unknown theta3: Angle, theta4: Angle, rack: Length, gear: Angle, direction: Angle;
@@ -348,7 +349,8 @@ fn hold_jacobian<M: Mechanism<Scalar = f64, Pose: PoseOf<M>>>(mechanism: &M, swe
     }
 }
 
-/// Closed and coupled, in the plane and in space, with gears, sliders and change points. `KIN_CONSISTENCY=500` draws 500 of them.
+/// Closed and coupled, in the plane and in space, with gears, sliders and change points. `KIN_CONSISTENCY=500` draws
+/// 500 of them.
 #[test]
 fn all_answers_about_random_mechanisms_agree() {
     let mut random = Random::new(11);
@@ -413,8 +415,8 @@ fn hold_transmission(linkage: &Geared, cycle: &Cycle<Geared>, circuit: usize) {
     );
 }
 
-/// The stroke of a cycle is the range of a revolution, or of both branches between two limits. Rotated by half a revolution, a linkage has the same
-/// strokes, although the angles jump elsewhere.
+/// The stroke of a cycle is the range of a revolution, or of both branches between two limits. Rotated by half a
+/// revolution, a linkage has the same strokes, although the angles jump elsewhere.
 #[test]
 fn strokes_are_those_of_sweeps() {
     let mut random = Random::new(8);

@@ -12,11 +12,11 @@ use crate::law::Side;
 use crate::number::Number;
 use crate::sweep::{Limit, Local, Walk};
 
-/// The smallest parameter next to a turning point. Closer to it, a Taylor series goes on: the numbers for the variable there are too few for
-/// the poses to be exact.
+/// The smallest parameter next to a turning point. Closer to it, a Taylor series goes on: the numbers for the variable
+/// there are too few for the poses to be exact.
 const NEAREST: f64 = 1.0 / 256.0;
-/// The smallest distance of an angle from a change point. A velocity there has an error of ε over the square of this distance, and a series of
-/// five terms one of its fifth power.
+/// The smallest distance of an angle from a change point. A velocity there has an error of ε over the square of this
+/// distance, and a series of five terms one of its fifth power.
 const NEAREST_ANGLE: f64 = 2.5e-3;
 
 /// The distance from a turning point that rounding makes, as a part of the sweep or of the variable.
@@ -28,8 +28,8 @@ const BEYOND: f64 = 1.0 / 1024.0;
 /// The largest number of gaps and edges between rows.
 const MOST_DIVISIONS: usize = 64;
 
-/// The distance between two points of the curve at which it is sought for gaps, as a change of an angle that is an input. A sweep has at
-/// least as many such points as a revolution.
+/// The distance between two points of the curve at which it is sought for gaps, as a change of an angle that is an
+/// input. A sweep has at least as many such points as a revolution.
 const PROBE: f64 = TAU / 24.0;
 const MOST_PROBES: f64 = 1e6;
 
@@ -60,9 +60,10 @@ impl StretchEnd {
 
 /// A part of the sweep on which the mechanism closes and the curve has no edge, with a separate parameter.
 ///
-/// Towards a turning point the curve is a root of the variable. The parameter s makes it smooth again: the variable is the limit plus
-/// `scale` s². At a change point, where branches cross, it is smooth in the variable itself, and its rates jump. The closer to either of
-/// them, the more rounding errors of a pose are magnified, so a stretch ends short of it, and its series goes on.
+/// Towards a turning point the curve is a root of the variable. The parameter s makes it smooth again: the variable is
+/// the limit plus `scale` s². At a change point, where branches cross, it is smooth in the variable itself, and its
+/// rates jump. The closer to either of them, the more rounding errors of a pose are magnified, so a stretch ends short
+/// of it, and its series goes on.
 #[derive(Clone)]
 pub(super) struct Stretch<'a> {
     /// The parameters at both ends, in the order of the sweep.
@@ -190,10 +191,11 @@ impl<'c> Curve<'c> {
         self.quantity.way(at)
     }
 
-    /// The answer to a question. A gap or an edge that it meets between two rows divides the sweep, and the question is asked again.
+    /// The answer to a question. A gap or an edge that it meets between two rows divides the sweep, and the question is
+    /// asked again.
     ///
-    /// Towards the ends of a gap the curve is a root, which no piece agrees with. So pieces are halved there until a point in the gap
-    /// is met. The same holds for a change point, where rates jump, and for a pole.
+    /// Towards the ends of a gap the curve is a root, which no piece agrees with. So pieces are halved there until a
+    /// point in the gap is met. The same holds for a change point, where rates jump, and for a pole.
     pub(super) fn across_gaps<T>(
         mut self,
         question: impl Fn(&Self) -> Result<T, ExtremesError>,
@@ -234,8 +236,8 @@ impl<'c> Curve<'c> {
         (is_edge && is_between).then_some((limit.at, limit.kind))
     }
 
-    /// The rows, points between rows that are far apart, the end of the sweep if there is only one row, and the gaps, in the order of the
-    /// sweep.
+    /// The rows, points between rows that are far apart, the end of the sweep if there is only one row, and the gaps,
+    /// in the order of the sweep.
     fn points_to_visit(&self) -> Vec<f64> {
         let SweepExtent { to, rows, .. } = self.extent;
         let end = (rows == 1).then_some(to);
@@ -297,7 +299,8 @@ impl<'c> Curve<'c> {
         })
     }
 
-    /// The closer of two walks to a point of a stretch: the given one, or that to the node before if it is in the same stretch.
+    /// The closer of two walks to a point of a stretch: the given one, or that to the node before if it is in the same
+    /// stretch.
     fn closest(&self, stretch: &Stretch<'c>, at: f64, given: &Mark<'c>) -> Mark<'c> {
         let [one, other] = stretch.parameters.map(|parameter| stretch.variable(parameter).real());
         let is_inside = |point: f64| one.min(other) <= point && point <= one.max(other);
@@ -356,7 +359,8 @@ impl<'c> Curve<'c> {
         Ok(circuits)
     }
 
-    /// The parts on which the mechanism closes, as some points show, and the error at the first point at which it does not.
+    /// The parts on which the mechanism closes, as some points show, and the error at the first point at which it does
+    /// not.
     fn circuits_at(&self, points: &[f64]) -> Result<(Vec<ClosedPart<'c>>, Option<SolveError>), ExtremesError> {
         let mut circuits: Vec<ClosedPart<'c>> = Vec::new();
         let mut mark = Mark::new(Walk::BEGINNING);
@@ -488,8 +492,9 @@ impl<'c> Curve<'c> {
         Err(gap())
     }
 
-    /// Adds the stretches between two ends: two if it is bounded by limits on both sides. The end of a range or domain is taken for a turning
-    /// point, as the mechanism may be one there, and a curve that is none is smooth in the root of the distance as well.
+    /// Adds the stretches between two ends: two if it is bounded by limits on both sides. The end of a range or domain
+    /// is taken for a turning point, as the mechanism may be one there, and a curve that is none is smooth in the root
+    /// of the distance as well.
     fn add(&self, stretches: &mut Vec<Stretch<'c>>, [start, end]: [(f64, StretchEnd); 2], mark: &Mark<'c>) {
         if start.0 == end.0 {
             return;

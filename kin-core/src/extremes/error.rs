@@ -74,8 +74,8 @@ pub enum ExtremesError {
         /// Its kind.
         kind: ExtremeKind,
     },
-    /// The quantity grows beyond all bounds towards a limit, a turning point or a pole, or at a joint of laws where a lower rate jumps, so it
-    /// has no peak.
+    /// The quantity grows beyond all bounds towards a limit, a turning point or a pole, or at a joint of laws where a
+    /// lower rate jumps, so it has no peak.
     Unbounded {
         /// The limit or the joint.
         at: f64,

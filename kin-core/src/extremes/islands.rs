@@ -9,7 +9,8 @@ use crate::quantity::Name;
 /// The distance at which a missing length is compared with itself, as a part of the sweep.
 const BESIDE: f64 = 1e-7;
 
-/// The steps of Newton's method for a missing length, and the part of the way that it may go to where the mechanism closes.
+/// The steps of Newton's method for a missing length, and the part of the way that it may go to where the mechanism
+/// closes.
 const NEWTON: usize = 24;
 const SHORT_STEP: f64 = 0.01;
 
@@ -47,8 +48,9 @@ impl Curve<'_> {
         Some([missing(at)?, missing(at - beside)?, missing(at + beside)?])
     }
 
-    /// The first point on the way from one point to another at which a block closes, by Newton's method for the missing length. A step that
-    /// leads to where more is missing again, or that closes after a long way, may have gone too far, and is halved.
+    /// The first point on the way from one point to another at which a block closes, by Newton's method for the missing
+    /// length. A step that leads to where more is missing again, or that closes after a long way, may have gone too
+    /// far, and is halved.
     fn closing(&self, [from, to]: [f64; 2], block: Name) -> Option<f64> {
         let beside = BESIDE * (to - from);
         // a point with its step
@@ -80,8 +82,9 @@ impl Curve<'_> {
         None
     }
 
-    /// A point between two others at which the mechanism closes, by a search for the least missing length of a block. (J. Kiefer, Sequential
-    /// minimax search for a maximum, Proceedings of the American Mathematical Society 4, 1953, 502-506: golden sections.)
+    /// A point between two others at which the mechanism closes, by a search for the least missing length of a block.
+    /// (J. Kiefer, Sequential minimax search for a maximum, Proceedings of the American Mathematical Society 4, 1953,
+    /// 502-506: golden sections.)
     fn island(&self, [mut low, mut high]: [f64; 2], block: Name) -> Option<f64> {
         let part = 0.5 * (num_traits::Float::sqrt(5.0_f64) - 1.0);
         let missing = |at: f64| match self.quantity.missing(at) {

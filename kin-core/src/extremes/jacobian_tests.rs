@@ -1,4 +1,5 @@
-//! Singular values of Jacobians along sweeps, against those of nalgebra, against known robots and next to singular poses.
+//! Singular values of Jacobians along sweeps, against those of nalgebra, against known robots and next to singular
+//! poses.
 #![cfg(feature = "alloc")]
 
 use core::f64::consts::{FRAC_PI_4, PI, TAU};
@@ -36,8 +37,8 @@ crate::mechanism! {
     output hand: Point = upper * cis(shoulder) + fore * cis(lean);
 }
 
-/// Isotropic where the elbow is bent by 135 degrees. (J. K. Salisbury & J. J. Craig, Articulated hands: force control and kinematic issues,
-/// International Journal of Robotics Research 1, no. 1, 1982, 4-17.)
+/// Isotropic where the elbow is bent by 135 degrees. (J. K. Salisbury & J. J. Craig, Articulated hands: force control
+/// and kinematic issues, International Journal of Robotics Research 1, no. 1, 1982, 4-17.)
 const ARM: Arm = Arm {
     upper: core::f64::consts::SQRT_2,
     fore: 1.0,
@@ -56,8 +57,9 @@ fn close(one: f64, other: f64, allowed: f64) {
     assert!((one - other).abs() <= allowed * (1.0 + other.abs()), "{one} {other}");
 }
 
-/// The hand's Jacobian by the equation of each rod e: e · v = e · k' for the velocity k' of the crank's end. (C. Gosselin & J. Angeles,
-/// Singularity analysis of closed-loop kinematic chains, IEEE Transactions on Robotics and Automation 6, 1990, 281-290.)
+/// The hand's Jacobian by the equation of each rod e: e · v = e · k' for the velocity k' of the crank's end. (C.
+/// Gosselin & J. Angeles, Singularity analysis of closed-loop kinematic chains, IEEE Transactions on Robotics and
+/// Automation 6, 1990, 281-290.)
 fn by_rods(robot: &FiveBar, cranks: [f64; 2], hand: [f64; 2]) -> [[f64; 2]; 2] {
     let rods = [(robot.left, 0.0), (robot.right, robot.ground)];
     let lines: Vec<[f64; 3]> = (0..2)
@@ -109,7 +111,8 @@ fn of_the_rows_are_those_of_the_poses() {
     }
 }
 
-/// Values and derivatives with respect to the variable: a closure's matrix, the measure by its name, and poses beside it.
+/// Values and derivatives with respect to the variable: a closure's matrix, the measure by its name, and poses beside
+/// it.
 fn derivatives_agree<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
     from: M::Inputs<f64>,
@@ -199,7 +202,8 @@ fn of_a_platform_on_cylinders() {
     );
 }
 
-/// With one input, the singular value of one row is the size of a velocity at unit speed: at limits and at change points, too.
+/// With one input, the singular value of one row is the size of a velocity at unit speed: at limits and at change
+/// points, too.
 #[test]
 fn of_one_input_are_speeds() {
     let check = |linkage: FourBar, from: f64, to: f64| {
@@ -289,8 +293,8 @@ fn of_an_arm() {
     assert!(found.by.iter().all(|by| by.at.abs() < 1e-9), "{found:?}");
 }
 
-/// Where both rods of a five-bar are in line, the cranks cannot hold the hand; where a crank and its rod are, the hand cannot move along
-/// them.
+/// Where both rods of a five-bar are in line, the cranks cannot hold the hand; where a crank and its rod are, the hand
+/// cannot move along them.
 #[test]
 fn next_to_singular_poses() {
     // both cranks outwards until the rods are stretched

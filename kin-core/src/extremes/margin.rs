@@ -88,8 +88,9 @@ impl Margins<'_> {
 
     /// The margin of two links by the sides of their triangle: what two sides are longer than the third one, at least.
     ///
-    /// A link that is rotated by half a revolution changes the closure by twice its vector. One angle, the other one and both rotate the links one by one
-    /// or together, which side ever belongs to which: an angle may be that of a link against the other link.
+    /// A link that is rotated by half a revolution changes the closure by twice its vector. One angle, the other one
+    /// and both rotate the links one by one or together, which side ever belongs to which: an angle may be that of a
+    /// link against the other link.
     fn slack(&self, block: &Block<'_>) -> Option<Local> {
         let &[one, other] = block.members else { return None };
         let [one, other] = [one, other].map(|unknown| (unknown, PI));
@@ -107,8 +108,8 @@ impl Margins<'_> {
 
     /// The length of the link of a slider.
     ///
-    /// One equation of the slider on an axis gives the component of the link along the other axis. The other component is that of the link
-    /// rotated by a right angle.
+    /// One equation of the slider on an axis gives the component of the link along the other axis. The other component
+    /// is that of the link rotated by a right angle.
     fn link(&self, block: &Block<'_>) -> Option<Local> {
         let is_angle = |unknown: &usize| self.description.unknowns[*unknown].dimension == Dimension::Angle;
         let angle = block.members.iter().copied().find(is_angle)?;

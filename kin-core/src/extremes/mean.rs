@@ -54,7 +54,8 @@ impl<'c> Curve<'c> {
     /// The mean of a power of the quantity: 1, or 2 for the mean square.
     pub(super) fn mean(&self, over: Over, power: i32) -> Result<Mean, ExtremesError> {
         let stretches = self.stretches()?;
-        // Quadrature steps over change points and poles. The pieces of the curve meet them, and the sweep is divided there.
+        // Quadrature steps over change points and poles. The pieces of the curve meet them, and the sweep is divided
+        // there.
         for stretch in &stretches {
             let [_, end] = self.parts(stretch, false, &mut |_, _| Ok(()))?;
             if stretch.ends[1] == StretchEnd::Joint && self.quantity.impulse(&end)? != [false; 2] {
@@ -227,8 +228,9 @@ impl<'c> Curve<'c> {
         })
     }
 
-    /// The mean over a full revolution by the trapezoid rule, whose error falls faster than any power of the number of points.
-    /// (L. N. Trefethen and J. A. C. Weideman, The exponentially convergent trapezoidal rule, SIAM Review 56, 2014, 385-458.)
+    /// The mean over a full revolution by the trapezoid rule, whose error falls faster than any power of the number of
+    /// points. (L. N. Trefethen and J. A. C. Weideman, The exponentially convergent trapezoidal rule, SIAM Review 56,
+    /// 2014, 385-458.)
     fn over_revolution(&self, stretch: &Stretch<'c>, power: i32) -> Result<Option<Mean>, ExtremesError> {
         let [from, to] = stretch.parameters;
         let (mut points, mut sum, mut size) = (16_u32, 0.0, 0.0);

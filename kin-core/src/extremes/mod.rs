@@ -16,25 +16,26 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A question is asked to the sweep itself, and the answer does not depend on its rows: extremes are found between them. The quantity is
-//! called [`of`](crate::sweep::Sweep::of) the sweep by the name of its column, or is any expression of the pose by a closure: see [`At`]. Names go on above the order of the
-//! mechanism, up to the twelfth derivative: `theta4_crackle`, `theta4_pop`, `theta4_derivative_7`. `margin` is the length that is left
-//! until the first dyad ceases to close.
+//! A question is asked to the sweep itself, and the answer does not depend on its rows: extremes are found between
+//! them. The quantity is called [`of`](crate::sweep::Sweep::of) the sweep by the name of its column, or is any
+//! expression of the pose by a closure: see [`At`]. Names go on above the order of the mechanism, up to the twelfth
+//! derivative: `theta4_crackle`, `theta4_pop`, `theta4_derivative_7`. `margin` is the length that is left until the
+//! first dyad ceases to close.
 //!
 //! # Method
-//! The positions are solved in numbers that carry their Taylor series in the variable of the sweep; rates are read from them. A closure
-//! gets a typed pose, whose rates are solved in such numbers. A piece of the curve between
-//! two poses is the Hermite polynomial of degree 9 that agrees with both series. Pieces are halved until they agree with the
-//! poses at a third, the middle and two thirds. Descartes' rule isolates the zeros of the slope of each piece, and Newton's
+//! The positions are solved in numbers that carry their Taylor series in the variable of the sweep; rates are read from
+//! them. A closure gets a typed pose, whose rates are solved in such numbers. A piece of the curve between two poses is
+//! the Hermite polynomial of degree 9 that agrees with both series. Pieces are halved until they agree with the poses
+//! at a third, the middle and two thirds. Descartes' rule isolates the zeros of the slope of each piece, and Newton's
 //! method refines them on the poses themselves.
 //!
-//! Towards a turning point the curve is a root of the variable. There the parameter is the root of the distance, in which the
-//! curve is smooth. A rate that grows beyond all bounds is `Unbounded`, never a number. Within 10⁻⁵ of the way to a turning point, values
-//! come from the series next to it. At a change point, where the rates jump, each side has a separate stretch, whose values next to the
-//! change point come from its series as well.
+//! Towards a turning point the curve is a root of the variable. There the parameter is the root of the distance, in
+//! which the curve is smooth. A rate that grows beyond all bounds is `Unbounded`, never a number. Within 10⁻⁵ of the
+//! way to a turning point, values come from the series next to it. At a change point, where the rates jump, each side
+//! has a separate stretch, whose values next to the change point come from its series as well.
 //!
-//! Two extremes are distinguished from rounding errors if the quantity differs between them by more than 10⁻⁸ of the range of their piece, and by
-//! more than 10⁻¹² of its size.
+//! Two extremes are distinguished from rounding errors if the quantity differs between them by more than 10⁻⁸ of the
+//! range of their piece, and by more than 10⁻¹² of its size.
 
 mod along;
 mod answer;
@@ -94,7 +95,8 @@ pub enum ExtremeKind {
     Kink,
     /// The sweep ends.
     End,
-    /// The quantity grows beyond all bounds: towards a turning point or a pole, or at a joint of laws where a lower rate jumps.
+    /// The quantity grows beyond all bounds: towards a turning point or a pole, or at a joint of laws where a lower
+    /// rate jumps.
     Unbounded,
 }
 

@@ -11,8 +11,8 @@ use crate::sweep::Local;
 const FIRST_PIECES: f64 = 24.0;
 /// The largest difference between a piece and the poses, as a part of the piece's range.
 const AGREEMENT: f64 = 1e-8;
-/// The largest difference by rounding, as a part of the size of the quantity: its terms may be this many times larger than itself,
-/// in units of ε.
+/// The largest difference by rounding, as a part of the size of the quantity: its terms may be this many times larger
+/// than itself, in units of ε.
 pub(super) const ROUNDING: f64 = 1e4 * f64::EPSILON;
 /// The largest number of divisions of one stretch, and those that each of its first pieces adds.
 const MOST_DIVISIONS: [usize; 2] = [20_000, 8];
@@ -20,12 +20,14 @@ const MOST_DIVISIONS: [usize; 2] = [20_000, 8];
 const MEASURED_DEPTH: usize = 4;
 /// The number of halvings after which a change point or a pole is sought between the ends of a piece.
 const SUSPECT: usize = 8;
-/// Distances from a point that may be a pole, in lengths of the shortest piece, and the growth from each of them to the next smaller one.
+/// Distances from a point that may be a pole, in lengths of the shortest piece, and the growth from each of them to the
+/// next smaller one.
 const DISTANCES: [f64; 4] = [1e3, 4e3, 16e3, 64e3];
 const POLE_GROWTH: f64 = 1.3;
 /// The distance between points that differ by rounding errors alone, as a part of the piece.
 const BESIDE: f64 = 1.0 / 1024.0;
-/// The largest difference between a piece and the poses, and the smallest range with an extreme, in measured rounding errors.
+/// The largest difference between a piece and the poses, and the smallest range with an extreme, in measured rounding
+/// errors.
 const MEASURED: [f64; 2] = [8.0, 64.0];
 
 /// The smallest parameter next to a limit whose value counts for the size of the quantity.
@@ -47,7 +49,8 @@ pub(super) enum CurvePart {
 type VisitPart<'v, 'c> = dyn FnMut(&CurvePart, [&CurveNode<'c>; 2]) -> Result<(), ExtremesError> + 'v;
 
 impl<'c> Curve<'c> {
-    /// Divides a stretch into parts, and passes on each with its ends. It returns the nodes at both ends of the stretch.
+    /// Divides a stretch into parts, and passes on each with its ends. It returns the nodes at both ends of the
+    /// stretch.
     ///
     /// If the stretch is a full revolution, its end is its beginning, so that an extreme on the seam is found once.
     pub(super) fn parts(
@@ -97,8 +100,8 @@ impl<'c> Curve<'c> {
         Ok([first, left])
     }
 
-    /// Looks at the size of the quantity in all stretches: where it should be zero on one of them, it is made of rounding errors, whose size
-    /// others give.
+    /// Looks at the size of the quantity in all stretches: where it should be zero on one of them, it is made of
+    /// rounding errors, whose size others give.
     pub(super) fn see_size(&self, stretches: &[Stretch<'c>]) -> Result<(), ExtremesError> {
         let mut size: f64 = 0.0;
         // a single stretch gives its size itself
@@ -177,7 +180,8 @@ impl<'c> Curve<'c> {
             return visit(&part, [left, right]);
         }
         if depth >= MEASURED_DEPTH {
-            // Where a quantity should be zero, some poses have a rounding error and others have none: those that differ, and the ends.
+            // Where a quantity should be zero, some poses have a rounding error and others have none: those that
+            // differ, and the ends.
             let mut rounding: f64 = 0.0;
             // The ends are looked at now and then: at a kink, which is none of this, pieces are halved all the way.
             let nodes = [furthest.as_ref().unwrap_or(&middle), left, right];
@@ -203,7 +207,8 @@ impl<'c> Curve<'c> {
         self.divide(stretch, [&middle, right], depth + 1, size, budget, visit)
     }
 
-    /// Whether the quantity grows beyond all bounds between two neighbouring points: on one side it grows from distance to distance.
+    /// Whether the quantity grows beyond all bounds between two neighbouring points: on one side it grows from distance
+    /// to distance.
     fn is_pole(&self, stretch: &Stretch<'c>, [left, right]: [&CurveNode<'c>; 2]) -> Result<bool, ExtremesError> {
         let [low, high] = [
             stretch.parameters[0].min(stretch.parameters[1]),
@@ -227,9 +232,9 @@ impl<'c> Curve<'c> {
         Ok(false)
     }
 
-    /// The rounding error of the quantity, as points that are close together show it: the difference between poses and the Taylor series
-    /// of a pose beside them. On one side of a jump the series holds, so the smaller difference of both sides counts. An end of a stretch
-    /// has one side, and none is known there.
+    /// The rounding error of the quantity, as points that are close together show it: the difference between poses and
+    /// the Taylor series of a pose beside them. On one side of a jump the series holds, so the smaller difference of
+    /// both sides counts. An end of a stretch has one side, and none is known there.
     fn rounding(&self, stretch: &Stretch<'c>, node: &CurveNode<'c>, step: f64) -> Result<f64, ExtremesError> {
         if stretch.parameters.contains(&node.parameter) {
             return Ok(0.0);
@@ -249,8 +254,8 @@ impl<'c> Curve<'c> {
         Ok(sides[0].min(sides[1]))
     }
 
-    /// The point where a function of the series vanishes, by Newton's method from a point nearby. The function returns its value and its
-    /// slope.
+    /// The point where a function of the series vanishes, by Newton's method from a point nearby. The function returns
+    /// its value and its slope.
     pub(super) fn refined(
         &self,
         stretch: &Stretch<'c>,

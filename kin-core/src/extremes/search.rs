@@ -18,7 +18,8 @@ const GROWTH: f64 = 1.05;
 /// A slope, as a part of those at the ends of a piece, above which Newton's method has not found its zero.
 const KINK: f64 = 1e-3;
 
-/// All extremes, and the point where the sweep begins to close: a quantity that is constant over a full revolution has no other.
+/// All extremes, and the point where the sweep begins to close: a quantity that is constant over a full revolution has
+/// no other.
 pub(super) struct FoundExtremes {
     pub(super) extremes: Vec<Extreme>,
     pub(super) first: Option<Extreme>,
@@ -264,7 +265,8 @@ impl<'c> Curve<'c> {
         Ok(crossings)
     }
 
-    /// Passes on the points inside of a stretch where the quantity crosses a level, and returns the nodes at both ends of the stretch.
+    /// Passes on the points inside of a stretch where the quantity crosses a level, and returns the nodes at both ends
+    /// of the stretch.
     fn crossings_of(
         &self,
         stretch: &Stretch<'c>,
@@ -350,8 +352,8 @@ impl<'c> Curve<'c> {
     }
 }
 
-/// Takes out the extremes that rounding errors make: those inside of the curve that differ from the next one, or from both neighbours, by
-/// less than the errors.
+/// Takes out the extremes that rounding errors make: those inside of the curve that differ from the next one, or from
+/// both neighbours, by less than the errors.
 fn leave_out_rounding(extremes: &mut Vec<Extreme>, rounding: f64) {
     let is_inside = |extreme: &Extreme| matches!(extreme.kind, ExtremeKind::Inner | ExtremeKind::Kink);
     let is_same = |one: &Extreme, other: &Extreme| match (one.value, other.value) {
@@ -391,8 +393,8 @@ fn finite(argument: &'static str, value: f64) -> Result<(), ExtremesError> {
     }
 }
 
-/// Whether the quantity rises in the direction of the sweep. A slope of zero counts as one that rises with the parameter, as
-/// [`Piece::stationary_points`](crate::hermite::Piece::stationary_points) counts it.
+/// Whether the quantity rises in the direction of the sweep. A slope of zero counts as one that rises with the
+/// parameter, as [`Piece::stationary_points`](crate::hermite::Piece::stationary_points) counts it.
 fn rises(stretch: &Stretch<'_>, node: &CurveNode<'_>) -> bool {
     let [from, to] = stretch.parameters;
     (node.value.coefficients()[1] >= 0.0) == (to >= from)
@@ -420,8 +422,8 @@ fn edge(node: &CurveNode<'_>, kind: ExtremeKind, is_maximum: bool) -> Extreme {
     }
 }
 
-/// The extremes at an edge with two sides, where the quantity rises or falls on each. A jump between them has an extreme on each side
-/// from which the quantity does not go on in the same direction.
+/// The extremes at an edge with two sides, where the quantity rises or falls on each. A jump between them has an
+/// extreme on each side from which the quantity does not go on in the same direction.
 fn joint(nodes: [&CurveNode<'_>; 2], rises: [bool; 2], kind: ExtremeKind) -> [Option<Extreme>; 2] {
     let [left, right] = nodes.map(|node| node.value.real());
     let jump = right - left;

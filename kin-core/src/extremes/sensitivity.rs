@@ -1,12 +1,12 @@
 //! How a peak depends on the dimensions.
 //!
-//! At an inner extreme the slope vanishes. So a dimension changes the extreme value as it changes the quantity at that point, and the
-//! point itself moves by minus the mixed second derivative over the bend. (A. E. Bryson & Y.-C. Ho, *Applied Optimal Control*, Hemisphere
-//! 1975, section 1.2, or any text on the envelope theorem.)
+//! At an inner extreme the slope vanishes. So a dimension changes the extreme value as it changes the quantity at that
+//! point, and the point itself moves by minus the mixed second derivative over the bend. (A. E. Bryson & Y.-C. Ho,
+//! *Applied Optimal Control*, Hemisphere 1975, section 1.2, or any text on the envelope theorem.)
 //!
-//! The mixed derivative of a quantity called by its name comes with the value, from a position in series of the variable that change with
-//! the dimension. That of an expression comes from two series in which variable and dimension change together: with the second-order terms
-//! c₊ and c₋ in the directions (1, 1) and (1, -1), it is (c₊ - c₋) / 2.
+//! The mixed derivative of a quantity called by its name comes with the value, from a position in series of the
+//! variable that change with the dimension. That of an expression comes from two series in which variable and dimension
+//! change together: with the second-order terms c₊ and c₋ in the directions (1, 1) and (1, -1), it is (c₊ - c₋) / 2.
 
 use alloc::vec::Vec;
 
@@ -24,7 +24,8 @@ use crate::sweep::Local;
 pub struct PeakSensitivity {
     /// The derivative of the value with its sign, in the unit of the quantity over the unit of the dimension.
     pub value: f64,
-    /// The derivative of the position: that of the variable of the sweep over the unit of the dimension. At the end of a sweep it is zero.
+    /// The derivative of the position: that of the variable of the sweep over the unit of the dimension. At the end of
+    /// a sweep it is zero.
     pub at: f64,
 }
 

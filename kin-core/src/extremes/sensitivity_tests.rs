@@ -111,8 +111,8 @@ fn changed<M: Mechanism<Scalar = f64>>(mechanism: &M, dimension: usize, change: 
     }))
 }
 
-/// Compares with the peaks of mechanisms of which one dimension is changed by two steps to either side: these differences have an
-/// error of the fourth power of the step, and lose three digits to rounding.
+/// Compares with the peaks of mechanisms of which one dimension is changed by two steps to either side: these
+/// differences have an error of the fourth power of the step, and lose three digits to rounding.
 fn check_by_differences<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
     found: &PeakSensitivities,

@@ -20,8 +20,8 @@ use crate::sweep::{Local, READ, TERMS, by_time, composed};
 const UP_TO_SNAP: usize = SNAP + TERMS;
 const SNAP: usize = 4;
 
-/// A quantity called by its name needs positions only: over a series in the variable of the sweep, they have all its derivatives. So the
-/// solvers of rates are compiled in long numbers only where a closure asks for a typed pose.
+/// A quantity called by its name needs positions only: over a series in the variable of the sweep, they have all its
+/// derivatives. So the solvers of rates are compiled in long numbers only where a closure asks for a typed pose.
 pub trait NamedFunctions:
     PositionFunctions<Series<UP_TO_SNAP>> + PositionFunctions<Series<READ>> + DyadFunctions
 {
@@ -29,8 +29,8 @@ pub trait NamedFunctions:
 
 impl<F: PositionFunctions<Series<UP_TO_SNAP>> + PositionFunctions<Series<READ>> + DyadFunctions> NamedFunctions for F {}
 
-/// What the dependence of a quantity on the dimensions, and forces, need beside: positions in series that change with a dimension or an
-/// input, and the points of the skeleton.
+/// What the dependence of a quantity on the dimensions, and forces, need beside: positions in series that change with a
+/// dimension or an input, and the points of the skeleton.
 pub trait ChangedFunctions:
     NamedFunctions
     + PositionFunctions<Changing<Series<UP_TO_SNAP>>>
@@ -103,7 +103,8 @@ pub struct SweepStation<'s> {
     pub(super) variable: Local,
 }
 
-/// A position in series of the variable: parameters, inputs, what the unknowns are near, and the unknowns, one after the other.
+/// A position in series of the variable: parameters, inputs, what the unknowns are near, and the unknowns, one after
+/// the other.
 struct SeriesPosition<T> {
     numbers: Vec<T>,
     counts: [usize; 3],

@@ -1,7 +1,7 @@
 //! A sweep and a quantity of its poses, without the type of the mechanism.
 //!
-//! The search for extremes, crossings, dwells and means is compiled once, in this crate. For each mechanism only its functions and the
-//! quantity are compiled.
+//! The search for extremes, crossings, dwells and means is compiled once, in this crate. For each mechanism only its
+//! functions and the quantity are compiled.
 
 use alloc::rc::Rc;
 use alloc::vec;
@@ -237,8 +237,9 @@ impl<'c> QuantityOfSweep<'c> {
         joints(self.drive, ends)
     }
 
-    /// The directions in which the quantity has no bound at a joint, upwards and downwards: a rate below it jumps there. One above a jump
-    /// has the direction of the jump, and those above that have both. Another input's jump need not be one of the quantity.
+    /// The directions in which the quantity has no bound at a joint, upwards and downwards: a rate below it jumps
+    /// there. One above a jump has the direction of the jump, and those above that have both. Another input's jump need
+    /// not be one of the quantity.
     pub(super) fn impulse(&self, joint: &CurveNode<'_>) -> Result<[bool; 2], ExtremesError> {
         let (Some(rate), Some(jump)) = (&self.rate, self.drive.jump(joint.at)) else {
             return Ok([false; 2]);

@@ -166,7 +166,8 @@ fn dead_points_are_exact() {
     }
 }
 
-/// A scotch yoke is a cosine: extremes, also at the seam of the revolution, crossings, mean and root mean square are known.
+/// A scotch yoke is a cosine: extremes, also at the seam of the revolution, crossings, mean and root mean square are
+/// known.
 #[test]
 fn a_yoke_is_a_cosine() {
     let yoke = ScotchYoke {
@@ -203,8 +204,8 @@ fn a_yoke_is_a_cosine() {
     }
 }
 
-/// At a turning point a position has an extreme, and its rates have no bound. The mean velocity is the way over the time, and the
-/// mean square has no value.
+/// At a turning point a position has an extreme, and its rates have no bound. The mean velocity is the way over the
+/// time, and the mean square has no value.
 #[test]
 fn turning_points_bound_positions_and_not_rates() {
     let sweep = LIMITED.sweep(Assembly::Open).over(-3.0..=3.0, 100).speed(10.0);
@@ -305,7 +306,8 @@ fn laws_have_joints() {
     assert!((mean.value - (end - start) / 0.4).abs() < 1e-11);
 }
 
-/// Where a rate jumps, the one above it is an impulse in the direction of the jump, and those above that have no bound on either side.
+/// Where a rate jumps, the one above it is an impulse in the direction of the jump, and those above that have no bound
+/// on either side.
 #[test]
 fn rates_above_a_jump_have_no_bound() {
     let crank = SliderCrank { r: 0.1, l: 0.3 };
@@ -346,7 +348,8 @@ fn rates_above_a_jump_have_no_bound() {
     assert_eq!(unbounded(&servo, "theta_snap"), [(begin, true), (stop, false)]);
 }
 
-/// A jump of one input is none of a quantity that does not follow it, and a crank that begins a new revolution does not jump.
+/// A jump of one input is none of a quantity that does not follow it, and a crank that begins a new revolution does not
+/// jump.
 #[test]
 fn jumps_are_those_of_the_quantity() {
     let robot = FiveBar {
@@ -594,7 +597,8 @@ where
                 (margin.real() - expected(angle)).abs() < 1e-14 * 8.0,
                 "{angle}: {margin:?}"
             );
-            // the difference has an error of its step squared times the third derivative, if there is no kink within the step
+            // the difference has an error of its step squared times the third derivative, if there is no kink within
+            // the step
             let predicted = slope(angle) * rate;
             if (slope(angle - 2e-4) - slope(angle + 2e-4)).abs() < 1e-2 {
                 assert!(
@@ -863,7 +867,8 @@ fn rounding_errors_have_no_extremes() {
             "{suffix}: {}",
             across.len()
         );
-        // along the line the way is a tangent of half the angle, whose derivatives have an extreme in the middle or none
+        // along the line the way is a tangent of half the angle, whose derivatives have an extreme in the middle or
+        // none
         let along = sweep.of(&std::format!("tracer.y{suffix}")).extremes().unwrap();
         assert!(along.len() <= 3, "{suffix}: {}", along.len());
     }
@@ -911,7 +916,8 @@ fn a_constant_is_largest_where_it_closes() {
     assert_eq!((speed.at, speed.value, speed.kind), (0.0, 10.0, ExtremeKind::End));
 }
 
-/// At a joint of a law a quantity may jump across a level, upwards as well as downwards, and in both directions of the sweep.
+/// At a joint of a law a quantity may jump across a level, upwards as well as downwards, and in both directions of the
+/// sweep.
 #[test]
 fn jumps_at_joints_cross_levels() {
     let crank = SliderCrank { r: 0.1, l: 0.3 };

@@ -64,8 +64,8 @@ pub enum Failure {
         /// The condition number of the Jacobian where the iteration gave up, in the maximum norm after scaling.
         condition: f64,
     },
-    /// The guess for an angle has so many revolutions that neighbouring numbers are more than a degree apart. No angle of
-    /// that size is a solution.
+    /// The guess for an angle has so many revolutions that neighbouring numbers are more than a degree apart. No angle
+    /// of that size is a solution.
     TooManyRevolutions {
         /// The name of the unknown.
         unknown: Name,

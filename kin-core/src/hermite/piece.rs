@@ -6,14 +6,15 @@ use crate::number::series::Series;
 
 /// A polynomial of degree 9 with given value and derivatives at both ends.
 ///
-/// It is kept by its Bernstein coefficients. Those next to an end follow from the derivatives there by differences: the k-th forward
-/// difference of the first coefficients is the k-th derivative, times hᵏ (9 - k)! / 9! for a piece of the length h.
-/// (G. Farin, *Curves and Surfaces for CAGD*, 5th edition, Morgan Kaufmann 2002, section 5.3.)
+/// It is kept by its Bernstein coefficients. Those next to an end follow from the derivatives there by differences: the
+/// k-th forward difference of the first coefficients is the k-th derivative, times hᵏ (9 - k)! / 9! for a piece of the
+/// length h. (G. Farin, *Curves and Surfaces for CAGD*, 5th edition, Morgan Kaufmann 2002, section 5.3.)
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Piece {
     ends: [f64; 2],
     coefficients: [f64; COEFFICIENTS],
-    /// The slopes at both ends, times the length, without the rounding errors of differences: neighbouring pieces share their signs.
+    /// The slopes at both ends, times the length, without the rounding errors of differences: neighbouring pieces share
+    /// their signs.
     slopes: [f64; 2],
 }
 
@@ -28,7 +29,8 @@ impl Piece {
             let mut differences = series.coefficients();
             let mut factor = 1.0;
             for (order, difference) in differences.iter_mut().enumerate().skip(1) {
-                // times h over the number of the orders left: k! of the series' coefficient stands against (9 - k)! / 9!
+                // times h over the number of the orders left: k! of the series' coefficient stands against (9 - k)! /
+                // 9!
                 factor *= length * count(order) / count(COEFFICIENTS - order);
                 *difference *= factor;
             }

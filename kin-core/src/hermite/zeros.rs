@@ -38,8 +38,9 @@ impl Iterator for Zeros {
 
 impl ExactSizeIterator for Zeros {}
 
-/// Isolates the changes of sign by Descartes' rule: there are at most as many as the coefficients have, and exactly one if they have one.
-/// Halving by de Casteljau's rule never adds any. (J. M. Lane and R. F. Riesenfeld, Bounds on a polynomial, BIT 21, 1981, 112-117.)
+/// Isolates the changes of sign by Descartes' rule: there are at most as many as the coefficients have, and exactly one
+/// if they have one. Halving by de Casteljau's rule never adds any. (J. M. Lane and R. F. Riesenfeld, Bounds on a
+/// polynomial, BIT 21, 1981, 112-117.)
 ///
 /// A zero counts as positive, so that neighbouring pieces agree about a zero on their border.
 pub(super) fn isolate(ends: [f64; 2], coefficients: &[f64]) -> Zeros {

@@ -8,7 +8,8 @@ use crate::motion::Motion;
 use crate::number::Number;
 use crate::quantity::{Digits, RATES};
 
-/// Jumps of this many roundings of the size of a piece are none. The formulas of the pieces take some tens of roundings each.
+/// Jumps of this many roundings of the size of a piece are none. The formulas of the pieces take some tens of roundings
+/// each.
 const ROUNDINGS: f64 = 256.0;
 
 /// Times are rounded as often, relative to the duration of the law.
@@ -19,8 +20,8 @@ const SAMPLES: u8 = 8;
 
 /// A joint where two pieces of a law meet, with the motions on both sides.
 ///
-/// A jump counts if it exceeds rounding: 256 roundings of the largest value that the derivative has in either piece, and what it changes
-/// within 4 roundings of the law's duration.
+/// A jump counts if it exceeds rounding: 256 roundings of the largest value that the derivative has in either piece,
+/// and what it changes within 4 roundings of the law's duration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LawJoint<T, const N: usize> {
     /// The time from the start of the law.

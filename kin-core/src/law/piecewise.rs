@@ -17,8 +17,8 @@ pub enum Side {
 
 /// A law as a row of pieces, each with one formula: what a law of your own implements.
 ///
-/// The methods to use are those of [`Law`], which every such type has. The first piece starts at time zero. A piece may have no length;
-/// it is then left out.
+/// The methods to use are those of [`Law`], which every such type has. The first piece starts at time zero. A piece may
+/// have no length; it is then left out.
 ///
 /// ```
 /// use kin_core::law::{Law, Piecewise};
@@ -113,11 +113,11 @@ impl<T: Number, L: Piecewise<T> + ?Sized> Piecewise<T> for &L {
 pub trait Law<T: Number>: Piecewise<T> {
     /// The value and its derivatives at a time.
     ///
-    /// Where two pieces meet, they are those of the right side, the later piece. Before its start and after its end a law rests at the
-    /// value there, unless it repeats; at the end itself the motion is that of the last piece.
+    /// Where two pieces meet, they are those of the right side, the later piece. Before its start and after its end a
+    /// law rests at the value there, unless it repeats; at the end itself the motion is that of the last piece.
     ///
-    /// A time that is not finite may give NaN, and derivatives that exceed the range of the number type are infinite or NaN: `solve` refuses both with
-    /// [`Failure::NotFinite`](crate::Failure::NotFinite).
+    /// A time that is not finite may give NaN, and derivatives that exceed the range of the number type are infinite or
+    /// NaN: `solve` refuses both with [`Failure::NotFinite`](crate::Failure::NotFinite).
     ///
     /// ```
     /// use kin_core::law::{Law, Rise, Shape};
@@ -135,9 +135,11 @@ pub trait Law<T: Number>: Piecewise<T> {
         approached(self, time, Side::Right)
     }
 
-    /// The motion in time of what the law prescribes over a driving angle, from the motion of that angle, by the chain rule.
+    /// The motion in time of what the law prescribes over a driving angle, from the motion of that angle, by the chain
+    /// rule.
     ///
-    /// Where two pieces meet, the piece that the angle moves into is taken: the later one, or the earlier one if the angle decreases.
+    /// Where two pieces meet, the piece that the angle moves into is taken: the later one, or the earlier one if the
+    /// angle decreases.
     ///
     /// ```
     /// use kin_core::Motion;

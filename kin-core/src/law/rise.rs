@@ -13,8 +13,8 @@ use crate::number::Number;
 
 /// The shape of a [`Rise`].
 ///
-/// Every shape is symmetrical: the second half is the first one rotated about its middle. The peaks are those of a rise by 1 in the time 1; a
-/// rise by h in the time T has Cv h/T, Ca h/T², Cj h/T³ and Cs h/T⁴.
+/// Every shape is symmetrical: the second half is the first one rotated about its middle. The peaks are those of a rise
+/// by 1 in the time 1; a rise by h in the time T has Cv h/T, Ca h/T², Cj h/T³ and Cs h/T⁴.
 ///
 /// | shape | Cv | Ca | Cj | Cs | first jump beside a dwell |
 /// |---|---|---|---|---|---|

@@ -13,11 +13,11 @@ const FORMULAS: usize = 4;
 /// The number of pieces of the whole law: constant speed is its middle.
 pub(super) const PIECES: usize = 2 * FORMULAS - 1;
 
-/// A law whose acceleration rises as a quarter of a sine, stays constant, and falls as a quarter of a cosine; then it moves at constant
-/// speed, and brakes in the same way.
+/// A law whose acceleration rises as a quarter of a sine, stays constant, and falls as a quarter of a cosine; then it
+/// moves at constant speed, and brakes in the same way.
 ///
-/// The shares of sine, constant and cosine are those of the whole duration, counting acceleration and braking. What they leave is the
-/// share of constant speed. Known laws are members of this family:
+/// The shares of sine, constant and cosine are those of the whole duration, counting acceleration and braking. What
+/// they leave is the share of constant speed. Known laws are members of this family:
 ///
 /// | law | sine | constant | cosine |
 /// |---|---|---|---|

@@ -12,7 +12,8 @@ use crate::number::Number;
 
 /// Laws one after the other, over time or over a driving angle.
 ///
-/// A law that repeats takes part with one cycle. Each law states its values; [`Law::joints`](super::Law::joints) says where they do not fit together.
+/// A law that repeats takes part with one cycle. Each law states its values; [`Law::joints`](super::Law::joints) says
+/// where they do not fit together.
 ///
 /// ```
 /// use kin_core::law::{Dwell, Law, Rise, Sequence, Shape};

@@ -74,8 +74,8 @@ crate::mechanism! {
     /// turns about (`r1`, 0). The drive lies inside the four-bar linkage, so its loop is closed first, in the frame of
     /// link 2: `psi`, `alpha` and `beta` are angles in that frame. The second loop then gives the angle of link 2.
     ///
-    /// If the four-bar linkage is a parallelogram, link 4 stays parallel to link 2, and the angle of link 2 follows from
-    /// the sides of one triangle:
+    /// If the four-bar linkage is a parallelogram, link 4 stays parallel to link 2, and the angle of link 2 follows
+    /// from the sides of one triangle:
     ///
     /// ```
     /// use kin_core::library::{StephensonIIByElbow, StephensonIIByElbowAssembly};

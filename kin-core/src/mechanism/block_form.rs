@@ -7,12 +7,13 @@ use crate::quantity::Name;
 /// returns them.
 ///
 /// Lengths are positive and have the unit of the mechanism. If an equation was multiplied by a number, so are its
-/// lengths. A length is `None` if it changes with the position, as that of a cylinder does. A dyad whose end is carried by a
-/// crank, a link that rotates about a fixed pivot by one angle, is named as a whole: four-bar, slider-crank or inverted
-/// slider-crank. The `driver` is the name of that angle, an input or an unknown that is found before the block.
+/// lengths. A length is `None` if it changes with the position, as that of a cylinder does. A dyad whose end is carried
+/// by a crank, a link that rotates about a fixed pivot by one angle, is named as a whole: four-bar, slider-crank or
+/// inverted slider-crank. The `driver` is the name of that angle, an input or an unknown that is found before the
+/// block.
 ///
-/// A sum of vectors does not show which links are joined. In a four-bar the coupler is the link on the crank's side of the
-/// equation, or the unknown that was declared first if that does not decide.
+/// A sum of vectors does not show which links are joined. In a four-bar the coupler is the link on the crank's side of
+/// the equation, or the unknown that was declared first if that does not decide.
 ///
 /// ```
 /// use kin_core::library::FourBar;

@@ -41,8 +41,8 @@ pub struct Formulas<'d> {
     pub position: &'d [Formula<'d>],
     /// The linear equations of each block's velocities. The rates of the block's unknowns are on the left.
     pub velocity: &'d [Formula<'d>],
-    /// The linear equations of all higher orders, where **A** ẋ = **b** are those of a block's velocities. Each order has
-    /// the same matrix **A**.
+    /// The linear equations of all higher orders, where **A** ẋ = **b** are those of a block's velocities. Each order
+    /// has the same matrix **A**.
     pub rates: Formula<'d>,
     /// The abbreviations that the outputs use, and the outputs.
     pub outputs: Formula<'d>,

@@ -1,7 +1,8 @@
-//! Calls that people guess and that do not exist. Each trait here leads the compiler to a message that says what to write.
+//! Calls that people guess and that do not exist. Each trait here leads the compiler to a message that says what to
+//! write.
 //!
-//! No program can use these traits: their methods ask for conditions that never hold, and their constant is no function.
-//! A method that a program defines on the type itself comes before them.
+//! No program can use these traits: their methods ask for conditions that never hold, and their constant is no
+//! function. A method that a program defines on the type itself comes before them.
 
 /// The type of [`new`](MadeOfNamedParameters::new), named for the compiler to say: `expected function, found …`.
 #[derive(Clone, Copy, Debug)]

@@ -34,15 +34,16 @@ impl<const N: usize> JacobianNumber for Series<N> {
 /// The partial derivatives of chosen unknowns or outputs with respect to all inputs: rows of the [Jacobian of a
 /// pose](crate::Mechanism::jacobian), which has one for each of them.
 ///
-/// If the root of the sum of squares of the inputs' speeds is 1, the hand of a robot has the speed of the largest singular
-/// value in its fastest direction, and that of the smallest one in its slowest. Where the smallest one is zero, the hand does
-/// not move at all in some direction. By the same factors errors of the inputs reach the hand, and forces on the hand reach
-/// the drives. (T. Yoshikawa, *Manipulability of robotic mechanisms*, International Journal of Robotics Research 4, no. 2
-/// (1985), 3-9.)
+/// If the root of the sum of squares of the inputs' speeds is 1, the hand of a robot has the speed of the largest
+/// singular value in its fastest direction, and that of the smallest one in its slowest. Where the smallest one is
+/// zero, the hand does not move at all in some direction. By the same factors errors of the inputs reach the hand, and
+/// forces on the hand reach the drives. (T. Yoshikawa, *Manipulability of robotic mechanisms*, International Journal of
+/// Robotics Research 4, no. 2 (1985), 3-9.)
 ///
 /// Singular values compare rows with each other, and columns with each other. They mean something only if all rows have
-/// one dimension, and all inputs have one; otherwise they would depend on the unit of length. [`Mechanism::jacobian_of`] refuses
-/// to mix dimensions. Divide the rows of lengths by a length that you state, and make a matrix [`from_rows`](Self::from_rows).
+/// one dimension, and all inputs have one; otherwise they would depend on the unit of length.
+/// [`Mechanism::jacobian_of`] refuses to mix dimensions. Divide the rows of lengths by a length that you state, and
+/// make a matrix [`from_rows`](Self::from_rows).
 ///
 /// They say nothing about rounding errors: the [condition of a pose](crate::Mechanism::condition) does.
 ///
@@ -108,10 +109,11 @@ impl<T: Copy> Jacobian<T> {
 }
 
 impl<T: JacobianNumber> Jacobian<T> {
-    /// The singular values, the largest first: as many as there are rows or columns, whichever are fewer. None is negative.
+    /// The singular values, the largest first: as many as there are rows or columns, whichever are fewer. None is
+    /// negative.
     ///
-    /// Where two of them are equal, or where one is zero, series of them have a kink. They are those behind it, where the
-    /// variable is larger.
+    /// Where two of them are equal, or where one is zero, series of them have a kink. They are those behind it, where
+    /// the variable is larger.
     #[must_use]
     pub fn singular_values(&self) -> Vec<T> {
         T::singular_values(&self.entries, self.width)
@@ -136,7 +138,8 @@ impl<T: JacobianNumber> Jacobian<T> {
         }
     }
 
-    /// The [largest singular value over the smallest one](JacobianMeasure::ConditionNumber), infinite for a singular matrix.
+    /// The [largest singular value over the smallest one](JacobianMeasure::ConditionNumber), infinite for a singular
+    /// matrix.
     #[must_use]
     pub fn condition_number(&self) -> T {
         self.measure(JacobianMeasure::ConditionNumber)
@@ -203,7 +206,8 @@ impl From<SolveError> for JacobianError {
     }
 }
 
-/// The rows of a pose's Jacobian that belong to results of these names: one for a scalar, and those of all coordinates for a point.
+/// The rows of a pose's Jacobian that belong to results of these names: one for a scalar, and those of all coordinates
+/// for a point.
 pub(crate) fn rows_of(description: &Description<'_>, names: &[&str]) -> Result<Vec<usize>, JacobianError> {
     let results = || description.unknowns.iter().chain(description.outputs);
     let mut rows = Vec::new();

@@ -12,8 +12,8 @@ type FirstOrder = Series<2>;
 /// The outputs of a mechanism whose numbers carry a change.
 type Outputs<M, V> = <<<M as Mechanism>::With<FirstOrder> as Mechanism>::Pose as Pose>::Outputs<V>;
 
-/// The partial derivatives of a motion with respect to one parameter, as [`Mechanism::sensitivities_at`] returns them. They are read by
-/// the methods of [`Partials`].
+/// The partial derivatives of a motion with respect to one parameter, as [`Mechanism::sensitivities_at`] returns them.
+/// They are read by the methods of [`Partials`].
 #[derive(Clone, Copy)]
 pub struct PartialMotions<M: Mechanism> {
     unknowns: M::Unknowns<M::Motion<f64>>,

@@ -6,8 +6,8 @@ use crate::number::Number;
 
 /// A number and its change with one quantity: the first derivative with respect to this quantity.
 ///
-/// The number itself may be of any type, so that a series can change as well. Comparisons, `==` among them, compare the numbers and leave
-/// the changes aside.
+/// The number itself may be of any type, so that a series can change as well. Comparisons, `==` among them, compare the
+/// numbers and leave the changes aside.
 #[derive(Clone, Copy, Debug)]
 pub struct Changing<S> {
     /// The number.

@@ -242,7 +242,8 @@ pub trait Number:
     }
 }
 
-/// The real parts of some numbers. `map` of an array takes a compiler ten times as long as this loop, and each test of a solver has one.
+/// The real parts of some numbers. `map` of an array takes a compiler ten times as long as this loop, and each test of
+/// a solver has one.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn real_parts<T: Number, const N: usize>(numbers: [T; N]) -> [f64; N] {
     let mut parts = [0.0; N];

@@ -1,12 +1,14 @@
 //! Singular values of a small matrix of series.
 //!
-//! The method is that of M. R. Hestenes, *Inversion of matrices by biorthogonalization and related results*, Journal of the Society for
-//! Industrial and Applied Mathematics 6 (1958), 51-90: columns are rotated in pairs until all are at right angles, and their lengths are the
-//! singular values. In series the rotations are series, too, and each pass at least doubles the number of terms that are right.
+//! The method is that of M. R. Hestenes, *Inversion of matrices by biorthogonalization and related results*, Journal of
+//! the Society for Industrial and Applied Mathematics 6 (1958), 51-90: columns are rotated in pairs until all are at
+//! right angles, and their lengths are the singular values. In series the rotations are series, too, and each pass at
+//! least doubles the number of terms that are right.
 //!
-//! Where two columns of equal length are at right angles, the first terms in which they differ determine the rotation. So values that cross, or
-//! that pass through zero, have the series of an analytic decomposition. (A. Bunse-Gerstner, R. Byers, V. Mehrmann & N. K. Nichols,
-//! *Numerical computation of an analytic singular value decomposition of a matrix valued function*, Numerische Mathematik 60 (1991), 1-39.)
+//! Where two columns of equal length are at right angles, the first terms in which they differ determine the rotation.
+//! So values that cross, or that pass through zero, have the series of an analytic decomposition. (A. Bunse-Gerstner,
+//! R. Byers, V. Mehrmann & N. K. Nichols, *Numerical computation of an analytic singular value decomposition of a
+//! matrix valued function*, Numerische Mathematik 60 (1991), 1-39.)
 
 use alloc::vec::Vec;
 
@@ -31,11 +33,11 @@ struct RotatedColumn<const N: usize> {
     error: f64,
 }
 
-/// The singular values of a matrix, the largest first. The matrix is given in rows of so many columns, and has as many values as its smaller
-/// side has entries. All of them are at least zero.
+/// The singular values of a matrix, the largest first. The matrix is given in rows of so many columns, and has as many
+/// values as its smaller side has entries. All of them are at least zero.
 ///
-/// Where two values are equal, or where one is zero, they have kinks, and the series are those on the right side of it: behind the kink if
-/// the variable of the series grows.
+/// Where two values are equal, or where one is zero, they have kinks, and the series are those on the right side of it:
+/// behind the kink if the variable of the series grows.
 pub(crate) fn singular_values<const N: usize>(rows: &[Series<N>], width: usize) -> Vec<Series<N>> {
     let height = rows.len().checked_div(width).unwrap_or(0);
     let column = |index: usize| -> RotatedColumn<N> {
@@ -49,7 +51,8 @@ pub(crate) fn singular_values<const N: usize>(rows: &[Series<N>], width: usize) 
         RotatedColumn { entries, error }
     };
     let mut columns: Vec<RotatedColumn<N>> = (0..width.min(height)).map(column).collect();
-    // The constant terms first: columns on their way to right angles may be nearly alike, and series of their rotations would grow.
+    // The constant terms first: columns on their way to right angles may be nearly alike, and series of their rotations
+    // would grow.
     for rotations in [Rotations::Constant, Rotations::Changing] {
         for _ in 0..PASSES {
             let mut is_rotated = false;
@@ -99,7 +102,8 @@ fn rotate<const N: usize>(first: &mut RotatedColumn<N>, second: &mut RotatedColu
     if across.coefficients() == [0.0; N] {
         return false;
     }
-    // The columns of equal length are rotated as their first difference says. It is lost in the last terms of the rotation, which multiply it.
+    // The columns of equal length are rotated as their first difference says. It is lost in the last terms of the
+    // rotation, which multiply it.
     let order = first_order([across, longer]);
     let [across, longer] = [shifted(across + across, order), shifted(longer, order)];
     // by no more than an eighth of a revolution, without which the passes need not end
@@ -124,8 +128,9 @@ fn halved<const N: usize>(angle: Series<N>) -> (Series<N>, Series<N>) {
     (angle * Series::constant(0.5)).sin_cos()
 }
 
-/// The length of the shortest column of a square matrix, along the only direction at right angles to all others. Its direction, which
-/// is that of small numbers with large rounding errors, is not needed. `None` if the others are too short to have directions.
+/// The length of the shortest column of a square matrix, along the only direction at right angles to all others. Its
+/// direction, which is that of small numbers with large rounding errors, is not needed. `None` if the others are too
+/// short to have directions.
 fn shortest_length<const N: usize>(columns: &[RotatedColumn<N>]) -> Option<(usize, Series<N>)> {
     let sizes = columns.iter().map(|column| size_of_constants(&column.entries));
     let (shortest, _) = sizes.enumerate().min_by(|one, other| one.1.total_cmp(&other.1))?;
@@ -164,7 +169,8 @@ fn shortest_length<const N: usize>(columns: &[RotatedColumn<N>]) -> Option<(usiz
     Number::is_finite(length).then_some((shortest, length))
 }
 
-/// The length of a column: t to some power times that of the column without this power, so that a root is never that of zero.
+/// The length of a column: t to some power times that of the column without this power, so that a root is never that of
+/// zero.
 fn length<const N: usize>(column: &RotatedColumn<N>) -> Series<N> {
     let mut entries = column.entries.clone();
     let clear = |entries: &mut [Series<N>]| {
@@ -193,8 +199,8 @@ fn regular_length<const N: usize>(entries: &[Series<N>]) -> Series<N> {
     if size == 0.0 {
         return Series::ZERO;
     }
-    // Along the direction of the constant terms the column is long. What is across begins with the first power, and its root needs no
-    // differences.
+    // Along the direction of the constant terms the column is long. What is across begins with the first power, and its
+    // root needs no differences.
     let along = entries().fold(Series::ZERO, |sum, entry| {
         sum + entry * Series::constant(entry.real() / size)
     });

@@ -4,14 +4,14 @@ use super::{Outline, PlaneOrSpace, PointArray, Slide};
 
 /// A mechanism in one position: joints, the bodies between them, and what stands still.
 ///
-/// The closure is the picture. Terms of its vector equations that rotate together are one body, terms without any input or unknown are the
-/// ground, and a joint at the end of a term of variable length slides along it. A declaration whose equations do not determine that states
-/// its bodies itself, by `body`, `ground` and `slide`. Joints that coincide are one joint. An output that is a point belongs to the body
-/// whose terms it continues.
+/// The closure is the picture. Terms of its vector equations that rotate together are one body, terms without any input
+/// or unknown are the ground, and a joint at the end of a term of variable length slides along it. A declaration whose
+/// equations do not determine that states its bodies itself, by `body`, `ground` and `slide`. Joints that coincide are
+/// one joint. An output that is a point belongs to the body whose terms it continues.
 ///
-/// A mechanism makes its skeleton, by a generated method; generic code calls [`Mechanism::skeleton`](crate::Mechanism::skeleton).
-/// `P` is an array of [`Plane`](crate::Plane) or of [`Space`](crate::Space): the joints, and behind them a direction for each slide.
-/// Nothing is allocated.
+/// A mechanism makes its skeleton, by a generated method; generic code calls
+/// [`Mechanism::skeleton`](crate::Mechanism::skeleton). `P` is an array of [`Plane`](crate::Plane) or of
+/// [`Space`](crate::Space): the joints, and behind them a direction for each slide. Nothing is allocated.
 ///
 /// ```
 /// use kin_core::library::FourBar;

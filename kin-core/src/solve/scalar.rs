@@ -13,7 +13,8 @@ use crate::solve::newton::{NewtonMemory, damped_root};
 /// A solver makes decisions: whether links reach, which pivot is the largest, which of two solutions lies in a range. A
 /// plain number, and a number that carries derivatives, decides by its real part, as the provided methods do.
 ///
-/// The trait is implemented for all numbers of this crate. A number type of another crate needs only `impl Scalar for Own {}`.
+/// The trait is implemented for all numbers of this crate. A number type of another crate needs only
+/// `impl Scalar for Own {}`.
 ///
 /// ```
 /// use kin_core::prelude::*;
@@ -64,8 +65,8 @@ pub trait Scalar: Number {
         self.provided(check).map(|square| (square, square.sqrt()))
     }
 
-    /// The failure of a solver, from the function that makes the diagnosis. A number that holds several poses makes none:
-    /// each of its poses may fail for another reason.
+    /// The failure of a solver, from the function that makes the diagnosis. A number that holds several poses makes
+    /// none: each of its poses may fail for another reason.
     #[doc(hidden)]
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn refused(diagnosis: impl FnOnce() -> Failure) -> Failure {
@@ -198,8 +199,8 @@ pub trait Scalar: Number {
         best
     }
 
-    /// The assembly of the side of the singular positions on which a number lies that is zero there: open if its real part is
-    /// positive or zero.
+    /// The assembly of the side of the singular positions on which a number lies that is zero there: open if its real
+    /// part is positive or zero.
     #[doc(hidden)]
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn side(self) -> Assembly {

@@ -50,7 +50,8 @@ crate::__debug_by_display!(NotFinite);
 
 impl Error for NotFinite {}
 
-/// Whether every number of a value is finite, so that it can be stored in formats without NaN and infinities, such as JSON.
+/// Whether every number of a value is finite, so that it can be stored in formats without NaN and infinities, such as
+/// JSON.
 ///
 /// # Errors
 /// The position of the first number that is not finite.

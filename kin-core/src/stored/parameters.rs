@@ -15,8 +15,8 @@ use crate::quantity::Quantity;
 
 /// The parameters of a mechanism as they are stored: by name, points as maps of their coordinates.
 ///
-/// This is how generic code stores any mechanism. Where the mechanism is known, [`storable!`](crate::storable) lets its structure
-/// be stored like this.
+/// This is how generic code stores any mechanism. Where the mechanism is known, [`storable!`](crate::storable) lets its
+/// structure be stored like this.
 ///
 /// ```
 /// use kin_core::library::FourBar;

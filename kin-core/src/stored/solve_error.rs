@@ -8,7 +8,8 @@ use super::lenient::{self, Lenient};
 use crate::failure::{Failure, InputValues, SolveError};
 use crate::quantity::Name;
 
-/// A [`Failure`] that owns its names: the text `S` is `String` when it is read, and [`Name`] when it is made of a failure.
+/// A [`Failure`] that owns its names: the text `S` is `String` when it is read, and [`Name`] when it is made of a
+/// failure.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 #[non_exhaustive]
 #[allow(missing_docs, reason = "the fields are those of the failure")]

@@ -17,7 +17,8 @@ use crate::any::{AssemblyOver, Of};
 use crate::batch::Outcome;
 use crate::mechanism::Mechanism;
 
-/// A step between rows is not halved beyond this part of the range. There the curves have an edge: the end of a circuit or a kink.
+/// A step between rows is not halved beyond this part of the range. There the curves have an edge: the end of a circuit
+/// or a kink.
 const SHORTEST_STEP: f64 = 1e-6;
 
 /// The fewest samples between the rows of a sweep at which the ranges of its columns are looked for.
@@ -53,12 +54,13 @@ struct Samples<'c> {
 }
 
 impl<M: Mechanism<Scalar = f64>, D: Drive> Sweep<M, D> {
-    /// The poses as a table with rows where they are needed: the straight lines between them deviate from the curves of all unknowns and
-    /// outputs by no more than `tolerance`, as a part of the range of each column. The range is that of the rows of the sweep and of samples
-    /// between them.
+    /// The poses as a table with rows where they are needed: the straight lines between them deviate from the curves of
+    /// all unknowns and outputs by no more than `tolerance`, as a part of the range of each column. The range is that
+    /// of the rows of the sweep and of samples between them.
     ///
-    /// The rows of the sweep are there, and others between them. Derivatives above the `order` are not looked at. Each step is
-    /// tested at a quarter, at the middle and at three quarters. Steps at the end of a circuit are halved down to 10⁻⁶ of the range.
+    /// The rows of the sweep are there, and others between them. Derivatives above the `order` are not looked at. Each
+    /// step is tested at a quarter, at the middle and at three quarters. Steps at the end of a circuit are halved down
+    /// to 10⁻⁶ of the range.
     ///
     /// ```
     /// use std::f64::consts::TAU;
@@ -74,15 +76,15 @@ impl<M: Mechanism<Scalar = f64>, D: Drive> Sweep<M, D> {
     /// ```
     ///
     /// # Errors
-    /// [`SweepError::TooManyRows`] and, towards a limit, [`SweepError::TooManyRowsAtLimit`] if more rows than `most_rows` were needed,
-    /// [`SweepError::MoreRows`] if the sweep itself has more, [`SweepError::Tolerance`] if the tolerance is not a positive number, and the
-    /// errors of [`table`](Self::table).
+    /// [`SweepError::TooManyRows`] and, towards a limit, [`SweepError::TooManyRowsAtLimit`] if more rows than
+    /// `most_rows` were needed, [`SweepError::MoreRows`] if the sweep itself has more, [`SweepError::Tolerance`] if the
+    /// tolerance is not a positive number, and the errors of [`table`](Self::table).
     pub fn adaptive_table(&self, tolerance: f64, order: usize, most_rows: usize) -> Result<Table, SweepError> {
         self.adaptive_table_with_progress(tolerance, order, most_rows, |_| {})
     }
 
-    /// [`adaptive_table`](Self::adaptive_table), which calls `progress` after every step between two rows of the sweep, with the part of the
-    /// steps that are done.
+    /// [`adaptive_table`](Self::adaptive_table), which calls `progress` after every step between two rows of the sweep,
+    /// with the part of the steps that are done.
     ///
     /// # Errors
     /// As for [`adaptive_table`](Self::adaptive_table).
@@ -134,8 +136,8 @@ impl UntypedSweep<'_> {
         }
         let first = empty.first_unknown(self.description);
         let ranges = samples.ranges(&given);
-        // The rounding errors of a column that stays the same are no curve. They count against the largest number of its kind, as a column
-        // that stays at zero has nothing else.
+        // The rounding errors of a column that stays the same are no curve. They count against the largest number of
+        // its kind, as a column that stays at zero has nothing else.
         let size = |label: &Heading| {
             let alike = |other: &Heading| {
                 (other.order, other.dimension) == (label.order, label.dimension) && !other.is_variable
@@ -192,8 +194,8 @@ impl<'c> Samples<'c> {
         }
     }
 
-    /// The lowest and the highest value of each column, at the rows of the sweep and at samples between them: a few rows may all lie where a
-    /// column has the same value.
+    /// The lowest and the highest value of each column, at the rows of the sweep and at samples between them: a few
+    /// rows may all lie where a column has the same value.
     fn ranges(&mut self, given: &[Sample<'c>]) -> Vec<[f64; 2]> {
         let mut ranges = vec![[f64::INFINITY, f64::NEG_INFINITY]; self.width];
         // numbers of rows that do not close are NaN, which both leave out

@@ -59,7 +59,8 @@ impl fmt::Display for Label<'_> {
 
 /// The unit of a column, as text: `rad/s²`, `mm/s`.
 ///
-/// A mechanism has units of length and time. Until [`Table::units`](super::Table::units) names them they are `L` and `T`.
+/// A mechanism has units of length and time. Until [`Table::units`](super::Table::units) names them they are `L` and
+/// `T`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Unit<'t> {
     /// The unit as it was given, of a column that is no quantity of the mechanism.
@@ -123,7 +124,8 @@ pub struct ColumnOf<'t> {
     pub values: &'t [f64],
 }
 
-/// The heading of a column where it stands over numbers: its name, and its unit in brackets, as in `theta4_velocity [rad/s]`.
+/// The heading of a column where it stands over numbers: its name, and its unit in brackets, as in
+/// `theta4_velocity [rad/s]`.
 impl fmt::Display for ColumnOf<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { label, unit, .. } = self;
@@ -182,7 +184,8 @@ impl Heading {
     }
 }
 
-/// The labels of all columns of a mechanism: the variable unless it is an input, then inputs, unknowns and outputs, each in all orders.
+/// The labels of all columns of a mechanism: the variable unless it is an input, then inputs, unknowns and outputs,
+/// each in all orders.
 pub(super) fn labels<'d>(description: &'d Description<'d>, variable: Variable) -> impl Iterator<Item = Label<'d>> {
     let given = match variable {
         Variable::Input(_) => None,

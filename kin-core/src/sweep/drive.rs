@@ -23,7 +23,8 @@ pub type Local = Series<TERMS>;
 /// The time of a formula, with all derivatives that are read of it.
 pub type Instant = Series<READ>;
 
-/// The number of derivatives of an input that are read, with its value: those of the highest order, and those of its series.
+/// The number of derivatives of an input that are read, with its value: those of the highest order, and those of its
+/// series.
 pub const READ: usize = RATES.len() + TERMS;
 
 /// The largest rounding of a whole number of revolutions.
@@ -64,7 +65,8 @@ pub trait Drive {
     /// The variable.
     fn variable(&self) -> Variable;
 
-    /// Writes the motions of the inputs at a value of the variable, one after the other, each with a number of orders that a pose may have.
+    /// Writes the motions of the inputs at a value of the variable, one after the other, each with a number of orders
+    /// that a pose may have.
     #[doc(hidden)]
     fn motions(&self, at: f64, orders: usize, motions: &mut [f64]);
 
@@ -81,7 +83,8 @@ pub trait Drive {
         1.0
     }
 
-    /// Whether the inputs can move so over a range of the variable, from the smaller end to the larger one, in a number of rows.
+    /// Whether the inputs can move so over a range of the variable, from the smaller end to the larger one, in a number
+    /// of rows.
     #[doc(hidden)]
     fn check(&self, range: [f64; 2], rows: usize) -> Result<(), SweepError> {
         let _ = (range, rows);
@@ -91,8 +94,8 @@ pub trait Drive {
 
 /// A drive that is known with its derivatives to any order, so that the poses between the rows are known as well.
 pub trait SmoothDrive: Drive {
-    /// Writes the inputs with their derivatives with respect to the variable, one after the other, each with as many as are read. Where two
-    /// pieces of a law meet, `side` selects one.
+    /// Writes the inputs with their derivatives with respect to the variable, one after the other, each with as many as
+    /// are read. Where two pieces of a law meet, `side` selects one.
     #[doc(hidden)]
     fn derivatives(&self, at: f64, side: Side, derivatives: &mut [f64]);
 
@@ -375,7 +378,8 @@ impl Drive for Laws<'_> {
     }
 }
 
-/// The lowest order that jumps at a joint. A jump of an angle by whole revolutions is none: a crank starts a new revolution at zero.
+/// The lowest order that jumps at a joint. A jump of an angle by whole revolutions is none: a crank starts a new
+/// revolution at zero.
 fn first_jump<const N: usize>(joint: &LawJoint<f64, N>, is_angle: bool) -> Option<usize> {
     let revolutions = joint.jump().value() / core::f64::consts::TAU;
     let is_whole = is_angle && (revolutions - Float::round(revolutions)).abs() < WHOLE;
@@ -394,7 +398,8 @@ fn within(time: f64, period: Option<f64>, [start, end]: [f64; 2]) -> Option<f64>
 impl SmoothDrive for Laws<'_> {
     fn derivatives(&self, at: f64, side: Side, derivatives: &mut [f64]) {
         for (law, motion) in self.laws.iter().zip(derivatives.chunks_exact_mut(READ)) {
-            // The end of a law itself has the motion of the last piece. Behind it, and before the beginning, the law rests.
+            // The end of a law itself has the motion of the last piece. Behind it, and before the beginning, the law
+            // rests.
             let rests = match side {
                 Side::Left => at <= 0.0,
                 Side::Right => at >= law.duration(),

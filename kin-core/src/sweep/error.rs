@@ -48,7 +48,8 @@ pub enum SweepError {
         /// The number of rows of the sweep.
         rows: usize,
     },
-    /// The rows towards a limit where the mechanism begins or ceases to close are not as dense as they shall be, and there may be no more.
+    /// The rows towards a limit where the mechanism begins or ceases to close are not as dense as they shall be, and
+    /// there may be no more.
     TooManyRowsAtLimit {
         /// The largest number of rows allowed.
         most: usize,

@@ -36,14 +36,14 @@ impl<M: Mechanism<Scalar = f64>, D: Drive> Sweep<M, D> {
     /// Where every block has a closed form, a batch solves several rows at once.
     ///
     /// # Errors
-    /// [`SweepError`] if an end of the range or the speed is not finite, if there are no rows or no speed, if a law jumps, or if given columns have
-    /// different lengths.
+    /// [`SweepError`] if an end of the range or the speed is not finite, if there are no rows or no speed, if a law
+    /// jumps, or if given columns have different lengths.
     pub fn table(&self) -> Result<Table, SweepError> {
         self.table_with_progress(|_| {})
     }
 
-    /// [`table`](Self::table) for sweeps of many rows. `progress` is called after every block of 65 536 rows, of coupled blocks after every
-    /// 256 rows, with the part of the rows that are solved. It is 1 in the last call.
+    /// [`table`](Self::table) for sweeps of many rows. `progress` is called after every block of 65 536 rows, of
+    /// coupled blocks after every 256 rows, with the part of the rows that are solved. It is 1 in the last call.
     ///
     /// ```
     /// use kin_core::library::SliderCrank;
@@ -63,8 +63,8 @@ impl<M: Mechanism<Scalar = f64>, D: Drive> Sweep<M, D> {
         self.any().table(Of::<M>::FUNCTIONS, &mut progress)
     }
 
-    /// [`table`](Self::table) instead of another table, whose memory is used again: for programs that make many tables of the same
-    /// size. The units and the choice of radians or degrees are those of a new table.
+    /// [`table`](Self::table) instead of another table, whose memory is used again: for programs that make many tables
+    /// of the same size. The units and the choice of radians or degrees are those of a new table.
     ///
     /// ```
     /// use std::f64::consts::TAU;
@@ -194,7 +194,8 @@ impl UntypedSweep<'_> {
             Ok::<_, SweepError>(summary.failed == 0)
         };
         let unknowns = description.unknowns.len();
-        // A batch stores a direction as cosine and sine. Which unknowns are directions is seen at the first row that closes.
+        // A batch stores a direction as cosine and sine. Which unknowns are directions is seen at the first row that
+        // closes.
         let mut is_direction = vec![false; unknowns];
         for row in 0..count {
             let (mut sines, mut outcome) = (vec![f64::NAN; unknowns], [Outcome::Unsolved]);
@@ -240,8 +241,8 @@ impl UntypedSweep<'_> {
     fn write_variable(&self, column: &mut [f64]) {
         let way = self.to - self.from;
         let last = self.count.saturating_sub(1).max(1) as f64;
-        // Without a branch, and with numbers of 32 bits that vectors can convert, so that several are calculated at once. The rest is there
-        // for columns of 17 gigabytes and more.
+        // Without a branch, and with numbers of 32 bits that vectors can convert, so that several are calculated at
+        // once. The rest is there for columns of 17 gigabytes and more.
         let (short, long) = column.split_at_mut(column.len().min(1 << 31));
         for (row, value) in (0_i32..).zip(short.iter_mut()) {
             *value = self.from + way * (f64::from(row) / last);
@@ -274,7 +275,8 @@ impl UntypedSweep<'_> {
         table.outcomes.iter().all(Outcome::is_solved)
     }
 
-    /// Passes on the numbers of a row of a table, each with its column. Without a pose, those of unknowns and outputs are NaN.
+    /// Passes on the numbers of a row of a table, each with its column. Without a pose, those of unknowns and outputs
+    /// are NaN.
     pub(super) fn write(
         &self,
         at: f64,

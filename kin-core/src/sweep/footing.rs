@@ -12,7 +12,8 @@ use crate::number::NumberRow;
 
 /// The longest step of an angle that is an input.
 pub(super) const LONGEST_INPUT_STEP: f64 = 1.0;
-/// The largest difference between an angle and its prediction from the rates at both ends of a step. Half a revolution would be ambiguous.
+/// The largest difference between an angle and its prediction from the rates at both ends of a step. Half a revolution
+/// would be ambiguous.
 pub(super) const PREDICTION: f64 = 1.0;
 /// The largest such difference by which a pose of the other assembly is still known to continue the motion.
 const SURE_PREDICTION: f64 = 0.1;
@@ -44,8 +45,8 @@ impl<'c> Footing<'c> {
     /// A pose with the angles that it returns.
     pub(super) fn new(sweep: &UntypedSweep<'c>, at: f64, numbers: Vec<f64>) -> Self {
         let orders = sweep.orders();
-        // Exact tables give rates by the variable itself, others those by time: so it is the motion of the variable that decides, and not the
-        // speed of the sweep.
+        // Exact tables give rates by the variable itself, others those by time: so it is the motion of the variable
+        // that decides, and not the speed of the sweep.
         let rate_of_variable = match sweep.drive.variable() {
             Variable::Input(lead) if orders > 1 => Some(numbers[lead * orders + 1]),
             _ => None,
@@ -153,7 +154,8 @@ impl<'c> Footing<'c> {
         self.unwrap_all(from, self.output_angles())
     }
 
-    /// Moves all angles to the revolutions that follow from another footing. It returns whether the step from there is short enough for that.
+    /// Moves all angles to the revolutions that follow from another footing. It returns whether the step from there is
+    /// short enough for that.
     pub(super) fn unwrap(&mut self, from: &Footing<'_>) -> bool {
         let [unknowns, outputs] = [self.unwrap_unknowns(from), self.unwrap_outputs(from)];
         unknowns.follows && outputs.follows && self.inputs_follow(from)
@@ -178,8 +180,8 @@ impl<'c> Footing<'c> {
         unwrapping
     }
 
-    /// The unknowns, with predicted angles for those that do not follow from another footing by whole revolutions: a gear of half the speed is
-    /// half a revolution away.
+    /// The unknowns, with predicted angles for those that do not follow from another footing by whole revolutions: a
+    /// gear of half the speed is half a revolution away.
     pub(super) fn near(&self, from: &Footing<'_>) -> Vec<f64> {
         let step = self.at - from.at;
         let [first, _] = self.firsts();

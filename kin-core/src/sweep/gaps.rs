@@ -1,9 +1,10 @@
 //! Gaps between two rows that both close.
 //!
-//! At both ends of a gap an unknown y is a root of the distance d from the end: y' grows with 1/√d and has opposite signs on the two
-//! sides, while y'' is large and of the same sign. So the change of y' between two rows disagrees with the one that y'' at both rows
-//! predicts, by more than y' itself. On a smooth curve, the difference falls with the third power of the step. Steps that disagree are halved until
-//! they agree, or until a point that does not close is met.
+//! At both ends of a gap an unknown y is a root of the distance d from the end: y' grows with 1/√d and has opposite
+//! signs on the two sides, while y'' is large and of the same sign. So the change of y' between two rows disagrees with
+//! the one that y'' at both rows predicts, by more than y' itself. On a smooth curve, the difference falls with the
+//! third power of the step. Steps that disagree are halved until they agree, or until a point that does not close is
+//! met.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -92,8 +93,9 @@ pub(super) fn suspects(sweep: &UntypedSweep<'_>, table: &Table) -> Vec<usize> {
 
 /// Whether there may be a gap on the straight line between the inputs of two rows of columns.
 ///
-/// The rates of the only input convert those of the unknowns into derivatives with respect to the input, unless the input stands still. All other
-/// pairs are solved again. An angle that moves by more than half a revolution does not say in which direction.
+/// The rates of the only input convert those of the unknowns into derivatives with respect to the input, unless the
+/// input stands still. All other pairs are solved again. An angle that moves by more than half a revolution does not
+/// say in which direction.
 fn may_part(description: &Description<'_>, table: &Table, row: usize) -> bool {
     let orders = description.order + 1;
     let pair = |quantity: usize, order: usize| {

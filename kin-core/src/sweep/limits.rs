@@ -29,8 +29,9 @@ pub struct Limit {
     pub block: Name,
     /// The inputs there.
     pub inputs: Vec<f64>,
-    /// The unknowns there, with angles unwrapped along the sweep. At an end of a range they are those just inside of it, by a part of
-    /// up to 10⁻⁶ of the way from the row that closes; they are NaN if the mechanism does not close there.
+    /// The unknowns there, with angles unwrapped along the sweep. At an end of a range they are those just inside of
+    /// it, by a part of up to 10⁻⁶ of the way from the row that closes; they are NaN if the mechanism does not close
+    /// there.
     pub unknowns: Vec<f64>,
     /// The name of the variable.
     pub(super) variable: Name,

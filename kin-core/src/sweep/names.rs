@@ -40,8 +40,8 @@ impl NoSuchColumn {
     }
 }
 
-/// The number of letters to be inserted, left out or replaced. (V. I. Levenshtein, Binary codes capable of correcting deletions,
-/// insertions, and reversals, Soviet Physics Doklady 10, 1966, 707-710.)
+/// The number of letters to be inserted, left out or replaced. (V. I. Levenshtein, Binary codes capable of correcting
+/// deletions, insertions, and reversals, Soviet Physics Doklady 10, 1966, 707-710.)
 fn distance(one: &str, other: &str) -> usize {
     let mut row: Vec<usize> = (0..=other.chars().count()).collect();
     for (index_in_one, letter) in one.chars().enumerate() {

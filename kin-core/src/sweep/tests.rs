@@ -147,8 +147,8 @@ fn progress_is_reported() {
     assert_eq!(parts, [0.25, 0.5, 0.75, 1.0]);
 }
 
-/// Beyond the end of its circuit a coupled block stays unclosed, for every kind of sweep: its rows, its table and its adaptive table. Each row
-/// gives the distance of the input that is farthest from the end.
+/// Beyond the end of its circuit a coupled block stays unclosed, for every kind of sweep: its rows, its table and its
+/// adaptive table. Each row gives the distance of the input that is farthest from the end.
 #[test]
 fn coupled_blocks_do_not_enter_again() {
     let leg = 5.0_f64.sqrt();
@@ -219,7 +219,8 @@ fn tables_are_filled_again() {
     );
 }
 
-/// A gap about the stretched position, narrower than a step, is found wherever the rows lie, and nothing where there is none.
+/// A gap about the stretched position, narrower than a step, is found wherever the rows lie, and nothing where there is
+/// none.
 #[test]
 fn gaps_between_rows_are_found() {
     for rest in [1e-2, 1e-4, 1e-6] {
@@ -278,7 +279,8 @@ fn gaps_between_rows_are_found() {
     }
 }
 
-/// Also along columns, where the inputs move on straight lines from row to row: with rates, at rest, and with several inputs.
+/// Also along columns, where the inputs move on straight lines from row to row: with rates, at rest, and with several
+/// inputs.
 #[test]
 fn gaps_along_columns_are_found() {
     let linkage = FourBar {
@@ -739,7 +741,8 @@ fn laws_that_jump_are_refused() {
     );
 }
 
-/// Code for any mechanism gives the assembly, whatever it is; a program with a mechanism of a single position gives none.
+/// Code for any mechanism gives the assembly, whatever it is; a program with a mechanism of a single position gives
+/// none.
 #[test]
 fn a_single_position_takes_no_assembly() {
     fn rows<M: Mechanism<Scalar = f64>>(mechanism: &M, assembly: M::Assembly) -> Table

@@ -99,8 +99,8 @@ impl<'c> UntypedSweep<'c> {
         self.assembly.index().is_some()
     }
 
-    /// The motions of inputs, unknowns and outputs at given motions of the inputs, in the assembly of the sweep. `numbers` is memory to use
-    /// again.
+    /// The motions of inputs, unknowns and outputs at given motions of the inputs, in the assembly of the sweep.
+    /// `numbers` is memory to use again.
     pub(super) fn solved(&self, motions: &[f64], numbers: Vec<f64>) -> Result<Vec<f64>, SolveError> {
         self.solve(motions, self.assembly.position(), numbers)
     }

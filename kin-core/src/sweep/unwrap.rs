@@ -1,7 +1,7 @@
 //! The angles of a table that a batch has solved, unwrapped from row to row.
 //!
-//! A batch solves each row by itself, so its angles are in -π ..= π. Most tables need nothing: the rates of both rows predict every change.
-//! Where they do not, a [walk](super::walk) goes from the row before to this one.
+//! A batch solves each row by itself, so its angles are in -π ..= π. Most tables need nothing: the rates of both rows
+//! predict every change. Where they do not, a [walk](super::walk) goes from the row before to this one.
 
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
@@ -17,10 +17,12 @@ use crate::mechanism::Description;
 use crate::number::NumberRow;
 use crate::quantity::Quantity;
 
-/// The difference of a number between two revolutions of an angle from which on it depends on the revolution, as a part of its size.
+/// The difference of a number between two revolutions of an angle from which on it depends on the revolution, as a part
+/// of its size.
 const DEPENDENCE: f64 = 1e-9;
 
-/// Unwraps all angles of a table, and writes again what depends on them. It returns the rows behind which an angle jumps.
+/// Unwraps all angles of a table, and writes again what depends on them. It returns the rows behind which an angle
+/// jumps.
 pub(super) fn unwrap(sweep: &UntypedSweep<'_>, table: &mut Table) -> Vec<usize> {
     let columns = AngleColumns {
         description: sweep.description,
@@ -69,8 +71,8 @@ pub(super) fn unwrap(sweep: &UntypedSweep<'_>, table: &mut Table) -> Vec<usize> 
     jumps
 }
 
-/// The revolutions of the unknowns by which rows have been moved, and whether other numbers of a pose depend on them: the position of a rack
-/// does, that of a coupler point does not.
+/// The revolutions of the unknowns by which rows have been moved, and whether other numbers of a pose depend on them:
+/// the position of a rack does, that of a coupler point does not.
 struct Revolutions(Vec<(NumberRow, bool)>);
 
 impl Revolutions {
@@ -189,7 +191,8 @@ impl<'c> AngleColumns<'c> {
     }
 }
 
-/// The question whether a column moves by no more than a limit from row to row. A row that does not close counts as a larger step.
+/// The question whether a column moves by no more than a limit from row to row. A row that does not close counts as a
+/// larger step.
 struct MovesBy<'a> {
     values: &'a [f64],
     most: f64,

@@ -1,8 +1,9 @@
 //! The way from one pose of a sweep to the next, on which angles continue.
 //!
-//! A solver returns an angle in -π ..= π, and an output computed from such an angle jumps where the angle does. A walk unwraps them: it
-//! predicts each angle from the rates at both ends of a step, and unwraps it to the prediction. A step is too long if the
-//! prediction is too coarse to distinguish revolutions; then the walk halves it. So no angle depends on the number of rows.
+//! A solver returns an angle in -π ..= π, and an output computed from such an angle jumps where the angle does. A walk
+//! unwraps them: it predicts each angle from the rates at both ends of a step, and unwraps it to the prediction. A step
+//! is too long if the prediction is too coarse to distinguish revolutions; then the walk halves it. So no angle depends
+//! on the number of rows.
 
 use alloc::rc::Rc;
 use alloc::vec::Vec;
@@ -58,7 +59,8 @@ impl<'c> Walk<'c> {
         }
     }
 
-    /// The pose at a value of the variable, whose inputs have the given motions. A point that does not close leaves the walk where it was.
+    /// The pose at a value of the variable, whose inputs have the given motions. A point that does not close leaves the
+    /// walk where it was.
     ///
     /// Where an input moves far, the walk looks for gaps on the way.
     pub(crate) fn step(
@@ -102,7 +104,8 @@ impl<'c> Walk<'c> {
         (walk, result)
     }
 
-    /// Where the walk has come, whether or not the mechanism closes there, and the number of steps in which no input moves far.
+    /// Where the walk has come, whether or not the mechanism closes there, and the number of steps in which no input
+    /// moves far.
     fn steps(&self, sweep: &UntypedSweep<'c>, motions: &[f64]) -> (f64, f64) {
         let from = match (self.unclosed, &self.last) {
             (None, None) => return (0.0, 1.0),
@@ -252,7 +255,8 @@ impl<'c> Walk<'c> {
     }
 }
 
-/// The same pose with the angles that follow from those of another one, and whether the revolutions of all of them are certain.
+/// The same pose with the angles that follow from those of another one, and whether the revolutions of all of them are
+/// certain.
 fn unwrapped<'c>(
     sweep: &UntypedSweep<'c>,
     mut reached: Footing<'c>,
@@ -266,8 +270,8 @@ fn unwrapped<'c>(
         if let Ok(numbers) = sweep.solved_near(motions, &near, Vec::new()) {
             let mut again = Footing::new(sweep, reached.at, numbers);
             let unwrapping = again.unwrap_unknowns(from);
-            // Where two assemblies meet, the solver may return the other one. Within a loop, a gear of half the speed exchanges their names:
-            // only a short step that both rates predict well distinguishes the two cases.
+            // Where two assemblies meet, the solver may return the other one. Within a loop, a gear of half the speed
+            // exchanges their names: only a short step that both rates predict well distinguishes the two cases.
             let continues = unwrapping.is_sure && again.inputs_follow(from);
             let inputs = sweep.values(motions);
             let assembly = sweep
@@ -342,7 +346,8 @@ fn stopped(
     }
 }
 
-/// The error of a row beyond the end of its circuit. Its margin is the distance of the inputs to that end, unless the end is not known.
+/// The error of a row beyond the end of its circuit. Its margin is the distance of the inputs to that end, unless the
+/// end is not known.
 fn beyond(sweep: &UntypedSweep<'_>, gap: &Gap, inputs: &[f64]) -> SolveError {
     let ways = inputs.iter().zip(gap.inputs.iter());
     let distance = ways.fold(0.0, |distance: f64, (input, end)| distance.max((input - end).abs()));

@@ -236,14 +236,15 @@ impl Tape<'_> {
     /// - `assembly` is `OPEN` or `CROSSED`, an object with one of them for each of several choices, or an object with a
     ///   value near each unknown for a mechanism with coupled blocks.
     ///
-    /// The result is `{ok: true, pose}` with an array for each unknown and output, position first, and with `joints` and
-    /// `slides` if the skeleton was asked for. Where the mechanism has no pose, it is `{ok: false, check, block, margin}`;
-    /// the fields are those of a [`Stop`](crate::tape::Stop). Names are spelled in ASCII letters. A name that is missing or unknown, and
-    /// what is neither `OPEN` nor `CROSSED`, throws a `TypeError` that says what to give.
+    /// The result is `{ok: true, pose}` with an array for each unknown and output, position first, and with `joints`
+    /// and `slides` if the skeleton was asked for. Where the mechanism has no pose, it is
+    /// `{ok: false, check, block, margin}`; the fields are those of a [`Stop`](crate::tape::Stop). Names are spelled in
+    /// ASCII letters. A name that is missing or unknown, and what is neither `OPEN` nor `CROSSED`, throws a `TypeError`
+    /// that says what to give.
     ///
-    /// The numbers are those of `solve` in a build of this crate that does not fuse products, to the last bit, as long as
-    /// angles stay below 10⁵. Inverse sines and cosines, hyperbolic functions, exponentials and logarithms are those of
-    /// the platform. A tape in single precision is run in double precision.
+    /// The numbers are those of `solve` in a build of this crate that does not fuse products, to the last bit, as long
+    /// as angles stay below 10⁵. Inverse sines and cosines, hyperbolic functions, exponentials and logarithms are those
+    /// of the platform. A tape in single precision is run in double precision.
     ///
     /// ```
     /// use kin_core::library::FourBar;
@@ -261,7 +262,8 @@ impl Tape<'_> {
 
 /// The names in the module of [`Tape::java_script`], for programs that call it.
 ///
-/// A quantity keeps its name if it is one of JavaScript, in ASCII letters; the parts of a point `p` are `p_x` and `p_y`.
+/// A quantity keeps its name if it is one of JavaScript, in ASCII letters; the parts of a point `p` are `p_x` and
+/// `p_y`.
 ///
 /// ```
 /// use kin_core::library::FiveBar;
@@ -281,7 +283,8 @@ pub struct JavaScriptNames {
     pub inputs: Vec<String>,
     /// The members of `assembly` that are values near the unknowns, in a mechanism with coupled blocks.
     pub near: Vec<String>,
-    /// The members of `assembly` that choose between open and crossed. If there is only one, `assembly` is the choice itself.
+    /// The members of `assembly` that choose between open and crossed. If there is only one, `assembly` is the choice
+    /// itself.
     pub assemblies: Vec<String>,
     /// The members of `pose`: the unknowns, the outputs, and the partial derivatives if they are recorded.
     pub results: Vec<String>,

@@ -494,8 +494,8 @@ impl Folder {
         );
     }
 
-    /// Compares what a program has written: for each tape and pose a code, which is 0 for a pose, otherwise the number of the check from
-    /// 1 on, then the margin, then the results.
+    /// Compares what a program has written: for each tape and pose a code, which is 0 for a pose, otherwise the number
+    /// of the check from 1 on, then the margin, then the results.
     fn compare(&self, tapes: &[Tape<'_>]) {
         let bytes = fs::read(self.0.join("out")).unwrap();
         let mut numbers = bytes.as_chunks::<8>().0.iter().map(|bytes| f64::from_le_bytes(*bytes));

@@ -235,20 +235,21 @@ impl Tape<'_> {
     /// The module has a function `solve(parameters, inputs, assembly)`:
     ///
     /// - `parameters` is a dictionary with the dimensions by name; it may be empty if they are folded in;
-    /// - `inputs` is a dictionary with a sequence for each input: its position, velocity and so on; missing rates are zero;
+    /// - `inputs` is a dictionary with a sequence for each input: its position, velocity and so on; missing rates are
+    ///   zero;
     /// - `assembly` is `OPEN` or `CROSSED`, a dictionary with one of them for each of several choices, or a dictionary
     ///   with a value near each unknown for a mechanism with coupled blocks.
     ///
-    /// Each number may be an array; they are broadcast to one shape. The result is a `Pose` with an array for each unknown
-    /// and output, whose first axis are the orders, and with `reached`, a mask of the poses that exist. Numbers of other
-    /// poses are NaN; `check` is the index among `CHECKS` of the check that failed, and `margin` the distance from
-    /// passing. A name that is missing or unknown, and what is neither `OPEN` nor `CROSSED`, raises a `TypeError` that says what to give.
-    /// With a skeleton it has `joints` and `slides`, whose first axes are the joint and the coordinate. Names are
-    /// spelled in ASCII letters.
+    /// Each number may be an array; they are broadcast to one shape. The result is a `Pose` with an array for each
+    /// unknown and output, whose first axis are the orders, and with `reached`, a mask of the poses that exist. Numbers
+    /// of other poses are NaN; `check` is the index among `CHECKS` of the check that failed, and `margin` the distance
+    /// from passing. A name that is missing or unknown, and what is neither `OPEN` nor `CROSSED`, raises a `TypeError`
+    /// that says what to give. With a skeleton it has `joints` and `slides`, whose first axes are the joint and the
+    /// coordinate. Names are spelled in ASCII letters.
     ///
-    /// The numbers are those of `solve` in a build of this crate that does not fuse products, to the last bit, as long as
-    /// angles stay below 10⁵. Inverse sines and cosines, hyperbolic functions, exponentials and logarithms are those of
-    /// NumPy. A tape in single precision is run in double precision.
+    /// The numbers are those of `solve` in a build of this crate that does not fuse products, to the last bit, as long
+    /// as angles stay below 10⁵. Inverse sines and cosines, hyperbolic functions, exponentials and logarithms are those
+    /// of NumPy. A tape in single precision is run in double precision.
     ///
     /// ```
     /// use kin_core::library::FourBar;

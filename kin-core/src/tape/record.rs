@@ -72,7 +72,8 @@ impl Options {
         Self::default()
     }
 
-    /// Time derivatives up to this order only: 0 is the position. An order beyond that of the mechanism changes nothing.
+    /// Time derivatives up to this order only: 0 is the position. An order beyond that of the mechanism changes
+    /// nothing.
     pub fn up_to(self, order: usize) -> Self {
         Self {
             order: Some(order),
@@ -135,11 +136,11 @@ crate::__debug_by_display!(RecordError);
 
 impl Error for RecordError {}
 
-/// The solver of a mechanism as a tape, in the number type of the mechanism: `FourBar` in double precision, `FourBar<f32>` in
-/// single precision.
+/// The solver of a mechanism as a tape, in the number type of the mechanism: `FourBar` in double precision,
+/// `FourBar<f32>` in single precision.
 ///
-/// One tape serves all assemblies: the choice of each block is an argument. The dimensions are arguments, too, unless the
-/// [options](Options::with_dimensions) fold them in.
+/// One tape serves all assemblies: the choice of each block is an argument. The dimensions are arguments, too, unless
+/// the [options](Options::with_dimensions) fold them in.
 ///
 /// # Errors
 /// See [`RecordError`].
@@ -185,8 +186,8 @@ pub fn record_any<'d, F: Plain>(
     F::tape(solver, options, &[])
 }
 
-/// [`record`] at one position: wherever the solver asks for the value of an argument, it is the one given here. The tape is the same at
-/// all positions. Its checks do not know their blocks.
+/// [`record`] at one position: wherever the solver asks for the value of an argument, it is the one given here. The
+/// tape is the same at all positions. Its checks do not know their blocks.
 #[doc(hidden)]
 pub fn record_at<M: Mechanism<Scalar: Plain>>(options: &Options, at: &[f64]) -> Result<Tape, RecordError> {
     let solver = Solver {

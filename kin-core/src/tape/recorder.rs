@@ -187,8 +187,8 @@ impl Recorder {
         self.put(TapeNode::Constant(Constant::new(value)))
     }
 
-    /// Notes a check, unless the same was made before. The answer is whether it holds: a check holds except for the one that is
-    /// to fail.
+    /// Notes a check, unless the same was made before. The answer is whether it holds: a check holds except for the one
+    /// that is to fail.
     pub(super) fn check(
         &mut self,
         name: &'static str,
@@ -309,8 +309,8 @@ impl Recorder {
         }
     }
 
-    /// The operation on constants carried out, if its result has the same bits everywhere, and operands that may be exchanged in
-    /// one order.
+    /// The operation on constants carried out, if its result has the same bits everywhere, and operands that may be
+    /// exchanged in one order.
     fn simplified(&self, node: TapeNode) -> TapeNode {
         let constant = |value: f64| TapeNode::Constant(Constant::new(self.rounded(value)));
         match node {

@@ -1,6 +1,7 @@
 //! What a number writes to the recorder of its thread.
 //!
-//! These functions know nothing of the number type, so that they are compiled once: a recorded solver has thousands of calls of them.
+//! These functions know nothing of the number type, so that they are compiled once: a recorded solver has thousands of
+//! calls of them.
 
 use std::vec::Vec;
 
@@ -87,7 +88,8 @@ pub(super) fn are_finite(numbers: &[Value]) -> bool {
     })
 }
 
-/// The search for a root. The same search may have been recorded before: then its equations are the same nodes of its unknowns.
+/// The search for a root. The same search may have been recorded before: then its equations are the same nodes of its
+/// unknowns.
 pub(super) fn searched(sought_with: &mut dyn FnMut(usize) -> Sought) -> usize {
     let count = with(|recorder| recorder.searches.len());
     let is_known = |search: &usize| {

@@ -44,11 +44,11 @@ crate::__debug_by_display!(Stop);
 impl Error for Stop {}
 
 impl Tape<'_> {
-    /// Runs the tape on the [arguments](Self::arguments), in their order, in the number type for which it was recorded. The numbers
-    /// found are in the order of the [results](Self::results).
+    /// Runs the tape on the [arguments](Self::arguments), in their order, in the number type for which it was recorded.
+    /// The numbers found are in the order of the [results](Self::results).
     ///
-    /// The numbers are those of `solve` to the last bit, in double precision. Where the build of this crate fuses products, so does
-    /// the run.
+    /// The numbers are those of `solve` to the last bit, in double precision. Where the build of this crate fuses
+    /// products, so does the run.
     ///
     /// # Errors
     /// The first check that fails. If a number is missing among the arguments, it counts as NaN.

@@ -6,7 +6,8 @@ use std::vec::Vec;
 use crate::tape::structure::Tape;
 use crate::tape::{Condition, TapeNode, TapeStep, Value};
 
-/// The lowest order that needs each node, search, system and solution; `usize::MAX` for a node that only a margin needs.
+/// The lowest order that needs each node, search, system and solution; `usize::MAX` for a node that only a margin
+/// needs.
 pub(super) struct Stages {
     nodes: Vec<usize>,
     searches: Vec<usize>,

@@ -95,9 +95,9 @@ impl<'a, D: Dialect> Writer<'a, D> {
         self.names[value.index()] = name;
     }
 
-    /// The names of a group of nodes that are computed one after the other, each with the expression that it stands for.
-    /// A node that is needed once, by a node of the group, becomes a part of that node, unless it is long. Sines and
-    /// cosines are left to the caller.
+    /// The names of a group of nodes that are computed one after the other, each with the expression that it stands
+    /// for. A node that is needed once, by a node of the group, becomes a part of that node, unless it is long. Sines
+    /// and cosines are left to the caller.
     pub(super) fn named(&self, group: &[Value], limit: Option<usize>) -> Vec<Value> {
         let limit = limit.unwrap_or(LONGEST_EXPRESSION);
         let mut within = vec![0_usize; self.uses.len()];

@@ -123,8 +123,8 @@ impl<'s> TrackPoint<'s> {
         })
     }
 
-    /// The step after which the last two terms of the series are small. The first order is straight and does not count. For
-    /// a series without other orders, only the comparison with the solution limits the step.
+    /// The step after which the last two terms of the series are small. The first order is straight and does not count.
+    /// For a series without other orders, only the comparison with the solution limits the step.
     fn trusted(&self) -> f64 {
         let mut step = f64::INFINITY;
         for (index, size) in self.sizes.iter().enumerate() {

@@ -436,8 +436,8 @@ mod tests {
         r4: 45.0,
     };
 
-    /// The unknowns between two crank angles, both before a limit: those that `arrived` finds after a step, which a function
-    /// gives from the step that is needed.
+    /// The unknowns between two crank angles, both before a limit: those that `arrived` finds after a step, which a
+    /// function gives from the step that is needed.
     fn found(assembly: Assembly, [from, to]: [f64; 2], expected: [f64; 2], step: impl Fn(f64) -> f64) -> [f64; 2] {
         let unknowns = Mechanism::position(&LINKAGE, [from], assembly).unwrap();
         on_the_way(&LINKAGE, unknowns, [from, to], |way, point, scratch| {

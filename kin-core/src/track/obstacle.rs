@@ -119,7 +119,8 @@ impl TrackStop<(), ()> {
 impl<I, U> TrackError<I, U> {
     /// The kind of the limit at which the track has ended, and its position; `None` if it ended for another reason.
     ///
-    /// The end of a domain or of a declared range is [`TrackError::Failed`], with the error of the first point beyond it.
+    /// The end of a domain or of a declared range is [`TrackError::Failed`], with the error of the first point beyond
+    /// it.
     #[must_use]
     pub fn limit(&self) -> Option<(LimitKind, &TrackLimit<I, U>)> {
         match self {

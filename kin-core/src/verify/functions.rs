@@ -16,7 +16,8 @@ use crate::mechanism::Mechanism;
 use crate::number::Changing;
 use crate::number::series::Series;
 
-/// The functions of a mechanism from which both oracles judge it. Motions stand one after the other, each with all its orders.
+/// The functions of a mechanism from which both oracles judge it. Motions stand one after the other, each with all its
+/// orders.
 pub trait VerifiedFunctions:
     AnyMechanism
     + MotionOver<f64>

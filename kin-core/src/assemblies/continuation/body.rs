@@ -6,9 +6,9 @@
 //!
 //! 4 c y·y + 2 u·(y x̄) + 2 v·(x̄ y) + Σ wᵢⱼ |x|² Rᵢⱼ(x) + k |x|² = 0,
 //!
-//! of second degree. The seven equations have 40 solutions with x ≠ 0 if their coefficients are general, whatever u, v and
-//! w are (M. Husty, *An algorithm for solving the direct kinematics of general Stewart-Gough platforms*, Mechanism and
-//! Machine Theory 31 (1996) 365-380; C. W. Wampler, *Forward displacement analysis of general six-in-parallel SPS
+//! of second degree. The seven equations have 40 solutions with x ≠ 0 if their coefficients are general, whatever u, v
+//! and w are (M. Husty, *An algorithm for solving the direct kinematics of general Stewart-Gough platforms*, Mechanism
+//! and Machine Theory 31 (1996) 365-380; C. W. Wampler, *Forward displacement analysis of general six-in-parallel SPS
 //! (Stewart) platform manipulators using soma coordinates*, the same 31 (1996) 331-337). So the start system is a known
 //! member of this family with its 40 solutions, and no path leads to the other solutions, x = 0.
 
@@ -47,12 +47,12 @@ const DEPENDENT: f64 = 1e-10;
 const KNOWN: u64 = 8;
 /// The numbers of its equations among those coefficients.
 const KNOWN_FORMS: [u8; EQUATIONS] = [0, 1, 2, 3, 4, 5];
-/// The coefficients of the form of x that is equal to one. A rotation orthogonal to it would count as infinite, so they are
-/// none of the numbers that rotations have in use.
+/// The coefficients of the form of x that is equal to one. A rotation orthogonal to it would count as infinite, so they
+/// are none of the numbers that rotations have in use.
 const PATCH: [f64; 4] = [0.743_1, 0.376_4, -0.478_9, 0.281_7];
 
-/// The terms of an equation, with the indices of their coefficients. The last six coefficients are those of the indices 1 to
-/// 6 with the other sign.
+/// The terms of an equation, with the indices of their coefficients. The last six coefficients are those of the indices
+/// 1 to 6 with the other sign.
 const OF_EQUATION: [Term; 26] = [
     Term::new(0, 0, &[(4, 2)]),
     Term::new(0, 0, &[(5, 2)]),
@@ -121,14 +121,14 @@ const TERMS: [Term; EQUATIONS * OF_EQUATION.len() + FURTHER.len()] = {
 };
 const SYSTEM: PolynomialSystem<COORDINATES> = PolynomialSystem::new(&TERMS);
 
-/// The equations of a body in space, whose unknowns are three coordinates and the three angles of a product of elementary
-/// rotations.
+/// The equations of a body in space, whose unknowns are three coordinates and the three angles of a product of
+/// elementary rotations.
 ///
-/// Six equations c p·p + u·p + v·Rᵀp + Σ wᵢⱼ Rᵢⱼ + k = 0 determine the position p and the rotation R. Their coefficients
-/// are given one equation after another, in the order c, u, v, w row by row, k.
+/// Six equations c p·p + u·p + v·Rᵀp + Σ wᵢⱼ Rᵢⱼ + k = 0 determine the position p and the rotation R. Their
+/// coefficients are given one equation after another, in the order c, u, v, w row by row, k.
 ///
-/// The variables of a solution are p, and then cosine and sine of each angle in the order of the product. Each of up to 40
-/// poses is passed on with both of its triples of angles.
+/// The variables of a solution are p, and then cosine and sine of each angle in the order of the product. Each of up to
+/// 40 poses is passed on with both of its triples of angles.
 #[derive(Clone, Copy, Debug)]
 pub struct BodySystem {
     axes: [usize; 3],
@@ -175,8 +175,8 @@ impl BodySystem {
 }
 
 impl AllSolutions<9> for BodySystem {
-    /// Passes on each of up to 40 poses with both of its triples of angles. The 40 paths take about 0.05 s. There is always
-    /// room for them: they need about 40 kB of the stack, whatever `PATHS` is.
+    /// Passes on each of up to 40 poses with both of its triples of angles. The 40 paths take about 0.05 s. There is
+    /// always room for them: they need about 40 kB of the stack, whatever `PATHS` is.
     fn real_solutions<const PATHS: usize>(
         &self,
         coefficients: &[f64],
@@ -331,8 +331,8 @@ fn scaled(
     (largest > 0.0).then(|| coefficients.map(|value| value / largest))
 }
 
-/// Replaces equations by their differences with multiples of those before: the equations of long legs are nearly the same,
-/// their differences are not. Equations that follow from others stay as they are.
+/// Replaces equations by their differences with multiples of those before: the equations of long legs are nearly the
+/// same, their differences are not. Equations that follow from others stay as they are.
 fn separate(equations: &mut [[f64; MONOMIALS]; EQUATIONS]) {
     for index in 0..EQUATIONS {
         let (before, equation) = equations.split_at_mut(index);
@@ -484,8 +484,8 @@ mod tests {
         assert!(all > 8, "{all} are too few to decide");
     }
 
-    /// Both triples give the rotation for every sequence of axes, also where only the sum or the difference of the first
-    /// and the last angle is determined.
+    /// Both triples give the rotation for every sequence of axes, also where only the sum or the difference of the
+    /// first and the last angle is determined.
     #[test]
     fn a_rotation_has_two_triples_of_angles() {
         let mut random = FixedSequence::new(3);

@@ -18,8 +18,8 @@ use super::system::BorrowedSystem;
 /// - For an equation of second degree without squares whose variables can be divided into two sets, such that no
 ///   product has two variables of the same set, one form takes the first set and 1, the other the second set and 1,
 ///   with random coefficients.
-/// - For an equation that has half of its degree in the coordinates c + i s of circles, and half in c - i s, half of the forms take the
-///   first and half the second, each with 1 and random coefficients.
+/// - For an equation that has half of its degree in the coordinates c + i s of circles, and half in c - i s, half of
+///   the forms take the first and half the second, each with 1 and random coefficients.
 /// - For any other equation of degree d, there are d forms of all its variables and 1, with random coefficients.
 ///
 /// If a [known](KnownSystem) system of the same family is given, G is that system instead.
@@ -37,8 +37,8 @@ pub(super) struct Homotopy<'a, const M: usize> {
     known: Option<KnownSystem<'a, M>>,
 }
 
-/// A system with the same terms as the one to be solved, and general coefficients, whose solutions are known. All terms of
-/// the equations that are not of first degree are of second degree.
+/// A system with the same terms as the one to be solved, and general coefficients, whose solutions are known. All terms
+/// of the equations that are not of first degree are of second degree.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct KnownSystem<'a, const M: usize> {
     pub(super) coefficients: &'a [Complex],
@@ -92,7 +92,8 @@ enum Start<const M: usize> {
         /// The inverse units of the variables of the equation.
         inverse_units: [f64; M],
     },
-    /// Random coefficients of isotropic coordinates: of the first kind in the forms with an even index, of the second kind in the others.
+    /// Random coefficients of isotropic coordinates: of the first kind in the forms with an even index, of the second
+    /// kind in the others.
     Isotropic {
         number: u64,
         /// The circle of each variable of the equation, and whether it is the second variable there.
@@ -402,8 +403,8 @@ impl<'a, const M: usize> Homotopy<'a, M> {
         })
     }
 
-    /// The known solution with a number. Without a known system, it is the one at which one chosen factor of each equation
-    /// is zero, if it exists and is finite.
+    /// The known solution with a number. Without a known system, it is the one at which one chosen factor of each
+    /// equation is zero, if it exists and is finite.
     pub(super) fn start(&mut self, choice: usize, at: &mut Linearised<M>) -> Option<[Complex; M]> {
         let free = self.free();
         if let Some(known) = &self.known {

@@ -25,8 +25,8 @@
 //! So n / 2 loops with n angles have at most n! / (n/2)!² paths: 2 for a four-bar linkage, 6 for the class III triad,
 //! 20 for three loops. In general these are the numbers of real and complex solutions, and no path leads to infinity.
 //!
-//! A body in space that six equations hold, such as a platform on six legs, has [a separate system](BodySystem). It starts
-//! from the 40 poses of a known body, so that no path leads to infinity unless the body is special.
+//! A body in space that six equations hold, such as a platform on six legs, has [a separate system](BodySystem). It
+//! starts from the 40 poses of a known body, so that no path leads to infinity unless the body is special.
 //!
 //! # Guarantees
 //!

@@ -75,8 +75,8 @@ impl<'a, const M: usize> BorrowedSystem<'a, M> {
 
     /// The same system, with pairs of variables that are the coordinates of a vector in the plane.
     ///
-    /// Like the cosine and the sine of an angle, x and y are then replaced by x + i y and x - i y where an equation of high degree has half
-    /// of its degree in each kind.
+    /// Like the cosine and the sine of an angle, x and y are then replaced by x + i y and x - i y where an equation of
+    /// high degree has half of its degree in each kind.
     #[must_use]
     pub const fn with_pairs(self, pairs: &'a [[u16; 2]]) -> Self {
         Self { pairs, ..self }
@@ -234,10 +234,11 @@ impl<'a, const M: usize> BorrowedSystem<'a, M> {
 
     /// The isotropic coordinates of an equation, if they bound it better than its degree does.
     ///
-    /// Variables c and s that lie on a common circle have the isotropic coordinates c + i s and c - i s. The determinant of the Jacobian of
-    /// plane loops has half of its degree in the coordinates of the first kind, and half in those of the second. For each variable of the
-    /// equation, the result is the number of its circle, and whether it is the second variable there. It is `None` if a variable lies on
-    /// no circle, or if the degree is not divided in this way.
+    /// Variables c and s that lie on a common circle have the isotropic coordinates c + i s and c - i s. The
+    /// determinant of the Jacobian of plane loops has half of its degree in the coordinates of the first kind, and half
+    /// in those of the second. For each variable of the equation, the result is the number of its circle, and whether
+    /// it is the second variable there. It is `None` if a variable lies on no circle, or if the degree is not divided
+    /// in this way.
     pub(super) fn isotropic(
         &self,
         range: [usize; 2],
@@ -271,7 +272,8 @@ impl<'a, const M: usize> BorrowedSystem<'a, M> {
         for (known, role) in known.iter_mut().zip(&roles[..support.len()]) {
             *known = (*role)?;
         }
-        // The coefficients of the powers of λ, if all coordinates of the first kind are multiplied by λ: the sums over its roots of unity.
+        // The coefficients of the powers of λ, if all coordinates of the first kind are multiplied by λ: the sums over
+        // its roots of unity.
         let points = f64::from(degree) + 1.0;
         let root_of_unity = |count: f64| Complex::unit(core::f64::consts::TAU * count / points);
         let value = |factor: Complex| {

@@ -22,8 +22,8 @@ use crate::quantity::Quantity;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FoldedNumber {
-    /// An input, an unknown or an output, or a derivative of one. The sine of an unknown that is not a direction exists in
-    /// no pose.
+    /// An input, an unknown or an output, or a derivative of one. The sine of an unknown that is not a direction exists
+    /// in no pose.
     At(Slot),
     /// The transmission angle of a dyad, folded to at most a right angle, by the index of the dyad in the order of
     /// [`Mechanism::transmission_angles`](crate::Mechanism::transmission_angles).
@@ -39,8 +39,8 @@ impl From<Slot> for FoldedNumber {
 }
 
 impl FoldedNumber {
-    /// The derivative of this order of the input, the unknown or the output with this name, if the mechanism has it. Order
-    /// 0 is the position.
+    /// The derivative of this order of the input, the unknown or the output with this name, if the mechanism has it.
+    /// Order 0 is the position.
     #[must_use]
     pub fn named(description: &Description<'_>, name: &str, order: usize) -> Option<Self> {
         let index_in = |quantities: &[Quantity<'_>]| quantities.iter().position(|quantity| quantity.name == name);

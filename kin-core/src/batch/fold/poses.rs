@@ -7,8 +7,8 @@ use super::folded::count;
 pub enum Poses {
     /// As many poses, all given by the columns.
     Columns(usize),
-    /// Evenly spaced values of an input. The columns give all other numbers. What they give for the position of this input
-    /// is not read.
+    /// Evenly spaced values of an input. The columns give all other numbers. What they give for the position of this
+    /// input is not read.
     Grid(InputGrid),
 }
 

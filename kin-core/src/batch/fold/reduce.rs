@@ -9,12 +9,12 @@ use crate::batch::target::Slot;
 /// The number of poses of a piece, whose values are added up together. The order of additions depends on nothing else.
 pub(super) const PIECE: usize = 512;
 
-/// The number of values that are summarised side by side, whatever the vectors of the machine. A sum is therefore the same
-/// in all vectors if its terms are.
+/// The number of values that are summarised side by side, whatever the vectors of the machine. A sum is therefore the
+/// same in all vectors if its terms are.
 const ABREAST: usize = 16;
 
-/// Room for the poses of a piece. The last one takes up to 15 more: poses that are fewer than lanes would be solved one by
-/// one.
+/// Room for the poses of a piece. The last one takes up to 15 more: poses that are fewer than lanes would be solved one
+/// by one.
 pub(super) const ROOM: usize = PIECE + MOST_LANES;
 
 /// Room for the values of a piece, on separate cache lines.
@@ -22,8 +22,8 @@ pub(super) const ROOM: usize = PIECE + MOST_LANES;
 #[repr(align(64))]
 pub(super) struct Room(pub(super) [f64; ROOM]);
 
-/// A number to be folded over many poses, with its summary and with room for the values of a few hundred poses: about four
-/// kilobytes.
+/// A number to be folded over many poses, with its summary and with room for the values of a few hundred poses: about
+/// four kilobytes.
 ///
 /// Use it again for the next batch: [`fold`](crate::batch::Batch::fold) starts the summary anew.
 #[derive(Clone, Copy, Debug)]
@@ -87,7 +87,8 @@ impl Kernel for Reduction<'_> {
     }
 }
 
-/// Adds the values of a piece to a summary. If they are `COMPLETE`, none is NaN. The index of the first pose is `first`.
+/// Adds the values of a piece to a summary. If they are `COMPLETE`, none is NaN. The index of the first pose is
+/// `first`.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn reduce<const COMPLETE: bool>(values: &[f64], first: usize, folded: &mut Folded) {
     let (rows, rest) = values.as_chunks::<ABREAST>();
@@ -121,8 +122,9 @@ fn reduce<const COMPLETE: bool>(values: &[f64], first: usize, folded: &mut Folde
 
 /// What is known of some rows, and how many values each lane lacks.
 ///
-/// The running values stay here, and the caller gets copies. If another function were given the address of the running values,
-/// the compiler would store them in every row. A store across two pages takes longer than all the rest of the row.
+/// The running values stay here, and the caller gets copies. If another function were given the address of the running
+/// values, the compiler would store them in every row. A store across two pages takes longer than all the rest of the
+/// row.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn of_rows<const COMPLETE: bool>(rows: &[[f64; ABREAST]]) -> (Running, [u64; ABREAST]) {
     let mut running = Running::NONE;
@@ -186,8 +188,8 @@ impl Running {
 
     /// One set for all lanes.
     ///
-    /// This is a separate function: a compiler that sees how the lanes are joined arranges everything before in vectors of
-    /// two.
+    /// This is a separate function: a compiler that sees how the lanes are joined arranges everything before in vectors
+    /// of two.
     #[inline(never)]
     fn joined(&self) -> RunningRow<f64> {
         RunningRow {
@@ -250,8 +252,8 @@ fn first_of(values: &[f64], wanted: f64) -> Option<(usize, f64)> {
     values.get(index).map(|value| (index, *value))
 }
 
-/// The start of the first row in which each lane has this value, infinity if none has it. The caller gets a copy, as from
-/// [`of_rows`].
+/// The start of the first row in which each lane has this value, infinity if none has it. The caller gets a copy, as
+/// from [`of_rows`].
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn first_rows(rows: &[[f64; ABREAST]], wanted: f64) -> [f64; ABREAST] {
     // From the last row to the first, so that the first of equal values remains. A loop that stops at it takes longer.

@@ -23,14 +23,14 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Batch<'a, M, G> {
     /// `poses` is the number of poses, or a [`InputGrid`]. Each [`Fold`] then holds the summary of its number over the
     /// poses that close; the returned [`Summary`] counts these and those that fail. Nothing is allocated.
     ///
-    /// The minima and the maxima, and their poses, are those of the numbers that a batch in the same vectors stores, to the
-    /// last bit. Each sum adds the values of 512 poses in 16 running sums, joins these in pairs, and adds the sums of these
-    /// pieces from the first to the last. The order is the same in all vectors, whatever their width; the sums themselves differ
-    /// as the poses do, by rounding.
+    /// The minima and the maxima, and their poses, are those of the numbers that a batch in the same vectors stores, to
+    /// the last bit. Each sum adds the values of 512 poses in 16 running sums, joins these in pairs, and adds the sums
+    /// of these pieces from the first to the last. The order is the same in all vectors, whatever their width; the sums
+    /// themselves differ as the poses do, by rounding.
     ///
     /// # Errors
-    /// Returns a [`FoldError`] if the length of a column differs from the number of poses, or if the mechanism does not have a
-    /// number or the input of the grid. Nothing is solved then.
+    /// Returns a [`FoldError`] if the length of a column differs from the number of poses, or if the mechanism does not
+    /// have a number or the input of the grid. Nothing is solved then.
     ///
     /// ```
     /// use kin_core::batch::{Column, Fold, FoldedNumber, Slot, InputGrid};
@@ -176,8 +176,8 @@ struct Scratch {
     outcomes: [Outcome; ROOM],
 }
 
-/// The piece that starts at a pose. None but the only one has fewer poses than lanes: they would be solved one by one and
-/// rounded differently.
+/// The piece that starts at a pose. None but the only one has fewer poses than lanes: they would be solved one by one
+/// and rounded differently.
 fn piece(first: usize, count: usize) -> Range<usize> {
     first..if count - first < PIECE + MOST_LANES {
         count

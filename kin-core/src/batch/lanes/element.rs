@@ -13,7 +13,8 @@ pub trait Element: Scalar + Real<Truth = bool> + Elementary + Judged + Send + Sy
     #[doc(hidden)]
     const DOUBT_IN_LANES: f64;
 
-    /// The largest length whose margin lanes measure. Its square, and the square of its reciprocal, have full precision.
+    /// The largest length whose margin lanes measure. Its square, and the square of its reciprocal, have full
+    /// precision.
     #[doc(hidden)]
     const LARGEST_MEASURED: Self;
 

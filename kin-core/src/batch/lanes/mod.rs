@@ -9,8 +9,8 @@
 //! would decide. The caller must then ask the ordinary solver about these poses, except those for which the check that
 //! failed has left a [verdict](verdicts).
 
-/// Runs a block for each lane. A kernel has thousands of these loops. Iterators and closures take a compiler several times as long, and
-/// `for` loops take it longer, because it moves their tests to the end, where this one stands.
+/// Runs a block for each lane. A kernel has thousands of these loops. Iterators and closures take a compiler several
+/// times as long, and `for` loops take it longer, because it moves their tests to the end, where this one stands.
 macro_rules! for_each_lane {
     ($lane:ident in $first:literal..$count:ident $block:block) => {
         let mut $lane = $first;
@@ -96,7 +96,8 @@ impl<const W: usize, const FUSED: bool, E: Element> Lanes<W, FUSED, E> {
         self.0.iter().map(|count| count.real()).sum::<f64>() as usize
     }
 
-    /// The numbers themselves, NaN in lanes where a sum of squares exceeds that of the [largest length](LARGEST_MEASURED).
+    /// The numbers themselves, NaN in lanes where a sum of squares exceeds that of the [largest
+    /// length](LARGEST_MEASURED).
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(in crate::batch) fn within(self, squares: Self) -> Self {
         self.with(squares, |number, squares| {
@@ -108,8 +109,8 @@ impl<const W: usize, const FUSED: bool, E: Element> Lanes<W, FUSED, E> {
         })
     }
 
-    /// The number with NaN in the lanes that fail a check, NaN in these lanes and zero in the others, and whether a lane
-    /// fails.
+    /// The number with NaN in the lanes that fail a check, NaN in these lanes and zero in the others, and whether a
+    /// lane fails.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn checked<const N: usize, const K: usize>(self, check: impl Check<Self, N, K>) -> (Self, Self, bool) {
         let operands = check.operands();
@@ -463,8 +464,8 @@ fn judge<const W: usize, const FUSED: bool, const N: usize, const K: usize, E: E
     kept.0.iter().any(|number| !Float::is_nan(*number)).then_some(())
 }
 
-/// The verdict about a lane: zero if it does not fail, the margin if it is negative beyond doubt, and NaN otherwise. NaN
-/// also stands for lengths whose squares lose digits or overflow.
+/// The verdict about a lane: zero if it does not fail, the margin if it is negative beyond doubt, and NaN otherwise.
+/// NaN also stands for lengths whose squares lose digits or overflow.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn verdict<E: Element>(failing: E, margin: E, scale: E) -> E {
     let doubt = -E::of(E::DOUBT_IN_LANES);

@@ -128,8 +128,8 @@ pub(super) fn root<const W: usize, const FUSED: bool, E: Element>(
 /// Whether rounding errors change the determinant too little for a second root. The ordinary method allows a change of
 /// a quarter. Its last step differs from the one here, so an eighth of that would already be in doubt.
 ///
-/// The last step shows the change by its `ratio`. Where this step is itself a rounding error, the ratio may be close to one
-/// by chance, so the fastest change of all steps over the length of the last one counts as well.
+/// The last step shows the change by its `ratio`. Where this step is itself a rounding error, the ratio may be close to
+/// one by chance, so the fastest change of all steps over the length of the last one counts as well.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn is_distinct<E: Element>(ratio: E, change: E) -> bool {
     let allowed = E::of(0.03);

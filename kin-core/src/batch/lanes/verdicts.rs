@@ -14,8 +14,8 @@ use crate::batch::dispatch::{MOST_LANES, MOST_SINGLES};
 
 /// A number with a store of the verdicts about lanes of it.
 pub trait Judged: Sized {
-    /// One number for each lane: zero if the lane has passed all checks, a margin if it is clearly out of reach, and NaN if
-    /// the ordinary solver must decide.
+    /// One number for each lane: zero if the lane has passed all checks, a margin if it is clearly out of reach, and
+    /// NaN if the ordinary solver must decide.
     #[cfg(feature = "std")]
     type Verdicts: Copy + AsRef<[Self]> + AsMut<[Self]>;
 

@@ -1,7 +1,7 @@
 //! Exact tables in other languages, with what reads them.
 //!
-//! Every program does the operations of [`piece`](super::piece) in the same order, so it finds the same numbers to the last bit, where the
-//! compiler does not fuse products and sums.
+//! Every program does the operations of [`piece`](super::piece) in the same order, so it finds the same numbers to the
+//! last bit, where the compiler does not fuse products and sums.
 
 use std::format;
 use std::string::{String, ToString as _};
@@ -14,11 +14,11 @@ use crate::tape::C;
 use crate::tape::words::{DistinctNames, identifier, quoted, snake};
 
 impl ExactTable {
-    /// The table as C99: a header, a source and an example. The code needs `floor` of `<math.h>` alone, and has no static state but the
-    /// constant table.
+    /// The table as C99: a header, a source and an example. The code needs `floor` of `<math.h>` alone, and has no
+    /// static state but the constant table.
     ///
-    /// `cc -O2 -std=c99 -ffp-contract=off main.c four_bar_table.c -lm -o four_bar_table` builds the example. The code finds the numbers of
-    /// [`fill_at_speed`](Self::fill_at_speed) to the last bit.
+    /// `cc -O2 -std=c99 -ffp-contract=off main.c four_bar_table.c -lm -o four_bar_table` builds the example. The code
+    /// finds the numbers of [`fill_at_speed`](Self::fill_at_speed) to the last bit.
     ///
     /// ```
     /// use std::f64::consts::TAU;
@@ -93,8 +93,8 @@ impl ExactTable {
         }
     }
 
-    /// The table as an ES module without dependencies: the function `at(parameter, speed)`, the constants `COLUMNS`, `ERRORS`, `ORDERS`,
-    /// `RANGE` and `IS_CLOSED`.
+    /// The table as an ES module without dependencies: the function `at(parameter, speed)`, the constants `COLUMNS`,
+    /// `ERRORS`, `ORDERS`, `RANGE` and `IS_CLOSED`.
     #[must_use]
     pub fn java_script(&self) -> String {
         let parts = self.parts();
@@ -112,8 +112,8 @@ impl ExactTable {
         )
     }
 
-    /// The table as a Python module without dependencies: the function `at(parameter, speed)`, the constants `COLUMNS`, `ERRORS`, `ORDERS`,
-    /// `RANGE` and `IS_CLOSED`.
+    /// The table as a Python module without dependencies: the function `at(parameter, speed)`, the constants `COLUMNS`,
+    /// `ERRORS`, `ORDERS`, `RANGE` and `IS_CLOSED`.
     #[must_use]
     pub fn python(&self) -> String {
         let parts = self.parts();

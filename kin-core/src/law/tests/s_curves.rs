@@ -55,7 +55,8 @@ fn limits_hold_and_one_is_always_reached() {
             }
         }
 
-        // the two halves, each computed from another end, meet: distance and velocity are exact to rounding, that of theirs and that of time
+        // the two halves, each computed from another end, meet: distance and velocity are exact to rounding, that of
+        // theirs and that of time
         let mut sizes = [0.0; 5];
         sizes[0] = (to - from).abs() + from.abs();
         sizes[1..].copy_from_slice(&limits);

@@ -62,8 +62,8 @@ impl Elementary for f32 {
     const LIMIT: Self = 1000.0;
     const QUARTERS_PER_RADIAN: Self = core::f32::consts::FRAC_2_PI;
 
-    /// π/2 as a sum of 14, 14 and 24 bits. The number up to [`LIMIT`](Self::LIMIT) that is closest to a multiple of π/2 is
-    /// 4·10⁻⁹ away from it. At that distance the reduced angle has a relative error of 2⁻²².
+    /// π/2 as a sum of 14, 14 and 24 bits. The number up to [`LIMIT`](Self::LIMIT) that is closest to a multiple of π/2
+    /// is 4·10⁻⁹ away from it. At that distance the reduced angle has a relative error of 2⁻²².
     const RIGHT_ANGLE: [Self; 3] = [1.570_800_8, -4.454_516e-6, 6.077_100_6e-11];
     const ROUNDING: Self = 12_582_912.0;
 
@@ -111,7 +111,8 @@ mod tests {
         assert!((f64::from(first) + f64::from(second) - FRAC_PI_4).abs() < 1e-14);
     }
 
-    /// The error in units in the last place of single precision. The expected value has an error of about 1e-9 of these.
+    /// The error in units in the last place of single precision. The expected value has an error of about 1e-9 of
+    /// these.
     fn units(found: f32, expected: f64) -> f64 {
         let size = expected.abs().max(f64::from(f32::MIN_POSITIVE));
         // The bits of a double that say which power of two it lies above.
@@ -164,8 +165,8 @@ mod tests {
         worst
     }
 
-    /// Every 997th number, or every 9973rd, and all numbers next to multiples of π/2. With `KIN_ALL_SINGLES` every number is
-    /// tested, which takes half an hour in a release build.
+    /// Every 997th number, or every 9973rd, and all numbers next to multiples of π/2. With `KIN_ALL_SINGLES` every
+    /// number is tested, which takes half an hour in a release build.
     #[test]
     fn errors_in_single_precision() {
         let step = if std::env::var_os("KIN_ALL_SINGLES").is_some() {

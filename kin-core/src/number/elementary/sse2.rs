@@ -38,14 +38,16 @@ pub(super) fn arc_tangents(y: [f64; 2], x: [f64; 2]) -> ([f64; 2], bool) {
     unsafe { arc_tangents_side_by_side(y, x) }
 }
 
-/// The sine and the cosine of an angle of single precision that [is near](super::is_near), computed in double precision.
+/// The sine and the cosine of an angle of single precision that [is near](super::is_near), computed in double
+/// precision.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn sine_cosine_single(angle: f64) -> (f32, f32) {
     // SAFETY: as above, `single_sine_beside_cosine` takes and returns numbers and needs SSE2.
     unsafe { single_sine_beside_cosine(ReducedSingle::new::<false>(angle)) }
 }
 
-/// The arctangents of two points of single precision, and whether both points are ordinary, computed in double precision.
+/// The arctangents of two points of single precision, and whether both points are ordinary, computed in double
+/// precision.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn arc_tangents_single(y: [f32; 2], x: [f32; 2]) -> ([f32; 2], bool) {
     // SAFETY: as above, `single_arc_tangents_side_by_side` takes and returns numbers and needs SSE2.
@@ -292,7 +294,8 @@ mod tests {
         }
     }
 
-    /// The accuracy of single precision is tested where it is declared. Here, each point has the angle that it has alone.
+    /// The accuracy of single precision is tested where it is declared. Here, each point has the angle that it has
+    /// alone.
     #[test]
     fn points_of_single_precision_have_their_own_angles() {
         let sizes = [

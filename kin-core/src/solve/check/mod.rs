@@ -57,9 +57,9 @@ pub trait Check<T, const N: usize, const K: usize>: Copy {
         T::constant(0.0)
     }
 
-    /// The margin of [`Failure::OutOfReach`] and the size of the lengths whose difference it is, if a pose that fails the
-    /// check fails for this reason wherever the margin is clearly negative. Otherwise only the solver for one pose knows
-    /// the reason. NaN leaves the pose to that solver, too. `root` is the root of the [square](Self::square).
+    /// The margin of [`Failure::OutOfReach`] and the size of the lengths whose difference it is, if a pose that fails
+    /// the check fails for this reason wherever the margin is clearly negative. Otherwise only the solver for one pose
+    /// knows the reason. NaN leaves the pose to that solver, too. `root` is the root of the [square](Self::square).
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn shortfall(&self, root: T) -> Option<[T; 2]> {
         let _ = root;
@@ -75,8 +75,8 @@ pub trait Choose<T, const N: usize>: Copy {
     /// The numbers that the choice compares.
     fn operands(&self) -> [T; N];
 
-    /// Which of the solutions are valid for these operands. It agrees with [`choose`](Self::choose), which finds more quickly that one
-    /// of them is.
+    /// Which of the solutions are valid for these operands. It agrees with [`choose`](Self::choose), which finds more
+    /// quickly that one of them is.
     fn validity<R: Real>(&self, operands: [R; N]) -> Validity<R>;
 
     /// The solution for one pose with these operands: open for the first solution, crossed for the second.

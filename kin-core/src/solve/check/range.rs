@@ -83,7 +83,8 @@ pub fn check_value<T: Scalar>(unknown: impl Into<Name>, value: T, low: f64, high
     })
 }
 
-/// The angle that lies in `low..=high`, up to rounding, and differs from `value` by as few whole revolutions as possible.
+/// The angle that lies in `low..=high`, up to rounding, and differs from `value` by as few whole revolutions as
+/// possible.
 ///
 /// # Errors
 /// [`Failure::OutOfRange`] with the representative closest to the range, [`Failure::NotFinite`].

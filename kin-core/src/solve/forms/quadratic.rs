@@ -90,8 +90,8 @@ impl<T: Scalar> Check<T, 3, 3> for Reach<T> {
     }
 }
 
-/// Whether the larger root is the sum g ± q divided by the leading coefficient; otherwise the smaller root is. The other
-/// root is the last coefficient divided by that sum.
+/// Whether the larger root is the sum g ± q divided by the leading coefficient; otherwise the smaller root is. The
+/// other root is the last coefficient divided by that sum.
 #[derive(Clone, Copy)]
 struct IsSum<T> {
     a: T,

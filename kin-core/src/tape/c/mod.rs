@@ -177,12 +177,12 @@ pub struct C {
 }
 
 impl Tape<'_> {
-    /// The tape as C99: a header, a source and an example. The code needs `<math.h>` and `<float.h>` alone, allocates nothing and has
-    /// no static state.
+    /// The tape as C99: a header, a source and an example. The code needs `<math.h>` and `<float.h>` alone, allocates
+    /// nothing and has no static state.
     ///
-    /// `cc -O2 -std=c99 -ffp-contract=off main.c four_bar.c -lm -o four_bar` builds the example. It finds the numbers of `solve` to the
-    /// last bit where this crate is built without fused products, for angles up to 10⁵ and closures of sums, products, quotients,
-    /// square roots, sines, cosines and angles of vectors.
+    /// `cc -O2 -std=c99 -ffp-contract=off main.c four_bar.c -lm -o four_bar` builds the example. It finds the numbers
+    /// of `solve` to the last bit where this crate is built without fused products, for angles up to 10⁵ and closures
+    /// of sums, products, quotients, square roots, sines, cosines and angles of vectors.
     ///
     /// ```
     /// use kin_core::library::FourBar;
@@ -299,8 +299,8 @@ impl<'a> Text<'a> {
         }
     }
 
-    /// The structures of the arguments: the suffix of the type's name and the variable, and which arguments are in it. A structure
-    /// without arguments is left out.
+    /// The structures of the arguments: the suffix of the type's name and the variable, and which arguments are in it.
+    /// A structure without arguments is left out.
     fn structures(&self) -> Vec<(&'static str, Vec<usize>)> {
         type IsIn = fn(&Role) -> bool;
         let all: [(&str, IsIn); 4] = [
@@ -339,8 +339,8 @@ impl<'a> Text<'a> {
         format!("{structure}->{}", self.arguments[argument])
     }
 
-    /// The head of a function without its end: its name, and its arguments with their types, each on a separate line. The last one
-    /// is what it writes to.
+    /// The head of a function without its end: its name, and its arguments with their types, each on a separate line.
+    /// The last one is what it writes to.
     fn signature(&self, function: &str, target: &str) -> String {
         let name = &self.name;
         let mut arguments: Vec<String> = self

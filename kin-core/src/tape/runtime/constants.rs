@@ -70,8 +70,8 @@ impl ConstantTexts {
     }
 }
 
-/// A finite number that is read as itself: the shortest decimal fraction that is nearest to it. C, JavaScript and Python
-/// write it the same way; a number of single precision has the suffix of C.
+/// A finite number that is read as itself: the shortest decimal fraction that is nearest to it. C, JavaScript and
+/// Python write it the same way; a number of single precision has the suffix of C.
 fn literal(number: f64, precision: NumberType) -> String {
     match precision {
         NumberType::Double => format!("{number:?}"),

@@ -1,11 +1,11 @@
-//! The functions that programs in other languages carry along: kin's sine, cosine and arctangent, its triangular factors
-//! and its Newton's method.
+//! The functions that programs in other languages carry along: kin's sine, cosine and arctangent, its triangular
+//! factors and its Newton's method.
 //!
 //! The texts are files of their language with names such as `@SINE@` instead of constants. The constants come from the
 //! code of this crate, and are printed so that they are read as the same numbers. C, JavaScript and NumPy find the same
 //! numbers as this crate does where it does not fuse products, to the last bit: sines and cosines of angles up to 10⁵,
-//! angles of points, factors and roots. Single precision in C has separate short polynomials and a separate reduction of
-//! the angle, because it contains no `double`.
+//! angles of points, factors and roots. Single precision in C has separate short polynomials and a separate reduction
+//! of the angle, because it contains no `double`.
 
 mod constants;
 #[cfg(test)]
@@ -120,8 +120,8 @@ pub(super) const JAVA_SCRIPT_ARGUMENTS: &str = include_str!("arguments.js");
 /// What refuses mistakes in the arguments of a solver in Python: `_named`, `_moving` and `_chosen`.
 pub(super) const PYTHON_ARGUMENTS: &str = include_str!("arguments.py");
 
-/// The run time in JavaScript, as functions of one module: `kinSineCosine`, `kinAtan2`, `kinFactor`, `kinSubstitute` and
-/// `kinNewton`.
+/// The run time in JavaScript, as functions of one module: `kinSineCosine`, `kinAtan2`, `kinFactor`, `kinSubstitute`
+/// and `kinNewton`.
 pub(super) fn java_script(parts: RuntimeParts) -> String {
     parts.text(
         &ConstantTexts::new(NumberType::Double),

@@ -1,5 +1,5 @@
-//! Other ends: the domain of a function, the range of an unknown, a pole, a dead point beside which it starts. Each is named for what it is, at
-//! its position.
+//! Other ends: the domain of a function, the range of an unknown, a pole, a dead point beside which it starts. Each is
+//! named for what it is, at its position.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 use std::string::ToString;
@@ -179,7 +179,8 @@ crate::mechanism! {
     y + sin(y) / 10 == asin(q - slope * y);
 }
 
-/// There the solvers cannot distinguish which function it is, nor the input to the last digit; but they do not name another cause.
+/// There the solvers cannot distinguish which function it is, nor the input to the last digit; but they do not name
+/// another cause.
 #[test]
 fn domain_in_a_coupled_block() {
     let mut random = Random::new(44);
@@ -335,8 +336,8 @@ fn start_beside_a_limit() {
     assert!(nearest < 1e-7, "{nearest}");
 }
 
-/// At a change point a determinant of δ means that the crank is away from it by about δ; rounding of the unknowns grows with
-/// 1 / δ. Where it reaches δ, nothing distinguishes the assemblies, on the way back neither.
+/// At a change point a determinant of δ means that the crank is away from it by about δ; rounding of the unknowns grows
+/// with 1 / δ. Where it reaches δ, nothing distinguishes the assemblies, on the way back neither.
 #[test]
 fn start_beside_a_change_point() {
     let mut random = Random::new(47);

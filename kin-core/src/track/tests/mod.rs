@@ -1,4 +1,5 @@
-//! A track ends where it should, and reports its obstacles. The package of tests tracks mechanisms of several loops, and coupled ones.
+//! A track ends where it should, and reports its obstacles. The package of tests tracks mechanisms of several loops,
+//! and coupled ones.
 
 mod ends;
 mod limits;
