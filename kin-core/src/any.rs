@@ -12,7 +12,11 @@
 //! use kin_core::library::{FourBar, SliderCrank};
 //!
 //! /// The unknowns of the first assembly.
-//! fn first(mechanism: &dyn AnyMechanism, parameters: &[f64], inputs: &[f64]) -> Result<Vec<f64>, kin_core::SolveError> {
+//! fn first(
+//!     mechanism: &dyn AnyMechanism,
+//!     parameters: &[f64],
+//!     inputs: &[f64],
+//! ) -> Result<Vec<f64>, kin_core::SolveError> {
 //!     let mut unknowns = vec![0.0; mechanism.description().unknowns.len()];
 //!     mechanism.position(parameters, inputs, PositionChoice::Assembly(0), &mut unknowns)?;
 //!     Ok(unknowns)

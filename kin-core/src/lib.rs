@@ -363,7 +363,8 @@ macro_rules! storable {
                     &self,
                     __serializer: __S,
                 ) -> ::core::result::Result<__S::Ok, __S::Error> {
-                    $crate::__private::serde::Serialize::serialize(&$crate::stored::ParameterRecord(*self), __serializer)
+                    let record = $crate::stored::ParameterRecord(*self);
+                    $crate::__private::serde::Serialize::serialize(&record, __serializer)
                 }
             }
 
@@ -697,8 +698,8 @@ macro_rules! __assert_verified {
 macro_rules! __assert_verified {
     ($mechanism:ty) => {
         compile_error!(
-            "the test of a mechanism needs the feature `std` of kin-core: repeat the dependency under [dev-dependencies] \
-             of Cargo.toml, with the same path or version and with features = [\"std\"]"
+            "the test of a mechanism needs the feature `std` of kin-core: repeat the dependency under \
+             [dev-dependencies] of Cargo.toml, with the same path or version and with features = [\"std\"]"
         )
     };
 }

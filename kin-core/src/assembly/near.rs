@@ -44,8 +44,9 @@ pub struct Near<const N: usize>(
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not give values near the position for all unknowns, {N} in number",
     label = "give {N} in the order of the unknowns, as in `[..]` or `Near([..])`, or a pose of this mechanism",
-    note = "coupled equations have no closed form: a mechanism with such a block takes values near the position instead of an \
-            `Assembly`. Its `assemblies_at` finds all positions at given inputs, and `track` follows one of them from pose to pose"
+    note = "coupled equations have no closed form: a mechanism with such a block takes values near the position \
+            instead of an `Assembly`. Its `assemblies_at` finds all positions at given inputs, and `track` follows one \
+            of them from pose to pose"
 )]
 pub trait Guess<T, const N: usize, M> {
     /// The values.

@@ -163,8 +163,8 @@ mod tests {
     crate::mechanism! {
         /// A motor between two links, and a link on two legs.
         struct MotorAndLegs {
-            pub crank: Length, pub a: Length, pub b: Length, pub c: Length, pub p: Length, pub q: Length, pub delta: Angle,
-            pub pivot_b: Point, pub pivot_c: Point,
+            pub crank: Length, pub a: Length, pub b: Length, pub c: Length, pub p: Length, pub q: Length,
+            pub delta: Angle, pub pivot_b: Point, pub pivot_c: Point,
         }
         input theta: Angle;
         unknown psi: Angle, beta: Angle, gamma: Angle, phi: Angle;

@@ -88,8 +88,8 @@ impl fmt::Display for MeasureError {
             ),
             Self::NoReturn { low, high } => write!(
                 formatter,
-                "the quantity does not go to and fro: it turns fully or stays where it is, from {} to {}, so there is no advance and \
-                 return",
+                "the quantity does not go to and fro: it turns fully or stays where it is, from {} to {}, so there is \
+                 no advance and return",
                 Digits(*low),
                 Digits(*high)
             ),

@@ -198,7 +198,9 @@ crate::mechanism! {
 
 crate::mechanism! {
     /// The same with a ram that the link drives.
-    struct CrankInSlideWithRam { pub ground: Length, pub crank: Length, pub arm: Length, pub rod: Length, pub height: Length }
+    struct CrankInSlideWithRam {
+        pub ground: Length, pub crank: Length, pub arm: Length, pub rod: Length, pub height: Length,
+    }
     input theta: Angle;
     unknown phi: Angle, slide: Length, psi: Angle, ram: Length;
     ground + crank * cis(theta) == slide * cis(phi);

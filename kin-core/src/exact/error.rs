@@ -45,8 +45,8 @@ impl fmt::Display for ReadError {
             Self::NotATable => formatter.write_str("these bytes are no exact table: they do not begin with `kinExact`"),
             Self::Newer { found, known } => write!(
                 formatter,
-                "the exact table has version {found} of its format, and this version of kin reads versions up to {known}: \
-                 read it with a newer version, or write it again"
+                "the exact table has version {found} of its format, and this version of kin reads versions up to \
+                 {known}: read it with a newer version, or write it again"
             ),
             Self::Length { expected, found } => write!(
                 formatter,
@@ -54,7 +54,8 @@ impl fmt::Display for ReadError {
             ),
             Self::Checksum { stored, found } => write!(
                 formatter,
-                "the exact table is damaged: its bytes have the sum {found:#018x}, and {stored:#018x} is stored with them"
+                "the exact table is damaged: its bytes have the sum {found:#018x}, and {stored:#018x} is stored with \
+                 them"
             ),
             Self::Contradiction { what } => write!(formatter, "the exact table contradicts itself: {what}"),
         }
@@ -117,7 +118,8 @@ impl fmt::Display for LookupError {
             ),
             Self::TooManyPeriods { at, period } => write!(
                 formatter,
-                "{} is so far from the table, which repeats itself after {}, that its part of a period cannot be determined: leave whole periods out",
+                "{} is so far from the table, which repeats itself after {}, that its part of a period cannot be \
+                 determined: leave whole periods out",
                 Digits(*at),
                 Digits(*period)
             ),

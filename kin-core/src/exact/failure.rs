@@ -104,7 +104,8 @@ impl fmt::Display for ExactTableError {
             ),
             Self::Order { asked } => write!(
                 formatter,
-                "the table shall end with order {asked}, and its pieces need a derivative: end it with order 1 or a higher one"
+                "the table shall end with order {asked}, and its pieces need a derivative: end it with order 1 or a \
+                 higher one"
             ),
             Self::MoreRows { most, rows } => write!(
                 formatter,
@@ -130,7 +131,8 @@ impl fmt::Display for ExactTableError {
             } => {
                 write!(
                     formatter,
-                    "with {rows} rows, the derivative of order {order} of {column} has the error {} at {}, and {} is allowed: ",
+                    "with {rows} rows, the derivative of order {order} of {column} has the error {} at {}, and {} is \
+                     allowed: ",
                     Digits(*error),
                     Digits(*at),
                     Digits(*allowed)

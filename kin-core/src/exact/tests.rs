@@ -575,7 +575,8 @@ fn coupled_blocks_are_led_through_limits() {
         }
     }
     println!(
-        "six-bar as a circuit: {} rows, {} bytes, arc {period}, {compared_count} parameters, {:.0} % of the stated errors",
+        "six-bar as a circuit: {} rows, {} bytes, arc {period}, {compared_count} parameters, {:.0} % of the stated \
+         errors",
         table.rows(),
         table.as_bytes().len(),
         100.0 * worst

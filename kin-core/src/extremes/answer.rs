@@ -12,7 +12,8 @@ use crate::sweep::Local;
 /// Do not implement it for other types: a new version may add items.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a quantity of a pose",
-    note = "return a `Local`, as `|at| at.theta4.jerk()`, or a `Result<Local, LoadError>`, as `|at| at.effort(&loads, 0)`"
+    note = "return a `Local`, as `|at| at.theta4.jerk()`, or a `Result<Local, LoadError>`, as `|at| at.effort(&loads, \
+            0)`"
 )]
 pub trait Answer {
     /// The number, or the reason why there is none at a point of the sweep.

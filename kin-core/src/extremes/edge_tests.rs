@@ -149,7 +149,10 @@ fn a_pole_is_unbounded() {
         let sweep = Lever { h: 1.0 }.sweep().over(0.0..=PI, rows).speed(1.0);
         for name in ["y", "travel", "ratio"] {
             assert!(
-                matches!(sweep.of(name).highest(), Err(ExtremesError::Unbounded { at }) if (at - FRAC_PI_2).abs() < 1e-9),
+                matches!(
+                    sweep.of(name).highest(),
+                    Err(ExtremesError::Unbounded { at }) if (at - FRAC_PI_2).abs() < 1e-9
+                ),
                 "{name}, {rows} rows: {:?}",
                 sweep.of(name).highest()
             );
@@ -166,7 +169,11 @@ fn a_pole_is_unbounded() {
     for name in ["y", "travel", "ratio", "y_velocity"] {
         let stroke = Lever { h: 1.0 }.cycle().unwrap().along(0).of(name).stroke();
         assert!(
-            matches!(stroke, Err(MeasureError::Extremes(ExtremesError::Unbounded { at })) if (at.abs() - FRAC_PI_2).abs() < 1e-9),
+            matches!(
+                stroke,
+                Err(MeasureError::Extremes(ExtremesError::Unbounded { at }))
+                    if (at.abs() - FRAC_PI_2).abs() < 1e-9
+            ),
             "{name}: {stroke:?}"
         );
     }

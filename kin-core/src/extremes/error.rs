@@ -144,8 +144,8 @@ impl fmt::Display for ExtremesError {
             Self::Argument { argument, value } => write!(formatter, "the {argument} is {value}: give a finite number"),
             Self::Unresolved { at, difference } => write!(
                 formatter,
-                "the quantity is too rough to be searched: at {} the pieces of its curve still deviate from the poses by {}; divide \
-                 the sweep, or ask for a smoother quantity",
+                "the quantity is too rough to be searched: at {} the pieces of its curve still deviate from the poses \
+                 by {}; divide the sweep, or ask for a smoother quantity",
                 Digits(*at),
                 Digits(*difference)
             ),
@@ -171,14 +171,14 @@ impl fmt::Display for ExtremesError {
             ),
             Self::Unbounded { at } => write!(
                 formatter,
-                "the quantity grows beyond all bounds at {}, a limit or a joint of laws where a lower rate jumps: end the sweep short of it, \
-                 or take a smoother law",
+                "the quantity grows beyond all bounds at {}, a limit or a joint of laws where a lower rate jumps: end \
+                 the sweep short of it, or take a smoother law",
                 Digits(*at)
             ),
             Self::Diverges { at, power } => write!(
                 formatter,
-                "the integral diverges at the limit {}: the integrand grows with the power {} of one over the distance, \
-                 and a power of 1 is too much; end the sweep short of it",
+                "the integral diverges at the limit {}: the integrand grows with the power {} of one over the \
+                 distance, and a power of 1 is too much; end the sweep short of it",
                 Digits(*at),
                 Digits(*power)
             ),

@@ -950,7 +950,12 @@ fn levels_and_tolerances_are_finite() {
     let sweep = swept(CRANK_ROCKER, Assembly::Open);
     let name = "theta4";
     for wrong in [f64::NAN, f64::INFINITY] {
-        let is = |error: ExtremesError, expected: &str| matches!(error, ExtremesError::Argument { argument, value } if argument == expected && !value.is_finite());
+        let is = |error: ExtremesError, expected: &str| {
+            matches!(
+                error,
+                ExtremesError::Argument { argument, value } if argument == expected && !value.is_finite()
+            )
+        };
         assert!(is(sweep.of(name).crossings(wrong).unwrap_err(), "level"));
         assert!(is(sweep.of(name).dwells(wrong, 0.1).unwrap_err(), "level"));
         assert!(is(sweep.of(name).dwells(1.0, wrong).unwrap_err(), "tolerance"));

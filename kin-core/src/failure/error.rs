@@ -178,8 +178,8 @@ impl fmt::Display for Failure {
             } => write!(
                 formatter,
                 "no solution found near the guess, a residual of {} is left after {iterations} steps \
-                 (condition of the Jacobian {}); start from a better guess, track from a known pose, or bring the inputs \
-                 back within reach",
+                 (condition of the Jacobian {}); start from a better guess, track from a known pose, or bring the \
+                 inputs back within reach",
                 Digits(residual),
                 Digits(condition)
             ),
@@ -291,8 +291,8 @@ mod tests {
         for (failure, message) in [
             (
                 Failure::Singular { determinant: 0.0 },
-                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: singular position, a dead point or the limit of the \
-                 range, where the two assemblies meet and rates are not defined (determinant 0); \
+                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: singular position, a dead point or the \
+                 limit of the range, where the two assemblies meet and rates are not defined (determinant 0); \
                  stop short of it, or drive the mechanism by another input",
             ),
             (
@@ -303,8 +303,9 @@ mod tests {
                     high: core::f64::consts::PI,
                     is_angle: true,
                 },
-                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: theta3 = 4 rad (229.2°) lies outside its \
-                 declared range from 0 rad (0.0°) to 3.141593 rad (180.0°); widen the range, or change dimensions or inputs",
+                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: theta3 = 4 rad (229.2°) lies outside \
+                 its declared range from 0 rad (0.0°) to 3.141593 rad (180.0°); widen the range, or change dimensions \
+                 or inputs",
             ),
             (
                 Failure::Ambiguous {
@@ -313,8 +314,8 @@ mod tests {
                     second: 1.0,
                     is_angle: false,
                 },
-                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: the declared range of theta3 holds both solutions, \
-                 -1 and 1; narrow it until one is left",
+                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: the declared range of theta3 holds both \
+                 solutions, -1 and 1; narrow it until one is left",
             ),
             (
                 Failure::OutsideDomain {
@@ -330,8 +331,8 @@ mod tests {
                     iterations: 12,
                     condition: 3.5e9,
                 },
-                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: no solution found near the guess, a residual of 0.25 \
-                 is left after 12 steps (condition of the Jacobian 3.5e9); start from a better guess, \
+                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: no solution found near the guess, a \
+                 residual of 0.25 is left after 12 steps (condition of the Jacobian 3.5e9); start from a better guess, \
                  track from a known pose, or bring the inputs back within reach",
             ),
             (
@@ -340,13 +341,14 @@ mod tests {
                     guess: 1e15,
                     spacing: 0.125,
                 },
-                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: the guess for theta3 is 1e15 rad, where neighbouring \
-                 numbers are 0.125 rad (7.2°) apart and define no direction; subtract whole turns from the guess",
+                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: the guess for theta3 is 1e15 rad, where \
+                 neighbouring numbers are 0.125 rad (7.2°) apart and define no direction; subtract whole turns from \
+                 the guess",
             ),
             (
                 Failure::not_finite("r1"),
-                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: r1: not finite, that is NaN, infinite, or too large \
-                 or too small for the number type; check parameters and inputs",
+                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: r1: not finite, that is NaN, infinite, \
+                 or too large or too small for the number type; check parameters and inputs",
             ),
         ] {
             let error = failure.at("theta3", inputs);

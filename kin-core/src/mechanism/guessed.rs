@@ -72,7 +72,8 @@ pub trait IntegersInASweep: Sized {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not know the rates below this order",
     label = "go on from order to order: `.velocity(rates)` of a position, then `.acceleration(rates)`, and so on",
-    note = "`solve` solves for all orders at once, and every quantity of its pose has rates: `pose.theta.acceleration()`"
+    note = "`solve` solves for all orders at once, and every quantity of its pose has rates: \
+            `pose.theta.acceleration()`"
 )]
 pub trait KnowsTheRatesBelow {}
 
@@ -90,11 +91,13 @@ pub trait LaterOrders {
 /// A mechanism that finds all of its positions. None implements it, because those that do have an inherent method.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not find all of its positions",
-    label = "start from values near a position instead: `position_near`, `solve_near`, and `track` from one to the next",
-    note = "`assemblies_at` is there if the coupled equations are algebraic in their unknowns, sines and cosines, and the product of \
-            their degrees is 1024 at most: the coordinates of joints as unknowns often give a smaller one than the angles of a body in space",
-    note = "it is also there for one body in space on six legs, if the unknowns are the coordinates in `vec3(x, y, z)` and the \
-            three angles in a product such as `rot_z(a) * rot_y(b) * rot_x(c)`"
+    label = "start from values near a position instead: `position_near`, `solve_near`, and `track` from one to the \
+             next",
+    note = "`assemblies_at` is there if the coupled equations are algebraic in their unknowns, sines and cosines, and \
+            the product of their degrees is 1024 at most: the coordinates of joints as unknowns often give a smaller \
+            one than the angles of a body in space",
+    note = "it is also there for one body in space on six legs, if the unknowns are the coordinates in `vec3(x, y, z)` \
+            and the three angles in a product such as `rot_z(a) * rot_y(b) * rot_x(c)`"
 )]
 pub trait FindsAllPositions {
     /// What would be found. Its absence prevents further errors.

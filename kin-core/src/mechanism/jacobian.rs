@@ -181,8 +181,9 @@ impl fmt::Display for JacobianError {
             Self::Empty => formatter.write_str("a Jacobian needs a result and an input: name an unknown or an output"),
             Self::MixedDimensions { one, other } => write!(
                 formatter,
-                "`{one}` and `{other}` have different dimensions, so that singular values would depend on the units: choose results of one \
-                 dimension, or divide the rows of lengths by a length and make a `Jacobian::from_rows`"
+                "`{one}` and `{other}` have different dimensions, so that singular values would depend on the units: \
+                 choose results of one dimension, or divide the rows of lengths by a length and make a \
+                 `Jacobian::from_rows`"
             ),
             Self::Position(error) => write!(formatter, "{error}"),
         }

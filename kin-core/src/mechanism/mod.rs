@@ -72,7 +72,7 @@ use crate::solve::Scalar;
 /// use kin_core::library::FourBar;
 /// use kin_core::prelude::*;
 ///
-/// /// The largest angular acceleration of any unknown over a revolution of the (only) input, wherever the mechanism closes.
+/// /// The largest angular acceleration of any unknown over a revolution of the only input, where the mechanism closes.
 /// fn peak<M: Mechanism<Scalar = f64>>(mechanism: &M, assembly: M::Assembly, speed: f64) -> f64 {
 ///     let mut peak: f64 = 0.0;
 ///     for step in 0..360 {

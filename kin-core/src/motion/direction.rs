@@ -74,7 +74,8 @@ impl<T, const N: usize> Direction<T, N> {
     /// ```
     /// use kin_core::{Direction, Plane};
     ///
-    /// let mut columns: Direction<Option<[f64; 8]>> = Direction::new(Plane::new(Some([0.0; 8]), Some([0.0; 8])), [None; 4]);
+    /// let unit = Plane::new(Some([0.0; 8]), Some([0.0; 8]));
+    /// let mut columns: Direction<Option<[f64; 8]>> = Direction::new(unit, [None; 4]);
     /// let (unit, rates) = columns.parts_mut();
     /// unit.y = None;
     /// rates[0] = Some([0.0; 8]);

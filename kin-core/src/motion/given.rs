@@ -28,7 +28,8 @@ use crate::number::Number;
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not the motion of this input, which has {N} entries of the type `{T}`",
     label = "give {N} entries from the position upwards, as in `[1.0, 2.0, ..]`, or one number for an input at rest",
-    note = "`Motion::at_constant_speed(position, speed)` and `Motion::constant(position)` fill the other entries with zeros",
+    note = "`Motion::at_constant_speed(position, speed)` and `Motion::constant(position)` fill the other entries with \
+            zeros",
     note = "`position` takes the value alone, without rates",
     note = "every input has its own argument, in the order of their declaration, and the assembly comes last",
     note = "numbers have a decimal point: write `1.0` instead of `1`"

@@ -578,9 +578,10 @@ mod tests {
             factor([[1.0, 2.0], [2.0, 4.0]]),
             Err(Failure::Singular { determinant: 0.0 })
         );
-        assert!(
-            matches!(factor([[0.1, 0.2], [0.3, 0.6]]), Err(Failure::Singular { determinant }) if determinant.abs() < 1e-16)
-        );
+        assert!(matches!(
+            factor([[0.1, 0.2], [0.3, 0.6]]),
+            Err(Failure::Singular { determinant }) if determinant.abs() < 1e-16
+        ));
         assert!(factor([[1.0, 0.0], [0.0, 1e-30]]).is_ok());
         assert!(factor([[1.0_f32, 1.0], [1.0, 1.0 + f32::EPSILON]]).is_err());
         assert!(factor([[1.0_f64, 1.0], [1.0, 1.0 + f64::from(f32::EPSILON)]]).is_ok());

@@ -320,7 +320,11 @@ macro_rules! structures {
                 type Ok = ();
                 type Error = Found;
 
-                fn serialize_field<V: Serialize + ?Sized>(&mut self, name: &'static str, value: &V) -> Result<(), Found> {
+                fn serialize_field<V: Serialize + ?Sized>(
+                    &mut self,
+                    name: &'static str,
+                    value: &V,
+                ) -> Result<(), Found> {
                     value.serialize(Search).map_err(|found| found.inside(name))
                 }
 

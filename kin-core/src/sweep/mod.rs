@@ -183,7 +183,8 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     ///
     /// let press = SliderCrank { r: 0.1, l: 0.3 };
     /// // the crank speeds up from rest by 2 rad/s²
-    /// let start = press.sweep(Assembly::Open).over_time(0.0..=1.0, 101, |t| [Motion::polynomial(&[0.0, 0.0, 1.0], t)]);
+    /// let crank = |t| [Motion::polynomial(&[0.0, 0.0, 1.0], t)];
+    /// let start = press.sweep(Assembly::Open).over_time(0.0..=1.0, 101, crank);
     /// assert_eq!(start.table()?.column("theta_velocity")?[100], 2.0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -206,7 +207,9 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     /// let press = SliderCrank { r: 0.1, l: 0.3 };
     /// // the crank swings by half a radian about one, twice a second
     /// let frequency = 2.0 * std::f64::consts::TAU;
-    /// let swing = press.sweep(Assembly::Open).by_formula(0.0..=0.5, 101, |time| [1.0 + 0.5 * (frequency * time).sin()]);
+    /// let swing = press
+    ///     .sweep(Assembly::Open)
+    ///     .by_formula(0.0..=0.5, 101, |time| [1.0 + 0.5 * (frequency * time).sin()]);
     /// println!("{} m/s³", swing.of("s_jerk").peak()?);
     /// # Ok::<(), kin_core::extremes::ExtremesError>(())
     /// ```

@@ -701,7 +701,8 @@ fn laws_that_jump_are_refused() {
     assert_eq!(under(0.0, 2.0).of("theta4_velocity").peak().unwrap_err(), jump.into());
     assert_eq!(
         jump.to_string(),
-        "the law of theta2 jumps by 1 rad (57.3°) at the time 1, and no mechanism does: let each law begin where the one before ends"
+        "the law of theta2 jumps by 1 rad (57.3°) at the time 1, and no mechanism does: let each law begin where the \
+         one before ends"
     );
     // on either side there is no jump
     assert!(under(0.0, 1.0).table().is_ok() && under(1.0, 2.0).table().is_ok());

@@ -416,7 +416,10 @@ impl<'a> JavaScriptModule<'a> {
         text.push_str(
             "\n/** The assemblies of a choice between two. */\nexport const OPEN = 1;\nexport const CROSSED = -1;\n",
         );
-        text.push_str("\n/** The checks on the way to a pose: the subject of each, and the unknowns of its block. */\nexport const CHECKS = [\n");
+        text.push_str(
+            "\n/** The checks on the way to a pose: the subject of each, and the unknowns of its block. \
+            */\nexport const CHECKS = [\n",
+        );
         for check in &tape.checks {
             text.extend([format!(
                 "  {{ check: {}, block: {} }},\n",
@@ -434,7 +437,10 @@ impl<'a> JavaScriptModule<'a> {
         text.push_str(&self.body.text);
         text.push_str("}\n\n");
         text.push_str(&self.arguments());
-        text.push_str("\n/**\n * @param {number} index\n * @param {number} margin\n * @returns {Failed}\n */\nfunction failed(index, margin) {\n  return { ok: false, ...CHECKS[index], margin };\n}\n");
+        text.push_str(
+            "\n/**\n * @param {number} index\n * @param {number} margin\n * @returns {Failed}\n */\nfunction \
+            failed(index, margin) {\n  return { ok: false, ...CHECKS[index], margin };\n}\n",
+        );
         if tape
             .nodes
             .iter()
@@ -518,14 +524,16 @@ impl<'a> JavaScriptModule<'a> {
         if !signature.joints.is_empty() {
             // The last type has two more fields.
             let end = text.trim_end_matches("*/\n\n").len();
-            let rest = " * @property {number[][]} joints the coordinates of the joints of the skeleton\n * @property {number[][]} slides the directions of its slides\n */\n\n";
+            let rest = " * @property {number[][]} joints the coordinates of the joints of the skeleton\n * @property \
+                {number[][]} slides the directions of its slides\n */\n\n";
             text.truncate(end);
             let end = text.trim_end_matches(' ').len();
             text.truncate(end);
             text.push_str(rest);
         }
         let failed = [
-            "The check that failed, its block, and the distance from passing: negative if something is out of reach by that much.",
+            "The check that failed, its block, and the distance from passing: negative if something is out of reach by \
+             that much.",
             "@typedef {{ok: false, check: string, block: string, margin: number}} Failed",
         ];
         text.push_str(&comment(&failed.map(String::from), "*"));
@@ -579,7 +587,8 @@ fn outline(tape: &Tape<'_>) -> String {
         .iter()
         .map(|(name, joint)| format!("{{ name: {}, joint: {joint} }}", quoted(name)));
     let mut text = String::from(
-        "\n/** Which joints belong together, by their indices among the joints of a pose. */\nexport const OUTLINE = {\n",
+        "\n/** Which joints belong together, by their indices among the joints of a pose. */\nexport const OUTLINE = \
+         {\n",
     );
     text.push_str(&entry(
         "ground",

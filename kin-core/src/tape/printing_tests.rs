@@ -551,8 +551,10 @@ fn c_computes_random_tapes() {
         let c = tape.c_without_sharing();
         let name = &c.name;
         let kernel = format!(
-            "\nvoid {name}_kernel(const double *in, double *out);\nvoid {name}_kernel(const double *in, double *out)\n{{\n    \
-             const {name}_outcome outcome = {name}_solve((const {name}_dimensions *)in, ({name}_pose *)(out + 2));\n    \
+            "\nvoid {name}_kernel(const double *in, double *out);\nvoid {name}_kernel(const double *in, double \
+             *out)\n{{\n    \
+             const {name}_outcome outcome = {name}_solve((const {name}_dimensions *)in, ({name}_pose *)(out + \
+             2));\n    \
              out[0] = outcome.code;\n    out[1] = outcome.margin;\n}}\n"
         );
         folder.write(&format!("{name}.h"), &c.header);

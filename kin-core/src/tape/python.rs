@@ -386,7 +386,10 @@ impl<'a> PythonModule<'a> {
         text.push_str(
             "from __future__ import annotations\n\nfrom collections.abc import Callable, Mapping, Sequence\n",
         );
-        text.push_str("from dataclasses import dataclass\nfrom typing import TypedDict\n\nimport numpy as np\nimport numpy.typing as npt\n\n");
+        text.push_str(
+            "from dataclasses import dataclass\nfrom typing import TypedDict\n\nimport numpy as np\nimport \
+            numpy.typing as npt\n\n",
+        );
         text.push_str("Array = npt.NDArray[np.float64]\n\n");
         text.push_str("#: The assemblies of a choice between two.\nOPEN, CROSSED = 1.0, -1.0\n\n");
         text.push_str(
@@ -402,7 +405,10 @@ impl<'a> PythonModule<'a> {
         text.push_str(")\n");
         text.push_str(&self.documentation());
         text.push_str("    with np.errstate(all=\"ignore\"):\n        return _solve(parameters, inputs, assembly)\n");
-        text.push_str("\n\ndef _rate(motion: Sequence[npt.ArrayLike], order: int) -> npt.ArrayLike:\n    return motion[order] if order < len(motion) else 0.0\n");
+        text.push_str(
+            "\n\ndef _rate(motion: Sequence[npt.ArrayLike], order: int) -> npt.ArrayLike:\n    return \
+            motion[order] if order < len(motion) else 0.0\n",
+        );
         text.push_str("\n\n");
         text.push_str(&self.signature.argument_checks(runtime::PYTHON_ARGUMENTS));
         text.push_str(STACKED);
@@ -462,13 +468,19 @@ impl<'a> PythonModule<'a> {
         text.push_str(
             "    #: The index among CHECKS of the check that failed, or -1.\n    check: npt.NDArray[np.int_]\n",
         );
-        text.push_str("    #: The distance from passing: negative if something is out of reach by that much.\n    margin: Array\n");
+        text.push_str(
+            "    #: The distance from passing: negative if something is out of reach by that much.\n    \
+            margin: Array\n",
+        );
         for entry in &signature.results {
             text.push_str(&documented("    ", &entry.text()));
             text.extend([format!("    {}: Array\n", entry.name)]);
         }
         for (name, _) in signature.picture() {
-            text.extend([format!("    #: The {name} of the skeleton: the first axes are the number and the coordinate.\n    {name}: Array\n")]);
+            text.extend([format!(
+                "    #: The {name} of the skeleton: the first axes are the number and the \
+                coordinate.\n    {name}: Array\n"
+            )]);
         }
         text.push_str("\n\ndef solve(parameters: Parameters, inputs: Inputs, assembly: Assembly) -> Pose:\n");
         let of = [

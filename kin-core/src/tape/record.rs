@@ -122,11 +122,19 @@ impl fmt::Display for RecordError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::DecidedByValue => formatter.write_str(
-                "the solver took a decision that is not one of its named checks, so its record would hold for some numbers only",
+                "the solver took a decision that is not one of its named checks, so its record would hold for some \
+                 numbers only",
             ),
-            Self::NeverSolved { block } => write!(formatter, "the block `{block}` has no solution with these constants"),
+            Self::NeverSolved { block } => write!(
+                formatter,
+                "the block `{block}` has no solution with these \
+                constants"
+            ),
             Self::WrongDimensions { given, wanted } => {
-                write!(formatter, "{given} dimensions are given, and the mechanism has {wanted}")
+                write!(
+                    formatter,
+                    "{given} dimensions are given, and the mechanism has {wanted}"
+                )
             }
         }
     }

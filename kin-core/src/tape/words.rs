@@ -92,7 +92,10 @@ pub(crate) fn snake(name: &str) -> String {
 pub(super) fn lines(text: &str, width: usize) -> Vec<String> {
     let is_mark = |letter: char| {
         letter.is_control()
-            || matches!(letter, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}')
+            || matches!(
+                letter,
+                '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}'
+            )
     };
     let text: String = text
         .chars()

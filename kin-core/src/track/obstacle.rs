@@ -200,21 +200,22 @@ impl<I: AsRef<[f64]>, U> fmt::Display for TrackError<I, U> {
             ),
             Self::TooManySteps(stop) => write!(
                 formatter,
-                "{} steps were not enough, the last ended{}; continue from there, or divide the motion into shorter ones",
+                "{} steps were not enough, the last ended{}; continue from there, or divide the motion into shorter \
+                 ones",
                 stop.steps,
                 stop.location()
             ),
             Self::Lost(stop) if stop.rounding < FIRM => write!(
                 formatter,
-                "no step, however short, is certain to stay in the assembly{} and {} steps: an unknown jumps there, as an \
-                 angle declared by atan2 jumps by a turn; stop short of it, and start again on the other side",
+                "no step, however short, is certain to stay in the assembly{} and {} steps: an unknown jumps there, as \
+                 an angle declared by atan2 jumps by a turn; stop short of it, and start again on the other side",
                 stop.location(),
                 stop.steps
             ),
             Self::Lost(stop) => write!(
                 formatter,
-                "no step, however short, is certain to stay in the assembly{} and {} steps: rounding errors may move the \
-                 unknowns there by {} (radians, or parts of a length); use lengths in each loop that differ less",
+                "no step, however short, is certain to stay in the assembly{} and {} steps: rounding errors may move \
+                 the unknowns there by {} (radians, or parts of a length); use lengths in each loop that differ less",
                 stop.location(),
                 stop.steps,
                 Digits(stop.rounding)

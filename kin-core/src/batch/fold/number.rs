@@ -105,7 +105,8 @@ impl fmt::Display for FoldError {
                 length,
             }) => write!(
                 formatter,
-                "a column of `{quantity}` has {length} entries, but {poses} poses are folded: give one entry for each pose"
+                "a column of `{quantity}` has {length} entries, but {poses} poses are folded: give one entry for each \
+                 pose"
             ),
             Self::NoSuchNumber { number } => write!(
                 formatter,

@@ -56,8 +56,10 @@ impl ExactTable {
              /* The numbers of columns, and of the value and the derivatives of each. */\n\
              enum {{ {upper}_COLUMNS = {count}, {upper}_ORDERS = {orders} }};\n\n\
              enum {{\n{columns}}};\n\n\
-             /* All columns at a parameter: the value and its derivatives by time, while the parameter changes at a speed. At the speed 1 they are the\n   \
-             derivatives by the parameter. Returns 0, or 1 if the parameter is not in the table, from {low:?} to {high:?}{again}. */\n\
+             /* All columns at a parameter: the value and its derivatives by time, while the parameter changes at a \
+             speed. At the speed 1 they are the\n   \
+             derivatives by the parameter. Returns 0, or 1 if the parameter is not in the table, from {low:?} to \
+             {high:?}{again}. */\n\
              int {prefix}_at(double parameter, double speed, double result[{upper}_COLUMNS][{upper}_ORDERS]);\n\n\
              #ifdef __cplusplus\n}}\n#endif\n\n#endif\n",
             low = self.range().start(),

@@ -58,8 +58,8 @@ fn messages_have_numbers() {
     );
     assert_eq!(
         message(Scca::new(0.5, 0.5, 0.25).err()),
-        "the least share of the duration is 0.25 and the sum of the shares is 1.25; no share may be negative, and the sum may \
-         be 1 at most"
+        "the least share of the duration is 0.25 and the sum of the shares is 1.25; no share may be negative, and the \
+         sum may be 1 at most"
     );
     assert_eq!(
         Scca::new(-0.5, 0.5, 0.25).err(),

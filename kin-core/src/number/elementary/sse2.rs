@@ -5,7 +5,8 @@
 //! finds only some of the pairs, and it joins and splits them along the way.
 #![expect(
     unsafe_code,
-    reason = "a function that uses these instructions is safe only for callers that declare them; every machine of this module has them"
+    reason = "a function that uses these instructions is safe only for callers that declare them; every machine of \
+              this module has them"
 )]
 
 use core::arch::x86_64::{

@@ -131,7 +131,10 @@ pub trait RowMeasure: Copy {
 }
 
 macro_rules! sign {
-    ($(#[doc = $doc:literal] $visibility:vis $name:ident, $words:literal: |$number:ident| $holds:expr, $margin:expr;)+) => {
+    ($(
+        #[doc = $doc:literal]
+        $visibility:vis $name:ident, $words:literal: |$number:ident| $holds:expr, $margin:expr;
+    )+) => {
         $(
             #[doc = $doc]
             #[derive(Clone, Copy, Debug)]

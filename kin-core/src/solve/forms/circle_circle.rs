@@ -282,7 +282,9 @@ mod tests {
         }
 
         #[test]
-        fn what_is_out_of_reach_says_by_how_much(a in dimension(), b in dimension(), t in angle(), excess in 1e-6..1.0) {
+        fn what_is_out_of_reach_says_by_how_much(
+            a in dimension(), b in dimension(), t in angle(), excess in 1e-6..1.0,
+        ) {
             let scale: f64 = a + b;
             for d in [scale * (1.0_f64 + excess), (a - b).abs() * (1.0 - excess)] {
                 let expected = f64::min(scale - d, d - (a - b).abs());

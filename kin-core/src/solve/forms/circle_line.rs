@@ -244,7 +244,8 @@ mod tests {
     proptest! {
         #[test]
         fn both_assemblies_close(
-            a in dimension(), inclination in angle(), heading in angle(), stretch in dimension(), travel in coordinate(),
+            a in dimension(), inclination in angle(), heading in angle(), stretch in dimension(),
+            travel in coordinate(),
         ) {
             let unit = direction(heading);
             let link = direction(inclination).scale(a);

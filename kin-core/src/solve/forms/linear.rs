@@ -126,7 +126,8 @@ mod tests {
     proptest! {
         #[test]
         fn pairs_satisfy_their_equations(
-            p in coordinate(), q in coordinate(), r in coordinate(), s in coordinate(), x in coordinate(), y in coordinate(),
+            p in coordinate(), q in coordinate(), r in coordinate(), s in coordinate(),
+            x in coordinate(), y in coordinate(),
         ) {
             let determinant = p * s - q * r;
             let condition = ((p * s).abs() + (q * r).abs()) / determinant.abs();

@@ -204,9 +204,10 @@ mod tests {
         let beyond = |rounding: f64| 1.0 + rounding;
         for factor in [1.0, 2.0_f64.powi(-60), 2.0_f64.powi(60)] {
             let solve = |c: f64| quadratic::<f64>(factor, -2.0 * factor, c * factor, Assembly::Open);
-            assert!(
-                matches!(solve(beyond(1e-9)), Err(Failure::OutOfReach { margin }) if (margin + 1e-9_f64.sqrt()).abs() < 1e-10)
-            );
+            assert!(matches!(
+                solve(beyond(1e-9)),
+                Err(Failure::OutOfReach { margin }) if (margin + 1e-9_f64.sqrt()).abs() < 1e-10
+            ));
             // The tolerance is 8 ε of g² and of a c.
             assert_eq!(
                 solve(beyond(12.0 * f64::EPSILON)),

@@ -42,7 +42,8 @@ pub(super) fn header(text: &Text<'_>) -> String {
     let (name, upper) = (&text.name, &text.upper);
     let mut printed = text.head(&format!("{name}.h"));
     let about = format!(
-        "Angles are in radians and counter-clockwise. Lengths share any one unit, and times share any one unit. The closure is: {}.",
+        "Angles are in radians and counter-clockwise. Lengths share any one unit, and times share any one unit. The \
+         closure is: {}.",
         tape.description.equations.join("; ")
     );
     printed.push('\n');
@@ -54,8 +55,8 @@ pub(super) fn header(text: &Text<'_>) -> String {
             "dimensions" => "The dimensions.",
             "inputs" => "The inputs and their time derivatives.",
             "near" => {
-                "NumberRow near the unknowns, from which Newton's method starts: those of the pose before, or of a drawing. They choose \
-                 the assembly and the revolutions of angles."
+                "Values near the unknowns, from which Newton's method starts: those of the pose before, or of a \
+                 drawing. They choose the assembly and the revolutions of angles."
             }
             _ => "The assembly of each block that can be assembled in two ways: 1 for open, -1 for crossed.",
         };
@@ -104,8 +105,8 @@ fn outcome(text: &Text<'_>) -> String {
     let (name, upper) = (&text.name, &text.upper);
     let mut printed = comment(
         "",
-        "The codes of an outcome: zero if the mechanism closes, otherwise positive for the check that failed and the unknowns that it is \
-         about.",
+        "The codes of an outcome: zero if the mechanism closes, otherwise positive for the check that failed and the \
+         unknowns that it is about.",
     );
     printed.push_str("enum {\n");
     if text.choices().next().is_some() {
@@ -132,8 +133,8 @@ fn outcome(text: &Text<'_>) -> String {
     fields.push_str(&member(
         text,
         "margin",
-        "How far the check is from passing; zero if the mechanism closes. About zero is a singular position, a limit or a dead point. \
-         Not finite if an argument is not.",
+        "How far the check is from passing; zero if the mechanism closes. About zero is a singular position, a limit \
+         or a dead point. Not finite if an argument is not.",
         "the unit of what is checked",
     ));
     printed.push_str(&format!(
@@ -152,15 +153,16 @@ fn functions(text: &Text<'_>) -> String {
     let name = &text.name;
     let coupled = text.tape.searches.len();
     let limits = if coupled > 0 {
-        " Coupled equations are solved by Newton's method, which takes at most 64 steps and may fail to converge from values far away."
+        " Coupled equations are solved by Newton's method, which takes at most 64 steps and may fail to converge from \
+         values far away."
     } else {
         " The position is found in closed form: nothing is iterated."
     };
     let mut printed = comment(
         "",
         &format!(
-            "Finds the pose with all its time derivatives. If the code of the outcome is not zero, the pose is not changed. Nothing is \
-             allocated and nothing is static, so it may be called anywhere.{limits}"
+            "Finds the pose with all its time derivatives. If the code of the outcome is not zero, the pose is not \
+             changed. Nothing is allocated and nothing is static, so it may be called anywhere.{limits}"
         ),
     );
     printed.push_str(&format!("{};\n\n", text.signature("solve", "pose")));
@@ -183,9 +185,9 @@ fn functions(text: &Text<'_>) -> String {
     ));
     printed.push_str(&comment(
         "",
-        "The same order by order: the position, then each derivative after the one before, with the same arguments. The members of \
-         inputs above an order are not read up to it, and may be set between two calls. After an outcome other than zero the chain \
-         holds nothing.",
+        "The same order by order: the position, then each derivative after the one before, with the same arguments. \
+         The members of inputs above an order are not read up to it, and may be set between two calls. After an \
+         outcome other than zero the chain holds nothing.",
     ));
     for order in 0..=text.tape.order {
         printed.push_str(&format!("{};\n", text.signature(&order_name(order), "chain")));
@@ -213,8 +215,9 @@ pub(super) fn example(text: &Text<'_>) -> String {
     printed.push_str(&comment(
         "",
         &format!(
-            "Reads the arguments of one pose after the other from the standard input, separated by blanks or lines, in this order: {}. \
-             Writes a line for each pose. Ends with 1 if an argument is no number, or the last pose has too few of them.",
+            "Reads the arguments of one pose after the other from the standard input, separated by blanks or lines, in \
+             this order: {}. Writes a line for each pose. Ends with 1 if an argument is no number, or the last pose \
+             has too few of them.",
             order.join(" ")
         ),
     ));
@@ -225,10 +228,12 @@ pub(super) fn example(text: &Text<'_>) -> String {
     printed.push_str(&format!("#include <stdio.h>\n\n#include \"{name}.h\"\n\n"));
     printed.push_str(
         "static int read_all(double *numbers, int count)\n{\n    int index = 0;\n    \
-         while (index < count && scanf(\"%lf\", &numbers[index]) == 1) {\n        index++;\n    }\n    return index;\n}\n\n",
+         while (index < count && scanf(\"%lf\", &numbers[index]) == 1) {\n        index++;\n    }\n    return \
+         index;\n}\n\n",
     );
     printed.push_str(&format!(
-        "int main(void)\n{{\n    double numbers[{count}];\n    int given;\n    while ((given = read_all(numbers, {count})) == {count}) {{\n"
+        "int main(void)\n{{\n    double numbers[{count}];\n    int given;\n    while ((given = read_all(numbers, \
+         {count})) == {count}) {{\n"
     ));
     let cast = |index: usize| {
         if number == "double" {
@@ -266,7 +271,8 @@ pub(super) fn example(text: &Text<'_>) -> String {
     }
     printed.push_str("    }\n    if (given > 0 || !feof(stdin)) {\n");
     printed.push_str(&format!(
-        "        fprintf(stderr, \"a pose takes {count} numbers, and the last one has %d:\\n%s\\n\", given, \"{}\");\n        return 1;\n",
+        "        fprintf(stderr, \"a pose takes {count} numbers, and the last one has %d:\\n%s\\n\", \
+         given, \"{}\");\n        return 1;\n",
         order.join(" ")
     ));
     printed.push_str("    }\n    return 0;\n}\n");

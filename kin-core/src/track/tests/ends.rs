@@ -282,8 +282,8 @@ fn poles() {
     let error = track(&Tangent { l: 1.0 }, [0.0], [0.0], [2.0]).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "an unknown of y runs to infinity at q = 1.570796 rad (90.0°), after 0.7853982 of the way; stop short of it, or drive the \
-         mechanism by another input"
+        "an unknown of y runs to infinity at q = 1.570796 rad (90.0°), after 0.7853982 of the way; stop short of it, \
+         or drive the mechanism by another input"
     );
 }
 

@@ -308,8 +308,8 @@ fn messages_say_where_it_is() {
     let error = from_to(&DOUBLE_ROCKER, Assembly::Open, 0.5, 3.0).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "limit position of theta3, theta4 at theta2 = 1.955193 rad (112.0°), after 0.5820772 of the way: two assemblies meet there \
-         and neither continues; stop short of it, or drive the mechanism by another input"
+        "limit position of theta3, theta4 at theta2 = 1.955193 rad (112.0°), after 0.5820772 of the way: two \
+         assemblies meet there and neither continues; stop short of it, or drive the mechanism by another input"
     );
     assert_eq!(
         format!("{error:?}"),
