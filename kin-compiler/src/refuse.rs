@@ -1,4 +1,4 @@
-//! The reports of faults in the structure, each at the place of its cause.
+//! The reports of faults in the structure, each at the position of its cause.
 
 use std::collections::BTreeSet;
 
@@ -138,14 +138,14 @@ pub(crate) fn ranges(model: &Model, blocks: &[Block], mistakes: &mut Mistakes) {
             continue;
         }
         for &unknown in &part.unknowns {
-            let own = &model.unknowns[unknown];
-            if let Some(range) = &own.range {
+            let unknown_in_model = &model.unknowns[unknown];
+            if let Some(range) = &unknown_in_model.range {
                 mistakes.error(
-                    &own.name,
+                    &unknown_in_model.name,
                     format_args!(
                         "the range `{}` cannot choose the assembly of `{}`, which has no closed form: remove it, and choose \
                          the assembly by values near the position, as in `position_near(.., [..])`",
-                        range.text, own.name,
+                        range.text, unknown_in_model.name,
                     ),
                 );
             }

@@ -262,7 +262,7 @@ pub(super) fn escaped_for_latex(text: &str) -> String {
 mod tests {
     use super::*;
 
-    /// No letter ends a tag or begins a formula of its own.
+    /// No letter ends a tag or begins another formula.
     #[test]
     fn letters_with_a_meaning_are_escaped() {
         assert_eq!(escaped("a<b>&$"), "a&lt;b&gt;&amp;&#36;");

@@ -19,7 +19,7 @@ pub(super) struct Lowering<'a, 'b> {
     pub(super) graph: &'a mut Graph,
     pub(super) scope: &'a mut Scope<'b>,
     pub(super) mistakes: &'a mut Mistakes,
-    /// The constant farthest from 1, as its distance and its place in the source.
+    /// The constant farthest from 1, as its distance and its position in the source.
     pub(super) extreme: &'a mut Option<(f64, Extent)>,
 }
 
@@ -139,7 +139,7 @@ impl Lowering<'_, '_> {
             FormulaKind::Part { of, axis } => {
                 let typed = self.formula(of)?;
                 let axes = typed.value.shape().axes();
-                let Some(part) = axes.iter().position(|own| own == axis) else {
+                let Some(part) = axes.iter().position(|known| known == axis) else {
                     let measure = typed.measure();
                     let complaint = match measure.shape {
                         ValueShape::Scalar => {
@@ -413,12 +413,12 @@ impl Lowering<'_, '_> {
         match (callee, nodes.as_slice()) {
             (Callee::Cis, &[angle]) => {
                 self.expect_angle(name, &arguments[0], &typed[0])?;
-                Some(Typed::number(self.turned(None, angle)))
+                Some(Typed::number(self.along_angle(None, angle)))
             }
             (Callee::Polar, &[length, angle]) => {
                 self.expect_second_angle(name, callee.form(), &arguments[1], &typed[1])?;
                 Some(Typed {
-                    value: self.turned(Some(length), angle),
+                    value: self.along_angle(Some(length), angle),
                     exponent: typed[0].exponent,
                 })
             }
@@ -505,7 +505,7 @@ impl Lowering<'_, '_> {
     ) -> Option<Typed> {
         self.expect_angle(name, argument, typed)?;
         let (zero, one) = (self.graph.zero(), self.graph.one());
-        let parts = [Axis::X, Axis::Y, Axis::Z].map(|own| if own == axis { one } else { zero });
+        let parts = [Axis::X, Axis::Y, Axis::Z].map(|known| if known == axis { one } else { zero });
         Some(Typed::number(self.rodrigues(parts, angle)))
     }
 
@@ -545,7 +545,7 @@ impl Lowering<'_, '_> {
                 let across = graph.subtract(identity, along);
                 let across = graph.multiply(cosine, across);
                 // the entry of u× is the third part of u, negative if the column follows the row
-                let turned = if row == column {
+                let rotated = if row == column {
                     graph.zero()
                 } else {
                     let third = graph.multiply(sine, unit[3 - row - column]);
@@ -555,14 +555,14 @@ impl Lowering<'_, '_> {
                         third
                     }
                 };
-                graph.sum(&[along, across, turned])
+                graph.sum(&[along, across, rotated])
             })
         });
         FormulaValue::rotation(rows)
     }
 
     /// `length * (cos, sin)`
-    fn turned(&mut self, length: Option<Node>, angle: Node) -> FormulaValue {
+    fn along_angle(&mut self, length: Option<Node>, angle: Node) -> FormulaValue {
         let cosine = self.graph.call(Function::Cos, &[angle]);
         let sine = self.graph.call(Function::Sin, &[angle]);
         match length {

@@ -162,7 +162,7 @@ struct Points<'a, 'b, 'c> {
     graph: Graph,
     scope: &'b mut Scope<'c>,
     mistakes: &'b mut Mistakes,
-    /// The measure of all points, from the first that tells.
+    /// The measure of all points, from the first that decides.
     first: Option<FormulaType>,
 }
 
@@ -198,7 +198,7 @@ impl Points<'_, '_, '_> {
         }
     }
 
-    /// The value of a formula; an output may be used as a name for its own.
+    /// The value of a formula; an output may be used as a name for it.
     fn measure(&mut self, formula: &TypedFormula) -> Option<FormulaType> {
         if let FormulaKind::Name(name) = &formula.kind
             && let Some(output) = self.outputs.get(&name.to_string())

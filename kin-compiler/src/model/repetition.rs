@@ -7,7 +7,7 @@ use super::lower::Lowering;
 use crate::syntax::TypedFormula;
 
 impl Lowering<'_, '_> {
-    /// Whether all that a name of a `for` stands for is of one kind. Elements with a mistake are told. What only the picture
+    /// Whether all that a name of a `for` stands for is of one kind. Elements with a mistake are reported. What only the picture
     /// uses has no value here.
     pub(super) fn are_alike(&mut self, elements: &[TypedFormula], drawn: &BTreeSet<String>) -> bool {
         let is_drawn = |element: &TypedFormula| {

@@ -251,7 +251,7 @@ pub(super) fn dimension_of(input: ParseStream<'_>, name: &Ident, what: &str) -> 
     ))
 }
 
-/// The extent of a type or a pattern in a wrong place.
+/// The extent of a type or a pattern in a wrong position.
 pub(super) fn rest(input: ParseStream<'_>) -> Option<Extent> {
     let tokens: TokenStream = input.fork().parse().ok()?;
     let mut tokens = tokens.into_iter();

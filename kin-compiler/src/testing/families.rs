@@ -53,7 +53,7 @@ pub(crate) fn arm(joints: usize, request: &str) -> Member {
     )
 }
 
-/// A point turned again and again by one angle.
+/// A point rotated again and again by one angle.
 pub(crate) fn rotations(count: usize) -> Member {
     let product = repeated(count, " * ", |index| {
         ["rot(vec3(1, 2, 3), q)", "rot_x(q)", "rot_y(q)"][index % 3]

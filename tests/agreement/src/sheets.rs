@@ -29,7 +29,7 @@ pub(crate) fn agreeing<M: Mechanism<Scalar = f64>, T: Bits>(declaration: &Declar
     };
     assert_agreeing(&sheets.closure, counts, residuals)
         + assert_agreeing(&sheets.outputs, counts, outputs)
-        + assert_agreeing(&sheets.places, counts, places::<M, T>)
+        + assert_agreeing(&sheets.skeleton_points, counts, places::<M, T>)
 }
 
 /// The places of the compiled mechanism, part by part.

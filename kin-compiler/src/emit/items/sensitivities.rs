@@ -127,7 +127,7 @@ pub(in crate::emit) fn method(mechanism: &Compiled<'_>) -> TokenStream {
     };
     let (runtime, model) = (mechanism.runtime, mechanism.model);
     let whole = whole(mechanism);
-    let (argument, pose) = (mechanism.own("pose"), mechanism.pose(mechanism.order()));
+    let (argument, pose) = (mechanism.fresh("pose"), mechanism.pose(mechanism.order()));
     let text = ProgramText::of(mechanism, &mechanism.solvers.motion);
     let readings = text.readings_from(stage, &quote!(#argument));
     let body = text.plain_steps(stage);
