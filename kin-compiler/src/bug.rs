@@ -9,8 +9,8 @@ use crate::expand::expand;
 use crate::mistakes::Mistakes;
 use crate::{fallback, syntax};
 
-/// The expansion of a declaration of `mechanism!`, after the path of `kin_core` in parentheses. A panic is reported as a bug, at the
-/// declaration.
+/// The expansion of a declaration of `mechanism!`, after the path of `kin_core` in parentheses. A panic is reported as
+/// a bug, at the declaration.
 #[must_use]
 pub fn expand_or_tell(tokens: TokenStream) -> TokenStream {
     or_tell(tokens, expand)

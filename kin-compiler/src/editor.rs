@@ -177,8 +177,8 @@ fn gives(rest: &[TokenTree]) -> bool {
     matches!(rest, [equals, next, ..] if is_punct(equals, '=') && !is_punct(next, '='))
 }
 
-/// The depth of parentheses below which nothing is completed. Each level becomes several here, and the compiler reads them
-/// by recursion.
+/// The depth of parentheses below which nothing is completed. Each level becomes several here, and the compiler reads
+/// them by recursion.
 const DEEPEST: usize = 24;
 
 /// The operands of an expression, each with a comma behind it.

@@ -90,7 +90,8 @@ impl Mistakes {
     }
 }
 
-/// A position in the source. The compiler gives lines and columns to no macro of stable Rust, but positions can be compared.
+/// A position in the source. The compiler gives lines and columns to no macro of stable Rust, but positions can be
+/// compared.
 fn position(span: Span) -> String {
     format!("{span:?}")
 }

@@ -42,7 +42,8 @@ use crate::work;
 /// assert!(compiled.printout().contains("velocity: "));
 ///
 /// let mistakes = Declaration::parse(&slider_crank.replace("cis(phi)", "cis(psi)")).unwrap_err();
-/// assert_eq!(mistakes[0].to_string(), "6:30: no parameter, input, unknown or `let` is called `psi`; did you mean `phi`?");
+/// let message = "6:30: no parameter, input, unknown or `let` is called `psi`; did you mean `phi`?";
+/// assert_eq!(mistakes[0].to_string(), message);
 /// assert_eq!(&slider_crank[mistakes[0].bytes.clone()], "phi");
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -96,7 +97,8 @@ pub struct Position {
 }
 
 impl Declaration {
-    /// Compiles the declaration of a mechanism, which is the text between the braces of `mechanism! { … }`. Its memory ends with the result.
+    /// Compiles the declaration of a mechanism, which is the text between the braces of `mechanism! { … }`. Its memory
+    /// ends with the result.
     ///
     /// It compiles what the macro compiles, however long that takes: see [`Self::parse_within`] for texts of others.
     ///
@@ -248,15 +250,16 @@ impl Declaration {
     }
 }
 
-/// Frees the positions of the tokens on this thread. They are kept for every text that is read, and only where no thread
-/// could be started for it are there other texts on this one.
+/// Frees the positions of the tokens on this thread. They are kept for every text that is read, and only where no
+/// thread could be started for it are there other texts on this one.
 fn forget_positions() {
     proc_macro2::extra::invalidate_current_thread_spans();
 }
 
 fn compile(text: &str) -> Result<Declaration, Vec<Mistake>> {
     let tokens: TokenStream = text.parse().map_err(|error: proc_macro2::LexError| {
-        let message = "this is no text of Rust: close each bracket, quote and comment, and write letters, digits and operators alone";
+        let message = "this is no text of Rust: close each bracket, quote and comment, and write letters, digits and \
+            operators alone";
         vec![Mistake::at(error.span(), message.to_owned())]
     })?;
     let mut mistakes = Mistakes::new();

@@ -339,7 +339,10 @@ impl Graph {
         match self.kind(node) {
             NodeKind::Symbol(known) => *known == symbol,
             NodeKind::Sum(constant, terms) if constant.get() == 0.0 => {
-                matches!(terms[..], [(term, factor)] if factor.get().abs() == 1.0 && self.as_symbol(term) == Some(symbol))
+                matches!(
+                    terms[..],
+                    [(term, factor)] if factor.get().abs() == 1.0 && self.as_symbol(term) == Some(symbol)
+                )
             }
             _ => false,
         }

@@ -105,8 +105,8 @@ impl Graph {
         }
     }
 
-    /// Whether an expression is zero but for rounding because terms of it cancel, at any depth of sums and products. However
-    /// small it is otherwise, its magnitude does not matter.
+    /// Whether an expression is zero but for rounding because terms of it cancel, at any depth of sums and products.
+    /// However small it is otherwise, its magnitude does not matter.
     pub(crate) fn cancels(&mut self, node: Node) -> bool {
         match self.kind(node).clone() {
             NodeKind::Number(value) => value.get() == 0.0,
@@ -174,8 +174,8 @@ mod tests {
         }
     }
 
-    /// What cancels leaves rounding, and a sum of products with such factors leaves rounding too. A small number does not
-    /// cancel.
+    /// What cancels leaves rounding, and a sum of products with such factors leaves rounding too. A small number does
+    /// not cancel.
     #[test]
     fn sums_of_what_cancels_cancel() {
         let mut graph = Graph::new();

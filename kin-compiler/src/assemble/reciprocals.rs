@@ -20,7 +20,8 @@ pub(crate) struct KnownRoot {
     pub(super) names: [String; 2],
 }
 
-/// The reciprocals that rates may refer to, each with two definitions: the reciprocal of the square, and the reciprocal itself.
+/// The reciprocals that rates may refer to, each with two definitions: the reciprocal of the square, and the reciprocal
+/// itself.
 #[derive(Default)]
 pub(crate) struct Reciprocals(Vec<(Node, [(Symbol, Node); 2])>);
 

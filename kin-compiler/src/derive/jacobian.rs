@@ -1,8 +1,9 @@
 //! A block's Jacobian, and the linear systems that it solves for the rates of every order.
 //!
 //! A large Jacobian is reduced first. The step of the reduction cannot fail if the determinant does not vanish,
-//! whatever the position: two entries p and q that are alone in their column are rotated into √(p² + q²) and zero. Up to
-//! three remaining unknowns are solved by Cramer's rule. More are solved by the factors that the position has computed.
+//! whatever the position: two entries p and q that are alone in their column are rotated into √(p² + q²) and zero. Up
+//! to three remaining unknowns are solved by Cramer's rule. More are solved by the factors that the position has
+//! computed.
 
 use super::Rate;
 use super::influence::Influences;
@@ -263,7 +264,12 @@ fn without(
     let mut rest = right;
     for &(unknown, entry) in others {
         let symbol = symbol(unknown);
-        let is_zero = |rate: &Rate| matches!(rate, Rate::Value { symbol: known, value } if *known == symbol && graph.is_zero(*value));
+        let is_zero = |rate: &Rate| {
+            let Rate::Value { symbol: known, value } = rate else {
+                return false;
+            };
+            *known == symbol && graph.is_zero(*value)
+        };
         if found.iter().any(is_zero) {
             continue;
         }

@@ -74,7 +74,8 @@ mod tests {
                     let x = 3;
                     let (sine, _) = theta.sin_cos();
                     let [first, second] = near.map(|angle| angle + x);
-                    let kin::Plane { x: along, y: kin::Root { value, .. } } = kin::plane(|[one, other]: [T; 2]| self.both(one));
+                    let kin::Plane { x: along, y: kin::Root { value, .. } } =
+                        kin::plane(|[one, other]: [T; 2]| self.both(one));
                     match choice {
                         kin::Open => first,
                         decided => decided,

@@ -100,8 +100,8 @@ impl Expressions<'_> {
         })
     }
 
-    /// A vector of the plane as a complex number; `None` if it is too long to be read. Sines and cosines with one factor
-    /// become unit vectors, and the parts of a vector become the vector.
+    /// A vector of the plane as a complex number; `None` if it is too long to be read. Sines and cosines with one
+    /// factor become unit vectors, and the parts of a vector become the vector.
     pub(super) fn complex(&self, re: Node, im: Node) -> Option<Notation> {
         let (re, mut im) = (self.terms(re), self.terms(im));
         let (mut turning, mut real) = (Vec::new(), Vec::new());

@@ -284,7 +284,8 @@ mod tests {
             all(&name, 1),
             [
                 "θ\u{307}₃",
-                "<msub><mover accent=\"true\"><mi>θ</mi><mo style=\"padding-bottom:0.15em\">˙</mo></mover><mn>3</mn></msub>",
+                "<msub><mover accent=\"true\"><mi>θ</mi><mo \
+                 style=\"padding-bottom:0.15em\">˙</mo></mover><mn>3</mn></msub>",
                 "\\dot{\\theta}_{3}"
             ]
         );

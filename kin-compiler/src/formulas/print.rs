@@ -49,7 +49,8 @@ pub(super) fn formula(lines: &[DisplayLine], is_cis: bool) -> Formula {
     Formula {
         text: text.join("\n"),
         mathml: format!(
-            "<math xmlns=\"http://www.w3.org/1998/Math/MathML\" display=\"block\"><mtable displaystyle=\"true\" columnalign=\"right left\">{mathml}</mtable></math>"
+            "<math xmlns=\"http://www.w3.org/1998/Math/MathML\" display=\"block\"><mtable displaystyle=\"true\" \
+             columnalign=\"right left\">{mathml}</mtable></math>"
         ),
         latex: format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}", latex.join(" \\\\\n")),
     }

@@ -115,8 +115,8 @@ pub(super) fn partials(graph: &mut Graph, model: &Model, residuals: &[Node]) -> 
     })
 }
 
-/// The linear equations of a block's velocities, given the partial derivatives of all scalar equations. The rates of the
-/// block's unknowns are on the left, those of all other quantities on the right.
+/// The linear equations of a block's velocities, given the partial derivatives of all scalar equations. The rates of
+/// the block's unknowns are on the left, those of all other quantities on the right.
 pub(super) fn velocity(
     graph: &Graph,
     partials: &[Vec<(Symbol, Node)>],

@@ -312,8 +312,9 @@ fn terms_are_read_back_with_their_values() {
     assert!(compared > 1000, "{compared}");
 }
 
-/// Prints the formulas of the library: `cargo test -p kin-compiler formulas_of_the_library_in -- --ignored --nocapture`.
-/// With the name of a file in `KIN_LATEX`, all LaTeX is written to it, separated by empty lines.
+/// Prints the formulas of the library:
+/// `cargo test -p kin-compiler formulas_of_the_library_in -- --ignored --nocapture`. With the name of a file in
+/// `KIN_LATEX`, all LaTeX is written to it, separated by empty lines.
 #[test]
 #[ignore = "prints formulas"]
 fn formulas_of_the_library_in_text() {

@@ -12,7 +12,8 @@ use crate::program::{Expression, Step};
 /// The largest number of terms of a product of sums that is multiplied out.
 const MOST_TERMS: usize = 12;
 
-/// A decisive number with its terms. They are the terms of its expression, or of the step among `among` that defines it.
+/// A decisive number with its terms. They are the terms of its expression, or of the step among `among` that defines
+/// it.
 pub(super) fn decisive(value: &Expression, among: &[&Step<Expression>]) -> Decisive {
     Decisive {
         value: Value::of(value),

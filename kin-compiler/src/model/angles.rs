@@ -1,7 +1,8 @@
 //! Degrees that were typed where radians are meant.
 //!
-//! Angles are plain numbers to the dimensions. So this pass follows which formulas are angles, and looks for numbers beyond a revolution
-//! beside them: `theta + 30`, `cis(90)`, `sin(s + 45)`. It also looks for angles that a factor converts: `cis(theta * PI / 180)`.
+//! Angles are plain numbers to the dimensions. So this pass follows which formulas are angles, and looks for numbers
+//! beyond a revolution beside them: `theta + 30`, `cis(90)`, `sin(s + 45)`. It also looks for angles that a factor
+//! converts: `cis(theta * PI / 180)`.
 
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
@@ -57,11 +58,12 @@ impl Conversion {
     fn message(self) -> &'static str {
         match self {
             Self::FromDegrees => {
-                "an angle is in radians already: write it without this factor, or declare it a `Scalar` if it is in degrees"
+                "an angle is in radians already: write it without this factor, or declare it a `Scalar` if it is in \
+                 degrees"
             }
             Self::ToDegrees => {
-                "angles are in radians: write the angle without this factor and convert the result by `to_degrees`, or declare \
-                 the number of degrees a `Scalar`"
+                "angles are in radians: write the angle without this factor and convert the result by `to_degrees`, or \
+                 declare the number of degrees a `Scalar`"
             }
         }
     }

@@ -7,8 +7,8 @@ use crate::mistakes::{Extent, Mistakes};
 /// stack that is large enough.
 const LONGEST: usize = 10_000;
 
-/// The largest number of formulas within each other. WebAssembly has no threads, so the later passes recurse there on the
-/// engine's stack of 1 MB, which holds 300 to the twelfth order.
+/// The largest number of formulas within each other. WebAssembly has no threads, so the later passes recurse there on
+/// the engine's stack of 1 MB, which holds 300 to the twelfth order.
 const DEEPEST: usize = if cfg!(target_family = "wasm") { 128 } else { LONGEST };
 
 /// The longest path to a node of a graph.

@@ -61,7 +61,8 @@ impl Lowering<'_, '_> {
             self.mistakes.error(
                 equation.operator,
                 format!(
-                    "the left side is {left_measure}, the right side {right_measure}: both sides of an equation must have the same dimension"
+                    "the left side is {left_measure}, the right side {right_measure}: both sides of an equation must \
+                     have the same dimension"
                 ),
             );
             return None;
@@ -146,10 +147,12 @@ impl Lowering<'_, '_> {
                             format!("only a vector has a part `{axis}`, but `{of}` is {measure}: write it alone")
                         }
                         ValueShape::Plane | ValueShape::Space => format!(
-                            "`{of}` is {measure} and has no part `{axis}`: write `vec3(v.x, v.y, 0)` to place a plane vector v in space"
+                            "`{of}` is {measure} and has no part `{axis}`: write `vec3(v.x, v.y, 0)` to place a plane \
+                             vector v in space"
                         ),
                         ValueShape::Rotation => format!(
-                            "only a vector has a part `{axis}`, but `{of}` is {measure}: write a vector that it turns, as in `({of} * v).{axis}`"
+                            "only a vector has a part `{axis}`, but `{of}` is {measure}: write a vector that it turns, \
+                             as in `({of} * v).{axis}`"
                         ),
                     };
                     self.mistakes.error(formula.extent, complaint);
@@ -218,8 +221,8 @@ impl Lowering<'_, '_> {
                 self.mistakes.error(
                     extent,
                     format!(
-                        "this is a power with the exponent {exponent}, and {LARGEST_POWER} is the largest: declare a lower power as an \
-                         unknown with an equation of its own"
+                        "this is a power with the exponent {exponent}, and {LARGEST_POWER} is the largest: declare a \
+                         lower power as an unknown with an equation of its own"
                     ),
                 );
                 return None;
@@ -346,7 +349,8 @@ impl Lowering<'_, '_> {
                     }
                     (ValueShape::Space, ValueShape::Rotation) => "write `rotation * vector`, the rotation first",
                     (ValueShape::Plane | ValueShape::Space, _) => {
-                        "write `vec3(v.x, v.y, 0)` for the plane vector, and `dot(a, b)` or `cross(a, b)` for the product"
+                        "write `vec3(v.x, v.y, 0)` for the plane vector, and `dot(a, b)` or `cross(a, b)` for the \
+                         product"
                     }
                     _ => "write `s * (rotation * vector)` for a scalar s",
                 };
@@ -373,7 +377,8 @@ impl Lowering<'_, '_> {
                         "nothing can be divided by a rotation: turn by the opposite angle, as in `rot_z(-angle) * v`"
                     }
                     ValueShape::Scalar | ValueShape::Plane => {
-                        "nothing can be divided by a plane vector: multiply by `cis(-angle)` to turn by the opposite angle"
+                        "nothing can be divided by a plane vector: multiply by `cis(-angle)` to turn by the opposite \
+                         angle"
                     }
                 },
             );
@@ -514,7 +519,8 @@ impl Lowering<'_, '_> {
         if axis.value.shape() == ValueShape::Plane {
             self.mistakes.error(
                 argument.extent,
-                "the axis of a rotation is a space vector, but this is a plane vector: write `vec3(v.x, v.y, 0)` for an axis in                  the plane, `rot_z(angle)` to turn the plane itself",
+                "the axis of a rotation is a space vector, but this is a plane vector: write `vec3(v.x, v.y, 0)` for \
+                 an axis in                  the plane, `rot_z(angle)` to turn the plane itself",
             );
             return None;
         }

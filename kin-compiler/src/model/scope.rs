@@ -219,8 +219,8 @@ impl<'a> Scope<'a> {
         !self.twice.is_empty()
     }
 
-    /// Whether a name counts as used, because a reported mistake is about it: a misspelt name was probably meant for it,
-    /// it is declared twice, or a function lacks its arguments.
+    /// Whether a name counts as used, because a reported mistake is about it: a misspelt name was probably meant for
+    /// it, it is declared twice, or a function lacks its arguments.
     pub(super) fn is_meant(&self, word: &str) -> bool {
         self.meant.contains(word) || self.twice.contains(word) || self.lacks_arguments
     }

@@ -15,7 +15,8 @@ pub(super) fn missing_statements(declaration: &Declaration, mistakes: &mut Mista
         mistakes.error(
             name,
             format!(
-                "nothing is said of `{name}` but its parameters: declare an `input`, the `unknown`s and the equations after the struct"
+                "nothing is said of `{name}` but its parameters: declare an `input`, the `unknown`s and the equations \
+                 after the struct"
             ),
         );
         return;

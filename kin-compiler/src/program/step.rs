@@ -36,9 +36,9 @@ pub(crate) enum Step<E> {
         x: E,
         length: Option<E>,
     },
-    /// Compares the unknown, just computed, with its declared range. An angle with `is_periodic` came from a direction, so it
-    /// may be moved by whole revolutions. Any other value occurs in its equation as a number and may not be moved. An angle
-    /// with `wraps` may need one revolution to lie in its range.
+    /// Compares the unknown, just computed, with its declared range. An angle with `is_periodic` came from a direction,
+    /// so it may be moved by whole revolutions. Any other value occurs in its equation as a number and may not be
+    /// moved. An angle with `wraps` may need one revolution to lie in its range.
     Bound {
         unknown: usize,
         is_periodic: bool,

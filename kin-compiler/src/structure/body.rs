@@ -1,10 +1,10 @@
-//! A body in space whose pose is the unknowns of a block: three coordinates, and three angles of a product of elementary
-//! rotations.
+//! A body in space whose pose is the unknowns of a block: three coordinates, and three angles of a product of
+//! elementary rotations.
 //!
 //! With the position p and the rotation R, an equation has the form
-//! c p·p + u·p + v·Rᵀp + Σ wᵢⱼ Rᵢⱼ + k = 0. A leg between two spherical joints is one, |p + R b - a|² = l², and so is a point
-//! of the body on a plane. In the coordinates of E. Study six such equations have 40 solutions, against thousands of paths
-//! for the cosines and sines of the angles.
+//! c p·p + u·p + v·Rᵀp + Σ wᵢⱼ Rᵢⱼ + k = 0. A leg between two spherical joints is one, |p + R b - a|² = l², and so is a
+//! point of the body on a plane. In the coordinates of E. Study six such equations have 40 solutions, against thousands
+//! of paths for the cosines and sines of the angles.
 
 use std::collections::BTreeMap;
 
@@ -170,8 +170,8 @@ struct RotationElements {
     monomials: Vec<Monomial>,
     /// The coefficients of these monomials in each element, row by row.
     elements: Vec<Vec<f64>>,
-    /// As many monomials as elements, by which combinations of the elements differ, and the combination of elements that
-    /// has only the respective one of them.
+    /// As many monomials as elements, by which combinations of the elements differ, and the combination of elements
+    /// that has only the respective one of them.
     pivots: Vec<(usize, [f64; ELEMENTS])>,
 }
 
@@ -328,8 +328,8 @@ mod tests {
         result
     }
 
-    /// The unknowns are x, y and z in the order `coordinates`, and angles in the order `angles`. Five points of the body have
-    /// a given distance from points of the ground, and one lies on a plane.
+    /// The unknowns are x, y and z in the order `coordinates`, and angles in the order `angles`. Five points of the
+    /// body have a given distance from points of the ground, and one lies on a plane.
     fn equations(
         graph: &mut Graph,
         coordinates: [usize; 3],
@@ -366,8 +366,8 @@ mod tests {
             .collect()
     }
 
-    /// For every sequence of axes, the coefficients give the values of the equations. The axes may have other names than in
-    /// the equations.
+    /// For every sequence of axes, the coefficients give the values of the equations. The axes may have other names
+    /// than in the equations.
     #[test]
     fn the_coefficients_are_those_of_the_equations() {
         for (number, axes) in sequences().enumerate() {

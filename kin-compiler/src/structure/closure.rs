@@ -1,7 +1,7 @@
 //! The closure of a mechanism as trigonometric polynomials of its inputs and unknowns.
 //!
-//! With the inputs unknown as well, they are what a search for limits solves. Their coefficients depend on the parameters
-//! alone.
+//! With the inputs unknown as well, they are what a search for limits solves. Their coefficients depend on the
+//! parameters alone.
 
 use std::collections::BTreeMap;
 

@@ -180,8 +180,8 @@ fn of_body(
     })
 }
 
-/// The equation s - g |g| == 0 for √s == g, where g is known, such as the length of a leg. Where g is negative, it has no
-/// real solution with a positive s either.
+/// The equation s - g |g| == 0 for √s == g, where g is known, such as the length of a leg. Where g is negative, it has
+/// no real solution with a positive s either.
 fn squared(graph: &mut Graph, polynomial: &TrigonometricPolynomial) -> Option<Node> {
     let mut others = polynomial
         .0
@@ -510,8 +510,8 @@ mod tests {
         assert!(sums[3].abs() < 4.0 * f64::EPSILON, "cos² + sin² - 1 = {}", sums[3]);
     }
 
-    /// Two circles are one circle and a line, also where the radius of one is a square root, and where a coefficient is not
-    /// a number. What a circle has in common with a curve of the same degree but other terms stays.
+    /// Two circles are one circle and a line, also where the radius of one is a square root, and where a coefficient is
+    /// not a number. What a circle has in common with a curve of the same degree but other terms stays.
     #[test]
     fn differences_lower_the_degree() {
         let mut graph = Graph::new();

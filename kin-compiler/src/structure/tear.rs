@@ -11,7 +11,8 @@
 //!
 //! An unknown that is replaced by its relation hands its rounding errors on, [magnified](Growth) by the coefficients of
 //! the relation. One relation replaced in another multiplies them: a chain `20 x₀ - x₁ = t`, `20 x₁ - x₀ - x₂ = k`, …
-//! would be shot through from its first unknown. Links magnify nothing, because a direction depends on the vector alone.
+//! would be shot through from its first unknown. Links magnify nothing, because a direction depends on the vector
+//! alone.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -23,8 +24,8 @@ use crate::work;
 
 /// The parts into which equations fall, in the order in which they are solved.
 ///
-/// As much as possible is taken out if closed forms solve the rest. Equations that need a guess anyway keep the unknowns
-/// whose relations would magnify rounding, and Newton's method sees their equations as they are.
+/// As much as possible is taken out if closed forms solve the rest. Equations that need a guess anyway keep the
+/// unknowns whose relations would magnify rounding, and Newton's method sees their equations as they are.
 pub(super) fn parts(
     graph: &mut Graph,
     magnitudes: &CoefficientMagnitudes,
@@ -126,13 +127,10 @@ impl<'a> Tearing<'a> {
     }
 
     /// Takes out the first relation of a kind that does not magnify rounding errors too much.
-    fn relation(
-        &mut self,
-        graph: &mut Graph,
-        equations: &[Node],
-        unknowns: &[usize],
-        kind: impl Fn(&mut Graph, Node, &[usize], &mut dyn FnMut(&mut Graph, usize, Node) -> bool) -> Option<(usize, Node)>,
-    ) -> Option<Torn> {
+    fn relation<K>(&mut self, graph: &mut Graph, equations: &[Node], unknowns: &[usize], kind: K) -> Option<Torn>
+    where
+        K: Fn(&mut Graph, Node, &[usize], &mut dyn FnMut(&mut Graph, usize, Node) -> bool) -> Option<(usize, Node)>,
+    {
         equations.iter().enumerate().find_map(|(index, &equation)| {
             let mut grown = self.growth;
             let (unknown, coefficient) = kind(graph, equation, unknowns, &mut |graph, unknown, coefficient| {
@@ -221,8 +219,8 @@ fn linear_relation(
     (is_linear && accepts(graph, unknown, coefficient)).then_some((unknown, coefficient))
 }
 
-/// The first unknown that an equation contains with a number as its coefficient, such as a length along an axis, and that
-/// `accepts` does not refuse.
+/// The first unknown that an equation contains with a number as its coefficient, such as a length along an axis, and
+/// that `accepts` does not refuse.
 fn relation(
     graph: &mut Graph,
     equation: Node,

@@ -1,5 +1,5 @@
-//! Comments of other languages, which begin with `#`. Their words are prose, and every further mistake would only follow
-//! from them.
+//! Comments of other languages, which begin with `#`. Their words are prose, and every further mistake would only
+//! follow from them.
 
 use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
 

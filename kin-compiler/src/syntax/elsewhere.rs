@@ -142,7 +142,8 @@ pub(super) fn instead_of_statement(word: &str, next: &str) -> Option<String> {
         }
         "joint" | "hinge" | "revolute" => {
             format!(
-                "`{word}` does not begin a statement: a point that two bodies name joins them, as `{next}` in `body rod: {next}, tip;`"
+                "`{word}` does not begin a statement: a point that two bodies name joins them, as `{next}` in `body \
+                 rod: {next}, tip;`"
             )
         }
         _ => return None,

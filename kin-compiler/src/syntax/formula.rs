@@ -280,7 +280,8 @@ fn member(input: ParseStream<'_>, dot: Span, of: TypedFormula) -> Result<TypedFo
             return Err(syn::Error::new(
                 member.span(),
                 format!(
-                    "there is no part `{word}`: a plane vector has the parts `x` and `y`, a space vector `x`, `y` and `z`"
+                    "there is no part `{word}`: a plane vector has the parts `x` and `y`, a space vector `x`, `y` and \
+                     `z`"
                 ),
             ));
         }
@@ -464,10 +465,12 @@ fn word(input: ParseStream<'_>) -> Result<TypedFormula> {
 fn foreign(word: &str) -> Option<&'static str> {
     Some(match word {
         "if" | "else" | "match" => {
-            "a formula has no cases: write equations that always hold, and `where` or `in` after an unknown to choose its branch"
+            "a formula has no cases: write equations that always hold, and `where` or `in` after an unknown to choose \
+             its branch"
         }
         "for" | "while" | "loop" | "break" | "continue" => {
-            "there are no loops within a formula: a `for` is a statement of its own, as in `for (a, b) in [(a1, b1), (a2, b2)] { a == b; }`"
+            "there are no loops within a formula: a `for` is a statement of its own, as in `for (a, b) in [(a1, b1), \
+             (a2, b2)] { a == b; }`"
         }
         "move" | "async" => "there are no closures here: write the formula itself",
         "unsafe" => "a formula has no blocks: write `( … )` to group",
@@ -582,8 +585,8 @@ fn call(name: &Ident, arguments: Vec<TypedFormula>, method: bool, close: Span) -
             return Err(syn::Error::new_spanned(
                 Extent::at(name.span()).to(Extent::at(close)),
                 format!(
-                    "`{before}` before the `.` is an argument of `{word}` here: write `{alone}` for the function alone, \
-                     `{before} * {alone}` for a product"
+                    "`{before}` before the `.` is an argument of `{word}` here: write `{alone}` for the function \
+                     alone, `{before} * {alone}` for a product"
                 ),
             ));
         }
@@ -650,7 +653,8 @@ fn exponent(argument: &TypedFormula) -> Result<i32> {
     let wrong = |message: String| Err(syn::Error::new_spanned(argument.extent, message));
     if !literal(argument, &mut text) {
         return wrong(
-            "the exponent of `powi` must be a whole number written out: write `powi(x, 2)`, and `exp` and `ln` for others"
+            "the exponent of `powi` must be a whole number written out: write `powi(x, 2)`, and `exp` and `ln` for \
+             others"
                 .to_owned(),
         );
     }
@@ -700,7 +704,8 @@ fn stray(input: ParseStream<'_>, context: Context) -> syn::Error {
         if context == Context::RangeEnd {
             "a range has one comparison: write `in 0..=PI` for a range with two ends"
         } else {
-            "there are no comparisons here: write `==` for an equation, and `where` after an unknown to choose its branch"
+            "there are no comparisons here: write `==` for an equation, and `where` after an unknown to choose its \
+             branch"
         }
     } else if input.peek(Token![&&]) || input.peek(Token![||]) {
         if context == Context::RangeEnd {
@@ -720,7 +725,8 @@ fn stray(input: ParseStream<'_>, context: Context) -> syn::Error {
         if context == Context::Parenthesis {
             "there are no tuples here: write `vec2(x, y)` for a plane vector, `vec3(x, y, z)` for a space vector"
         } else {
-            "an expression ends before this `,`: write `;` before a further statement, and a point in a number, as in `0.5`"
+            "an expression ends before this `,`: write `;` before a further statement, and a point in a number, as in \
+             `0.5`"
         }
     } else if context == Context::RangeStart {
         "a range has dots between its ends: write `in 0..=PI`"

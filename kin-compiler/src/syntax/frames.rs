@@ -22,8 +22,8 @@ use crate::syntax::{
 const WORD: &str = "frame";
 
 /// The message about a frame that is part of a formula.
-pub(super) const ALONE: &str = "a frame has a name of its own: write `let platform = frame(center, rotation);`, and then \
-                                `platform * point`";
+pub(super) const ALONE: &str = "a frame has a name of its own: write `let platform = frame(center, rotation);`, and \
+                                then `platform * point`";
 
 /// Whether a call is that of a frame. The word is not reserved.
 pub(crate) fn is_frame(word: &str) -> bool {
@@ -56,8 +56,8 @@ pub(super) fn parse(input: ParseStream<'_>) -> Result<Option<(TypedFormula, Type
         syn::Error::new_spanned(
             Extent::at(word.span()).to(Extent::at(parentheses.span.close())),
             format!(
-                "`frame` takes 2 arguments, but is given {given}: write `frame(center, rotation)`, and `frame(pin, angle)` in \
-                 the plane"
+                "`frame` takes 2 arguments, but is given {given}: write `frame(center, rotation)`, and `frame(pin, \
+                 angle)` in the plane"
             ),
         )
     })?;
@@ -199,15 +199,18 @@ impl Frames {
         match self.shape(origin) {
             Some(ValueShape::Space) if in_plane == Some(true) => wrong(
                 rotation,
-                "a frame of space is turned by a rotation, but this is a scalar: write `rot_z(angle)`, or another rotation",
+                "a frame of space is turned by a rotation, but this is a scalar: write `rot_z(angle)`, or another \
+                 rotation",
             ),
             Some(ValueShape::Rotation) => wrong(
                 origin,
-                "a frame has a point as its origin, but this is a rotation: write the point first, `frame(center, rotation)`",
+                "a frame has a point as its origin, but this is a rotation: write the point first, `frame(center, \
+                 rotation)`",
             ),
             Some(ValueShape::Plane) if in_plane == Some(false) => wrong(
                 origin,
-                "a frame of space has its origin in space: write `vec3(v.x, v.y, 0)` to place a plane vector v in space",
+                "a frame of space has its origin in space: write `vec3(v.x, v.y, 0)` to place a plane vector v in \
+                 space",
             ),
             Some(ValueShape::Scalar) if in_plane == Some(false) && !is_zero(origin) => wrong(
                 origin,

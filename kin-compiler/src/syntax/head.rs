@@ -80,8 +80,8 @@ pub(crate) fn parse(tokens: TokenStream, mistakes: &mut Mistakes) -> Option<(Dec
                 for attribute in take_conditions(&mut parameter.attributes) {
                     mistakes.error(
                         attribute,
-                        "a condition cannot remove a parameter from the equations: write a `mechanism!` for each case, with \
-                         the condition before it",
+                        "a condition cannot remove a parameter from the equations: write a `mechanism!` for each case, \
+                         with the condition before it",
                     );
                 }
                 declaration.parameters.push(parameter);

@@ -455,7 +455,8 @@ impl Copy<'_> {
             None => Err(syn::Error::new(
                 name.span(),
                 format!(
-                    "each copy needs {what} of its own: let the `for` give its name, as in `for {name} in [{name}1, {name}2]`"
+                    "each copy needs {what} of its own: let the `for` give its name, as in `for {name} in [{name}1, \
+                     {name}2]`"
                 ),
             )),
         }

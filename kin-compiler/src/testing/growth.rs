@@ -181,7 +181,8 @@ impl Expanded {
         let [look_ups, iterations] = self.rates();
         let Self { read, operations, .. } = self;
         format!(
-            "{name:44} {read:6} tokens, {operations:6} operations, for each {look_ups:3} look-ups and {iterations:3} iterations"
+            "{name:44} {read:6} tokens, {operations:6} operations, for each {look_ups:3} look-ups and {iterations:3} \
+             iterations"
         )
     }
 }

@@ -254,8 +254,8 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
         .collect()
 }
 
-/// The other rooms name no function except those that vectors consist of: sine and cosine, which rotate vectors, and the
-/// square root, which gives their length. So a new function needs no change there, and no default arm handles it.
+/// The other rooms name no function except those that vectors consist of: sine and cosine, which rotate vectors, and
+/// the square root, which gives their length. So a new function needs no change there, and no default arm handles it.
 #[test]
 fn other_rooms_do_not_list_functions() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");

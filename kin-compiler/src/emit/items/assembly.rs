@@ -211,8 +211,8 @@ pub(in crate::emit) fn internal(mechanism: &Compiled<'_>) -> Option<Internal> {
     } = BlockOrientations::new(mechanism);
     Some(Internal {
         attributes: quote! {
-            /// The assembly and the guess. If several poses are solved at once, the guess becomes NaN for poses in another
-            /// assembly than the first one.
+            /// The assembly and the guess. If several poses are solved at once, the guess becomes NaN for poses in
+            /// another assembly than the first one.
             #[inline(always)]
         },
         signature: quote! {

@@ -100,8 +100,8 @@ fn methods(mechanism: &Compiled<'_>) -> TokenStream {
         impl<#value: #runtime::batch::Parameter> #name<#value> {
             #[doc = #summary]
             ///
-            /// Each parameter and input is one number for all poses, or a column with one number for each pose. `solve` of the
-            /// batch stores the motions, `fold` summarises them.
+            /// Each parameter and input is one number for all poses, or a column with one number for each pose. `solve`
+            /// of the batch stores the motions, `fold` summarises them.
             #[inline]
             pub fn batch<'a>(
                 &'a self,

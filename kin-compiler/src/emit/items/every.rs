@@ -80,8 +80,8 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
             /// All assemblies at given inputs: every regular position.
             ///
             #[doc = #order]
-            /// The search starts from a system whose solutions are known and follows each of them to a solution of the coupled
-            /// equations. `Assemblies` of the library says what this guarantees.
+            /// The search starts from a system whose solutions are known and follows each of them to a solution of the
+            /// coupled equations. `Assemblies` of the library says what this guarantees.
             ///
             #(#[doc = #lines])*
             ///

@@ -88,7 +88,9 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
     };
     let values_near = is_coupled.then(|| {
         quote! {
-            fn values_near(#wanted: Self::Assembly) -> ::core::option::Option<[::core::primitive::f64; #unknown_count]> {
+            fn values_near(
+                #wanted: Self::Assembly,
+            ) -> ::core::option::Option<[::core::primitive::f64; #unknown_count]> {
                 ::core::option::Option::Some(#wanted.0)
             }
         }

@@ -39,7 +39,8 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
         mechanism.cost_line(0),
     );
     let near_line = format!(
-        " The position nearest to given values of the unknowns, `[{}]`: in the same assembly, with angles on the same turns.",
+        " The position nearest to given values of the unknowns, `[{}]`: in the same assembly, with angles unwrapped to \
+         them.",
         mechanism.unknown_order()
     );
     let guesses = guesses(mechanism);
@@ -91,8 +92,8 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
             #[doc = #cost]
             ///
             /// # Errors
-            /// Returns an error if there is no position, if it is singular, or if a number is not finite. The error reports
-            /// where this happened and by how much.
+            /// Returns an error if there is no position, if it is singular, or if a number is not finite. The error
+            /// reports where this happened and by how much.
             #[inline]
             pub fn position(&self, #(#inputs: T,)* #choice)
                 -> ::core::result::Result<#pose<T>, #runtime::SolveError>

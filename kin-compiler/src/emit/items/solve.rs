@@ -37,9 +37,11 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     quote! {
             #[doc = #summary]
             ///
-            /// An input is one argument with its rates: an array, or `Motion::at_constant_speed(1.0, 10.0)`. A number alone is at rest.
+            /// An input is one argument with its rates: an array, or `Motion::at_constant_speed(1.0, 10.0)`. A number
+            /// alone is at rest.
             ///
-            /// Equivalent to `position` followed by the solvers of the derivatives, with a test that all results are finite.
+            /// Equivalent to `position` followed by the solvers of the derivatives, with a test that all results are
+            /// finite.
             ///
             /// # Errors
             /// As for `position`. Also if a rate is not finite.

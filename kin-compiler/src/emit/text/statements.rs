@@ -154,7 +154,9 @@ impl ProgramText<'_> {
             })
         });
         quote! {
-            let #candidate = |#assembly: #runtime::Assembly| -> ::core::result::Result<(#(#kinds,)*), #runtime::SolveError> {
+            let #candidate = |#assembly: #runtime::Assembly|
+                -> ::core::result::Result<(#(#kinds,)*), #runtime::SolveError>
+            {
                 #body
                 ::core::result::Result::Ok((#(#names,)*))
             };
@@ -200,7 +202,8 @@ impl ProgramText<'_> {
 
     fn results(&self, shape: Returns, names: &[TokenStream]) -> TokenStream {
         let runtime = self.mechanism.runtime;
-        let root = |value: &TokenStream, square: &TokenStream| quote!(#runtime::solve::Root { value: #value, square: #square });
+        let solve = quote!(#runtime::solve);
+        let root = |value: &TokenStream, square: &TokenStream| quote!(#solve::Root { value: #value, square: #square });
         match (shape, names) {
             (Returns::Scalar, [name]) => name.clone(),
             (Returns::Pair, [first, second]) => quote!((#first, #second)),

@@ -220,8 +220,8 @@ fn latex_row(mut source: &str, tokens: &mut Tokens) {
     }
 }
 
-/// The value of a formula. Factors stand side by side. `/` binds as tightly as a product and takes one factor. The argument of a
-/// function without parentheses is all that follows up to the next function.
+/// The value of a formula. Factors stand side by side. `/` binds as tightly as a product and takes one factor. The
+/// argument of a function without parentheses is all that follows up to the next function.
 pub(super) fn value(tokens: &[String], names: &BTreeMap<&str, f64>) -> f64 {
     let mut reader = Reader { tokens, next: 0, names };
     let value = reader.sum();

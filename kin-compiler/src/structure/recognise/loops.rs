@@ -116,8 +116,8 @@ pub(super) fn recognise(
         .or_else(|| polar(graph, &rows, &arms, unknowns))
 }
 
-/// The only link of a loop that rotates with an unknown, and the rest of the loop: arm + rest = 0. `None` if the unknown
-/// occurs anywhere else in the equations.
+/// The only link of a loop that rotates with an unknown, and the rest of the loop: arm + rest = 0. `None` if the
+/// unknown occurs anywhere else in the equations.
 pub(in crate::structure) fn arm(
     graph: &mut Graph,
     equations: [&TrigonometricPolynomial; 2],

@@ -35,8 +35,8 @@ struct Tally {
     /// The number of texts that the compiler itself refuses.
     no_tokens: usize,
     defects: usize,
-    /// The largest numbers of look-ups and of iterations of other loops for each token read and operation written, each with
-    /// its seed.
+    /// The largest numbers of look-ups and of iterations of other loops for each token read and operation written, each
+    /// with its seed.
     most: [(usize, u64); 2],
 }
 
@@ -182,8 +182,8 @@ impl Findings {
     }
 }
 
-/// The common part of the messages of one cause: the first line of a panic is its position, and messages differ in quoted
-/// names.
+/// The common part of the messages of one cause: the first line of a panic is its position, and messages differ in
+/// quoted names.
 fn cause(message: &str) -> String {
     let first = message.lines().next().unwrap_or_default();
     first.split('`').step_by(2).collect()
@@ -205,7 +205,8 @@ impl Display for Findings {
             } = tally;
             writeln!(
                 f,
-                "{:11} {accepted:8} {refused:8} {no_tokens:10} {defects:8} {look_ups:14} {iterations:11}  {first} {second}",
+                "{:11} {accepted:8} {refused:8} {no_tokens:10} {defects:8} {look_ups:14} {iterations:11}  {first} \
+                 {second}",
                 kind.word()
             )?;
         }

@@ -21,9 +21,9 @@ const STACK: usize = 8 << 20;
 /// The time after which an expansion counts as endless. Work that is counted ends long before, by [`work::ENDLESS`].
 const PATIENCE: Duration = Duration::from_mins(10);
 
-/// The bounds of look-ups and of iterations of other loops, for each token read and operation written. A refused declaration
-/// may take as much work as an accepted one, but has no operations. It is refused after the derivation of every order at
-/// the latest, so its bounds grow with the orders that it asks for.
+/// The bounds of look-ups and of iterations of other loops, for each token read and operation written. A refused
+/// declaration may take as much work as an accepted one, but has no operations. It is refused after the derivation of
+/// every order at the latest, so its bounds grow with the orders that it asks for.
 fn bounds(is_refused: bool, order: usize) -> [usize; 2] {
     if is_refused {
         [1_000, 2_000].map(|bound| bound * (order.max(SNAP) + 1) / (SNAP + 1))

@@ -2,8 +2,8 @@
 //!
 //! Each file beside this one holds the cases of one kind of mistake, between blank lines: a title, and below it a
 //! declaration, indented by four. Lines of `//  ^^^^ message` from the first column belong to the line above them.
-//! Their marks go from the first to the last token at fault. A message without marks, below the title, is reported at the
-//! whole macro call.
+//! Their marks go from the first to the last token at fault. A message without marks, below the title, is reported at
+//! the whole macro call.
 //!
 //! `KIN_RECORD=1 cargo test -p kin-compiler --lib mistakes` writes the messages. Read them before you keep them.
 

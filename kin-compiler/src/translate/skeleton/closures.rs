@@ -1,7 +1,8 @@
 //! The outline as it follows from the vector equations.
 //!
-//! Either side of such an equation is a chain from the origin, whose joints are the partial sums of its terms; both sides end in the
-//! same joint. Terms that rotate together and share a joint are one body. A term of variable length is a slide.
+//! Either side of such an equation is a chain from the origin, whose joints are the partial sums of its terms; both
+//! sides end in the same joint. Terms that rotate together and share a joint are one body. A term of variable length is
+//! a slide.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -128,7 +129,8 @@ impl<'a, 'b> Chains<'a, 'b> {
         self.joints
     }
 
-    /// The joint of an output. Its last terms may lead on within a body that is there; otherwise the point belongs to none.
+    /// The joint of an output. Its last terms may lead on within a body that is there; otherwise the point belongs to
+    /// none.
     fn point(&mut self, formula: &'a TypedFormula) -> usize {
         let terms = terms(formula, self.names);
         let mut sum = Vec::new();

@@ -21,7 +21,8 @@ use crate::syntax::{Declaration, EquationStatement, OutputStatement, Statement};
 use names::SkeletonNames;
 use outline::Picture;
 
-/// The outline of a declaration, and the method `skeleton_points`: its joints, and the directions of its slides behind them.
+/// The outline of a declaration, and the method `skeleton_points`: its joints, and the directions of its slides behind
+/// them.
 pub(super) fn outline(declaration: &Declaration, model: &Model, names: &Names) -> (Outline, Sheet) {
     let mut picture = picture(declaration, model, names);
     let equations = equations(declaration, model);

@@ -10,7 +10,8 @@ use crate::translate::tree::{Operation, Tree};
 
 use super::{SkeletonNames, in_picture};
 
-/// The angles that a term rotates with, without constants: equal for terms that keep their angle to each other, empty for those that do not rotate.
+/// The angles that a term rotates with, without constants: equal for terms that keep their angle to each other, empty
+/// for those that do not rotate.
 pub(super) type TurningAngles = String;
 
 /// How a term moves.
