@@ -64,7 +64,7 @@ impl fmt::Display for Label<'_> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Unit<'t> {
     /// The unit as it was given, of a column that is no quantity of the mechanism.
-    pub(super) given_unit: Option<&'t str>,
+    pub(super) given: Option<&'t str>,
     pub(super) dimension: Dimension,
     pub(super) order: usize,
     pub(super) is_time: bool,
@@ -76,8 +76,8 @@ pub struct Unit<'t> {
 impl Unit<'_> {
     /// Whether it is the unit of a plain number, which is not written.
     fn is_none(&self) -> bool {
-        match self.given_unit {
-            Some(given_unit) => given_unit.is_empty(),
+        match self.given {
+            Some(given) => given.is_empty(),
             None => self.dimension == Dimension::Scalar && self.order == 0 && !self.is_time,
         }
     }
@@ -85,8 +85,8 @@ impl Unit<'_> {
 
 impl fmt::Display for Unit<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(given_unit) = self.given_unit {
-            return formatter.write_str(given_unit);
+        if let Some(given) = self.given {
+            return formatter.write_str(given);
         }
         if self.is_time {
             return formatter.write_str(self.time);

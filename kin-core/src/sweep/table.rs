@@ -237,7 +237,7 @@ impl Table {
         ColumnOf {
             label,
             unit: Unit {
-                given_unit: self.labels[index].unit.as_deref(),
+                given: self.labels[index].unit.as_deref(),
                 dimension: label.dimension,
                 order: label.order,
                 is_time: label.is_variable && label.name == "time",
