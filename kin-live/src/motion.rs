@@ -4,7 +4,7 @@
 mod chunks;
 
 use kin_compiler::lowered::{self, Label, Symbol};
-use kin_core::__private::live::{agreeing_in, culprit_in, within_turns_in};
+use kin_core::__private::live::{agreeing_in, check_guesses_in, culprit_in};
 use kin_core::Scalar;
 use kin_core::any::{Name, NameKind};
 use kin_core::{Assembly, Direction, Plane};
@@ -344,7 +344,7 @@ impl Motion {
         values.copy_from_slice(&near[..values.len()]);
         if !self.angles.is_empty() {
             let label = self.all_unknowns;
-            within_turns_in(values, &self.angles).map_err(|failure| Fault { failure, label })?;
+            check_guesses_in(values, &self.angles).map_err(|failure| Fault { failure, label })?;
         }
         let mut assembly = 0;
         if self.choices > 0 {

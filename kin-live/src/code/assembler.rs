@@ -414,15 +414,15 @@ impl Assembler {
                 let call = Call::InRange {
                     unknown: self.register(Symbol::Unknown(range.unknown)),
                     name: Name::by_index(NameKind::Unknown, range.unknown),
-                    turns: range.turns,
+                    is_periodic: range.is_periodic,
                     range: [range.low, range.high],
                     label: labels.name(label),
                 };
                 self.call(call, operations);
             }
-            Statement::OnTurn { unknown } => {
+            Statement::Unwrap { unknown } => {
                 let (index, unknown) = (*unknown, self.register(Symbol::Unknown(*unknown)));
-                self.call(Call::OnTurn { unknown, index }, operations);
+                self.call(Call::Unwrap { unknown, index }, operations);
             }
             Statement::Candidates {
                 body,
@@ -435,7 +435,7 @@ impl Assembler {
                     Some(call::Range {
                         kept: kept.iter().position(|&symbol| symbol == own)?,
                         name: Name::by_index(NameKind::Unknown, range.unknown),
-                        turns: range.turns,
+                        is_periodic: range.is_periodic,
                         bounds: [range.low, range.high],
                     })
                 });

@@ -11,7 +11,7 @@ use std::cell::Cell;
 
 use kin_compiler::lowered::Selection;
 use kin_core::__private::live::{
-    SolutionInRange, choose_in, decisive_in, decisive_vector_in, factor_in, nearest_turn, substitute_in,
+    SolutionInRange, choose_in, decisive_in, decisive_vector_in, factor_in, substitute_in, unwrap_near,
 };
 use kin_core::__private::solve::{check_angle, check_value, direction, directions, finite, regular};
 use kin_core::any::Name;
@@ -218,22 +218,22 @@ impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
             Call::InRange {
                 unknown,
                 name,
-                turns,
+                is_periodic,
                 range: [low, high],
                 label,
             } => {
                 let value = self.get(*unknown);
-                let value = if *turns {
+                let value = if *is_periodic {
                     check_angle(*name, value, *low, *high)
                 } else {
                     check_value(*name, value, *low, *high)
                 };
                 self.set(*unknown, value.map_err(at(label))?);
             }
-            Call::OnTurn { unknown, index } => {
+            Call::Unwrap { unknown, index } => {
                 let place = self.chunk * self.choice.unknowns + index;
                 if let Some(guess) = self.choice.near.and_then(|near| near.get(place)) {
-                    let angle = nearest_turn(self.get(*unknown), *guess);
+                    let angle = unwrap_near(self.get(*unknown), *guess);
                     self.set(*unknown, angle);
                 }
             }
@@ -359,7 +359,7 @@ impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
         let range = |range: &Range| {
             let solutions = self.candidates(candidates, range.kept);
             let [low, high] = range.bounds;
-            if range.turns {
+            if range.is_periodic {
                 SolutionInRange::angle(range.name, solutions, low, high)
             } else {
                 SolutionInRange::value(range.name, solutions, low, high)
