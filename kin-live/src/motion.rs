@@ -1,6 +1,5 @@
 //! The solver of a mechanism: position, and the rates of every order.
 
-#[cfg(feature = "batches")]
 mod chunks;
 
 use kin_compiler::lowered::{self, Label, Symbol};
@@ -40,7 +39,6 @@ pub(crate) struct Motion {
 struct Unknown {
     value: Value,
     /// Cosine and sine, if it is returned as a unit vector.
-    #[cfg(feature = "batches")]
     vector: Option<[Register; 2]>,
     rates: Box<[Register]>,
 }
@@ -76,7 +74,6 @@ impl Motion {
                         },
                     },
                 },
-                #[cfg(feature = "batches")]
                 vector: direction.map(|vector| [vector.cosine, vector.sine].map(|symbol| assembler.register(symbol))),
                 rates: (1..=order)
                     .map(|order| assembler.register(Symbol::UnknownRate(index, order)))
