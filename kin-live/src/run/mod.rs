@@ -434,8 +434,18 @@ pub(crate) fn arithmetic<T: Scalar, const C: usize>(
                 registers[usize::from(cosine)][chunk] = cosine_value;
             }
         }
-        Operation::Function { function, to, a } => each!(to = |a| function.of(a)),
-        Operation::ArcTangent { to, y, x } => each!(to = |y, x| y.atan2(x)),
+        // Their code is long, so it is there once.
+        Operation::Function { function, to, a } => {
+            for chunk in chunks {
+                registers[usize::from(to)][chunk] = function.of(registers[usize::from(a)][chunk]);
+            }
+        }
+        Operation::ArcTangent { to, y, x } => {
+            for chunk in chunks {
+                registers[usize::from(to)][chunk] =
+                    registers[usize::from(y)][chunk].atan2(registers[usize::from(x)][chunk]);
+            }
+        }
         // calls are taken elsewhere, and terms are not skipped here
         Operation::Call(_) | Operation::Doubt { .. } => {}
     }
