@@ -170,6 +170,7 @@ impl<'c> QuantityOfSweep<'c> {
             unknowns: reached.unknowns(),
             outputs: reached.outputs(),
             rate,
+            side,
             variable,
         };
         Ok((station, Mark::new(walk)))

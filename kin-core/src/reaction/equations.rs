@@ -7,7 +7,9 @@ use alloc::vec::Vec;
 use super::ReactionError;
 use super::action::{Action, Influences, Wrench, both, both_turned};
 use super::connection::{Connection, Member, holders};
+use super::coulomb::{self, Contact, Measure, Unsolved};
 use super::frames::{MovedFrame, MovedMechanism, left};
+use super::friction::{ActingFriction, Friction};
 use super::rank::{Rank, largest, rank};
 use crate::geometry::Plane;
 use crate::number::Number;
@@ -31,6 +33,18 @@ enum Unknown {
     Effort { input: usize },
 }
 
+impl Unknown {
+    /// The connection of which it is a force or a moment.
+    fn connection(self) -> Option<usize> {
+        match self {
+            Self::Pin { connection, .. } | Self::Normal { connection } | Self::Moment { connection, .. } => {
+                Some(connection)
+            }
+            Self::Effort { .. } => None,
+        }
+    }
+}
+
 /// A result, unless equilibrium does not determine it.
 pub(super) type Determined<const N: usize> = Option<Series<N>>;
 
@@ -43,6 +57,14 @@ pub(super) struct Solution<const N: usize> {
     pub(super) moments: Vec<Determined<N>>,
     /// The effort of each drive.
     pub(super) efforts: Vec<Determined<N>>,
+    /// The friction on the body of each connection, which its force or moment contains.
+    pub(super) frictions: Vec<Series<N>>,
+    /// The power that friction turns into heat, by the variable.
+    pub(super) heat: Series<N>,
+    /// The same in the motion that gives friction its sense, by time.
+    pub(super) begun_heat: f64,
+    /// The factor by which forces and friction contract.
+    pub(super) contraction: f64,
 }
 
 /// The unknowns, and the forces of a unit of each.
@@ -58,6 +80,9 @@ pub(super) struct Equations<'e, const N: usize> {
     pub(super) moved: &'e MovedMechanism<N>,
     pub(super) frames: &'e [MovedFrame<N>],
     pub(super) drives: &'e [Action],
+    pub(super) frictions: &'e [ActingFriction<N>],
+    /// -1 on the left side of a place.
+    pub(super) parity: f64,
 }
 
 impl<const N: usize> Equations<'_, N> {
@@ -102,7 +127,143 @@ impl<const N: usize> Equations<'_, N> {
         if !values.iter().all(|value| value.is_finite()) {
             return Err(ReactionError::NotFinite);
         }
-        Ok(self.solution(&unknowns, &values, &is_open))
+        if self.frictions.is_empty() {
+            return Ok(self.solution(&unknowns, &values, &is_open));
+        }
+        let is_known = |acting: &ActingFriction<N>| {
+            let mut own = unknowns.iter().zip(&is_open);
+            !own.any(|(unknown, is_open)| *is_open && unknown.connection() == Some(acting.connection))
+        };
+        if let Some(open) = self.frictions.iter().find(|acting| !is_known(acting)) {
+            return Err(ReactionError::Undetermined {
+                reaction: self.connections[open.connection].name.clone(),
+                all: self.open_reactions(&unknowns, &is_open),
+            });
+        }
+        let responses: Vec<Vec<Series<N>>> = self
+            .frictions
+            .iter()
+            .map(|acting| {
+                let mut response = vec![Series::ZERO; unknowns.len()];
+                for (column, value) in basis.iter().zip(solve(&self.resisting(acting))) {
+                    response[*column] = value;
+                }
+                response
+            })
+            .collect();
+        let found = self.coulomb(&unknowns, &values, &responses)?;
+        for (response, load) in responses.iter().zip(&found.loads) {
+            for (value, change) in values.iter_mut().zip(response) {
+                *value = *value + *change * *load;
+            }
+        }
+        if !values.iter().all(|value| value.is_finite()) {
+            return Err(ReactionError::NotFinite);
+        }
+        let mut solution = self.solution(&unknowns, &values, &is_open);
+        self.add_friction(&mut solution, &found);
+        Ok(solution)
+    }
+
+    /// What a unit of friction lacks on all bodies: the opposite of its own forces.
+    fn resisting(&self, acting: &ActingFriction<N>) -> Vec<Series<N>> {
+        let own = &self.connections[acting.connection];
+        let (pair, sense) = ([own.on, own.by], Series::constant(acting.sense));
+        self.flat_column(match own.slide {
+            None => both_turned(pair, sense),
+            Some(slide) => {
+                let force = self.moved.direction(slide).scale(sense);
+                both(pair, self.frames, force, [self.moved.places[own.joint]; 2])
+            }
+        })
+    }
+
+    /// The friction that belongs to the forces which it changes.
+    fn coulomb(
+        &self,
+        unknowns: &[Unknown],
+        values: &[Series<N>],
+        responses: &[Vec<Series<N>>],
+    ) -> Result<coulomb::Friction<N>, ReactionError> {
+        let contact = |acting: &ActingFriction<N>| {
+            // the weight of an unknown in the two parts of the force
+            let weight = |unknown: &Unknown| match (*unknown, acting.friction) {
+                (own, _) if own.connection() != Some(acting.connection) => [0.0; 2],
+                (Unknown::Pin { axis: 0, .. }, Friction::Pin { coefficient, radius }) => [coefficient * radius, 0.0],
+                (Unknown::Pin { .. }, Friction::Pin { coefficient, radius }) => [0.0, coefficient * radius],
+                (Unknown::Normal { .. }, friction) => [friction.coefficient(), 0.0],
+                (
+                    Unknown::Moment { .. },
+                    Friction::Slide {
+                        coefficient,
+                        length: Some(length),
+                    },
+                ) => [0.0, coefficient * 2.0 / length],
+                _ => [0.0; 2],
+            };
+            let parts = |values: &[Series<N>]| {
+                let mut parts = vec![Series::ZERO; 2];
+                for (unknown, value) in unknowns.iter().zip(values) {
+                    for (part, weight) in parts.iter_mut().zip(weight(unknown)) {
+                        *part = *part + Series::constant(weight) * *value;
+                    }
+                }
+                parts
+            };
+            Contact {
+                // two forces N/2 ± M/L have the sizes |N| or 2 |M|/L together, the larger one of both
+                measure: match acting.friction {
+                    Friction::Pin { .. } => Measure::Length,
+                    Friction::Slide { .. } => Measure::Largest,
+                },
+                bare: parts(values),
+                changes: responses.iter().map(|response| parts(response)).collect(),
+            }
+        };
+        let contacts: Vec<Contact<Series<N>>> = self.frictions.iter().map(contact).collect();
+        let names = |contacts: Vec<usize>| {
+            let names = contacts.into_iter().map(|contact| self.frictions[contact].connection);
+            names
+                .map(|connection| self.connections[connection].name.clone())
+                .collect()
+        };
+        coulomb::solve(&contacts, self.parity).map_err(|error| match error {
+            Unsolved::Locked { share, contacts } => ReactionError::Locked {
+                share,
+                reactions: names(contacts),
+            },
+            Unsolved::Slow { steps, contraction } => ReactionError::FrictionUnsolved { steps, contraction },
+        })
+    }
+
+    /// Adds friction to the forces and moments of connections, which are what both bodies exert on each other.
+    fn add_friction(&self, solution: &mut Solution<N>, found: &coulomb::Friction<N>) {
+        solution.contraction = found.contraction;
+        for (acting, load) in self.frictions.iter().zip(&found.loads) {
+            let connection = acting.connection;
+            let own = Series::constant(-acting.sense) * *load;
+            solution.frictions[connection] = own;
+            solution.heat = solution.heat - own * acting.rate;
+            solution.begun_heat += load.real() * acting.speed.abs();
+            match self.connections[connection].slide {
+                None => solution.moments[connection] = Some(own),
+                Some(slide) => {
+                    let force = solution.forces[connection];
+                    solution.forces[connection] = force.map(|force| force + self.moved.direction(slide).scale(own));
+                }
+            }
+        }
+    }
+
+    /// The connections that equilibrium leaves open.
+    fn open_reactions(&self, unknowns: &[Unknown], is_open: &[bool]) -> Vec<String> {
+        let is_open = |connection: &usize| {
+            let mut own = unknowns.iter().zip(is_open);
+            own.any(|(unknown, is_open)| *is_open && unknown.connection() == Some(*connection))
+        };
+        let open = (0..self.connections.len()).filter(is_open);
+        open.map(|connection| self.connections[connection].name.clone())
+            .collect()
     }
 
     /// The unknowns with their columns. Slides have moments where nothing else keeps the slider from turning.
@@ -153,9 +314,7 @@ impl<const N: usize> Equations<'_, N> {
         let mut names: Vec<String> = Vec::new();
         for (column, unknown) in unknowns.iter().enumerate() {
             let takes_part = |combination: &Vec<f64>| combination[column].abs() > NO_PART * largest(combination);
-            let (Unknown::Pin { connection, .. } | Unknown::Normal { connection } | Unknown::Moment { connection, .. }) =
-                *unknown
-            else {
+            let Some(connection) = unknown.connection() else {
                 continue;
             };
             let name = &self.connections[connection].name;
@@ -205,8 +364,13 @@ impl<const N: usize> Equations<'_, N> {
             }
             Unknown::Effort { input } => self.drives[input].wrenches(self.moved, self.frames, one),
         };
+        self.flat_column(wrenches)
+    }
+
+    /// Forces on all bodies as a column.
+    fn flat_column(&self, wrenches: Vec<(usize, Wrench<Series<N>>)>) -> Vec<Series<N>> {
         let length = self.length();
-        let mut column = vec![zero; self.frames.len() * OF_BODY];
+        let mut column = vec![Series::ZERO; self.frames.len() * OF_BODY];
         for (body, wrench) in wrenches {
             for (entry, part) in column[body * OF_BODY..].iter_mut().zip(flat(&wrench, length)) {
                 *entry = *entry + part;
@@ -232,6 +396,10 @@ impl<const N: usize> Equations<'_, N> {
             forces: vec![Some(Plane::zero()); self.connections.len()],
             moments: vec![Some(Series::ZERO); self.connections.len()],
             efforts: vec![Some(Series::ZERO); self.drives.len()],
+            frictions: vec![Series::ZERO; self.connections.len()],
+            heat: Series::ZERO,
+            begun_heat: 0.0,
+            contraction: 0.0,
         };
         for ((unknown, value), is_open) in unknowns.iter().zip(values).zip(is_open) {
             let known = (!is_open).then_some(*value);
