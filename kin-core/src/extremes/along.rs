@@ -164,6 +164,12 @@ pub trait AskedQuantity<S> {
     #[doc(hidden)]
     fn at(&self, sweep: &S, station: &SweepStation<'_>) -> Result<Local, ExtremesError>;
 
+    /// The places at which it jumps, as far as its motion tells them.
+    #[doc(hidden)]
+    fn jumps(&self, _: &S) -> Result<Vec<f64>, ExtremesError> {
+        Ok(Vec::new())
+    }
+
     /// The derivative that it is, if it is one.
     #[doc(hidden)]
     fn derivative(&self) -> Option<Named> {
@@ -285,6 +291,19 @@ impl<S: QuantitySource> AskedQuantity<S> for ByReaction<'_> {
     fn at(&self, sweep: &S, station: &SweepStation<'_>) -> Result<Local, ExtremesError> {
         let quantity = self.quantity.clone()?;
         station.reaction(sweep.changed(), self.reactions, quantity, self.order)
+    }
+
+    /// Friction jumps where the motion in a joint turns back.
+    fn jumps(&self, sweep: &S) -> Result<Vec<f64>, ExtremesError> {
+        let mut places = Vec::new();
+        if let Ok(ReactionQuantity::JointSpeed(_)) = self.quantity {
+            return Ok(places);
+        }
+        for quantity in self.reactions.speeds_with_friction() {
+            let speed = QuantityAlong::by_reaction(sweep, self.reactions, Ok(quantity), 0);
+            places.extend(speed.crossings(0.0)?.into_iter().map(|crossing| crossing.at));
+        }
+        Ok(places)
     }
 }
 
@@ -596,6 +615,7 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
                 progress.reach(part);
             }
         };
+        let jumps = || self.quantity.jumps(self.sweep);
         let found = question(&QuantityOfSweep {
             sweep: self.sweep.untyped(),
             drive: self.sweep.drive(),
@@ -605,6 +625,7 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
                 functions: self.sweep.named(),
             }),
             known: None,
+            jumps: Some(&jumps),
             progress: Some(&tell),
         })?;
         if let Some(progress) = &self.progress {

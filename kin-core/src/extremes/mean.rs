@@ -13,6 +13,8 @@ const PRECISION: f64 = 1e-12;
 const HALVINGS: usize = 12;
 /// A piece of a curve that is shorter than this part of a stretch is next to a kink.
 const SHARP: f64 = 1.0 / 1_048_576.0;
+/// The ratio of lengths above which one piece is halved more often than the other.
+const HALF: f64 = 1.5;
 /// The most points of the trapezoid rule.
 const MOST_POINTS: u32 = 1 << 15;
 
@@ -59,7 +61,9 @@ struct SharpPlaces {
     places: Vec<f64>,
     end: f64,
     longest: f64,
-    /// The ends of the shortest of the pieces next to a kink.
+    /// The length of the last piece.
+    before: f64,
+    /// The ends of the shortest pieces, as far as their lengths do not rise again.
     shortest: Option<[f64; 2]>,
 }
 
@@ -70,17 +74,21 @@ impl SharpPlaces {
             places: alloc::vec![from],
             end,
             longest: SHARP * (end - from).abs(),
+            before: f64::INFINITY,
             shortest: None,
         }
     }
 
-    fn meet(&mut self, ends: [f64; 2]) {
-        let length = |ends: [f64; 2]| (ends[1] - ends[0]).abs();
-        if length(ends) > self.longest {
+    fn meet(&mut self, [left, right]: [f64; 2]) {
+        let length = (right - left).abs();
+        if length > HALF * self.before {
             self.places.extend(self.shortest.take().into_iter().flatten());
-        } else if self.shortest.is_none_or(|shortest| length(ends) < length(shortest)) {
-            self.shortest = Some(ends);
+        } else if self.before > HALF * length {
+            self.shortest = (length <= self.longest).then_some([left, right]);
+        } else if let Some([_, end]) = &mut self.shortest {
+            *end = right;
         }
+        self.before = length;
     }
 
     /// The ends of the stretch with the kinks between them.

@@ -34,7 +34,7 @@ pub(super) struct Contact<T> {
 
 /// The friction of all contacts.
 #[derive(Clone, Debug)]
-pub(super) struct Friction<const N: usize> {
+pub(super) struct FrictionLoads<const N: usize> {
     pub(super) loads: Vec<Series<N>>,
     /// The factor by which the right side contracts; from one on, it is not known to.
     pub(super) contraction: f64,
@@ -62,7 +62,10 @@ const SHORTEST: f64 = 1e-10;
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// The friction of contacts. On the left side of a place, `parity` is -1: odd powers of the variable are negative there.
-pub(super) fn solve<const N: usize>(contacts: &[Contact<Series<N>>], parity: f64) -> Result<Friction<N>, Unsolved> {
+pub(super) fn solve<const N: usize>(
+    contacts: &[Contact<Series<N>>],
+    parity: f64,
+) -> Result<FrictionLoads<N>, Unsolved> {
     let reals: Vec<Contact<f64>> = contacts.iter().map(real).collect();
     let (contraction, weights) = contraction(&reals);
     let system = System {
@@ -94,7 +97,7 @@ pub(super) fn solve<const N: usize>(contacts: &[Contact<Series<N>>], parity: f64
         loads = next;
         pass += 1;
     }
-    Ok(Friction { loads, contraction })
+    Ok(FrictionLoads { loads, contraction })
 }
 
 fn real<const N: usize>(contact: &Contact<Series<N>>) -> Contact<f64> {
@@ -324,7 +327,7 @@ fn direction<const N: usize>(contact: &Contact<Series<N>>, loads: &[Series<N>], 
     let parts = contact.parts(loads);
     let values: Vec<f64> = loads.iter().map(|load| load.real()).collect();
     let rounding = ROUNDING * real(contact).size(&values);
-    let sign_of = |order: usize| if order % 2 == 0 { 1.0 } else { parity };
+    let sign_of = |order: usize| if order.is_multiple_of(2) { 1.0 } else { parity };
     let begins = |part: &Series<N>, order: usize| {
         let least = if order == 0 { rounding } else { 0.0 };
         part.coefficients()[order].abs() > least
@@ -364,7 +367,7 @@ fn direction<const N: usize>(contact: &Contact<Series<N>>, loads: &[Series<N>], 
             let sizes: Vec<_> = sizes.collect();
             let compare = |one: &usize, other: &usize| {
                 let mut terms = sizes[*one].0.iter().zip(&sizes[*other].0);
-                let found = terms.find_map(|(one, other)| Some(one.total_cmp(other)).filter(|order| order.is_ne()));
+                let found = terms.find_map(|(one, other)| one.partial_cmp(other).filter(|order| order.is_ne()));
                 found.unwrap_or(core::cmp::Ordering::Equal)
             };
             let largest = (0..parts.len()).max_by(compare);
@@ -373,4 +376,130 @@ fn direction<const N: usize>(contact: &Contact<Series<N>>, loads: &[Series<N>], 
         }
     };
     (direction, order > 0)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::vec;
+    use std::vec::Vec;
+
+    use super::{Contact, FrictionLoads, Measure, Unsolved, solve};
+    use crate::number::Number as _;
+    use crate::number::series::Series;
+    use crate::verify::Random;
+
+    type Fifth = Series<5>;
+
+    fn sliding(bare: Fifth, change: f64) -> [Contact<Fifth>; 1] {
+        [Contact {
+            measure: Measure::Largest,
+            bare: vec![bare, Series::ZERO],
+            changes: vec![vec![Series::constant(change), Series::ZERO]],
+        }]
+    }
+
+    fn close(one: Fifth, other: Fifth, tolerance: f64) {
+        for (one, other) in one.coefficients().into_iter().zip(other.coefficients()) {
+            assert!((one - other).abs() <= tolerance * (1.0 + other.abs()), "{one} {other}");
+        }
+    }
+
+    /// f = |n - c f| has one solution for |c| < 1. From there on it has a second one or none, and the one that grows with friction is
+    /// n/(1 + c). (P. Painlevé, Sur les lois du frottement de glissement, Comptes rendus 121, 1895, 112-115.)
+    #[test]
+    fn one_slide_has_one_two_or_no_solutions() {
+        let bare = Fifth::from_coefficients([3.0, -1.0, 0.5, 0.2, 0.1]);
+        for change in [-0.9, -0.3, 0.4, 0.99, 1.5, 20.0] {
+            let found = solve(&sliding(bare, -change), 1.0).expect("it has a solution");
+            assert!(
+                (found.contraction - f64::abs(change)).abs() < 1e-14,
+                "{}",
+                found.contraction
+            );
+            close(found.loads[0], bare / Series::constant(1.0 + change), 1e-13);
+        }
+        for change in [-1.0, -1.25, -8.0] {
+            let Err(Unsolved::Locked { share, contacts }) = solve(&sliding(bare, -change), 1.0) else {
+                panic!("{change}")
+            };
+            assert!((share * -change - 1.0).abs() < 1e-8, "{share}");
+            assert_eq!(contacts, [0]);
+        }
+    }
+
+    /// Beside a force that passes through zero, friction is its size on the side that counts.
+    #[test]
+    fn a_force_passes_through_zero() {
+        let bare = Fifth::from_coefficients([0.0, -2.0, 1.0, 0.5, 0.0]);
+        for (parity, sign) in [(1.0, 1.0), (-1.0, -1.0)] {
+            let found = solve(&sliding(bare, 0.25), parity).expect("it has a solution");
+            // |n + f/4| with n below zero behind: f = -n/(1 + 1/4), and before: f = n/(1 - 1/4)
+            let expected = bare / Series::constant(if sign > 0.0 { -1.25 } else { 0.75 });
+            close(found.loads[0], expected, 1e-14);
+            let pin = [Contact {
+                measure: Measure::Length,
+                bare: vec![bare, bare + bare],
+                changes: vec![vec![Series::ZERO; 2]],
+            }];
+            let found = solve(&pin, parity).expect("it has a solution");
+            // the series of a length over its zero loses its last term
+            let length = bare * Series::constant(-sign * 5.0_f64.sqrt());
+            close(found.loads[0], length, 1e-14);
+        }
+    }
+
+    /// The solution in series is that of the iteration, term by term, from any start.
+    #[test]
+    fn an_iteration_gives_the_same() {
+        let mut random = Random::new(21);
+        for count in 1..8 {
+            for _ in 0..30 {
+                let reach = 0.8 / f64::from(u8::try_from(count).expect("a few"));
+                let mut series =
+                    |size: f64| Fifth::from_coefficients(core::array::from_fn(|_| random.between(-size, size)));
+                let contacts: Vec<Contact<Fifth>> = (0..count)
+                    .map(|index| Contact {
+                        measure: if index % 2 == 0 {
+                            Measure::Length
+                        } else {
+                            Measure::Largest
+                        },
+                        bare: vec![series(1.0), series(1.0)],
+                        changes: (0..count).map(|_| vec![series(reach), series(reach)]).collect(),
+                    })
+                    .collect();
+                let FrictionLoads { loads, contraction } = match solve(&contacts, 1.0) {
+                    Ok(found) => found,
+                    Err(Unsolved::Locked { share, .. }) => {
+                        assert!(share < 1.0, "{share}");
+                        continue;
+                    }
+                    Err(error) => panic!("{error:?}"),
+                };
+                if contraction > 0.95 {
+                    continue;
+                }
+                let mut own = vec![Series::ZERO; count];
+                for _ in 0..1000 {
+                    let measured = |contact: &Contact<Fifth>| {
+                        let parts = contact.parts(&own);
+                        match contact.measure {
+                            Measure::Length => (parts[0] * parts[0] + parts[1] * parts[1]).sqrt(),
+                            Measure::Largest => parts[0].abs().max(parts[1].abs()),
+                        }
+                    };
+                    own = contacts.iter().map(measured).collect();
+                }
+                for (found, own) in loads.into_iter().zip(own) {
+                    let size = own
+                        .coefficients()
+                        .into_iter()
+                        .fold(1.0, |size: f64, term| size.max(term.abs()));
+                    for (found, own) in found.coefficients().into_iter().zip(own.coefficients()) {
+                        assert!((found - own).abs() < 1e-9 * size, "{found} {own} {contraction}");
+                    }
+                }
+            }
+        }
+    }
 }

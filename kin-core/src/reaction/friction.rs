@@ -7,7 +7,7 @@ use core::fmt;
 use super::action::{AGREEMENT, Influence, Influences, TERMS};
 use super::connection::{Connection, Member};
 use super::frames::{MovedFrame, MovedMechanism, slope_of};
-use super::{MovedNumber, NamedReactions, REACH, ReactionError, ReactionPlace};
+use super::{MovedNumber, NamedReactions, REACH, ReactionError, ReactionPlace, ReactionQuantity};
 use crate::law::Side;
 use crate::number::Number;
 use crate::number::series::Series;
@@ -102,8 +102,16 @@ pub(super) struct ActingFriction<const N: usize> {
     pub(super) speed: f64,
 }
 
-/// A rate below this part of the largest is zero up to rounding, and the next term of the motion counts.
-const NO_RATE: f64 = 1e-12;
+/// The motion by which all inputs leave a place where they stand.
+pub(super) struct Beginning {
+    pub(super) inputs: Vec<MovedNumber>,
+    by_time: f64,
+    side: Side,
+}
+
+/// A rate below this part of the largest is zero up to rounding, and the next term of the motion counts. At the end of a sweep, where the
+/// side counts, no place inside of it may be so close.
+const NO_RATE: f64 = 1e-14;
 /// The same for terms of rates, which are less precise.
 const NO_TERM: f64 = 1e-9;
 
@@ -164,7 +172,7 @@ impl NamedReactions<'_> {
     }
 
     /// The same, where friction opposes a motion with these rates of the inputs wherever all of them rest: the efforts are those at which
-    /// this motion is about to begin. Missing rates are zero.
+    /// this motion is about to begin. Missing rates are zero. Inputs that stand for a moment, as where a law begins, have a motion.
     #[must_use]
     pub fn about_to_move(mut self, rates: &[f64]) -> Self {
         self.about_to_move = Some(rates.to_vec());
@@ -177,19 +185,45 @@ impl NamedReactions<'_> {
         !self.frictions.is_empty()
     }
 
-    /// The rates of the inputs that are about to move, by the variable, if all inputs rest.
-    pub(super) fn beginning(&self, place: &ReactionPlace<'_>) -> Result<Option<Vec<MovedNumber>>, ()> {
-        let rests = |input: &MovedNumber| input.coefficients()[1..].iter().all(|term| *term == 0.0);
-        if !place.inputs.iter().all(rests) {
-            return Ok(None);
-        }
-        let rates = self.about_to_move.as_ref().ok_or(())?;
+    /// The speeds of the motions in all joints with friction, as quantities along a sweep.
+    pub(crate) fn speeds_with_friction(&self) -> impl Iterator<Item = ReactionQuantity> {
+        (0..self.frictions.len()).map(ReactionQuantity::JointSpeed)
+    }
+
+    pub(super) fn joint_speed(&self, place: &ReactionPlace<'_>, index: usize) -> Result<MovedNumber, ReactionError> {
+        let moved = place.moved(place.parameters, &place.inputs)?;
+        let frames = moved.frames(&place.functions.outline())?;
+        let rate = relative_rate(&self.connections[self.frictions[index].0], &moved, &frames);
+        Ok(rate * Series::constant(place.rate))
+    }
+
+    /// The motion that gives friction its sense where all inputs stand for a moment, or rest.
+    pub(super) fn beginning(&self, place: &ReactionPlace<'_>) -> Result<Option<Beginning>, ReactionError> {
+        let moves = |order: &usize| place.inputs.iter().any(|input| input.coefficients()[*order] != 0.0);
+        let order = (1..REACH).find(moves);
+        let rates: Vec<f64> = match (order, &self.about_to_move) {
+            (Some(1), _) => return Ok(None),
+            // the way of the inputs is straight there, whatever the power of the variable is with which they begin
+            (Some(order), _) => place.inputs.iter().map(|input| input.coefficients()[order]).collect(),
+            (None, Some(rates)) => rates.clone(),
+            (None, None) => return Err(ReactionError::AtRest),
+        };
         let inputs = place.inputs.iter().enumerate().map(|(input, value)| {
             let mut terms = [0.0; REACH];
             (terms[0], terms[1]) = (value.real(), rates.get(input).copied().unwrap_or(0.0));
             Series::from_coefficients(terms)
         });
-        Ok(Some(inputs.collect()))
+        // before an even power, the inputs come back on the way on which they go
+        let returns = place.side == Side::Left && order.is_some_and(|order| order.is_multiple_of(2));
+        Ok(Some(Beginning {
+            inputs: inputs.collect(),
+            by_time: place.rate * if returns { -1.0 } else { 1.0 },
+            side: if returns || order.is_none() {
+                Side::Right
+            } else {
+                place.side
+            },
+        }))
     }
 
     /// All friction that acts in a motion, with its sense.
@@ -203,16 +237,9 @@ impl NamedReactions<'_> {
             return Ok(Vec::new());
         }
         let outline = influences.outline;
-        let beginning = self.beginning(place).map_err(|()| ReactionError::AtRest)?;
-        let rests = beginning.is_some();
-        let begun = match beginning {
-            Some(inputs) => &place.moved(place.parameters, &inputs)?,
-            None => moved,
-        };
-        let (by_time, side) = if rests {
-            (1.0, Side::Right)
-        } else {
-            (place.rate, place.side)
+        let (begun, by_time, side) = match self.beginning(place)? {
+            Some(Beginning { inputs, by_time, side }) => (&place.moved(place.parameters, &inputs)?, by_time, side),
+            None => (moved, place.rate, place.side),
         };
         let frames = moved.frames(outline)?;
         let begun_frames = begun.frames(outline)?;
@@ -260,7 +287,9 @@ fn sizes<const N: usize>(own: &Connection, moved: &MovedMechanism<N>, frames: &[
         }
     };
     if own.slide.is_none() {
-        frames.iter().for_each(|frame| add(frame.turn));
+        for frame in frames {
+            add(frame.turn);
+        }
     } else {
         for joint in &moved.places[..moved.joints] {
             let velocity = slope_of(*joint);
@@ -289,7 +318,7 @@ fn sense<const N: usize>(rate: Series<N>, sizes: [f64; N], by_time: f64, side: S
         term.abs() > least * size
     });
     terms.next().map(|(order, (term, _))| {
-        let is_turned = side == Side::Left && order % 2 == 1;
+        let is_turned = side == Side::Left && !order.is_multiple_of(2);
         term.signum() * by_time.signum() * if is_turned { -1.0 } else { 1.0 }
     })
 }

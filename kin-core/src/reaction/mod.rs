@@ -45,9 +45,14 @@
 //! for each slide, a moment where nothing but the slide keeps its slider from turning, and the efforts of the drives. (J. Wittenburg,
 //! *Dynamics of Multibody Systems*, 2nd edition, Springer 2008, chapter 5.) Their matrix and the loads are series in time, and so are the
 //! solutions, from the triangular factors of one matrix: rates are exact, and nothing is divided by a speed.
+//!
+//! [Friction](Friction) opposes the motion in a pin with the moment μ r |F| and on a slide with the force μ |N|, which change F and N in turn.
+//! The same factors tell by how much, and a system with one equation for each joint with friction remains. Its size is bounded before it is
+//! solved: see [`contraction`](Reactions::contraction).
 
 mod action;
 mod connection;
+mod contact;
 mod coulomb;
 mod demand;
 mod efficiency;
@@ -130,6 +135,8 @@ pub(crate) enum ReactionQuantity {
     Input,
     /// The power of friction.
     Heat,
+    /// The speed of the motion in a joint with friction, by its place among them.
+    JointSpeed(usize),
 }
 
 /// The reactions of a mechanism of the plane under loads.
@@ -279,7 +286,7 @@ impl<'m> NamedReactions<'m> {
         };
         let solution = self.solution(&place)?;
         let speeds = match self.beginning(&place) {
-            Ok(Some(begun)) => begun,
+            Ok(Some(begun)) => begun.inputs,
             _ => place.inputs,
         };
         let efforts = solution.efforts.iter().zip(&speeds);
@@ -308,6 +315,9 @@ impl<'m> NamedReactions<'m> {
         place: &ReactionPlace<'_>,
         quantity: ReactionQuantity,
     ) -> Result<MovedNumber, ReactionError> {
+        if let ReactionQuantity::JointSpeed(index) = quantity {
+            return self.joint_speed(place, index);
+        }
         let solution = self.solution(place)?;
         let by_time = Series::constant(place.rate);
         let names: Vec<String> = self.names().map(ToString::to_string).collect();
@@ -327,7 +337,7 @@ impl<'m> NamedReactions<'m> {
                     Ok(sum + effort(input)? * slope(*value) * by_time)
                 });
             }
-            ReactionQuantity::Heat => return Ok(solution.heat * by_time),
+            ReactionQuantity::Heat | ReactionQuantity::JointSpeed(_) => return Ok(solution.heat * by_time),
         };
         let force = solution.forces[index];
         let found = match part {

@@ -39,7 +39,7 @@ pub(crate) struct Joint {
 }
 
 /// The joints of a mechanism with forces, whose names depend on no dimension.
-pub(crate) fn joints(functions: &dyn LinkageFunctions) -> Result<Vec<Joint>, ReactionError> {
+pub(crate) fn joints(functions: &dyn LinkageFunctions) -> Result<Vec<Joint>, Box<ReactionError>> {
     let linkage = AnyLinkage::new(functions, &vec![1.0; functions.description().parameters.len()]);
     let reactions = linkage.reactions(&linkage.loads())?;
     let joint = |name: &str| Joint {
@@ -221,7 +221,7 @@ pub(crate) enum Force {
 pub(crate) struct ForceColumns {
     /// All of them.
     pub(crate) all: Vec<ForceColumn>,
-    joints: Option<ReactionError>,
+    joints: Option<Box<ReactionError>>,
 }
 
 impl ForceColumns {
@@ -284,7 +284,7 @@ impl ForceColumn {
                 };
                 format!("{name}_{part}{rate}")
             }
-            Force::Heat => format!("friction_power{rate}"),
+            Force::Heat => format!("friction_heat{rate}"),
         }
     }
 

@@ -15,7 +15,7 @@ use kin_core::law::{Piecewise, Side};
 use kin_core::linkage::{AnyCycle, AnyLinkage, AnySweep, TabledMechanism};
 use kin_core::load::NamedLoads;
 use kin_core::prelude::*;
-use kin_core::reaction::{Friction, NamedReactions};
+use kin_core::reaction::NamedReactions;
 use kin_core::sweep::{Laws, SmoothDrive, StraightLine, SweepError, Table};
 use kin_core::tape::structure::Tape;
 use kin_core::tape::{self, RecordError};
@@ -439,11 +439,11 @@ impl Subject {
     }
 
     fn reactions(&self, case: &Case, loads: &NamedLoads) -> Result<NamedReactions<'_>, Fault> {
-        let mut reactions = self.linkage(&case.parameters).reactions(loads);
+        let mut reactions = self.linkage(&case.parameters).reactions(loads).map_err(Fault::wrong)?;
         for (name, friction) in &case.frictions {
-            reactions = reactions.and_then(|reactions| reactions.friction(name, *friction));
+            reactions = reactions.friction(name, *friction).map_err(Fault::wrong)?;
         }
-        reactions.map_err(Fault::wrong)
+        Ok(reactions)
     }
 
     /// The times inside of the motion at which the speed of an input jumps, where a mass has no bounded effort.

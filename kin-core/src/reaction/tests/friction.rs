@@ -10,6 +10,7 @@ use crate::assembly::Assembly;
 use crate::extremes::Over;
 use crate::geometry::Plane;
 use crate::law::{Piecewise, Rise, Shape};
+use crate::library;
 use crate::linkage::AnyLinkage;
 use crate::load::NamedLoads;
 use crate::motion::Motion;
@@ -417,7 +418,7 @@ fn bodies_cut_free() {
 
 /// What drives give beyond virtual work without friction is heat, with its rates.
 fn balances(linkage: &AnyLinkage<'_>, loads: &NamedLoads, frictions: &[(&str, Friction)], range: [f64; 2]) {
-    let bare = linkage.reactions(loads).expect("its bodies are declared");
+    let bare = linkage.reactions_as_guessed(loads).expect("bodies of the plane");
     let reactions = rubbed(bare, frictions);
     let law = Rise::new(Shape::Polynomial56789, range[0], range[1], 0.7).expect("a law");
     let laws: [&dyn Piecewise<f64>; 1] = [&law];
@@ -500,6 +501,31 @@ fn power_is_balanced() {
     }
     let linkage = AnyLinkage::of(&LIFT);
     balances(&linkage, &heavy(&linkage), &LIFT_FRICTION, [0.4, 1.3]);
+    let inverted: library::InvertedSliderCrank = library::InvertedSliderCrank { r1: 0.5, r2: 0.2 };
+    let quick: library::WhitworthQuickReturn = library::WhitworthQuickReturn {
+        ground: 0.05,
+        crank: 0.1,
+        arm: 0.15,
+        rod: 0.5,
+    };
+    let yoke: library::ScotchYoke = library::ScotchYoke { crank: 0.2, gamma: 1.4 };
+    for linkage in [AnyLinkage::of(&inverted), AnyLinkage::of(&quick), AnyLinkage::of(&yoke)] {
+        let loads = heavy(&linkage);
+        let bare = linkage.reactions_as_guessed(&loads).expect("bodies of the plane");
+        let all = bare.names().map(|name| match bare.is_slide(name) {
+            Ok(true) => (name, bushing(0.1, 0.1)),
+            _ => (name, pin(0.2, 0.01)),
+        });
+        // of those that move
+        let moves = |(name, friction): &(&str, Friction)| {
+            let own = rubbed(bare.clone(), &[(*name, *friction)]);
+            let found = own.at(&[Motion::at_constant_speed(0.7, 1.0)], PositionChoice::Assembly(0));
+            !matches!(found, Err(ReactionError::NoSense { .. }))
+        };
+        let all: Vec<_> = all.filter(moves).collect();
+        assert!(all.len() > 2, "{all:?}");
+        balances(&linkage, &loads, &all, [0.4, 1.1]);
+    }
 }
 
 /// The rates of forces with friction are their differences along the motion.
@@ -565,6 +591,44 @@ fn a_motion_that_turns_back() {
     let across = sweep.of_reaction(&reactions, "piston_slide", ReactionPart::X, 0);
     let crossings = across.crossings(0.0).expect("it closes");
     assert!(crossings.len() == 1 && crossings[0].at.abs() < 1e-11, "{crossings:?}");
+}
+
+/// Where a law begins and ends, the motion beside it gives friction its sense, in a dead centre too.
+#[test]
+fn laws_begin_and_end() {
+    let linkage = AnyLinkage::of(&ENGINE);
+    let loads = linkage
+        .loads()
+        .force(Plane::new(-900.0, 2000.0), "piston")
+        .expect("a point");
+    let reactions = linkage.reactions(&loads).expect("its bodies are declared");
+    let reactions = rubbed(
+        reactions,
+        &[("piston_slide", slide(0.2)), ("ground_arm", pin(0.3, 0.02))],
+    );
+    for shape in [Shape::Cycloidal, Shape::Polynomial56789, Shape::SimpleHarmonic] {
+        for [from, to] in [[0.0, 1.0], [1.0, 0.0], [0.4, 1.0], [1.0, 3.0]] {
+            let law = Rise::new(shape, from, to, 0.1).expect("a law");
+            let laws: [&dyn Piecewise<f64>; 1] = [&law];
+            let sweep = linkage.sweep(AssemblyChoice::Index(0)).under_laws(&laws, 0.0..=0.1, 5);
+            let along = |name: &str, part| {
+                sweep
+                    .of_reaction(&reactions, name, part, 0)
+                    .column()
+                    .expect("it closes")
+            };
+            let [slide, pin] = [("piston_slide", ReactionPart::X), ("ground_arm", ReactionPart::Moment)]
+                .map(|(name, part)| along(name, part));
+            // the piston goes in as the crank goes forwards, up to half a turn
+            let forwards = if to > from { 1.0 } else { -1.0 };
+            for (slide, pin) in slide.iter().zip(&pin) {
+                assert!(
+                    slide * forwards > 0.1 && pin * forwards < -0.1,
+                    "{shape:?} {from} {to}: {slide} {pin}"
+                );
+            }
+        }
+    }
 }
 
 /// Over a cycle, a constant force does no work, and all that the drive gives is heat.

@@ -19,13 +19,10 @@ const KINDS: [&str; 8] = [
     "gravity", "mass", "inertia", "force", "torque", "spring", "damper", "friction",
 ];
 
-/// The joints with forces.
-type Joints<'j> = dyn Fn() -> Result<Vec<Joint>, ReactionError> + 'j;
-
 /// The loads, and what is wrong in them.
 pub(super) fn read(
     entries: &[Entry],
-    (places, joints): (NamedLoads, &Joints<'_>),
+    (places, joints): (NamedLoads, &Result<Vec<Joint>, Box<ReactionError>>),
     description: &Description<'_>,
     section: Option<Range<usize>>,
     lengths: &mut Lengths,
@@ -33,11 +30,23 @@ pub(super) fn read(
     let (mut loads, mut mistakes) = (Loads::default(), Vec::new());
     let mut reader = Reader {
         places,
-        joints,
+        joints: joints.as_deref().unwrap_or_default(),
         description,
         lengths,
     };
+    let mut is_told = false;
     for entry in entries {
+        if let (Err(error), true) = (joints, is_friction(entry)) {
+            if !is_told {
+                mistakes.push(
+                    entry
+                        .head
+                        .mistake(format!("friction depends on the forces in joints: {error}")),
+                );
+            }
+            is_told = true;
+            continue;
+        }
         let gravity = loads.gravity.is_some();
         match reader.load(entry) {
             Ok(Read::Gravity(_)) if gravity => mistakes.push(entry.head.mistake("gravity has two values")),
@@ -66,6 +75,11 @@ pub(super) fn read(
 const FRICTION: &str = "friction is that of a pin or a slide: write `friction of knee = 0.1, radius 12mm;` or `friction of \
                         piston = 0.15;`";
 
+/// Whether an entry states friction.
+pub(super) fn is_friction(entry: &Entry) -> bool {
+    is_ident(entry.words.first(), "friction")
+}
+
 /// What an entry says.
 enum Read {
     Gravity([InSi; 3]),
@@ -83,7 +97,7 @@ enum Place {
 
 struct Reader<'r, 'd> {
     places: NamedLoads,
-    joints: &'r Joints<'r>,
+    joints: &'r [Joint],
     description: &'r Description<'d>,
     lengths: &'r mut Lengths,
 }
@@ -203,8 +217,7 @@ impl Reader<'_, '_> {
         }
         let name = word.to_string();
         let wrong = |message: String| Mistake::new(message, range_of(&entry.words[2]));
-        let joints = (self.joints)();
-        let joints = joints.map_err(|error| wrong(format!("friction depends on the forces in joints: {error}")))?;
+        let joints = self.joints;
         let Some(joint) = joints.iter().find(|joint| joint.name == name) else {
             let advice = similar(&name, joints.iter().map(|joint| joint.name.as_str()));
             return Err(wrong(format!("there is no joint `{name}`; {advice}")));
@@ -234,7 +247,7 @@ impl Reader<'_, '_> {
         };
         let friction = match (joint.is_slide, size("radius ")?, size("length ")?) {
             (false, Some(radius), _) => JointFriction::Pin(coefficient, radius),
-            (true, _, length) if length.is_some() == !sizes.is_empty() => JointFriction::Slide(coefficient, length),
+            (true, _, length) if length.is_none() == sizes.is_empty() => JointFriction::Slide(coefficient, length),
             (false, ..) => {
                 let slide = format!("{name}_slide");
                 let slide = joints.iter().find(|joint| joint.name == slide);
@@ -246,7 +259,7 @@ impl Reader<'_, '_> {
             }
             (true, ..) => {
                 return Err(sizes[0].mistake(format!(
-                    "`{name}` is a slide, which has no radius: write `{0}`, or `{0}, length 40mm` for a bushing whose \
+                    "`{name}` is a slide: write `{0}`, or `{0}, length 40mm` for a bushing whose \
                      moment rubs too",
                     first.text
                 )));

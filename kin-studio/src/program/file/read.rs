@@ -62,14 +62,19 @@ impl KinFile {
             places = places.with_bodies(&mechanism.outline());
         }
         let place = sections.place_of("loads");
-        let joints = || joints(&mechanism);
+        let has_friction = sections.loads.iter().any(loads::is_friction);
+        let joints = if has_friction {
+            joints(&mechanism)
+        } else {
+            Ok(Vec::new())
+        };
         let (loads, wrong) = loads::read(&sections.loads, (places, &joints), description, place, &mut lengths);
         mistakes.extend(wrong);
         // a mistake in the loads is no reason to miss their columns
         let forces = if sections.loads.is_empty() {
             ForceColumns::default()
         } else {
-            ForceColumns::of(&mechanism, !loads.frictions.is_empty())
+            ForceColumns::of(&mechanism, has_friction)
         };
         let names = columns::names(description, &forces);
         let mut advised = false;
