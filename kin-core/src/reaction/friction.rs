@@ -109,9 +109,9 @@ pub(super) struct Beginning {
     side: Side,
 }
 
-/// A rate below this part of the largest is zero up to rounding, and the next term of the motion counts. At the end of a sweep, where the
-/// side counts, no place inside of it may be so close.
-const NO_RATE: f64 = 1e-14;
+/// A rate below this part of the largest is zero up to rounding, and the next term of the motion counts. It is no more than rounding, as
+/// places next to the end of a stretch, where its side counts, are 16 ε of the variable away from it.
+const NO_RATE: f64 = 8.0 * f64::EPSILON;
 /// The same for terms of rates, which are less precise.
 const NO_TERM: f64 = 1e-9;
 
