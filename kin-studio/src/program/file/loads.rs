@@ -72,8 +72,8 @@ pub(super) fn read(
 }
 
 /// How friction is written.
-const FRICTION: &str = "friction is that of a pin or a slide: write `friction of knee = 0.1, radius 12mm;` or `friction of \
-                        piston = 0.15;`";
+const FRICTION: &str = "friction is that of a pin or a slide: write `friction of knee = 0.1, radius 12mm;` or \
+                        `friction of piston = 0.15;`";
 
 /// Whether an entry states friction.
 pub(super) fn is_friction(entry: &Entry) -> bool {
