@@ -18,7 +18,7 @@ use crate::any::Of;
 use crate::load::{EFFORT_ENTRIES, LoadError, NamedLoads};
 use crate::mechanism::{JacobianError, JacobianMeasure, Mechanism, rows_of};
 use crate::number::Number;
-use crate::reaction::{NamedReactions, ReactionError, ReactionPart};
+use crate::reaction::{NamedReactions, ReactionError, ReactionQuantity};
 use crate::sweep::{Local, SmoothDrive, Sweep, UntypedSweep};
 
 /// A sweep whose quantities can be asked for. A new version may add items.
@@ -165,6 +165,12 @@ pub trait AskedQuantity<S> {
     #[doc(hidden)]
     fn at(&self, sweep: &S, station: &SweepStation<'_>) -> Result<Local, ExtremesError>;
 
+    /// The parameters at which it jumps, as far as its motion decides them.
+    #[doc(hidden)]
+    fn jumps(&self, _: &S) -> Result<Vec<f64>, ExtremesError> {
+        Ok(Vec::new())
+    }
+
     /// The derivative that it is, if it is one.
     #[doc(hidden)]
     fn derivative(&self) -> Option<Named> {
@@ -270,23 +276,35 @@ impl<S: QuantitySource> AskedQuantity<S> for ByEffort<'_> {
     }
 }
 
-/// A part of the force in a joint, or one of its rates.
+/// A force in a joint, an effort or a power, or one of its rates.
 #[derive(Clone, Debug)]
 pub struct ByReaction<'q> {
     reactions: &'q NamedReactions<'q>,
-    index: Result<usize, ExtremesError>,
-    part: ReactionPart,
+    quantity: Result<ReactionQuantity, ExtremesError>,
     order: usize,
 }
 
 impl<S: QuantitySource> AskedQuantity<S> for ByReaction<'_> {
     fn check(&self, _: &S, _: usize) -> Result<(), ExtremesError> {
-        self.index.clone().map(|_| ())
+        self.quantity.clone().map(|_| ())
     }
 
     fn at(&self, sweep: &S, station: &SweepStation<'_>) -> Result<Local, ExtremesError> {
-        let index = self.index.clone()?;
-        station.reaction(sweep.changed(), self.reactions, (index, self.part), self.order)
+        let quantity = self.quantity.clone()?;
+        station.reaction(sweep.changed(), self.reactions, quantity, self.order)
+    }
+
+    /// Friction jumps where the motion in a joint turns back.
+    fn jumps(&self, sweep: &S) -> Result<Vec<f64>, ExtremesError> {
+        let mut jumps = Vec::new();
+        if let Ok(ReactionQuantity::JointSpeed(_)) = self.quantity {
+            return Ok(jumps);
+        }
+        for quantity in self.reactions.speeds_with_friction() {
+            let speed = QuantityAlong::by_reaction(sweep, self.reactions, Ok(quantity), 0);
+            jumps.extend(speed.crossings(0.0)?.into_iter().map(|crossing| crossing.at));
+        }
+        Ok(jumps)
     }
 }
 
@@ -410,21 +428,18 @@ impl<'c, 'q, S: QuantitySource> QuantityAlong<'c, S, ByReaction<'q>> {
     pub(crate) fn by_reaction(
         sweep: &'c S,
         reactions: &'q NamedReactions<'q>,
-        name: &str,
-        part: ReactionPart,
+        quantity: Result<ReactionQuantity, ReactionError>,
         order: usize,
     ) -> Self {
-        let index = reactions.index(name).and_then(|index| {
-            let is_known = order < EFFORT_ENTRIES;
-            is_known.then_some(index).ok_or(ReactionError::NoSuchRate { order })
-        });
-        let index = index.map_err(|error| ExtremesError::of_reaction(f64::NAN, error));
+        let is_known = order < EFFORT_ENTRIES;
+        let quantity =
+            quantity.and_then(|quantity| is_known.then_some(quantity).ok_or(ReactionError::NoSuchRate { order }));
+        let quantity = quantity.map_err(|error| ExtremesError::of_reaction(f64::NAN, error));
         Self::new(
             sweep,
             ByReaction {
                 reactions,
-                index,
-                part,
+                quantity,
                 order,
             },
         )
@@ -602,6 +617,7 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
                 progress.reach(part);
             }
         };
+        let jumps = || self.quantity.jumps(self.sweep);
         let found = question(&QuantityOfSweep {
             sweep: self.sweep.untyped(),
             drive: self.sweep.drive(),
@@ -611,6 +627,7 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
                 functions: self.sweep.named(),
             }),
             known: None,
+            jumps: Some(&jumps),
             progress: Some(&report),
         })?;
         if let Some(progress) = &self.progress {

@@ -7,6 +7,7 @@ use super::margin::Margins;
 use super::station::{ResultIndex, SweepStation};
 use crate::any::{Of, description, motions, row, write};
 use crate::failure::SolveError;
+use crate::law::Side;
 use crate::load::{Balance, LoadError, Loaded, LoadsOf};
 use crate::mechanism::{Jacobian, JacobianError, Mechanism, Pose, rows_of};
 use crate::motion::Motion;
@@ -107,6 +108,7 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
             unknowns: real(self.near.as_ref()),
             outputs: self.outputs.as_ref().into(),
             rate: source.rate,
+            side: Side::Right,
             variable: source.variable,
         })
     }

@@ -68,6 +68,7 @@ impl KnownSweep<'_> {
             quantity,
             rate: None,
             known: Some(self.stretch),
+            jumps: None,
             progress: None,
         };
         let found = asked.extremes()?;

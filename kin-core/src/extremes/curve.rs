@@ -314,6 +314,7 @@ impl<'c> Curve<'c> {
     /// The stretches, in the order of the sweep.
     pub(super) fn stretches(&self) -> Result<Vec<Stretch<'c>>, ExtremesError> {
         self.quantity.check()?;
+        let jumps = self.quantity.jumps.map_or_else(|| Ok(Vec::new()), |find| find())?;
         let circuits = match self.quantity.known() {
             Some((ends, mark)) => alloc::vec![([self.extent.from, self.extent.to], ends, mark)],
             None => self.circuits()?,
@@ -322,7 +323,7 @@ impl<'c> Curve<'c> {
         let mut stretches = Vec::new();
         for (ends, kinds, mark) in circuits {
             let mut start = (ends[0], kinds[0]);
-            for cut in self.cuts(ends) {
+            for cut in self.cuts(ends, &jumps) {
                 self.add(&mut stretches, [start, cut], &mark);
                 start = cut;
             }
@@ -455,13 +456,19 @@ impl<'c> Curve<'c> {
     }
 
     /// The joints of laws and the edges between two points, in the order from the first to the second.
-    fn cuts(&self, ends: [f64; 2]) -> Vec<(f64, StretchEnd)> {
+    fn cuts(&self, ends: [f64; 2], jumps: &[f64]) -> Vec<(f64, StretchEnd)> {
         let [low, high] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
         let inside = |(at, _): &&(f64, LimitKind)| low < *at && *at < high;
         let edges = self.edges.iter().filter(inside);
         let mut cuts: Vec<(f64, StretchEnd)> = edges.map(|(at, kind)| (*at, StretchEnd::Limit(*kind))).collect();
         let joints = self.quantity.joints(ends).into_iter();
         cuts.extend(joints.map(|joint| (joint, StretchEnd::Joint)));
+        for &jump in jumps.iter().filter(|jump| low < **jump && **jump < high) {
+            let near = |at: f64| (at - jump).abs() <= resolution(ends);
+            if !near(low) && !near(high) && !cuts.iter().any(|(at, _)| near(*at)) {
+                cuts.push((jump, StretchEnd::Joint));
+            }
+        }
         cuts.sort_by(|one, other| one.0.total_cmp(&other.0));
         cuts.dedup_by(|one, other| one.0 == other.0);
         if ends[0] > ends[1] {

@@ -11,8 +11,8 @@ use crate::cycle::{Cycle, EndKind, FullCycle, MeasureError};
 use crate::geometry::Plane;
 use crate::library::{FourBar, InvertedSliderCrank, SliderCrank, WattII};
 use crate::mechanism::Mechanism;
-use crate::number::samples;
-use crate::sweep::Swept;
+use crate::number::{Number as _, samples};
+use crate::sweep::{Local, Swept};
 use crate::verify::Random;
 
 /// 3 + 7 = 4 + 6: all links lie on a line at 0 degrees.
@@ -335,6 +335,33 @@ crate::mechanism! {
     y == h + x;
     output size: Length = sqrt(x * x);
     output bend: Length = sqrt(x * x) + x * x / h;
+}
+
+/// A mean is divided at kinks and jumps, wherever they are: that of a speed's size is the way over the time.
+#[test]
+fn a_mean_across_kinks_and_jumps() {
+    let linkage = FourBar {
+        r1: 9.0,
+        r2: 3.0,
+        r3: 7.0,
+        r4: 6.0,
+    };
+    for start in [0.0, 0.4, 2.7] {
+        let sweep = linkage.sweep(Assembly::Open).over(start..=start + TAU, 30).speed(2.0);
+        let [low, high] = [sweep.of("theta4").lowest(), sweep.of("theta4").highest()].map(|peak| peak.unwrap().value);
+        let speed = sweep.of_expression(|at| at.theta4.velocity().abs());
+        let mean = speed.mean(Over::Time).unwrap();
+        assert!((mean.value - 2.0 * (high - low) * 2.0 / TAU).abs() < 1e-12, "{mean:?}");
+        let rises = sweep.of_expression(|at| Local::constant(if at.theta4.velocity() > 0.0 { 3.0 } else { 1.0 }));
+        let turns = sweep.of("theta4_velocity").crossings(0.0).unwrap();
+        let way = (turns[1].at - turns[0].at).rem_euclid(TAU);
+        let up = if turns[0].is_rising { way } else { TAU - way };
+        let mean = rises.mean(Over::Time).unwrap();
+        assert!(
+            (mean.value - (1.0 + 2.0 * up / TAU)).abs() < 1e-12,
+            "{mean:?} {turns:?}"
+        );
+    }
 }
 
 /// A kink of an output is found between rows as well as in a row.

@@ -1,5 +1,7 @@
 //! Means and root mean squares.
 
+use alloc::vec::Vec;
+
 use super::ExtremesError;
 use super::curve::{Curve, Edge, Stretch, StretchEnd};
 use crate::number::{GAUSS, Number};
@@ -9,6 +11,10 @@ use crate::sweep::Local;
 const PRECISION: f64 = 1e-12;
 /// The halvings of a stretch.
 const HALVINGS: usize = 12;
+/// A piece of a curve that is shorter than this part of a stretch is next to a kink.
+const SHARP: f64 = 1.0 / 1_048_576.0;
+/// The ratio of lengths above which one piece is halved more often than the other.
+const HALF: f64 = 1.5;
 /// The most points of the trapezoid rule.
 const MOST_POINTS: u32 = 1 << 15;
 
@@ -50,26 +56,76 @@ impl Integral {
     }
 }
 
+/// Where a curve has kinks and jumps: its pieces become shorter and shorter towards each of them.
+struct SharpParameters {
+    parameters: Vec<f64>,
+    end: f64,
+    longest: f64,
+    /// The length of the last piece.
+    before: f64,
+    /// The ends of the shortest pieces, as far as their lengths do not rise again.
+    shortest: Option<[f64; 2]>,
+}
+
+impl SharpParameters {
+    fn of(stretch: &Stretch<'_>) -> Self {
+        let [from, end] = stretch.parameters;
+        Self {
+            parameters: alloc::vec![from],
+            end,
+            longest: SHARP * (end - from).abs(),
+            before: f64::INFINITY,
+            shortest: None,
+        }
+    }
+
+    fn meet(&mut self, [left, right]: [f64; 2]) {
+        let length = (right - left).abs();
+        if length > HALF * self.before {
+            self.parameters.extend(self.shortest.take().into_iter().flatten());
+        } else if self.before > HALF * length {
+            self.shortest = (length <= self.longest).then_some([left, right]);
+        } else if let Some([_, end]) = &mut self.shortest {
+            *end = right;
+        }
+        self.before = length;
+    }
+
+    /// The ends of the stretch with the kinks between them.
+    fn divided(mut self) -> Vec<f64> {
+        self.parameters.extend(self.shortest.into_iter().flatten());
+        self.parameters.push(self.end);
+        self.parameters.dedup();
+        self.parameters
+    }
+}
+
 impl<'c> Curve<'c> {
     /// The mean of a power of the quantity: 1, or 2 for the mean square.
     pub(super) fn mean(&self, over: Over, power: i32) -> Result<Mean, ExtremesError> {
         let stretches = self.stretches()?;
         // Quadrature steps over change points and poles. The pieces of the curve meet them, and the sweep is divided
         // there.
+        let mut divisions = Vec::with_capacity(stretches.len());
         for stretch in &stretches {
-            let [_, end] = self.parts(stretch, false, &mut |_, _| Ok(()))?;
+            let mut sharp = SharpParameters::of(stretch);
+            let [_, end] = self.parts(stretch, false, &mut |_, nodes| {
+                sharp.meet(nodes.map(|node| node.parameter));
+                Ok(())
+            })?;
+            divisions.push(sharp.divided());
             if stretch.ends[1] == StretchEnd::Joint && self.quantity.impulse(&end)? != [false; 2] {
                 return Err(ExtremesError::Unbounded { at: end.at });
             }
         }
-        let is_smooth_revolution =
-            self.extent.is_full_revolution && stretches.len() == 1 && self.is_periodic(&stretches)?;
+        let is_smooth = stretches.len() == 1 && divisions[0].len() == 2;
+        let is_smooth_revolution = self.extent.is_full_revolution && is_smooth && self.is_periodic(&stretches)?;
         if is_smooth_revolution && let Some(mean) = self.over_revolution(&stretches[0], power)? {
             return Ok(mean);
         }
         let covered = self.covered(&stretches);
         let (mut sum, mut error) = (Integral::default(), 0.0);
-        for stretch in &stretches {
+        for (stretch, parameters) in stretches.iter().zip(&divisions) {
             // first, as it decides whether there is an integral at all
             if let Some(edge) = stretch.edge {
                 sum = sum.plus(self.beside_limit(stretch, edge, over, power)?, 1.0);
@@ -78,8 +134,16 @@ impl<'c> Curve<'c> {
             let whole = self.gauss(stretch, [from, to], over, power)?;
             // where the quantity should be zero, its size elsewhere decides what is rounding
             let scale = whole.size.max(Number::powi(self.size.get(), power) * whole.weight);
-            let part = self.halved(stretch, [from, to], whole, scale, over, power, HALVINGS, &mut error)?;
-            sum = sum.plus(part, 1.0);
+            for ends in parameters.windows(2) {
+                let ends = [ends[0], ends[1]];
+                let whole = if parameters.len() == 2 {
+                    whole
+                } else {
+                    self.gauss(stretch, ends, over, power)?
+                };
+                let part = self.halved(stretch, ends, whole, scale, over, power, HALVINGS, &mut error)?;
+                sum = sum.plus(part, 1.0);
+            }
         }
         let mean = Mean {
             value: sum.value / sum.weight,

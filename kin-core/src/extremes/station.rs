@@ -7,12 +7,13 @@ use super::ExtremesError;
 use super::margin::{DyadFunctions, Margins};
 use crate::any::{NearOver, Of, OutputsOver, SkeletonOver};
 use crate::failure::SolveError;
+use crate::law::Side;
 use crate::load::{Change, EFFORT_ENTRIES, NamedLoads, NamedMotion};
 use crate::mechanism::{Description, Jacobian, Mechanism};
 use crate::number::series::Series;
 use crate::number::{Changing, Number, NumberRow};
 use crate::quantity::{Dimension, Quantity};
-use crate::reaction::{NamedReactions, ReactionFunctions, ReactionPart, ReactionPlace};
+use crate::reaction::{NamedReactions, ReactionFunctions, ReactionPlace, ReactionQuantity};
 use crate::solve::{Scalar, unwrap_near};
 use crate::sweep::{Local, READ, TERMS, by_time, composed};
 
@@ -99,6 +100,8 @@ pub struct SweepStation<'s> {
     pub(super) outputs: NumberRow,
     /// The change of the variable for each unit of time.
     pub(super) rate: f64,
+    /// The side from which it is approached.
+    pub(super) side: Side,
     /// The variable as a series in the parameter.
     pub(super) variable: Local,
 }
@@ -274,12 +277,12 @@ impl SweepStation<'_> {
         effort.map_err(|error| ExtremesError::of_loads(at, error))
     }
 
-    /// A part of the force in a joint, or one of its rates.
+    /// A force in a joint, an effort or a power, or one of its rates.
     pub(super) fn reaction(
         &self,
         functions: &dyn ChangedFunctions,
         reactions: &NamedReactions<'_>,
-        (index, part): (usize, ReactionPart),
+        quantity: ReactionQuantity,
         order: usize,
     ) -> Result<Local, ExtremesError> {
         let here = ReactionPlace {
@@ -289,8 +292,9 @@ impl SweepStation<'_> {
             unknowns: &self.unknowns,
             outputs: &self.outputs,
             rate: self.rate,
+            side: self.side,
         };
-        let found = reactions.part(&here, index, part);
+        let found = reactions.quantity(&here, quantity);
         let found = found.map_err(|error| ExtremesError::of_reaction(self.variable.real(), error))?;
         Ok(self.by_time(&found.derivatives(), order))
     }

@@ -28,6 +28,9 @@ pub(super) const JUMP: f64 = 1e-9;
 /// A quantity of a pose.
 pub(crate) type PoseQuantity<'q> = dyn Fn(&SweepStation<'_>) -> Result<Local, ExtremesError> + 'q;
 
+/// Places of a sweep.
+pub(super) type JumpParameters<'q> = dyn Fn() -> Result<Vec<f64>, ExtremesError> + 'q;
+
 /// What a search knows of a sweep.
 #[derive(Clone, Copy)]
 pub(super) struct SweepExtent {
@@ -81,6 +84,8 @@ pub(super) struct QuantityOfSweep<'c> {
     pub(super) quantity: &'c PoseQuantity<'c>,
     pub(super) rate: Option<RateOfQuantity<'c>>,
     pub(super) known: Option<KnownStretch<'c>>,
+    /// Finds the parameters at which the quantity jumps, as far as its motion decides them.
+    pub(super) jumps: Option<&'c JumpParameters<'c>>,
     /// Receives the part of the sweep that has been searched.
     pub(super) progress: Option<&'c dyn Fn(f64)>,
 }
@@ -170,6 +175,7 @@ impl<'c> QuantityOfSweep<'c> {
             unknowns: reached.unknowns(),
             outputs: reached.outputs(),
             rate,
+            side,
             variable,
         };
         Ok((station, Mark::new(walk)))

@@ -8,14 +8,15 @@ use super::AnyLinkage;
 use crate::any::AssemblyChoice;
 use crate::exact::{ExactTable, ExactTableError, Precision, exact_table};
 use crate::extremes::{
-    ByDyad, ByEffort, ByJacobian, ByName, ByReaction, ChangedFunctions, NamedFunctions, QuantityAlong, QuantitySource,
+    ByDyad, ByEffort, ByJacobian, ByName, ByReaction, ChangedFunctions, ExtremesError, NamedFunctions, Over,
+    QuantityAlong, QuantitySource,
 };
 use crate::failure::SolveError;
 use crate::law::{Piecewise, Side};
 use crate::load::NamedLoads;
 use crate::mechanism::JacobianMeasure;
 use crate::number::{ClosedRange, NumberRow};
-use crate::reaction::{NamedReactions, ReactionPart};
+use crate::reaction::{Efficiency, NamedReactions, ReactionPart, ReactionQuantity};
 use crate::sweep::{
     Footing, Laws, READ, SmoothDrive, StraightLine, SweepError, Table, TabledMechanism, UntypedSweep, Walk,
 };
@@ -182,7 +183,74 @@ impl<D: SmoothDrive> AnySweep<'_, D> {
         part: ReactionPart,
         order: usize,
     ) -> QuantityAlong<'_, Self, ByReaction<'q>> {
-        QuantityAlong::by_reaction(self, reactions, name, part, order)
+        let index = reactions.index(name);
+        let quantity = index.map(|index| ReactionQuantity::Part(index, part));
+        QuantityAlong::by_reaction(self, reactions, quantity, order)
+    }
+
+    /// The effort of the drive of an input with the friction of joints, in the same orders. Without friction it is that of
+    /// [`of_effort`](Self::of_effort).
+    pub fn of_effort_with_friction<'q>(
+        &self,
+        reactions: &'q NamedReactions<'q>,
+        input: usize,
+        order: usize,
+    ) -> QuantityAlong<'_, Self, ByReaction<'q>> {
+        QuantityAlong::by_reaction(self, reactions, reactions.effort_of(input), order)
+    }
+
+    /// The power that friction turns into heat, in the same orders.
+    pub fn of_heat<'q>(
+        &self,
+        reactions: &'q NamedReactions<'q>,
+        order: usize,
+    ) -> QuantityAlong<'_, Self, ByReaction<'q>> {
+        QuantityAlong::by_reaction(self, reactions, Ok(ReactionQuantity::Heat), order)
+    }
+
+    /// The mean power of all drives, and what friction takes of it. Over a cycle the rest goes to the loads.
+    ///
+    /// ```
+    /// use std::f64::consts::TAU;
+    /// use kin_core::any::AssemblyChoice;
+    /// use kin_core::linkage::AnyLinkage;
+    /// use kin_core::prelude::*;
+    /// use kin_core::reaction::Friction;
+    ///
+    /// mechanism! {
+    ///     /// A pendulum in metres.
+    ///     struct Pendulum { length: Length }
+    ///     input theta: Angle;
+    ///     unknown x: Length;
+    ///     x == length * cos(theta);
+    ///     output bob: Point = polar(length, theta);
+    ///     ground 0;
+    ///     body arm: 0, bob;
+    /// }
+    ///
+    /// let linkage = AnyLinkage::of(&Pendulum { length: 0.4 });
+    /// let loads = linkage.loads().gravity(Plane::new(0.0, -9.81)).mass(2.0, "bob")?;
+    /// let friction = Friction::Pin { coefficient: 0.1, radius: 0.01 };
+    /// let reactions = linkage.reactions(&loads)?.friction("ground_arm", friction)?;
+    /// let turn = linkage.sweep(AssemblyChoice::Index(0)).between(&[0.0], &[TAU], 361).speed(0.01);
+    /// let mean = turn.efficiency(&reactions)?;
+    /// // the weight turns with the arm, and all work is heat: μ r m g ω
+    /// assert!((mean.heat - 0.1 * 0.01 * 2.0 * 9.81 * 0.01).abs() < 1e-8);
+    /// assert!(mean.ratio().is_some_and(|ratio| ratio.abs() < 1e-9));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`mean`](QuantityAlong::mean).
+    pub fn efficiency(&self, reactions: &NamedReactions<'_>) -> Result<Efficiency, ExtremesError> {
+        let mean = |quantity| {
+            let power = QuantityAlong::by_reaction(self, reactions, Ok(quantity), 0);
+            Ok::<_, ExtremesError>(power.mean(Over::Time)?.value)
+        };
+        Ok(Efficiency {
+            input: mean(ReactionQuantity::Input)?,
+            heat: mean(ReactionQuantity::Heat)?,
+        })
     }
 
     /// A measure of the Jacobian of results, by their names: see [`of_jacobian`](crate::sweep::Sweep::of_jacobian).

@@ -61,7 +61,7 @@
 //! [`NamedLoads`] acts on points and angles by their names. A program that does not know the type of its mechanism asks an
 //! [`AnySweep`](crate::linkage::AnySweep) for their efforts.
 //!
-//! The forces in the joints are those of [`reaction`](crate::reaction). Not here are friction and impact.
+//! The forces in the joints, with friction, are those of [`reaction`](crate::reaction).
 
 mod balance;
 mod coordinate;

@@ -33,7 +33,7 @@ pub use row::Row;
 pub(crate) use row::at_constant_rate;
 pub(crate) use single::single;
 #[cfg(feature = "alloc")]
-pub(crate) use singular_values::singular_values;
+pub(crate) use singular_values::{shifted, singular_values};
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};

@@ -254,7 +254,7 @@ fn first_order<const N: usize, const C: usize>(series: [Series<N>; C]) -> usize 
 }
 
 /// The series over a power of its variable. The last terms are not known, and are zero.
-fn shifted<const N: usize>(series: Series<N>, order: usize) -> Series<N> {
+pub(crate) fn shifted<const N: usize>(series: Series<N>, order: usize) -> Series<N> {
     let coefficients = series.coefficients();
     Series::from_coefficients(core::array::from_fn(|power| {
         coefficients.get(power + order).copied().unwrap_or(0.0)

@@ -144,8 +144,8 @@ impl Action {
 }
 
 /// So many terms of two rates must agree, and to this part of their sizes: a body that turns at another rate does not agree in all of them.
-const TERMS: usize = 3;
-const AGREEMENT: f64 = 1e-7;
+pub(super) const TERMS: usize = 3;
+pub(super) const AGREEMENT: f64 = 1e-7;
 
 /// The sign with which all rates agree with those of a quantity.
 fn sign_of<const N: usize>(rates: &[[Series<N>; 2]]) -> Option<f64> {

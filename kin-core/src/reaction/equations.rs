@@ -8,6 +8,7 @@ use super::ReactionError;
 use super::action::{Action, Influences, Wrench, both, both_turned};
 use super::connection::{Connection, Member, holders};
 use super::frames::{MovedFrame, MovedMechanism, left};
+use super::friction::ActingFriction;
 use super::rank::{Rank, largest, rank};
 use crate::geometry::Plane;
 use crate::number::Number;
@@ -20,7 +21,7 @@ const OF_BODY: usize = 3;
 
 /// What is unknown.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Unknown {
+pub(super) enum Unknown {
     /// A force of a pin along an axis.
     Pin { connection: usize, axis: usize },
     /// The force of a slide at right angles to it.
@@ -29,6 +30,18 @@ enum Unknown {
     Moment { connection: usize, on: Member },
     /// The effort of the drive of an input.
     Effort { input: usize },
+}
+
+impl Unknown {
+    /// The connection of which it is a force or a moment.
+    pub(super) fn connection(self) -> Option<usize> {
+        match self {
+            Self::Pin { connection, .. } | Self::Normal { connection } | Self::Moment { connection, .. } => {
+                Some(connection)
+            }
+            Self::Effort { .. } => None,
+        }
+    }
 }
 
 /// A result, unless equilibrium does not determine it.
@@ -43,6 +56,14 @@ pub(super) struct Solution<const N: usize> {
     pub(super) moments: Vec<Determined<N>>,
     /// The effort of each drive.
     pub(super) efforts: Vec<Determined<N>>,
+    /// The friction on the body of each connection, which its force or moment contains.
+    pub(super) frictions: Vec<Series<N>>,
+    /// The power that friction turns into heat, by the variable.
+    pub(super) heat: Series<N>,
+    /// The same in the motion that gives friction its sense, by time.
+    pub(super) begun_heat: f64,
+    /// The factor by which forces and friction contract.
+    pub(super) contraction: f64,
 }
 
 /// The unknowns, and the forces of a unit of each.
@@ -58,6 +79,9 @@ pub(super) struct Equations<'e, const N: usize> {
     pub(super) moved: &'e MovedMechanism<N>,
     pub(super) frames: &'e [MovedFrame<N>],
     pub(super) drives: &'e [Action],
+    pub(super) frictions: &'e [ActingFriction<N>],
+    /// -1 on the left side of a place.
+    pub(super) parity: f64,
 }
 
 impl<const N: usize> Equations<'_, N> {
@@ -102,7 +126,18 @@ impl<const N: usize> Equations<'_, N> {
         if !values.iter().all(|value| value.is_finite()) {
             return Err(ReactionError::NotFinite);
         }
-        Ok(self.solution(&unknowns, &values, &is_open))
+        if self.frictions.is_empty() {
+            return Ok(self.solution(&unknowns, &values, &is_open));
+        }
+        let response = |acting: &ActingFriction<N>| {
+            let mut response = vec![Series::ZERO; unknowns.len()];
+            for (column, value) in basis.iter().zip(solve(&self.resisting(acting))) {
+                response[*column] = value;
+            }
+            response
+        };
+        let responses: Vec<_> = self.frictions.iter().map(response).collect();
+        self.with_friction(&unknowns, values, &is_open, &responses)
     }
 
     /// The unknowns with their columns. Slides have moments where nothing else keeps the slider from turning.
@@ -153,9 +188,7 @@ impl<const N: usize> Equations<'_, N> {
         let mut names: Vec<String> = Vec::new();
         for (column, unknown) in unknowns.iter().enumerate() {
             let takes_part = |combination: &Vec<f64>| combination[column].abs() > NO_PART * largest(combination);
-            let (Unknown::Pin { connection, .. } | Unknown::Normal { connection } | Unknown::Moment { connection, .. }) =
-                *unknown
-            else {
+            let Some(connection) = unknown.connection() else {
                 continue;
             };
             let name = &self.connections[connection].name;
@@ -205,8 +238,13 @@ impl<const N: usize> Equations<'_, N> {
             }
             Unknown::Effort { input } => self.drives[input].wrenches(self.moved, self.frames, one),
         };
+        self.flat_column(wrenches)
+    }
+
+    /// Forces on all bodies as a column.
+    pub(super) fn flat_column(&self, wrenches: Vec<(usize, Wrench<Series<N>>)>) -> Vec<Series<N>> {
         let length = self.length();
-        let mut column = vec![zero; self.frames.len() * OF_BODY];
+        let mut column = vec![Series::ZERO; self.frames.len() * OF_BODY];
         for (body, wrench) in wrenches {
             for (entry, part) in column[body * OF_BODY..].iter_mut().zip(flat(&wrench, length)) {
                 *entry = *entry + part;
@@ -227,11 +265,15 @@ impl<const N: usize> Equations<'_, N> {
         if square > 0.0 { Number::sqrt(square) } else { 1.0 }
     }
 
-    fn solution(&self, unknowns: &[Unknown], values: &[Series<N>], is_open: &[bool]) -> Solution<N> {
+    pub(super) fn solution(&self, unknowns: &[Unknown], values: &[Series<N>], is_open: &[bool]) -> Solution<N> {
         let mut solution = Solution {
             forces: vec![Some(Plane::zero()); self.connections.len()],
             moments: vec![Some(Series::ZERO); self.connections.len()],
             efforts: vec![Some(Series::ZERO); self.drives.len()],
+            frictions: vec![Series::ZERO; self.connections.len()],
+            heat: Series::ZERO,
+            begun_heat: 0.0,
+            contraction: 0.0,
         };
         for ((unknown, value), is_open) in unknowns.iter().zip(values).zip(is_open) {
             let known = (!is_open).then_some(*value);

@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 use core::error::Error;
 use core::fmt;
 
+use super::friction::FrictionMistake;
 use crate::failure::SolveError;
 use crate::load::LoadError;
 use crate::quantity::Digits;
@@ -79,6 +80,34 @@ pub enum ReactionError {
         reaction: String,
         /// All reactions that are not determined.
         all: Vec<String>,
+    },
+    /// A joint cannot have the friction that is stated for it.
+    Friction {
+        /// The reaction.
+        reaction: String,
+        /// What is wrong.
+        mistake: FrictionMistake,
+    },
+    /// All inputs rest, and nothing says which motion friction opposes.
+    AtRest,
+    /// The bodies of a joint do not move against each other, so that its friction has no sense.
+    NoSense {
+        /// The reaction.
+        reaction: String,
+    },
+    /// Friction holds the mechanism: no forces of joints and drives move it in this sense.
+    Locked {
+        /// The share of the friction up to which there are forces.
+        share: f64,
+        /// The reactions whose friction is largest there.
+        reactions: Vec<String>,
+    },
+    /// The iteration for friction has not converged.
+    FrictionUnsolved {
+        /// The number of its steps.
+        steps: usize,
+        /// The factor by which each of them should contract.
+        contraction: f64,
     },
     /// A result is not finite.
     NotFinite,
@@ -188,6 +217,26 @@ impl fmt::Display for ReactionError {
                 formatter,
                 "the force `{reaction}` is not determined: the joints hold the bodies in more than one way, and equilibrium leaves open {}",
                 Listed(all)
+            ),
+            Self::Friction { reaction, mistake } => write!(formatter, "the friction of `{reaction}`: {mistake}"),
+            Self::AtRest => formatter.write_str(
+                "all inputs rest, where friction takes any sense: say by `about_to_move` which motion is about to begin, or leave out the rest",
+            ),
+            Self::NoSense { reaction } => write!(
+                formatter,
+                "the bodies of `{reaction}` do not move against each other, so that its friction has no sense: leave it out"
+            ),
+            Self::Locked { share, reactions } => write!(
+                formatter,
+                "friction locks the mechanism, and no drive moves it in this sense: forces are in balance up to {} of the friction \
+                 that is stated, most of it at {}",
+                Digits(*share),
+                Listed(reactions)
+            ),
+            Self::FrictionUnsolved { steps, contraction } => write!(
+                formatter,
+                "friction and the forces that cause it are not found within {steps} steps, each of which contracts by {}",
+                Digits(*contraction)
             ),
             Self::NotFinite => write!(
                 formatter,

@@ -45,18 +45,28 @@
 //! for each slide, a moment where nothing but the slide keeps its slider from turning, and the efforts of the drives. (J. Wittenburg,
 //! *Dynamics of Multibody Systems*, 2nd edition, Springer 2008, chapter 5.) Their matrix and the loads are series in time, and so are the
 //! solutions, from the triangular factors of one matrix: rates are exact, and nothing is divided by a speed.
+//!
+//! [Friction](Friction) opposes the motion in a pin with the moment μ r |F| and on a slide with the force μ |N|, which change F and N in turn.
+//! The same factors tell by how much, and a system with one equation for each joint with friction remains. Its size is bounded before it is
+//! solved: see [`contraction`](Reactions::contraction).
 
 mod action;
 mod connection;
+mod contact;
+mod coulomb;
 mod demand;
+mod efficiency;
 mod equations;
 mod error;
 mod frames;
+mod friction;
 mod rank;
 #[cfg(test)]
 mod tests;
 
+pub use efficiency::Efficiency;
 pub use error::ReactionError;
+pub use friction::{Friction, FrictionMistake};
 
 use alloc::string::{String, ToString};
 use alloc::vec;
@@ -67,7 +77,8 @@ use crate::any::{AnyMechanism, NearOver, OutputsOver, Pictured, PositionChoice, 
 use crate::failure::SolveError;
 use crate::geometry::Plane;
 use crate::hermite::TERMS;
-use crate::load::NamedLoads;
+use crate::law::Side;
+use crate::load::{LoadError, NamedLoads};
 use crate::motion::Motion;
 use crate::number::series::Series;
 use crate::number::{Number, NumberRow, singular_values};
@@ -78,7 +89,7 @@ use action::{Action, Influence, Influences, Wrench};
 use connection::{Connection, Member, connections, member_name};
 use demand::Demand;
 use equations::{Equations, Solution};
-use frames::MovedMechanism;
+use frames::{MovedMechanism, slope};
 
 /// The orders of a motion up to snap, and the terms of a series of each.
 const REACH: usize = 4 + TERMS;
@@ -109,8 +120,23 @@ pub enum ReactionPart {
     Y,
     /// The size of the force.
     Force,
-    /// The moment of a slide about its joint; zero in a pin.
+    /// The moment of a slide about its joint; in a pin, that of friction.
     Moment,
+}
+
+/// What is asked of the reactions along a sweep.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum ReactionQuantity {
+    /// A part of a reaction, by its index.
+    Part(usize, ReactionPart),
+    /// The effort of the drive of an input.
+    Effort(usize),
+    /// The power of all drives.
+    Input,
+    /// The power of friction.
+    Heat,
+    /// The speed of the motion in a joint with friction, by its place among them.
+    JointSpeed(usize),
 }
 
 /// The reactions of a mechanism of the plane under loads.
@@ -129,6 +155,10 @@ pub struct NamedReactions<'m> {
     connections: Vec<Connection>,
     /// The body that an input is said to drive.
     driven: Vec<Option<usize>>,
+    /// The friction of connections.
+    frictions: Vec<(usize, Friction)>,
+    /// The rates of the inputs that friction opposes while all of them rest.
+    about_to_move: Option<Vec<f64>>,
 }
 
 impl fmt::Debug for NamedReactions<'_> {
@@ -148,6 +178,8 @@ pub(crate) struct ReactionPlace<'p> {
     pub(crate) outputs: &'p [f64],
     /// The change of the variable for each unit of time.
     pub(crate) rate: f64,
+    /// The side from which the place is approached, where friction changes its sense.
+    pub(crate) side: Side,
 }
 
 /// By so much dimensions are changed, each by another part of it, to tell apart what moves alike by its length alone.
@@ -178,6 +210,8 @@ impl<'m> NamedReactions<'m> {
             loads: loads.clone(),
             connections: connections(&outline),
             driven: vec![None; functions.description().inputs.len()],
+            frictions: Vec::new(),
+            about_to_move: None,
         })
     }
 
@@ -248,21 +282,63 @@ impl<'m> NamedReactions<'m> {
             unknowns: &unknowns,
             outputs: &[],
             rate: 1.0,
+            side: Side::Right,
         };
+        let solution = self.solution(&place)?;
+        let speeds = match self.beginning(&place) {
+            Ok(Some(begun)) => begun.inputs,
+            _ => place.inputs,
+        };
+        let efforts = solution.efforts.iter().zip(&speeds);
+        let input = efforts.map(|(effort, speed)| Some(effort.as_ref()?.real() * speed.coefficients()[1]));
         Ok(Reactions {
             names: self.names().map(ToString::to_string).collect(),
-            solution: self.solution(&place)?,
+            efficiency: input.sum::<Option<f64>>().map(|input| Efficiency {
+                input,
+                heat: solution.begun_heat,
+            }),
+            solution,
         })
     }
 
-    /// One part of a reaction as a series in the variable.
-    pub(crate) fn part(
+    /// The effort of the drive of an input, as a quantity along a sweep.
+    pub(crate) fn effort_of(&self, input: usize) -> Result<ReactionQuantity, ReactionError> {
+        let is_input = input < self.driven.len();
+        is_input
+            .then_some(ReactionQuantity::Effort(input))
+            .ok_or(LoadError::NoEffort { input }.into())
+    }
+
+    /// A quantity as a series in the variable.
+    pub(crate) fn quantity(
         &self,
         place: &ReactionPlace<'_>,
-        index: usize,
-        part: ReactionPart,
+        quantity: ReactionQuantity,
     ) -> Result<MovedNumber, ReactionError> {
+        if let ReactionQuantity::JointSpeed(index) = quantity {
+            return self.joint_speed(place, index);
+        }
         let solution = self.solution(place)?;
+        let by_time = Series::constant(place.rate);
+        let names: Vec<String> = self.names().map(ToString::to_string).collect();
+        let effort = |input: usize| {
+            let effort = solution.efforts[input];
+            effort.ok_or_else(|| {
+                let drive = drive_of(self.functions.description().inputs[input].name);
+                undetermined(&solution, &names, drive)
+            })
+        };
+        let (index, part) = match quantity {
+            ReactionQuantity::Part(index, part) => (index, part),
+            ReactionQuantity::Effort(input) => return effort(input),
+            ReactionQuantity::Input => {
+                let mut inputs = place.inputs.iter().enumerate();
+                return inputs.try_fold(Series::ZERO, |sum, (input, value)| {
+                    Ok(sum + effort(input)? * slope(*value) * by_time)
+                });
+            }
+            ReactionQuantity::Heat | ReactionQuantity::JointSpeed(_) => return Ok(solution.heat * by_time),
+        };
         let force = solution.forces[index];
         let found = match part {
             ReactionPart::X => force.map(|force| force.x),
@@ -270,10 +346,7 @@ impl<'m> NamedReactions<'m> {
             ReactionPart::Force => force.map(size),
             ReactionPart::Moment => solution.moments[index],
         };
-        found.ok_or_else(|| {
-            let names: Vec<String> = self.names().map(ToString::to_string).collect();
-            undetermined(&solution, &names, index)
-        })
+        found.ok_or_else(|| undetermined(&solution, &names, names[index].clone()))
     }
 
     fn solution(&self, place: &ReactionPlace<'_>) -> Result<Solution<REACH>, ReactionError> {
@@ -310,6 +383,7 @@ impl<'m> NamedReactions<'m> {
             influences.action(drive_of(quantity.name), found, wanted)
         });
         let drives = drives.collect::<Result<Vec<Action>, _>>()?;
+        let frictions = self.acting(place, &moved, &influences)?;
         let equations = Equations {
             outline: &outline,
             connections: &self.connections,
@@ -317,6 +391,8 @@ impl<'m> NamedReactions<'m> {
             moved: &moved,
             frames: &frames,
             drives: &drives,
+            frictions: &frictions,
+            parity: if place.side == Side::Left { -1.0 } else { 1.0 },
         };
         equations.solve(&demand.bodies)
     }
@@ -341,10 +417,10 @@ fn size(force: Plane<MovedNumber>) -> MovedNumber {
     length.first().copied().unwrap_or(Series::ZERO)
 }
 
-fn undetermined(solution: &Solution<REACH>, names: &[String], index: usize) -> ReactionError {
+fn undetermined(solution: &Solution<REACH>, names: &[String], reaction: String) -> ReactionError {
     let is_open = |index: &usize| solution.forces[*index].is_none() || solution.moments[*index].is_none();
     ReactionError::Undetermined {
-        reaction: names[index].clone(),
+        reaction,
         all: (0..names.len())
             .filter(is_open)
             .map(|index| names[index].clone())
@@ -419,8 +495,10 @@ pub struct Reaction {
     pub x: [f64; ORDERS],
     /// The force along y.
     pub y: [f64; ORDERS],
-    /// The moment of a slide about its joint; zero in a pin.
+    /// The moment of a slide about its joint; in a pin, that of friction.
     pub moment: [f64; ORDERS],
+    /// What of it is friction: the moment in a pin, and the force along the direction of a slide.
+    pub friction: [f64; ORDERS],
     force: Plane<MovedNumber>,
 }
 
@@ -449,6 +527,7 @@ fn orders(series: MovedNumber) -> [f64; ORDERS] {
 #[derive(Clone, Debug)]
 pub struct Reactions {
     names: Vec<String>,
+    efficiency: Option<Efficiency>,
     solution: Solution<REACH>,
 }
 
@@ -464,9 +543,10 @@ impl Reactions {
                 x: orders(force.x),
                 y: orders(force.y),
                 moment: orders(moment),
+                friction: orders(self.solution.frictions[index]),
                 force,
             }),
-            _ => Err(undetermined(&self.solution, &self.names, index)),
+            _ => Err(undetermined(&self.solution, &self.names, self.names[index].clone())),
         }
     }
 
@@ -479,5 +559,25 @@ impl Reactions {
     #[must_use]
     pub fn effort(&self, input: usize) -> Option<[f64; ORDERS]> {
         self.solution.efforts.get(input).copied().flatten().map(orders)
+    }
+
+    /// The power that friction turns into heat, with its rates.
+    #[must_use]
+    pub fn heat(&self) -> [f64; ORDERS] {
+        orders(self.solution.heat)
+    }
+
+    /// The power of the drives and what friction takes of it; at rest, for the motion that is [about to
+    /// begin](NamedReactions::about_to_move). What is left also moves masses. None if equilibrium does not determine an effort.
+    #[must_use]
+    pub fn efficiency(&self) -> Option<Efficiency> {
+        self.efficiency
+    }
+
+    /// A bound of the factor by which forces change friction and friction the forces. Below 1 there is no other solution; from 1 on, this is
+    /// the one that grows with friction from the forces without it.
+    #[must_use]
+    pub fn contraction(&self) -> f64 {
+        self.solution.contraction
     }
 }

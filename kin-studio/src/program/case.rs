@@ -3,6 +3,7 @@
 use kin_core::Dimension;
 use kin_core::any::{Description, Quantity};
 use kin_core::load::NamedLoads;
+use kin_core::reaction::Friction;
 
 use super::assembly;
 use super::fault::{Fault, listed, similar};
@@ -47,6 +48,8 @@ pub(crate) struct Case {
     pub(crate) assembly: Wanted,
     /// The loads, none if nothing was said of them.
     pub(crate) loads: Option<NamedLoads>,
+    /// The friction in joints.
+    pub(crate) frictions: Vec<(String, Friction)>,
     /// The name of the unit of length, empty if there is none.
     pub(crate) length: &'static str,
     /// Whether angles are shown in degrees.
@@ -140,6 +143,7 @@ impl Typed {
             loads: self
                 .loads
                 .named(subject.description(), &subject.outline(), lengths.metres())?,
+            frictions: self.loads.frictions(lengths.metres()),
             length: lengths.name(),
             in_degrees: !self.radians,
         })
@@ -425,7 +429,7 @@ impl Case {
     pub(crate) fn forces(&self, subject: &Subject) -> ForceColumns {
         self.loads
             .as_ref()
-            .map_or_else(ForceColumns::default, |_| subject.forces())
+            .map_or_else(ForceColumns::default, |_| subject.forces(!self.frictions.is_empty()))
     }
 
     /// The metres of the unit of length.

@@ -90,7 +90,7 @@ mod tests {
     #[test]
     fn a_point_has_the_columns_of_its_coordinates() {
         let subject = Subject::of::<FiveBar>();
-        let names = names(subject.description(), &subject.forces());
+        let names = names(subject.description(), &subject.forces(false));
         let chosen = |wanted: &[&str]| {
             let wanted: Vec<String> = wanted.iter().map(|&name| name.to_owned()).collect();
             chosen(&wanted, &names)

@@ -3,7 +3,7 @@
 use kin_core::any::{Description, Outline};
 use kin_core::linkage::{AnyLinkage, LinkageFunctions};
 use kin_core::load::{NamedLoads, NoSuchPlace, PointPlace};
-use kin_core::reaction::{NamedReactions, ReactionError, ReactionPart};
+use kin_core::reaction::{Friction, ReactionError, ReactionPart};
 use kin_core::{Dimension, Plane, Space};
 
 use super::fault::Fault;
@@ -16,6 +16,37 @@ pub(crate) struct Loads {
     pub(crate) gravity: Option<[InSi; 3]>,
     /// The loads in their order.
     pub(crate) all: Vec<Load>,
+    /// The friction in joints, by the names of their reactions.
+    pub(crate) frictions: Vec<(String, JointFriction)>,
+}
+
+/// Friction in a joint: its coefficient, and the radius of a pin or the length of a bushing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum JointFriction {
+    /// In a pin.
+    Pin(f64, InSi),
+    /// On a slide.
+    Slide(f64, Option<InSi>),
+}
+
+/// A joint with a force.
+#[derive(Clone, Debug)]
+pub(crate) struct Joint {
+    /// The name of its reaction.
+    pub(crate) name: String,
+    /// Whether it is a slide.
+    pub(crate) is_slide: bool,
+}
+
+/// The joints of a mechanism with forces, whose names depend on no dimension.
+pub(crate) fn joints(functions: &dyn LinkageFunctions) -> Result<Vec<Joint>, Box<ReactionError>> {
+    let linkage = AnyLinkage::new(functions, &vec![1.0; functions.description().parameters.len()]);
+    let reactions = linkage.reactions(&linkage.loads())?;
+    let joint = |name: &str| Joint {
+        name: name.to_owned(),
+        is_slide: reactions.is_slide(name) == Ok(true),
+    };
+    Ok(reactions.names().map(joint).collect())
 }
 
 /// A number in SI, which the unit of lengths of the mechanism divides.
@@ -76,6 +107,11 @@ impl InSi {
         }
     }
 
+    /// Whether it is above zero.
+    pub(crate) fn is_positive(self) -> bool {
+        self.value > 0.0
+    }
+
     fn own(self, metres: f64) -> f64 {
         self.value / metres.powi(self.lengths)
     }
@@ -89,7 +125,7 @@ fn space(parts: [InSi; 3], metres: f64) -> Space<f64> {
 impl Loads {
     /// Whether nothing is said of loads.
     pub(crate) fn is_empty(&self) -> bool {
-        self.all.is_empty() && self.gravity.is_none()
+        self.all.is_empty() && self.gravity.is_none() && self.frictions.is_empty()
     }
 
     /// The loads on a mechanism whose unit of lengths has so many metres, if there are any.
@@ -108,6 +144,22 @@ impl Loads {
             loads = load.added(loads, metres).map_err(Fault::wrong)?;
         }
         Ok(Some(loads))
+    }
+
+    /// The friction in joints of a mechanism whose unit of lengths has so many metres.
+    pub(crate) fn frictions(&self, metres: f64) -> Vec<(String, Friction)> {
+        let own = |friction: JointFriction| match friction {
+            JointFriction::Pin(coefficient, radius) => Friction::Pin {
+                coefficient,
+                radius: radius.own(metres),
+            },
+            JointFriction::Slide(coefficient, length) => Friction::Slide {
+                coefficient,
+                length: length.map(|length| length.own(metres)),
+            },
+        };
+        let all = self.frictions.iter();
+        all.map(|(name, friction)| (name.clone(), own(*friction))).collect()
     }
 }
 
@@ -144,7 +196,7 @@ impl Load {
     }
 }
 
-/// A column of a force that the loads cause, or of one of its rates.
+/// A column of a force or a power that the loads cause, or of one of its rates.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ForceColumn {
     /// What it is.
@@ -160,6 +212,8 @@ pub(crate) enum Force {
     Effort(usize),
     /// A part of the force in a joint.
     Reaction(String, ReactionPart),
+    /// The power that friction turns into heat.
+    Heat,
 }
 
 /// The columns of forces, and why there are none of joints.
@@ -167,30 +221,27 @@ pub(crate) enum Force {
 pub(crate) struct ForceColumns {
     /// All of them.
     pub(crate) all: Vec<ForceColumn>,
-    joints: Option<ReactionError>,
+    joints: Option<Box<ReactionError>>,
 }
 
 impl ForceColumns {
     /// Those of a mechanism under loads.
-    pub(crate) fn of(functions: &dyn LinkageFunctions) -> Self {
-        let description = functions.description();
-        let mut forces: Vec<Force> = (0..description.inputs.len()).map(Force::Effort).collect();
-        // the names depend on no dimension
-        let linkage = AnyLinkage::new(functions, &vec![1.0; description.parameters.len()]);
-        let reactions = linkage.reactions(&linkage.loads());
-        for name in reactions.iter().flat_map(NamedReactions::names) {
+    pub(crate) fn of(functions: &dyn LinkageFunctions, has_friction: bool) -> Self {
+        let mut forces: Vec<Force> = (0..functions.description().inputs.len()).map(Force::Effort).collect();
+        let joints = joints(functions);
+        for Joint { name, is_slide } in joints.iter().flatten() {
             let parts = [
                 ReactionPart::X,
                 ReactionPart::Y,
                 ReactionPart::Force,
                 ReactionPart::Moment,
             ];
-            let is_slide = reactions.iter().any(|reactions| reactions.is_slide(name) == Ok(true));
             let own = parts
                 .into_iter()
-                .filter(|part| is_slide || *part != ReactionPart::Moment);
-            forces.extend(own.map(|part| Force::Reaction(name.to_owned(), part)));
+                .filter(|part| *is_slide || *part != ReactionPart::Moment);
+            forces.extend(own.map(|part| Force::Reaction(name.clone(), part)));
         }
+        forces.extend(has_friction.then_some(Force::Heat));
         let column = |force: &Force, order| ForceColumn {
             force: force.clone(),
             order,
@@ -200,7 +251,7 @@ impl ForceColumns {
             .flat_map(|force| (0..RATES.len()).map(move |order| column(force, order)));
         Self {
             all: all.collect(),
-            joints: reactions.err(),
+            joints: joints.err(),
         }
     }
 
@@ -233,20 +284,26 @@ impl ForceColumn {
                 };
                 format!("{name}_{part}{rate}")
             }
+            Force::Heat => format!("friction_heat{rate}"),
         }
     }
 
-    /// Whether it is a torque or a moment.
+    /// Whether it is a torque, a moment or a power, which have the same power of lengths.
     fn is_torque(&self, description: &Description<'_>) -> bool {
         match &self.force {
             Force::Effort(input) => description.inputs[*input].dimension != Dimension::Length,
             Force::Reaction(_, part) => *part == ReactionPart::Moment,
+            Force::Heat => true,
         }
     }
 
     /// Its unit.
     pub(crate) fn unit(&self, description: &Description<'_>) -> String {
-        let unit = if self.is_torque(description) { "N m" } else { "N" };
+        let unit = match self.force {
+            Force::Heat => "W",
+            _ if self.is_torque(description) => "N m",
+            _ => "N",
+        };
         format!("{unit}{}", RATES[self.order].1)
     }
 

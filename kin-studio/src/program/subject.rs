@@ -9,7 +9,7 @@ use kin_core::batch::LengthMismatch;
 use kin_core::cycle::BlockClass;
 use kin_core::exact::{ExactTable, ExactTableError, Precision};
 use kin_core::extremes::{
-    AskedQuantity, Extreme, ExtremeKind, ExtremesError, Mean, Over, QuantityAlong, QuantitySource,
+    AskedQuantity, ByReaction, Extreme, ExtremeKind, ExtremesError, Mean, Over, QuantityAlong, QuantitySource,
 };
 use kin_core::law::{Piecewise, Side};
 use kin_core::linkage::{AnyCycle, AnyLinkage, AnySweep, TabledMechanism};
@@ -157,6 +157,20 @@ fn of_exact_table(error: ExactTableError) -> Fault {
 
 /// The rows of a sweep whose extremes are sought.
 const ROWS_OF_PEAKS: usize = 181;
+
+/// A force or a power that depends on the joints, along a sweep.
+fn of_joints<'s, 'm, D: SmoothDrive>(
+    sweep: &'s AnySweep<'m, D>,
+    reactions: &'s NamedReactions<'s>,
+    force: &Force,
+    order: usize,
+) -> QuantityAlong<'s, AnySweep<'m, D>, ByReaction<'s>> {
+    match force {
+        Force::Effort(input) => sweep.of_effort_with_friction(reactions, *input, order),
+        Force::Reaction(name, part) => sweep.of_reaction(reactions, name, *part, order),
+        Force::Heat => sweep.of_heat(reactions, order),
+    }
+}
 
 /// The lowest and the highest value, and the root of the mean square.
 fn extent_of<S: QuantitySource, Q: AskedQuantity<S>>(quantity: &QuantityAlong<'_, S, Q>) -> Result<Extent, Fault> {
@@ -363,8 +377,8 @@ impl Subject {
     }
 
     /// The columns of forces that loads cause.
-    pub(crate) fn forces(&self) -> ForceColumns {
-        ForceColumns::of(&*self.functions)
+    pub(crate) fn forces(&self, has_friction: bool) -> ForceColumns {
+        ForceColumns::of(&*self.functions, has_friction)
     }
 
     /// The extremes of a force over a sweep, in units of the mechanism.
@@ -390,11 +404,8 @@ impl Subject {
         sweep: &AnySweep<'_, D>,
     ) -> Result<Extent, Fault> {
         match force {
-            Force::Effort(input) => extent_of(&sweep.of_effort(loads, *input, *order)),
-            Force::Reaction(name, part) => {
-                let reactions = self.reactions(case, loads)?;
-                extent_of(&sweep.of_reaction(&reactions, name, *part, *order))
-            }
+            Force::Effort(input) if case.frictions.is_empty() => extent_of(&sweep.of_effort(loads, *input, *order)),
+            _ => extent_of(&of_joints(sweep, &self.reactions(case, loads)?, force, *order)),
         }
     }
 
@@ -421,17 +432,18 @@ impl Subject {
         sweep: &AnySweep<'_, D>,
     ) -> Result<Vec<f64>, Fault> {
         let column = match force {
-            Force::Effort(input) => sweep.of_effort(loads, *input, *order).column(),
-            Force::Reaction(name, part) => {
-                let reactions = self.reactions(case, loads)?;
-                sweep.of_reaction(&reactions, name, *part, *order).column()
-            }
+            Force::Effort(input) if case.frictions.is_empty() => sweep.of_effort(loads, *input, *order).column(),
+            _ => of_joints(sweep, &self.reactions(case, loads)?, force, *order).column(),
         };
         column.map_err(of_extremes)
     }
 
     fn reactions(&self, case: &Case, loads: &NamedLoads) -> Result<NamedReactions<'_>, Fault> {
-        self.linkage(&case.parameters).reactions(loads).map_err(Fault::wrong)
+        let mut reactions = self.linkage(&case.parameters).reactions(loads).map_err(Fault::wrong)?;
+        for (name, friction) in &case.frictions {
+            reactions = reactions.friction(name, *friction).map_err(Fault::wrong)?;
+        }
+        Ok(reactions)
     }
 
     /// The times inside of the motion at which the speed of an input jumps, where a mass has no bounded effort.

@@ -13,6 +13,7 @@ const WIPER: &str = include_str!("wiper.kin");
 const ROBOT: &str = include_str!("robot.kin");
 const PLATFORM: &str = include_str!("platform.kin");
 const PRESS: &str = include_str!("press.kin");
+const PUMP: &str = include_str!("pump.kin");
 
 /// Waits until the page of a server says something.
 fn wait(server: &Server, is_there: impl Fn(&str) -> bool) -> String {
@@ -186,6 +187,30 @@ fn forces_in_joints() {
     ]
     .map(|words| typed_in(&folder, &format!("kin {words}")));
     assert_snapshot!("forces in joints", all.join("\n"));
+}
+
+/// Joints have friction, which efforts and forces contain, whatever the unit of lengths is.
+#[test]
+fn friction_in_joints() {
+    let folder = Folder::new("rubbed");
+    folder.write("pump.kin", PUMP);
+    folder.write("metres.kin", &PUMP.replacen("crank = 50mm", "crank = 0.05m", 1));
+    folder.write(
+        "rest.kin",
+        &PUMP.replacen("360deg at 900rpm", "90deg at 900rpm, rest 0.1s", 1),
+    );
+    let all = [
+        "run pump.kin peaks",
+        "run pump.kin sweep --rows 5",
+        "run rest.kin sweep --rows 3 --columns friction_heat",
+    ]
+    .map(|words| typed_in(&folder, &format!("kin {words}")));
+    assert_snapshot!("friction in joints", all.join("\n"));
+    let [one, other] = ["pump", "metres"].map(|name| typed_in(&folder, &format!("kin run {name}.kin sweep --rows 5")));
+    assert_eq!(
+        one.lines().skip(1).collect::<Vec<_>>(),
+        other.lines().skip(1).collect::<Vec<_>>()
+    );
 }
 
 /// Forces are those of the file in metres, and the body that hangs on a crank pulls at it with its weight.

@@ -180,6 +180,37 @@ fn mistakes_in_masses_of_bodies() {
     assert_snapshot!("mistakes in masses of bodies", all.join("\n"));
 }
 
+/// Friction is that of a joint, and a joint is a pin or a slide.
+#[test]
+fn mistakes_in_friction() {
+    let folder = Folder::new("friction");
+    let right = include_str!("pump.kin");
+    let pin = "friction of pin = 0.1, radius 20mm";
+    let all = [
+        (pin, "friction of pn = 0.1, radius 20mm"),
+        (pin, "friction of = 0.1, radius 20mm"),
+        (pin, "friction pin = 0.1, radius 20mm"),
+        (pin, "friction of ground_arm = 0.1, radius 20mm"),
+        (pin, "friction of piston = 0.1"),
+        (pin, "friction of pin = 0.1, length 20mm"),
+        (pin, "friction of pin = -0.1, radius 20mm"),
+        (pin, "friction of pin = 0.1N, radius 20mm"),
+        (pin, "friction of pin = 0.1, radius 0"),
+        (pin, "friction of pin = 0.1, radius 20deg"),
+        (pin, "friction of pin = 0.1, radius 20mm, 3"),
+        (", length 60mm", ", radius 60mm"),
+        (", length 60mm", ", length -60mm"),
+        ("body arm: 0, pin;\nbody conrod: pin, piston;\nbody block: piston;", ""),
+        ("friction_heat;", "friction_haet;"),
+    ]
+    .map(|(own, other)| {
+        assert!(right.contains(own), "{own}");
+        folder.write("pump.kin", &right.replacen(own, other, 1));
+        typed_in(&folder, "kin check pump.kin")
+    });
+    assert_snapshot!("mistakes in friction", all.join("\n"));
+}
+
 /// Every statement beside the declaration has its mistakes, all of which are told at once.
 #[test]
 fn mistakes_in_loads_motions_and_columns() {

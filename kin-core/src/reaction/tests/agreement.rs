@@ -157,7 +157,7 @@ fn names_tell_the_bodies() {
 
 crate::mechanism! {
     /// A table that a crank lifts between two walls, and a dyad on its edge: three bodies share a joint, and the table cannot turn.
-    struct Lift { crank: Length, rod: Length, width: Length, link: Length, arm: Length }
+    pub(super) struct Lift { crank: Length, rod: Length, width: Length, link: Length, arm: Length }
     input theta: Angle;
     unknown phi: Angle, height: Length, psi: Angle, chi: Angle;
     crank * cis(theta) + rod * cis(phi) == vec2(0, height);
@@ -176,7 +176,7 @@ crate::mechanism! {
     slide foot along vec2(0, 1);
 }
 
-const LIFT: Lift = Lift {
+pub(super) const LIFT: Lift = Lift {
     crank: 0.1,
     rod: 0.3,
     width: 0.2,

@@ -1,9 +1,12 @@
 //! Forces in joints beside closed forms, virtual work, momentum, differences and published values.
 
 mod agreement;
+mod friction;
 mod mistakes;
 mod published;
 mod squeezer;
+
+use agreement::LIFT;
 
 use crate::geometry::Plane;
 use crate::linkage::AnyLinkage;

@@ -5,21 +5,24 @@ use std::ops::Range;
 use kin_core::Dimension;
 use kin_core::any::Description;
 use kin_core::load::NamedLoads;
+use kin_core::reaction::ReactionError;
 use proc_macro2::TokenTree;
 
 use super::super::fault::{listed, similar};
-use super::super::loads::{Centre, End, InSi, Load, Loads};
+use super::super::loads::{Centre, End, InSi, Joint, JointFriction, Load, Loads};
 use super::super::units::{self, Kind};
 use super::super::value::{self, Lengths};
 use crate::file::{Entry, Mistake, Part, is_ident, range_of};
 
 /// The words with which a load begins.
-const KINDS: [&str; 7] = ["gravity", "mass", "inertia", "force", "torque", "spring", "damper"];
+const KINDS: [&str; 8] = [
+    "gravity", "mass", "inertia", "force", "torque", "spring", "damper", "friction",
+];
 
 /// The loads, and what is wrong in them.
 pub(super) fn read(
     entries: &[Entry],
-    places: NamedLoads,
+    (places, joints): (NamedLoads, &Result<Vec<Joint>, Box<ReactionError>>),
     description: &Description<'_>,
     section: Option<Range<usize>>,
     lengths: &mut Lengths,
@@ -27,15 +30,32 @@ pub(super) fn read(
     let (mut loads, mut mistakes) = (Loads::default(), Vec::new());
     let mut reader = Reader {
         places,
+        joints: joints.as_deref().unwrap_or_default(),
         description,
         lengths,
     };
+    let mut is_told = false;
     for entry in entries {
+        if let (Err(error), true) = (joints, is_friction(entry)) {
+            if !is_told {
+                mistakes.push(
+                    entry
+                        .head
+                        .mistake(format!("friction depends on the forces in joints: {error}")),
+                );
+            }
+            is_told = true;
+            continue;
+        }
         let gravity = loads.gravity.is_some();
         match reader.load(entry) {
             Ok(Read::Gravity(_)) if gravity => mistakes.push(entry.head.mistake("gravity has two values")),
             Ok(Read::Gravity(acceleration)) => loads.gravity = Some(acceleration),
             Ok(Read::Load(load)) => loads.all.push(load),
+            Ok(Read::Friction(name, _)) if loads.frictions.iter().any(|(own, _)| *own == name) => {
+                mistakes.push(entry.head.mistake(format!("`{name}` has friction already")));
+            }
+            Ok(Read::Friction(name, friction)) => loads.frictions.push((name, friction)),
             Err(mistake) => mistakes.push(mistake),
         }
     }
@@ -51,10 +71,20 @@ pub(super) fn read(
     (loads, mistakes)
 }
 
+/// How friction is written.
+const FRICTION: &str = "friction is that of a pin or a slide: write `friction of knee = 0.1, radius 12mm;` or \
+                        `friction of piston = 0.15;`";
+
+/// Whether an entry states friction.
+pub(super) fn is_friction(entry: &Entry) -> bool {
+    is_ident(entry.words.first(), "friction")
+}
+
 /// What an entry says.
 enum Read {
     Gravity([InSi; 3]),
     Load(Load),
+    Friction(String, JointFriction),
 }
 
 /// Where a load acts.
@@ -67,6 +97,7 @@ enum Place {
 
 struct Reader<'r, 'd> {
     places: NamedLoads,
+    joints: &'r [Joint],
     description: &'r Description<'d>,
     lengths: &'r mut Lengths,
 }
@@ -87,6 +118,9 @@ impl Reader<'_, '_> {
         };
         if kind == "mass" && is_ident(entry.words.get(1), "of") {
             return self.mass_of(entry).map(Read::Load);
+        }
+        if kind == "friction" {
+            return self.friction_of(entry);
         }
         let places = self.places_of(entry)?;
         let value = &entry.value;
@@ -171,6 +205,67 @@ impl Reader<'_, '_> {
                  `damper {angle} = 0.1Nms/rad;`"
             ),
         }
+    }
+
+    /// `friction of knee = 0.1, radius 12mm`.
+    fn friction_of(&mut self, entry: &Entry) -> Result<Read, Mistake> {
+        let [_, of, TokenTree::Ident(word)] = entry.words.as_slice() else {
+            return Err(entry.head.mistake(FRICTION));
+        };
+        if !is_ident(Some(of), "of") {
+            return Err(entry.head.mistake(FRICTION));
+        }
+        let name = word.to_string();
+        let wrong = |message: String| Mistake::new(message, range_of(&entry.words[2]));
+        let joints = self.joints;
+        let Some(joint) = joints.iter().find(|joint| joint.name == name) else {
+            let advice = similar(&name, joints.iter().map(|joint| joint.name.as_str()));
+            return Err(wrong(format!("there is no joint `{name}`; {advice}")));
+        };
+        let parts = entry.value.parts();
+        let Some((first, sizes)) = parts.split_first().filter(|(_, sizes)| sizes.len() < 2) else {
+            return Err(entry.value.mistake(FRICTION));
+        };
+        let coefficient = value::quantity(Dimension::Scalar, &first.text, self.lengths);
+        let coefficient = coefficient.map_err(|message| first.mistake(message))?;
+        if coefficient < 0.0 {
+            return Err(first.mistake(format!(
+                "a coefficient of friction is not negative: write `{}`",
+                -coefficient
+            )));
+        }
+        let mut size = |word: &str| {
+            let Some(value) = sizes.first().and_then(|part| part.behind(word)) else {
+                return Ok(None);
+            };
+            let length = self.at_rest(units::LENGTH, &value)?;
+            if length.is_positive() {
+                Ok(Some(length))
+            } else {
+                Err(value.mistake(format!("the {word}is above zero, as in `{word}12mm`")))
+            }
+        };
+        let friction = match (joint.is_slide, size("radius ")?, size("length ")?) {
+            (false, Some(radius), _) => JointFriction::Pin(coefficient, radius),
+            (true, _, length) if length.is_none() == sizes.is_empty() => JointFriction::Slide(coefficient, length),
+            (false, ..) => {
+                let slide = format!("{name}_slide");
+                let slide = joints.iter().find(|joint| joint.name == slide);
+                let slide = slide.map_or_else(String::new, |slide| format!("; its slide is `{}`", slide.name));
+                return Err(entry.value.mistake(format!(
+                    "`{name}` is a pin, whose friction needs its radius: write `{}, radius 12mm`{slide}",
+                    first.text
+                )));
+            }
+            (true, ..) => {
+                return Err(sizes[0].mistake(format!(
+                    "`{name}` is a slide: write `{0}`, or `{0}, length 40mm` for a bushing whose \
+                     moment rubs too",
+                    first.text
+                )));
+            }
+        };
+        Ok(Read::Friction(name, friction))
     }
 
     /// `mass of rod = 2kg at (30mm, 0), inertia 0.02kgm2`.

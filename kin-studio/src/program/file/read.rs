@@ -5,7 +5,7 @@ use kin_core::load::NamedLoads;
 use kin_live::Mechanism;
 
 use super::super::columns;
-use super::super::loads::{ForceColumns, Loads};
+use super::super::loads::{ForceColumns, Loads, joints};
 use super::super::value::Lengths;
 use super::{assemblies, loads, numbers};
 use crate::file::{KinDeclaration, Mistake, Section, in_order};
@@ -62,13 +62,19 @@ impl KinFile {
             places = places.with_bodies(&mechanism.outline());
         }
         let place = sections.place_of("loads");
-        let (loads, wrong) = loads::read(&sections.loads, places, description, place, &mut lengths);
+        let has_friction = sections.loads.iter().any(loads::is_friction);
+        let joints = if has_friction {
+            joints(&mechanism)
+        } else {
+            Ok(Vec::new())
+        };
+        let (loads, wrong) = loads::read(&sections.loads, (places, &joints), description, place, &mut lengths);
         mistakes.extend(wrong);
         // a mistake in the loads is no reason to miss their columns
         let forces = if sections.loads.is_empty() {
             ForceColumns::default()
         } else {
-            ForceColumns::of(&mechanism)
+            ForceColumns::of(&mechanism, has_friction)
         };
         let names = columns::names(description, &forces);
         let mut advised = false;
