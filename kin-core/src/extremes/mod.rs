@@ -65,10 +65,11 @@ mod swept;
 mod tests;
 
 pub use along::QuantityAlong;
-pub(crate) use along::pose_quantity;
+pub(crate) use along::{pose_quantity, reactions_in_rows};
 #[doc(hidden)]
 pub use along::{
-    AskedQuantity, ByDyad, ByEffort, ByExpression, ByJacobian, ByName, ByReaction, QuantitySource, SensitiveQuantity,
+    AskedQuantity, ByDyad, ByEffort, ByExpression, ByJacobian, ByName, ByPower, ByReaction, QuantitySource,
+    SensitiveQuantity,
 };
 pub use answer::Answer;
 pub use at::At;

@@ -12,7 +12,7 @@ use crate::mechanism::{Description, Jacobian, Mechanism};
 use crate::number::series::Series;
 use crate::number::{Changing, Number, NumberRow};
 use crate::quantity::{Dimension, Quantity};
-use crate::reaction::{NamedReactions, ReactionFunctions, ReactionPart, ReactionPlace};
+use crate::reaction::{NamedReactions, ReactionFunctions, ReactionPart, ReactionPlace, Reactions};
 use crate::solve::{Scalar, nearest_turn};
 use crate::sweep::{Local, READ, TERMS, by_time, composed};
 
@@ -273,6 +273,27 @@ impl SweepStation<'_> {
         effort.map_err(|error| ExtremesError::of_loads(at, error))
     }
 
+    fn reaction_place<'p>(&'p self, functions: &'p dyn ChangedFunctions) -> ReactionPlace<'p> {
+        ReactionPlace {
+            functions,
+            parameters: &self.parameters,
+            inputs: self.inputs.chunks_exact(READ).map(Series::from_motion).collect(),
+            unknowns: &self.unknowns,
+            outputs: &self.outputs,
+            rate: self.rate,
+        }
+    }
+
+    /// The forces in all joints.
+    pub(super) fn reactions(
+        &self,
+        functions: &dyn ChangedFunctions,
+        reactions: &NamedReactions<'_>,
+    ) -> Result<Reactions, ExtremesError> {
+        let found = reactions.found(&self.reaction_place(functions));
+        found.map_err(|error| ExtremesError::of_reaction(self.variable.real(), error))
+    }
+
     /// A part of the force in a joint, or one of its rates.
     pub(super) fn reaction(
         &self,
@@ -281,15 +302,7 @@ impl SweepStation<'_> {
         (index, part): (usize, ReactionPart),
         order: usize,
     ) -> Result<Local, ExtremesError> {
-        let place = ReactionPlace {
-            functions,
-            parameters: &self.parameters,
-            inputs: self.inputs.chunks_exact(READ).map(Series::from_motion).collect(),
-            unknowns: &self.unknowns,
-            outputs: &self.outputs,
-            rate: self.rate,
-        };
-        let found = reactions.part(&place, index, part);
+        let found = reactions.part(&self.reaction_place(functions), index, part);
         let found = found.map_err(|error| ExtremesError::of_reaction(self.variable.real(), error))?;
         Ok(self.by_time(&found.derivatives(), order))
     }

@@ -43,6 +43,24 @@ pub(super) struct Solution<const N: usize> {
     pub(super) moments: Vec<Determined<N>>,
     /// The effort of each drive.
     pub(super) efforts: Vec<Determined<N>>,
+    /// The couples with which guides keep bodies from turning, which need not be those on which the forces of the slides act.
+    pub(super) turned: Vec<(usize, Wrench<Series<N>>)>,
+}
+
+impl<const N: usize> Solution<N> {
+    /// The same, where each series becomes another one.
+    pub(super) fn map(self, change: impl Fn(Series<N>) -> Series<N>) -> Self {
+        let all = |series: Vec<Determined<N>>| series.into_iter().map(|own| own.map(&change)).collect();
+        let forces = self.forces.into_iter();
+        Self {
+            forces: forces
+                .map(|force| force.map(|Plane { x, y }| Plane::new(change(x), change(y))))
+                .collect(),
+            moments: all(self.moments),
+            efforts: all(self.efforts),
+            turned: self.turned,
+        }
+    }
 }
 
 /// The unknowns, and the forces of a unit of each.
@@ -232,6 +250,7 @@ impl<const N: usize> Equations<'_, N> {
             forces: vec![Some(Plane::zero()); self.connections.len()],
             moments: vec![Some(Series::ZERO); self.connections.len()],
             efforts: vec![Some(Series::ZERO); self.drives.len()],
+            turned: Vec::new(),
         };
         for ((unknown, value), is_open) in unknowns.iter().zip(values).zip(is_open) {
             let known = (!is_open).then_some(*value);
@@ -257,6 +276,7 @@ impl<const N: usize> Equations<'_, N> {
                     let is_turned = own.on == guide && on != guide;
                     let sign = Series::constant(if is_turned { -1.0 } else { 1.0 });
                     solution.moments[connection] = known.map(|known| sign * known);
+                    solution.turned.extend(both_turned([on, guide], known.unwrap_or(Series::ZERO)));
                 }
                 Unknown::Effort { input } => solution.efforts[input] = known,
             }
@@ -269,7 +289,7 @@ impl<const N: usize> Equations<'_, N> {
 const NO_PART: f64 = 1e-9;
 
 fn flat<const N: usize>(wrench: &Wrench<Series<N>>, length: f64) -> [Series<N>; OF_BODY] {
-    let Wrench { force, moment } = *wrench;
+    let Wrench { force, moment, .. } = *wrench;
     [force.x, force.y, moment / Series::constant(length)]
 }
 

@@ -47,6 +47,7 @@
 //! solutions, from the triangular factors of one matrix: rates are exact, and nothing is divided by a speed.
 
 mod action;
+mod body_load;
 mod connection;
 mod demand;
 mod equations;
@@ -56,6 +57,7 @@ mod rank;
 #[cfg(test)]
 mod tests;
 
+pub use body_load::{BodyLoad, BodyLoadKind};
 pub use error::ReactionError;
 
 use alloc::string::{String, ToString};
@@ -241,17 +243,23 @@ impl<'m> NamedReactions<'m> {
         let series = |motion: &Motion| {
             Series::from_derivatives(core::array::from_fn(|order| motion.derivative(order).unwrap_or(0.0)))
         };
-        let place = ReactionPlace {
+        self.found(&ReactionPlace {
             functions: self.functions,
             parameters: &self.parameters,
             inputs: inputs.iter().map(series).collect(),
             unknowns: &unknowns,
             outputs: &[],
             rate: 1.0,
-        };
+        })
+    }
+
+    /// The reactions at a place, by time.
+    pub(crate) fn found(&self, place: &ReactionPlace<'_>) -> Result<Reactions, ReactionError> {
+        let (solution, body_loads) = self.solved(place)?;
         Ok(Reactions {
             names: self.names().map(ToString::to_string).collect(),
-            solution: self.solution(&place)?,
+            solution: solution.map(|series| by_time(series, place.rate)),
+            body_loads,
         })
     }
 
@@ -262,7 +270,7 @@ impl<'m> NamedReactions<'m> {
         index: usize,
         part: ReactionPart,
     ) -> Result<MovedNumber, ReactionError> {
-        let solution = self.solution(place)?;
+        let (solution, _) = self.solved(place)?;
         let force = solution.forces[index];
         let found = match part {
             ReactionPart::X => force.map(|force| force.x),
@@ -276,7 +284,8 @@ impl<'m> NamedReactions<'m> {
         })
     }
 
-    fn solution(&self, place: &ReactionPlace<'_>) -> Result<Solution<REACH>, ReactionError> {
+    /// The solution in series of the variable, and what acts on the bodies beside it.
+    fn solved(&self, place: &ReactionPlace<'_>) -> Result<(Solution<REACH>, Vec<BodyLoad>), ReactionError> {
         let description = place.functions.description();
         let outline = place.functions.outline();
         let moved = place.moved(place.parameters, &place.inputs)?;
@@ -290,6 +299,7 @@ impl<'m> NamedReactions<'m> {
         };
         let nothing = Wrench {
             force: Plane::zero(),
+            at: None,
             moment: Series::ZERO,
         };
         let mut demand = Demand {
@@ -300,6 +310,7 @@ impl<'m> NamedReactions<'m> {
             frames: &frames,
             rate: place.rate,
             bodies: vec![nothing; frames.len()],
+            acting: Vec::new(),
             load: 0,
         };
         demand.add_all()?;
@@ -318,7 +329,20 @@ impl<'m> NamedReactions<'m> {
             frames: &frames,
             drives: &drives,
         };
-        equations.solve(&demand.bodies)
+        let solution = equations.solve(&demand.bodies)?;
+        let mut acting = demand.acting;
+        for (input, (drive, effort)) in drives.iter().zip(&solution.efforts).enumerate() {
+            let wrenches = drive.wrenches(&moved, &frames, effort.unwrap_or(Series::ZERO));
+            acting.extend(wrenches.into_iter().map(|(body, wrench)| (BodyLoadKind::Drive(input), body, wrench)));
+        }
+        let turned = solution.turned.iter();
+        acting.extend(turned.map(|(body, couple)| (BodyLoadKind::Guide, *body, *couple)));
+        let body_loads = acting.iter().map(|acting| {
+            let (_, body, _) = *acting;
+            BodyLoad::new(acting, &frames[body], outline.bodies[body].name)
+        });
+        let body_loads = body_loads.collect();
+        Ok((solution, body_loads))
     }
 }
 
@@ -440,6 +464,16 @@ impl Reaction {
     }
 }
 
+/// A series in the time, from one in a variable that changes so fast.
+fn by_time(series: MovedNumber, rate: f64) -> MovedNumber {
+    let mut power = 1.0;
+    Series::from_coefficients(series.coefficients().map(|coefficient| {
+        let own = coefficient * power;
+        power *= rate;
+        own
+    }))
+}
+
 fn orders(series: MovedNumber) -> [f64; ORDERS] {
     let derivatives = series.derivatives();
     core::array::from_fn(|order| derivatives[order])
@@ -450,6 +484,7 @@ fn orders(series: MovedNumber) -> [f64; ORDERS] {
 pub struct Reactions {
     names: Vec<String>,
     solution: Solution<REACH>,
+    body_loads: Vec<BodyLoad>,
 }
 
 impl Reactions {
@@ -473,6 +508,13 @@ impl Reactions {
     /// All reactions with their names.
     pub fn all(&self) -> impl Iterator<Item = (&str, Result<Reaction, ReactionError>)> {
         self.names.iter().map(|name| (name.as_str(), self.of(name)))
+    }
+
+    /// What acts on the bodies beside the forces in joints: masses, other loads, drives, and the moments of guides. An effort or a moment
+    /// that equilibrium does not determine is zero among them.
+    #[must_use]
+    pub fn body_loads(&self) -> &[BodyLoad] {
+        &self.body_loads
     }
 
     /// The effort of the drive of an input, with its rates; none if equilibrium does not determine it.
