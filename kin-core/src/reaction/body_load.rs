@@ -39,11 +39,7 @@ pub struct BodyLoad {
 pub(super) type Acting<const N: usize> = (BodyLoadKind, usize, Wrench<Series<N>>);
 
 impl BodyLoad {
-    pub(super) fn new<const N: usize>(
-        (kind, _, wrench): &Acting<N>,
-        frame: &MovedFrame<N>,
-        body: &str,
-    ) -> Self {
+    pub(super) fn new<const N: usize>((kind, _, wrench): &Acting<N>, frame: &MovedFrame<N>, body: &str) -> Self {
         let force = [wrench.force.x, wrench.force.y].map(Number::real);
         let at = wrench.at.unwrap_or(frame.origin);
         Self {

@@ -276,7 +276,9 @@ impl<const N: usize> Equations<'_, N> {
                     let is_turned = own.on == guide && on != guide;
                     let sign = Series::constant(if is_turned { -1.0 } else { 1.0 });
                     solution.moments[connection] = known.map(|known| sign * known);
-                    solution.turned.extend(both_turned([on, guide], known.unwrap_or(Series::ZERO)));
+                    solution
+                        .turned
+                        .extend(both_turned([on, guide], known.unwrap_or(Series::ZERO)));
                 }
                 Unknown::Effort { input } => solution.efforts[input] = known,
             }

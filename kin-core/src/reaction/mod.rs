@@ -60,9 +60,11 @@ mod tests;
 pub use body_load::{BodyLoad, BodyLoadKind};
 pub use error::ReactionError;
 
+use alloc::collections::BTreeMap;
 use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
+use core::cell::RefCell;
 use core::fmt;
 
 use crate::any::{AnyMechanism, NearOver, OutputsOver, Pictured, PlacesOver, PositionChoice};
@@ -131,7 +133,12 @@ pub struct NamedReactions<'m> {
     connections: Vec<Connection>,
     /// The body that an input is said to drive.
     driven: Vec<Option<usize>>,
+    /// The solutions at the last places, by all that they depend on.
+    known: RefCell<BTreeMap<Vec<u64>, Solution<REACH>>>,
 }
+
+/// So many solutions are remembered, more than a search for the extremes of all forces asks for.
+const REMEMBERED: usize = 1 << 14;
 
 impl fmt::Debug for NamedReactions<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -180,6 +187,7 @@ impl<'m> NamedReactions<'m> {
             loads: loads.clone(),
             connections: connections(&outline),
             driven: vec![None; functions.description().inputs.len()],
+            known: RefCell::default(),
         })
     }
 
@@ -194,6 +202,7 @@ impl<'m> NamedReactions<'m> {
         let body_index = bodies.iter().position(|own| own.name == body);
         if let (Some(input), Some(_)) = (input_index, body_index) {
             self.driven[input] = body_index;
+            self.known.take();
             return Ok(self);
         }
         Err(ReactionError::Place {
@@ -270,18 +279,33 @@ impl<'m> NamedReactions<'m> {
         index: usize,
         part: ReactionPart,
     ) -> Result<MovedNumber, ReactionError> {
+        self.read(place, |solution| {
+            let force = solution.forces[index];
+            let found = match part {
+                ReactionPart::X => force.map(|force| force.x),
+                ReactionPart::Y => force.map(|force| force.y),
+                ReactionPart::Force => force.map(size),
+                ReactionPart::Moment => solution.moments[index],
+            };
+            found.ok_or_else(|| {
+                let names: Vec<String> = self.names().map(ToString::to_string).collect();
+                undetermined(solution, &names, index)
+            })
+        })?
+    }
+
+    /// Reads the solution at a place, for which other questions ask too.
+    fn read<R>(&self, place: &ReactionPlace<'_>, read: impl FnOnce(&Solution<REACH>) -> R) -> Result<R, ReactionError> {
+        let key = place.key();
+        if let Some(known) = self.known.borrow().get(&key) {
+            return Ok(read(known));
+        }
         let (solution, _) = self.solved(place)?;
-        let force = solution.forces[index];
-        let found = match part {
-            ReactionPart::X => force.map(|force| force.x),
-            ReactionPart::Y => force.map(|force| force.y),
-            ReactionPart::Force => force.map(size),
-            ReactionPart::Moment => solution.moments[index],
-        };
-        found.ok_or_else(|| {
-            let names: Vec<String> = self.names().map(ToString::to_string).collect();
-            undetermined(&solution, &names, index)
-        })
+        let mut known = self.known.borrow_mut();
+        if known.len() == REMEMBERED {
+            known.clear();
+        }
+        Ok(read(known.entry(key).or_insert(solution)))
     }
 
     /// The solution in series of the variable, and what acts on the bodies beside it.
@@ -333,7 +357,11 @@ impl<'m> NamedReactions<'m> {
         let mut acting = demand.acting;
         for (input, (drive, effort)) in drives.iter().zip(&solution.efforts).enumerate() {
             let wrenches = drive.wrenches(&moved, &frames, effort.unwrap_or(Series::ZERO));
-            acting.extend(wrenches.into_iter().map(|(body, wrench)| (BodyLoadKind::Drive(input), body, wrench)));
+            acting.extend(
+                wrenches
+                    .into_iter()
+                    .map(|(body, wrench)| (BodyLoadKind::Drive(input), body, wrench)),
+            );
         }
         let turned = solution.turned.iter();
         acting.extend(turned.map(|(body, couple)| (BodyLoadKind::Guide, *body, *couple)));
@@ -377,6 +405,14 @@ fn undetermined(solution: &Solution<REACH>, names: &[String], index: usize) -> R
 }
 
 impl ReactionPlace<'_> {
+    /// All numbers of the place.
+    fn key(&self) -> Vec<u64> {
+        let inputs = self.inputs.iter().flat_map(|input| input.coefficients());
+        let still = [self.parameters, self.unknowns, self.outputs, &[self.rate]];
+        let still = still.into_iter().flatten().copied();
+        inputs.chain(still).map(f64::to_bits).collect()
+    }
+
     /// The mechanism near the place, with inputs that move.
     fn moved(&self, parameters: &[f64], inputs: &[MovedNumber]) -> Result<MovedMechanism<REACH>, SolveError> {
         let description = self.functions.description();
@@ -453,6 +489,17 @@ impl Reaction {
     #[must_use]
     pub fn magnitude(&self) -> [f64; ORDERS] {
         orders(size(self.force))
+    }
+
+    /// One part with its rates.
+    #[must_use]
+    pub fn part(&self, part: ReactionPart) -> [f64; ORDERS] {
+        match part {
+            ReactionPart::X => self.x,
+            ReactionPart::Y => self.y,
+            ReactionPart::Force => self.magnitude(),
+            ReactionPart::Moment => self.moment,
+        }
     }
 
     /// The angle of the force with its rates, -π ..= π; none if the force is zero.

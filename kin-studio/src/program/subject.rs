@@ -367,71 +367,16 @@ impl Subject {
         ForceColumns::of(&*self.functions)
     }
 
-    /// The extremes of a force over a sweep, in units of the mechanism.
-    pub(crate) fn extent_of_force(
-        &self,
-        case: &Case,
-        loads: &NamedLoads,
-        force: &ForceColumn,
-    ) -> Result<Extent, Fault> {
-        match case.time_of_laws() {
-            None => self.extent_along(case, loads, force, &self.line(case, ROWS_OF_PEAKS)?),
-            Some(duration) => self.under_laws(case, duration, ROWS_OF_PEAKS, |sweep| {
-                self.extent_along(case, loads, force, &sweep)
-            })?,
-        }
-    }
-
-    fn extent_along<D: SmoothDrive>(
-        &self,
-        case: &Case,
-        loads: &NamedLoads,
-        ForceColumn { force, order }: &ForceColumn,
-        sweep: &AnySweep<'_, D>,
-    ) -> Result<Extent, Fault> {
-        match force {
-            Force::Effort(input) => extent_of(&sweep.of_effort(loads, *input, *order)),
-            Force::Reaction(name, part) => {
-                let reactions = self.reactions(case, loads)?;
-                extent_of(&sweep.of_reaction(&reactions, name, *part, *order))
-            }
-        }
-    }
-
-    /// A force in the rows of a sweep, in its unit.
-    pub(crate) fn column_of_force(&self, case: &Case, rows: usize, force: &ForceColumn) -> Result<Vec<f64>, Fault> {
-        let Some(loads) = &case.loads else {
-            return Ok(Vec::new());
-        };
-        let column = match case.time_of_laws() {
-            None => self.column_along(case, loads, force, &self.line(case, rows)?),
-            Some(duration) => self.under_laws(case, duration, rows, |sweep| {
-                self.column_along(case, loads, force, &sweep)
-            })?,
-        };
-        let size = force.size(self.description(), case.metres());
-        Ok(column?.into_iter().map(|value| value * size).collect())
-    }
-
-    fn column_along<D: SmoothDrive>(
-        &self,
-        case: &Case,
-        loads: &NamedLoads,
-        ForceColumn { force, order }: &ForceColumn,
-        sweep: &AnySweep<'_, D>,
-    ) -> Result<Vec<f64>, Fault> {
-        let column = match force {
-            Force::Effort(input) => sweep.of_effort(loads, *input, *order).column(),
-            Force::Reaction(name, part) => {
-                let reactions = self.reactions(case, loads)?;
-                sweep.of_reaction(&reactions, name, *part, *order).column()
-            }
-        };
-        column.map_err(of_extremes)
-    }
-
-    fn reactions(&self, case: &Case, loads: &NamedLoads) -> Result<NamedReactions<'_>, Fault> {
-        self.linkage(&case.parameters).reactions(loads).map_err(Fault::wrong)
+    /// The forces of a case, if it has loads. Questions about several of them are answered faster by one of these.
+    pub(crate) fn forces_of<'c>(&'c self, case: &'c Case) -> Option<CaseForces<'c>> {
+        let loads = case.loads.as_ref()?;
+        let reactions = self.linkage(&case.parameters).reactions(loads);
+        Some(CaseForces {
+            subject: self,
+            case,
+            loads,
+            reactions: reactions.map_err(Fault::wrong),
+        })
     }
 
     /// The times inside of the motion at which the speed of an input jumps, where a mass has no bounded effort.
@@ -551,6 +496,131 @@ impl Subject {
                 let found = assembly_at(wanted, &self.linkage(&case.parameters), start)?;
                 Ok(found.index().map_or_else(|| from(start, &[]), Choice::Assembly))
             }
+        }
+    }
+}
+
+/// The forces that the loads of a case cause.
+pub(crate) struct CaseForces<'c> {
+    subject: &'c Subject,
+    case: &'c Case,
+    loads: &'c NamedLoads,
+    reactions: Result<NamedReactions<'c>, Fault>,
+}
+
+/// A question to a force along a sweep.
+trait ForceQuestion {
+    type Answer;
+
+    fn ask<S: QuantitySource, Q: AskedQuantity<S>>(
+        &self,
+        quantity: &QuantityAlong<'_, S, Q>,
+    ) -> Result<Self::Answer, Fault>;
+}
+
+/// What are the extremes and the mean?
+struct OfExtent;
+
+impl ForceQuestion for OfExtent {
+    type Answer = Extent;
+
+    fn ask<S: QuantitySource, Q: AskedQuantity<S>>(&self, quantity: &QuantityAlong<'_, S, Q>) -> Result<Extent, Fault> {
+        extent_of(quantity)
+    }
+}
+
+/// What is the value that is largest in size?
+struct OfPeak;
+
+impl ForceQuestion for OfPeak {
+    type Answer = Reached;
+
+    fn ask<S: QuantitySource, Q: AskedQuantity<S>>(
+        &self,
+        quantity: &QuantityAlong<'_, S, Q>,
+    ) -> Result<Reached, Fault> {
+        let (value, at, is_limit) = match quantity.peak() {
+            Ok(peak) => (Some(peak.value), peak.at, peak.kind == ExtremeKind::Limit),
+            Err(ExtremesError::Unbounded { at }) => (None, at, false),
+            Err(error) => return Err(of_extremes(error)),
+        };
+        Ok(Reached { value, at, is_limit })
+    }
+}
+
+impl CaseForces<'_> {
+    /// The extremes of a force and its mean, in units of the mechanism.
+    pub(crate) fn extent(&self, force: &ForceColumn) -> Result<Extent, Fault> {
+        self.ask(force, &OfExtent)
+    }
+
+    /// The value of a force that is largest in size, in units of the mechanism.
+    pub(crate) fn peak(&self, force: &ForceColumn) -> Result<Reached, Fault> {
+        self.ask(force, &OfPeak)
+    }
+
+    fn ask<A: ForceQuestion>(&self, force: &ForceColumn, question: &A) -> Result<A::Answer, Fault> {
+        let Self { subject, case, .. } = self;
+        match case.time_of_laws() {
+            None => self.along(force, question, &subject.line(case, ROWS_OF_PEAKS)?),
+            Some(duration) => subject.under_laws(case, duration, ROWS_OF_PEAKS, |sweep| {
+                self.along(force, question, &sweep)
+            })?,
+        }
+    }
+
+    fn along<A: ForceQuestion, D: SmoothDrive>(
+        &self,
+        ForceColumn { force, order }: &ForceColumn,
+        question: &A,
+        sweep: &AnySweep<'_, D>,
+    ) -> Result<A::Answer, Fault> {
+        match force {
+            Force::Effort(input) => question.ask(&sweep.of_effort(self.loads, *input, *order)),
+            Force::Power(input) => question.ask(&sweep.of_power(self.loads, *input)),
+            Force::Reaction(name, part) => {
+                let reactions = self.reactions.as_ref().map_err(Fault::clone)?;
+                question.ask(&sweep.of_reaction(reactions, name, *part, *order))
+            }
+        }
+    }
+
+    /// Forces in the rows of a sweep, in their units.
+    pub(crate) fn columns(&self, rows: usize, forces: &[ForceColumn]) -> Result<Vec<Vec<f64>>, Fault> {
+        let Self { subject, case, .. } = self;
+        match case.time_of_laws() {
+            None => self.columns_along(forces, &subject.line(case, rows)?),
+            Some(duration) => subject.under_laws(case, duration, rows, |sweep| self.columns_along(forces, &sweep))?,
+        }
+    }
+
+    fn columns_along<D: SmoothDrive>(
+        &self,
+        forces: &[ForceColumn],
+        sweep: &AnySweep<'_, D>,
+    ) -> Result<Vec<Vec<f64>>, Fault> {
+        let columns = forces.iter().map(|column| {
+            let ForceColumn { force, order } = column;
+            let values = match force {
+                Force::Effort(input) => sweep.of_effort(self.loads, *input, *order).column(),
+                Force::Power(input) => sweep.of_power(self.loads, *input).column(),
+                Force::Reaction(name, part) => {
+                    let reactions = self.reactions.as_ref().map_err(Fault::clone)?;
+                    sweep.of_reaction(reactions, name, *part, *order).column()
+                }
+            };
+            let size = column.size(self.subject.description(), self.case.metres());
+            let values = values.map_err(of_extremes)?;
+            Ok(values.into_iter().map(|value| value * size).collect())
+        });
+        columns.collect()
+    }
+
+    /// The bodies of a force in a joint: the one on which it acts, and the one that exerts it. Without names for a drive.
+    pub(crate) fn bodies_of(&self, force: &Force) -> [String; 2] {
+        match (force, &self.reactions) {
+            (Force::Reaction(name, _), Ok(reactions)) => reactions.bodies_of(name).unwrap_or_default(),
+            _ => Default::default(),
         }
     }
 }
