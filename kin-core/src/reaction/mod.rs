@@ -234,6 +234,14 @@ impl<'m> NamedReactions<'m> {
         Ok(self.connections[self.index(name)?].slide.is_some())
     }
 
+    /// The joint of the [picture](Outline) in which a reaction acts, by its index.
+    ///
+    /// # Errors
+    /// [`ReactionError::NoSuchReaction`].
+    pub fn joint_of(&self, name: &str) -> Result<usize, ReactionError> {
+        Ok(self.connections[self.index(name)?].joint)
+    }
+
     pub(crate) fn index(&self, name: &str) -> Result<usize, ReactionError> {
         index_of(name, || self.names())
     }

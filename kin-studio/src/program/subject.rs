@@ -28,7 +28,7 @@ use super::loads::{Force, ForceColumn, ForceColumns};
 use super::motion::InputMotion;
 use super::text;
 use crate::library::{Design, DesignAssembly};
-use crate::report::{ReportError, ReportFunctions, WayWished, Wishes};
+use crate::report::{ReportError, ReportFunctions, WayWished, WishedLoads, Wishes};
 
 /// The assembly that is wanted.
 #[derive(Clone, Debug, PartialEq)]
@@ -436,6 +436,10 @@ impl Subject {
             declaration: wishes.declaration.clone(),
             length: case.length.to_owned(),
             degrees: case.in_degrees,
+            loads: case.loads.clone().map(|loads| WishedLoads {
+                loads,
+                metres: case.metres(),
+            }),
             ..Wishes::new(&*self.functions, &case.parameters)
         };
         let several = case.motions.iter().filter(|motion| motion.moves()).count() > 1;

@@ -13,6 +13,7 @@ const WIPER: &str = include_str!("wiper.kin");
 const ROBOT: &str = include_str!("robot.kin");
 const PLATFORM: &str = include_str!("platform.kin");
 const PRESS: &str = include_str!("press.kin");
+const CRANK_PRESS: &str = include_str!("../../examples/crank_press.kin");
 
 /// Waits until the page of a server says something.
 fn wait(server: &Server, is_there: impl Fn(&str) -> bool) -> String {
@@ -175,6 +176,7 @@ fn forces_in_joints() {
     folder.write("guessed.kin", &guessed);
     let loads = guessed.replace("mass of coupler", "//").replace("mass of rocker", "//");
     folder.write("light.kin", &loads);
+    folder.write("lacking.kin", &PRESS.replacen("body rocker: pivot, knee;", "", 1));
     let all = [
         "run press.kin sweep --rows 5",
         "run press.kin sweep --rows 3 --columns ground_crank_force_second_rate,pivot_x --csv",
@@ -183,6 +185,7 @@ fn forces_in_joints() {
         "run press.kin peaks --of pin_force,theta_effort",
         "run guessed.kin sweep",
         "run light.kin sweep",
+        "run lacking.kin sweep",
     ]
     .map(|words| typed_in(&folder, &format!("kin {words}")));
     assert_snapshot!("forces in joints", all.join("\n"));
@@ -201,6 +204,88 @@ fn forces_are_in_si() {
     });
     assert!(forces[0].len() > 6, "{forces:?}");
     assert_eq!(forces[0], forces[1]);
+}
+
+/// What a catalogue of bearings asks for: of pins, of a guide with a moment, and of drives.
+#[test]
+fn forces_of_a_press() {
+    let folder = Folder::new("catalogue");
+    folder.write("crank_press.kin", CRANK_PRESS);
+    folder.write("press.kin", PRESS);
+    let declaration = CRANK_PRESS.split_once("loads {").unwrap().0;
+    let free = [
+        "ground 0;",
+        "body shaft: 0, pin;",
+        "body conrod: pin, wrist;",
+        "body ram: wrist;",
+    ];
+    let free = free
+        .iter()
+        .fold(declaration.to_owned(), |text, body| text.replacen(body, "", 1));
+    folder.write(
+        "bare.kin",
+        &(free.replacen("slide wrist along vec2(0, -1);", "", 1) + "assembly = crossed;"),
+    );
+    let law = CRANK_PRESS.replacen("0..360deg at 500rpm", "0..180deg by 4-5-6-7 in 60ms", 1);
+    folder.write("law.kin", &law.replacen("assembly = crossed", "assembly = all", 1));
+    // a coupler on three cranks holds itself in more than one way
+    folder.write(
+        "three.kin",
+        "kin 1
+struct ThreeCranks { length: Length }
+input theta: Angle;
+unknown angle: Angle;
+angle == theta;
+output a: Point = length * cis(theta);
+output b: Point = length + length * cis(theta);
+output c: Point = 2 * length + length * cis(theta);
+ground 0, vec2(length, 0), vec2(2 * length, 0);
+body first: 0, a;
+body second: vec2(length, 0), b;
+body third: vec2(2 * length, 0), c;
+body coupler: a, b, c;
+dimensions { length = 100mm; }
+motion { theta = 10deg..170deg at 60rpm; }
+loads { gravity = (0, -9.81m/s2); mass of coupler = 3kg at (100mm, 0), inertia 0.1kgm2; mass of first = 1kg at (50mm, 0), inertia 0kgm2; }
+",
+    );
+    let all = [
+        "forces crank_press.kin",
+        "forces crank_press.kin --speed 250rpm --csv",
+        "run press.kin forces",
+        "forces law.kin --csv",
+        "forces law.kin --assembly open",
+        "forces three.kin",
+        "forces bare.kin",
+        "forces four_bar",
+    ]
+    .map(|words| typed_in(&folder, &format!("kin {words}")));
+    assert_snapshot!("forces of a press", all.join("\n"));
+}
+
+/// The power of a drive is its effort times its speed, and inertia forces grow with the square of the speed.
+#[test]
+fn forces_follow_the_speed() {
+    let folder = Folder::new("speeds");
+    let light = CRANK_PRESS.replacen("gravity = (0, -9.81m/s2);", "", 1);
+    folder.write("light.kin", &light.replacen("force wrist = (0, 800N);", "", 1));
+    let peaks = ["200rpm", "600rpm"].map(|speed| {
+        let told = typed_in(&folder, &format!("kin forces light.kin --speed {speed} --csv"));
+        let cells = |name: &str| -> f64 {
+            let line = told.lines().find(|line| line.starts_with(name)).unwrap();
+            line.split(',').nth(4).unwrap().parse().unwrap()
+        };
+        ["pin_force", "wrist_slide_moment", "theta_effort", "theta_power"].map(cells)
+    });
+    let speed = std::f64::consts::TAU * 200.0 / 60.0;
+    assert!(
+        (peaks[0][3] / peaks[0][2].abs() / speed).abs() - 1.0 < 1e-9,
+        "{peaks:?}"
+    );
+    for (part, factor) in [9.0, 9.0, 9.0, 27.0].into_iter().enumerate() {
+        let ratio = (peaks[1][part] / peaks[0][part]).abs();
+        assert!((ratio / factor - 1.0).abs() < 1e-9, "{peaks:?}");
+    }
 }
 
 /// An editor checks what it has not saved, and makes an outline of it.

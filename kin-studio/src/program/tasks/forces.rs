@@ -92,7 +92,10 @@ fn borne(subject: &Subject, case: &Case) -> Result<Vec<Borne>, Fault> {
             let rates = |other: &&ForceColumn| other.force == column.force && other.order == 1;
             let found = forces.extent(column).map_err(|fault| faults.push(fault)).ok();
             let rates = columns.iter().find(rates).filter(|_| found.is_some());
-            let rate = rates.and_then(|rates| forces.peak(rates).ok());
+            let rate = match &found {
+                Some(found) if is_steady(found) => rates.map(|_| NOTHING),
+                _ => rates.and_then(|rates| forces.peak(rates).ok()),
+            };
             step();
             let is_moment = matches!(column.force, Force::Reaction(_, ReactionPart::Moment));
             // a guide need not hold a moment
@@ -120,6 +123,23 @@ fn peak(extent: &Extent) -> Reached {
     let size = |reached: Reached| reached.value.map_or(f64::INFINITY, f64::abs);
     if size(lowest) > size(highest) { lowest } else { highest }
 }
+
+/// The rate of what does not change.
+const NOTHING: Reached = Reached {
+    value: Some(0.0),
+    at: 0.0,
+    is_limit: false,
+};
+
+/// Whether a force does not change but for rounding, in which nothing is to be sought.
+fn is_steady(extent: &Extent) -> bool {
+    let [lowest, highest] = [extent.lowest, extent.highest].map(|reached| reached.value);
+    let change = lowest.zip(highest).map(|(lowest, highest)| highest - lowest);
+    change.is_some_and(|change| change <= STEADY * peak(extent).value.map_or(0.0, f64::abs))
+}
+
+/// A change by this part of the force is rounding.
+const STEADY: f64 = 1e-10;
 
 /// Below this part of the peak, what is left of a zero is rounding.
 const ROUNDING: f64 = 1e-12;

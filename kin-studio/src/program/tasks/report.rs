@@ -54,10 +54,10 @@ fn is_page(path: &Path) -> Result<(), Fault> {
 pub(super) fn page(subject: &Subject, options: &Report, told: &Told) -> Result<String, Fault> {
     // the page lists all assemblies, and begins with this one
     let typed = options.setup.typed(told).first_assembly(subject);
-    if !told.loads.is_empty() {
-        eprintln!("note: the page shows no efforts: `sweep` and `peaks` do");
-    }
     let case = typed.case(subject)?;
+    if let Some(error) = case.forces(subject).no_joints() {
+        eprintln!("note: the page shows no forces in joints: {error}");
+    }
     let wishes = PageWishes {
         title: options.title.clone(),
         plots: plots(subject, options, told)?,

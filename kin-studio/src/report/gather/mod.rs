@@ -4,6 +4,7 @@ mod assemblies;
 mod circuits;
 mod describe;
 mod drive;
+mod forces;
 mod line;
 mod peaks;
 mod place;
@@ -166,6 +167,7 @@ fn moved<D: SmoothDrive>(
         operations: describe::operations(description),
         not_closed: not_closed(wishes, &poses),
         outline: describe::outline(&functions.outline()),
+        forces: forces::of(wishes, way),
         frames: solver.text.is_none().then(|| solver::frames(wishes, &poses)),
         solver: solver.text,
         unrecorded: solver.unrecorded,
