@@ -6,6 +6,7 @@ import { capital, ORDERS, unitFactor, unitText } from "./numbers.mjs";
 /**
  * @typedef {object} Curve
  * @property {string} name
+ * @property {string} column its name in tables
  * @property {string} text
  * @property {string} documentation
  * @property {number} colour
@@ -40,6 +41,7 @@ function ofQuantity(model, quantity, index) {
   const { name, text, documentation, colour, dashed, dimension } = quantity;
   return {
     name,
+    column: quantity.declared,
     text,
     documentation,
     colour,
@@ -55,11 +57,13 @@ function ofQuantity(model, quantity, index) {
 }
 
 /** The curve of a force, whose value and rate come from those at a row. */
-function ofForce(model, { name, text, documentation, unit, peak }, index, valueOf) {
+function ofForce(model, { column, text, documentation, unit, peak }, index, valueOf) {
   const value = (row, order) => valueOf(forcesAt(model, row))?.[order] ?? NaN;
   let scales = null;
   return {
-    name,
+    // no quantity has a name with a blank
+    name: `force ${column}`,
+    column,
     text,
     documentation,
     colour: index % 6,
@@ -90,7 +94,7 @@ function forceGroup(model) {
   const { joints, curves } = model.report.forces;
   const ofJoints = joints.map((joint, index) => {
     const documentation = `on ${memberText(model, joint.on)}, by ${memberText(model, joint.by)}`;
-    const own = { name: `force ${joint.name}`, text: joint.name, documentation, unit: "N", peak: joint.peak };
+    const own = { column: `${joint.name}_force`, text: joint.name, documentation, unit: "N", peak: joint.peak };
     return { ...ofForce(model, own, index, ({ forces }) => forces[index] && sizeOf(forces[index])), joint: index };
   });
   const others = ofKind(model, curves, "force", ofJoints.length);
@@ -110,7 +114,7 @@ function momentGroup(model) {
 function ofKind(model, all, kind, first) {
   const own = all.flatMap((curve, index) => (curve.kind === kind ? [{ ...curve, index }] : []));
   return own.map(({ name, text, peak, index }, place) => {
-    const head = { name: `force ${name}`, text, documentation: "", unit: kind === "force" ? "N" : "N m", peak };
+    const head = { column: name, text, documentation: "", unit: kind === "force" ? "N" : "N m", peak };
     return ofForce(model, head, first + place, ({ curves }) => curves[index]);
   });
 }

@@ -85,14 +85,12 @@ export function createHodographs(svg, model) {
       drawn("path", { d, class: `curve c${curve.colour}` }, still);
       const last = rings[rings.length - 1];
       if (last !== undefined) {
-        // on the side where the path is not
-        const right = paths.reduce((sum, force) => sum + (force?.[0] ?? 0), 0) <= 0;
-        const at = {
-          x: tenth(centre[0] + (right ? 1 : -1) * 0.71 * last * scale),
-          y: tenth(centre[1] + 0.71 * last * scale + 11),
-          class: `quiet halo${right ? "" : " end"}`,
-        };
-        drawn("text", at, still).textContent = `${numberText(last, 3)} N`;
+        // on the side where the path is not, and within the cell
+        const side = paths.reduce((sum, force) => sum + (force?.[0] ?? 0), 0) <= 0 ? 1 : -1;
+        const text = `${numberText(last, 3)} N`;
+        const out = Math.min(0.71 * last * scale, 0.5 * wide - 7 * text.length);
+        const at = { x: tenth(centre[0] + side * out), y: tenth(centre[1] + 0.71 * last * scale + 11) };
+        drawn("text", { ...at, class: `quiet halo${side > 0 ? "" : " end"}` }, still).textContent = text;
       }
       const arrow = drawn("path", { class: "arrow force" }, moving);
       const head = drawn("path", { class: "arrow-head force" }, moving);

@@ -864,12 +864,15 @@ function start(report, solver) {
     const [first] = sweep.spans;
     // not at a limit, where rates are unbounded
     state.x = spanAt(sweep, model.from) || !first ? model.from : 0.5 * (first.from + first.to);
-    const plotted = model.quantities.filter(({ declared }) => report.plots?.includes(declared));
-    state.group = plotted[0]?.dimension ?? groups[0]?.name ?? "number";
-    if (plotted.length > 0) {
-      model.quantities
-        .filter(({ dimension }) => dimension === state.group)
-        .forEach((one) => !plotted.includes(one) && state.hidden.add(one.name));
+    const plots = report.plots ?? [];
+    const isPlotted = ({ column }) => plots.includes(column);
+    const hasAny = ({ curves }) => curves.some(({ column }) => column === plots[0]);
+    state.group = (groups.find(hasAny) ?? groups[0])?.name ?? "number";
+    if (plots.length > 0) {
+      const others = groups.flatMap(({ curves }) =>
+        curves.some(isPlotted) ? curves.filter((one) => !isPlotted(one)) : [],
+      );
+      others.forEach(({ name }) => state.hidden.add(name));
     }
     part("open-dimensions").hidden = model.frames !== null;
     listOptions();

@@ -133,7 +133,7 @@ export function createPlots(svg, model) {
     for (const curve of seen) {
       const [x, y] = [across(curve.peak.at), down(curve.peak.value * curve.factor(now.degrees))];
       const ring = drawn("circle", { cx: tenth(x), cy: tenth(y), r: 4.4, class: `plot-peak c${curve.colour}` }, still);
-      const text = withUnit(numberText(curve.peak.value, 4), curve.unit(0, now.degrees));
+      const text = withUnit(numberText(curve.peak.value), curve.unit(0, now.degrees));
       drawn("title", {}, ring).textContent =
         `${curve.text}: ${text} at ${inputText(model, curve.peak.at, now.degrees)}`;
       if (curve === largest) {

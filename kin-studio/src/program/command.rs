@@ -21,7 +21,7 @@ pub(crate) enum Task {
     Cycle(Setup),
     /// Find the extremes of every quantity and its rates, between the rows and to rounding
     Peaks(Peaks),
-    /// Find the forces in the joints of a .kin file and the efforts of its drives: peaks, means and rates
+    /// Find the forces in the joints of a .kin file, and the efforts of its drives
     Forces(Forces),
     /// Compare the solver with two independent oracles
     Verify(Setup),

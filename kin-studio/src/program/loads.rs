@@ -271,6 +271,15 @@ impl ForceColumn {
         }
     }
 
+    /// The name by which a page plots it, where every page has it.
+    pub(crate) fn plot(&self, description: &Description<'_>) -> Option<String> {
+        match &self.force {
+            Force::Effort(input) => Some(format!("{}_effort", description.inputs[*input].name)),
+            Force::Reaction(_, ReactionPart::Moment) | Force::Power(_) => None,
+            Force::Reaction(name, _) => Some(format!("{name}_force")),
+        }
+    }
+
     /// Its unit without that of its rate, and the power of the unit of lengths in it.
     fn base(&self, description: &Description<'_>) -> (&'static str, i32) {
         let is_torque = match &self.force {

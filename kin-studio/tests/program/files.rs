@@ -211,7 +211,6 @@ fn forces_are_in_si() {
 fn forces_of_a_press() {
     let folder = Folder::new("catalogue");
     folder.write("crank_press.kin", CRANK_PRESS);
-    folder.write("press.kin", PRESS);
     let declaration = CRANK_PRESS.split_once("loads {").unwrap().0;
     let free = [
         "ground 0;",
@@ -227,23 +226,36 @@ fn forces_of_a_press() {
         &(free.replacen("slide wrist along vec2(0, -1);", "", 1) + "assembly = crossed;"),
     );
     let law = CRANK_PRESS.replacen("0..360deg at 500rpm", "0..180deg by 4-5-6-7 in 60ms", 1);
-    folder.write("law.kin", &law.replacen("assembly = crossed", "assembly = all", 1));
+    folder.write("law.kin", &law);
     // three guides hold a ram in more than one way, and the forces in the pins do not depend on it
     let guides = "body ram: wrist, middle, foot;\nslide middle along vec2(0, -1);\nslide foot along vec2(0, -1);\n";
     let points = "output middle: Point = vec2(0, -s - rod / 2);\noutput foot: Point = vec2(0, -s - rod);\n";
     let guided = CRANK_PRESS.replacen("body ram: wrist;", &format!("{points}{guides}"), 1);
-    folder.write("guided.kin", &guided);
+    folder.write("wrong.kin", &guided);
+    folder.write("guided.kin", &guided.replacen("force wrist", "force middle", 1));
     let all = [
         "forces crank_press.kin",
-        "forces crank_press.kin --speed 250rpm --csv",
-        "run press.kin forces",
-        "forces law.kin --csv",
-        "forces guided.kin",
+        "forces law.kin",
+        "run guided.kin forces",
+        "forces guided.kin --speed 250rpm --assembly all --csv",
+        "forces wrong.kin",
         "forces bare.kin",
         "forces four_bar",
     ]
     .map(|words| typed_in(&folder, &format!("kin {words}")));
     assert_snapshot!("forces of a press", all.join("\n"));
+    // the book shows the file and its forces
+    let book = include_str!("../../../docs/laws-and-loads.md");
+    let (line, rest) = all[0].split_once('\n').unwrap();
+    let shown = rest.strip_suffix("-- code 0\n").unwrap();
+    assert!(
+        book.contains(CRANK_PRESS),
+        "docs/laws-and-loads.md should show\n{CRANK_PRESS}"
+    );
+    assert!(
+        book.contains(&format!("{line}\n{shown}```")),
+        "docs/laws-and-loads.md should show\n{line}\n{shown}"
+    );
 }
 
 /// The power of a drive is its effort times its speed, and inertia forces grow with the square of the speed.

@@ -108,7 +108,7 @@ fn borne(subject: &Subject, case: &Case) -> Result<Vec<Borne>, Fault> {
             }
         }
     });
-    let is_known = all.iter().any(|one| !one.peak.is_nan());
+    let is_known = all.iter().any(|one| !one.bodies[0].is_empty() && !one.peak.is_nan());
     match faults.into_iter().next() {
         Some(fault) if !is_known => return Err(fault),
         Some(fault) => eprintln!("note: {fault}"),

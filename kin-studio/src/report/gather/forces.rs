@@ -272,6 +272,14 @@ impl Ask {
     }
 }
 
+impl Forces {
+    /// The names by which they are plotted: those of their columns.
+    pub(super) fn names(&self) -> impl Iterator<Item = String> {
+        let joints = self.joints.iter().map(|joint| format!("{}_force", joint.name));
+        joints.chain(self.curves.iter().map(|curve| curve.name.clone()))
+    }
+}
+
 impl CurveKind {
     fn of(lengths: i32) -> Self {
         if lengths == 1 { Self::Force } else { Self::Moment }
