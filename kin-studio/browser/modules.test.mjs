@@ -677,7 +677,9 @@ test("forces between the samples are those of the formula, with their rates", ()
     const slope = (expected[0] * expected[2] + expected[1] * expected[3]) / Math.hypot(expected[0], expected[1]);
     assert.ok(Math.abs(rate - slope) < 0.05);
   }
-  assert.deepEqual(scalesOfForces(model), { force: Math.hypot(50, 20), couple: 2 * Math.PI });
+  assert.deepEqual(scalesOfForces(model, 100), { force: Math.hypot(50, 20), couple: 2 * Math.PI });
+  // beside forces of this size at this distance, the couples are small
+  assert.equal(scalesOfForces(model, 1e4).couple, 0.05 * Math.hypot(50, 20) * 1e4 * 0.001);
 });
 
 test("where the acceleration jumps, a force is that of its own side", () => {

@@ -415,7 +415,7 @@ fn undetermined(solution: &Solution<REACH>, names: &[String], index: usize) -> R
 impl ReactionPlace<'_> {
     /// All numbers of the place.
     fn key(&self) -> Vec<u64> {
-        let inputs = self.inputs.iter().flat_map(|input| input.coefficients());
+        let inputs = self.inputs.iter().flat_map(Series::coefficients);
         let still = [self.parameters, self.unknowns, self.outputs, &[self.rate]];
         let still = still.into_iter().flatten().copied();
         inputs.chain(still).map(f64::to_bits).collect()

@@ -157,6 +157,7 @@ export function forcesOf(places, speed) {
   });
   const peak = { value: Math.hypot(50, 20), at: Math.PI / 2, rms: 40, rate: 100 * speed };
   return {
+    metres: 0.001,
     joints: [
       { name: "pin", on: 1, by: 0, joint: 1, is_slide: false, peak },
       { name: "guide", on: 1, by: null, joint: 2, is_slide: true, peak: null },

@@ -88,7 +88,7 @@ export function createHodographs(svg, model) {
         // on the side where the path is not, and within the cell
         const side = paths.reduce((sum, force) => sum + (force?.[0] ?? 0), 0) <= 0 ? 1 : -1;
         const text = `${numberText(last, 3)} N`;
-        const out = Math.min(0.71 * last * scale, 0.5 * wide - 7 * text.length);
+        const out = Math.min(0.71 * last * scale, 0.5 * wide - 7.5 * text.length - 3);
         const at = { x: tenth(centre[0] + side * out), y: tenth(centre[1] + 0.71 * last * scale + 11) };
         drawn("text", { ...at, class: `quiet halo${side > 0 ? "" : " end"}` }, still).textContent = text;
       }

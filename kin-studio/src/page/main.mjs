@@ -21,6 +21,7 @@ import {
   isAtLimit,
   movedInput,
   rowAt,
+  sizeOf,
   spanAt,
   valueAt,
 } from "./kinematics/sweep.mjs";
@@ -114,7 +115,8 @@ function start(report, solver) {
   const plots = createPlots(part("plots"), model);
   const hodographs = createHodographs(part("plots"), model);
   const groups = curvesOf(model);
-  const forceScales = report.forces ? scalesOfForces(model) : null;
+  const first = allRows(sweep)[0];
+  const forceScales = report.forces && first ? scalesOfForces(model, sizeOf(first.pose)) : null;
   const scrubber = createScrubber(part("scrubber"), model);
   const paper = createPaper(part("paper"), model, (x) => goTo(x));
   const sliders = createSliders(part("sliders"), model, given, (group, name, value) => {

@@ -462,6 +462,8 @@ pub struct Point {
 /// They hold for the dimensions, the speed and the assembly of the report.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Forces {
+    /// The metres of the unit of lengths.
+    pub metres: f64,
     /// The forces in joints; none if the declaration does not state its bodies.
     pub joints: Vec<JointForce>,
     /// The efforts of drives and the moments of guides.

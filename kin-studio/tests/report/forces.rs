@@ -25,7 +25,10 @@ mechanism! {
     slide ram along vec2(1, 0);
 }
 
-const PRESS: Press = Press { crank: 20.0, rod: 160.0 };
+const PRESS: Press = Press {
+    crank: 20.0,
+    rod: 160.0,
+};
 const SPEED: f64 = 50.0;
 const MILLIMETRE: f64 = 0.001;
 
@@ -39,7 +42,10 @@ fn samples_are_solutions() {
     let loads = linkage.loads().gravity(Plane::new(0.0, -9810.0));
     let loads = loads.mass_of("conrod", 9.0, Plane::new(50.0, 0.0), 45_000.0).unwrap();
     let loads = loads.mass_of("slider", 85.0, Plane::new(60.0, 8.0), 1.1e6).unwrap();
-    let page = kin_studio::report(&PRESS).speed(SPEED).units("mm", "s").loads(&loads, MILLIMETRE);
+    let page = kin_studio::report(&PRESS)
+        .speed(SPEED)
+        .units("mm", "s")
+        .loads(&loads, MILLIMETRE);
     let report = page.report().unwrap();
     assert_eq!(Report::from_json(&report.to_json()).unwrap(), report);
     let forces = report.forces.unwrap();
@@ -47,9 +53,22 @@ fn samples_are_solutions() {
     let names: Vec<_> = forces.joints.iter().map(|joint| joint.name.as_str()).collect();
     assert_eq!(names, ["ground_shaft", "pin", "ram", "ram_slide"]);
     let members: Vec<_> = forces.joints.iter().map(|joint| (joint.on, joint.by)).collect();
-    assert_eq!(members, [(Some(0), None), (Some(1), Some(0)), (Some(1), Some(2)), (Some(2), None)]);
-    let curves: Vec<_> = forces.curves.iter().map(|curve| (curve.name.as_str(), curve.kind)).collect();
-    assert_eq!(curves, [("theta_effort", CurveKind::Moment), ("ram_slide_moment", CurveKind::Moment)]);
+    assert_eq!(
+        members,
+        [(Some(0), None), (Some(1), Some(0)), (Some(1), Some(2)), (Some(2), None)]
+    );
+    let curves: Vec<_> = forces
+        .curves
+        .iter()
+        .map(|curve| (curve.name.as_str(), curve.kind))
+        .collect();
+    assert_eq!(
+        curves,
+        [
+            ("theta_effort", CurveKind::Moment),
+            ("ram_slide_moment", CurveKind::Moment)
+        ]
+    );
 
     let reactions = linkage.reactions(&loads).unwrap();
     let turn = linkage
@@ -62,8 +81,16 @@ fn samples_are_solutions() {
         let own = force(0).peak().unwrap();
         let size = own.value * MILLIMETRE;
         close(peak.value.unwrap(), size, 1e-6 * size);
-        close(peak.rms.unwrap(), force(0).rms(Over::Time).unwrap().value * MILLIMETRE, 1e-6 * size);
-        close(peak.rate.unwrap(), force(1).peak().unwrap().value * MILLIMETRE, 1e-6 * SPEED * size);
+        close(
+            peak.rms.unwrap(),
+            force(0).rms(Over::Time).unwrap().value * MILLIMETRE,
+            1e-6 * size,
+        );
+        close(
+            peak.rate.unwrap(),
+            force(1).peak().unwrap().value * MILLIMETRE,
+            1e-6 * SPEED * size,
+        );
         for sample in forces.samples.iter().step_by(13) {
             let crank = Motion::at_constant_speed(sample.input, SPEED);
             let found = reactions.at(&[crank], PositionChoice::Assembly(0)).unwrap();
@@ -81,7 +108,10 @@ fn samples_are_solutions() {
         }
     }
     // the weight and inertia of the ram, at its centre
-    let ram = forces.body_loads.iter().position(|load| load.body == 2 && load.kind == ActingLoad::Mass);
+    let ram = forces
+        .body_loads
+        .iter()
+        .position(|load| load.body == 2 && load.kind == ActingLoad::Mass);
     let [x, y, right, up] = forces.samples[0].loads[ram.unwrap()][..] else {
         panic!("it is a force")
     };
@@ -99,7 +129,12 @@ fn samples_are_solutions() {
 #[test]
 fn guessed_bodies_have_no_forces() {
     let loads = AnyLinkage::of(&CRANK_ROCKER).loads().torque(-3.0, "theta4").unwrap();
-    let forces = kin_studio::report(&CRANK_ROCKER).loads(&loads, 1.0).report().unwrap().forces.unwrap();
+    let forces = kin_studio::report(&CRANK_ROCKER)
+        .loads(&loads, 1.0)
+        .report()
+        .unwrap()
+        .forces
+        .unwrap();
     assert!(forces.joints.is_empty() && forces.body_loads.is_empty());
     assert!(forces.unknown.unwrap().contains("body coupler"));
     assert!(forces.samples.iter().all(|sample| sample.curves[0].is_some()));
@@ -109,8 +144,14 @@ fn guessed_bodies_have_no_forces() {
 #[test]
 fn samples_of_coupled_blocks_ascend() {
     let triad = triad();
-    let loads = AnyLinkage::of::<ClassThreeTriad>(&triad).loads().torque(2.0, "phi").unwrap();
-    let draft = kin_studio::report(&triad).at([3.4, 3.4, 3.6]).moving("a").range(3.0..=6.5);
+    let loads = AnyLinkage::of::<ClassThreeTriad>(&triad)
+        .loads()
+        .torque(2.0, "phi")
+        .unwrap();
+    let draft = kin_studio::report(&triad)
+        .at([3.4, 3.4, 3.6])
+        .moving("a")
+        .range(3.0..=6.5);
     let forces = draft.loads(&loads, 1.0).report().unwrap().forces.unwrap();
     assert!(forces.samples.windows(2).all(|pair| pair[0].input < pair[1].input));
 }

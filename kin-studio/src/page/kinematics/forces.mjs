@@ -77,11 +77,15 @@ export function sizeOf([x, y, xRate, yRate]) {
   return [size, size > 0 ? (x * xRate + y * yRate) / size : Math.hypot(xRate, yRate)];
 }
 
-/** The largest force in a joint, unless few are far larger than the others, so that arrows can be seen; and the largest couple. */
-export function scalesOfForces({ report: { forces } }) {
+/** A couple counts as large if forces of this part of the largest one make it at the ends of the mechanism. */
+const ARM = 0.05;
+
+/** The largest force in a joint, unless few are far larger than the others, so that arrows can be seen; and a large couple. */
+export function scalesOfForces({ report: { forces } }, size) {
   const sizes = forces.samples.flatMap((sample) => sample.forces.filter(Boolean).map(([x, y]) => Math.hypot(x, y)));
   sizes.sort((one, other) => one - other);
   const force = sizes.length > 0 ? Math.min(sizes[sizes.length - 1], 20 * sizes[sizes.length >> 1]) : 0;
   const couples = forces.samples.flatMap(({ loads }) => loads.filter(({ length }) => length === 1).map(([one]) => one));
-  return { force, couple: couples.reduce((size, couple) => Math.max(size, Math.abs(couple)), 0) };
+  const arm = ARM * force * size * forces.metres;
+  return { force, couple: couples.reduce((most, couple) => Math.max(most, Math.abs(couple)), arm) };
 }

@@ -27,7 +27,7 @@ struct Borne {
     is_limit: bool,
     rms: f64,
     lowest: f64,
-    /// The rate that is largest in size.
+    /// The size of the largest rate.
     rate: f64,
 }
 
@@ -117,11 +117,15 @@ fn borne(subject: &Subject, case: &Case) -> Result<Vec<Borne>, Fault> {
     Ok(all)
 }
 
-/// The value that is largest in size.
+/// The value that is largest in size; of two that differ by rounding, the positive one.
 fn peak(extent: &Extent) -> Reached {
     let Extent { lowest, highest, .. } = *extent;
     let size = |reached: Reached| reached.value.map_or(f64::INFINITY, f64::abs);
-    if size(lowest) > size(highest) { lowest } else { highest }
+    if size(lowest) > size(highest) * (1.0 + STEADY) {
+        lowest
+    } else {
+        highest
+    }
 }
 
 /// The rate of what does not change.
@@ -138,7 +142,7 @@ fn is_steady(extent: &Extent) -> bool {
     change.is_some_and(|change| change <= STEADY * peak(extent).value.map_or(0.0, f64::abs))
 }
 
-/// A change by this part of the force is rounding.
+/// A change or a difference by this part of a force is rounding.
 const STEADY: f64 = 1e-10;
 
 /// Below this part of the peak, what is left of a zero is rounding.
@@ -171,7 +175,7 @@ impl Borne {
             } else {
                 lowest
             },
-            rate: rate.map_or(f64::NAN, value),
+            rate: rate.map_or(f64::NAN, |rate| value(rate).abs()),
         }
     }
 }

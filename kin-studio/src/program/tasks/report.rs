@@ -79,7 +79,8 @@ fn plots(subject: &Subject, options: &Report, told: &Told) -> Result<Vec<String>
     let results = || description.unknowns.iter().chain(description.outputs);
     let forces = subject.forces().all;
     let shown = columns.iter().filter_map(|name| {
-        let is_own = |quantity: &&Quantity<'_>| (0..=description.order).any(|order| label(quantity.name, order) == *name);
+        let is_own =
+            |quantity: &&Quantity<'_>| (0..=description.order).any(|order| label(quantity.name, order) == *name);
         let force = || forces.iter().find(|force| force.name(description) == *name);
         let quantity = results().find(is_own).map(|quantity| quantity.name.to_owned());
         quantity.or_else(|| force()?.plot(description))

@@ -29,6 +29,7 @@ pub(super) fn of<D: SmoothDrive>(wishes: &Wishes<'_>, way: &Way<'_, D>) -> Optio
         body_loads = gathered.body_loads(&mut all, &rows);
     }
     Some(Forces {
+        metres: wished.metres,
         joints,
         curves: all.curves,
         body_loads,
