@@ -511,7 +511,6 @@ function start(report, solver) {
 
   function drawPose() {
     row = rowAt(sweep, state.x);
-    part("picture").classList.remove("free");
     part("picture").classList.toggle("broken", row === null);
     lastRow = row ?? lastRow;
     if (lastRow === null || anatomy === null) {
@@ -530,7 +529,7 @@ function start(report, solver) {
       senses: anatomy.drivers.map(senseOf),
       forces: [],
       newton: null,
-      free: null,
+      free: row !== null && seesForces() ? state.free : null,
       still: [
         Object.values(view),
         state.size,
@@ -568,6 +567,7 @@ function start(report, solver) {
     } else {
       scrubber.point(state.x, "does not close");
     }
+    part("picture").classList.toggle("free", scene.free !== null);
     picture.draw(scene);
   }
 
@@ -637,8 +637,6 @@ function start(report, solver) {
     if (!seesForces()) {
       return;
     }
-    scene.free = state.free;
-    part("picture").classList.toggle("free", state.free !== null);
     scene.forces = arrowsOf(state.free === null ? allForces(model, row) : forcesOn(model, row, state.free));
     const newtons = ticks(0, forceScales.force, 2)[1] ?? ticks(0, forceScales.force, 4)[1];
     if (newtons !== undefined) {

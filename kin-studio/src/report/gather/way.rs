@@ -100,6 +100,10 @@ impl<D: SmoothDrive> Way<'_, D> {
     }
 
     /// The poses of the range in ascending order.
+    #[expect(
+        clippy::redundant_closure_for_method_calls,
+        reason = "the method by its path has a lifetime of its own"
+    )]
     pub(super) fn poses(&self) -> Vec<At> {
         self.ascending(|sweep| sweep.rows())
     }
