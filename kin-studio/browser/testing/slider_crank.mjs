@@ -144,7 +144,7 @@ export const LAW = {
   },
 };
 
-/** Forces by formulas of the variable at some places of a range: one on the rod by the crank, one of the guide, and an effort. */
+/** Forces by formulas of the variable at some places: one on the rod by the crank, one of the guide, and an effort. */
 export function forcesOf(places, speed) {
   const sample = (x) => ({
     input: x,

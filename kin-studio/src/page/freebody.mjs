@@ -13,7 +13,8 @@ const WORDS = {
 
 /**
  * A force on a body, or a couple, in the mechanism's coordinates.
- * @typedef {{key: string, at: number[], force: number[], couple: number, kind: string, title: string, text: string}} Arrow
+ * @typedef {{key: string, at: number[], force: number[], couple: number, kind: string, title: string,
+ *   text: string}} Arrow
  */
 
 /** The force of every joint on the body that it is said to act on, and the moments of guides. @returns {Arrow[]} */

@@ -42,8 +42,8 @@ const LAYERS = [
  * @property {{from: number[], by: number[], order: number}[]} arrows by, in pixels
  * @property {{centre: number[], radius: number, at: number[]}[]} circles
  * @property {{at: number[], name: string}[]} centres
- * @property {{key: string, at: number[], by: number[], part: number, kind: string, title: string, text: string}[]} forces
- *   by, in pixels; or a couple as a part of the largest one
+ * @property {{key: string, at: number[], by: number[], part: number, kind: string, title: string,
+ *   text: string}[]} forces by, in pixels; or a couple as a part of the largest one
  * @property {{long: number, text: string} | null} newton how long the arrow of a force is, in pixels
  * @property {number | null} free the body that is seen alone
  * @property {number[]} senses for each body the sense in which its input turns it: 1, -1, or 0 if none does

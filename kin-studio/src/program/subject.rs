@@ -620,7 +620,7 @@ impl CaseForces<'_> {
         columns.collect()
     }
 
-    /// The bodies of a force in a joint: the one on which it acts, and the one that exerts it. Without names for a drive.
+    /// The bodies of a force in a joint: the one on which it acts, and the one that exerts it. A drive has none.
     pub(crate) fn bodies_of(&self, force: &Force) -> [String; 2] {
         match (force, &self.reactions) {
             (Force::Reaction(name, _), Ok(reactions)) => reactions.bodies_of(name).unwrap_or_default(),

@@ -247,7 +247,8 @@ impl<M> Draft<'_, M> {
     }
 
     /// The loads whose forces are shown: in the joints, if the declaration states its bodies, and of the drives. Masses
-    /// are in kilograms, the time is in seconds, and the unit of lengths has so many metres; forces are shown in newtons.
+    /// are in kilograms, the time is in seconds, and the unit of lengths has so many metres. Forces are shown in
+    /// newtons.
     ///
     /// ```
     /// use kin_core::linkage::AnyLinkage;

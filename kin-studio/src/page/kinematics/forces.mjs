@@ -2,12 +2,12 @@
 import { isBroken, pieceAt } from "./drive.mjs";
 import { lastIndex } from "./search.mjs";
 
-/** A derivative of a force by time has a value on each side of a place where that of the drive by so many orders more does. */
+/** A derivative of a force jumps where that of the drive of so many orders more does. */
 export const ABOVE = 2;
 
 /**
- * @typedef {{forces: (number[] | null)[], curves: (number[] | null)[], loads: number[][]}} ForcesNow each force with its
- *   components and their rates, each curve with its rate, and each load as it is sampled
+ * Each force with its components and their rates, each curve with its rate, and each load as it is sampled.
+ * @typedef {{forces: (number[] | null)[], curves: (number[] | null)[], loads: number[][]}} ForcesNow
  */
 
 /** What was found for rows. @type {WeakMap<object, ForcesNow>} */
@@ -80,7 +80,10 @@ export function sizeOf([x, y, xRate, yRate]) {
 /** A couple counts as large if forces of this part of the largest one make it at the ends of the mechanism. */
 const ARM = 0.05;
 
-/** The largest force in a joint, unless few are far larger than the others, so that arrows can be seen; and a large couple. */
+/**
+ * The largest force in a joint, unless few are far larger than the others, so that arrows can be seen; and a large
+ * couple.
+ */
 export function scalesOfForces({ report: { forces } }, size) {
   const sizes = forces.samples.flatMap((sample) => sample.forces.filter(Boolean).map(([x, y]) => Math.hypot(x, y)));
   sizes.sort((one, other) => one - other);
