@@ -236,10 +236,9 @@ fn forces_of_a_press() {
     let all = [
         "forces crank_press.kin",
         "forces law.kin",
-        "run guided.kin forces",
         "forces guided.kin --speed 250rpm --assembly all --csv",
         "forces wrong.kin",
-        "forces bare.kin",
+        "run bare.kin forces",
         "forces four_bar",
     ]
     .map(|words| typed_in(&folder, &format!("kin {words}")));
