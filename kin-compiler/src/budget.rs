@@ -25,8 +25,8 @@ use crate::text::Mistake;
 pub struct Budget {
     /// The bytes of the text.
     pub text: usize,
-    /// The work: expressions that are looked up, and turns of the other loops that may grow faster than the text. It is
-    /// the same in every run on every machine.
+    /// The work: expressions that are looked up, and iterations of the other loops that may grow faster than the text.
+    /// It is the same in every run on every machine.
     pub work: usize,
 }
 

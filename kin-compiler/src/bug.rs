@@ -9,8 +9,8 @@ use crate::expand::expand;
 use crate::mistakes::Mistakes;
 use crate::{fallback, syntax};
 
-/// The expansion of a declaration of `mechanism!`, after the path of `kin_core` in parentheses. A panic is reported as a bug, at the
-/// declaration.
+/// The expansion of a declaration of `mechanism!`, after the path of `kin_core` in parentheses. A panic is reported as
+/// a bug, at the declaration.
 #[must_use]
 pub fn expand_or_tell(tokens: TokenStream) -> TokenStream {
     or_tell(tokens, expand)
@@ -55,7 +55,7 @@ mod tests {
 
     /// A panic is reported as a bug of the macro, and the structure stays.
     #[test]
-    fn a_panic_is_told_and_leaves_the_structure() {
+    fn a_panic_is_reported_and_leaves_the_structure() {
         let declaration = quote! {
             ($crate)
             pub struct Lever { pub arm: Length }
@@ -93,7 +93,7 @@ mod tests {
     }
 
     #[test]
-    fn without_a_panic_nothing_is_told() {
+    fn without_a_panic_nothing_is_reported() {
         let declaration = quote!(height == arm;);
         let mut expected = TokenStream::new();
         expected.extend(declaration.clone());

@@ -1,10 +1,10 @@
-//! A declaration as editors see it: a dead function with the user's names at their places.
+//! A declaration as editors see it: a dead function with the user's names at their positions.
 //!
 //! The parameters, inputs and unknowns are its arguments, and every expression is the tuple of its operands. An editor
 //! finds there what it completes, explains and follows. A build strips the function before it reads it.
 //!
 //! An editor completes a name by two expansions, one with the unfinished word and one with a longer one. It compares
-//! their places. So the text is made from the tokens alone, whether or not they can be read, and it stands first.
+//! their positions. So the text is made from the tokens alone, whether or not they can be read, and it stands first.
 
 use std::collections::BTreeSet;
 
@@ -64,7 +64,7 @@ fn begins(tokens: &[TokenTree], words: &[&str]) -> bool {
         [TokenTree::Punct(_), ..] | [] => false,
         _ => true,
     };
-    goes_on && words.iter().any(|own| word == own)
+    goes_on && words.iter().any(|known| word == known)
 }
 
 /// The tokens between commas.
@@ -159,7 +159,7 @@ fn statement(tokens: &[TokenTree], known: &mut BTreeSet<String>, runtime: &Token
         return quote_spanned!(Span::mixed_site()=> let #binding = formula((#value)););
     }
     let start = match tokens {
-        [TokenTree::Ident(word), rest @ ..] if SILENT.iter().any(|own| word == own) && gives(rest) => tokens.len(),
+        [TokenTree::Ident(word), rest @ ..] if SILENT.iter().any(|known| word == known) && gives(rest) => tokens.len(),
         [TokenTree::Ident(word), TokenTree::Ident(_), colon, ..] if word == "body" && is_punct(colon, ':') => 2,
         _ if begins(tokens, &["ground", "slide"]) => 1,
         _ => 0,
@@ -177,8 +177,8 @@ fn gives(rest: &[TokenTree]) -> bool {
     matches!(rest, [equals, next, ..] if is_punct(equals, '=') && !is_punct(next, '='))
 }
 
-/// The depth of parentheses below which nothing is completed. Each level becomes several here, and the compiler reads them
-/// by recursion.
+/// The depth of parentheses below which nothing is completed. Each level becomes several here, and the compiler reads
+/// them by recursion.
 const DEEPEST: usize = 24;
 
 /// The operands of an expression, each with a comma behind it.
@@ -191,7 +191,7 @@ fn operands(tokens: &[TokenTree], known: &BTreeSet<String>, runtime: &TokenStrea
     while let Some((token, after)) = rest.split_first() {
         rest = after;
         let mut operand = match token {
-            TokenTree::Ident(word) if BETWEEN.iter().any(|own| word == own) || is_keyword(&word.to_string()) => {
+            TokenTree::Ident(word) if BETWEEN.iter().any(|known| word == known) || is_keyword(&word.to_string()) => {
                 continue;
             }
             TokenTree::Ident(word) => match rest.first() {

@@ -1,8 +1,8 @@
 //! The replacement of a mechanism whose declaration contains mistakes.
 //!
-//! An editor gets the structure and the poses with their fields, and the solvers without bodies, so that the rest of the
-//! program can be written while the declaration is half typed. The solvers take anything as an assembly, because the
-//! blocks are unknown.
+//! An editor gets the structure and the poses with their fields, and the solvers without bodies, so that the rest of
+//! the program can be written while the declaration is half typed. The solvers take anything as an assembly, because
+//! the blocks are unknown.
 //!
 //! The compiler gets the structures alone. Their number type is by default a type that contains the first mistake, and
 //! they dereference to it. The compiler knows that it has reported this mistake. So it reports no further errors about

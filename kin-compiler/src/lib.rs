@@ -1,9 +1,10 @@
 //! The compiler of kin, from the declaration of a mechanism to its solvers.
 //!
-//! The macro `kin_core::mechanism!` is a shell around this library. A program that holds a declaration as text compiles it by
-//! [`Declaration::parse`], without rustc (feature `text`).
+//! The macro `kin_core::mechanism!` is a shell around this library. A program that holds a declaration as text compiles
+//! it by [`Declaration::parse`], without rustc (feature `text`).
 //!
-//! `docs/grammar.md` in the repository has the grammar, and `docs/macro.md` shows how the passes below follow each other.
+//! `docs/grammar.md` in the repository has the grammar, and `docs/macro.md` shows how the passes below follow each
+//! other.
 
 mod algebra;
 mod assemble;

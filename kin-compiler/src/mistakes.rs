@@ -10,7 +10,7 @@ use quote::{ToTokens, TokenStreamExt};
 
 use crate::work;
 
-/// Collected mistakes, each with its place in the source.
+/// Collected mistakes, each with its position in the source.
 ///
 /// Mistakes must not be dropped before they are reported, because a wrong declaration would then compile.
 #[derive(Default)]
@@ -30,7 +30,7 @@ impl Mistakes {
         self.push(syn::Error::new_spanned(at, message));
     }
 
-    /// Adds a mistake at one place.
+    /// Adds a mistake at one position.
     pub(crate) fn error_at(&mut self, span: Span, message: impl Display) {
         self.push(syn::Error::new(span, message));
     }
@@ -39,7 +39,7 @@ impl Mistakes {
         self.errors.push(error);
     }
 
-    /// Tells one mistake at each place within statements that are read several times.
+    /// Reports one mistake at each position within statements that are read several times.
     pub(crate) fn tell_once_within(&mut self, tokens: &TokenStream) {
         self.repeated.push(tokens.clone());
     }
@@ -67,19 +67,19 @@ impl Mistakes {
     pub(crate) fn into_errors(mut self) -> impl Iterator<Item = syn::Error> {
         let mut repeated = BTreeSet::new();
         for tokens in &self.repeated {
-            places(tokens, &mut repeated);
+            add_positions(tokens, &mut repeated);
         }
-        let mut told = BTreeSet::new();
+        let mut reported = BTreeSet::new();
         let errors = std::mem::take(&mut self.errors).into_iter().flatten();
         errors.filter(move |error| {
             if repeated.is_empty() {
                 return true;
             }
             let mut marked = error.to_compile_error().into_iter();
-            let first = marked.next().map(|token| place(token.span()));
-            let last = marked.last().map(|token| place(token.span()));
+            let first = marked.next().map(|token| position(token.span()));
+            let last = marked.last().map(|token| position(token.span()));
             let is_repeated = first.as_ref().is_some_and(|first| repeated.contains(first));
-            !is_repeated || told.insert((first, last))
+            !is_repeated || reported.insert((first, last))
         })
     }
 
@@ -90,19 +90,20 @@ impl Mistakes {
     }
 }
 
-/// A place in the source. The compiler tells lines and columns to no macro of stable Rust, but places can be compared.
-fn place(span: Span) -> String {
+/// A position in the source. The compiler gives lines and columns to no macro of stable Rust, but positions can be
+/// compared.
+fn position(span: Span) -> String {
     format!("{span:?}")
 }
 
-/// Adds the places of all tokens.
-fn places(tokens: &TokenStream, all: &mut BTreeSet<String>) {
+/// Adds the positions of all tokens.
+fn add_positions(tokens: &TokenStream, all: &mut BTreeSet<String>) {
     for token in tokens.clone() {
         if let TokenTree::Group(group) = &token {
-            all.extend([group.span_open(), group.span_close()].map(place));
-            places(&group.stream(), all);
+            all.extend([group.span_open(), group.span_close()].map(position));
+            add_positions(&group.stream(), all);
         }
-        all.insert(place(token.span()));
+        all.insert(position(token.span()));
     }
 }
 
@@ -139,7 +140,7 @@ impl Extent {
 }
 
 impl ToTokens for Extent {
-    /// Two tokens that exist only for their places. Stable Rust cannot join spans, but an error spans from its first
+    /// Two tokens that exist only for their positions. Stable Rust cannot join spans, but an error spans from its first
     /// token to its last.
     fn to_tokens(&self, tokens: &mut TokenStream) {
         for span in [self.first, self.last] {
@@ -160,7 +161,7 @@ pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a s
         if other.abs_diff(length) > allowed || work::is_spent() {
             continue;
         }
-        work::turns(length * other);
+        work::iterations(length * other);
         let distance = if word.eq_ignore_ascii_case(candidate) {
             0
         } else {

@@ -12,9 +12,9 @@ pub(crate) enum Pass {
     MultipliedOut,
     /// Equations are differentiated as typed, if this is cheaper than multiplying them out.
     AsTyped,
-    /// All vectors that turn with one angle share the P and Q of its rates.
+    /// All vectors that rotate with one angle share the P and Q of its rates.
     LinkVectors,
-    /// The equations are solved for the whole Q of a turning link, and the contributions of lower rates are subtracted
+    /// The equations are solved for the whole Q of a rotating link, and the contributions of lower rates are subtracted
     /// afterwards.
     WholeTurnings,
     /// The influences of rates on other rates are collected in coefficients that depend on the position alone, if that

@@ -1,6 +1,6 @@
-//! The places where a formula needs parentheses.
+//! The positions in which a formula needs parentheses.
 
-/// The binding strength of a formula, by its outermost operator, or the strength that its place requires.
+/// The binding strength of a formula, by its outermost operator, or the strength that its position requires.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Precedence {
     Sum,
@@ -12,8 +12,8 @@ pub(crate) enum Precedence {
 }
 
 impl Precedence {
-    /// Whether the formula needs parentheses in a place that requires at least `place`.
-    pub(crate) fn needs_parentheses(self, place: Self) -> bool {
-        self < place
+    /// Whether the formula needs parentheses in a position that requires at least `position`.
+    pub(crate) fn needs_parentheses(self, position: Self) -> bool {
+        self < position
     }
 }

@@ -1,4 +1,4 @@
-//! The reports of faults in the structure, each at the place of its cause.
+//! The reports of faults in the structure, each at the position of its cause.
 
 use std::collections::BTreeSet;
 
@@ -65,7 +65,8 @@ pub(crate) fn faults(model: &Model, origins: &[Origin], faults: &[Fault], mistak
                         whole(model, origin),
                         format_args!(
                             "too many equations: {} for {} ({}); this {} is one too many{}: remove it, or declare \
-                             the quantity that it determines as an unknown ({}; a plane equation counts as two, an equation in space as three){}",
+                             the quantity that it determines as an unknown ({}; a plane equation counts as two, an \
+                             equation in space as three){}",
                             count(equations.len(), "scalar equation"),
                             count(unknowns.len(), "unknown"),
                             names(unknowns),
@@ -112,9 +113,9 @@ pub(crate) fn size(declaration: &Declaration, order: usize, mistakes: &mut Mista
     mistakes.error(
         &declaration.name,
         format_args!(
-            "this mechanism is too large: its formulas have more than a million different terms at {}; ask for a lower `order`, \
-             for fewer outputs or no sensitivities, or turn a `let` that many formulas contain into an unknown with an equation \
-             of its own, so that it is differentiated once",
+            "this mechanism is too large: its formulas have more than a million different terms at {}; ask for a lower \
+             `order`, for fewer outputs or no sensitivities, or turn a `let` that many formulas contain into an \
+             unknown with an equation of its own, so that it is differentiated once",
             order_name(order),
         ),
     );
@@ -138,14 +139,14 @@ pub(crate) fn ranges(model: &Model, blocks: &[Block], mistakes: &mut Mistakes) {
             continue;
         }
         for &unknown in &part.unknowns {
-            let own = &model.unknowns[unknown];
-            if let Some(range) = &own.range {
+            let unknown_in_model = &model.unknowns[unknown];
+            if let Some(range) = &unknown_in_model.range {
                 mistakes.error(
-                    &own.name,
+                    &unknown_in_model.name,
                     format_args!(
-                        "the range `{}` cannot choose the assembly of `{}`, which has no closed form: remove it, and choose \
-                         the assembly by values near the position, as in `position_near(.., [..])`",
-                        range.text, own.name,
+                        "the range `{}` cannot choose the assembly of `{}`, which has no closed form: remove it, and \
+                         choose the assembly by values near the position, as in `position_near(.., [..])`",
+                        range.text, unknown_in_model.name,
                     ),
                 );
             }
@@ -167,8 +168,8 @@ pub(crate) fn requests(model: &Model, structure: &Structure, mistakes: &mut Mist
         if requested.request == Request::TransmissionAngles && !has_dyads() {
             mistakes.error(
                 &requested.name,
-                "the mechanism is not solved by dyads of two links, or of a link and a slider, so there is no transmission \
-                 angle: write the closure as a loop of vectors, or remove this",
+                "the mechanism is not solved by dyads of two links, or of a link and a slider, so there is no \
+                 transmission angle: write the closure as a loop of vectors, or remove this",
             );
         }
     }

@@ -2,7 +2,8 @@
 //!
 //! The depth of expressions is up to the user: abbreviations can be nested as deep as there are abbreviations, and a
 //! sum is processed term by term. The compiler's stack is too small for this, so these passes run on a stack of their
-//! own. Tokens and their places belong to the compiler and cannot be moved to another thread; the types enforce this.
+//! own. Tokens and their positions belong to the compiler and cannot be moved to another thread; the types enforce
+//! this.
 
 use std::panic::resume_unwind;
 use std::thread::{Builder, ScopedJoinHandle, scope};

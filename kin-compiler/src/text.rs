@@ -42,7 +42,8 @@ use crate::work;
 /// assert!(compiled.printout().contains("velocity: "));
 ///
 /// let mistakes = Declaration::parse(&slider_crank.replace("cis(phi)", "cis(psi)")).unwrap_err();
-/// assert_eq!(mistakes[0].to_string(), "6:30: no parameter, input, unknown or `let` is called `psi`; did you mean `phi`?");
+/// let message = "6:30: no parameter, input, unknown or `let` is called `psi`; did you mean `phi`?";
+/// assert_eq!(mistakes[0].to_string(), message);
 /// assert_eq!(&slider_crank[mistakes[0].bytes.clone()], "phi");
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -80,13 +81,13 @@ pub struct Mistake {
     pub message: String,
     /// The first letter of the tokens at fault.
     pub start: Position,
-    /// The place behind their last letter.
+    /// The position behind their last letter.
     pub end: Position,
     /// The bytes of these tokens in the text.
     pub bytes: Range<usize>,
 }
 
-/// A place in a text.
+/// A position in a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Position {
     /// The number of the line, from 1.
@@ -96,7 +97,8 @@ pub struct Position {
 }
 
 impl Declaration {
-    /// Compiles the declaration of a mechanism, which is the text between the braces of `mechanism! { … }`. Its memory ends with the result.
+    /// Compiles the declaration of a mechanism, which is the text between the braces of `mechanism! { … }`. Its memory
+    /// ends with the result.
     ///
     /// It compiles what the macro compiles, however long that takes: see [`Self::parse_within`] for texts of others.
     ///
@@ -126,7 +128,7 @@ impl Declaration {
 
     /// The result, which means nothing if more work was done than the budget allows, and the work.
     fn compiled(text: &str, budget: usize) -> (Result<Self, Vec<Mistake>>, usize) {
-        // Places are kept by thread for every text that is read. They go with the thread of this one.
+        // Positions are kept by thread for every text that is read. They go with the thread of this one.
         let on_a_thread = || {
             with_room(|| {
                 let compiled = catch_unwind(AssertUnwindSafe(|| compile(text))).unwrap_or_else(|panic| {
@@ -138,7 +140,7 @@ impl Declaration {
                         bytes: 0..0,
                     }])
                 });
-                forget_places();
+                forget_positions();
                 compiled
             })
         };
@@ -242,21 +244,22 @@ impl Declaration {
         with_room(|| {
             let tokens = self.tokens();
             let items = expand(quote!((::kin_core) #tokens)).to_string();
-            forget_places();
+            forget_positions();
             items
         })
     }
 }
 
-/// Frees the places of the tokens on this thread. They are kept for every text that is read, and only where no thread
-/// could be started for it are there other texts on this one.
-fn forget_places() {
+/// Frees the positions of the tokens on this thread. They are kept for every text that is read, and only where no
+/// thread could be started for it are there other texts on this one.
+fn forget_positions() {
     proc_macro2::extra::invalidate_current_thread_spans();
 }
 
 fn compile(text: &str) -> Result<Declaration, Vec<Mistake>> {
     let tokens: TokenStream = text.parse().map_err(|error: proc_macro2::LexError| {
-        let message = "this is no text of Rust: close each bracket, quote and comment, and write letters, digits and operators alone";
+        let message = "this is no text of Rust: close each bracket, quote and comment, and write letters, digits and \
+            operators alone";
         vec![Mistake::at(error.span(), message.to_owned())]
     })?;
     let mut mistakes = Mistakes::new();
@@ -380,7 +383,7 @@ mod tests {
     use super::Declaration;
     use crate::budget::{Budget, Refusal, Resource, TooLarge};
 
-    /// Places are kept nowhere: the bytes of each text count from its own beginning.
+    /// Positions are kept nowhere: the bytes of each text count from its own beginning.
     #[test]
     fn texts_do_not_add_up() {
         for _ in 0..3 {

@@ -10,18 +10,18 @@ use std::cell::Cell;
 pub(crate) struct Work {
     /// Expressions looked up in a graph.
     pub(crate) look_ups: usize,
-    /// Turns of the other loops that might grow faster than a declaration.
-    pub(crate) turns: usize,
+    /// Iterations of the other loops that might grow faster than a declaration.
+    pub(crate) iterations: usize,
 }
 
 impl Work {
     pub(crate) const fn total(self) -> usize {
-        self.look_ups.saturating_add(self.turns)
+        self.look_ups.saturating_add(self.iterations)
     }
 }
 
 thread_local! {
-    static DONE: Cell<Work> = const { Cell::new(Work { look_ups: 0, turns: 0 }) };
+    static DONE: Cell<Work> = const { Cell::new(Work { look_ups: 0, iterations: 0 }) };
     /// The total above which the budget is spent.
     static MOST: Cell<usize> = const { Cell::new(usize::MAX) };
 }
@@ -32,28 +32,28 @@ pub(crate) const ENDLESS: usize = 100_000_000;
 
 /// Counts a look-up.
 pub(crate) fn look_up() {
-    let Work { look_ups, turns } = DONE.get();
+    let Work { look_ups, iterations } = DONE.get();
     #[cfg(test)]
     assert!(look_ups < ENDLESS, "the look-ups have no end");
     DONE.set(Work {
         look_ups: look_ups + 1,
-        turns,
+        iterations,
     });
 }
 
-/// Counts a turn of another loop.
-pub(crate) fn turn() {
-    turns(1);
+/// Counts an iteration of another loop.
+pub(crate) fn iteration() {
+    iterations(1);
 }
 
-/// Counts several turns.
-pub(crate) fn turns(count: usize) {
-    let Work { look_ups, turns } = DONE.get();
+/// Counts several iterations.
+pub(crate) fn iterations(count: usize) {
+    let Work { look_ups, iterations } = DONE.get();
     #[cfg(test)]
-    assert!(turns < ENDLESS, "the turns have no end");
+    assert!(iterations < ENDLESS, "the iterations have no end");
     DONE.set(Work {
         look_ups,
-        turns: turns.saturating_add(count),
+        iterations: iterations.saturating_add(count),
     });
 }
 
@@ -76,7 +76,7 @@ pub(crate) fn within<T>(budget: usize, function: impl FnOnce() -> T) -> (T, Work
     let after = DONE.get();
     let work = Work {
         look_ups: after.look_ups - before.look_ups,
-        turns: after.turns - before.turns,
+        iterations: after.iterations - before.iterations,
     };
     (result, work)
 }
@@ -92,6 +92,6 @@ pub(crate) fn add(work: Work) {
     let done = DONE.get();
     DONE.set(Work {
         look_ups: done.look_ups + work.look_ups,
-        turns: done.turns.saturating_add(work.turns),
+        iterations: done.iterations.saturating_add(work.iterations),
     });
 }

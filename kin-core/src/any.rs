@@ -1,18 +1,22 @@
 //! A mechanism without its type: slices in and out.
 //!
-//! An answer that is written for [`AnyMechanism`] is compiled once, in the crate that gives it. For each mechanism only its own functions
-//! are compiled, and of those only the ones that the answer names: there is a trait for each of them, with the number type as parameter.
-//! [`Of`] implements all of them for every declared mechanism.
+//! An answer that is written for [`AnyMechanism`] is compiled once, in the crate that gives it. For each mechanism only
+//! its functions are compiled, and of those only the ones that the answer names: there is a trait for each of them,
+//! with the number type as parameter. [`Of`] implements all of them for every declared mechanism.
 //!
-//! All slices have the lengths that the [`Description`] tells. Parameters are an argument, so that an answer can change dimensions, or
-//! give them derivatives.
+//! All slices have the lengths that the [`Description`] gives. Parameters are an argument, so that an answer can change
+//! dimensions, or give them derivatives.
 //!
 //! ```
 //! use kin_core::any::{AnyMechanism, Of, PositionChoice};
 //! use kin_core::library::{FourBar, SliderCrank};
 //!
 //! /// The unknowns of the first assembly.
-//! fn first(mechanism: &dyn AnyMechanism, parameters: &[f64], inputs: &[f64]) -> Result<Vec<f64>, kin_core::SolveError> {
+//! fn first(
+//!     mechanism: &dyn AnyMechanism,
+//!     parameters: &[f64],
+//!     inputs: &[f64],
+//! ) -> Result<Vec<f64>, kin_core::SolveError> {
 //!     let mut unknowns = vec![0.0; mechanism.description().unknowns.len()];
 //!     mechanism.position(parameters, inputs, PositionChoice::Assembly(0), &mut unknowns)?;
 //!     Ok(unknowns)
@@ -112,7 +116,8 @@ pub trait NearOver<T> {
     fn position_near(&self, parameters: &[T], inputs: &[T], near: &[T], unknowns: &mut [T]) -> Result<(), SolveError>;
 }
 
-/// Positions in numbers of one type, chosen in both ways. Each way is compiled by itself: name the trait of one way where it is enough.
+/// Positions in numbers of one type, chosen in both ways. Each way is compiled by itself: name the trait of one way
+/// where it is enough.
 pub trait PositionOver<T>: AssemblyOver<T> + NearOver<T> {
     /// Writes the unknowns of a position.
     ///
@@ -154,7 +159,8 @@ pub trait OutputsOver<T> {
 
 /// Positions of an assembly with all time derivatives.
 pub trait AssemblyMotionOver<T> {
-    /// Writes the motions of unknowns and outputs, one after the other, each with all its orders. The inputs are given in the same way.
+    /// Writes the motions of unknowns and outputs, one after the other, each with all its orders. The inputs are given
+    /// in the same way.
     ///
     /// # Errors
     /// Those of [`Mechanism::solve`].
@@ -170,7 +176,8 @@ pub trait AssemblyMotionOver<T> {
 
 /// Positions near others with all time derivatives.
 pub trait MotionNearOver<T> {
-    /// Writes the motions of unknowns and outputs as [`AssemblyMotionOver`] does. Outputs without a place are left out.
+    /// Writes the motions of unknowns and outputs as [`AssemblyMotionOver`] does. Outputs beyond the slice are left
+    /// out.
     ///
     /// # Errors
     /// Those of [`Mechanism::solve_near`].
@@ -219,11 +226,11 @@ pub trait FormsOver<T> {
     fn block_forms(&self, parameters: &[T], found: &mut dyn FnMut(BlockForm<T>));
 }
 
-/// The places of the picture in numbers of one type.
-pub trait PlacesOver<T> {
-    /// Passes on the coordinates of each joint of the [`outline`](Pictured::outline), and then of the direction of each slide: two in the
-    /// plane, three in space.
-    fn places(&self, parameters: &[T], inputs: &[T], unknowns: &[T], found: &mut dyn FnMut(&[T]));
+/// The skeleton in numbers of one type.
+pub trait SkeletonOver<T> {
+    /// Passes on the coordinates of each joint of the [`outline`](Pictured::outline), and then of the direction of each
+    /// slide: two in the plane, three in space.
+    fn skeleton_points(&self, parameters: &[T], inputs: &[T], unknowns: &[T], found: &mut dyn FnMut(&[T]));
 }
 
 /// What is shown of a mechanism beside its motion.
@@ -276,7 +283,8 @@ pub trait Described {
     #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
     fn assembly_name(&self, index: usize) -> Option<alloc::string::String>;
 
-    /// The names of all assemblies: none if a position is chosen by values nearby, and an empty one if there is no choice.
+    /// The names of all assemblies: none if a position is chosen by values nearby, and an empty one if there is no
+    /// choice.
     #[cfg(feature = "alloc")]
     #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
     fn assembly_names(&self) -> Vec<alloc::string::String> {
@@ -284,7 +292,8 @@ pub trait Described {
         indices.filter_map(|index| self.assembly_name(index)).collect()
     }
 
-    /// The names of the choices between two assemblies: none if there is no choice, or if a position is chosen by values nearby.
+    /// The names of the choices between two assemblies: none if there is no choice, or if a position is chosen by
+    /// values nearby.
     #[cfg(feature = "alloc")]
     #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
     fn choices(&self) -> Vec<alloc::string::String>;
@@ -333,7 +342,8 @@ pub(crate) const fn description<M: Mechanism>() -> &'static Description<'static>
     const { &M::DESCRIPTION }
 }
 
-/// The names of the fields of an assembly structure, which is read as it shows itself: `Name { first: Open, second: Open }`.
+/// The names of the fields of an assembly structure, which is read as it shows itself:
+/// `Name { first: Open, second: Open }`.
 #[cfg(feature = "alloc")]
 fn fields(shown: &str) -> Vec<alloc::string::String> {
     let fields = shown.split_once('{').map_or("", |(_, fields)| fields);
@@ -439,11 +449,11 @@ impl<M: Mechanism, T: Scalar> FormsOver<T> for Of<M> {
     }
 }
 
-impl<M: Mechanism, T: Scalar> PlacesOver<T> for Of<M> {
-    fn places(&self, parameters: &[T], inputs: &[T], unknowns: &[T], found: &mut dyn FnMut(&[T])) {
-        let places = with::<M, T>(parameters).places(row(inputs), row(unknowns));
-        for place in places.as_slice() {
-            let point = place.in_space();
+impl<M: Mechanism, T: Scalar> SkeletonOver<T> for Of<M> {
+    fn skeleton_points(&self, parameters: &[T], inputs: &[T], unknowns: &[T], found: &mut dyn FnMut(&[T])) {
+        let points = with::<M, T>(parameters).skeleton_points(row(inputs), row(unknowns));
+        for point in points.as_slice() {
+            let point = point.in_space();
             let count = if self.is_space() { 3 } else { 2 };
             found(&[point.x, point.y, point.z][..count]);
         }
@@ -456,7 +466,7 @@ impl<M: Mechanism> Pictured for Of<M> {
     }
 
     fn is_space(&self) -> bool {
-        !<<M::Places as PointArray>::Point as PlaneOrSpace>::IS_PLANE
+        !<<M::SkeletonPoints as PointArray>::Point as PlaneOrSpace>::IS_PLANE
     }
 
     fn formulas(&self) -> Formulas<'_> {

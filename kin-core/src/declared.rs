@@ -1,7 +1,8 @@
 //! Descriptions of declared mechanisms.
 //!
-//! A description borrows its names, so that a mechanism can be made while the program runs. The names of a declared mechanism are constants:
-//! here are the types of its descriptions, without a lifetime. The types with one are in [`any`](crate::any).
+//! A description borrows its names, so that a mechanism can be made while the program runs. The names of a declared
+//! mechanism are constants: here are the types of its descriptions, without a lifetime. The types with one are in
+//! [`any`](crate::any).
 
 use crate::{mechanism, picture, quantity};
 

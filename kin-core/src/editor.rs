@@ -1,4 +1,5 @@
-//! The words of a declaration, as editors complete and explain them. No build sees this module or the code that names it.
+//! The words of a declaration, as editors complete and explain them. No build sees this module or the code that names
+//! it.
 //!
 //! An editor reads a declaration as the arguments and the operands of a dead function. So the types here have no
 //! operators, and a function takes anything.
@@ -28,7 +29,7 @@ scalars! {
     Direction,
     /// A plain number.
     Scalar,
-    /// A rotation of space, which turns the vector behind it: `rotation * vector`.
+    /// A rotation of space, which rotates the vector behind it: `rotation * vector`.
     Rotation,
 }
 
@@ -79,8 +80,8 @@ pub fn formula<Operands, Value>(_: Operands) -> Value {
     unreachable!()
 }
 
-/// `frame(origin, rotation)` in space, `frame(origin, angle)` in the plane: where a rigid body is. `frame * point` is the
-/// place of a point of the body.
+/// `frame(origin, rotation)` in space, `frame(origin, angle)` in the plane: where a rigid body is. `frame * point` is
+/// the position of a point of the body.
 pub fn frame<Arguments>(_: Arguments) -> Quantity {
     unreachable!()
 }

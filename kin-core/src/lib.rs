@@ -52,7 +52,7 @@
 //! | moving from one position to another in the same assembly | [`track`](track()), [`TrackError`] |
 //! | many poses over an input or over time, tables with named columns | [`sweep`] |
 //! | peaks, extremes, zeros, dwells and means of a sweep | `extremes` (feature `alloc`) |
-//! | tables that take the place of a solver, read in any language | [`exact`] |
+//! | tables that replace a solver, read in any language | [`exact`] |
 //! | all circuits and branches with their limits, Grashof's type | `cycle` (feature `alloc`) |
 //! | the reason why there is no position | [`SolveError`], [`Failure`] |
 //! | code for any mechanism | [`Mechanism`], [`Pose`] |
@@ -74,14 +74,15 @@
 //! # Features
 //!
 //! The solvers do not allocate and need no standard library: without the default feature `std`, the feature `libm`
-//! supplies the floating-point functions. The feature `alloc`, which `std` implies, adds tables and extremes of sweeps. The feature `library` adds declared mechanisms, and `rayon` solves batches on
-//! all cores. The feature `num-dual` makes the dual numbers of that crate a [`Scalar`], and `verify` uses them. The feature
-//! `nalgebra` converts to and from the points and vectors of that crate, and `approx` compares vectors and motions within
-//! a tolerance by the traits of that crate. The feature `serde` lets programs store parameters, motions, assemblies and poses. The feature
+//! supplies the floating-point functions. The feature `alloc`, which `std` implies, adds tables and extremes of sweeps.
+//! The feature `library` adds declared mechanisms, and `rayon` solves batches on all cores. The feature `num-dual`
+//! makes the dual numbers of that crate a [`Scalar`], and `verify` uses them. The feature `nalgebra` converts to and
+//! from the points and vectors of that crate, and `approx` compares vectors and motions within a tolerance by the
+//! traits of that crate. The feature `serde` lets programs store parameters, motions, assemblies and poses. The feature
 //! `tape`, which needs `std`, records solvers as data.
 //!
-//! The features stand for one version of each crate: `num-dual` 0.15, `nalgebra` 0.35, `approx` 0.5, `serde` 1. With another
-//! version, pass vectors as their coordinates.
+//! The features stand for one version of each crate: `num-dual` 0.15, `nalgebra` 0.35, `approx` 0.5, `serde` 1. With
+//! another version, pass vectors as their coordinates.
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![cfg_attr(
@@ -199,7 +200,8 @@ pub use track::{TrackError, TrackErrorOf, TrackLimit, TrackStop, track};
 /// Declares a mechanism by its loop closure, and generates solvers for its position and all time derivatives up to snap
 /// (also called jounce), or up to another order.
 ///
-/// `use kin_core::prelude::*;` imports the macro together with what its solvers take, `Motion` and `Assembly` among others.
+/// `use kin_core::prelude::*;` imports the macro together with what its solvers take, `Motion` and `Assembly` among
+/// others.
 ///
 /// A declaration is a structure with the dimensions of the mechanism, and statements in any order:
 ///
@@ -237,7 +239,7 @@ pub use track::{TrackError, TrackErrorOf, TrackLimit, TrackStop, track};
 ///   the [`TransmissionAngle`] of every dyad. `with sensitivities;` requests the method `sensitivities`, which returns
 ///   the partial derivatives of unknowns and outputs, and of all their time derivatives, with respect to each
 ///   parameter: see [`Sensitive`].
-/// - `body`, `ground` and `slide` tell the [`Skeleton`] what belongs together, where the equations do not.
+/// - `body`, `ground` and `slide` state for the [`Skeleton`] what belongs together, where the equations do not.
 /// - A `let` is an abbreviation; it must precede its uses. An output is a quantity that is calculated to the same order
 ///   as the unknowns.
 ///
@@ -245,13 +247,13 @@ pub use track::{TrackError, TrackErrorOf, TrackLimit, TrackStop, track};
 /// `cos`, `tan`, `asin`, `acos`, `atan`, `atan2`, `sinh`, `cosh`, `tanh`, `asinh`, `acosh`, `atanh`, `sqrt`, `exp`,
 /// `ln` and `powi`, and with three functions that make plane vectors: `cis(angle)`, the unit vector at an angle,
 /// `polar(length, angle)`, and `vec2(x, y)`. Functions may be written as methods, and the coordinates of a vector `v`
-/// are `v.x` and `v.y`. Plane vectors multiply like complex numbers, so `v * cis(angle)` is `v` turned by the angle. A
+/// are `v.x` and `v.y`. Plane vectors multiply like complex numbers, so `v * cis(angle)` is `v` rotated by the angle. A
 /// scalar that is added to a vector lies along the x axis.
 ///
-/// The function `vec3(x, y, z)` makes space vectors, whose coordinates are `v.x`, `v.y` and `v.z`. Rotations turn them:
-/// `rotation * vector`. A rotation is `rot_x(angle)`, `rot_y(angle)`, `rot_z(angle)`, `rot(axis, angle)` about an axis
-/// of any length but zero, or a product of rotations, of which the last one turns first. Plane and space vectors both
-/// have `dot(a, b)`, `cross(a, b)` (a scalar in the plane) and `norm(v)`. Plane and space do not mix:
+/// The function `vec3(x, y, z)` makes space vectors, whose coordinates are `v.x`, `v.y` and `v.z`. Rotations rotate
+/// them: `rotation * vector`. A rotation is `rot_x(angle)`, `rot_y(angle)`, `rot_z(angle)`, `rot(axis, angle)` about an
+/// axis of any length but zero, or a product of rotations, of which the last one rotates first. Plane and space vectors
+/// both have `dot(a, b)`, `cross(a, b)` (a scalar in the plane) and `norm(v)`. Plane and space do not mix:
 /// `vec3(v.x, v.y, 0)` places a plane vector in space, and `vec3(s, 0, 0)` a scalar.
 ///
 /// Angles are in radians. Dimensions are checked: a length plus an angle, the sine of a length, and a scalar equal to a
@@ -327,7 +329,8 @@ macro_rules! mechanism {
     };
 }
 
-/// Lets mechanisms be stored: implements serde's `Serialize` and `Deserialize` for their structures, as [`ParameterRecord`](stored::ParameterRecord) does.
+/// Lets mechanisms be stored: implements serde's `Serialize` and `Deserialize` for their structures, as
+/// [`ParameterRecord`](stored::ParameterRecord) does.
 ///
 /// The crate that calls it need not depend on serde. A structure that is storable must not derive these traits.
 ///
@@ -360,7 +363,8 @@ macro_rules! storable {
                     &self,
                     __serializer: __S,
                 ) -> ::core::result::Result<__S::Ok, __S::Error> {
-                    $crate::__private::serde::Serialize::serialize(&$crate::stored::ParameterRecord(*self), __serializer)
+                    let record = $crate::stored::ParameterRecord(*self);
+                    $crate::__private::serde::Serialize::serialize(&record, __serializer)
                 }
             }
 
@@ -438,7 +442,8 @@ macro_rules! __poses {
     };
 }
 
-/// The messages about calls that people guess, and that a mechanism and its poses do not have. The last pose has all orders.
+/// The messages about calls that people guess, and that a mechanism and its poses do not have. The last pose has all
+/// orders.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __guessed {
@@ -570,10 +575,10 @@ macro_rules! __choices {
         impl ::core::fmt::Display for $assembly {
             fn fmt(&self, formatter: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
                 let choices = [$((::core::stringify!($field), self.$field)),*];
-                for (place, (block, assembly)) in $crate::__private::core::iter::Iterator::enumerate(
+                for (index, (block, assembly)) in $crate::__private::core::iter::Iterator::enumerate(
                     $crate::__private::core::iter::IntoIterator::into_iter(choices),
                 ) {
-                    let separator = if place == 0 { "" } else { ", " };
+                    let separator = if index == 0 { "" } else { ", " };
                     ::core::write!(formatter, "{separator}{block}: {assembly}")?;
                 }
                 ::core::result::Result::Ok(())
@@ -604,7 +609,8 @@ macro_rules! __not_all_positions {
     };
 }
 
-/// What a mechanism with a single position answers without an assembly: the methods of the traits that take one, for every mechanism.
+/// What a mechanism with a single position answers without an assembly: the methods of the traits that take one, for
+/// every mechanism.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __single_position {
@@ -692,8 +698,8 @@ macro_rules! __assert_verified {
 macro_rules! __assert_verified {
     ($mechanism:ty) => {
         compile_error!(
-            "the test of a mechanism needs the feature `std` of kin-core: repeat the dependency under [dev-dependencies] \
-             of Cargo.toml, with the same path or version and with features = [\"std\"]"
+            "the test of a mechanism needs the feature `std` of kin-core: repeat the dependency under \
+             [dev-dependencies] of Cargo.toml, with the same path or version and with features = [\"std\"]"
         )
     };
 }

@@ -56,8 +56,8 @@ pub mod live {
     //! | [`choose_in`] among [`SolutionInRange`]s | `solve::choose` |
     //! | `T::assembled` for each value | `T::all_assembled` |
     //! | [`agreeing_in`] | `solve::agreeing` |
-    //! | [`within_turns_in`] | `solve::within_turns` |
-    //! | [`nearest_turn`] for each angle, if there is a guess | `solve::on_turn` |
+    //! | [`check_guesses_in`] | `solve::check_guesses` |
+    //! | [`unwrap_near`] for each angle, if there is a guess | `solve::unwrap_to_guess` |
     //! | [`largest_in`] | `solve::largest` |
     //! | [`culprit_in`], then [`failed_in`] with `Name::by_index` and [`InputNames`] | `culprit` and `failed` |
     //! | [`every_in`], [`Choices::solution_in`] and [`is_same_position`] | `every` and `Choices::solution` |
@@ -78,8 +78,8 @@ pub mod live {
     pub use crate::mechanism::{culprit_in, failed_in};
     pub use crate::number::Changing;
     pub use crate::solve::{
-        Elimination, FactorRow, NewtonMemory, SolutionInRange, agreeing_in, choose_in, decisive_in, decisive_vector_in,
-        factor_in, largest_in, nearest_turn, newton_in, substitute_in, within_turns_in,
+        Elimination, FactorRow, NewtonMemory, SolutionInRange, agreeing_in, check_guesses_in, choose_in, decisive_in,
+        decisive_vector_in, factor_in, largest_in, newton_in, substitute_in, unwrap_near,
     };
     #[cfg(feature = "alloc")]
     pub use crate::sweep::{READ, SweptMechanism};

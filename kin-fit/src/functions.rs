@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use kin_core::any::{FormsOver, Of, OutputsOver, PlacesOver, PositionChoice, PositionOver, TransmissionOver};
+use kin_core::any::{FormsOver, Of, OutputsOver, PositionChoice, PositionOver, SkeletonOver, TransmissionOver};
 use kin_core::extremes::{At, ExtremesError, Peak};
 use kin_core::linkage::{AnyLinkage, LinkageFunctions};
 use kin_core::sweep::{Local, Swept as _};
@@ -21,7 +21,7 @@ pub trait FitFunctions:
     + OutputsOver<Change>
     + FormsOver<Change>
     + TransmissionOver<Change>
-    + PlacesOver<Change>
+    + SkeletonOver<Change>
 {
     /// The largest length of a derivative of a point, over a line of inputs on which the moving one has the speed 1.
     /// Only a mechanism that rustc has compiled has this figure.
@@ -179,8 +179,8 @@ impl Posed<'_> {
     }
 
     pub(crate) fn joints(&self, at: &Solved, found: &mut dyn FnMut([Change; 2])) {
-        let functions: &dyn PlacesOver<Change> = self.functions;
-        functions.places(self.parameters(), &at.inputs, &at.unknowns, &mut |place| {
+        let functions: &dyn SkeletonOver<Change> = self.functions;
+        functions.skeleton_points(self.parameters(), &at.inputs, &at.unknowns, &mut |place| {
             if let [x, y, ..] = place {
                 found([*x, *y]);
             }

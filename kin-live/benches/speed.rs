@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 use kin_core::any::{AssemblyMotionOver, Described, MotionNearOver, Of};
 use kin_core::batch::{
-    AnyBatch, AnyFold, Column, ColumnChoice, Fold, GivenColumns, KeptMemory, Outcome, Place, Turn, Vectors,
+    AnyBatch, AnyFold, Column, ColumnChoice, Fold, GivenColumns, InputGrid, KeptMemory, Outcome, Slot, Vectors,
     WantedColumns,
 };
 use kin_core::library::{ClassThreeTriad, FourBar, JansenLeg, SliderCrank, WattI};
@@ -103,9 +103,9 @@ fn compare<M: Mechanism<Scalar = f64>>(file: &str, mechanism: &M, input: impl Fn
             ColumnChoice::Assembly(0)
         },
     };
-    let mut places: Vec<Place> = Vec::new();
+    let mut places: Vec<Slot> = Vec::new();
     for order in 0..orders {
-        places.extend((0..description.unknowns.len()).map(|index| Place::Unknown(index, order)));
+        places.extend((0..description.unknowns.len()).map(|index| Slot::Unknown(index, order)));
     }
     let mut numbers = vec![vec![0.0; POSES]; places.len()];
     let mut outcomes = vec![Outcome::Unsolved; POSES];
@@ -135,8 +135,8 @@ fn compare<M: Mechanism<Scalar = f64>>(file: &str, mechanism: &M, input: impl Fn
         if M::ASSEMBLY_COUNT == 0 {
             continue;
         }
-        let turn = Turn::whole(0, POSES);
-        let mut folds = [Fold::of(Place::Unknown(0, orders - 1))];
+        let turn = InputGrid::revolution(0, POSES);
+        let mut folds = [Fold::of(Slot::Unknown(0, orders - 1))];
         let mut memory = KeptMemory::default();
         let mut run = |own: &dyn AnyFold| {
             let summary = own.fold_batch(turn, given, &mut folds, &mut memory, vectors);

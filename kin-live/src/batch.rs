@@ -7,7 +7,7 @@ use kin_core::batch::{
     solve_slices,
 };
 #[cfg(feature = "folds")]
-use kin_core::batch::{AnyFold, Fold, FoldError, KeptMemory, Turn, fold_slices};
+use kin_core::batch::{AnyFold, Fold, FoldError, InputGrid, KeptMemory, fold_slices};
 use kin_core::{Scalar, SolveError, TransmissionAngle};
 
 use crate::mechanism::Mechanism;
@@ -125,7 +125,7 @@ impl AnyBatch for Mechanism {
 impl AnyFold for Mechanism {
     fn fold_batch(
         &self,
-        turn: Turn,
+        turn: InputGrid,
         given: GivenColumns<'_>,
         folds: &mut [Fold],
         memory: &mut KeptMemory,

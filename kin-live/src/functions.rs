@@ -6,8 +6,8 @@ use kin_core::__private::live::{
 };
 use kin_core::any::{
     AnyMechanism, AssemblyMotionOver, AssemblyOver, ClosureOver, ClosureTerm, ClosureTermsOver, Described, Description,
-    EveryPosition, FormsOver, Formulas, MotionNearOver, Name, NearOver, Outline, OutputsOver, Pictured, PlacesOver,
-    PositionChoice, TransmissionOver,
+    EveryPosition, FormsOver, Formulas, MotionNearOver, Name, NearOver, Outline, OutputsOver, Pictured, PositionChoice,
+    SkeletonOver, TransmissionOver,
 };
 use kin_core::linkage::LinkageFunctions;
 use kin_core::series::Series;
@@ -330,8 +330,8 @@ impl<T: Scalar> OutputsOver<T> for Mechanism {
     }
 }
 
-impl<T: Scalar> PlacesOver<T> for Mechanism {
-    fn places(&self, parameters: &[T], inputs: &[T], unknowns: &[T], found: &mut dyn FnMut(&[T])) {
+impl<T: Scalar> SkeletonOver<T> for Mechanism {
+    fn skeleton_points(&self, parameters: &[T], inputs: &[T], unknowns: &[T], found: &mut dyn FnMut(&[T])) {
         let Some(any) = inputs.first() else { return };
         // written over, as the memory of a run is
         let mut places = vec![*any; self.places.results()];

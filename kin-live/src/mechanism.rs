@@ -115,7 +115,7 @@ impl Mechanism {
         ];
         let [closure, outputs, places] = {
             let sheets = declaration.sheets();
-            [&sheets.closure, &sheets.outputs, &sheets.places].map(|sheet| {
+            [&sheets.closure, &sheets.outputs, &sheets.skeleton_points].map(|sheet| {
                 let [parameters, inputs, unknowns] = counts;
                 SheetCode::new(sheet, parameters, inputs, unknowns)
                     .unwrap_or_else(|| unreachable!("a compiled declaration names its own quantities"))

@@ -83,7 +83,7 @@ fn summary(result: &Refined, objective: &Objective) -> String {
             turn.to_degrees()
         );
     }
-    text += if result.figures.is_full_turn {
+    text += if result.figures.is_full_revolution {
         " The input turns fully."
     } else {
         " The input swings."
@@ -124,7 +124,7 @@ fn drafted<'f>(functions: &'f dyn RefinedFunctions, result: &Refined, objective:
         .moving(objective.moving_input())
         .plots(objective.quantities());
     let [from, to] = result.figures.travel;
-    if result.figures.is_full_turn || from == to {
+    if result.figures.is_full_revolution || from == to {
         draft
     } else {
         draft.range(from.min(to)..=from.max(to))

@@ -10,7 +10,7 @@ mod measure;
 
 use core::hint::black_box;
 
-use kin_core::batch::{Batch, Column, Fold, FoldedNumber, Outcome, Place, Turn, Vectors};
+use kin_core::batch::{Batch, Column, Fold, FoldedNumber, InputGrid, Outcome, Slot, Vectors};
 use kin_core::library::{ClassThreeTriad, ClassThreeTriadBatch, FourBar, FourBarBatch, SliderCrank, SliderCrankBatch};
 use kin_core::prelude::*;
 use kin_tests::notes::{self, four_bar_geometric, sample};
@@ -330,9 +330,9 @@ fn folds() {
         r4: 60.0,
     };
     let parameters = || black_box(linkage).parameters().map(Column::Same);
-    let [position, snap, speed] = [0, 4, 1].map(|order| Place::Unknown(1, order));
+    let [position, snap, speed] = [0, 4, 1].map(|order| Slot::Unknown(1, order));
     for count in [360, MANY] {
-        let turn = Turn::whole(0, count);
+        let turn = InputGrid::revolution(0, count);
         let angles: Vec<f64> = (0..count).map(|index| turn.value(index)).collect();
         let mut theta2 = Motion::at_constant_speed(0.0, 10.0).map(Column::Same);
         theta2[0] = Column::Each(&angles);

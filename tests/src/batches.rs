@@ -1,7 +1,7 @@
 //! Batches of any mechanism, with dimensions and inputs of its own for each pose.
 
 use kin_core::Description;
-use kin_core::batch::{Batch, Column, Columns, Element, Outcome, Place, Summary, Vectors, Visitor, WantedColumns};
+use kin_core::batch::{Batch, Column, Columns, Element, Outcome, Slot, Summary, Vectors, Visitor, WantedColumns};
 use kin_core::prelude::*;
 
 use crate::mechanisms::cases::ThroughSnap;
@@ -74,10 +74,10 @@ impl<E: Element> Table<E> {
 impl Table {
     /// All columns, for a batch of a mechanism without its type.
     pub fn wanted(&mut self) -> WantedColumns<'_> {
-        struct All<'w>(Vec<(Place, &'w mut [f64])>);
+        struct All<'w>(Vec<(Slot, &'w mut [f64])>);
 
         impl<'w> Visitor<'w, Vec<f64>> for All<'w> {
-            fn visit(&mut self, place: Place, column: &'w mut Vec<f64>) {
+            fn visit(&mut self, place: Slot, column: &'w mut Vec<f64>) {
                 self.0.push((place, column));
             }
         }
@@ -90,7 +90,7 @@ impl Table {
 
 fn visit<'a, E>(
     motions: &'a mut [Vec<Vec<E>>],
-    place: impl Fn(usize, usize) -> Place,
+    place: impl Fn(usize, usize) -> Slot,
     visitor: &mut impl Visitor<'a, Vec<E>>,
 ) {
     for (index, motion) in motions.iter_mut().enumerate() {
@@ -105,12 +105,12 @@ impl<E> Columns<Vec<E>> for Table<E> {
     where
         E: 'a,
     {
-        visit(&mut self.inputs, Place::Input, visitor);
-        visit(&mut self.unknowns, Place::Unknown, visitor);
+        visit(&mut self.inputs, Slot::Input, visitor);
+        visit(&mut self.unknowns, Slot::Unknown, visitor);
         for (index, column) in self.sines.iter_mut().enumerate() {
-            visitor.visit(Place::Sine(index), column);
+            visitor.visit(Slot::Sine(index), column);
         }
-        visit(&mut self.outputs, Place::Output, visitor);
+        visit(&mut self.outputs, Slot::Output, visitor);
     }
 }
 

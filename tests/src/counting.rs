@@ -49,7 +49,7 @@ impl<M: Mechanism> Mechanism for Counting<M> {
     type Residuals<V: Copy> = M::Residuals<V>;
     type Blocks<V: Copy> = M::Blocks<V>;
     type Dyads<V: Copy> = M::Dyads<V>;
-    type Places = M::Places;
+    type SkeletonPoints = M::SkeletonPoints;
 
     fn lend<R>(use_of_it: impl FnOnce(kin_core::__private::Lent<'_>) -> R) -> R {
         M::lend(use_of_it)
@@ -127,8 +127,12 @@ impl<M: Mechanism> Mechanism for Counting<M> {
         self.0.closure_terms(found);
     }
 
-    fn places(&self, inputs: Self::Inputs<Self::Scalar>, unknowns: Self::Unknowns<Self::Scalar>) -> Self::Places {
-        self.0.places(inputs, unknowns)
+    fn skeleton_points(
+        &self,
+        inputs: Self::Inputs<Self::Scalar>,
+        unknowns: Self::Unknowns<Self::Scalar>,
+    ) -> Self::SkeletonPoints {
+        self.0.skeleton_points(inputs, unknowns)
     }
 
     fn outputs_at(

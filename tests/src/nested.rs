@@ -77,7 +77,7 @@ impl<T: Number> Div for Nested<T> {
 
 impl<T: Number> Number for Nested<T> {
     const EPSILON: f64 = T::EPSILON;
-    const SMALLEST: f64 = T::SMALLEST;
+    const SMALLEST_DIVISOR: f64 = T::SMALLEST_DIVISOR;
     const ORDER: usize = T::ORDER + 1;
 
     fn constant(value: f64) -> Self {

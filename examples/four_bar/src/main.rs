@@ -240,7 +240,7 @@ fn range_of_motion(linkage: &FourBar) -> Result<(), Box<dyn Error>> {
         "The linkage closes for theta2 from {:.4} to {:.4} degrees{}.",
         low.to_degrees(),
         high.to_degrees(),
-        if branch.is_full_turn() {
+        if branch.is_full_revolution() {
             ": the crank makes full turns"
         } else {
             "; the crank does not make full turns"

@@ -3,8 +3,9 @@
 use super::{Function, Graph, Node, NodeKind};
 
 impl Graph {
-    /// A bound of the magnitude of an expression whose terms are products of numbers, sines and cosines. Where the expression is a small
-    /// part of it, what is left is rounding. There is none if anything else occurs, such as a length, whose size is not known.
+    /// A bound of the magnitude of an expression whose terms are products of numbers, sines and cosines. Where the
+    /// expression is a small part of it, what is left is rounding. There is none if anything else occurs, such as a
+    /// length, whose size is not known.
     pub(crate) fn amplitude(&self, node: Node) -> Option<f64> {
         match self.kind(node) {
             NodeKind::Number(number) => Some(number.get().abs()),

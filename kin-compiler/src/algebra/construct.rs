@@ -197,7 +197,7 @@ impl Graph {
     }
 
     pub(crate) fn sine(&mut self, angle: Node) -> Node {
-        let (quarters, rest) = self.split_quarter_turns(angle);
+        let (quarters, rest) = self.split_right_angles(angle);
         let value = match quarters {
             0 | 2 => self.odd_call(Function::Sin, rest),
             _ => self.even_call(Function::Cos, rest),
@@ -206,7 +206,7 @@ impl Graph {
     }
 
     pub(crate) fn cosine(&mut self, angle: Node) -> Node {
-        let (quarters, rest) = self.split_quarter_turns(angle);
+        let (quarters, rest) = self.split_right_angles(angle);
         let value = match quarters {
             0 | 2 => self.even_call(Function::Cos, rest),
             _ => self.odd_call(Function::Sin, rest),
@@ -218,10 +218,10 @@ impl Graph {
         }
     }
 
-    /// Splits an angle into quarter turns, modulo four, and a remainder.
-    fn split_quarter_turns(&mut self, angle: Node) -> (u8, Node) {
+    /// Splits an angle into right angles, modulo four, and a remainder.
+    fn split_right_angles(&mut self, angle: Node) -> (u8, Node) {
         let pi = self.pi();
-        let turns = match self.kind(angle) {
+        let half_revolutions = match self.kind(angle) {
             NodeKind::Pi => 1.0,
             NodeKind::Sum(_, terms) => terms
                 .iter()
@@ -229,8 +229,8 @@ impl Graph {
                 .map_or(0.0, |&(_, coefficient)| coefficient.get()),
             _ => 0.0,
         };
-        let quarters = (2.0 * turns).round();
-        if quarters == 0.0 || (2.0 * turns - quarters).abs() > 1e-12 {
+        let quarters = (2.0 * half_revolutions).round();
+        if quarters == 0.0 || (2.0 * half_revolutions - quarters).abs() > 1e-12 {
             return (0, angle);
         }
         let rest = self.linear(0.0, &[(angle, 1.0), (pi, -quarters / 2.0)]);
@@ -279,7 +279,7 @@ impl Graph {
             let value = function.value(&values);
             self.note(Misfit::of(value, function.has_zeros()));
             return if value == FRAC_PI_2 || value == -FRAC_PI_2 {
-                // asin(1) and similar values are quarter turns: keep them exact
+                // asin(1) and similar values are multiples of a right angle: keep them exact
                 let pi = self.pi();
                 self.scale(value.signum() / 2.0, pi)
             } else {
@@ -329,10 +329,10 @@ mod tests {
         for (quarters, expected_cosine, expected_sine) in
             [(1.0, -1.0, 0.0), (2.0, 0.0, -1.0), (3.0, 1.0, 0.0), (-1.0, 1.0, 0.0)]
         {
-            let turned = graph.linear(0.0, &[(a, 1.0), (pi, quarters / 2.0)]);
-            let (cosine, sine_turned) = (graph.cosine(turned), graph.sine(turned));
+            let rotated = graph.linear(0.0, &[(a, 1.0), (pi, quarters / 2.0)]);
+            let (cosine, sine_rotated) = (graph.cosine(rotated), graph.sine(rotated));
             if expected_cosine == 0.0 {
-                assert_eq!(sine_turned, graph.scale(expected_sine, sine));
+                assert_eq!(sine_rotated, graph.scale(expected_sine, sine));
             } else {
                 assert_eq!(cosine, graph.scale(expected_cosine, sine));
             }
@@ -343,7 +343,7 @@ mod tests {
         assert_eq!(graph.sine(opposite), expected);
     }
 
-    /// A root multiplied by any power of its own radicand becomes a power of the radicand.
+    /// A root multiplied by any power of its radicand becomes a power of the radicand.
     #[test]
     fn powers_of_roots_are_powers_of_what_stands_below() {
         let mut graph = Graph::new();

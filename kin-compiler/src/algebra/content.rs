@@ -92,9 +92,9 @@ impl Contents {
             | Symbol::Sensitivity(..)
             | Symbol::OutputSensitivity(..) => RATE,
         };
-        let set = place(symbol).map_or(0, |place| {
-            let mut bits = vec![0; place / 64 + 1];
-            bits[place / 64] = 1 << (place % 64);
+        let set = slot(symbol).map_or(0, |slot| {
+            let mut bits = vec![0; slot / 64 + 1];
+            bits[slot / 64] = 1 << (slot % 64);
             self.number(bits)
         });
         Content { kinds, set }
@@ -102,10 +102,10 @@ impl Contents {
 
     fn joined(&mut self, parts: impl Iterator<Item = Node>) -> Content {
         parts.fold(Content::default(), |joined, part| {
-            let own = self.of(part);
+            let content = self.of(part);
             Content {
-                kinds: joined.kinds | own.kinds,
-                set: self.union(joined.set, own.set),
+                kinds: joined.kinds | content.kinds,
+                set: self.union(joined.set, content.set),
             }
         })
     }
@@ -145,10 +145,10 @@ impl Contents {
 
     /// Whether a content includes a parameter, an input or an unknown.
     pub(super) fn has(&self, content: Content, symbol: Symbol) -> bool {
-        let place = place(symbol).expect("other symbols are not in the sets");
+        let slot = slot(symbol).expect("other symbols are not in the sets");
         self.sets[content.set as usize]
-            .get(place / 64)
-            .is_some_and(|word| word >> (place % 64) & 1 == 1)
+            .get(slot / 64)
+            .is_some_and(|word| word >> (slot % 64) & 1 == 1)
     }
 
     /// The indices of the unknowns in a content, ascending.
@@ -160,12 +160,12 @@ impl Contents {
                     .filter(move |bit| word >> bit & 1 == 1)
                     .map(move |bit| 64 * index + bit)
             })
-            .filter_map(|place| (place % 3 == 0).then_some(place / 3))
+            .filter_map(|slot| (slot % 3 == 0).then_some(slot / 3))
     }
 }
 
 /// The position of a symbol in the sets.
-const fn place(symbol: Symbol) -> Option<usize> {
+const fn slot(symbol: Symbol) -> Option<usize> {
     match symbol {
         Symbol::Unknown(index) => Some(3 * index),
         Symbol::Parameter(index) => Some(3 * index + 1),

@@ -44,7 +44,7 @@ pub enum Symbol {
     /// The partial derivative of a scalar part of an output by a parameter: part, parameter, order of the time
     /// derivative.
     OutputSensitivity(usize, usize, usize),
-    /// A value that the program computes in a step of its own: the result of a closed form, or an abbreviation.
+    /// A value that the program computes in a separate step: the result of a closed form, or an abbreviation.
     Step(usize),
     /// A value that the scheduler named.
     Value(usize),
@@ -56,7 +56,7 @@ pub(crate) struct FiniteNumber(u64);
 
 impl FiniteNumber {
     pub(crate) fn new(value: f64) -> Self {
-        // adding zero turns negative zero into positive zero
+        // adding zero changes negative zero into positive zero
         Self((value + 0.0).to_bits())
     }
 
@@ -73,7 +73,7 @@ pub(crate) enum Misfit {
 }
 
 impl Misfit {
-    /// The fault of a rounded constant; `is_zero` tells whether the exact value is zero.
+    /// The fault of a rounded constant; `is_zero` decides whether the exact value is zero.
     pub(crate) fn of(value: f64, is_zero: bool) -> Option<Self> {
         match value.classify() {
             FpCategory::Nan | FpCategory::Infinite => Some(Self::TooLarge),
@@ -97,7 +97,7 @@ impl Display for Misfit {
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub(crate) enum NodeKind {
     Number(FiniteNumber),
-    /// π, kept apart from numbers so that quarter turns are found exactly.
+    /// π, kept apart from numbers so that right angles are found exactly.
     Pi,
     Symbol(Symbol),
     /// constant + Σ coefficient · node. The nodes ascend, none is a number or a short sum, and no coefficient is zero.
@@ -172,7 +172,7 @@ impl Graph {
         self.misfit
     }
 
-    /// A new symbol for a value that the program computes in a step of its own.
+    /// A new symbol for a value that the program computes in a separate step.
     pub(crate) fn new_step(&mut self) -> (Symbol, Node) {
         let symbol = Symbol::Step(self.steps);
         self.steps += 1;
@@ -225,10 +225,10 @@ impl Graph {
     /// The given nodes and all nodes below them, in ascending order.
     pub(crate) fn reachable(&self, roots: &[Node]) -> BTreeSet<Node> {
         let mut seen = BTreeSet::new();
-        let mut open = roots.to_vec();
-        while let Some(node) = open.pop() {
+        let mut pending = roots.to_vec();
+        while let Some(node) = pending.pop() {
             if seen.insert(node) {
-                open.extend(self.operands(node));
+                pending.extend(self.operands(node));
             }
         }
         seen
@@ -315,7 +315,7 @@ impl Graph {
         }
     }
 
-    /// The largest distance of a node's own constants from 1, as an absolute logarithm. Zero is ignored.
+    /// The largest distance of the constants of a node from 1, as an absolute logarithm. Zero is ignored.
     pub(crate) fn extremity(&self, node: Node) -> f64 {
         let size = |number: &FiniteNumber| {
             if number.get() == 0.0 {
@@ -337,9 +337,12 @@ impl Graph {
     /// Whether an expression is a symbol or its opposite.
     pub(crate) fn is_signed_symbol(&self, node: Node, symbol: Symbol) -> bool {
         match self.kind(node) {
-            NodeKind::Symbol(own) => *own == symbol,
+            NodeKind::Symbol(known) => *known == symbol,
             NodeKind::Sum(constant, terms) if constant.get() == 0.0 => {
-                matches!(terms[..], [(term, factor)] if factor.get().abs() == 1.0 && self.as_symbol(term) == Some(symbol))
+                matches!(
+                    terms[..],
+                    [(term, factor)] if factor.get().abs() == 1.0 && self.as_symbol(term) == Some(symbol)
+                )
             }
             _ => false,
         }

@@ -206,7 +206,7 @@ fn multiply_harmonics(left: &Harmonic, right: &Harmonic) -> Vec<(Harmonic, f64)>
         Some((angle, _)) => Some((Harmonic::Cosine(angle), factor)),
     };
     let sine = |combination: Option<(Angle, bool)>, factor: f64| {
-        combination.map(|(angle, turned)| (Harmonic::Sine(angle), if turned { -factor } else { factor }))
+        combination.map(|(angle, is_negated)| (Harmonic::Sine(angle), if is_negated { -factor } else { factor }))
     };
     let parts = match (left, right) {
         (Harmonic::One, other) | (other, Harmonic::One) => return vec![(other.clone(), 1.0)],
@@ -452,11 +452,11 @@ impl<'a> Expansion<'a> {
         let Some((combination, rest)) = self.split_angle(angle) else {
             return self.atom(node);
         };
-        let Some((combination, turned)) = Angle::normal(combination) else {
+        let Some((combination, is_negated)) = Angle::normal(combination) else {
             return self.atom(node);
         };
         let (cosine_rest, sine_rest) = (self.graph.cosine(rest), self.graph.sine(rest));
-        let sign = if turned { -1.0 } else { 1.0 };
+        let sign = if is_negated { -1.0 } else { 1.0 };
         // sin(p + r) = sin p cos r + cos p sin r, cos(p + r) = cos p cos r - sin p sin r, with p = ± combination
         let (by_cosine, by_sine) = match function {
             Function::Sin => (sine_rest, self.graph.scale(sign, cosine_rest)),
@@ -518,7 +518,7 @@ impl TrigonometricPolynomial {
         self.0.keys().any(|monomial| {
             let mut atoms = monomial.powers.keys();
             atoms.any(|&atom| graph.contains(atom, Symbol::Unknown(unknown)))
-                || monomial.harmonic.unknowns().any(|own| own == unknown)
+                || monomial.harmonic.unknowns().any(|other| other == unknown)
         })
     }
 }

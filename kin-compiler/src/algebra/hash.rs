@@ -6,7 +6,8 @@ use std::hash::{BuildHasherDefault, Hasher};
 /// A hash table. As everywhere, its order must not reach the output.
 pub(crate) type HashMap<Key, Value> = std::collections::HashMap<Key, Value, BuildHasherDefault<Mixer>>;
 
-/// Multiplicative hashing of each word in turn (D. E. Knuth, *The Art of Computer Programming* 3, 2nd edition, section 6.4).
+/// Multiplicative hashing of one word after the other (D. E. Knuth, *The Art of Computer Programming* 3, 2nd edition,
+/// section 6.4).
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Mixer(u64);
 

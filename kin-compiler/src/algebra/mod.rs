@@ -2,7 +2,7 @@
 //!
 //! Equal expressions are one node, because every constructor brings its result into normal form before it looks the
 //! node up. In normal form, sums are flat with numeric coefficients, products are flat with integer exponents, and
-//! sines and cosines have their quarter turns and signs taken out. Nodes are numbered in the order of creation, and
+//! sines and cosines have their right angles and signs taken out. Nodes are numbered in the order of creation, and
 //! nothing depends on the order of a hash table. So the same declaration gives the same graph, byte for byte.
 
 mod amplitude;

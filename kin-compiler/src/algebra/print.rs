@@ -35,7 +35,7 @@ struct Printer<'a> {
 }
 
 impl Printer<'_> {
-    fn print(&mut self, node: Node, place: Precedence) {
+    fn print(&mut self, node: Node, outside: Precedence) {
         if self.text.len() > LONGEST {
             return;
         }
@@ -44,7 +44,7 @@ impl Printer<'_> {
             NodeKind::Pi => self.text.push_str("PI"),
             NodeKind::Symbol(symbol) => self.text.push_str(&(self.name)(*symbol)),
             NodeKind::Sum(constant, terms) => {
-                self.within(Precedence::Sum.needs_parentheses(place), |printer| {
+                self.within(Precedence::Sum.needs_parentheses(outside), |printer| {
                     for (index, &(part, coefficient)) in terms.iter().enumerate() {
                         let value = coefficient.get();
                         printer.text.push_str(match (index, value < 0.0) {
@@ -69,7 +69,7 @@ impl Printer<'_> {
             }
             NodeKind::Product(factors) => {
                 let (above, below): (Vec<_>, Vec<_>) = factors.iter().partition(|&&(_, exponent)| exponent > 0);
-                self.within(Precedence::Product.needs_parentheses(place), |printer| {
+                self.within(Precedence::Product.needs_parentheses(outside), |printer| {
                     if above.is_empty() {
                         printer.text.push('1');
                     }
@@ -94,8 +94,8 @@ impl Printer<'_> {
 
     /// Writes factors with their powers, whatever the sign of the powers.
     fn factors(&mut self, factors: &[(Node, i32)]) {
-        for (place, &(part, exponent)) in factors.iter().enumerate() {
-            self.text.push_str(if place == 0 { "" } else { " * " });
+        for (index, &(part, exponent)) in factors.iter().enumerate() {
+            self.text.push_str(if index == 0 { "" } else { " * " });
             match exponent.unsigned_abs() {
                 1 => self.print(part, Precedence::Atom),
                 power => {

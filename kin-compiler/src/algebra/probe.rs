@@ -62,14 +62,14 @@ impl Graph {
     pub(crate) fn probe(&mut self, node: Node) -> [f64; POINTS] {
         // operands have lower indices than the expressions that contain them
         for index in self.probed.len()..=node.index() {
-            work::turn();
+            work::iteration();
             #[expect(clippy::cast_possible_truncation, reason = "there are fewer than 2^32 nodes")]
-            let own = Node(index as u32);
+            let node = Node(index as u32);
             let mut values = [0.0; POINTS];
-            for (place, (value, probe)) in values.iter_mut().zip(Probe::all()).enumerate() {
+            for (point, (value, probe)) in values.iter_mut().zip(Probe::all()).enumerate() {
                 *value = self.value(
-                    own,
-                    |operand| self.probed[operand.index()][place],
+                    node,
+                    |operand| self.probed[operand.index()][point],
                     |symbol| probe.value(symbol),
                 );
             }
@@ -90,9 +90,9 @@ impl Graph {
             NodeKind::Sum(constant, terms) => {
                 let values = self.probe(node);
                 let mut seen = false;
-                for (place, value) in values.into_iter().enumerate().filter(|(_, value)| value.is_finite()) {
+                for (point, value) in values.into_iter().enumerate().filter(|(_, value)| value.is_finite()) {
                     let size = terms.iter().fold(constant.get().abs(), |size, &(part, coefficient)| {
-                        size + (coefficient.get() * self.probed[part.index()][place]).abs()
+                        size + (coefficient.get() * self.probed[part.index()][point]).abs()
                     });
                     if value.abs() > TOLERANCE * size.max(1e-3) {
                         return false;
@@ -105,8 +105,8 @@ impl Graph {
         }
     }
 
-    /// Whether an expression is zero but for rounding because terms of it cancel, at any depth of sums and products. However
-    /// small it is otherwise, its magnitude does not matter.
+    /// Whether an expression is zero but for rounding because terms of it cancel, at any depth of sums and products.
+    /// However small it is otherwise, its magnitude does not matter.
     pub(crate) fn cancels(&mut self, node: Node) -> bool {
         match self.kind(node).clone() {
             NodeKind::Number(value) => value.get() == 0.0,
@@ -117,12 +117,12 @@ impl Graph {
             NodeKind::Sum(constant, terms) => {
                 let values = self.probe(node);
                 let mut seen = false;
-                let is_rounding = (0..POINTS).filter(|&place| values[place].is_finite()).all(|place| {
+                let is_rounding = (0..POINTS).filter(|&point| values[point].is_finite()).all(|point| {
                     seen = true;
                     let size = terms.iter().fold(constant.get().abs(), |size, &(part, coefficient)| {
-                        size + (coefficient.get() * self.probed[part.index()][place]).abs()
+                        size + (coefficient.get() * self.probed[part.index()][point]).abs()
                     });
-                    values[place].abs() <= TOLERANCE * size
+                    values[point].abs() <= TOLERANCE * size
                 });
                 seen && is_rounding || constant.get() == 0.0 && terms.iter().all(|&(term, _)| self.cancels(term))
             }
@@ -174,8 +174,8 @@ mod tests {
         }
     }
 
-    /// What cancels leaves rounding, and a sum of products with such factors leaves rounding too. A small number does not
-    /// cancel.
+    /// What cancels leaves rounding, and a sum of products with such factors leaves rounding too. A small number does
+    /// not cancel.
     #[test]
     fn sums_of_what_cancels_cancel() {
         let mut graph = Graph::new();
@@ -220,7 +220,7 @@ mod tests {
 
     /// No two symbols have the same value at a point. If they had, their difference would vanish.
     #[test]
-    fn symbols_are_told_apart() {
+    fn symbols_are_distinguished() {
         let mut symbols = Vec::new();
         for index in 0..6 {
             symbols.extend([

@@ -34,7 +34,7 @@ pub(super) struct Builder<'a> {
     pub(super) roots: Vec<KnownRoot>,
 }
 
-/// Turns blocks into steps that find one position.
+/// Converts blocks into steps that find one position.
 pub(crate) fn assemble(
     graph: &mut Graph,
     names: &mut Names,
@@ -46,7 +46,7 @@ pub(crate) fn assemble(
     steps(graph, names, blocks, ranges, Some(jacobians), passes)
 }
 
-/// Turns blocks into steps that go through all positions; `None` if a block's equations are not algebraic.
+/// Converts blocks into steps that go through all positions; `None` if a block's equations are not algebraic.
 pub(crate) fn assemble_every(
     graph: &mut Graph,
     names: &mut Names,
@@ -87,7 +87,7 @@ fn steps(
             }));
             continue;
         }
-        for (place, part) in block.parts.iter().enumerate() {
+        for (index, part) in block.parts.iter().enumerate() {
             let number = choices.len();
             let orientation = choice::orientation(builder.graph, part);
             let mode = choice::mode(builder.graph, part, ranges, &mut assemblies);
@@ -99,7 +99,7 @@ fn steps(
             }
             builder.bounds(part, ranges);
             if let Some(jacobian) = jacobian
-                && place + 1 == block.parts.len()
+                && index + 1 == block.parts.len()
                 && block.check_jacobian
             {
                 builder.regular(jacobian);
@@ -134,20 +134,24 @@ impl Builder<'_> {
         self.steps.push(step);
     }
 
-    /// Moves the unknowns of a part, just found, to the requested turn or into the declared range.
+    /// Moves the unknowns of a part, just found, to the requested revolution or into the declared range.
     fn bounds(&mut self, part: &Part, ranges: &BTreeMap<usize, DeclaredRange>) {
         for &unknown in &part.unknowns {
-            let own = Symbol::Unknown(unknown);
-            let turns = self
+            let angle = Symbol::Unknown(unknown);
+            let is_periodic = self
                 .steps
                 .iter()
-                .any(|step| matches!(step, Step::Angle { symbol, .. } if *symbol == own));
+                .any(|step| matches!(step, Step::Angle { symbol, .. } if *symbol == angle));
             let principal = -PI..=PI;
-            let wraps = turns
+            let wraps = is_periodic
                 && ranges
                     .get(&unknown)
                     .is_some_and(|limits| !(principal.contains(&limits.low) && principal.contains(&limits.high)));
-            self.steps.push(Step::Bound { unknown, turns, wraps });
+            self.steps.push(Step::Bound {
+                unknown,
+                is_periodic,
+                wraps,
+            });
         }
     }
 
@@ -314,8 +318,8 @@ impl Builder<'_> {
         let symbol = Symbol::Unknown(unknown);
         if self.graph.constant_value(coefficient).is_some() {
             let value = self.graph.divide(right, coefficient);
-            let own = self.graph.symbol(symbol);
-            self.units.learn_combination(own, value);
+            let angle = self.graph.symbol(symbol);
+            self.units.learn_combination(angle, value);
             let node = self.known(value);
             self.steps.push(Step::Define { symbol, value: node });
         } else {
@@ -359,13 +363,13 @@ impl Builder<'_> {
     fn inverse_circular(&mut self, solver: Solver, unknown: usize, radius: Node, coordinate: Node) -> (Node, Node) {
         let (radius, mut given) = (self.known(radius), self.known(coordinate));
         let wish = self.link_name(radius, &self.unknown_name(unknown));
-        let [own, other] = match solver {
+        let [wished, other] = match solver {
             Solver::InverseCosine => ["x", "y"],
             _ => ["y", "x"],
         };
         // leave a product as it is: its factors may cancel, or occur elsewhere
         if matches!(self.graph.kind(given), NodeKind::Sum(..)) {
-            given = self.define(&format!("{wish}_{own}"), given);
+            given = self.define(&format!("{wish}_{wished}"), given);
         }
         let (symbol, found) = self.fresh(&format!("{wish}_{other}"));
         let square = self.root(symbol, found);

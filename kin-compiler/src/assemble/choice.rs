@@ -84,8 +84,11 @@ fn orientation_of(graph: &mut Graph, form: &ClosedForm) -> Option<Node> {
             arms: [first, second], ..
         } => {
             // -(v₁ × v₂) with v = factor · cis(± angle)
-            let (ratio, turn) = first.turn_to(graph, second);
-            let (along, across) = (graph.multiply(ratio.re, turn.im), graph.multiply(ratio.im, turn.re));
+            let (ratio, rotation) = first.turn_to(graph, second);
+            let (along, across) = (
+                graph.multiply(ratio.re, rotation.im),
+                graph.multiply(ratio.im, rotation.re),
+            );
             let cross = graph.add(along, across);
             graph.negate(cross)
         }

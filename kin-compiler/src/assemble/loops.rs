@@ -24,7 +24,7 @@ impl Builder<'_> {
             .join("_")
     }
 
-    /// The unit vector of an arm from the arm's own vector.
+    /// The unit vector of an arm from the vector of the arm.
     fn unit_of(&mut self, vector: ComplexNode, factor: ComplexNode, mirrored: bool) -> ComplexNode {
         let unit = vector.over(self.graph, factor);
         if mirrored { unit.conjugate(self.graph) } else { unit }
@@ -118,19 +118,19 @@ impl Builder<'_> {
                 self.graph.subtract(target.im, link.im),
             );
             let other = self.define_complex(&format!("link_{}", names[1]), other);
-            // turned back by the angle of the factor, they lie along the arms, times the factor's square
-            let mut turned = [link, other];
+            // rotated back by the angle of the factor, they lie along the arms, times the factor's square
+            let mut rotated = [link, other];
             let mut squares = [a2, b2];
             for index in 0..2 {
                 if factors[index].is_real(self.graph) {
                     squares[index] = factors[index].re;
                 } else {
                     let conjugate = factors[index].conjugate(self.graph);
-                    let back = turned[index].times(self.graph, conjugate);
-                    turned[index] = self.define_complex(&names[index], back);
+                    let back = rotated[index].times(self.graph, conjugate);
+                    rotated[index] = self.define_complex(&names[index], back);
                 }
             }
-            vectors = turned;
+            vectors = rotated;
             lengths = squares;
         }
         let mut directions = [vectors[0], vectors[1]];
@@ -165,7 +165,7 @@ impl Builder<'_> {
         // the inverse of [[a, b], [c, d]], whose determinant is ±1
         let inverse = [[d * determinant, -b * determinant], [-c * determinant, a * determinant]];
         for (index, row) in inverse.into_iter().enumerate() {
-            let own = self.graph.symbol(Symbol::Unknown(unknowns[index]));
+            let angle = self.graph.symbol(Symbol::Unknown(unknowns[index]));
             let (vector, length) = match row {
                 [1, 0] => (self.upright(vectors[0], arms[0].mirrored), lengths[0]),
                 [0, 1] => (self.upright(vectors[1], arms[1].mirrored), lengths[1]),
@@ -187,7 +187,7 @@ impl Builder<'_> {
                         }
                     }
                     let one = ComplexNode::new(self.graph.one(), self.graph.zero());
-                    self.units.learn_direction(own, direction.unwrap_or(one));
+                    self.units.learn_direction(angle, direction.unwrap_or(one));
                     (vector.unwrap_or(one), length)
                 }
             };
@@ -195,7 +195,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The mirror image of a clockwise vector, so that it turns counter-clockwise; other vectors stay as they are.
+    /// The mirror image of a clockwise vector, so that it is counter-clockwise; other vectors stay as they are.
     fn upright(&mut self, vector: ComplexNode, mirrored: bool) -> ComplexNode {
         if mirrored { vector.conjugate(self.graph) } else { vector }
     }
@@ -261,8 +261,8 @@ impl Builder<'_> {
         results.push(Symbol::Unknown(length));
         self.solve(solver, arguments, results);
         let unit = self.unit_of(link, factor, arm.mirrored);
-        let own = self.graph.symbol(Symbol::Unknown(angle));
-        self.units.learn_direction(own, unit);
+        let angle_node = self.graph.symbol(Symbol::Unknown(angle));
+        self.units.learn_direction(angle_node, unit);
         let (vector, length) = if factor.is_real(self.graph) {
             (link, factor.re)
         } else {
@@ -296,7 +296,7 @@ impl Builder<'_> {
     ) {
         let (offset, target) = (self.known_complex(offset), self.known_complex(target));
         let target = self.define_complex("span", target);
-        let own_length = self.graph.symbol(Symbol::Unknown(length));
+        let length_node = self.graph.symbol(Symbol::Unknown(length));
         let has_offset = !(self.graph.is_zero(offset.re) && self.graph.is_zero(offset.im));
         let given = FormArgument::Plane([target.re, target.im]);
         if has_offset {
@@ -309,11 +309,11 @@ impl Builder<'_> {
             let unit = self.upright(unit, mirrored);
             self.turn(angle, unit);
         } else {
-            let own = Symbol::Unknown(length);
-            let square = self.root(own, own_length);
-            self.solve(Solver::Polar, vec![given], vec![own, square]);
+            let symbol = Symbol::Unknown(length);
+            let square = self.root(symbol, length_node);
+            self.solve(Solver::Polar, vec![given], vec![symbol, square]);
             let vector = self.upright(target, mirrored);
-            self.turn_vector(angle, own_length, vector);
+            self.turn_vector(angle, length_node, vector);
         }
     }
 }
@@ -413,7 +413,7 @@ mod tests {
         }
     }
 
-    /// The components of a link are named after its length, or after the angles with which it turns.
+    /// The components of a link are named after its length, or after the angles with which it rotates.
     #[test]
     fn links_are_called_after_their_length_or_their_angle() {
         let solvable = sound(quote! {
@@ -433,7 +433,7 @@ mod tests {
         }
     }
 
-    /// A slide along an axis has a closed form of its own if its length is measured along that axis without a factor.
+    /// A slide along an axis has a separate closed form if its length is measured along that axis without a factor.
     #[test]
     fn slides_along_axes_are_solved_as_such() {
         for (direction, expected) in [

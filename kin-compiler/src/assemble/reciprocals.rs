@@ -20,7 +20,8 @@ pub(crate) struct KnownRoot {
     pub(super) names: [String; 2],
 }
 
-/// The reciprocals that rates may refer to, each with two definitions: the reciprocal of the square, and its own.
+/// The reciprocals that rates may refer to, each with two definitions: the reciprocal of the square, and the reciprocal
+/// itself.
 #[derive(Default)]
 pub(crate) struct Reciprocals(Vec<(Node, [(Symbol, Node); 2])>);
 
@@ -32,9 +33,9 @@ impl Reciprocals {
             .iter()
             .map(|root| {
                 let (of_square, quotient) = graph.new_step();
-                let (own, value) = graph.new_step();
+                let (symbol, value) = graph.new_step();
                 names.name(of_square, &root.names[0]);
-                names.name(own, &root.names[1]);
+                names.name(symbol, &root.names[1]);
                 let inverse = graph.power(root.square, -1);
                 let inverse = graph.scale(root.factor.abs(), inverse);
                 let product = graph.multiply(root.value, quotient);
@@ -46,7 +47,7 @@ impl Reciprocals {
                 };
                 known.insert(root.base, same);
                 known.insert(opposite_base, other);
-                (value, [(of_square, inverse), (own, product)])
+                (value, [(of_square, inverse), (symbol, product)])
             })
             .collect();
         units.learn_reciprocals(graph, known);
@@ -54,16 +55,16 @@ impl Reciprocals {
     }
 
     /// Places the reciprocals that are used before the first step that uses them.
-    pub(crate) fn place(self, graph: &Graph, stages: &mut [Stage<Node>]) {
+    pub(crate) fn insert_into(self, graph: &Graph, stages: &mut [Stage<Node>]) {
         let mut sought: BTreeMap<Node, [(Symbol, Node); 2]> = self.0.into_iter().collect();
         let mut seen = BTreeSet::new();
         for stage in stages {
             let mut steps = Vec::with_capacity(stage.steps.len());
             for step in std::mem::take(&mut stage.steps) {
-                let mut open = step.needs();
-                while let Some(node) = open.pop() {
+                let mut pending = step.needs();
+                while let Some(node) = pending.pop() {
                     if seen.insert(node) {
-                        open.extend(graph.operands(node));
+                        pending.extend(graph.operands(node));
                         let definitions = sought.remove(&node).into_iter().flatten();
                         steps.extend(definitions.map(|(symbol, value)| Step::Define { symbol, value }));
                     }
@@ -85,7 +86,7 @@ mod tests {
     /// Rates divide only by the square of a root, and only once.
     #[test]
     fn a_root_is_inverted_once_and_by_its_square() {
-        for (declaration, of_square, own) in [
+        for (declaration, of_square, reciprocal) in [
             (four_bar(), "double_inverse_square", "inverse_determinant"),
             (slider_crank(), "inverse_l_x_squared", "inverse_l_x"),
             (inverted_slider_crank(), "inverse_r4_squared", "inverse_r4"),
@@ -100,7 +101,7 @@ mod tests {
                 .flat_map(Step::defines)
                 .map(|symbol| solvers.names().of(symbol))
                 .collect();
-            assert_eq!(defined[..2], [of_square, own]);
+            assert_eq!(defined[..2], [of_square, reciprocal]);
             assert_eq!(velocity.cost.divisions, 1);
             assert!(later.iter().all(|stage| stage.cost.divisions == 0));
         }

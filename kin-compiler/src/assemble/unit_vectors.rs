@@ -16,8 +16,8 @@ pub(crate) fn define(
 ) -> Directions {
     let mut directions = BTreeMap::new();
     for &unknown in unknowns {
-        let own = graph.symbol(Symbol::Unknown(unknown));
-        let unit = units.direction(graph, own);
+        let angle = graph.symbol(Symbol::Unknown(unknown));
+        let unit = units.direction(graph, angle);
         let name = names.of(Symbol::Unknown(unknown)).to_owned();
         let mut part = |wish: String| {
             let (symbol, _) = graph.new_step();
@@ -41,12 +41,12 @@ pub(crate) fn define(
 /// The steps at the end of the position by which it hands the angles to later stages.
 pub(crate) fn leave_angles(directions: &Directions, graph: &mut Graph, units: &mut Units, position: &mut Stage<Node>) {
     for (&unknown, direction) in &directions.0 {
-        let (own, node) = (graph.symbol(Symbol::Unknown(unknown)), graph.symbol(direction.angle));
+        let (angle, node) = (graph.symbol(Symbol::Unknown(unknown)), graph.symbol(direction.angle));
         position.steps.push(Step::Define {
             symbol: direction.angle,
-            value: own,
+            value: angle,
         });
-        units.rename(own, node);
+        units.rename(angle, node);
     }
 }
 
@@ -59,11 +59,11 @@ pub(crate) fn drop_idle(
     ranges: &BTreeMap<usize, DeclaredRange>,
 ) {
     for (&unknown, direction) in &mut directions.0 {
-        let own = Symbol::Unknown(unknown);
-        let is_own = |step: &Step<Node>| matches!(step, Step::Angle { symbol, .. } if *symbol == own);
-        let turns = stages.iter().flat_map(|stage| &stage.steps).any(is_own);
+        let angle = Symbol::Unknown(unknown);
+        let is_of_angle = |step: &Step<Node>| matches!(step, Step::Angle { symbol, .. } if *symbol == angle);
+        let is_angle_found = stages.iter().flat_map(|stage| &stage.steps).any(is_of_angle);
         let of_angle = graph.symbol(direction.angle);
-        let of_own = graph.symbol(own);
+        let of_unknown = graph.symbol(angle);
         let is_name = |step: &Step<Node>| matches!(step, Step::Define { symbol, .. } if *symbol == direction.angle);
         let needs: Vec<Node> = stages
             .iter()
@@ -72,12 +72,14 @@ pub(crate) fn drop_idle(
             .flat_map(Step::needs)
             .collect();
         let used = graph.reachable(&needs);
-        direction.is_free =
-            turns && !ranges.contains_key(&unknown) && !used.contains(&of_own) && !used.contains(&of_angle);
+        direction.is_free = is_angle_found
+            && !ranges.contains_key(&unknown)
+            && !used.contains(&of_unknown)
+            && !used.contains(&of_angle);
         if let (true, Some(position)) = (direction.is_free, stages.first_mut()) {
             position.steps.retain(|step| {
                 let is_bound = matches!(step, Step::Bound { unknown: bound, .. } if *bound == unknown);
-                !(is_own(step) || is_name(step) || is_bound)
+                !(is_of_angle(step) || is_name(step) || is_bound)
             });
         }
     }

@@ -182,7 +182,7 @@ impl Units {
             let value = self.combinations[&part];
             let replaced: Vec<(Node, f64)> = terms
                 .iter()
-                .map(|&(own, factor)| (if own == part { value } else { own }, factor))
+                .map(|&(term, factor)| (if term == part { value } else { term }, factor))
                 .collect();
             let whole = graph.linear(constant, &replaced);
             return Some(vec![(whole, 1)]);
@@ -295,7 +295,7 @@ mod tests {
         }
     }
 
-    /// A multiple of the input is combined from the input's own sine and cosine. A sum of inputs and parameters is
+    /// A multiple of the input is combined from the sine and cosine. A sum of inputs and parameters is
     /// evaluated.
     #[test]
     fn multiples_of_inputs_need_no_further_sine() {

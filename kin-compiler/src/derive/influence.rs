@@ -107,8 +107,8 @@ impl Collected {
         let (influence, rate) = (graph.product(&position), graph.product(&rates));
         // the sign and the number go into the coefficient, so that the rate is the same in every row
         let (number, rate) = graph.split_coefficient(rate);
-        let own = self.coefficients.entry(rate).or_default();
-        own.push((influence, number * coefficient));
+        let terms = self.coefficients.entry(rate).or_default();
+        terms.push((influence, number * coefficient));
     }
 }
 

@@ -1,8 +1,9 @@
 //! A block's Jacobian, and the linear systems that it solves for the rates of every order.
 //!
 //! A large Jacobian is reduced first. The step of the reduction cannot fail if the determinant does not vanish,
-//! whatever the position: two entries p and q that are alone in their column are turned into √(p² + q²) and zero. Up to
-//! three remaining unknowns are solved by Cramer's rule. More are solved by the factors that the position has computed.
+//! whatever the position: two entries p and q that are alone in their column are rotated into √(p² + q²) and zero. Up
+//! to three remaining unknowns are solved by Cramer's rule. More are solved by the factors that the position has
+//! computed.
 
 use super::Rate;
 use super::influence::Influences;
@@ -16,7 +17,7 @@ const CRAMER: usize = 3;
 
 /// A Jacobian after all reductions.
 pub(super) struct BlockJacobian {
-    turns: Vec<EquationTurn>,
+    rotations: Vec<EquationRotation>,
     /// The remaining equations, by their indices in the block.
     rows: Vec<usize>,
     /// The remaining unknowns.
@@ -35,8 +36,8 @@ pub(crate) enum Regularity {
     Factors { factors: Symbol, matrix: Vec<Vec<Node>> },
 }
 
-/// A step of the reduction: two equations that contain an unknown are turned so that only the first one does.
-struct EquationTurn {
+/// A step of the reduction: two equations that contain an unknown are rotated so that only the first one does.
+struct EquationRotation {
     rows: [usize; 2],
     entries: [Node; 2],
     unknown: usize,
@@ -62,7 +63,7 @@ impl BlockJacobian {
     pub(super) fn new(graph: &mut Graph, residuals: &[Node], block: &Block, passes: Passes) -> Self {
         let core = partials(graph, residuals, block);
         let mut jacobian = Self {
-            turns: Vec::new(),
+            rotations: Vec::new(),
             rows: (0..core.len()).collect(),
             unknowns: block.unknowns.clone(),
             core,
@@ -73,7 +74,7 @@ impl BlockJacobian {
             let Some((rows, column)) = jacobian.turnable(graph) else {
                 break;
             };
-            jacobian.turn(graph, rows, column);
+            jacobian.rotate(graph, rows, column);
         }
         let is_factored =
             jacobian.core.len() > CRAMER || jacobian.core.len() == CRAMER && !passes.include(Pass::CramerOfThree);
@@ -94,18 +95,18 @@ impl BlockJacobian {
         })
     }
 
-    fn turn(&mut self, graph: &mut Graph, rows: [usize; 2], column: usize) {
+    fn rotate(&mut self, graph: &mut Graph, rows: [usize; 2], column: usize) {
         let entries = rows.map(|row| self.core[row][column]);
         let mut others = Vec::new();
-        for place in (0..self.unknowns.len()).filter(|&place| place != column) {
-            let values = rows.map(|row| self.core[row][place]);
-            let (along, across) = turned(graph, entries, values);
+        for index in (0..self.unknowns.len()).filter(|&index| index != column) {
+            let values = rows.map(|row| self.core[row][index]);
+            let (along, across) = rotated(graph, entries, values);
             if !graph.is_zero(along) {
-                others.push((self.unknowns[place], along));
+                others.push((self.unknowns[index], along));
             }
-            self.core[rows[1]][place] = across;
+            self.core[rows[1]][index] = across;
         }
-        self.turns.push(EquationTurn {
+        self.rotations.push(EquationRotation {
             rows: rows.map(|row| self.rows[row]),
             entries,
             unknown: self.unknowns[column],
@@ -132,7 +133,10 @@ impl BlockJacobian {
 
     /// Divisors of rates that do not vanish unless the determinant does.
     pub(super) fn guaranteed(&self, graph: &mut Graph) -> Vec<Node> {
-        self.turns.iter().map(|turn| squares(graph, turn.entries)).collect()
+        self.rotations
+            .iter()
+            .map(|rotation| squares(graph, rotation.entries))
+            .collect()
     }
 
     /// The solution x of J x = right, one rate for each unknown, in the order in which they can be computed. `symbol`
@@ -146,35 +150,40 @@ impl BlockJacobian {
     ) -> Vec<Rate> {
         let mut right = right.to_vec();
         let mut rates: Vec<Rate> = Vec::new();
-        for turn in &self.turns {
-            let [p, q] = turn.entries;
+        for rotation in &self.rotations {
+            let [p, q] = rotation.entries;
             let opposite = graph.negate(p);
-            let own = turn.rows.map(|row| right[row]);
-            right[turn.rows[0]] = influences.combined(graph, &[p, q], &own, self.passes);
-            right[turn.rows[1]] = influences.combined(graph, &[q, opposite], &own, self.passes);
+            let pair = rotation.rows.map(|row| right[row]);
+            right[rotation.rows[0]] = influences.combined(graph, &[p, q], &pair, self.passes);
+            right[rotation.rows[1]] = influences.combined(graph, &[q, opposite], &pair, self.passes);
         }
-        let own: Vec<Node> = self.rows.iter().map(|&row| right[row]).collect();
+        let right_of_core: Vec<Node> = self.rows.iter().map(|&row| right[row]).collect();
         match self.factors {
             // the right-hand side is zero, and so is the solution
-            Some(_) if own.iter().all(|&node| graph.is_zero(node)) => {
-                rates.extend(self.unknowns.iter().zip(&own).map(|(&unknown, &value)| Rate::Value {
-                    symbol: symbol(unknown),
-                    value,
-                }));
+            Some(_) if right_of_core.iter().all(|&node| graph.is_zero(node)) => {
+                rates.extend(
+                    self.unknowns
+                        .iter()
+                        .zip(&right_of_core)
+                        .map(|(&unknown, &value)| Rate::Value {
+                            symbol: symbol(unknown),
+                            value,
+                        }),
+                );
             }
             Some(factors) => rates.push(Rate::System {
                 factors,
                 symbols: self.unknowns.iter().map(|&unknown| symbol(unknown)).collect(),
-                right: own,
+                right: right_of_core,
             }),
-            None => rates.extend(self.cramer(graph, influences, &own, symbol)),
+            None => rates.extend(self.cramer(graph, influences, &right_of_core, symbol)),
         }
-        for turn in self.turns.iter().rev() {
-            let rest = without(graph, right[turn.rows[0]], &turn.others, &rates, symbol);
-            let divisor = squares(graph, turn.entries);
+        for rotation in self.rotations.iter().rev() {
+            let rest = without(graph, right[rotation.rows[0]], &rotation.others, &rates, symbol);
+            let divisor = squares(graph, rotation.entries);
             let value = graph.divide(rest, divisor);
             rates.push(Rate::Value {
-                symbol: symbol(turn.unknown),
+                symbol: symbol(rotation.unknown),
                 value,
             });
         }
@@ -233,7 +242,7 @@ impl BlockJacobian {
 }
 
 /// p a + q b and q a - p b.
-fn turned(graph: &mut Graph, [p, q]: [Node; 2], [a, b]: [Node; 2]) -> (Node, Node) {
+fn rotated(graph: &mut Graph, [p, q]: [Node; 2], [a, b]: [Node; 2]) -> (Node, Node) {
     let (pa, qb) = (graph.multiply(p, a), graph.multiply(q, b));
     let (qa, pb) = (graph.multiply(q, a), graph.multiply(p, b));
     (graph.add(pa, qb), graph.subtract(qa, pb))
@@ -255,8 +264,12 @@ fn without(
     let mut rest = right;
     for &(unknown, entry) in others {
         let symbol = symbol(unknown);
-        let is_zero =
-            |rate: &Rate| matches!(rate, Rate::Value { symbol: own, value } if *own == symbol && graph.is_zero(*value));
+        let is_zero = |rate: &Rate| {
+            let Rate::Value { symbol: known, value } = rate else {
+                return false;
+            };
+            *known == symbol && graph.is_zero(*value)
+        };
         if found.iter().any(is_zero) {
             continue;
         }
@@ -307,19 +320,19 @@ mod tests {
     use crate::structure::Block;
 
     /// The entry of a pattern's row in a column: zero, a number, or a parameter.
-    fn entry(graph: &mut Graph, place: usize, letter: char) -> Node {
+    fn entry(graph: &mut Graph, index: usize, letter: char) -> Node {
         match letter {
             '.' => graph.zero(),
             'n' => graph.number(4.0),
-            _ => graph.symbol(Symbol::Parameter(place)),
+            _ => graph.symbol(Symbol::Parameter(index)),
         }
     }
 
     /// A value of about one half, or about four on the diagonal of a matrix of this size, so that the condition is
     /// below one hundred.
-    fn value(size: usize, place: usize) -> f64 {
-        let small = 0.3 + 0.1 * f64::from(u8::try_from(7 * place % 5).expect("it is less than five"));
-        if place.is_multiple_of(size + 1) {
+    fn value(size: usize, index: usize) -> f64 {
+        let small = 0.3 + 0.1 * f64::from(u8::try_from(7 * index % 5).expect("it is less than five"));
+        if index.is_multiple_of(size + 1) {
             4.0 + small
         } else {
             small
@@ -348,7 +361,7 @@ mod tests {
     }
 
     /// Solves J x = right for a Jacobian of a pattern, computes the rates in order, and substitutes them into the
-    /// equations. Returns the number of turns and the size of the remaining system.
+    /// equations. Returns the number of rotations and the size of the remaining system.
     fn put_back(pattern: &[&str], passes: Passes, influences: Influences, is_still: bool) -> (usize, usize) {
         let size = pattern.len();
         let mut graph = Graph::new();
@@ -377,7 +390,7 @@ mod tests {
         });
         let mut found: BTreeMap<Symbol, f64> = BTreeMap::new();
         let known = |found: &BTreeMap<Symbol, f64>, symbol: Symbol| match symbol {
-            Symbol::Parameter(place) => value(size, place),
+            Symbol::Parameter(index) => value(size, index),
             Symbol::InputRate(row, _) => 1.0 + 0.7 * f64::from(u8::try_from(row).expect("it is small")),
             // a value used before it is computed makes the result NaN
             Symbol::UnknownRate(..) => found.get(&symbol).copied().unwrap_or(f64::NAN),
@@ -419,11 +432,11 @@ mod tests {
                 "{pattern:?}, {influences:?}: {left} and not {right}"
             );
         }
-        (jacobian.turns.len(), jacobian.core.len())
+        (jacobian.rotations.len(), jacobian.core.len())
     }
 
     /// For every pattern of the Jacobian, the rates satisfy all equations, and each is found once, from earlier ones.
-    /// The table lists the number of turns and the size of the remaining system.
+    /// The table lists the number of rotations and the size of the remaining system.
     #[test]
     fn rates_fulfil_the_equations_of_jacobians_of_every_pattern() {
         let patterns: [(&[&str], usize, usize); 10] = [
@@ -438,12 +451,16 @@ mod tests {
             (&["ppppp", "ppppp", ".pppp", ".pppp", "..ppn"], 1, 4),
             (&["pp.pp", "pp.pp", "..ppp", "..ppp", "p...p"], 2, 3),
         ];
-        for (pattern, turns, left) in patterns {
+        for (pattern, rotations, left) in patterns {
             for influences in [Influences::Separate, Influences::Collected] {
                 for is_still in [false, true] {
                     let of = |passes| put_back(pattern, passes, influences, is_still);
-                    assert_eq!(of(Passes::ALL), (turns, left), "{pattern:?}");
-                    assert_eq!(of(Passes::without(Pass::CramerOfThree)), (turns, left), "{pattern:?}");
+                    assert_eq!(of(Passes::ALL), (rotations, left), "{pattern:?}");
+                    assert_eq!(
+                        of(Passes::without(Pass::CramerOfThree)),
+                        (rotations, left),
+                        "{pattern:?}"
+                    );
                     let whole = of(Passes::without(Pass::ReducedJacobians));
                     assert_eq!(whole, (0, pattern.len()), "{pattern:?}");
                 }

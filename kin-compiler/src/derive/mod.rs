@@ -1,7 +1,7 @@
 //! The time derivatives of the closure, order by order, with one Jacobian for each block.
 //!
 //! Differentiating a closed loop n times gives J q⁽ⁿ⁾ = -Rₙ. The Jacobian J is the same for every order n. Rₙ is the
-//! n-th derivative of the closure without the block's own n-th rates.
+//! n-th derivative of the closure without the n-th rates of the block.
 
 mod influence;
 mod jacobian;
@@ -215,22 +215,22 @@ impl Derivatives {
                 .collect();
             self.rates.seek(&[], order);
             let zero = graph.zero();
-            let mut without_own = BTreeMap::new();
+            let mut without_block = BTreeMap::new();
             for &unknown in &block.unknowns {
                 let rate = graph.symbol(Symbol::UnknownRate(unknown, order));
                 match self.rates.lower(unknown, order) {
                     Some(lower) => {
                         let turning = graph.symbol(Symbol::Turning(unknown, order));
-                        without_own.extend([(turning, zero), (rate, graph.negate(lower))]);
+                        without_block.extend([(turning, zero), (rate, graph.negate(lower))]);
                     }
-                    None => drop(without_own.insert(rate, zero)),
+                    None => drop(without_block.insert(rate, zero)),
                 }
             }
             let right: Vec<Node> = wholes
                 .into_iter()
                 .zip(&block.equations)
                 .map(|(whole, &equation)| {
-                    let rest = graph.substitute(whole, &mut without_own);
+                    let rest = graph.substitute(whole, &mut without_block);
                     let right = graph.negate(rest);
                     self.rights.push((right, Hint::Right { equation, order }));
                     right

@@ -1,4 +1,4 @@
-//! The determinant of a length and its own direction: m cos² x + m sin² x = m.
+//! The determinant of a length and its direction: m cos² x + m sin² x = m.
 
 use crate::algebra::{Function, Graph, Node, NodeKind};
 use crate::passes::{Pass, Passes};

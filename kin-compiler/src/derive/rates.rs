@@ -40,7 +40,7 @@ impl KnownRates {
         }
     }
 
-    /// Sets the unknowns whose rates are solved for, and the order. If such an unknown turns a vector, its whole Q is
+    /// Sets the unknowns whose rates are solved for, and the order. If such an unknown rotates a vector, its whole Q is
     /// solved for.
     ///
     /// Q is the rate itself plus contributions of lower rates. The vector is multiplied by the whole Q only, so these
@@ -203,18 +203,18 @@ impl KnownRates {
         graph.linear(0.0, &terms)
     }
 
-    /// The angle of a sine or cosine, and the pair (cos, sin) that turns it by a quarter.
+    /// The angle of a sine or cosine, and the pair (cos, sin) that rotates it by a right angle.
     fn pair(graph: &mut Graph, turning: Node) -> (Node, Node, bool) {
         let NodeKind::Call(function, arguments) = graph.kind(turning).clone() else {
-            unreachable!("only sines and cosines turn");
+            unreachable!("only sines and cosines rotate");
         };
-        let partner = function.partner().expect("only sines and cosines turn");
+        let partner = function.partner().expect("only sines and cosines rotate");
         let other = graph.call(partner, &arguments);
         (arguments[0], other, function == Function::Cos)
     }
 
     /// The derivative of a component of a link vector: z⁽ⁿ⁾ = (Aₙ + i Bₙ) cis(φ) for z = m cis(φ). All vectors that
-    /// turn with φ share A and B.
+    /// rotate with φ share A and B.
     fn turning(
         &mut self,
         graph: &mut Graph,

@@ -119,8 +119,8 @@ struct Derivation<'a> {
 impl Derivation<'_> {
     /// (∂f/∂p)⁽ⁿ⁾ + Σ C(n, k) (∂f/∂q)⁽ⁿ⁻ᵏ⁾ S⁽ᵏ⁾ over the given unknowns and the S⁽ᵏ⁾ found so far.
     fn total(&mut self, row: Dependent, unknowns: &[usize], parameter: usize, order: usize) -> Node {
-        let own = self.partial(row, Symbol::Parameter(parameter), order);
-        let mut terms = vec![(own, 1.0)];
+        let partial = self.partial(row, Symbol::Parameter(parameter), order);
+        let mut terms = vec![(partial, 1.0)];
         let whole = self.node(row);
         for &unknown in unknowns {
             if !self.graph.contains(whole, Symbol::Unknown(unknown)) {
@@ -187,7 +187,7 @@ impl Derivation<'_> {
     /// S⁽ⁿ⁾ of a block, from J S⁽ⁿ⁾ = right by the solver of the rates.
     fn solve(&mut self, jacobian: &BlockJacobian, right: &[Node], parameter: usize, order: usize) {
         let symbol = |unknown: usize| Symbol::Sensitivity(unknown, parameter, order);
-        // each right-hand side has entries of its own order only
+        // each right-hand side has entries of the order of the row only
         for solution in jacobian.solve(self.graph, Influences::Separate, right, &symbol) {
             match solution {
                 Rate::Value { symbol, value } => {

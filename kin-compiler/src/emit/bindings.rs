@@ -27,16 +27,16 @@ pub(super) fn imports(items: TokenStream, runtime: &TokenStream) -> TokenStream 
 fn collect(tokens: TokenStream, around: Delimiter, names: &mut BTreeSet<String>) {
     let tokens: Vec<TokenTree> = tokens.into_iter().collect();
     let in_braces = around == Delimiter::Brace;
-    for (place, token) in tokens.iter().enumerate() {
-        let before = place.checked_sub(1).map(|place| &tokens[place]);
-        let after = tokens.get(place + 1);
+    for (index, token) in tokens.iter().enumerate() {
+        let before = index.checked_sub(1).map(|index| &tokens[index]);
+        let after = tokens.get(index + 1);
         match token {
             // attributes bind nothing
             TokenTree::Group(_) if is_one_of(before, "#") => {}
             TokenTree::Group(group) => collect(group.stream(), group.delimiter(), names),
             TokenTree::Ident(word) => {
                 let is_marked = matches!(before, Some(TokenTree::Ident(word)) if word == "let" || word == "mut");
-                let is_in_path = is_one_of(before, ":") && is_joint(place.checked_sub(2).map(|place| &tokens[place]))
+                let is_in_path = is_one_of(before, ":") && is_joint(index.checked_sub(2).map(|index| &tokens[index]))
                     || is_one_of(after, ":") && is_joint(after);
                 // a name before a colon is a field within braces, and a name after a colon elsewhere is a type
                 let begins = is_marked || before.is_none() || is_one_of(before, if in_braces { ",|:&" } else { ",|&" });
@@ -74,7 +74,8 @@ mod tests {
                     let x = 3;
                     let (sine, _) = theta.sin_cos();
                     let [first, second] = near.map(|angle| angle + x);
-                    let kin::Plane { x: along, y: kin::Root { value, .. } } = kin::plane(|[one, other]: [T; 2]| self.both(one));
+                    let kin::Plane { x: along, y: kin::Root { value, .. } } =
+                        kin::plane(|[one, other]: [T; 2]| self.both(one));
                     match choice {
                         kin::Open => first,
                         decided => decided,

@@ -86,12 +86,12 @@ impl Compiled<'_> {
         local(self.solvers.names().of(symbol))
     }
 
-    /// A name for the generated code's own use, different from all inputs and unknowns.
-    pub(super) fn own(&self, name: &str) -> Ident {
+    /// A name for the use of generated code, different from all inputs and unknowns.
+    pub(super) fn fresh(&self, name: &str) -> Ident {
         local(&self.model.own_name(name))
     }
 
-    /// A type parameter for the generated code's own use, different from the mechanism's name.
+    /// A type parameter for the use of generated code, different from the mechanism's name.
     pub(super) fn type_parameter(&self, name: &str) -> Ident {
         let underscore = if self.model.name == name { "_" } else { "" };
         local(&format!("{name}{underscore}"))
@@ -130,7 +130,7 @@ impl Compiled<'_> {
         }
     }
 
-    /// An unknown's value from a pose of any order. A calculated angle is on the turn nearest to a given value.
+    /// An unknown's value from a pose of any order. A calculated angle is unwrapped to a given value.
     pub(super) fn unknown_value_near(&self, unknown: usize, near: &TokenStream) -> TokenStream {
         let name = &self.model.unknowns[unknown].name;
         if self.is_direction(unknown) && self.solvers.directions().angle(unknown).is_none() {
@@ -244,7 +244,7 @@ impl Compiled<'_> {
         if self.choices().is_empty() {
             return TokenStream::new();
         }
-        let (assembly, kind) = (self.own("assembly"), self.assembly_type());
+        let (assembly, kind) = (self.fresh("assembly"), self.assembly_type());
         quote!(#assembly: #kind)
     }
 
@@ -267,14 +267,14 @@ impl Compiled<'_> {
         if self.choices().is_empty() {
             return TokenStream::new();
         }
-        let assembly = self.own("assembly");
+        let assembly = self.fresh("assembly");
         quote!(#assembly)
     }
 
-    /// `.map_err(…)?` with the place of a failure, and the inputs.
-    pub(super) fn failed_at(&self, place: &str) -> TokenStream {
+    /// `.map_err(…)?` with the block of a failure, and the inputs.
+    pub(super) fn failed_at(&self, block: &str) -> TokenStream {
         let inputs = self.input_names();
-        let failure = self.own("failure");
-        quote!(.map_err(|#failure| self.__failed(#failure, #place, #(#inputs),*))?)
+        let failure = self.fresh("failure");
+        quote!(.map_err(|#failure| self.__failed(#failure, #block, #(#inputs),*))?)
     }
 }

@@ -12,7 +12,7 @@ use crate::model::{Dimension, Model};
 /// A field: attributes, visibility, name and dimension.
 pub(crate) type Field<'a> = (&'a [Attribute], &'a Visibility, &'a Ident, Option<Dimension>);
 
-/// The struct of a model. The lines follow the user's own documentation.
+/// The struct of a model. The lines follow the user's documentation.
 pub(crate) fn tokens(model: &Model, lines: &[String], runtime: &TokenStream) -> TokenStream {
     let fields = model.parameters.iter().map(|parameter| {
         (
@@ -61,10 +61,10 @@ pub(crate) fn structure<'a>(
     }
     let mut missing = missing(attributes);
     let mut implemented = TokenStream::new();
-    if let Some(place) = missing.iter().position(|&(trait_name, _)| trait_name == "PartialEq") {
+    if let Some(index) = missing.iter().position(|&(trait_name, _)| trait_name == "PartialEq") {
         let equality = Equality::of(name, &numeric, &names);
         if equality.derived.is_none() {
-            missing.remove(place);
+            missing.remove(index);
         }
         implemented = equality.implemented;
     }

@@ -112,7 +112,7 @@ pub(crate) fn tokens(
         TokenStream::new()
     };
     let bindings = bindings::imports(implementations.clone(), runtime);
-    // a scope of its own, so that short names meet no others
+    // a separate scope, so that short names meet no others
     quote! {
         #(#structures)*
         #[allow(dead_code, deprecated, non_snake_case, unused_imports)]

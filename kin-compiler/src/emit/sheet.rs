@@ -32,10 +32,10 @@ impl Written {
         Self { precedence, tokens }
     }
 
-    /// The formula, in parentheses if its operator binds less tightly than its place requires.
-    fn within(self, place: Precedence) -> TokenStream {
+    /// The formula, in parentheses if its operator binds less tightly than the formula around it requires.
+    fn within(self, outside: Precedence) -> TokenStream {
         let tokens = self.tokens;
-        if self.precedence.needs_parentheses(place) {
+        if self.precedence.needs_parentheses(outside) {
             quote_spanned!(Span::mixed_site()=> (#tokens))
         } else {
             tokens
@@ -44,8 +44,8 @@ impl Written {
 
     /// An operator behind the formula. It is not copied, because it may be long.
     fn extended(&mut self, precedence: Precedence, operator: impl ToTokens) {
-        let own = std::mem::replace(self, Self::atom(TokenStream::new()));
-        let mut tokens = own.within(precedence);
+        let formula = std::mem::replace(self, Self::atom(TokenStream::new()));
+        let mut tokens = formula.within(precedence);
         operator.to_tokens(&mut tokens);
         *self = Self { precedence, tokens };
     }
@@ -214,10 +214,10 @@ impl<'a> SheetText<'a> {
                     let operand = self.tokens(operand);
                     quote_spanned!(site=> #runtime::Rotation::times(#value, #operand))
                 }
-                Step::Turning(operand) => {
+                Step::Rotating(operand) => {
                     kind = vector_type(operand.shape);
                     let operand = self.tokens(operand);
-                    quote_spanned!(site=> #runtime::Rotation::turn(#value, #operand))
+                    quote_spanned!(site=> #runtime::Rotation::rotate(#value, #operand))
                 }
             });
         }

@@ -21,7 +21,7 @@ const LARGEST_DIVISORS: [u32; 2] = [64, 1024];
 /// The longest decimal number that is printed as it is, if it is a fraction.
 const LONGEST_DECIMAL: usize = 5;
 
-/// Turns expressions into terms.
+/// Converts expressions into terms.
 pub(super) struct Expressions<'a> {
     pub(super) graph: &'a Graph,
     pub(super) names: &'a NotationNames,
@@ -100,8 +100,8 @@ impl Expressions<'_> {
         })
     }
 
-    /// A vector of the plane as a complex number; `None` if it is too long to be read. Sines and cosines with one factor
-    /// become unit vectors, and the parts of a vector become the vector.
+    /// A vector of the plane as a complex number; `None` if it is too long to be read. Sines and cosines with one
+    /// factor become unit vectors, and the parts of a vector become the vector.
     pub(super) fn complex(&self, re: Node, im: Node) -> Option<Notation> {
         let (re, mut im) = (self.terms(re), self.terms(im));
         let (mut turning, mut real) = (Vec::new(), Vec::new());
@@ -180,19 +180,19 @@ impl Expressions<'_> {
         factors: &[(Node, i32)],
         imaginary: &mut Vec<(f64, Vec<(Node, i32)>)>,
     ) -> Option<TurningVector> {
-        let without = |factors: &[(Node, i32)], place: usize| {
+        let without = |factors: &[(Node, i32)], factor: usize| {
             let mut rest = factors.to_vec();
-            rest.remove(place);
+            rest.remove(factor);
             rest
         };
-        for (place, &(node, exponent)) in factors.iter().enumerate() {
+        for (factor, &(node, exponent)) in factors.iter().enumerate() {
             let NodeKind::Call(function @ (Function::Sin | Function::Cos), arguments) = self.graph.kind(node) else {
                 continue;
             };
             let (Some(partner), 1, &[angle]) = (function.partner(), exponent, arguments.as_slice()) else {
                 continue;
             };
-            let rest = without(factors, place);
+            let rest = without(factors, factor);
             let matching = imaginary.iter().enumerate().find_map(|(index, (other, factors))| {
                 let is_partner = |&(node, exponent): &(Node, i32)| {
                     let NodeKind::Call(function, arguments) = self.graph.kind(node) else {
@@ -200,8 +200,8 @@ impl Expressions<'_> {
                     };
                     *function == partner && exponent == 1 && arguments.as_slice() == [angle]
                 };
-                let place = factors.iter().position(is_partner)?;
-                (other.abs() == coefficient.abs() && without(factors, place) == rest).then_some((index, *other))
+                let factor = factors.iter().position(is_partner)?;
+                (other.abs() == coefficient.abs() && without(factors, factor) == rest).then_some((index, *other))
             });
             let Some((index, other)) = matching else { continue };
             imaginary.remove(index);
@@ -226,11 +226,11 @@ impl Expressions<'_> {
                 .factors
                 .iter()
                 .enumerate()
-                .find_map(|(place, &(node, exponent))| {
+                .find_map(|(factor, &(node, exponent))| {
                     let symbol = self.graph.as_symbol(node)?;
                     let (name, axis) = self.names.part(symbol)?;
                     let mut rest = turning.factors.clone();
-                    rest.remove(place);
+                    rest.remove(factor);
                     (axis == wanted && exponent == 1).then(|| (name.clone(), rest))
                 })
         };

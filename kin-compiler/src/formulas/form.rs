@@ -262,7 +262,7 @@ pub(super) fn escaped_for_latex(text: &str) -> String {
 mod tests {
     use super::*;
 
-    /// No letter ends a tag or begins a formula of its own.
+    /// No letter ends a tag or begins another formula.
     #[test]
     fn letters_with_a_meaning_are_escaped() {
         assert_eq!(escaped("a<b>&$"), "a&lt;b&gt;&amp;&#36;");
@@ -284,7 +284,8 @@ mod tests {
             all(&name, 1),
             [
                 "θ\u{307}₃",
-                "<msub><mover accent=\"true\"><mi>θ</mi><mo style=\"padding-bottom:0.15em\">˙</mo></mover><mn>3</mn></msub>",
+                "<msub><mover accent=\"true\"><mi>θ</mi><mo \
+                 style=\"padding-bottom:0.15em\">˙</mo></mover><mn>3</mn></msub>",
                 "\\dot{\\theta}_{3}"
             ]
         );

@@ -8,7 +8,7 @@ pub(super) struct Name {
     pub(super) indices: Vec<String>,
     /// The dots above, which mean time derivatives.
     pub(super) dots: usize,
-    /// The number of primes, which tell names of the formulas' own from those of the declaration.
+    /// The number of primes, which distinguish names of the formulas from those of the declaration.
     pub(super) primes: usize,
     /// Whether the quantity is a vector.
     pub(super) is_vector: bool,

@@ -10,7 +10,7 @@ use crate::syntax::{Axis, Declaration, Statement, shape};
 /// The notation of every name of a declaration, and the names that are still free.
 pub(super) struct NotationNames {
     known: BTreeMap<String, (Name, ValueShape)>,
-    /// Each scalar parameter: its vector's name and its axis, or its own name.
+    /// Each scalar parameter: its vector's name and its axis, or its name.
     parameters: Vec<(Name, Option<Axis>)>,
     inputs: Vec<Name>,
     unknowns: Vec<Name>,
@@ -107,11 +107,11 @@ impl NotationNames {
         })
     }
 
-    /// A name of the formulas' own: the wanted letter or one in its place, whichever no name of the declaration begins
+    /// A name of the formulas: the wanted letter or one instead of it, whichever no name of the declaration begins
     /// with. If all are taken, it is the wanted one with a prime.
     pub(super) fn fresh(&self, wanted: char) -> Name {
         let is_free = |letter: &char| !self.taken.iter().any(|taken| taken.base == Base::Letter(*letter));
-        let others = IN_PLACE
+        let others = INSTEAD
             .iter()
             .find(|(letter, _)| *letter == wanted)
             .map_or("", |(_, others)| others);
@@ -132,8 +132,8 @@ impl NotationNames {
     }
 }
 
-/// The letters in the place of others that are taken. Those of one solution are different.
-const IN_PLACE: [(char, &str); 13] = [
+/// The letters instead of others that are taken. Those of one solution are different.
+const INSTEAD: [(char, &str); 13] = [
     ('a', "pA"),
     ('b', "qB"),
     ('c', "sC"),

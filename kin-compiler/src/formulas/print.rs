@@ -49,7 +49,8 @@ pub(super) fn formula(lines: &[DisplayLine], is_cis: bool) -> Formula {
     Formula {
         text: text.join("\n"),
         mathml: format!(
-            "<math xmlns=\"http://www.w3.org/1998/Math/MathML\" display=\"block\"><mtable displaystyle=\"true\" columnalign=\"right left\">{mathml}</mtable></math>"
+            "<math xmlns=\"http://www.w3.org/1998/Math/MathML\" display=\"block\"><mtable displaystyle=\"true\" \
+             columnalign=\"right left\">{mathml}</mtable></math>"
         ),
         latex: format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}", latex.join(" \\\\\n")),
     }
@@ -59,7 +60,7 @@ pub(super) fn formula(lines: &[DisplayLine], is_cis: bool) -> Formula {
 struct Printer {
     form: Typesetting,
     text: String,
-    /// Whether the nearest fence outside is a bar, which cannot be told from a second one.
+    /// Whether the nearest fence outside is a bar, which cannot be distinguished from a second one.
     is_between_bars: bool,
 }
 
@@ -76,7 +77,7 @@ impl Surroundings {
         Self { precedence, is_last }
     }
 
-    /// A place between fences or lines.
+    /// A position between fences or lines.
     const ALONE: Self = Self::new(Precedence::Sum, true);
 }
 
@@ -126,20 +127,20 @@ impl Printer {
         }
     }
 
-    fn term(&mut self, term: &Notation, place: Surroundings) {
-        let own = self.precedence(term);
+    fn term(&mut self, term: &Notation, around: Surroundings) {
+        let precedence = self.precedence(term);
         // a time derivative above the line would be taken for a power, and the other way round
-        let is_crowded = place.precedence == Precedence::Atom && matches!(term, Notation::Rate(_, 3..));
+        let is_crowded = around.precedence == Precedence::Atom && matches!(term, Notation::Rate(_, 3..));
         let is_in_bars = self.is_between_bars && matches!(term, Notation::Norm(_));
-        if own.needs_parentheses(place.precedence) || is_crowded || is_in_bars {
+        if precedence.needs_parentheses(around.precedence) || is_crowded || is_in_bars {
             self.fenced('(', ')', |printer| printer.bare(term, Surroundings::ALONE));
         } else {
-            self.bare(term, place);
+            self.bare(term, around);
         }
     }
 
     /// A term without parentheses around it.
-    fn bare(&mut self, term: &Notation, place: Surroundings) {
+    fn bare(&mut self, term: &Notation, around: Surroundings) {
         match term {
             Notation::Number(value) => self.number(*value),
             Notation::Degrees(value) => {
@@ -180,18 +181,18 @@ impl Printer {
             }),
             Notation::Negative(of) => {
                 self.push(&self.form.sign("−"));
-                self.term(of, Surroundings::new(Precedence::Product, place.is_last));
+                self.term(of, Surroundings::new(Precedence::Product, around.is_last));
             }
             Notation::Either(of) => {
                 self.push(&self.form.sign("±"));
-                self.term(of, Surroundings::new(Precedence::Product, place.is_last));
+                self.term(of, Surroundings::new(Precedence::Product, around.is_last));
             }
             Notation::Sum(terms) => self.sum(terms),
-            Notation::Product(factors) => self.product(factors, place.is_last),
+            Notation::Product(factors) => self.product(factors, around.is_last),
             Notation::Dot(left, right) => self.two(left, "·", right),
             Notation::Cross(left, right) => self.two(left, "×", right),
             Notation::Quotient(dividend, divisor) => self.quotient(dividend, divisor),
-            Notation::Power(base, exponent) => self.power(base, *exponent, place.is_last),
+            Notation::Power(base, exponent) => self.power(base, *exponent, around.is_last),
             Notation::Direction(angle) => self.direction(angle),
             Notation::Root(of) => match self.form {
                 Typesetting::Text { .. } => {
@@ -204,7 +205,7 @@ impl Printer {
             Notation::Norm(of) => self.fenced('|', '|', |printer| printer.term(of, Surroundings::ALONE)),
             Notation::Call(function, arguments) => {
                 self.word(function);
-                self.arguments(arguments, place.is_last);
+                self.arguments(arguments, around.is_last);
             }
             Notation::Function(name, arguments) => {
                 self.name(name, 0);
@@ -290,11 +291,11 @@ impl Printer {
                 }
             }
             // a power of ten in front is read as a part of the product
-            let place = match factor {
+            let precedence = match factor {
                 Notation::Number(_) if index == 0 => Precedence::Product,
                 _ => Precedence::Sign,
             };
-            self.term(factor, Surroundings::new(place, is_last));
+            self.term(factor, Surroundings::new(precedence, is_last));
         }
     }
 
@@ -381,7 +382,7 @@ impl Printer {
     fn arguments(&mut self, arguments: &[Notation], is_last: bool) {
         match arguments {
             [only] if is_last && is_short(only) && !self.is_text() => {
-                // a command of LaTeX ends with a space of its own
+                // a command of LaTeX ends with a space
                 if self.form == Typesetting::MathMl {
                     self.push("<mspace width=\"0.17em\"></mspace>");
                 }
@@ -405,9 +406,9 @@ impl Printer {
         });
     }
 
-    fn fenced(&mut self, open: char, close: char, inside: impl FnOnce(&mut Self)) {
-        self.push(&self.form.fence(open));
-        let outside = std::mem::replace(&mut self.is_between_bars, open == '|');
+    fn fenced(&mut self, opening: char, close: char, inside: impl FnOnce(&mut Self)) {
+        self.push(&self.form.fence(opening));
+        let outside = std::mem::replace(&mut self.is_between_bars, opening == '|');
         inside(self);
         self.is_between_bars = outside;
         let close = self.form.fence(close).replace("prefix", "postfix");

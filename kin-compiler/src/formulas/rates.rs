@@ -45,30 +45,30 @@ impl<'a> Residuals<'a> {
     }
 
     /// The index of a scalar equation.
-    pub(super) fn place(&self, residual: Node) -> Option<usize> {
+    pub(super) fn index_of(&self, residual: Node) -> Option<usize> {
         self.nodes.iter().position(|&node| node == residual)
     }
 
     /// The name of the left side minus the right side of a scalar equation.
-    pub(super) fn name(&self, place: usize) -> Name {
+    pub(super) fn name(&self, index: usize) -> Name {
         let name = self.names.fresh('f');
         if self.nodes.len() == 1 {
             name
         } else {
-            name.indexed((place + 1).to_string())
+            name.indexed((index + 1).to_string())
         }
     }
 
     /// The definitions of the names of some scalar equations.
-    pub(super) fn definitions(&self, places: &[usize]) -> Vec<DisplayLine> {
-        let mut declared: Vec<usize> = places.iter().map(|&place| self.origins[place]).collect();
+    pub(super) fn definitions(&self, indices: &[usize]) -> Vec<DisplayLine> {
+        let mut declared: Vec<usize> = indices.iter().map(|&index| self.origins[index]).collect();
         declared.sort_unstable();
         declared.dedup();
         declared
             .into_iter()
             .map(|equation| {
-                let parts = (0..self.nodes.len()).filter(|&place| self.origins[place] == equation);
-                let mut parts: Vec<Notation> = parts.map(|place| Notation::Name(self.name(place))).collect();
+                let parts = (0..self.nodes.len()).filter(|&index| self.origins[index] == equation);
+                let mut parts: Vec<Notation> = parts.map(|index| Notation::Name(self.name(index))).collect();
                 let left = match (self.shapes[equation], parts.len()) {
                     (ValueShape::Plane, 2) => complex(parts.remove(0), parts.remove(0)),
                     (_, 1) => parts.remove(0),
@@ -115,8 +115,8 @@ pub(super) fn partials(graph: &mut Graph, model: &Model, residuals: &[Node]) -> 
     })
 }
 
-/// The linear equations of a block's velocities, given the partial derivatives of all scalar equations. The rates of the
-/// block's unknowns are on the left, those of all other quantities on the right.
+/// The linear equations of a block's velocities, given the partial derivatives of all scalar equations. The rates of
+/// the block's unknowns are on the left, those of all other quantities on the right.
 pub(super) fn velocity(
     graph: &Graph,
     partials: &[Vec<(Symbol, Node)>],
@@ -126,9 +126,9 @@ pub(super) fn velocity(
     let names = residuals.names;
     let is_own = |symbol| matches!(symbol, Symbol::Unknown(unknown) if block.unknowns.contains(&unknown));
     let (mut rows, mut named) = (Vec::new(), Vec::new());
-    for &place in &block.equations {
+    for &index in &block.equations {
         let (mut left, mut right) = (Vec::new(), Vec::new());
-        for &(symbol, partial) in &partials[place] {
+        for &(symbol, partial) in &partials[index] {
             let Some(name) = names.symbol(symbol) else { continue };
             let expressions = Expressions {
                 graph,
@@ -138,8 +138,8 @@ pub(super) fn velocity(
             let rate = Notation::Rate(name.clone(), 1);
             let term = expressions.coefficient(partial).map_or_else(
                 || {
-                    named.push(place);
-                    Notation::product([change_over(&residuals.name(place), &name), rate.clone()])
+                    named.push(index);
+                    Notation::product([change_over(&residuals.name(index), &name), rate.clone()])
                 },
                 |coefficient| times(coefficient, rate.clone()),
             );

@@ -226,21 +226,21 @@ impl<'a> Solutions<'a> {
     fn two_angles(&mut self, arms: &[Arm; 2], target: ComplexNode) -> Vec<DisplayLine> {
         let [d, k] = self.fresh(['d', 'k']);
         let [first, second] = [&arms[0], &arms[1]].map(|arm| self.arm(arm));
-        let [own, other] = [&arms[0], &arms[1]].map(|arm| self.square(arm.factor));
+        let [square_of_arm, other] = [&arms[0], &arms[1]].map(|arm| self.square(arm.factor));
         let square = d.clone().norm().squared();
-        let radicand =
-            Notation::product([Notation::Number(4.0), own.clone(), square.clone()]).minus(k.clone().squared());
-        let turned = Notation::Sum(vec![
+        let radicand = Notation::product([Notation::Number(4.0), square_of_arm.clone(), square.clone()])
+            .minus(k.clone().squared());
+        let rotated = Notation::Sum(vec![
             k.clone(),
             Notation::Either(Box::new(Notation::product([Notation::Imaginary, radicand.root()]))),
         ]);
         let solution =
-            Notation::product([d.clone(), turned]).over(Notation::product([Notation::Number(2.0), square.clone()]));
+            Notation::product([d.clone(), rotated]).over(Notation::product([Notation::Number(2.0), square.clone()]));
         let rest = d.clone().minus(first.clone());
-        let excess = if own == other {
+        let excess = if square_of_arm == other {
             square
         } else {
-            Notation::sum([square, own]).minus(other)
+            Notation::sum([square, square_of_arm]).minus(other)
         };
 
         // the opposite of a link that is subtracted
@@ -268,8 +268,8 @@ impl<'a> Solutions<'a> {
     ) -> Vec<DisplayLine> {
         let [d, u, k] = self.fresh(['d', 'u', 'k']);
         let (link, x) = (self.arm(arm), self.unknown(length));
-        let own = self.square(arm.factor);
-        let difference = d.clone().norm().squared().minus(own);
+        let square_of_arm = self.square(arm.factor);
+        let difference = d.clone().norm().squared().minus(square_of_arm);
         let slide = u.clone().norm().squared();
         let radicand = k
             .clone()
@@ -297,7 +297,7 @@ impl<'a> Solutions<'a> {
     ) -> Vec<DisplayLine> {
         let [d] = self.fresh(['d']);
         let (x, theta) = (self.unknown(length), self.unknown(angle));
-        let turned = if is_mirrored {
+        let rotated = if is_mirrored {
             theta.clone().negative()
         } else {
             theta.clone()
@@ -316,7 +316,7 @@ impl<'a> Solutions<'a> {
         };
         let direction = Notation::Call("arg", vec![d.clone().over(whole.clone())]);
         vec![
-            DisplayLine::equation(Notation::product([whole, Notation::direction(turned)]), d.clone()),
+            DisplayLine::equation(Notation::product([whole, Notation::direction(rotated)]), d.clone()),
             self.definition(d, &[target.re, target.im]),
             DisplayLine::equation(x, solution),
             DisplayLine::equation(theta, if is_mirrored { direction.negative() } else { direction }),
@@ -325,15 +325,15 @@ impl<'a> Solutions<'a> {
 
     /// The linear equations of a step of Newton's method.
     fn newton(&mut self, unknowns: &[usize], residuals: &[Node]) -> Vec<DisplayLine> {
-        let places: Vec<Option<usize>> = residuals
+        let indices: Vec<Option<usize>> = residuals
             .iter()
-            .map(|&residual| self.residuals.place(residual))
+            .map(|&residual| self.residuals.index_of(residual))
             .collect();
-        let known: Vec<usize> = places.iter().copied().flatten().collect();
+        let known: Vec<usize> = indices.iter().copied().flatten().collect();
         let mut lines = self.residuals.definitions(&known);
-        for (index, (&residual, place)) in residuals.iter().zip(&places).enumerate() {
-            let name = if let Some(place) = place {
-                self.residuals.name(*place)
+        for (index, (&residual, known_index)) in residuals.iter().zip(&indices).enumerate() {
+            let name = if let Some(known_index) = known_index {
+                self.residuals.name(*known_index)
             } else {
                 // an equation that an earlier part has changed
                 let name = self.names.fresh('g');

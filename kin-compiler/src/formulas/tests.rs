@@ -80,14 +80,17 @@ fn formulas_of_the_library_are_well_formed() {
     let mut count = 0;
     for declared in library() {
         for (part, formula) in parts(&formulas_of(declared.declaration)) {
-            let place = format!("{}, {part}: {}", declared.name, formula.text);
-            reading::assert_well_formed(&formula.mathml, &place);
+            let location = format!("{}, {part}: {}", declared.name, formula.text);
+            reading::assert_well_formed(&formula.mathml, &location);
             assert_eq!(
                 formula.latex.matches('&').count(),
                 formula.text.lines().count(),
-                "{place}"
+                "{location}"
             );
-            assert!(!formula.latex.contains('$') && !formula.mathml.contains('$'), "{place}");
+            assert!(
+                !formula.latex.contains('$') && !formula.mathml.contains('$'),
+                "{location}"
+            );
             let mut depth = 0_usize;
             for letter in formula.latex.chars() {
                 match letter {
@@ -96,16 +99,16 @@ fn formulas_of_the_library_are_well_formed() {
                     _ => {}
                 }
             }
-            assert_eq!(depth, 0, "{place}");
+            assert_eq!(depth, 0, "{location}");
             count += 1;
         }
     }
     assert!(count > 300, "{count}");
 }
 
-/// Names that look alike are told apart, and names with a meaning in MathML or LaTeX stay names.
+/// Names that look alike are distinguished, and names with a meaning in MathML or LaTeX stay names.
 #[test]
-fn names_are_told_apart() {
+fn names_are_distinguished() {
     let formulas = formulas_of(quote! {
         struct Odd { r1: Length, r_1: Length, omega: Angle, omega_dot: Angle, e: Length, sin_in: Length }
         input theta: Angle;
@@ -309,8 +312,9 @@ fn terms_are_read_back_with_their_values() {
     assert!(compared > 1000, "{compared}");
 }
 
-/// Prints the formulas of the library: `cargo test -p kin-compiler formulas_of_the_library_in -- --ignored --nocapture`.
-/// With the name of a file in `KIN_LATEX`, all LaTeX is written to it, separated by empty lines.
+/// Prints the formulas of the library:
+/// `cargo test -p kin-compiler formulas_of_the_library_in -- --ignored --nocapture`. With the name of a file in
+/// `KIN_LATEX`, all LaTeX is written to it, separated by empty lines.
 #[test]
 #[ignore = "prints formulas"]
 fn formulas_of_the_library_in_text() {

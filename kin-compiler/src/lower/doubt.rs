@@ -2,7 +2,7 @@
 //! test that it is nonzero.
 //!
 //! A closed form knows the terms of the number under its root. Some forms decide by a number that they are given: the
-//! coefficient of a linear equation, a determinant, the argument of a root. Only the expression of such a number tells
+//! coefficient of a linear equation, a determinant, the argument of a root. Only the expression of such a number says
 //! how large its terms are.
 
 use super::{Decisive, Value};
@@ -12,7 +12,8 @@ use crate::program::{Expression, Step};
 /// The largest number of terms of a product of sums that is multiplied out.
 const MOST_TERMS: usize = 12;
 
-/// A decisive number with its terms. They are the terms of its expression, or of the step among `among` that defines it.
+/// A decisive number with its terms. They are the terms of its expression, or of the step among `among` that defines
+/// it.
 pub(super) fn decisive(value: &Expression, among: &[&Step<Expression>]) -> Decisive {
     Decisive {
         value: Value::of(value),
@@ -36,9 +37,9 @@ fn at_least(count: usize, terms: &[Expression]) -> Vec<Value> {
 }
 
 fn terms(value: &Expression, among: &[&Step<Expression>]) -> Vec<Expression> {
-    let definition = |own: Symbol| {
+    let definition = |wanted: Symbol| {
         among.iter().find_map(|step| match step {
-            Step::Define { symbol, value } if *symbol == own => Some(value),
+            Step::Define { symbol, value } if *symbol == wanted => Some(value),
             _ => None,
         })
     };

@@ -9,7 +9,7 @@ use crate::structure::{Block, BlockKind};
 /// The largest number of assemblies that are all found. A mechanism with more is assembled from a guess.
 pub(crate) const MOST_ASSEMBLIES: usize = 4096;
 
-/// A mechanism, as a machine runs it. The symbols of a routine are its own, except those of quantities.
+/// A mechanism, as a machine runs it. The symbols of a routine belong to it alone, except those of quantities.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Mechanism {
     /// The description.

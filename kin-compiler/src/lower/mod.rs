@@ -1,5 +1,5 @@
-//! Programs with every decision made: fused operations, calls for two directions at once, the terms of decisive numbers,
-//! tests, candidates, and the order of evaluation.
+//! Programs with every decision made: fused operations, calls for two directions at once, the terms of decisive
+//! numbers, tests, candidates, and the order of evaluation.
 //!
 //! The writer of Rust and the machine of kin-live read only the result, so a program means the same to both.
 

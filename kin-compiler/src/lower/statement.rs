@@ -70,15 +70,15 @@ pub enum Statement {
         /// The lengths, which may be negative; none if they are positive.
         lengths: Vec<Value>,
     },
-    /// An unknown must lie in its declared range. An angle may be moved by whole turns to get there.
+    /// An unknown must lie in its declared range. An angle may be moved by whole revolutions to get there.
     InRange {
         /// The unknown and its range.
         range: Range,
         /// The unknowns in a failure.
         label: Label,
     },
-    /// Moves an angle to the turn that is nearest to the caller's guess.
-    OnTurn {
+    /// Unwraps an angle to the caller's guess.
+    Unwrap {
         /// The unknown.
         unknown: usize,
     },
@@ -154,7 +154,7 @@ pub enum Statement {
     },
 }
 
-/// A number whose sign decides, or the test that it is nonzero, with the terms that it is the sum of. Only they tell how
+/// A number whose sign decides, or the test that it is nonzero, with the terms that it is the sum of. Only they say how
 /// far it is from zero. There are none if the number is no sum.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Decisive {
@@ -200,15 +200,15 @@ pub enum Selection {
 pub struct Range {
     /// The unknown.
     pub unknown: usize,
-    /// Whether it may be moved by whole turns.
-    pub turns: bool,
+    /// Whether it may be moved by whole revolutions.
+    pub is_periodic: bool,
     /// The lowest value.
     pub low: f64,
     /// The highest value.
     pub high: f64,
 }
 
-/// The name of the place of a failure.
+/// The name of the block of a failure.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Label {
     /// Some unknowns, separated by commas.

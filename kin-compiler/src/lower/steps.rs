@@ -84,11 +84,13 @@ impl Lowering<'_> {
         let mut kept: Vec<Symbol> = inside.iter().flat_map(|step| step.defines()).collect();
         kept.retain(|symbol| needed.contains(symbol));
         let ranges = self.part(part).unknowns.iter().filter_map(|&unknown| {
-            let own = Symbol::Unknown(unknown);
-            let turns = inside
+            let symbol_of_unknown = Symbol::Unknown(unknown);
+            let is_periodic = inside
                 .iter()
-                .any(|step| matches!(step, Step::Angle { symbol, .. } if *symbol == own));
-            kept.contains(&own).then(|| self.range(unknown, turns)).flatten()
+                .any(|step| matches!(step, Step::Angle { symbol, .. } if *symbol == symbol_of_unknown));
+            kept.contains(&symbol_of_unknown)
+                .then(|| self.range(unknown, is_periodic))
+                .flatten()
         });
         statements.push(Statement::Candidates {
             ranges: ranges.collect(),
@@ -132,7 +134,7 @@ impl Lowering<'_> {
                 Statement::Solve {
                     form: solver.name(),
                     arguments: arguments
-                        .map(|(place, of)| argument(*solver, place, of, among))
+                        .map(|(index, of)| argument(*solver, index, of, among))
                         .collect(),
                     selection: solver.takes_assembly().then(|| self.selection(of_part())),
                     returns: solver.returns(),
@@ -146,12 +148,14 @@ impl Lowering<'_> {
                 x: vec![Value::of(x)],
                 lengths: length.iter().map(Value::of).collect(),
             },
-            Step::Bound { unknown, turns, .. } => {
-                if let Some(range) = self.range(*unknown, *turns) {
+            Step::Bound {
+                unknown, is_periodic, ..
+            } => {
+                if let Some(range) = self.range(*unknown, *is_periodic) {
                     let label = self.label(of_part());
                     return Some(Statement::InRange { range, label });
                 }
-                return (*turns && !self.goes_through_all).then_some(Statement::OnTurn { unknown: *unknown });
+                return (*is_periodic && !self.goes_through_all).then_some(Statement::Unwrap { unknown: *unknown });
             }
             Step::Regular { value } => Statement::Regular {
                 symbol: match value {
@@ -281,11 +285,11 @@ impl Lowering<'_> {
         }
     }
 
-    fn range(&self, unknown: usize, turns: bool) -> Option<Range> {
+    fn range(&self, unknown: usize, is_periodic: bool) -> Option<Range> {
         let range = self.model.unknowns[unknown].range.as_ref()?;
         Some(Range {
             unknown,
-            turns,
+            is_periodic,
             low: range.low,
             high: range.high,
         })
@@ -337,12 +341,12 @@ fn directions(first: &Scheduled, second: &Scheduled) -> Option<Statement> {
     })
 }
 
-fn argument(solver: Solver, place: usize, of: &FormArgument<Expression>, among: &[&Scheduled]) -> Argument {
+fn argument(solver: Solver, index: usize, of: &FormArgument<Expression>, among: &[&Scheduled]) -> Argument {
     match of {
-        FormArgument::Scalar(value) if solver.decides_on(place) => Argument::Scalar(doubt::decisive(value, among)),
+        FormArgument::Scalar(value) if solver.decides_on(index) => Argument::Scalar(doubt::decisive(value, among)),
         FormArgument::Scalar(value) => Argument::Scalar(Value::of(value).into()),
         FormArgument::Plane(vector) => {
-            let terms = if solver.decides_on(place) {
+            let terms = if solver.decides_on(index) {
                 doubt::terms_of_vector(vector, among)
             } else {
                 Vec::new()

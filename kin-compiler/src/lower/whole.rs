@@ -102,7 +102,7 @@ fn unit_vector(solvers: &Solvers, unknown: usize) -> Option<UnitVector> {
 }
 
 fn closure_term(model: &Model, term: &ClosureMonomial) -> ClosureTerm {
-    let place = |symbol: Symbol| {
+    let argument = |symbol: Symbol| {
         let index = match symbol {
             Symbol::Input(index) => index,
             Symbol::Unknown(index) => model.inputs.len() + index,
@@ -113,7 +113,7 @@ fn closure_term(model: &Model, term: &ClosureMonomial) -> ClosureTerm {
     let angle = |angle: &Angle| {
         let multiples = angle.0.iter().map(|&(symbol, multiple)| {
             let multiple = i8::try_from(multiple).expect("larger multiples are no terms of a closure");
-            (place(symbol), multiple)
+            (argument(symbol), multiple)
         });
         multiples.collect()
     };
@@ -124,12 +124,12 @@ fn closure_term(model: &Model, term: &ClosureMonomial) -> ClosureTerm {
         powers: term
             .powers
             .iter()
-            .map(|&(symbol, power)| (place(symbol), power))
+            .map(|&(symbol, power)| (argument(symbol), power))
             .collect(),
         harmonic: match &term.harmonic {
             Harmonic::One => None,
-            Harmonic::Cosine(own) => Some((false, angle(own))),
-            Harmonic::Sine(own) => Some((true, angle(own))),
+            Harmonic::Cosine(combination) => Some((false, angle(combination))),
+            Harmonic::Sine(combination) => Some((true, angle(combination))),
         },
     }
 }

@@ -1,7 +1,8 @@
 //! Degrees that were typed where radians are meant.
 //!
-//! Angles are plain numbers to the dimensions. So this pass follows which formulas are angles, and looks for numbers beyond a turn
-//! beside them: `theta + 30`, `cis(90)`, `sin(s + 45)`. It also looks for angles that a factor converts: `cis(theta * PI / 180)`.
+//! Angles are plain numbers to the dimensions. So this pass follows which formulas are angles, and looks for numbers
+//! beyond a revolution beside them: `theta + 30`, `cis(90)`, `sin(s + 45)`. It also looks for angles that a factor
+//! converts: `cis(theta * PI / 180)`.
 
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
@@ -13,7 +14,7 @@ use crate::syntax::{
     ArithmeticOperator, Callee, Declaration, FormulaKind, RangeClause, RangeKind, Statement, TypedFormula,
 };
 
-/// The largest number that passes for radians: a turn, which may have been typed in few digits.
+/// The largest number that passes for radians: a revolution, which may have been typed in few digits.
 const LARGEST: f64 = TAU * 1.001;
 
 /// The part that a formula plays among angles.
@@ -25,7 +26,7 @@ struct Sort {
     is_plain: bool,
     /// Its value, if it is made of numbers without `PI` and `deg`.
     number: Option<f64>,
-    /// A term of it that is a number beyond a turn, and its place.
+    /// A term of it that is a number beyond a revolution, and its position.
     beyond: Option<(f64, Extent)>,
     /// Its value, if it is made of numbers, `PI` and `deg`.
     constant: Option<f64>,
@@ -57,11 +58,12 @@ impl Conversion {
     fn message(self) -> &'static str {
         match self {
             Self::FromDegrees => {
-                "an angle is in radians already: write it without this factor, or declare it a `Scalar` if it is in degrees"
+                "an angle is in radians already: write it without this factor, or declare it a `Scalar` if it is in \
+                 degrees"
             }
             Self::ToDegrees => {
-                "angles are in radians: write the angle without this factor and convert the result by `to_degrees`, or declare \
-                 the number of degrees a `Scalar`"
+                "angles are in radians: write the angle without this factor and convert the result by `to_degrees`, or \
+                 declare the number of degrees a `Scalar`"
             }
         }
     }
@@ -98,7 +100,7 @@ impl Sort {
         }
     }
 
-    /// A number beyond a turn that it is or contains, and its place.
+    /// A number beyond a revolution that it is or contains, and its position.
     fn suspect(&self, at: Extent) -> Option<(f64, Extent)> {
         self.beyond.or_else(|| {
             let number = self.number.filter(|number| number.abs() > LARGEST)?;
@@ -107,7 +109,7 @@ impl Sort {
     }
 }
 
-/// Reports numbers beyond a turn in the place of angles, in all formulas.
+/// Reports numbers beyond a revolution where angles are meant, in all formulas.
 pub(super) fn check(declaration: &Declaration, mistakes: &mut Mistakes) {
     let parameters = declaration.parameters.iter();
     let mut names: BTreeMap<String, Sort> = parameters
@@ -147,7 +149,7 @@ pub(super) fn check(declaration: &Declaration, mistakes: &mut Mistakes) {
                 let [(left, _), (right, _)] = sides;
                 for (sort, at) in sides {
                     if left.is_angle || right.is_angle {
-                        search.tell(sort.suspect(at));
+                        search.report(sort.suspect(at));
                         search.tell_conversion(sort, at);
                     }
                 }
@@ -173,7 +175,7 @@ pub(super) fn is_range_in_radians(clause: &RangeClause, range: &Range, mistakes:
         .collect();
     let is_sound = suspects.is_empty();
     for suspect in suspects {
-        search.tell(Some(suspect));
+        search.report(Some(suspect));
     }
     let is_short = range.high - range.low <= LARGEST || !(range.high - range.low).is_finite();
     if is_sound && !is_short {
@@ -277,7 +279,7 @@ impl Search<'_> {
             let suspect = sort.suspect(*at);
             if is_angle {
                 self.tell_conversion(*sort, *at);
-                self.tell(suspect);
+                self.report(suspect);
             } else {
                 beyond = beyond.or(suspect);
             }
@@ -316,10 +318,10 @@ impl Search<'_> {
             Callee::Elementary(function) if matches!(function.takes(), Takes::Angle) => Some(0),
             Callee::Elementary(_) | Callee::Vec2 | Callee::Vec3 | Callee::Dot | Callee::Cross | Callee::Norm => None,
         };
-        if let Some(place) = angle
-            && let (Some(sort), Some(argument)) = (sorts.get(place), arguments.get(place))
+        if let Some(index) = angle
+            && let (Some(sort), Some(argument)) = (sorts.get(index), arguments.get(index))
         {
-            self.tell(sort.suspect(argument.extent));
+            self.report(sort.suspect(argument.extent));
             self.tell_conversion(*sort, argument.extent);
         }
         match callee {
@@ -341,7 +343,7 @@ impl Search<'_> {
         }
     }
 
-    fn tell(&mut self, suspect: Option<(f64, Extent)>) {
+    fn report(&mut self, suspect: Option<(f64, Extent)>) {
         if let Some((number, at)) = suspect {
             let degrees = number.abs();
             self.mistakes.error(

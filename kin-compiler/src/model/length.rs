@@ -7,8 +7,8 @@ use crate::mistakes::{Extent, Mistakes};
 /// stack that is large enough.
 const LONGEST: usize = 10_000;
 
-/// The largest number of formulas within each other. WebAssembly has no threads, so the later passes recurse there on the
-/// engine's stack of 1 MB, which holds 300 to the twelfth order.
+/// The largest number of formulas within each other. WebAssembly has no threads, so the later passes recurse there on
+/// the engine's stack of 1 MB, which holds 300 to the twelfth order.
 const DEEPEST: usize = if cfg!(target_family = "wasm") { 128 } else { LONGEST };
 
 /// The longest path to a node of a graph.
@@ -27,7 +27,7 @@ impl PathLengths {
     pub(super) fn allow(&mut self, graph: &Graph, nodes: &[Node], extent: Extent, mistakes: &mut Mistakes) -> bool {
         for node in graph.nodes_from(self.0.len()) {
             // the terms of a sum are added one after the other, and the factors of a product multiplied
-            let own = match graph.kind(node) {
+            let operations = match graph.kind(node) {
                 NodeKind::Number(_) | NodeKind::Pi | NodeKind::Symbol(_) => 0,
                 NodeKind::Sum(_, terms) => terms.len(),
                 NodeKind::Product(factors) => factors
@@ -42,8 +42,8 @@ impl PathLengths {
                 path.operations = path.operations.max(operand.operations);
                 path.depth = path.depth.max(operand.depth);
             }
-            path.operations = path.operations.saturating_add(own);
-            path.depth += usize::from(own > 0);
+            path.operations = path.operations.saturating_add(operations);
+            path.depth += usize::from(operations > 0);
             self.0.push(path);
         }
         let longest = |measure: fn(&Path) -> usize| nodes.iter().map(|node| measure(&self.0[node.index()])).max();

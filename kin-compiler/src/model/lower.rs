@@ -19,7 +19,7 @@ pub(super) struct Lowering<'a, 'b> {
     pub(super) graph: &'a mut Graph,
     pub(super) scope: &'a mut Scope<'b>,
     pub(super) mistakes: &'a mut Mistakes,
-    /// The constant farthest from 1, as its distance and its place in the source.
+    /// The constant farthest from 1, as its distance and its position in the source.
     pub(super) extreme: &'a mut Option<(f64, Extent)>,
 }
 
@@ -61,7 +61,8 @@ impl Lowering<'_, '_> {
             self.mistakes.error(
                 equation.operator,
                 format!(
-                    "the left side is {left_measure}, the right side {right_measure}: both sides of an equation must have the same dimension"
+                    "the left side is {left_measure}, the right side {right_measure}: both sides of an equation must \
+                     have the same dimension"
                 ),
             );
             return None;
@@ -139,17 +140,19 @@ impl Lowering<'_, '_> {
             FormulaKind::Part { of, axis } => {
                 let typed = self.formula(of)?;
                 let axes = typed.value.shape().axes();
-                let Some(part) = axes.iter().position(|own| own == axis) else {
+                let Some(part) = axes.iter().position(|known| known == axis) else {
                     let measure = typed.measure();
                     let complaint = match measure.shape {
                         ValueShape::Scalar => {
                             format!("only a vector has a part `{axis}`, but `{of}` is {measure}: write it alone")
                         }
                         ValueShape::Plane | ValueShape::Space => format!(
-                            "`{of}` is {measure} and has no part `{axis}`: write `vec3(v.x, v.y, 0)` to place a plane vector v in space"
+                            "`{of}` is {measure} and has no part `{axis}`: write `vec3(v.x, v.y, 0)` to place a plane \
+                             vector v in space"
                         ),
                         ValueShape::Rotation => format!(
-                            "only a vector has a part `{axis}`, but `{of}` is {measure}: write a vector that it turns, as in `({of} * v).{axis}`"
+                            "only a vector has a part `{axis}`, but `{of}` is {measure}: write a vector that it turns, \
+                             as in `({of} * v).{axis}`"
                         ),
                     };
                     self.mistakes.error(formula.extent, complaint);
@@ -218,8 +221,8 @@ impl Lowering<'_, '_> {
                 self.mistakes.error(
                     extent,
                     format!(
-                        "this is a power with the exponent {exponent}, and {LARGEST_POWER} is the largest: declare a lower power as an \
-                         unknown with an equation of its own"
+                        "this is a power with the exponent {exponent}, and {LARGEST_POWER} is the largest: declare a \
+                         lower power as an unknown with an equation of its own"
                     ),
                 );
                 return None;
@@ -346,7 +349,8 @@ impl Lowering<'_, '_> {
                     }
                     (ValueShape::Space, ValueShape::Rotation) => "write `rotation * vector`, the rotation first",
                     (ValueShape::Plane | ValueShape::Space, _) => {
-                        "write `vec3(v.x, v.y, 0)` for the plane vector, and `dot(a, b)` or `cross(a, b)` for the product"
+                        "write `vec3(v.x, v.y, 0)` for the plane vector, and `dot(a, b)` or `cross(a, b)` for the \
+                         product"
                     }
                     _ => "write `s * (rotation * vector)` for a scalar s",
                 };
@@ -373,7 +377,8 @@ impl Lowering<'_, '_> {
                         "nothing can be divided by a rotation: turn by the opposite angle, as in `rot_z(-angle) * v`"
                     }
                     ValueShape::Scalar | ValueShape::Plane => {
-                        "nothing can be divided by a plane vector: multiply by `cis(-angle)` to turn by the opposite angle"
+                        "nothing can be divided by a plane vector: multiply by `cis(-angle)` to turn by the opposite \
+                         angle"
                     }
                 },
             );
@@ -413,12 +418,12 @@ impl Lowering<'_, '_> {
         match (callee, nodes.as_slice()) {
             (Callee::Cis, &[angle]) => {
                 self.expect_angle(name, &arguments[0], &typed[0])?;
-                Some(Typed::number(self.turned(None, angle)))
+                Some(Typed::number(self.along_angle(None, angle)))
             }
             (Callee::Polar, &[length, angle]) => {
                 self.expect_second_angle(name, callee.form(), &arguments[1], &typed[1])?;
                 Some(Typed {
-                    value: self.turned(Some(length), angle),
+                    value: self.along_angle(Some(length), angle),
                     exponent: typed[0].exponent,
                 })
             }
@@ -505,7 +510,7 @@ impl Lowering<'_, '_> {
     ) -> Option<Typed> {
         self.expect_angle(name, argument, typed)?;
         let (zero, one) = (self.graph.zero(), self.graph.one());
-        let parts = [Axis::X, Axis::Y, Axis::Z].map(|own| if own == axis { one } else { zero });
+        let parts = [Axis::X, Axis::Y, Axis::Z].map(|known| if known == axis { one } else { zero });
         Some(Typed::number(self.rodrigues(parts, angle)))
     }
 
@@ -514,7 +519,8 @@ impl Lowering<'_, '_> {
         if axis.value.shape() == ValueShape::Plane {
             self.mistakes.error(
                 argument.extent,
-                "the axis of a rotation is a space vector, but this is a plane vector: write `vec3(v.x, v.y, 0)` for an axis in                  the plane, `rot_z(angle)` to turn the plane itself",
+                "the axis of a rotation is a space vector, but this is a plane vector: write `vec3(v.x, v.y, 0)` for \
+                 an axis in                  the plane, `rot_z(angle)` to turn the plane itself",
             );
             return None;
         }
@@ -545,7 +551,7 @@ impl Lowering<'_, '_> {
                 let across = graph.subtract(identity, along);
                 let across = graph.multiply(cosine, across);
                 // the entry of u× is the third part of u, negative if the column follows the row
-                let turned = if row == column {
+                let rotated = if row == column {
                     graph.zero()
                 } else {
                     let third = graph.multiply(sine, unit[3 - row - column]);
@@ -555,14 +561,14 @@ impl Lowering<'_, '_> {
                         third
                     }
                 };
-                graph.sum(&[along, across, turned])
+                graph.sum(&[along, across, rotated])
             })
         });
         FormulaValue::rotation(rows)
     }
 
     /// `length * (cos, sin)`
-    fn turned(&mut self, length: Option<Node>, angle: Node) -> FormulaValue {
+    fn along_angle(&mut self, length: Option<Node>, angle: Node) -> FormulaValue {
         let cosine = self.graph.call(Function::Cos, &[angle]);
         let sine = self.graph.call(Function::Sin, &[angle]);
         match length {

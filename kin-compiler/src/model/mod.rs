@@ -1,5 +1,5 @@
 //! Syntax tree to model: names are resolved, dimensions are checked, and vectors are split into scalars along their
-//! axes. Each item keeps its place in the source.
+//! axes. Each item keeps its position in the source.
 
 mod angles;
 mod build;
@@ -89,7 +89,7 @@ pub(crate) struct Equation {
 }
 
 impl Equation {
-    /// Which of the copies at its place it is. It ends a message.
+    /// Which of the copies at its position it is. It ends a message.
     pub(crate) fn which(&self) -> String {
         if self.is_copy {
             format!("; as a copy it is `{}`", self.text)

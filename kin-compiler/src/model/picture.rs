@@ -11,8 +11,8 @@ use crate::algebra::Graph;
 use crate::mistakes::{Extent, Mistakes, suggestion};
 use crate::syntax::{Declaration, FormulaKind, OutputStatement, Statement, TypedFormula};
 
-/// The abbreviations that only the picture uses. The solvers shall not see them: what they cost depends on the order in which formulas are
-/// met.
+/// The abbreviations that only the picture uses. The solvers shall not see them: what they cost depends on the order in
+/// which formulas are met.
 pub(super) fn abbreviations(declaration: &Declaration) -> BTreeSet<String> {
     let (mut solved, mut drawn) = (BTreeSet::new(), BTreeSet::new());
     let add = |formula: &TypedFormula, names: &mut BTreeSet<String>| {
@@ -141,15 +141,18 @@ pub(super) fn check(declaration: &Declaration, graph: &Graph, scope: &mut Scope<
                     let near = suggestion(&guide.to_string(), bodies.iter().map(String::as_str));
                     mistakes.error(
                         guide,
-                        format!("no body is called `{guide}`: write the name of a body, or leave out `on` if the line stands still{near}"),
+                        format!(
+                            "no body is called `{guide}`: write the name of a body, or leave out `on` if the line \
+                            stands still{near}"
+                        ),
                     );
                 }
             }
             Statement::Ground(ground) if bodies.is_empty() && declaration.complete => {
                 mistakes.error_at(
                     ground.word,
-                    "the picture has no body: the statements replace what follows from the equations, so state the bodies too, as in \
-                     `body crank: 0, pin;`",
+                    "the picture has no body: the statements replace what follows from the equations, so state the \
+                     bodies too, as in `body crank: 0, pin;`",
                 );
             }
             _ => {}
@@ -162,7 +165,7 @@ struct Points<'a, 'b, 'c> {
     graph: Graph,
     scope: &'b mut Scope<'c>,
     mistakes: &'b mut Mistakes,
-    /// The measure of all points, from the first that tells.
+    /// The measure of all points, from the first that decides.
     first: Option<FormulaType>,
 }
 
@@ -175,7 +178,10 @@ impl Points<'_, '_, '_> {
         if measure.shape == ValueShape::Scalar || measure.shape == ValueShape::Rotation {
             self.mistakes.error(
                 formula.extent,
-                format!("a point is a vector, but this is {measure}: write `vec2(x, y)` or `vec3(x, y, z)`, or `0` for the origin"),
+                format!(
+                    "a point is a vector, but this is {measure}: write `vec2(x, y)` or `vec3(x, y, z)`, or `0` for \
+                    the origin"
+                ),
             );
             return;
         }
@@ -183,7 +189,10 @@ impl Points<'_, '_, '_> {
         if first.shape != measure.shape || common(first, measure).is_none() {
             self.mistakes.error(
                 formula.extent,
-                format!("this point is {measure}, but the first one of the picture is {first}: all points of a picture are of one kind"),
+                format!(
+                    "this point is {measure}, but the first one of the picture is {first}: all points of a picture \
+                    are of one kind"
+                ),
             );
         }
     }
@@ -193,12 +202,15 @@ impl Points<'_, '_, '_> {
         if !matches!(measure.shape, ValueShape::Plane | ValueShape::Space) {
             self.mistakes.error(
                 formula.extent,
-                format!("a direction is a vector, but this is {measure}: write `vec2(1, 0)`, `cis(angle)` or `vec3(0, 0, 1)`"),
+                format!(
+                    "a direction is a vector, but this is {measure}: write `vec2(1, 0)`, `cis(angle)` or `vec3(0, \
+                    0, 1)`"
+                ),
             );
         }
     }
 
-    /// The value of a formula; an output may be used as a name for its own.
+    /// The value of a formula; an output may be used as a name for it.
     fn measure(&mut self, formula: &TypedFormula) -> Option<FormulaType> {
         if let FormulaKind::Name(name) = &formula.kind
             && let Some(output) = self.outputs.get(&name.to_string())

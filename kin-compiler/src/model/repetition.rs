@@ -7,8 +7,8 @@ use super::lower::Lowering;
 use crate::syntax::TypedFormula;
 
 impl Lowering<'_, '_> {
-    /// Whether all that a name of a `for` stands for is of one kind. Elements with a mistake are told. What only the picture
-    /// uses has no value here.
+    /// Whether all that a name of a `for` stands for is of one kind. Elements with a mistake are reported. What only
+    /// the picture uses has no value here.
     pub(super) fn are_alike(&mut self, elements: &[TypedFormula], drawn: &BTreeSet<String>) -> bool {
         let is_drawn = |element: &TypedFormula| {
             let mut found = false;
@@ -32,7 +32,10 @@ impl Lowering<'_, '_> {
             if wanted.shape != measure.shape || common(wanted, measure).is_none() {
                 self.mistakes.error(
                     element.extent,
-                    format!("this is {measure}, but `{before}` before it is {wanted}: a name of a `for` stands for values of one kind"),
+                    format!(
+                        "this is {measure}, but `{before}` before it is {wanted}: a name of a `for` stands for \
+                        values of one kind"
+                    ),
                 );
                 alike = false;
             }

@@ -5,7 +5,7 @@ use proc_macro2::Ident;
 use crate::mistakes::{Mistakes, suggestion};
 use crate::syntax::{Declaration, Request, Statement, instead_of_request};
 
-/// A request with its place in the source.
+/// A request with its position in the source.
 pub(crate) struct Requested {
     pub(crate) request: Request,
     pub(crate) name: Ident,

@@ -51,7 +51,7 @@ pub(super) struct Entry {
 /// The namespace, in the order of declaration.
 pub(super) struct Scope<'a> {
     pub(super) entries: Vec<Entry>,
-    places: BTreeMap<String, usize>,
+    indices: BTreeMap<String, usize>,
     declaration: &'a Declaration,
     /// Names that a misspelt name was probably meant for. They count as used.
     meant: BTreeSet<String>,
@@ -65,7 +65,7 @@ impl<'a> Scope<'a> {
     pub(super) fn new(declaration: &'a Declaration) -> Self {
         Self {
             entries: Vec::new(),
-            places: BTreeMap::new(),
+            indices: BTreeMap::new(),
             declaration,
             meant: BTreeSet::new(),
             twice: BTreeSet::new(),
@@ -76,8 +76,8 @@ impl<'a> Scope<'a> {
     /// Adds a name. A second declaration of a name is a mistake, and the first stays.
     pub(super) fn declare(&mut self, name: &Ident, role: NameRole, meaning: Meaning, mistakes: &mut Mistakes) {
         let word = name.to_string();
-        if let Some(&place) = self.places.get(&word) {
-            let first = &self.entries[place];
+        if let Some(&index) = self.indices.get(&word) {
+            let first = &self.entries[index];
             let mut error = syn::Error::new(
                 name.span(),
                 format!(
@@ -93,7 +93,7 @@ impl<'a> Scope<'a> {
             self.twice.insert(word);
             return;
         }
-        self.places.insert(word, self.entries.len());
+        self.indices.insert(word, self.entries.len());
         self.entries.push(Entry {
             name: name.clone(),
             role,
@@ -104,8 +104,8 @@ impl<'a> Scope<'a> {
 
     /// Sets the meaning of a `let`. A second `let` of the same name is ignored.
     pub(super) fn define(&mut self, name: &Ident, meaning: Meaning) {
-        if let Some(&place) = self.places.get(&name.to_string()) {
-            let entry = &mut self.entries[place];
+        if let Some(&index) = self.indices.get(&name.to_string()) {
+            let entry = &mut self.entries[index];
             if entry.role == NameRole::Let && matches!(entry.meaning, Meaning::Later) {
                 entry.meaning = meaning;
             }
@@ -115,14 +115,14 @@ impl<'a> Scope<'a> {
     /// The value of a name in a formula; `None` after a mistake.
     pub(super) fn resolve(&mut self, name: &Ident, mistakes: &mut Mistakes) -> Option<Typed> {
         let word = name.to_string();
-        let Some(&place) = self.places.get(&word) else {
+        let Some(&index) = self.indices.get(&word) else {
             // one of the names that are declared twice was probably meant to be this one
             if self.declaration.has_fields && !self.declaration.broken.contains(&word) && self.twice.is_empty() {
                 mistakes.error(name, self.unknown_name(&word));
             }
             return None;
         };
-        let entry = &mut self.entries[place];
+        let entry = &mut self.entries[index];
         entry.used = true;
         match &entry.meaning {
             Meaning::Value(value) => return Some(value.clone()),
@@ -199,7 +199,7 @@ impl<'a> Scope<'a> {
         format!("no parameter, input, unknown or `let` is called `{word}`{near}")
     }
 
-    /// Counts a name in a wrong place as used, because the mistake there has been reported.
+    /// Counts a name in a wrong position as used, because the mistake there has been reported.
     pub(super) fn mean(&mut self, word: &str) {
         self.meant.insert(word.to_owned());
     }
@@ -211,7 +211,7 @@ impl<'a> Scope<'a> {
 
     /// Whether no parameter, input, unknown, `let` or output has this name.
     pub(super) fn is_free(&self, word: &str) -> bool {
-        !self.places.contains_key(word) && !self.declaration.broken.contains(word)
+        !self.indices.contains_key(word) && !self.declaration.broken.contains(word)
     }
 
     /// Whether a name is declared more than once.
@@ -219,8 +219,8 @@ impl<'a> Scope<'a> {
         !self.twice.is_empty()
     }
 
-    /// Whether a name counts as used, because a reported mistake is about it: a misspelt name was probably meant for it,
-    /// it is declared twice, or a function lacks its arguments.
+    /// Whether a name counts as used, because a reported mistake is about it: a misspelt name was probably meant for
+    /// it, it is declared twice, or a function lacks its arguments.
     pub(super) fn is_meant(&self, word: &str) -> bool {
         self.meant.contains(word) || self.twice.contains(word) || self.lacks_arguments
     }

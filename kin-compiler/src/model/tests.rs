@@ -72,8 +72,8 @@ fn what_fits_fits() {
 }
 
 #[test]
-fn what_does_not_fit_is_told_once() {
-    for (wrong, told) in [
+fn what_does_not_fit_is_reported_once() {
+    for (wrong, expected) in [
         (quote!(a + t), "cannot add a length and an angle"),
         (quote!(a - 1), "cannot subtract an angle or plain number from a length"),
         (quote!(a * b + a), "cannot add an area (length^2) and a length"),
@@ -125,7 +125,7 @@ fn what_does_not_fit_is_told_once() {
     ] {
         let messages = formula(wrong.clone());
         assert_eq!(messages.len(), 1, "{wrong}: {messages:#?}");
-        assert!(messages[0].contains(told), "{wrong}: {messages:#?}");
+        assert!(messages[0].contains(expected), "{wrong}: {messages:#?}");
     }
 }
 
@@ -169,8 +169,8 @@ fn what_fits_in_space_fits() {
 }
 
 #[test]
-fn what_does_not_fit_in_space_is_told_once() {
-    for (wrong, told) in [
+fn what_does_not_fit_in_space_is_reported_once() {
+    for (wrong, expected) in [
         (
             quote!(q + p),
             "cannot add a space vector of lengths and a plane vector of lengths: write `vec3(v.x, v.y, 0)`",
@@ -217,7 +217,7 @@ fn what_does_not_fit_in_space_is_told_once() {
     ] {
         let messages = in_space(wrong.clone());
         assert_eq!(messages.len(), 1, "{wrong}: {messages:#?}");
-        assert!(messages[0].contains(told), "{wrong}: {messages:#?}");
+        assert!(messages[0].contains(expected), "{wrong}: {messages:#?}");
     }
 }
 
@@ -233,7 +233,7 @@ fn equations_in_space_have_three_parts() {
         })
     };
     assert!(equation(quote!(vec3(e, e, e) == 0)).is_empty());
-    for (wrong, told) in [
+    for (wrong, expected) in [
         (
             quote!(vec3(e, e, 0) == vec3(a, b, 0)),
             "the z part of this equation is always true",
@@ -254,7 +254,7 @@ fn equations_in_space_have_three_parts() {
     ] {
         let messages = equation(wrong.clone());
         assert_eq!(messages.len(), 1, "{wrong}: {messages:#?}");
-        assert!(messages[0].contains(told), "{wrong}: {messages:#?}");
+        assert!(messages[0].contains(expected), "{wrong}: {messages:#?}");
     }
 }
 
@@ -284,7 +284,7 @@ fn equations_say_something() {
     };
     assert!(equation(quote!(p == vec2(e, e))).is_empty());
     assert!(equation(quote!(p - vec2(e, e) == 0)).is_empty());
-    for (idle, told) in [
+    for (idle, expected) in [
         (quote!(e == e), "is always true"),
         (quote!(a + 0 == a), "is always true"),
         (quote!(t == t + 1), "is never true"),
@@ -304,7 +304,7 @@ fn equations_say_something() {
     ] {
         let messages = equation(idle.clone());
         assert_eq!(messages.len(), 1, "{idle}: {messages:#?}");
-        assert!(messages[0].contains(told), "{idle}: {messages:#?}");
+        assert!(messages[0].contains(expected), "{idle}: {messages:#?}");
     }
 }
 
@@ -327,7 +327,7 @@ fn ranges_are_constant_and_hold_something() {
         let messages = range(good.clone());
         assert!(messages.is_empty(), "{good}: {messages:#?}");
     }
-    for (bad, told) in [
+    for (bad, expected) in [
         (quote!(where a > 0), "the range of `e` can only compare `e`"),
         (quote!(where e > a), "only numbers and `PI`, not `a`"),
         (quote!(in 1..0), "this range is empty"),
@@ -338,7 +338,7 @@ fn ranges_are_constant_and_hold_something() {
     ] {
         let messages = range(bad.clone());
         assert_eq!(messages.len(), 1, "{bad}: {messages:#?}");
-        assert!(messages[0].contains(told), "{bad}: {messages:#?}");
+        assert!(messages[0].contains(expected), "{bad}: {messages:#?}");
     }
 }
 
@@ -397,10 +397,10 @@ fn points_take_two_symbols() {
     assert_eq!(model.equations[0].text, "e * cis(t) == p + a + b");
 }
 
-/// A number beyond a turn is no angle in radians, wherever an angle stands.
+/// A number beyond a revolution is no angle in radians, wherever an angle stands.
 #[test]
 fn degrees_are_not_taken_for_radians() {
-    let told = |equation: TokenStream| {
+    let messages_of = |equation: TokenStream| {
         mistakes(quote! {
             input t: Angle, n: Scalar;
             unknown u: Angle, e: Length;
@@ -444,7 +444,7 @@ fn degrees_are_not_taken_for_radians() {
         ),
     ] {
         let expected: Vec<String> = remedies.into_iter().map(advice).collect();
-        let messages: Vec<String> = told(equation.clone())
+        let messages: Vec<String> = messages_of(equation.clone())
             .into_iter()
             .filter(|message| message.contains("radians"))
             .collect();
@@ -457,13 +457,13 @@ fn degrees_are_not_taken_for_radians() {
         quote!(u == atan2(30 * a, 7 * b) + 2 * PI; e == a + 30 * b;),
         quote!(u == 12.5 * t; e == 40 * a * cos(t);),
     ] {
-        assert_eq!(told(equation.clone()), Vec::<String>::new(), "{equation}");
+        assert_eq!(messages_of(equation.clone()), Vec::<String>::new(), "{equation}");
     }
 }
 
 #[test]
 fn angles_are_not_converted() {
-    let told = |equation: TokenStream| {
+    let messages_of = |equation: TokenStream| {
         mistakes(quote! {
             input t: Angle, degrees: Scalar;
             unknown u: Angle, e: Length;
@@ -487,7 +487,7 @@ fn angles_are_not_converted() {
         (quote!(u == t; e == a; output l: Angle = (57.29578 * u);), is_to_stay),
         (quote!(u == t; e == a; output l: Angle = -u * (180 / PI);), is_to_stay),
     ] {
-        let messages = told(equation.clone());
+        let messages = messages_of(equation.clone());
         assert_eq!(messages.len(), 1, "{equation}: {messages:?}");
         assert!(messages[0].starts_with(says), "{equation}: {messages:?}");
     }
@@ -497,13 +497,13 @@ fn angles_are_not_converted() {
         quote!(u == t; e == a * (u * 180 / PI) / 360;),
         quote!(u == t * PI / 18; e == a;),
     ] {
-        assert_eq!(told(equation.clone()), Vec::<String>::new(), "{equation}");
+        assert_eq!(messages_of(equation.clone()), Vec::<String>::new(), "{equation}");
     }
 }
 
 #[test]
 fn ranges_of_angles_are_in_radians() {
-    let told = |range: TokenStream| {
+    let messages_of = |range: TokenStream| {
         mistakes(quote! {
             input t: Angle;
             unknown u: Angle #range, e: Length;
@@ -518,7 +518,7 @@ fn ranges_of_angles_are_in_radians() {
         quote!(where u > -1.5),
         quote!(in -PI..180deg),
     ] {
-        assert_eq!(told(range.clone()), Vec::<String>::new(), "{range}");
+        assert_eq!(messages_of(range.clone()), Vec::<String>::new(), "{range}");
     }
     for (range, count, says) in [
         (quote!(in 0..180), 1, "write `180deg` or `PI` for 180 degrees"),
@@ -526,7 +526,7 @@ fn ranges_of_angles_are_in_radians() {
         (quote!(where u < 45), 1, "write `45deg` or `PI / 4` for 45 degrees"),
         (quote!(in 0deg..720deg), 1, "the range of an angle is at most a turn"),
     ] {
-        let messages = told(range.clone());
+        let messages = messages_of(range.clone());
         assert_eq!(messages.len(), count, "{range}: {messages:?}");
         assert!(
             messages.iter().all(|message| message.contains(says)),

@@ -15,7 +15,8 @@ pub(super) fn missing_statements(declaration: &Declaration, mistakes: &mut Mista
         mistakes.error(
             name,
             format!(
-                "nothing is said of `{name}` but its parameters: declare an `input`, the `unknown`s and the equations after the struct"
+                "nothing is said of `{name}` but its parameters: declare an `input`, the `unknown`s and the equations \
+                 after the struct"
             ),
         );
         return;
@@ -48,7 +49,7 @@ pub(super) fn unused_names(declaration: &Declaration, scope: &Scope<'_>, mistake
         if entry.used || declaration.mentioned.contains(&word) || scope.is_meant(&word) {
             continue;
         }
-        // a frame that is not used has been told
+        // a frame that is not used has been reported
         if declaration.fresh.is_of_frame(&word) {
             continue;
         }
@@ -191,11 +192,11 @@ fn written_names(declaration: &Declaration) -> Vec<BTreeSet<String>> {
         }
     }
     for names in &mut equations {
-        let mut open: Vec<String> = names.iter().cloned().collect();
-        while let Some(name) = open.pop() {
+        let mut pending: Vec<String> = names.iter().cloned().collect();
+        while let Some(name) = pending.pop() {
             for inner in abbreviations.get(&name).into_iter().flatten() {
                 if names.insert(inner.clone()) {
-                    open.push(inner.clone());
+                    pending.push(inner.clone());
                 }
             }
         }

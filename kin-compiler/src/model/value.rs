@@ -81,7 +81,7 @@ impl FormulaValue {
                 .parts
                 .iter()
                 .zip(&other.parts)
-                .map(|(&own, &other)| function(own, other))
+                .map(|(&one, &other)| function(one, other))
                 .collect(),
         }
     }

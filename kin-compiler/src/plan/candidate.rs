@@ -182,7 +182,7 @@ impl<'a> Draft<'a> {
         }
     }
 
-    /// Gives the angles beside unit vectors names of their own for later stages.
+    /// Gives the angles beside unit vectors further names for later stages.
     fn leave_angles(&mut self) {
         assemble::leave_angles(&self.directions, &mut self.graph, &mut self.units, &mut self.stages[0]);
     }
@@ -306,7 +306,7 @@ impl<'a> Draft<'a> {
 
     /// Places reciprocals before the first step that needs them.
     fn place_reciprocals(&mut self) {
-        std::mem::take(&mut self.reciprocals).place(&self.graph, &mut self.stages);
+        std::mem::take(&mut self.reciprocals).insert_into(&self.graph, &mut self.stages);
     }
 
     fn schedule(self) -> Candidate {

@@ -1,5 +1,5 @@
-//! Programs beside the motion: the assembly of a guess, all positions, the transmission angles, the lengths of links, the
-//! coefficients of the closure.
+//! Programs beside the motion: the assembly of a guess, all positions, the transmission angles, the lengths of links,
+//! the coefficients of the closure.
 
 use std::collections::BTreeMap;
 

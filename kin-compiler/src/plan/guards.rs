@@ -42,7 +42,7 @@ pub(super) fn unguarded_divisors(graph: &Graph, stages: &[Stage<Node>], guarante
     divisors(later)
         .into_iter()
         .filter(|divisor| !known.contains(divisor))
-        // a length that a closed form has turned into a direction is nonzero
+        // a length that a closed form has made a direction is nonzero
         .filter(|&divisor| {
             !matches!(
                 graph.as_symbol(divisor),

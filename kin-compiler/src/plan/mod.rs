@@ -78,10 +78,10 @@ fn cheaper(first: Option<(Candidate, Derived)>, second: (Candidate, Derived)) ->
 
 /// The program of the best way, with the sensitivities after it.
 fn with_sensitivities(task: &Task<'_>, mut derived: Derived) -> Result<Candidate, TooLarge> {
-    let own = derived.form.task(task, derived.influences);
+    let form_task = derived.form.task(task, derived.influences);
     let definitions = derived
         .derivatives
-        .sensitivities(&mut derived.graph, own, task.parameters)?;
+        .sensitivities(&mut derived.graph, form_task, task.parameters)?;
     let mut candidate = Candidate::new(task, &derived, &definitions);
     candidate.take_out_factors(task.passes);
     Ok(candidate)

@@ -86,12 +86,12 @@ fn sensitive_parameters(model: &Model) -> usize {
 /// The names in the declaration, and those that generated code needs for itself.
 fn names(model: &Model) -> Names {
     let mut names = Names::default();
-    for own in OWN_NAMES {
-        names.reserve(own);
-        names.reserve(&model.own_name(own));
+    for name in OWN_NAMES {
+        names.reserve(name);
+        names.reserve(&model.own_name(name));
     }
     let mut scalar = 0;
-    let mut parameter = |names: &mut Names, wish: &str| {
+    let mut name_parameter = |names: &mut Names, wish: &str| {
         names.name(Symbol::Parameter(scalar), wish);
         scalar += 1;
     };
@@ -106,9 +106,9 @@ fn names(model: &Model) -> Names {
         // the field of a pose has the name of the output
         names.reserve(&output.name.to_string());
     }
-    for own in &model.parameters {
-        for part in own.dimension.shape().part_names(&own.name.to_string(), "_") {
-            parameter(&mut names, &part);
+    for parameter in &model.parameters {
+        for part in parameter.dimension.shape().part_names(&parameter.name.to_string(), "_") {
+            name_parameter(&mut names, &part);
         }
     }
     for output in &model.outputs {

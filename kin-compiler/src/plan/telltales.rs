@@ -3,7 +3,7 @@
 //! A sum or a product of floating-point numbers is not finite if one of its operands is not: ∞ · 0 and ∞ - ∞ are NaN
 //! (IEEE 754-2019, sections 6.1 and 6.2). So a non-finite value makes every value non-finite that is computed from it
 //! by additions and multiplications, or by dividing it. P and Q of the highest rate of an angle are computed from lower
-//! rates of the angle, which therefore need no test of their own.
+//! rates of the angle, which therefore need no further test.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -41,15 +41,15 @@ pub(crate) fn telltales(graph: &mut Graph, stages: &[Stage<Node>]) -> BTreeSet<(
 
 /// Adds a value, and all values that make it non-finite if they are.
 fn show(graph: &Graph, definitions: &BTreeMap<Node, Node>, value: Node, shown: &mut BTreeSet<Node>) {
-    let mut open = vec![value];
-    while let Some(node) = open.pop() {
+    let mut pending = vec![value];
+    while let Some(node) = pending.pop() {
         if !shown.insert(node) {
             continue;
         }
         match graph.kind(node) {
-            NodeKind::Symbol(_) => open.extend(definitions.get(&node)),
-            NodeKind::Sum(_, terms) => open.extend(terms.iter().map(|&(term, _)| term)),
-            NodeKind::Product(factors) => open.extend(
+            NodeKind::Symbol(_) => pending.extend(definitions.get(&node)),
+            NodeKind::Sum(_, terms) => pending.extend(terms.iter().map(|&(term, _)| term)),
+            NodeKind::Product(factors) => pending.extend(
                 factors
                     .iter()
                     .filter(|&&(_, exponent)| exponent > 0)

@@ -76,9 +76,11 @@ fn the_limit_of_expressions_is_exact() {
         let form = forms(&task).swap_remove(0);
         let mut derived = Derived::new(&task, form, Influences::Separate)?;
         let rates = derived.graph.len();
-        let own = derived.form.task(&task, derived.influences);
+        let form_task = derived.form.task(&task, derived.influences);
         let parameters = task.parameters;
-        derived.derivatives.sensitivities(&mut derived.graph, own, parameters)?;
+        derived
+            .derivatives
+            .sensitivities(&mut derived.graph, form_task, parameters)?;
         Ok((rates, derived.graph.len()))
     };
     let (rates, all) = derived(usize::MAX).expect("there is no limit");
@@ -107,7 +109,7 @@ fn results_that_nothing_needs_have_no_name() {
     }
 }
 
-/// A length that may be negative costs a change of its own sign, and of both components of the vector that it reverses.
+/// A length that may be negative costs a change of its sign, and of both components of the vector that it reverses.
 #[test]
 fn a_negative_length_turns_its_vector_round() {
     let position = |declaration: TokenStream| sound(declaration).solvers(Passes::ALL).motion.stages[0].cost;
@@ -123,10 +125,10 @@ fn a_negative_length_turns_its_vector_round() {
 
 /// A form that was given up for size is recorded.
 #[test]
-fn forms_that_are_given_up_are_told() {
-    let is_told = |declaration: TokenStream| sound(declaration).solvers(Passes::ALL).is_form_given_up;
-    assert!(!is_told(four_bar(1)));
-    assert!(is_told(quote! {
+fn forms_that_are_given_up_are_reported() {
+    let is_reported = |declaration: TokenStream| sound(declaration).solvers(Passes::ALL).is_form_given_up;
+    assert!(!is_reported(four_bar(1)));
+    assert!(is_reported(quote! {
         struct Power { a: Length }
         order = 1;
         input t: Length, s: Length, r: Length, q: Length, p: Length, o: Length;

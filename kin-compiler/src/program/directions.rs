@@ -52,7 +52,7 @@ impl Directions {
         self.0.iter().find_map(|(&unknown, direction)| {
             [(direction.cosine, UnitPart::Cosine), (direction.sine, UnitPart::Sine)]
                 .into_iter()
-                .find(|&(own, _)| own == symbol)
+                .find(|&(known, _)| known == symbol)
                 .map(|(_, part)| (unknown, part))
         })
     }

@@ -17,8 +17,8 @@ impl Display for Solvers {
             stage_of(formatter, &order_name(order), &self.motion, order, stage.cost)?;
         }
         if let Some(stage) = self.sensitivities() {
-            let place = self.motion.stages.len() - 1;
-            stage_of(formatter, "sensitivities", &self.motion, place, stage.cost)?;
+            let index = self.motion.stages.len() - 1;
+            stage_of(formatter, "sensitivities", &self.motion, index, stage.cost)?;
         }
         let further = [
             ("assembly of a guess", Some(&self.orientations)),
@@ -43,10 +43,10 @@ fn stage_of(
     formatter: &mut Formatter<'_>,
     title: &str,
     program: &Program<Expression>,
-    place: usize,
+    index: usize,
     cost: Cost,
 ) -> fmt::Result {
-    let stage = &program.stages[place];
+    let stage = &program.stages[index];
     writeln!(
         formatter,
         "\n{title}: {} operations{}",
@@ -55,7 +55,7 @@ fn stage_of(
     )?;
     let mut values = Vec::new();
     for step in &stage.steps {
-        // values that are plain expressions are listed on lines of their own
+        // values that are plain expressions are listed on separate lines
         if let Step::Define { symbol, .. } = step {
             values.push(program.names.of(*symbol));
             continue;
@@ -81,13 +81,13 @@ fn write_values(formatter: &mut Formatter<'_>, values: &mut Vec<&str>) -> fmt::R
 /// Writes names after a word, on as many lines as they need.
 fn wrapped(formatter: &mut Formatter<'_>, word: &str, names: &[&str]) -> fmt::Result {
     let mut line = String::new();
-    for (place, name) in names.iter().enumerate() {
+    for (index, name) in names.iter().enumerate() {
         if line.is_empty() {
             word.clone_into(&mut line);
         }
         line.push(' ');
         line.push_str(name);
-        let is_last = place + 1 == names.len();
+        let is_last = index + 1 == names.len();
         if !is_last {
             line.push(',');
         }

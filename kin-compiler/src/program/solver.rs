@@ -124,11 +124,11 @@ impl Solver {
     }
 
     /// Whether the closed form decides by the sign of an argument whose terms it does not know.
-    pub(crate) const fn decides_on(self, place: usize) -> bool {
+    pub(crate) const fn decides_on(self, index: usize) -> bool {
         match self {
-            Self::Linear | Self::SquareRoot | Self::Quadratic | Self::Polar => place == 0,
-            Self::Inverse(function) => place == 0 && function.decides_by_sign,
-            Self::EvenInverse(function) => place > 0 || function.decides_by_sign,
+            Self::Linear | Self::SquareRoot | Self::Quadratic | Self::Polar => index == 0,
+            Self::Inverse(function) => index == 0 && function.decides_by_sign,
+            Self::EvenInverse(function) => index > 0 || function.decides_by_sign,
             Self::CircleCircle
             | Self::CircleCircleSquared
             | Self::CircleLine
@@ -159,9 +159,9 @@ impl Solver {
 
     /// The cost in the assembly that costs more.
     pub(crate) const fn dearest(self) -> Cost {
-        let (open, crossed) = (self.cost(true), self.cost(false));
-        if open.negations > crossed.negations {
-            open
+        let (cost_of_open, crossed) = (self.cost(true), self.cost(false));
+        if cost_of_open.negations > crossed.negations {
+            cost_of_open
         } else {
             crossed
         }

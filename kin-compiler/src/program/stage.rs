@@ -91,10 +91,10 @@ mod tests {
 
     /// A carried parameter is known by its index.
     #[test]
-    fn parameters_are_carried_by_their_place() {
-        let place = |symbol: Symbol| Carried { symbol, factors: None }.parameter();
-        assert_eq!(place(Symbol::Parameter(3)), Some(3));
-        assert_eq!(place(Symbol::Parameter(0)), Some(0));
-        assert_eq!(place(Symbol::Unknown(3)), None);
+    fn parameters_are_carried_by_their_index() {
+        let index = |symbol: Symbol| Carried { symbol, factors: None }.parameter();
+        assert_eq!(index(Symbol::Parameter(3)), Some(3));
+        assert_eq!(index(Symbol::Parameter(0)), Some(0));
+        assert_eq!(index(Symbol::Unknown(3)), None);
     }
 }

@@ -36,10 +36,14 @@ pub(crate) enum Step<E> {
         x: E,
         length: Option<E>,
     },
-    /// Compares the unknown, just computed, with its declared range. An angle with `turns` came from a direction, so it
-    /// may be moved by whole turns. Any other value occurs in its equation as a number and may not be moved. An angle
-    /// with `wraps` may need one turn to lie in its range.
-    Bound { unknown: usize, turns: bool, wraps: bool },
+    /// Compares the unknown, just computed, with its declared range. An angle with `is_periodic` came from a direction,
+    /// so it may be moved by whole revolutions. Any other value occurs in its equation as a number and may not be
+    /// moved. An angle with `wraps` may need one revolution to lie in its range.
+    Bound {
+        unknown: usize,
+        is_periodic: bool,
+        wraps: bool,
+    },
     /// The beginning of a part of a block.
     Open { part: usize, mode: Mode },
     /// The end of a part of a block.
@@ -139,7 +143,15 @@ impl<E> Step<E> {
                 x: other(x),
                 length: length.as_ref().map(other),
             },
-            &Self::Bound { unknown, turns, wraps } => Step::Bound { unknown, turns, wraps },
+            &Self::Bound {
+                unknown,
+                is_periodic,
+                wraps,
+            } => Step::Bound {
+                unknown,
+                is_periodic,
+                wraps,
+            },
             &Self::Open { part, mode } => Step::Open { part, mode },
             &Self::Close { part } => Step::Close { part },
             Self::Newton {
@@ -222,7 +234,7 @@ impl Step<Expression> {
 }
 
 impl Step<Node> {
-    /// The expressions that must be known before the step. An iteration of Newton's method is a program of its own.
+    /// The expressions that must be known before the step. An iteration of Newton's method is a separate program.
     pub(crate) fn needs(&self) -> Vec<Node> {
         match self {
             Self::Newton { given, .. } => given.clone(),

@@ -16,10 +16,10 @@ pub(super) fn hand_on(program: &mut Program<Expression>) {
     let mut carries: Vec<BTreeSet<Carried>> = vec![BTreeSet::new(); last];
     let mut born: BTreeMap<Symbol, usize> = BTreeMap::new();
     let mut systems: BTreeMap<Symbol, usize> = BTreeMap::new();
-    for (stage, own) in program.stages.iter().enumerate() {
-        for step in &own.steps {
+    for (stage, stage_to_carry) in program.stages.iter().enumerate() {
+        for step in &stage_to_carry.steps {
             for symbol in step.uses() {
-                work::turn();
+                work::iteration();
                 let since = match symbol {
                     Symbol::Parameter(_) if has_parameters(stage) => {
                         reads[stage].insert(symbol);
@@ -55,7 +55,7 @@ pub(super) fn hand_on(program: &mut Program<Expression>) {
                     },
                 };
                 if stage > since {
-                    work::turns(stage - since);
+                    work::iterations(stage - since);
                     let carried = Carried {
                         symbol,
                         factors: systems.get(&symbol).copied(),

@@ -137,7 +137,7 @@ impl Lines {
     }
 
     fn lower(&mut self, graph: &Graph, node: Node) -> LineId {
-        work::turn();
+        work::iteration();
         match graph.kind(node) {
             NodeKind::Number(value) => self.intern(Line::Number(*value)),
             NodeKind::Pi => self.intern(Line::Pi),
@@ -183,7 +183,7 @@ impl Lines {
                     let (value, line) = (coefficient.get(), self.by_node[&part]);
                     let size = value.abs();
                     let shares = size == 1.0 || self.style.passes.include(Pass::SharedNumbers);
-                    match groups.iter_mut().find(|(own, _)| shares && *own == size) {
+                    match groups.iter_mut().find(|(known, _)| shares && *known == size) {
                         Some((_, group)) => group.push((value < 0.0, line)),
                         None => groups.push((size, vec![(value < 0.0, line)])),
                     }
@@ -241,7 +241,7 @@ impl Lines {
             let mut inside = Vec::new();
             for (negative, term) in sum.take(self, factor) {
                 let mut factors = self.factors_of(term);
-                let position = factors.iter().position(|&own| own == factor);
+                let position = factors.iter().position(|&known| known == factor);
                 factors.remove(position.expect("these are the terms with the factor"));
                 inside.push((negative, self.product(factors)));
             }
@@ -271,42 +271,42 @@ impl Lines {
 /// The terms of a sum whose factors are taken out, and the terms in which each factor occurs.
 #[derive(Default)]
 struct FactoredSum {
-    /// The terms by place. A new term is placed before all others.
+    /// The terms by position. A new term is placed before all others.
     terms: BTreeMap<isize, (bool, LineId)>,
-    places: BTreeMap<LineId, BTreeSet<isize>>,
+    positions: BTreeMap<LineId, BTreeSet<isize>>,
     /// The factors of several terms, by the number of these terms.
     shared: BTreeSet<(usize, Reverse<LineId>)>,
 }
 
 impl FactoredSum {
     fn push_back(&mut self, lines: &Lines, negative: bool, term: LineId) {
-        let place = self.terms.last_key_value().map_or(0, |(&place, _)| place + 1);
-        self.insert(lines, place, negative, term);
+        let position = self.terms.last_key_value().map_or(0, |(&position, _)| position + 1);
+        self.insert(lines, position, negative, term);
     }
 
     fn push_front(&mut self, lines: &Lines, negative: bool, term: LineId) {
-        let place = self.terms.first_key_value().map_or(0, |(&place, _)| place - 1);
-        self.insert(lines, place, negative, term);
+        let position = self.terms.first_key_value().map_or(0, |(&position, _)| position - 1);
+        self.insert(lines, position, negative, term);
     }
 
-    fn insert(&mut self, lines: &Lines, place: isize, negative: bool, term: LineId) {
-        self.terms.insert(place, (negative, term));
+    fn insert(&mut self, lines: &Lines, position: isize, negative: bool, term: LineId) {
+        self.terms.insert(position, (negative, term));
         for factor in lines.factors_of(term).into_iter().collect::<BTreeSet<_>>() {
-            work::turn();
+            work::iteration();
             if !matches!(lines.line(factor), Line::Number(_)) {
-                self.change(factor, |places| {
-                    places.insert(place);
+                self.change(factor, |positions| {
+                    positions.insert(position);
                 });
             }
         }
     }
 
     fn change(&mut self, factor: LineId, change: impl FnOnce(&mut BTreeSet<isize>)) {
-        let places = self.places.entry(factor).or_default();
-        self.shared.remove(&(places.len(), Reverse(factor)));
-        change(places);
-        if places.len() > 1 {
-            self.shared.insert((places.len(), Reverse(factor)));
+        let positions = self.positions.entry(factor).or_default();
+        self.shared.remove(&(positions.len(), Reverse(factor)));
+        change(positions);
+        if positions.len() > 1 {
+            self.shared.insert((positions.len(), Reverse(factor)));
         }
     }
 
@@ -317,16 +317,16 @@ impl FactoredSum {
 
     /// Removes the terms that contain a factor.
     fn take(&mut self, lines: &Lines, factor: LineId) -> Vec<(bool, LineId)> {
-        let places = self.places.get(&factor).cloned().unwrap_or_default();
+        let positions = self.positions.get(&factor).cloned().unwrap_or_default();
         let mut taken = Vec::new();
-        for place in places {
-            let Some((negative, term)) = self.terms.remove(&place) else {
+        for position in positions {
+            let Some((negative, term)) = self.terms.remove(&position) else {
                 continue;
             };
-            for own in lines.factors_of(term).into_iter().collect::<BTreeSet<_>>() {
-                if self.places.contains_key(&own) {
-                    self.change(own, |places| {
-                        places.remove(&place);
+            for factor_of_term in lines.factors_of(term).into_iter().collect::<BTreeSet<_>>() {
+                if self.positions.contains_key(&factor_of_term) {
+                    self.change(factor_of_term, |positions| {
+                        positions.remove(&position);
                     });
                 }
             }

@@ -51,7 +51,7 @@ struct Iteration {
     cost: Cost,
 }
 
-/// Schedules the iterations of Newton's method, each as a program of its own. Their names are added to those of the
+/// Schedules the iterations of Newton's method, each as a separate program. Their names are added to those of the
 /// surrounding program.
 fn iterations(graph: &Graph, program: &Program<Node>, names: &mut Names, passes: Passes) -> BTreeMap<usize, Iteration> {
     let mut iterations = BTreeMap::new();
@@ -360,7 +360,7 @@ impl Scheduler<'_> {
 
     /// The name of a value if it has or needs one, otherwise its expression.
     fn expression(&mut self, value: OperationId) -> Expression {
-        work::turn();
+        work::iteration();
         if let Some(symbol) = self.known(value) {
             return Expression::Name(symbol);
         }
@@ -399,8 +399,8 @@ impl Scheduler<'_> {
     /// Whether the expression of a value takes more operations than are readable.
     fn is_long(&self, value: OperationId) -> bool {
         let mut operations = 0;
-        let mut open = vec![value];
-        while let Some(value) = open.pop() {
+        let mut pending = vec![value];
+        while let Some(value) = pending.pop() {
             if self.bound.contains_key(&value) {
                 continue;
             }
@@ -411,7 +411,7 @@ impl Scheduler<'_> {
                     if operations > READABLE {
                         return true;
                     }
-                    open.extend(
+                    pending.extend(
                         operation
                             .operands()
                             .into_iter()

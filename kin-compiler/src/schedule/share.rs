@@ -98,9 +98,9 @@ struct Recount {
 /// The elements of a line before or after a change, with their counts.
 fn changes(before: &Elements, after: &Elements) -> Vec<Recount> {
     let mut all: BTreeMap<LineId, [Multiplicity; 2]> = BTreeMap::new();
-    for (place, elements) in [before, after].into_iter().enumerate() {
+    for (side, elements) in [before, after].into_iter().enumerate() {
         for &(id, count) in elements {
-            all.entry(id).or_default()[place] = count;
+            all.entry(id).or_default()[side] = count;
         }
     }
     all.into_iter()
@@ -136,7 +136,7 @@ impl Pair {
 #[derive(Default)]
 struct Occurrences {
     /// The lines that contain each pair, ascending, with the number of times.
-    places: HashMap<Pair, Vec<(usize, usize)>>,
+    lines_of_pair: HashMap<Pair, Vec<(usize, usize)>>,
     /// The elements of each line.
     elements: Vec<Elements>,
     /// The pairs that occur in more lines, or more often, than before.
@@ -157,7 +157,7 @@ impl Occurrences {
             .partition(|change| change.before != change.after);
         for (position, one) in changed.iter().enumerate() {
             for other in changed[position..].iter().chain(&unchanged) {
-                work::turn();
+                work::iteration();
                 for pair in Pair::of(is_sum, one.id, other.id) {
                     let after = pair.times(one.after, other.after);
                     if pair.times(one.before, other.before) != after {
@@ -169,12 +169,12 @@ impl Occurrences {
     }
 
     fn set(&mut self, pair: Pair, index: usize, count: usize) {
-        let places = self.places.entry(pair).or_default();
-        match (places.binary_search_by_key(&index, |&(place, _)| place), count) {
-            (Ok(position), 0) => drop(places.remove(position)),
+        let lines_of_pair = self.lines_of_pair.entry(pair).or_default();
+        match (lines_of_pair.binary_search_by_key(&index, |&(line, _)| line), count) {
+            (Ok(position), 0) => drop(lines_of_pair.remove(position)),
             (Err(_), 0) => {}
-            (Ok(position), _) => places[position].1 = count,
-            (Err(position), _) => places.insert(position, (index, count)),
+            (Ok(position), _) => lines_of_pair[position].1 = count,
+            (Err(position), _) => lines_of_pair.insert(position, (index, count)),
         }
         if count > 0 {
             self.grown.insert(pair);
@@ -185,7 +185,7 @@ impl Occurrences {
     fn candidates(&mut self) -> Vec<Pair> {
         let mut candidates: Vec<(usize, Pair)> = mem::take(&mut self.grown)
             .into_iter()
-            .map(|pair| (self.places[&pair].iter().map(|&(_, count)| count).sum(), pair))
+            .map(|pair| (self.lines_of_pair[&pair].iter().map(|&(_, count)| count).sum(), pair))
             .filter(|&(count, _)| count > 1)
             .collect();
         candidates.sort_unstable_by_key(|&(count, pair)| (Reverse(count), pair));
@@ -206,11 +206,11 @@ pub(super) fn share(lines: &mut Lines) {
             occurrences.update(index, &lines.list[index], &repeated);
         }
         for pair in occurrences.candidates() {
-            let places = &occurrences.places[&pair];
+            let lines_of_pair = &occurrences.lines_of_pair[&pair];
             // earlier replacements may have used up elements of this pair
-            let current: usize = places
+            let current: usize = lines_of_pair
                 .iter()
-                .map(|&(place, _)| count_in(&lines.list[place], pair))
+                .map(|&(line, _)| count_in(&lines.list[line], pair))
                 .sum();
             if current < 2 {
                 continue;
@@ -223,9 +223,9 @@ pub(super) fn share(lines: &mut Lines) {
                 changed.insert(replacement.0);
             }
             changed.extend(repeated.add((matches!(pair, Pair::Sum(..)), replacement)));
-            for &(place, _) in places {
-                if LineId(place) != replacement && replace(&mut lines.list[place], pair, replacement) {
-                    changed.insert(place);
+            for &(line, _) in lines_of_pair {
+                if LineId(line) != replacement && replace(&mut lines.list[line], pair, replacement) {
+                    changed.insert(line);
                 }
             }
         }

@@ -1,14 +1,14 @@
-//! Links that turn.
+//! Links that rotate.
 
 use super::complex::ComplexNode;
 use crate::algebra::{Angle, Graph, Node};
 
-/// A link that turns: factor · cis(± angle).
+/// A link that rotates: factor · cis(± angle).
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct Arm {
     /// The direction, an integer combination of unknowns.
     pub(crate) angle: Angle,
-    /// Whether the link turns clockwise as the angle grows.
+    /// Whether the link rotates clockwise as the angle grows.
     pub(crate) mirrored: bool,
     pub(crate) factor: ComplexNode,
 }
@@ -24,8 +24,8 @@ impl Arm {
     /// The quotient of another link's vector and this one, times the square of this link's length. The result has two
     /// factors: a constant, and the unit vector of the angle between the directions.
     pub(crate) fn turn_to(&self, graph: &mut Graph, other: &Self) -> (ComplexNode, ComplexNode) {
-        let (own_angle, other_angle) = (self.signed_angle(graph), other.signed_angle(graph));
-        let between = graph.subtract(other_angle, own_angle);
+        let (this_angle, other_angle) = (self.signed_angle(graph), other.signed_angle(graph));
+        let between = graph.subtract(other_angle, this_angle);
         let conjugate = self.factor.conjugate(graph);
         let ratio = conjugate.times(graph, other.factor);
         (ratio, ComplexNode::new(graph.cosine(between), graph.sine(between)))

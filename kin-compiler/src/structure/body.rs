@@ -1,10 +1,10 @@
-//! A body in space whose pose is the unknowns of a block: three coordinates, and three angles of a product of elementary
-//! rotations.
+//! A body in space whose pose is the unknowns of a block: three coordinates, and three angles of a product of
+//! elementary rotations.
 //!
 //! With the position p and the rotation R, an equation has the form
-//! c p·p + u·p + v·Rᵀp + Σ wᵢⱼ Rᵢⱼ + k = 0. A leg between two spherical joints is one, |p + R b - a|² = l², and so is a point
-//! of the body on a plane. In the coordinates of E. Study six such equations have 40 solutions, against thousands of paths
-//! for the cosines and sines of the angles.
+//! c p·p + u·p + v·Rᵀp + Σ wᵢⱼ Rᵢⱼ + k = 0. A leg between two spherical joints is one, |p + R b - a|² = l², and so is a
+//! point of the body on a plane. In the coordinates of E. Study six such equations have 40 solutions, against thousands
+//! of paths for the cosines and sines of the angles.
 
 use std::collections::BTreeMap;
 
@@ -36,7 +36,7 @@ pub(super) fn body(
         .map(|polynomial| PoseEquation::of(graph, polynomial, coordinates))
         .collect::<Option<_>>()?;
     let orders = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
-    for angles in orders.map(|order| order.map(|place| angles[place])) {
+    for angles in orders.map(|order| order.map(|axis| angles[axis])) {
         for axes in sequences() {
             let rotation = RotationElements::new(graph, angles, axes);
             if let Some((coordinates, coefficients)) = coefficients(graph, &equations, &rotation, coordinates) {
@@ -87,16 +87,16 @@ fn coefficients(
         read.push((elements, constant, along));
     }
     // without vectors of the body, the coordinates are along x, y and z in any order
-    for place in 0..3 {
-        if rows[place].is_none() {
-            rows[place] = (0..3).find(|row| !rows.contains(&Some(*row)));
+    for row in 0..3 {
+        if rows[row].is_none() {
+            rows[row] = (0..3).find(|other| !rows.contains(&Some(*other)));
         }
     }
     let place_of = |axis: usize| rows.iter().position(|&row| row == Some(axis));
-    let places = [place_of(0)?, place_of(1)?, place_of(2)?];
+    let indices = [place_of(0)?, place_of(1)?, place_of(2)?];
     let mut all = Vec::new();
     for (equation, (elements, constant, along)) in equations.iter().zip(&read) {
-        let vector = |axis: usize| &along[places[axis]].0[3 * axis..3 * axis + 3];
+        let vector = |axis: usize| &along[indices[axis]].0[3 * axis..3 * axis + 3];
         for component in 0..3 {
             for axis in 1..3 {
                 let difference = graph.subtract(vector(axis)[component], vector(0)[component]);
@@ -106,12 +106,12 @@ fn coefficients(
             }
         }
         all.push(equation.square);
-        all.extend(places.map(|place| along[place].1));
+        all.extend(indices.map(|index| along[index].1));
         all.extend(vector(0));
         all.extend(elements);
         all.push(*constant);
     }
-    Some((places.map(|place| coordinates[place]), all))
+    Some((indices.map(|index| coordinates[index]), all))
 }
 
 /// An equation, sorted by the powers of the coordinates.
@@ -141,11 +141,11 @@ impl PoseEquation {
                     let Some(Symbol::Unknown(unknown)) = graph.as_symbol(atom) else {
                         return None;
                     };
-                    let place = coordinates.iter().position(|&known| known == unknown)?;
+                    let index = coordinates.iter().position(|&known| known == unknown)?;
                     match power {
-                        1 => &mut along[place],
+                        1 => &mut along[index],
                         2 if monomial.harmonic == Harmonic::One => {
-                            squares[place] = coefficient;
+                            squares[index] = coefficient;
                             continue;
                         }
                         _ => return None,
@@ -170,8 +170,8 @@ struct RotationElements {
     monomials: Vec<Monomial>,
     /// The coefficients of these monomials in each element, row by row.
     elements: Vec<Vec<f64>>,
-    /// As many monomials as elements, by which combinations of the elements differ, and the combination of elements that
-    /// has only the respective one of them.
+    /// As many monomials as elements, by which combinations of the elements differ, and the combination of elements
+    /// that has only the respective one of them.
     pivots: Vec<(usize, [f64; ELEMENTS])>,
 }
 
@@ -249,13 +249,13 @@ impl RotationElements {
                 coefficient
             }
         });
-        for (place, &value) in values.iter().enumerate() {
+        for (index, &value) in values.iter().enumerate() {
             let mut terms = vec![(value, -1.0)];
             terms.extend(
                 elements
                     .iter()
                     .zip(&self.elements)
-                    .map(|(&node, element)| (node, element[place])),
+                    .map(|(&node, element)| (node, element[index])),
             );
             let rest = graph.linear(0.0, &terms);
             if !graph.vanishes(rest) {
@@ -280,24 +280,27 @@ fn pivots(elements: &[Vec<f64>]) -> Vec<(usize, [f64; ELEMENTS])> {
         })
         .collect();
     let mut pivots = Vec::new();
-    for place in 0..rows.len() {
+    for pivot_row in 0..rows.len() {
         // the coefficients are sums of a few fourths, so what cancels is exactly zero
-        let Some(pivot) = rows[place].0.iter().position(|&value| value != 0.0) else {
+        let Some(pivot) = rows[pivot_row].0.iter().position(|&value| value != 0.0) else {
             continue;
         };
         pivots.push(pivot);
-        let inverse = 1.0 / rows[place].0[pivot];
+        let inverse = 1.0 / rows[pivot_row].0[pivot];
         let scaled = |row: &[f64]| -> Vec<f64> { row.iter().map(|value| value * inverse).collect() };
-        let own = (scaled(&rows[place].0), rows[place].1.map(|value| value * inverse));
+        let reduced = (
+            scaled(&rows[pivot_row].0),
+            rows[pivot_row].1.map(|value| value * inverse),
+        );
         for (other, row) in rows.iter_mut().enumerate() {
             let factor = row.0[pivot];
-            if other != place {
-                let subtract = |(value, own): (&mut f64, &f64)| *value -= factor * own;
-                row.0.iter_mut().zip(&own.0).for_each(subtract);
-                row.1.iter_mut().zip(&own.1).for_each(subtract);
+            if other != pivot_row {
+                let subtract = |(value, reduced): (&mut f64, &f64)| *value -= factor * reduced;
+                row.0.iter_mut().zip(&reduced.0).for_each(subtract);
+                row.1.iter_mut().zip(&reduced.1).for_each(subtract);
             }
         }
-        rows[place] = own;
+        rows[pivot_row] = reduced;
     }
     pivots
         .into_iter()
@@ -312,21 +315,21 @@ mod tests {
 
     type Vector = [Node; 3];
 
-    /// A vector turned about an axis.
-    fn turned(graph: &mut Graph, axis: usize, angle: Node, vector: Vector) -> Vector {
+    /// A vector rotated about an axis.
+    fn rotated(graph: &mut Graph, axis: usize, angle: Node, vector: Vector) -> Vector {
         let (cosine, sine) = (graph.cosine(angle), graph.sine(angle));
         let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
         let mut result = vector;
-        for (place, own, other, sign) in [(next, next, last, -1.0), (last, last, next, 1.0)] {
-            let along = graph.multiply(cosine, vector[own]);
+        for (axis_of_result, first, other, sign) in [(next, next, last, -1.0), (last, last, next, 1.0)] {
+            let along = graph.multiply(cosine, vector[first]);
             let across = graph.multiply(sine, vector[other]);
-            result[place] = graph.linear(0.0, &[(along, 1.0), (across, sign)]);
+            result[axis_of_result] = graph.linear(0.0, &[(along, 1.0), (across, sign)]);
         }
         result
     }
 
-    /// The unknowns are x, y and z in the order `coordinates`, and angles in the order `angles`. Five points of the body have
-    /// a given distance from points of the ground, and one lies on a plane.
+    /// The unknowns are x, y and z in the order `coordinates`, and angles in the order `angles`. Five points of the
+    /// body have a given distance from points of the ground, and one lies on a plane.
     fn equations(
         graph: &mut Graph,
         coordinates: [usize; 3],
@@ -342,7 +345,7 @@ mod tests {
                 let mut point = on_body;
                 for (angle, axis) in angles.into_iter().zip(axes).rev() {
                     let angle = graph.symbol(Symbol::Unknown(angle));
-                    point = turned(graph, axis, angle, point);
+                    point = rotated(graph, axis, angle, point);
                 }
                 let mut sum = vec![];
                 for part in 0..3 {
@@ -363,8 +366,8 @@ mod tests {
             .collect()
     }
 
-    /// For every sequence of axes, the coefficients give the values of the equations. The axes may have other names than in
-    /// the equations.
+    /// For every sequence of axes, the coefficients give the values of the equations. The axes may have other names
+    /// than in the equations.
     #[test]
     fn the_coefficients_are_those_of_the_equations() {
         for (number, axes) in sequences().enumerate() {
@@ -392,11 +395,11 @@ mod tests {
             vector[column] = one;
             for (angle, axis) in body.angles.into_iter().zip(body.axes).rev() {
                 let angle = graph.symbol(Symbol::Unknown(angle));
-                vector = turned(graph, axis, angle, vector);
+                vector = rotated(graph, axis, angle, vector);
             }
             vector.map(|part| graph.evaluate(part, &symbols))
         };
-        let columns = [0, 1, 2].map(|place| column(graph, place));
+        let columns = [0, 1, 2].map(|index| column(graph, index));
         let dot = |a: [f64; 3], b: [f64; 3]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
         let mut factors = vec![dot(position, position)];
         factors.extend(position);
@@ -419,7 +422,7 @@ mod tests {
         }
     }
 
-    /// A coordinate that is counted backwards, squares that differ and an angle that turns twice as far are no body.
+    /// A coordinate that is counted backwards, squares that differ and an angle that rotates twice as far are no body.
     #[test]
     fn other_equations_are_none() {
         let mut graph = Graph::new();
@@ -427,8 +430,8 @@ mod tests {
         let mut is_body = |change: &dyn Fn(&mut Graph, usize, Node) -> Node| {
             let mut replacements = std::collections::BTreeMap::new();
             for unknown in 0..6 {
-                let own = graph.symbol(Symbol::Unknown(unknown));
-                replacements.insert(own, change(&mut graph, unknown, own));
+                let node = graph.symbol(Symbol::Unknown(unknown));
+                replacements.insert(node, change(&mut graph, unknown, node));
             }
             let changed: Vec<TrigonometricPolynomial> = polynomials
                 .iter()
@@ -440,21 +443,21 @@ mod tests {
                 .collect();
             body(&mut graph, &changed, [0, 2, 4], [1, 3, 5]).is_some()
         };
-        assert!(is_body(&|_, _, own| own));
-        assert!(!is_body(&|graph, unknown, own| if unknown == 2 {
-            graph.negate(own)
+        assert!(is_body(&|_, _, node| node));
+        assert!(!is_body(&|graph, unknown, node| if unknown == 2 {
+            graph.negate(node)
         } else {
-            own
+            node
         }));
-        assert!(!is_body(&|graph, unknown, own| if unknown == 2 {
-            graph.scale(2.0, own)
+        assert!(!is_body(&|graph, unknown, node| if unknown == 2 {
+            graph.scale(2.0, node)
         } else {
-            own
+            node
         }));
-        assert!(!is_body(&|graph, unknown, own| if unknown == 3 {
-            graph.scale(2.0, own)
+        assert!(!is_body(&|graph, unknown, node| if unknown == 3 {
+            graph.scale(2.0, node)
         } else {
-            own
+            node
         }));
     }
 }

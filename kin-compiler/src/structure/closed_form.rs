@@ -4,7 +4,7 @@ use super::arm::Arm;
 use super::complex::ComplexNode;
 use crate::algebra::{Checked, Function, Graph, InverseFunction, Node, Symbol};
 
-/// A closed form that solves a block. All expressions are free of the block's own unknowns.
+/// A closed form that solves a block. All expressions are free of the unknowns of the block.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum ClosedForm {
     /// coefficient · x = right.

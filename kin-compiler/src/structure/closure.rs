@@ -1,7 +1,7 @@
 //! The closure of a mechanism as trigonometric polynomials of its inputs and unknowns.
 //!
-//! With the inputs unknown as well, they are what a search for limits solves. Their coefficients depend on the parameters
-//! alone.
+//! With the inputs unknown as well, they are what a search for limits solves. Their coefficients depend on the
+//! parameters alone.
 
 use std::collections::BTreeMap;
 
@@ -29,7 +29,7 @@ pub(crate) struct ClosurePolynomials {
 pub(crate) fn closure_polynomials(graph: &mut Graph, residuals: &[Node]) -> Option<ClosurePolynomials> {
     let mut terms = Vec::new();
     let mut coefficients = Vec::new();
-    let mut places = BTreeMap::new();
+    let mut indices = BTreeMap::new();
     for (equation, &residual) in residuals.iter().enumerate() {
         let polynomial = Expansion::new(graph, Variables::Position).polynomial(residual)?;
         for (monomial, &coefficient) in &polynomial.0 {
@@ -42,14 +42,14 @@ pub(crate) fn closure_polynomials(graph: &mut Graph, residuals: &[Node]) -> Opti
                 return None;
             }
             let (factor, coefficient) = graph.split_coefficient(coefficient);
-            let place = *places.entry(coefficient).or_insert_with(|| {
+            let index = *indices.entry(coefficient).or_insert_with(|| {
                 coefficients.push(coefficient);
                 coefficients.len() - 1
             });
             terms.push(ClosureMonomial {
                 equation: u16::try_from(equation).ok()?,
                 factor,
-                coefficient: u16::try_from(place).ok()?,
+                coefficient: u16::try_from(index).ok()?,
                 powers,
                 harmonic: monomial.harmonic.clone(),
             });
@@ -98,7 +98,7 @@ mod tests {
                 .powers
                 .iter()
                 .map(|&(symbol, power)| value(symbol).powi(i32::from(power)));
-            let turned = match &term.harmonic {
+            let harmonic = match &term.harmonic {
                 Harmonic::One => 1.0,
                 Harmonic::Cosine(angle) | Harmonic::Sine(angle) => {
                     let whole: f64 = angle
@@ -114,7 +114,7 @@ mod tests {
                 }
             };
             let coefficient = graph.evaluate(closure.coefficients[usize::from(term.coefficient)], &value);
-            sums[usize::from(term.equation)] += term.factor * coefficient * turned * powers.product::<f64>();
+            sums[usize::from(term.equation)] += term.factor * coefficient * harmonic * powers.product::<f64>();
         }
         for (sum, equation) in sums.into_iter().zip(equations) {
             let expected = graph.evaluate(equation, &value);

@@ -46,8 +46,8 @@ pub(crate) fn dyads(graph: &mut Graph, residuals: &[Node], blocks: &[Block]) -> 
             Method::Closed(ClosedForm::TwoAngles {
                 arms: [first, second], ..
             }) => {
-                let (ratio, turn) = first.turn_to(graph, second);
-                let product = ratio.times(graph, turn);
+                let (ratio, rotation) = first.turn_to(graph, second);
+                let product = ratio.times(graph, rotation);
                 let along = graph.negate(product.re);
                 dyads.push(Dyad {
                     unknowns: part.unknowns.clone(),
@@ -59,7 +59,7 @@ pub(crate) fn dyads(graph: &mut Graph, residuals: &[Node], blocks: &[Block]) -> 
             Method::Closed(ClosedForm::AngleLength { arm, direction, .. }) => {
                 let vector = arm.vector(graph);
                 let product = vector.conjugate(graph).times(graph, *direction);
-                // i d instead of d turns the product by a quarter
+                // i d instead of d rotates the product by a right angle
                 let along = graph.negate(product.im);
                 dyads.push(Dyad {
                     unknowns: part.unknowns.clone(),
@@ -113,7 +113,7 @@ impl AxisSlider {
 /// The link and the slider on an axis of which a block finds the angle.
 ///
 /// The part with the angle alone is, up to a constant, the link's component normal to the slide. Its derivative is the
-/// component along the slide, which the other part has to contain. Its second derivative is its own opposite.
+/// component along the slide, which the other part has to contain. Its second derivative is its opposite.
 pub(super) fn slider_on_an_axis(
     graph: &mut Graph,
     residuals: &[Node],

@@ -9,7 +9,7 @@ use crate::algebra::{Graph, Node, Symbol};
 /// The form of a block, with vectors of the lengths that belong to it. A length that changes is `None`.
 pub(crate) struct BlockForm {
     pub(crate) kind: BlockKind,
-    /// The angle by which the crank turns.
+    /// The angle by which the crank rotates.
     pub(crate) driver: Option<Symbol>,
     pub(crate) lengths: Vec<Option<ComplexNode>>,
 }
@@ -43,7 +43,7 @@ pub enum BlockKind {
     Coupled,
 }
 
-/// A link that turns about a fixed pivot by an angle that is known before the block is solved.
+/// A link that rotates about a fixed pivot by an angle that is known before the block is solved.
 struct Crank {
     driver: Symbol,
     link: ComplexNode,
@@ -231,7 +231,7 @@ fn crank(graph: &mut Graph, vector: ComplexNode) -> Option<Crank> {
         let first = graph.partial(part, driver);
         [first, graph.partial(first, driver)]
     });
-    // the first derivative of a turning vector is the vector turned by a quarter, to the left or to the right
+    // the first derivative of a rotating vector is the vector rotated by a right angle, to the left or to the right
     let opposites = [re[0], im[0]].map(|first| graph.negate(first));
     let is_left = graph.same(re[1], opposites[1]) && graph.same(im[1], re[0]);
     let is_right = graph.same(re[1], im[0]) && graph.same(im[1], opposites[0]);
@@ -251,8 +251,8 @@ fn crank(graph: &mut Graph, vector: ComplexNode) -> Option<Crank> {
         ComplexNode::new(ground[0], ground[1]),
     );
     let is_fixed = graph.movers(&[link.re, link.im, ground.re, ground.im]).is_empty();
-    let turns = !graph.vanishes(link.re) || !graph.vanishes(link.im);
-    (is_fixed && turns).then_some(Crank { driver, link, ground })
+    let rotates = !graph.vanishes(link.re) || !graph.vanishes(link.im);
+    (is_fixed && rotates).then_some(Crank { driver, link, ground })
 }
 
 /// A vector that depends on parameters alone, in the simplest form of the same length.
@@ -266,12 +266,12 @@ fn constant(graph: &mut Graph, vector: ComplexNode) -> Option<ComplexNode> {
     if graph.is_zero(vector.re) || graph.is_zero(vector.im) {
         return Some(vector);
     }
-    // a link at a constant angle has a length of its own
+    // a link at a constant angle has a separate length
     let square = vector.norm_squared(graph);
     for symbol in graph.parameters_of(&[square]) {
         let length = graph.symbol(symbol);
-        let own = graph.power(length, 2);
-        if graph.same(square, own) {
+        let square_of_length = graph.power(length, 2);
+        if graph.same(square, square_of_length) {
             return Some(ComplexNode::new(length, zero));
         }
     }
@@ -308,7 +308,7 @@ impl Graph {
             .collect()
     }
 
-    /// An expression with zero in place of a symbol.
+    /// An expression with zero instead of a symbol.
     fn at_zero(&mut self, node: Node, symbol: Symbol) -> Node {
         let (symbol, zero) = (self.symbol(symbol), self.zero());
         self.substitute(node, &mut BTreeMap::from([(symbol, zero)]))
@@ -323,7 +323,7 @@ mod tests {
     use crate::passes::Passes;
     use crate::testing::sound;
 
-    /// The solution of a function's inverse contains symbols of its own.
+    /// The solution of a function's inverse contains further symbols.
     #[test]
     fn forms_of_inverse_functions() {
         let declaration = quote! {

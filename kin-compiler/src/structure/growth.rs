@@ -33,11 +33,11 @@ impl Growth {
         self.0
     }
 
-    /// The growth if an equation gives an unknown from others: the sum of the magnitudes of their coefficients, if that is
-    /// more than one.
+    /// The growth if an equation gives an unknown from others: the sum of the magnitudes of their coefficients, if that
+    /// is more than one.
     ///
-    /// The coefficient of an angle in a length is itself a length, and not larger than a link. Any other coefficient that is
-    /// no number may have any value.
+    /// The coefficient of an angle in a length is itself a length, and not larger than a link. Any other coefficient
+    /// that is no number may have any value.
     pub(super) fn through(
         self,
         graph: &mut Graph,
@@ -64,8 +64,8 @@ impl Growth {
 }
 
 impl CoefficientMagnitudes {
-    /// Whether an expression for a length is made up of lengths and functions of angles, without plain numbers that would
-    /// enlarge it.
+    /// Whether an expression for a length is made up of lengths and functions of angles, without plain numbers that
+    /// would enlarge it.
     fn is_length(&self, graph: &Graph, node: Node) -> bool {
         graph.reachable(&[node]).into_iter().all(|part| {
             let is_number = graph
@@ -95,7 +95,8 @@ mod tests {
             .collect()
     }
 
-    /// A slide along an axis and a gear of a small ratio are taken out of a coupled block, because they magnify nothing.
+    /// A slide along an axis and a gear of a small ratio are taken out of a coupled block, because they magnify
+    /// nothing.
     #[test]
     fn slides_and_small_gears_are_taken_out() {
         let slide = quote! {

@@ -322,7 +322,7 @@ fn has_full_rank(mut rows: Vec<Vec<f64>>) -> bool {
         rows.swap(step, pivot_row);
         for row in &mut rows {
             row.swap(step, pivot_column);
-            work::turn();
+            work::iteration();
         }
         if work::is_spent() {
             return true;

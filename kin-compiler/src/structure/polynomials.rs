@@ -108,11 +108,11 @@ pub(super) fn system(graph: &mut Graph, whole: Whole) -> Option<PolynomialSystem
             ..system
         });
     }
-    let mut places = BTreeMap::new();
+    let mut indices = BTreeMap::new();
     let mut variables = Vec::new();
     let mut count = 0;
     for &unknown in &unknowns {
-        places.insert(unknown, count);
+        indices.insert(unknown, count);
         if turning.contains(&unknown) {
             variables.push(PolynomialVariable::Turning(unknown));
             count += 2;
@@ -135,14 +135,14 @@ pub(super) fn system(graph: &mut Graph, whole: Whole) -> Option<PolynomialSystem
     let mut table = TermTable::default();
     let mut equations = 0;
     for polynomial in &polynomials {
-        table.equation(graph, equations, polynomial, &places);
+        table.equation(graph, equations, polynomial, &indices);
         equations += 1;
     }
     let one = graph.one();
     let minus_one = graph.number(-1.0);
     for unknown in turning {
-        let place = places[&unknown];
-        for square in [place, place + 1] {
+        let index = indices[&unknown];
+        for square in [index, index + 1] {
             table.term(equations, one, Powers::from([(square, 2)]));
         }
         table.term(equations, minus_one, Powers::new());
@@ -180,8 +180,8 @@ fn of_body(
     })
 }
 
-/// The equation s - g |g| == 0 for √s == g, where g is known, such as the length of a leg. Where g is negative, it has no
-/// real solution with a positive s either.
+/// The equation s - g |g| == 0 for √s == g, where g is known, such as the length of a leg. Where g is negative, it has
+/// no real solution with a positive s either.
 fn squared(graph: &mut Graph, polynomial: &TrigonometricPolynomial) -> Option<Node> {
     let mut others = polynomial
         .0
@@ -227,12 +227,12 @@ fn lower(graph: &mut Graph, polynomials: &mut [TrigonometricPolynomial]) {
                 PIVOTS.contains(&number.abs()).then(|| (monomial.clone(), number))
             })
         };
-        while let Some((place, (monomial, number))) = left
+        while let Some((index, (monomial, number))) = left
             .iter()
             .enumerate()
-            .find_map(|(place, (_, polynomial))| Some((place, pivot(graph, polynomial)?)))
+            .find_map(|(index, (_, polynomial))| Some((index, pivot(graph, polynomial)?)))
         {
-            let (_, cleared) = left.remove(place);
+            let (_, cleared) = left.remove(index);
             for (equation, polynomial) in &mut left {
                 let coefficient = polynomial.coefficient(graph, &monomial);
                 let factor = graph.scale(-1.0 / number, coefficient);
@@ -296,12 +296,12 @@ impl TermTable {
         graph: &mut Graph,
         equation: usize,
         polynomial: &TrigonometricPolynomial,
-        places: &BTreeMap<usize, usize>,
+        indices: &BTreeMap<usize, usize>,
     ) {
         // collect like terms from different harmonics, such as those of a double angle
         let mut collected: BTreeMap<Powers, Node> = BTreeMap::new();
         for (monomial, &coefficient) in &polynomial.0 {
-            for (powers, factor) in expanded(graph, monomial, places) {
+            for (powers, factor) in expanded(graph, monomial, indices) {
                 let scaled = graph.scale(factor, coefficient);
                 let before = collected.get(&powers).copied().unwrap_or_else(|| graph.zero());
                 collected.insert(powers, graph.add(before, scaled));
@@ -315,7 +315,7 @@ impl TermTable {
     }
 
     fn term(&mut self, equation: usize, coefficient: Node, powers: Powers) {
-        let place = self
+        let index = self
             .coefficients
             .iter()
             .position(|&known| known == coefficient)
@@ -325,30 +325,30 @@ impl TermTable {
             });
         self.terms.push(PolynomialTerm {
             equation,
-            coefficient: place,
+            coefficient: index,
             powers: powers.into_iter().collect(),
         });
     }
 }
 
 /// A monomial in the variables.
-fn expanded(graph: &Graph, monomial: &Monomial, places: &BTreeMap<usize, usize>) -> Vec<(Powers, f64)> {
+fn expanded(graph: &Graph, monomial: &Monomial, indices: &BTreeMap<usize, usize>) -> Vec<(Powers, f64)> {
     let mut plain = Powers::new();
     for (&atom, &power) in &monomial.powers {
         if let Some(Symbol::Unknown(unknown)) = graph.as_symbol(atom) {
-            plain.insert(places[&unknown], power.unsigned_abs());
+            plain.insert(indices[&unknown], power.unsigned_abs());
         }
     }
     let parts = match &monomial.harmonic {
         Harmonic::One => return vec![(plain, 1.0)],
-        Harmonic::Cosine(angle) => turned(angle, places).0,
-        Harmonic::Sine(angle) => turned(angle, places).1,
+        Harmonic::Cosine(angle) => cosine_sine(angle, indices).0,
+        Harmonic::Sine(angle) => cosine_sine(angle, indices).1,
     };
     parts
         .into_iter()
         .map(|(mut powers, factor)| {
-            for (&place, &power) in &plain {
-                *powers.entry(place).or_insert(0) += power;
+            for (&index, &power) in &plain {
+                *powers.entry(index).or_insert(0) += power;
             }
             (powers, factor)
         })
@@ -360,20 +360,20 @@ type NumericPolynomial = BTreeMap<Powers, f64>;
 
 /// cos and sin of an integer combination of angles, as polynomials in the cosines and sines of these angles: the parts
 /// of Π (c + i s)ⁿ, with the conjugate for negative n.
-fn turned(angle: &Angle, places: &BTreeMap<usize, usize>) -> (NumericPolynomial, NumericPolynomial) {
+fn cosine_sine(angle: &Angle, indices: &BTreeMap<usize, usize>) -> (NumericPolynomial, NumericPolynomial) {
     let mut cosine = NumericPolynomial::from([(Powers::new(), 1.0)]);
     let mut sine = NumericPolynomial::new();
     for &(symbol, multiple) in &angle.0 {
         let Symbol::Unknown(unknown) = symbol else {
             continue;
         };
-        let place = places[&unknown];
+        let index = indices[&unknown];
         let sign = f64::from(multiple.signum());
         for _ in 0..multiple.abs() {
             // (cosine + i sine) (c ± i s)
             let next = (
-                sum(&times(&cosine, place, 1.0), &times(&sine, place + 1, -sign)),
-                sum(&times(&sine, place, 1.0), &times(&cosine, place + 1, sign)),
+                sum(&times(&cosine, index, 1.0), &times(&sine, index + 1, -sign)),
+                sum(&times(&sine, index, 1.0), &times(&cosine, index + 1, sign)),
             );
             (cosine, sine) = next;
         }
@@ -382,12 +382,12 @@ fn turned(angle: &Angle, places: &BTreeMap<usize, usize>) -> (NumericPolynomial,
 }
 
 /// A polynomial times a variable and a number.
-fn times(polynomial: &NumericPolynomial, place: usize, factor: f64) -> NumericPolynomial {
+fn times(polynomial: &NumericPolynomial, index: usize, factor: f64) -> NumericPolynomial {
     polynomial
         .iter()
         .map(|(powers, value)| {
             let mut powers = powers.clone();
-            *powers.entry(place).or_insert(0) += 1;
+            *powers.entry(index).or_insert(0) += 1;
             (powers, factor * value)
         })
         .collect()
@@ -406,7 +406,7 @@ fn sum(left: &NumericPolynomial, right: &NumericPolynomial) -> NumericPolynomial
 mod tests {
     use std::collections::BTreeMap;
 
-    use super::{NumericPolynomial, PolynomialVariable, SystemForm, system, turned};
+    use super::{NumericPolynomial, PolynomialVariable, SystemForm, cosine_sine, system};
     use crate::algebra::{Angle, Function, Graph, Symbol};
     use crate::structure::tear::Whole;
 
@@ -414,13 +414,13 @@ mod tests {
     #[test]
     fn multiples_of_angles_are_polynomials_in_cosines_and_sines() {
         let angles = [0.7_f64, -2.1];
-        let places = BTreeMap::from([(4, 0), (6, 2)]);
+        let indices = BTreeMap::from([(4, 0), (6, 2)]);
         let variables = [angles[0].cos(), angles[0].sin(), angles[1].cos(), angles[1].sin()];
         let value = |polynomial: &NumericPolynomial| -> f64 {
             let term = |powers: &BTreeMap<usize, u32>| -> f64 {
                 powers
                     .iter()
-                    .map(|(&place, &power)| variables[place].powi(power.cast_signed()))
+                    .map(|(&index, &power)| variables[index].powi(power.cast_signed()))
                     .product()
             };
             polynomial.iter().map(|(powers, factor)| factor * term(powers)).sum()
@@ -434,7 +434,7 @@ mod tests {
                     .filter(|&(_, multiple)| multiple != 0)
                     .collect(),
             );
-            let (cosine, sine) = turned(&angle, &places);
+            let (cosine, sine) = cosine_sine(&angle, &indices);
             let whole = f64::from(multiples[0]) * angles[0] + f64::from(multiples[1]) * angles[1];
             // the absolute coefficients add up to less than 40
             assert!(
@@ -498,7 +498,7 @@ mod tests {
             let powers = term
                 .powers
                 .iter()
-                .map(|&(place, power)| variables[place].powi(power.cast_signed()));
+                .map(|&(index, power)| variables[index].powi(power.cast_signed()));
             let coefficient = graph.evaluate(system.coefficients[term.coefficient], &symbols);
             sums[term.equation] += coefficient * powers.product::<f64>();
         }
@@ -510,16 +510,16 @@ mod tests {
         assert!(sums[3].abs() < 4.0 * f64::EPSILON, "cos² + sin² - 1 = {}", sums[3]);
     }
 
-    /// Two circles are one circle and a line, also where the radius of one is a square root, and where a coefficient is not
-    /// a number. What a circle has in common with a curve of the same degree but other terms stays.
+    /// Two circles are one circle and a line, also where the radius of one is a square root, and where a coefficient is
+    /// not a number. What a circle has in common with a curve of the same degree but other terms stays.
     #[test]
     fn differences_lower_the_degree() {
         let mut graph = Graph::new();
         let [x, y] = [0, 1].map(|unknown| graph.symbol(Symbol::Unknown(unknown)));
         let [p, q] = [0, 1].map(|number| graph.symbol(Symbol::Parameter(number)));
-        let squares = [x, y].map(|own| graph.power(own, 2));
-        let [about_origin, moved] = [0.0, 1.0].map(|place| {
-            let along = graph.linear(-place, &[(x, 1.0)]);
+        let squares = [x, y].map(|coordinate| graph.power(coordinate, 2));
+        let [about_origin, moved] = [0.0, 1.0].map(|centre| {
+            let along = graph.linear(-centre, &[(x, 1.0)]);
             let square = graph.power(along, 2);
             graph.add(square, squares[1])
         });

@@ -11,7 +11,8 @@
 //!
 //! An unknown that is replaced by its relation hands its rounding errors on, [magnified](Growth) by the coefficients of
 //! the relation. One relation replaced in another multiplies them: a chain `20 x₀ - x₁ = t`, `20 x₁ - x₀ - x₂ = k`, …
-//! would be shot through from its first unknown. Links magnify nothing, because a direction depends on the vector alone.
+//! would be shot through from its first unknown. Links magnify nothing, because a direction depends on the vector
+//! alone.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -23,8 +24,8 @@ use crate::work;
 
 /// The parts into which equations fall, in the order in which they are solved.
 ///
-/// As much as possible is taken out if closed forms solve the rest. Equations that need a guess anyway keep the unknowns
-/// whose relations would magnify rounding, and Newton's method sees their equations as they are.
+/// As much as possible is taken out if closed forms solve the rest. Equations that need a guess anyway keep the
+/// unknowns whose relations would magnify rounding, and Newton's method sees their equations as they are.
 pub(super) fn parts(
     graph: &mut Graph,
     magnitudes: &CoefficientMagnitudes,
@@ -72,7 +73,7 @@ impl<'a> Tearing<'a> {
             .map(|members| {
                 members
                     .into_iter()
-                    .filter_map(|unknown| unknowns.iter().position(|&own| own == unknown))
+                    .filter_map(|unknown| unknowns.iter().position(|&other| other == unknown))
                     .collect()
             })
             .collect();
@@ -126,14 +127,11 @@ impl<'a> Tearing<'a> {
     }
 
     /// Takes out the first relation of a kind that does not magnify rounding errors too much.
-    fn relation(
-        &mut self,
-        graph: &mut Graph,
-        equations: &[Node],
-        unknowns: &[usize],
-        kind: impl Fn(&mut Graph, Node, &[usize], &mut dyn FnMut(&mut Graph, usize, Node) -> bool) -> Option<(usize, Node)>,
-    ) -> Option<Torn> {
-        equations.iter().enumerate().find_map(|(place, &equation)| {
+    fn relation<K>(&mut self, graph: &mut Graph, equations: &[Node], unknowns: &[usize], kind: K) -> Option<Torn>
+    where
+        K: Fn(&mut Graph, Node, &[usize], &mut dyn FnMut(&mut Graph, usize, Node) -> bool) -> Option<(usize, Node)>,
+    {
+        equations.iter().enumerate().find_map(|(index, &equation)| {
             let mut grown = self.growth;
             let (unknown, coefficient) = kind(graph, equation, unknowns, &mut |graph, unknown, coefficient| {
                 let others = unknowns.iter().copied().filter(|&other| other != unknown);
@@ -143,7 +141,7 @@ impl<'a> Tearing<'a> {
                 grown.get() <= self.largest
             })?;
             self.growth = grown;
-            Some(substituted(graph, equations, place, unknown, coefficient))
+            Some(substituted(graph, equations, index, unknown, coefficient))
         })
     }
 }
@@ -165,9 +163,9 @@ pub(super) fn whole(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -
     };
     while whole.unknowns.len() > 1
         && !work::is_spent()
-        && let Some(Torn { rest, unknown, form }) = whole.equations.iter().enumerate().find_map(|(place, &equation)| {
+        && let Some(Torn { rest, unknown, form }) = whole.equations.iter().enumerate().find_map(|(index, &equation)| {
             let (unknown, coefficient) = linear_relation(graph, equation, &whole.unknowns, &mut |_, _, _| true)?;
-            Some(substituted(graph, &whole.equations, place, unknown, coefficient))
+            Some(substituted(graph, &whole.equations, index, unknown, coefficient))
         })
     {
         whole.equations = rest;
@@ -221,8 +219,8 @@ fn linear_relation(
     (is_linear && accepts(graph, unknown, coefficient)).then_some((unknown, coefficient))
 }
 
-/// The first unknown that an equation contains with a number as its coefficient, such as a length along an axis, and that
-/// `accepts` does not refuse.
+/// The first unknown that an equation contains with a number as its coefficient, such as a length along an axis, and
+/// that `accepts` does not refuse.
 fn relation(
     graph: &mut Graph,
     equation: Node,
@@ -237,23 +235,23 @@ fn relation(
 }
 
 /// The other equations with an unknown replaced by its solution from one equation.
-fn substituted(graph: &mut Graph, equations: &[Node], place: usize, unknown: usize, coefficient: Node) -> Torn {
-    let own = graph.symbol(Symbol::Unknown(unknown));
-    let term = graph.multiply(coefficient, own);
-    let mut right = graph.subtract(term, equations[place]);
+fn substituted(graph: &mut Graph, equations: &[Node], index: usize, unknown: usize, coefficient: Node) -> Torn {
+    let unknown_node = graph.symbol(Symbol::Unknown(unknown));
+    let term = graph.multiply(coefficient, unknown_node);
+    let mut right = graph.subtract(term, equations[index]);
     if graph.contains(right, Symbol::Unknown(unknown)) {
         // the unknown does not cancel within a product that is not multiplied out; set it to zero there, because the
         // equation is linear in it
-        let mut vanished = BTreeMap::from([(own, graph.zero())]);
-        let others = graph.substitute(equations[place], &mut vanished);
+        let mut vanished = BTreeMap::from([(unknown_node, graph.zero())]);
+        let others = graph.substitute(equations[index], &mut vanished);
         right = graph.negate(others);
     }
     let value = graph.divide(right, coefficient);
-    let mut replacements = BTreeMap::from([(own, value)]);
+    let mut replacements = BTreeMap::from([(unknown_node, value)]);
     let rest = equations
         .iter()
         .enumerate()
-        .filter(|&(other, _)| other != place)
+        .filter(|&(other, _)| other != index)
         .map(|(_, &equation)| graph.substitute(equation, &mut replacements))
         .collect();
     Torn {
@@ -275,10 +273,10 @@ fn link(
     unknowns: &[usize],
 ) -> Option<Torn> {
     for &unknown in unknowns {
-        let places: Vec<usize> = (0..equations.len())
-            .filter(|&place| polynomials[place].contains(graph, unknown))
+        let indices: Vec<usize> = (0..equations.len())
+            .filter(|&index| polynomials[index].contains(graph, unknown))
             .collect();
-        let &[first, second] = places.as_slice() else {
+        let &[first, second] = indices.as_slice() else {
             continue;
         };
         let Some((arm, rest)) = recognise::arm(graph, [&polynomials[first], &polynomials[second]], unknown) else {
@@ -286,10 +284,10 @@ fn link(
         };
         let (spanned, length) = (rest.norm_squared(graph), arm.factor.norm_squared(graph));
         let mut others: Vec<Node> = Vec::new();
-        for (place, &equation) in equations.iter().enumerate() {
-            if place == first {
+        for (index, &equation) in equations.iter().enumerate() {
+            if index == first {
                 others.push(graph.subtract(spanned, length));
-            } else if place != second {
+            } else if index != second {
                 others.push(equation);
             }
         }

@@ -1,9 +1,9 @@
-//! Comments of other languages, which begin with `#`. Their words are prose, and every further mistake would only follow
-//! from them.
+//! Comments of other languages, which begin with `#`. Their words are prose, and every further mistake would only
+//! follow from them.
 
 use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
 
-/// The place of the first `#` that begins no attribute, and the tokens without such marks. `None` if there is none.
+/// The position of the first `#` that begins no attribute, and the tokens without such marks. `None` if there is none.
 pub(super) fn without_mark(tokens: &TokenStream) -> Option<(Span, TokenStream)> {
     first_mark(tokens).map(|mark| (mark, strip(tokens)))
 }

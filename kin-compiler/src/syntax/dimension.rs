@@ -128,8 +128,8 @@ impl Dimension {
             return Err(syn::Error::new(
                 at,
                 format!(
-                    "only an unknown can be a `Direction`, which is found as a unit vector instead of an angle: declare {what} `{name}` \
-                     an `Angle`"
+                    "only an unknown can be a `Direction`, which is found as a unit vector instead of an angle: \
+                     declare {what} `{name}` an `Angle`"
                 ),
             ));
         }
@@ -142,7 +142,8 @@ impl Dimension {
             syn::Error::new(
                 at.span(),
                 format!(
-                    "{word} is not a dimension: write `Length`, `Angle`, `Direction`, `Scalar`, `Point`, `Vector`, `Point3` or `Vector3`{near}"
+                    "{word} is not a dimension: write `Length`, `Angle`, `Direction`, `Scalar`, `Point`, `Vector`, \
+                     `Point3` or `Vector3`{near}"
                 ),
             )
         };

@@ -142,7 +142,8 @@ pub(super) fn instead_of_statement(word: &str, next: &str) -> Option<String> {
         }
         "joint" | "hinge" | "revolute" => {
             format!(
-                "`{word}` does not begin a statement: a point that two bodies name joins them, as `{next}` in `body rod: {next}, tip;`"
+                "`{word}` does not begin a statement: a point that two bodies name joins them, as `{next}` in `body \
+                 rod: {next}, tip;`"
             )
         }
         _ => return None,
@@ -154,7 +155,7 @@ pub(super) fn is_link(word: &str) -> bool {
     matches!(word, "link" | "bar" | "rigid" | "member" | "part" | "solid")
 }
 
-/// The advice about a word in the place of a dimension. It ends the sentence about it.
+/// The advice about a word instead of a dimension. It ends the sentence about it.
 pub(super) fn instead_of_dimension(word: &str) -> Option<&'static str> {
     Some(match word {
         "Velocity" | "Speed" | "Rate" | "Acceleration" | "Jerk" | "AngularVelocity" => {

@@ -1,7 +1,7 @@
 //! Formulas, read by precedence climbing.
 //!
-//! `syn::Expr` could read them too, but it accepts far more. Here every construct outside the language gets its own
-//! message at its own token.
+//! `syn::Expr` could read them too, but it accepts far more. Here every construct outside the language gets a
+//! message at the token.
 
 use proc_macro2::{Ident, Span, TokenTree};
 use quote::ToTokens;
@@ -99,17 +99,17 @@ impl TypedFormula {
 }
 
 /// Reads a formula up to the end of its context.
-pub(crate) fn parse(input: ParseStream<'_>, place: Context) -> Result<TypedFormula> {
+pub(crate) fn parse(input: ParseStream<'_>, context: Context) -> Result<TypedFormula> {
     let formula = sum(input)?;
     let ended = input.is_empty()
-        || match place {
+        || match context {
             Context::LeftSide => input.peek(Token![==]),
             Context::Argument | Context::RangeEnd => input.peek(Token![,]),
             Context::RangeStart => input.peek(Token![..]),
             Context::Point => input.peek(Token![,]) || input.peek(Ident::peek_any),
             Context::RightSide | Context::Value | Context::Parenthesis => false,
         };
-    if ended { Ok(formula) } else { Err(stray(input, place)) }
+    if ended { Ok(formula) } else { Err(stray(input, context)) }
 }
 
 fn deepest<'a>(formulas: impl IntoIterator<Item = &'a TypedFormula>) -> usize {
@@ -193,7 +193,7 @@ fn unary(input: ParseStream<'_>) -> Result<TypedFormula> {
     })
 }
 
-/// Reports a missing operand at its operator, because the end of the source has no place of its own.
+/// Reports a missing operand at its operator, because the end of the source has no position.
 fn expect_operand(input: ParseStream<'_>, span: Span, symbol: &str) -> Result<()> {
     let ended = input.is_empty() || input.peek(Token![,]) || input.peek(Token![==]);
     if ended {
@@ -280,7 +280,8 @@ fn member(input: ParseStream<'_>, dot: Span, of: TypedFormula) -> Result<TypedFo
             return Err(syn::Error::new(
                 member.span(),
                 format!(
-                    "there is no part `{word}`: a plane vector has the parts `x` and `y`, a space vector `x`, `y` and `z`"
+                    "there is no part `{word}`: a plane vector has the parts `x` and `y`, a space vector `x`, `y` and \
+                     `z`"
                 ),
             ));
         }
@@ -464,10 +465,12 @@ fn word(input: ParseStream<'_>) -> Result<TypedFormula> {
 fn foreign(word: &str) -> Option<&'static str> {
     Some(match word {
         "if" | "else" | "match" => {
-            "a formula has no cases: write equations that always hold, and `where` or `in` after an unknown to choose its branch"
+            "a formula has no cases: write equations that always hold, and `where` or `in` after an unknown to choose \
+             its branch"
         }
         "for" | "while" | "loop" | "break" | "continue" => {
-            "there are no loops within a formula: a `for` is a statement of its own, as in `for (a, b) in [(a1, b1), (a2, b2)] { a == b; }`"
+            "there are no loops within a formula: a `for` is a statement of its own, as in `for (a, b) in [(a1, b1), \
+             (a2, b2)] { a == b; }`"
         }
         "move" | "async" => "there are no closures here: write the formula itself",
         "unsafe" => "a formula has no blocks: write `( … )` to group",
@@ -582,8 +585,8 @@ fn call(name: &Ident, arguments: Vec<TypedFormula>, method: bool, close: Span) -
             return Err(syn::Error::new_spanned(
                 Extent::at(name.span()).to(Extent::at(close)),
                 format!(
-                    "`{before}` before the `.` is an argument of `{word}` here: write `{alone}` for the function alone, \
-                     `{before} * {alone}` for a product"
+                    "`{before}` before the `.` is an argument of `{word}` here: write `{alone}` for the function \
+                     alone, `{before} * {alone}` for a product"
                 ),
             ));
         }
@@ -650,7 +653,8 @@ fn exponent(argument: &TypedFormula) -> Result<i32> {
     let wrong = |message: String| Err(syn::Error::new_spanned(argument.extent, message));
     if !literal(argument, &mut text) {
         return wrong(
-            "the exponent of `powi` must be a whole number written out: write `powi(x, 2)`, and `exp` and `ln` for others"
+            "the exponent of `powi` must be a whole number written out: write `powi(x, 2)`, and `exp` and `ln` for \
+             others"
                 .to_owned(),
         );
     }
@@ -669,16 +673,16 @@ fn exponent(argument: &TypedFormula) -> Result<i32> {
 }
 
 /// The error for a token that follows a complete formula.
-fn stray(input: ParseStream<'_>, place: Context) -> syn::Error {
+fn stray(input: ParseStream<'_>, context: Context) -> syn::Error {
     if input.peek(Token![==]) {
-        return input.error(match place {
+        return input.error(match context {
             Context::RightSide => "an equation has one `==`: write the second one as another equation",
             Context::Value => "a definition is not an equation: write the equation as a statement of its own",
             _ => "an equation is a statement: write it alone, not within a formula",
         });
     }
     if input.peek(Token![=]) && !input.peek(Token![=>]) {
-        return input.error(if place == Context::LeftSide {
+        return input.error(if context == Context::LeftSide {
             "a formula has no assignments: write `==` for an equation, or `let x = …;` for an abbreviation"
         } else {
             "unexpected `=` within a formula: write an equation or a `let` as a statement of its own"
@@ -697,13 +701,14 @@ fn stray(input: ParseStream<'_>, place: Context) -> syn::Error {
     } else if input.peek(Token![<<]) || input.peek(Token![>>]) {
         "there are no bit operations here: write `* powi(2, n)`"
     } else if input.peek(Token![!=]) || input.peek(Token![<]) || input.peek(Token![>]) {
-        if place == Context::RangeEnd {
+        if context == Context::RangeEnd {
             "a range has one comparison: write `in 0..=PI` for a range with two ends"
         } else {
-            "there are no comparisons here: write `==` for an equation, and `where` after an unknown to choose its branch"
+            "there are no comparisons here: write `==` for an equation, and `where` after an unknown to choose its \
+             branch"
         }
     } else if input.peek(Token![&&]) || input.peek(Token![||]) {
-        if place == Context::RangeEnd {
+        if context == Context::RangeEnd {
             "a range has one comparison: write `in 0..=PI` for a range with two ends"
         } else {
             "there are no conditions here: write each equation as a statement of its own"
@@ -717,12 +722,13 @@ fn stray(input: ParseStream<'_>, place: Context) -> syn::Error {
     } else if input.peek(Token![->]) || input.peek(Token![=>]) {
         "an arrow has no meaning in a formula: write only `+`, `-`, `*` and `/`"
     } else if input.peek(Token![,]) {
-        if place == Context::Parenthesis {
+        if context == Context::Parenthesis {
             "there are no tuples here: write `vec2(x, y)` for a plane vector, `vec3(x, y, z)` for a space vector"
         } else {
-            "an expression ends before this `,`: write `;` before a further statement, and a point in a number, as in `0.5`"
+            "an expression ends before this `,`: write `;` before a further statement, and a point in a number, as in \
+             `0.5`"
         }
-    } else if place == Context::RangeStart {
+    } else if context == Context::RangeStart {
         "a range has dots between its ends: write `in 0..=PI`"
     } else if input.peek(Token![:]) {
         "a formula takes no types: write `input`, `unknown` or `output` before a name to declare it"
@@ -731,7 +737,7 @@ fn stray(input: ParseStream<'_>, place: Context) -> syn::Error {
     } else if input.peek(Token![!]) {
         "there are no macros or conditions here: write only formulas"
     } else if input.peek(Ident::peek_any) || input.peek(Lit) {
-        if matches!(place, Context::Parenthesis | Context::Argument) {
+        if matches!(context, Context::Parenthesis | Context::Argument) {
             "an operator is missing before this: write `*` for a product"
         } else {
             "an operator or a `;` is missing: write `;` before this if it begins a statement, `*` if a product is meant"

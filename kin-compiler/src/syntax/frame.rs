@@ -8,18 +8,18 @@ use crate::syntax::chain::Chain;
 use crate::syntax::{ArithmeticOperator, Callee, FormulaKind, TypedFormula};
 use crate::work;
 
-/// A frame: where its origin is, and how it is turned.
+/// A frame: where its origin is, and how it is rotated.
 #[derive(Clone)]
 pub(super) struct Frame {
     pub(super) origin: TypedFormula,
     /// An angle in the plane, a rotation in space.
-    pub(super) turn: TypedFormula,
-    /// `None` where a mistake hides it, which is told elsewhere.
+    pub(super) rotation: TypedFormula,
+    /// `None` where a mistake hides it, which is reported elsewhere.
     pub(super) in_plane: Option<bool>,
 }
 
 impl Frame {
-    /// The frame as it is used at a place.
+    /// The frame as it is used at a position.
     pub(super) fn at(&self, span: Span) -> Self {
         let at = |formula: &TypedFormula| {
             let mut formula = formula.clone();
@@ -31,22 +31,22 @@ impl Frame {
         };
         Self {
             origin: at(&self.origin),
-            turn: at(&self.turn),
+            rotation: at(&self.rotation),
             in_plane: self.in_plane,
         }
     }
 
     /// A vector of the frame, as one of the frame around it.
-    fn turned(&self, vector: TypedFormula, span: Span) -> Result<TypedFormula> {
+    fn rotated(&self, vector: TypedFormula, span: Span) -> Result<TypedFormula> {
         let (first, second) = if self.in_plane == Some(true) {
             let call = FormulaKind::Call {
                 callee: Callee::Cis,
-                arguments: vec![self.turn.clone()],
+                arguments: vec![self.rotation.clone()],
                 method: false,
             };
-            (vector, TypedFormula::new(call, self.turn.extent)?)
+            (vector, TypedFormula::new(call, self.rotation.extent)?)
         } else {
-            (self.turn.clone(), vector)
+            (self.rotation.clone(), vector)
         };
         let mut factors = Chain::of_factors(first);
         factors.times(ArithmeticOperator::Multiply, span, second)?;
@@ -58,31 +58,31 @@ impl Frame {
         if is_zero(&point) {
             return Ok(self.origin);
         }
-        let turned = self.turned(point, span)?;
+        let rotated = self.rotated(point, span)?;
         if is_zero(&self.origin) {
-            return Ok(turned);
+            return Ok(rotated);
         }
         let mut terms = Chain::of_terms(self.origin);
-        terms.add(ArithmeticOperator::Add, span, turned)?;
+        terms.add(ArithmeticOperator::Add, span, rotated)?;
         terms.sum()
     }
 
     /// A frame within this one, as one of the frame around it.
     pub(super) fn times(self, inner: Self, span: Span) -> Result<Self> {
-        work::turns(self.turn.length() + self.origin.length());
+        work::iterations(self.rotation.length() + self.origin.length());
         if work::is_spent() {
             return Ok(self);
         }
-        let turn = if self.in_plane == Some(true) {
-            let mut terms = Chain::of_terms(self.turn.clone());
-            terms.add(ArithmeticOperator::Add, span, inner.turn)?;
+        let rotation = if self.in_plane == Some(true) {
+            let mut terms = Chain::of_terms(self.rotation.clone());
+            terms.add(ArithmeticOperator::Add, span, inner.rotation)?;
             terms.sum()?
         } else {
-            self.turned(inner.turn, span)?
+            self.rotated(inner.rotation, span)?
         };
         Ok(Self {
             in_plane: self.in_plane,
-            turn,
+            rotation,
             origin: self.place(inner.origin, span)?,
         })
     }

@@ -22,8 +22,8 @@ use crate::syntax::{
 const WORD: &str = "frame";
 
 /// The message about a frame that is part of a formula.
-pub(super) const ALONE: &str = "a frame has a name of its own: write `let platform = frame(center, rotation);`, and then \
-                                `platform * point`";
+pub(super) const ALONE: &str = "a frame has a name of its own: write `let platform = frame(center, rotation);`, and \
+                                then `platform * point`";
 
 /// Whether a call is that of a frame. The word is not reserved.
 pub(crate) fn is_frame(word: &str) -> bool {
@@ -52,16 +52,16 @@ pub(super) fn parse(input: ParseStream<'_>) -> Result<Option<(TypedFormula, Type
         return Err(syn::Error::new(word.span(), ALONE));
     }
     let given = arguments.len();
-    let [origin, turn] = <[TypedFormula; 2]>::try_from(arguments).map_err(|_| {
+    let [origin, rotation] = <[TypedFormula; 2]>::try_from(arguments).map_err(|_| {
         syn::Error::new_spanned(
             Extent::at(word.span()).to(Extent::at(parentheses.span.close())),
             format!(
-                "`frame` takes 2 arguments, but is given {given}: write `frame(center, rotation)`, and `frame(pin, angle)` in \
-                 the plane"
+                "`frame` takes 2 arguments, but is given {given}: write `frame(center, rotation)`, and `frame(pin, \
+                 angle)` in the plane"
             ),
         )
     })?;
-    Ok(Some((origin, turn)))
+    Ok(Some((origin, rotation)))
 }
 
 /// Writes out all frames.
@@ -149,8 +149,8 @@ impl Frames {
                     ));
                 }
                 statement.origin = self.formula(&statement.origin)?;
-                statement.turn = self.formula(&statement.turn)?;
-                let frame = self.frame(&statement.origin, &statement.turn)?;
+                statement.rotation = self.formula(&statement.rotation)?;
+                let frame = self.frame(&statement.origin, &statement.rotation)?;
                 self.declare(&statement.name, frame, fresh).map(Some)
             }
             Statement::Let(statement) => match self.value(&statement.value)? {
@@ -176,19 +176,19 @@ impl Frames {
         }
     }
 
-    /// The frame of an origin and a turn, if they can be that.
-    fn frame(&self, origin: &TypedFormula, turn: &TypedFormula) -> Result<Frame> {
+    /// The frame of an origin and a rotation, if they can be that.
+    fn frame(&self, origin: &TypedFormula, rotation: &TypedFormula) -> Result<Frame> {
         let wrong = |at: &TypedFormula, message: &str| Err(syn::Error::new_spanned(at.extent, message));
-        let in_plane = match self.shape(turn) {
+        let in_plane = match self.shape(rotation) {
             Some(ValueShape::Plane) => {
                 return wrong(
-                    turn,
+                    rotation,
                     "a frame of the plane is turned by an angle: write `frame(pin, angle)`, without `cis`",
                 );
             }
             Some(ValueShape::Space) => {
                 return wrong(
-                    turn,
+                    rotation,
                     "a frame is turned by a rotation, but this is a vector: write `frame(center, rot_z(angle))`",
                 );
             }
@@ -198,16 +198,19 @@ impl Frames {
         };
         match self.shape(origin) {
             Some(ValueShape::Space) if in_plane == Some(true) => wrong(
-                turn,
-                "a frame of space is turned by a rotation, but this is a scalar: write `rot_z(angle)`, or another rotation",
+                rotation,
+                "a frame of space is turned by a rotation, but this is a scalar: write `rot_z(angle)`, or another \
+                 rotation",
             ),
             Some(ValueShape::Rotation) => wrong(
                 origin,
-                "a frame has a point as its origin, but this is a rotation: write the point first, `frame(center, rotation)`",
+                "a frame has a point as its origin, but this is a rotation: write the point first, `frame(center, \
+                 rotation)`",
             ),
             Some(ValueShape::Plane) if in_plane == Some(false) => wrong(
                 origin,
-                "a frame of space has its origin in space: write `vec3(v.x, v.y, 0)` to place a plane vector v in space",
+                "a frame of space has its origin in space: write `vec3(v.x, v.y, 0)` to place a plane vector v in \
+                 space",
             ),
             Some(ValueShape::Scalar) if in_plane == Some(false) && !is_zero(origin) => wrong(
                 origin,
@@ -215,7 +218,7 @@ impl Frames {
             ),
             _ => Ok(Frame {
                 origin: origin.clone(),
-                turn: turn.clone(),
+                rotation: rotation.clone(),
                 in_plane,
             }),
         }
@@ -223,13 +226,13 @@ impl Frames {
 
     /// Gives a frame its name. Parts that are no names get one.
     fn declare(&mut self, name: &Ident, mut frame: Frame, fresh: &mut FreshNames) -> Result<Vec<LetStatement>> {
-        let turn = if frame.in_plane == Some(true) {
+        let part_name = if frame.in_plane == Some(true) {
             "angle"
         } else {
             "rotation"
         };
         let mut parts = Vec::new();
-        for (part, value) in [("origin", &mut frame.origin), (turn, &mut frame.turn)] {
+        for (part, value) in [("origin", &mut frame.origin), (part_name, &mut frame.rotation)] {
             let is_short = matches!(
                 value.kind,
                 FormulaKind::Name(_) | FormulaKind::Number { .. } | FormulaKind::Degrees { .. } | FormulaKind::Pi

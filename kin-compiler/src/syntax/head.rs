@@ -80,8 +80,8 @@ pub(crate) fn parse(tokens: TokenStream, mistakes: &mut Mistakes) -> Option<(Dec
                 for attribute in take_conditions(&mut parameter.attributes) {
                     mistakes.error(
                         attribute,
-                        "a condition cannot remove a parameter from the equations: write a `mechanism!` for each case, with \
-                         the condition before it",
+                        "a condition cannot remove a parameter from the equations: write a `mechanism!` for each case, \
+                         with the condition before it",
                     );
                 }
                 declaration.parameters.push(parameter);
@@ -251,7 +251,7 @@ pub(super) fn dimension_of(input: ParseStream<'_>, name: &Ident, what: &str) -> 
     ))
 }
 
-/// The extent of a type or a pattern in a wrong place.
+/// The extent of a type or a pattern in a wrong position.
 pub(super) fn rest(input: ParseStream<'_>) -> Option<Extent> {
     let tokens: TokenStream = input.fork().parse().ok()?;
     let mut tokens = tokens.into_iter();

@@ -60,7 +60,7 @@ pub(crate) struct Declaration {
     pub(crate) broken: BTreeSet<String>,
     /// Names that occur in unreadable statements. They may be in use.
     pub(crate) mentioned: BTreeSet<String>,
-    /// The names that the copies of a `for` and frames have in place of written ones.
+    /// The names that the copies of a `for` and frames have instead of written ones.
     pub(crate) fresh: FreshNames,
     /// Whether the fields of the struct could be separated. If not, any name may be one of them.
     pub(crate) has_fields: bool,
@@ -108,7 +108,7 @@ pub(crate) enum Statement {
 pub(crate) struct FrameStatement {
     name: Ident,
     origin: TypedFormula,
-    turn: TypedFormula,
+    rotation: TypedFormula,
 }
 
 /// `body rod: pin, piston`
@@ -191,7 +191,7 @@ pub(crate) struct LetStatement {
 pub(crate) struct EquationStatement {
     pub(crate) left: TypedFormula,
     pub(crate) right: TypedFormula,
-    /// The place of the `==`.
+    /// The position of the `==`.
     pub(crate) operator: Extent,
     pub(crate) tokens: TokenStream,
     /// Whether it is one of the copies that a `for` stands for.
@@ -214,7 +214,7 @@ pub(crate) struct OrderStatement {
     pub(crate) extent: Extent,
 }
 
-/// A formula with its place in the source.
+/// A formula with its position in the source.
 #[derive(Clone)]
 pub(crate) struct TypedFormula {
     pub(crate) kind: FormulaKind,
@@ -272,7 +272,7 @@ pub(crate) enum FormulaKind {
 #[derive(Clone)]
 pub(crate) struct Operand {
     pub(crate) operator: ArithmeticOperator,
-    /// The place of the operator.
+    /// The position of the operator.
     pub(crate) span: Span,
     pub(crate) formula: TypedFormula,
 }
@@ -625,7 +625,7 @@ mod tests {
             read(quote!(order = 1; order = 1_2;)).unwrap_or_default(),
             ["order = 1", "order = 12"]
         );
-        for (body, told) in [
+        for (body, expected) in [
             (quote!(order = 0;), "`order = 1`"),
             (quote!(order = -1;), "never negative"),
             (quote!(order = 13;), "the highest order is 12"),
@@ -640,7 +640,7 @@ mod tests {
         ] {
             let messages = mistakes(body.clone());
             assert_eq!(messages.len(), 1, "{body}: {messages:#?}");
-            assert!(messages[0].contains(told), "{body}: {messages:#?}");
+            assert!(messages[0].contains(expected), "{body}: {messages:#?}");
         }
     }
 
@@ -652,7 +652,7 @@ mod tests {
             read(quote!(let with = a; with == 2 * with; with.sin() + a == with;)),
             ["let with = a", "with == 2 * with", "with.sin() + a == with"]
         );
-        for (wrong, told) in [
+        for (wrong, expected) in [
             (quote!(with;), "nothing is requested after this"),
             (quote!(with, test;), "expected a name"),
             (quote!(with test sensitivities;), "unexpected in a request"),
@@ -662,7 +662,7 @@ mod tests {
         ] {
             let messages = mistakes(wrong.clone());
             assert_eq!(messages.len(), 1, "{wrong}: {messages:#?}");
-            assert!(messages[0].contains(told), "{wrong}: {messages:#?}");
+            assert!(messages[0].contains(expected), "{wrong}: {messages:#?}");
         }
     }
 
@@ -705,7 +705,7 @@ mod tests {
     }
 
     #[test]
-    fn a_missing_semicolon_is_told_once() {
+    fn a_missing_semicolon_is_reported_once() {
         let messages = mistakes(quote!(a == b unknown c: Angle; let d = c output e: Angle = d;));
         assert_eq!(
             messages,
@@ -726,7 +726,7 @@ mod tests {
     }
 
     #[test]
-    fn unfinished_formulas_are_told() {
+    fn unfinished_formulas_are_reported() {
         for body in [
             quote!(a == ;),
             quote!(== a;),

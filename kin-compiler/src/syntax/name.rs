@@ -23,7 +23,7 @@ pub(crate) fn keyword(word: &str) -> bool {
 }
 
 /// Reads the name of a quantity that is being declared. If the name is missing, the message says `what` is declared. At
-/// the end of the source, which has no place of its own, the mistake is reported at the token `before`.
+/// the end of the source, which has no position, the mistake is reported at the token `before`.
 pub(crate) fn parse(input: ParseStream<'_>, what: &str, before: Span) -> Result<Ident> {
     if input.is_empty() {
         return Err(syn::Error::new(

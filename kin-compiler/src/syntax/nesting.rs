@@ -36,18 +36,18 @@ pub(super) fn is_cut(tokens: &TokenStream) -> bool {
 fn too_deep(tokens: &TokenStream) -> Vec<Span> {
     let mut found = Vec::new();
     let mut is_found = false;
-    let mut open = vec![tokens.clone().into_iter()];
-    while let Some(innermost) = open.last_mut() {
+    let mut unfinished = vec![tokens.clone().into_iter()];
+    while let Some(innermost) = unfinished.last_mut() {
         match innermost.next() {
-            None => drop(open.pop()),
-            Some(TokenTree::Group(group)) if open.len() <= DEEPEST => open.push(group.stream().into_iter()),
+            None => drop(unfinished.pop()),
+            Some(TokenTree::Group(group)) if unfinished.len() <= DEEPEST => unfinished.push(group.stream().into_iter()),
             Some(TokenTree::Group(group)) => {
                 if !is_found {
                     found.push(group.span_open());
                 }
                 is_found = true;
             }
-            Some(TokenTree::Punct(end)) if end.as_char() == ';' && open.len() == 1 => is_found = false,
+            Some(TokenTree::Punct(end)) if end.as_char() == ';' && unfinished.len() == 1 => is_found = false,
             Some(_) => {}
         }
     }
@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn the_depth_has_an_end_that_is_told_once() {
+    fn the_depth_has_an_end_that_is_reported_once() {
         let signs = |count: usize| {
             let signs = vec![quote!(-); count];
             quote!(#(#signs)* a)

@@ -42,7 +42,8 @@ pub(super) fn parse(input: ParseStream<'_>, word: Span) -> Result<OrderStatement
 fn order(value: &TokenStream) -> std::result::Result<usize, String> {
     let Ok(literal) = syn::parse2::<LitInt>(value.clone()) else {
         return Err(format!(
-            "the order is a whole number from 1 to {HIGHEST}, written out: write `order = 6`, or `==` if this is an equation"
+            "the order is a whole number from 1 to {HIGHEST}, written out: write `order = 6`, or `==` if this is an \
+             equation"
         ));
     };
     if literal.base10_digits().starts_with('-') {

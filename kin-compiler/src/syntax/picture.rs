@@ -1,4 +1,5 @@
-//! `body rod: pin, piston`, `ground pivot`, `slide piston along vec2(1, 0)`: the picture, where the equations do not tell it.
+//! `body rod: pin, piston`, `ground pivot`, `slide piston along vec2(1, 0)`: the picture, where the equations do not
+//! determine it.
 
 use proc_macro2::{Ident, Span};
 use syn::ext::IdentExt;

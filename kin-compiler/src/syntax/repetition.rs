@@ -100,14 +100,14 @@ pub(super) fn read(tokens: &TokenStream, declaration: &mut Declaration, mistakes
     let columns = columns.map(|column| elements.iter().map(|element| element[column].clone()).collect());
     declaration.statements.push(Statement::Repeats(columns.collect()));
     for element in &elements {
-        let own: BTreeMap<String, Ident> = locals
+        let local_names: BTreeMap<String, Ident> = locals
             .iter()
             .map(|local| (local.to_string(), declaration.fresh.copy_of(local)))
             .collect();
         let copy = Copy {
             names: &head.names,
             element,
-            own: &own,
+            local_names: &local_names,
         };
         for statement in &body {
             if work::is_spent() {
@@ -394,8 +394,8 @@ fn used(body: Vec<Statement>) -> Used {
 struct Copy<'a> {
     names: &'a [Ident],
     element: &'a [TypedFormula],
-    /// The names of its own abbreviations.
-    own: &'a BTreeMap<String, Ident>,
+    /// The names of the abbreviations of the copy.
+    local_names: &'a BTreeMap<String, Ident>,
 }
 
 impl Copy<'_> {
@@ -403,15 +403,15 @@ impl Copy<'_> {
         for formula in statement.formulas() {
             *formula = formula.with_names(&|name| self.meaning(name))?;
         }
-        let own = |name: &mut Ident| {
-            if let Some(own) = self.own.get(&name.to_string()) {
-                *name = own.clone();
+        let rename = |name: &mut Ident| {
+            if let Some(renamed) = self.local_names.get(&name.to_string()) {
+                *name = renamed.clone();
             }
         };
         match &mut statement {
-            Statement::Let(statement) => own(&mut statement.name),
+            Statement::Let(statement) => rename(&mut statement.name),
             Statement::Equation(equation) => equation.is_copy = true,
-            Statement::Frame(statement) => own(&mut statement.name),
+            Statement::Frame(statement) => rename(&mut statement.name),
             Statement::Output(output) => {
                 output.name = self.label(&output.name, "an output")?;
                 name::check(&output.name)?;
@@ -431,17 +431,17 @@ impl Copy<'_> {
 
     /// The value that stands for a name of the `for`.
     fn value(&self, name: &Ident) -> Option<&TypedFormula> {
-        let place = self.names.iter().position(|own| own == name)?;
-        self.element.get(place)
+        let index = self.names.iter().position(|known| known == name)?;
+        self.element.get(index)
     }
 
     fn meaning(&self, name: &Ident) -> Option<TypedFormula> {
         if let Some(value) = self.value(name) {
             return value.clone().grouped().ok();
         }
-        let mut own = self.own.get(&name.to_string())?.clone();
-        own.set_span(name.span());
-        TypedFormula::new(FormulaKind::Name(own), Extent::at(name.span())).ok()
+        let mut renamed = self.local_names.get(&name.to_string())?.clone();
+        renamed.set_span(name.span());
+        TypedFormula::new(FormulaKind::Name(renamed), Extent::at(name.span())).ok()
     }
 
     /// What stands for the name of an output or a body.
@@ -455,7 +455,8 @@ impl Copy<'_> {
             None => Err(syn::Error::new(
                 name.span(),
                 format!(
-                    "each copy needs {what} of its own: let the `for` give its name, as in `for {name} in [{name}1, {name}2]`"
+                    "each copy needs {what} of its own: let the `for` give its name, as in `for {name} in [{name}1, \
+                     {name}2]`"
                 ),
             )),
         }

@@ -7,7 +7,7 @@ use crate::syntax::{FormulaKind, Statement, TypedFormula};
 use crate::work;
 
 impl TypedFormula {
-    /// The formula with others in the place of those directly in it.
+    /// The formula with others instead of those directly in it.
     pub(super) fn with_parts(&self, of: &mut dyn FnMut(&Self) -> Result<Self>) -> Result<Self> {
         let mut kind = self.kind.clone();
         match &mut kind {
@@ -31,9 +31,9 @@ impl TypedFormula {
         Self::new(kind, self.extent)
     }
 
-    /// The formula with others in the place of names.
+    /// The formula with others instead of names.
     pub(super) fn with_names(&self, meaning: &dyn Fn(&Ident) -> Option<Self>) -> Result<Self> {
-        work::turn();
+        work::iteration();
         match &self.kind {
             FormulaKind::Name(name) => Ok(meaning(name).unwrap_or_else(|| self.clone())),
             _ => self.with_parts(&mut |part| part.with_names(meaning)),
@@ -57,7 +57,7 @@ impl Statement {
     pub(super) fn formulas(&mut self) -> Vec<&mut TypedFormula> {
         match self {
             Self::Let(statement) => vec![&mut statement.value],
-            Self::Frame(statement) => vec![&mut statement.origin, &mut statement.turn],
+            Self::Frame(statement) => vec![&mut statement.origin, &mut statement.rotation],
             Self::Equation(statement) => vec![&mut statement.left, &mut statement.right],
             Self::Output(statement) => vec![&mut statement.value],
             Self::Body(statement) => statement.points.iter_mut().collect(),

@@ -3,7 +3,7 @@
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::quote;
 
-/// The path to the items that generated code calls, and the declaration after it. `mechanism!` passes its own crate by
+/// The path to the items that generated code calls, and the declaration after it. `mechanism!` passes its crate by
 /// the name under which the user knows it.
 pub(crate) fn runtime(tokens: TokenStream) -> (TokenStream, TokenStream) {
     let mut tokens = tokens.into_iter().peekable();
@@ -20,7 +20,7 @@ pub(crate) fn runtime(tokens: TokenStream) -> (TokenStream, TokenStream) {
     (runtime, tokens.collect())
 }
 
-/// Whether tokens may be a path: names, colons, and the `$` of a crate's own name.
+/// Whether tokens may be a path: names, colons, and the `$` of the name of a crate.
 fn names_an_item(tokens: TokenStream) -> bool {
     !tokens.is_empty()
         && tokens.into_iter().all(|token| match token {

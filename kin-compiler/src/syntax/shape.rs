@@ -16,9 +16,9 @@ pub(crate) fn shape(formula: &TypedFormula, known: &dyn Fn(&str) -> Option<Value
             let others = rest.iter().map(|operand| shape(&operand.formula, known));
             others.fold(shape(first, known), |left, right| match (left, right) {
                 (ValueShape::Scalar, other) => other,
-                // a rotation turns the vector behind it
+                // a rotation rotates the vector behind it
                 (ValueShape::Rotation, ValueShape::Space) => ValueShape::Space,
-                (own, _) => own,
+                (shape, _) => shape,
             })
         }
         FormulaKind::Call { callee, arguments, .. } => match callee {

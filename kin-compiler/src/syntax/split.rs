@@ -43,12 +43,16 @@ pub(crate) fn statements(body: TokenStream, mistakes: &mut Mistakes) -> Vec<Chun
             finish(&mut current, true);
             continue;
         }
-        let own = trailing_attributes(&current);
+        let attribute_count = trailing_attributes(&current);
         // after a `let` the word is a name
         let begins = begins_statement(&tokens[index..])
-            || gives_order(&tokens[index..]) && ends_formula(&current) && !is_word(&current[..own], "let");
-        if own > 0 && begins && !is_word(&current[..own], "pub") && !is_word(&current[..own], request::WORD) {
-            let after_item = is_item(&current[..own]);
+            || gives_order(&tokens[index..]) && ends_formula(&current) && !is_word(&current[..attribute_count], "let");
+        if attribute_count > 0
+            && begins
+            && !is_word(&current[..attribute_count], "pub")
+            && !is_word(&current[..attribute_count], request::WORD)
+        {
+            let after_item = is_item(&current[..attribute_count]);
 
             if !after_item {
                 mistakes.error_at(
@@ -56,7 +60,7 @@ pub(crate) fn statements(body: TokenStream, mistakes: &mut Mistakes) -> Vec<Chun
                     format!("a `;` is missing: write `;` before this `{token}`"),
                 );
             }
-            let attributes = current.split_off(own);
+            let attributes = current.split_off(attribute_count);
             finish(&mut current, true);
             current = attributes;
         }

@@ -85,7 +85,7 @@ fn documentation(input: ParseStream<'_>) -> Result<Vec<Attribute>> {
     }
 }
 
-/// The word that tells the kind of a statement, `None` for an equation.
+/// The word that names the kind of a statement, `None` for an equation.
 fn leading_word(input: ParseStream<'_>) -> Result<Option<String>> {
     let ahead = input.fork();
     if !ahead.peek(Ident::peek_any) {
@@ -398,8 +398,8 @@ fn abbreviation(input: ParseStream<'_>, start: Span) -> Result<Statement> {
             format!("the dimension of a `let` follows from its expression: write `let {name} = …`"),
         ));
     }
-    if let Some((origin, turn)) = frames::parse(input)? {
-        return Ok(Statement::Frame(FrameStatement { name, origin, turn }));
+    if let Some((origin, rotation)) = frames::parse(input)? {
+        return Ok(Statement::Frame(FrameStatement { name, origin, rotation }));
     }
     let value = definition(input, &name, &format!("let {name} = …"))?;
     Ok(Statement::Let(LetStatement { name, value }))

@@ -38,7 +38,8 @@ pub(crate) fn inverted_slider_crank() -> TokenStream {
 pub(crate) fn triad() -> TokenStream {
     quote! {
         pub struct Triad {
-            crank: Length, a: Length, b: Length, c: Length, p: Length, q: Length, delta: Angle, pivot_b: Point, pivot_c: Point
+            crank: Length, a: Length, b: Length, c: Length, p: Length, q: Length, delta: Angle,
+            pivot_b: Point, pivot_c: Point
         }
         input theta: Angle;
         unknown alpha: Angle, beta: Angle, gamma: Angle, phi: Angle;

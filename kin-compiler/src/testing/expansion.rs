@@ -1,5 +1,5 @@
-//! Snapshots of two expansions: a closed form, and a block that is torn. They show every change of the generated code as
-//! its readers see it. What other declarations compute is tested where they are compiled.
+//! Snapshots of two expansions: a closed form, and a block that is torn. They show every change of the generated code
+//! as its readers see it. What other declarations compute is tested where they are compiled.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -71,7 +71,8 @@ fn geometric_four_bar() -> TokenStream {
     quote! {
         pub struct GeometricFourBar { pub r1: Length, pub r2: Length, pub r3: Length, pub r4: Length }
         input theta2: Angle;
-        unknown e: Length where e > 0, alpha: Angle, gamma: Angle in 0.0..=PI, beta: Angle, theta4: Angle, theta3: Angle;
+        unknown e: Length where e > 0, alpha: Angle, gamma: Angle in 0.0..=PI, beta: Angle, theta4: Angle,
+            theta3: Angle;
         e.powi(2) == r1.powi(2) + r2.powi(2) - 2 * r1 * r2 * cos(theta2);
         sin(alpha) == r2 * sin(theta2) / e;
         cos(gamma) == (r3.powi(2) + r4.powi(2) - e.powi(2)) / (2 * r3 * r4);

@@ -53,7 +53,7 @@ pub(crate) fn arm(joints: usize, request: &str) -> Member {
     )
 }
 
-/// A point turned again and again by one angle.
+/// A point rotated again and again by one angle.
 pub(crate) fn rotations(count: usize) -> Member {
     let product = repeated(count, " * ", |index| {
         ["rot(vec3(1, 2, 3), q)", "rot_x(q)", "rot_y(q)"][index % 3]
@@ -89,8 +89,8 @@ pub(crate) fn cross_products(count: usize) -> Member {
     Member::new(
         format_args!("{count} cross products in a chain"),
         format!(
-            "struct Family {{ a: Scalar }} input {inputs}, y: Scalar; unknown x: Scalar; let v0 = vec3(a, 1, y); {lets} \
-             x == norm(v{count});"
+            "struct Family {{ a: Scalar }} input {inputs}, y: Scalar; unknown x: Scalar; let v0 = vec3(a, 1, y); \
+             {lets} x == norm(v{count});"
         ),
     )
 }
@@ -197,7 +197,8 @@ pub(crate) fn four_bars(count: usize) -> Member {
     Member::new(
         format_args!("{count} four-bars to order 12 with sensitivities"),
         format!(
-            "struct Family {{ {fields} }} input t: Angle; unknown {unknowns}; order = 12; {equations} with sensitivities;"
+            "struct Family {{ {fields} }} input t: Angle; unknown {unknowns}; order = 12; {equations} \
+             with sensitivities;"
         ),
     )
 }

@@ -172,16 +172,17 @@ impl Expanded {
         }
     }
 
-    /// The look-ups and the turns of other loops for each token read and each operation written.
+    /// The look-ups and the iterations of other loops for each token read and each operation written.
     fn rates(&self) -> [usize; 2] {
-        [self.work.look_ups, self.work.turns].map(|work| work / (self.read + self.operations))
+        [self.work.look_ups, self.work.iterations].map(|work| work / (self.read + self.operations))
     }
 
     fn line(&self, name: &str) -> String {
-        let [look_ups, turns] = self.rates();
+        let [look_ups, iterations] = self.rates();
         let Self { read, operations, .. } = self;
         format!(
-            "{name:44} {read:6} tokens, {operations:6} operations, for each {look_ups:3} look-ups and {turns:3} turns"
+            "{name:44} {read:6} tokens, {operations:6} operations, for each {look_ups:3} look-ups and {iterations:3} \
+             iterations"
         )
     }
 }
@@ -227,18 +228,21 @@ fn work_of_long_declarations_follows_too() {
 fn check_work(members: Vec<Member>) {
     for (name, expanded) in expanded(members) {
         println!("{}", expanded.line(&name));
-        let [look_ups, turns] = expanded.rates();
+        let [look_ups, iterations] = expanded.rates();
         assert!(
             look_ups < 100,
             "{name}: {look_ups} look-ups for each token and operation"
         );
-        assert!(turns < 200, "{name}: {turns} turns for each token and operation");
+        assert!(
+            iterations < 200,
+            "{name}: {iterations} iterations for each token and operation"
+        );
     }
 }
 
 /// A declaration that takes too many expressions is reported at the order at which it does.
 #[test]
-fn a_declaration_that_is_too_large_is_told() {
+fn a_declaration_that_is_too_large_is_reported() {
     let solvable = sound(families::arm(7, "with sensitivities;").tokens());
     let mut task = solvable.task(Passes::ALL);
     let orders: Vec<Option<usize>> = [1_000, 3_000, 1_000_000]

@@ -18,8 +18,8 @@ fn mistakes(declaration: TokenStream) -> Vec<String> {
 
 /// Constants that do not fit an `f64`, as typed, after folding, or as a consequence of the solution.
 #[test]
-fn constants_fit_or_are_told_once() {
-    for (equation, told) in [
+fn constants_fit_or_are_reported_once() {
+    for (equation, expected) in [
         (quote!(x * 1e-320 == a * t), "this number is too small"),
         (quote!(x == a * t / 1e-320), "this number is too small"),
         (quote!(x == a * t / 1e-400), "this number is too small"),
@@ -65,7 +65,7 @@ fn constants_fit_or_are_told_once() {
             #equation;
         });
         assert_eq!(messages.len(), 1, "{equation}: {messages:?}");
-        assert!(messages[0].contains(told), "{equation}: {messages:?}");
+        assert!(messages[0].contains(expected), "{equation}: {messages:?}");
     }
 }
 
@@ -188,7 +188,7 @@ fn parentheses(count: usize) -> TokenStream {
     }
 }
 
-/// Each part of a sum contains the whole previous sum in two places.
+/// Each part of a sum contains the whole previous sum twice.
 fn doublings(count: usize) -> TokenStream {
     let names: Vec<_> = (0..count).map(|index| format_ident!("y{index}")).collect();
     let before: Vec<_> = [format_ident!("first")].into_iter().chain(names.clone()).collect();
@@ -204,7 +204,7 @@ fn doublings(count: usize) -> TokenStream {
     }
 }
 
-fn told(family: Family, size: usize, order: usize) -> Vec<String> {
+fn messages_of(family: Family, size: usize, order: usize) -> Vec<String> {
     let (declaration, order) = (family(size), Literal::usize_unsuffixed(order));
     mistakes(quote!(#declaration order = #order;))
 }
@@ -226,7 +226,7 @@ fn what_is_long_or_as_deep_as_it_may_be_is_expanded() {
         (doublings, 30),
     ];
     for (family, size) in families {
-        assert_eq!(told(family, size, 1), Vec::<String>::new());
+        assert_eq!(messages_of(family, size, 1), Vec::<String>::new());
     }
 }
 
@@ -243,12 +243,12 @@ fn what_is_as_long_as_the_compiler_takes_it_is_expanded() {
         (blocks, 5000, 4),
     ];
     for (family, size, order) in families {
-        assert_eq!(told(family, size, order), Vec::<String>::new());
+        assert_eq!(messages_of(family, size, order), Vec::<String>::new());
     }
 }
 
 #[test]
-fn what_is_too_deep_or_too_long_is_told_once() {
+fn what_is_too_deep_or_too_long_is_reported_once() {
     let deep = "this is nested more than 256 deep";
     let families: [(Family, usize, &str); 10] = [
         (sines, 256, deep),
@@ -263,7 +263,7 @@ fn what_is_too_deep_or_too_long_is_told_once() {
         (abbreviations, 10_001, "a chain of more than 10000 operations"),
     ];
     for (family, size, message) in families {
-        let messages = told(family, size, 4);
+        let messages = messages_of(family, size, 4);
         assert_eq!(messages.len(), 1, "{message}: {messages:?}");
         assert!(messages[0].contains(message), "{messages:?}");
     }
@@ -295,15 +295,15 @@ fn no_structure_of_many_fields_derives_its_comparison() {
     assert_eq!(large, 2);
 }
 
-/// An unknown that cancels is told as such, whatever follows from it: no constants, and no counts of equations.
+/// An unknown that cancels is reported as such, whatever follows from it: no constants, and no counts of equations.
 #[test]
-fn unknowns_that_cancel_are_told_once() {
+fn unknowns_that_cancel_are_reported_once() {
     let vectors = quote!(struct A { a: Vector3, l: Length } input t: Angle; unknown u: Angle;);
     let numbers = quote!(struct A { a: Scalar } input t: Scalar; unknown u: Scalar;);
     let two = quote!(struct A { a: Length } input t: Scalar; unknown u: Angle, y: Length;);
     let unity = quote!((sin(u) * sin(u) + cos(u) * cos(u)));
     for declaration in [
-        // a vector that is turned about itself
+        // a vector that is rotated about itself
         quote!(#vectors norm(rot(a, u) * a - rot_z(t) * vec3(l, 0, 0)) == l;),
         quote!(#vectors dot(rot(a, u) * a, rot_z(t) * vec3(l, 0, 0)) == l * l;),
         quote!(#numbers a * #unity == a * t;),

@@ -29,8 +29,8 @@ impl Names {
 
     fn chain(&self, first: &TypedFormula, rest: &[Operand]) -> Tree {
         let mut chain = Chain::of(self.formula(first));
-        for (place, operand) in rest.iter().enumerate() {
-            if place > 0 && place % LONGEST == 0 {
+        for (index, operand) in rest.iter().enumerate() {
+            if index > 0 && index % LONGEST == 0 {
                 chain.steps.push(Step::Named);
             }
             let right = self.formula(&operand.formula);
@@ -171,7 +171,7 @@ impl Chain {
             (shape, Scalar) => self.step(shape, Step::ScaledBy(right)),
             (Scalar, shape) => self.step(shape, Step::Scaling(right)),
             (Rotation, Rotation) => self.step(Rotation, Step::RotationTimes(right)),
-            (Rotation, shape) => self.step(shape, Step::Turning(right)),
+            (Rotation, shape) => self.step(shape, Step::Rotating(right)),
             (_, _) => self.step(Plane, Step::ComplexTimes(right)),
         }
     }

@@ -20,11 +20,11 @@ use tree::Sheets;
 /// All translated methods of a declaration.
 pub(crate) fn sheets(declaration: &Declaration, model: &Model) -> Sheets {
     let names = Names::new(declaration, model);
-    let (outline, places) = skeleton::outline(declaration, model, &names);
+    let (outline, skeleton_points) = skeleton::outline(declaration, model, &names);
     Sheets {
         closure: closure::sheet(declaration, &names),
         outputs: outputs::sheet(declaration, &names),
-        places,
+        skeleton_points,
         outline,
     }
 }

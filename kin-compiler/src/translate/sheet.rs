@@ -1,4 +1,4 @@
-//! Methods from their own local values and results.
+//! Methods from their local values and results.
 
 use std::collections::BTreeSet;
 
@@ -8,8 +8,11 @@ use crate::model::ValueShape;
 
 impl Names {
     /// A method, with the abbreviations that it uses in front.
-    pub(super) fn sheet(&self, own: Vec<Binding>, results: Vec<Tree>) -> Sheet {
-        let mut sheet = Sheet { bindings: own, results };
+    pub(super) fn sheet(&self, locals: Vec<Binding>, results: Vec<Tree>) -> Sheet {
+        let mut sheet = Sheet {
+            bindings: locals,
+            results,
+        };
         let mut used = BTreeSet::new();
         sheet.visit(&mut |tree| used.extend(abbreviation(tree)));
         // an abbreviation comes after those that it uses
@@ -30,17 +33,17 @@ impl Names {
 
     /// A method whose results are values as scalars. A vector is a local value first.
     pub(super) fn sheet_of_parts(&self, values: impl Iterator<Item = Tree>, local: fn(usize) -> Local) -> Sheet {
-        let (mut own, mut results) = (Vec::new(), Vec::new());
+        let (mut locals, mut results) = (Vec::new(), Vec::new());
         for (number, value) in values.enumerate() {
             if value.shape == ValueShape::Scalar {
                 results.push(value);
             } else {
                 let local = local(number);
                 results.extend(Tree::local(value.shape, local).parts());
-                own.push(Binding { local, value });
+                locals.push(Binding { local, value });
             }
         }
-        self.sheet(own, results)
+        self.sheet(locals, results)
     }
 }
 

@@ -13,13 +13,13 @@ pub struct Sheets {
     pub closure: Sheet,
     /// `outputs_at`: the outputs, vectors part by part.
     pub outputs: Sheet,
-    /// `places`: the joints of the outline as vectors, then the directions of its slides.
-    pub places: Sheet,
+    /// `skeleton_points`: the joints of the outline as vectors, then the directions of its slides.
+    pub skeleton_points: Sheet,
     /// The parts of the picture.
     pub outline: Outline,
 }
 
-/// The picture of a mechanism: what `kin_core::Outline` says, with names of its own. Joints are numbered as the places
+/// The picture of a mechanism: what `kin_core::Outline` says, with further names. Joints are numbered as the points
 /// are.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Outline {
@@ -158,8 +158,8 @@ pub enum Step {
     ComplexTimes(Tree),
     /// `Rotation::times(value, operand)`.
     RotationTimes(Tree),
-    /// `Rotation::turn(value, operand)`: the operand is a vector.
-    Turning(Tree),
+    /// `Rotation::rotate(value, operand)`: the operand is a vector.
+    Rotating(Tree),
 }
 
 /// A function.
@@ -217,7 +217,7 @@ impl Step {
             | Self::LengthAt(operand)
             | Self::ComplexTimes(operand)
             | Self::RotationTimes(operand)
-            | Self::Turning(operand) => Some(operand),
+            | Self::Rotating(operand) => Some(operand),
         }
     }
 }

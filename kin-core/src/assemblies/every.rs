@@ -13,16 +13,17 @@ use crate::number::{Number, Row};
 
 /// The distance within which positions are the same, in radians or relative to their lengths. Regular positions lie
 /// further apart.
-const SAME: f64 = 1e-7;
+const SAME_POSITION: f64 = 1e-7;
 
 /// The number of choices on one path. A mechanism with more blocks has too many assemblies to try all.
 const DEPTH: usize = 64;
 
 /// All positions of a mechanism at given inputs, which identify its assemblies. It dereferences to a slice.
 ///
-/// Each is a regular position, found by Newton's method to the last digit. If [`is_complete`](Self::is_complete), there is
-/// no other regular position. In exact arithmetic this holds with probability one. Paths are followed in double precision: a
-/// jump between paths to regular positions is noticed, a jump to a path that ends at a singular position or at infinity is not.
+/// Each is a regular position, found by Newton's method to the last digit. If [`is_complete`](Self::is_complete), there
+/// is no other regular position. In exact arithmetic this holds with probability one. Paths are followed in double
+/// precision: a jump between paths to regular positions is noticed, a jump to a path that ends at a singular position
+/// or at infinity is not.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Assemblies<const N: usize, const CAPACITY: usize> {
     positions: Positions<Near<N>, CAPACITY>,
@@ -90,9 +91,9 @@ impl<'m> Choices<'m> {
 
     /// The index of the chosen one of `count` options.
     fn one_of(&mut self, count: usize) -> usize {
-        let place = self.depth;
+        let level = self.depth;
         self.depth += 1;
-        self.way.get_mut(place).map_or(0, |choice| {
+        self.way.get_mut(level).map_or(0, |choice| {
             choice.1 = count;
             choice.0
         })
@@ -100,17 +101,17 @@ impl<'m> Choices<'m> {
 
     /// Moves on to the next path; returns false if there is none.
     fn advance(&mut self) -> bool {
-        let mut place = self.depth.min(DEPTH);
+        let mut level = self.depth.min(DEPTH);
         (self.depth, self.taken) = (0, 0);
-        while place > 0 {
-            place -= 1;
-            let (which, count) = self.way[place];
+        while level > 0 {
+            level -= 1;
+            let (which, count) = self.way[level];
             if which + 1 < count {
-                self.way[place].0 = which + 1;
-                self.kept = place + 1;
+                self.way[level].0 = which + 1;
+                self.kept = level + 1;
                 return true;
             }
-            self.way[place] = (0, 1);
+            self.way[level] = (0, 1);
         }
         false
     }
@@ -155,10 +156,10 @@ impl<'m> Choices<'m> {
         let count = if self.depth < self.kept {
             self.way[self.depth].1
         } else {
-            let (mut count, mut places) = (0, room.chunks_exact_mut(variables.max(1)));
+            let (mut count, mut rows) = (0, room.chunks_exact_mut(variables.max(1)));
             self.lost += all(&mut |solution| {
-                if let Some(place) = places.next() {
-                    place.copy_from_slice(solution);
+                if let Some(row) = rows.next() {
+                    row.copy_from_slice(solution);
                     count += 1;
                 }
             });
@@ -229,7 +230,7 @@ pub fn every_in(
     }
 }
 
-/// Passes on the positions that were found in double precision, each refined in the mechanism's own numbers.
+/// Passes on the positions that were found in double precision, each refined in the mechanism's numbers.
 /// One that cannot be refined counts as singular.
 pub fn positions_near<M, const N: usize, const CAPACITY: usize>(
     mechanism: &M,
@@ -255,13 +256,13 @@ where
     search
 }
 
-/// Whether two positions are the same up to whole turns.
+/// Whether two positions are the same up to whole revolutions.
 #[doc(hidden)]
 #[must_use]
 pub fn is_same_position(a: &[f64], b: &[f64]) -> bool {
     a.iter().zip(b).all(|(a, b)| {
         let difference = a - b;
-        let turned = difference - TAU * Float::round(difference / TAU);
-        Float::min(difference.abs(), turned.abs()) <= SAME * (1.0 + a.abs())
+        let wrapped = difference - TAU * Float::round(difference / TAU);
+        Float::min(difference.abs(), wrapped.abs()) <= SAME_POSITION * (1.0 + a.abs())
     })
 }

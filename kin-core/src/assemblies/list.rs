@@ -40,8 +40,8 @@ impl<P: Copy, const CAPACITY: usize> Positions<P, CAPACITY> {
     /// Adds a position at the end, and returns whether there was room.
     pub fn push(&mut self, position: P) -> bool {
         let values = self.values.get_or_insert([position; CAPACITY]);
-        if let Some(place) = values.get_mut(self.length) {
-            *place = position;
+        if let Some(slot) = values.get_mut(self.length) {
+            *slot = position;
             self.length += 1;
             true
         } else {

@@ -7,7 +7,8 @@
     label = "expected `{A}`",
     note = "`{A}` has a field for each block that can be assembled in two ways, named after the unknowns of the block: \
             write `{A} {{ first: Assembly::Open, second: Assembly::Crossed }}` with the names of the fields",
-    note = "`{A}::all(Assembly::Open)` chooses the same for every block, and `ASSEMBLIES` of the mechanism lists all choices"
+    note = "`{A}::all(Assembly::Open)` chooses the same for every block, and `ASSEMBLIES` of the mechanism lists all \
+            choices"
 )]
 pub trait IntoAssembly<A> {
     /// The assembly.

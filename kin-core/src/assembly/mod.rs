@@ -24,7 +24,7 @@ use core::fmt;
 ///
 /// | closure | `Open` |
 /// |---|---|
-/// | two links of known length | the second turns clockwise from the first: v₁ × v₂ < 0 |
+/// | two links of known length | the second is clockwise from the first: v₁ × v₂ < 0 |
 /// | link and slider | the larger of the two travels |
 /// | length in an unknown direction | the length is positive |
 /// | a cos x + b sin x = c | x is the larger of the two angles around atan2(b, a) |
@@ -75,7 +75,7 @@ impl Assembly {
 
 /// The results of a function for both assemblies, the open one first.
 ///
-/// The function is called in one place only, so that the compiler can inline it.
+/// The function is called at one site only, so that the compiler can inline it.
 ///
 /// # Errors
 /// The error of the function.

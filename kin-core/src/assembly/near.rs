@@ -13,12 +13,12 @@ use crate::number::Number;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Near<const N: usize>(
-    /// The unknowns in the order in which they were declared: radians, or the mechanism's own unit of length.
+    /// The unknowns in the order in which they were declared: radians, or the mechanism's unit of length.
     pub [f64; N],
 );
 
-/// The values of `N` unknowns of the mechanism `M` near the wanted position, for `position_near`, `solve_near` and all solvers of mechanisms
-/// with coupled blocks.
+/// The values of `N` unknowns of the mechanism `M` near the wanted position, for `position_near`, `solve_near` and all
+/// solvers of mechanisms with coupled blocks.
 ///
 /// | given | means |
 /// |---|---|
@@ -44,8 +44,9 @@ pub struct Near<const N: usize>(
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not give values near the position for all unknowns, {N} in number",
     label = "give {N} in the order of the unknowns, as in `[..]` or `Near([..])`, or a pose of this mechanism",
-    note = "coupled equations have no closed form: a mechanism with such a block takes values near the position in the place of an \
-            `Assembly`. Its `assemblies_at` finds all positions at given inputs, and `track` follows one of them from pose to pose"
+    note = "coupled equations have no closed form: a mechanism with such a block takes values near the position \
+            instead of an `Assembly`. Its `assemblies_at` finds all positions at given inputs, and `track` follows one \
+            of them from pose to pose"
 )]
 pub trait Guess<T, const N: usize, M> {
     /// The values.

@@ -4,7 +4,7 @@ use std::string::ToString;
 use std::vec;
 use std::vec::Vec;
 
-use super::{Batch, Column, LengthMismatch, MotionColumns, Outcome, Place, Target, Vectors, Visitor};
+use super::{Batch, Column, LengthMismatch, MotionColumns, Outcome, Slot, Target, Vectors, Visitor};
 use crate::assembly::Assembly;
 use crate::geometry::Space;
 use crate::library::{FourBar, FourBarBatch};
@@ -25,7 +25,7 @@ fn parameters<'a>() -> Parameters<'a> {
     [LINKAGE.r1, LINKAGE.r2, LINKAGE.r3, LINKAGE.r4].map(Column::Same)
 }
 
-fn turning(angles: &[f64]) -> [Motion<Column<'_>, 5>; 1] {
+fn crank_columns(angles: &[f64]) -> [Motion<Column<'_>, 5>; 1] {
     [Motion::from([
         Column::Each(angles),
         2.0.into(),
@@ -75,7 +75,7 @@ fn values_near_by_tell_the_assembly() {
             let (mut poses, mut outcomes) = targets(50);
             let summary = Batch::<FourBar, _>::near(
                 parameters(),
-                turning(&angles),
+                crank_columns(&angles),
                 [Column::Each(&near[0]), Column::Each(&near[1])],
             )
             .vectors(vectors)
@@ -104,7 +104,7 @@ fn values_near_by_tell_the_assembly() {
 fn all_cores_find_the_first_failure() {
     let angles: Vec<f64> = (0..2000).map(|index| 0.001 * f64::from(index)).collect();
     let (mut poses, mut outcomes) = targets(2000);
-    let [crank] = turning(&angles);
+    let [crank] = crank_columns(&angles);
     let FourBar { r1, r2, r3, r4 } = LINKAGE;
     let linkage = FourBar {
         r1: Column::Same(r1),
@@ -197,7 +197,7 @@ fn columns_of_other_lengths_are_named() {
     let solved = |parameters: Parameters<'_>, crank: &[f64], near: [Column<'_>; 2], rocker: usize| {
         let (mut poses, mut outcomes) = targets(5);
         poses.theta4[3] = vec![0.0; rocker];
-        let result = Batch::<FourBar, _>::near(parameters, turning(crank), near).solve(&mut poses, &mut outcomes);
+        let result = Batch::<FourBar, _>::near(parameters, crank_columns(crank), near).solve(&mut poses, &mut outcomes);
         assert_eq!(outcomes.iter().all(Outcome::is_solved), result.is_ok());
         assert_eq!(
             outcomes.iter().all(|outcome| *outcome == Outcome::Unsolved),
@@ -236,7 +236,7 @@ fn what_is_not_wanted_is_left_out() {
     poses.theta4[2] = Some(wanted.as_mut_slice());
     let mut outcomes = [Outcome::Unsolved; 5];
     let vectors = Vectors::Compiled;
-    let crank = turning(&angles);
+    let crank = crank_columns(&angles);
     Batch::<FourBar, _>::new(parameters(), crank, Assembly::Open)
         .vectors(vectors)
         .solve(&mut poses, &mut outcomes)
@@ -277,12 +277,12 @@ fn targets_are_what_they_hold() {
     assert_eq!(read(None::<Vec<f64>>.slice()), None);
 }
 
-/// The visited places, and their contents.
-struct Seen(Vec<(Place, f64)>);
+/// The visited slots, and their contents.
+struct Seen(Vec<(Slot, f64)>);
 
 impl<'a> Visitor<'a, f64> for Seen {
-    fn visit(&mut self, place: Place, there: &'a mut f64) {
-        self.0.push((place, *there));
+    fn visit(&mut self, slot: Slot, there: &'a mut f64) {
+        self.0.push((slot, *there));
     }
 }
 
@@ -296,11 +296,11 @@ fn coordinates_have_places_of_their_own() {
     };
     let mut motion: Motion<Space<f64>, 2> = MotionColumns::filled(&mut next);
     let mut seen = Seen(Vec::new());
-    motion.each(4, Place::Output, &mut seen);
+    motion.each(4, Slot::Output, &mut seen);
     let mut expected = Vec::new();
     for order in 0..2 {
         let Space { x, y, z } = motion[order];
-        expected.extend([(4, x), (5, y), (6, z)].map(|(index, value)| (Place::Output(index, order), value)));
+        expected.extend([(4, x), (5, y), (6, z)].map(|(index, value)| (Slot::Output(index, order), value)));
     }
     assert_eq!(seen.0, expected);
 }

@@ -16,8 +16,8 @@ pub(super) struct Chunk<const W: usize, const FUSED: bool, E> {
     pub(super) next: usize,
     /// The sum of all numbers of each pose, which is not finite where the pose has failed.
     pub(super) sum: Lanes<W, FUSED, E>,
-    /// The sum of the squares of parameters and inputs. The margin of a pose counts only if none of them can be the cause
-    /// of its failure.
+    /// The sum of the squares of parameters and inputs. The margin of a pose counts only if none of them can be the
+    /// cause of its failure.
     pub(super) squares: Lanes<W, FUSED, E>,
 }
 
@@ -77,8 +77,8 @@ impl<const W: usize, const FUSED: bool, E: Element> Conclusion<W, FUSED, E> {
 }
 
 impl<const W: usize, const FUSED: bool, E: Element> Chunk<W, FUSED, E> {
-    /// Writes the outcomes by the margins, and returns which poses have failed by them. A failed pose without a margin is
-    /// solved alone, and so is the first failed pose of the batch, whose whole error is kept.
+    /// Writes the outcomes by the margins, and returns which poses have failed by them. A failed pose without a margin
+    /// is solved alone, and so is the first failed pose of the batch, whose whole error is kept.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn conclude(
         self,
@@ -93,11 +93,11 @@ impl<const W: usize, const FUSED: bool, E: Element> Chunk<W, FUSED, E> {
             squares,
         } = self;
         let margins = verdicts::read().within(squares);
-        let mut is_told = start == next && summary.first_failure.is_some();
+        let mut is_conclusive = start == next && summary.first_failure.is_some();
         for lane in 0..W {
-            is_told &= Float::is_finite(sum.0[lane]) | (margins.0[lane] < E::zero());
+            is_conclusive &= Float::is_finite(sum.0[lane]) | (margins.0[lane] < E::zero());
         }
-        if !is_told {
+        if !is_conclusive {
             settle_all([start, next], &sum.0, &margins.0, outcomes, summary, alone);
             return Lanes::constant(0.0);
         }
@@ -130,13 +130,13 @@ fn settle_all<E: Element>(
             continue;
         }
         let margin = margin.real();
-        let is_told = margin < 0.0 && summary.first_failure.is_some();
+        let is_conclusive = margin < 0.0 && summary.first_failure.is_some();
         if index < next {
             // Its outcome is known, but its numbers have been overwritten.
             if outcomes[index].is_solved() {
                 let _ = alone(index);
             }
-        } else if is_told {
+        } else if is_conclusive {
             summary.fail(1);
             outcomes[index] = Outcome::OutOfReach { margin };
         } else {

@@ -1,33 +1,33 @@
-//! The places where a batch stores its numbers, looked up once.
+//! The columns into which a batch stores its numbers, looked up once.
 
 use core::cell::Cell;
 use core::ops::Sub;
 
 use super::outcome::LengthMismatch;
-use super::target::{Columns, Place, Target, Visitor};
+use super::target::{Columns, Slot, Target, Visitor};
 use crate::batch::lanes::{Element, Lanes, for_each_lane};
 use crate::mechanism::{Mechanism, Pose};
 use crate::number::Row;
 use num_traits::Float;
 
-/// The place for one number of each pose, empty if the number is not wanted. It consists of cells because rows are
+/// The column of one number of each pose, empty if the number is not wanted. It consists of cells because rows are
 /// copied.
 pub(super) type Entries<'t, E> = &'t [Cell<E>];
 
-type InputPlaces<M, V> = <M as Mechanism>::Inputs<<M as Mechanism>::Motion<V>>;
-type UnknownPlaces<M, V> = <M as Mechanism>::Unknowns<<M as Mechanism>::Motion<V>>;
-type OutputPlaces<M, V> = <<M as Mechanism>::Pose as Pose>::Outputs<<M as Mechanism>::Motion<V>>;
+type InputColumns<M, V> = <M as Mechanism>::Inputs<<M as Mechanism>::Motion<V>>;
+type UnknownColumns<M, V> = <M as Mechanism>::Unknowns<<M as Mechanism>::Motion<V>>;
+type OutputColumns<M, V> = <<M as Mechanism>::Pose as Pose>::Outputs<<M as Mechanism>::Motion<V>>;
 
-/// The place for one number of each pose of a mechanism.
+/// The column of one number of each pose of a mechanism.
 type EntriesOf<'t, M> = Entries<'t, <M as Mechanism>::Scalar>;
 
-/// The places of all numbers.
+/// The columns of all numbers.
 pub(super) struct Destination<'t, M: Mechanism> {
-    inputs: InputPlaces<M, EntriesOf<'t, M>>,
-    unknowns: UnknownPlaces<M, EntriesOf<'t, M>>,
-    /// The places of the sines of unknowns that are directions.
+    inputs: InputColumns<M, EntriesOf<'t, M>>,
+    unknowns: UnknownColumns<M, EntriesOf<'t, M>>,
+    /// The columns of the sines of unknowns that are directions.
     sines: M::Unknowns<EntriesOf<'t, M>>,
-    outputs: OutputPlaces<M, EntriesOf<'t, M>>,
+    outputs: OutputColumns<M, EntriesOf<'t, M>>,
 }
 
 impl<'t, M: Mechanism<Scalar: Element>> Destination<'t, M> {
@@ -43,20 +43,20 @@ impl<'t, M: Mechanism<Scalar: Element>> Destination<'t, M> {
         }
     }
 
-    /// The entries of a place, which are empty if its number is not wanted.
-    pub(super) fn entries(&mut self, place: Place) -> &mut EntriesOf<'t, M> {
-        match place {
-            Place::Input(index, order) => &mut self.inputs[index][order],
-            Place::Unknown(index, order) => &mut self.unknowns[index][order],
-            Place::Sine(index) => &mut self.sines[index],
-            Place::Output(index, order) => &mut self.outputs[index][order],
+    /// The entries of a slot, which are empty if its number is not wanted.
+    pub(super) fn entries(&mut self, slot: Slot) -> &mut EntriesOf<'t, M> {
+        match slot {
+            Slot::Input(index, order) => &mut self.inputs[index][order],
+            Slot::Unknown(index, order) => &mut self.unknowns[index][order],
+            Slot::Sine(index) => &mut self.sines[index],
+            Slot::Output(index, order) => &mut self.outputs[index][order],
         }
     }
 
-    /// Looks up the places of all wanted numbers.
+    /// Looks up the columns of all wanted numbers.
     ///
     /// # Errors
-    /// Fails if the length of a place differs from the number of poses.
+    /// Fails if the length of a column differs from the number of poses.
     pub(super) fn find<P: Columns<C>, C: Target<M::Scalar> + 't>(
         &mut self,
         poses: &'t mut P,
@@ -68,12 +68,12 @@ impl<'t, M: Mechanism<Scalar: Element>> Destination<'t, M> {
             mismatch: None,
         };
         poses.each(&mut search);
-        search.mismatch.map_or(Ok(()), |(place, length)| {
+        search.mismatch.map_or(Ok(()), |(slot, length)| {
             let description = M::DESCRIPTION;
-            let quantity = match place {
-                Place::Input(index, _) => &description.inputs[index],
-                Place::Unknown(index, _) | Place::Sine(index) => &description.unknowns[index],
-                Place::Output(index, _) => &description.outputs[index],
+            let quantity = match slot {
+                Slot::Input(index, _) => &description.inputs[index],
+                Slot::Unknown(index, _) | Slot::Sine(index) => &description.unknowns[index],
+                Slot::Output(index, _) => &description.outputs[index],
             };
             Err(LengthMismatch {
                 quantity: quantity.name.into(),
@@ -83,8 +83,8 @@ impl<'t, M: Mechanism<Scalar: Element>> Destination<'t, M> {
         })
     }
 
-    /// Stores motions, starting at a given pose. If poses have failed, `gone` is NaN for these and zero for the others, and
-    /// is taken away from all numbers except those of the inputs.
+    /// Stores motions, starting at a given pose. If poses have failed, `gone` is NaN for these and zero for the others,
+    /// and is taken away from all numbers except those of the inputs.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn store<V: Stored<Element = M::Scalar>, R: Row<V>>(
         &self,
@@ -107,25 +107,26 @@ impl<'t, M: Mechanism<Scalar: Element>> Destination<'t, M> {
 
     /// Whether a sine is wanted.
     pub(super) fn has_sines(&self) -> bool {
-        self.sines.as_ref().iter().any(|places| !places.is_empty())
+        self.sines.as_ref().iter().any(|columns| !columns.is_empty())
     }
 
-    /// Stores NaN in place of the sines of a pose that has failed. A pose that is solved has sines of directions only, and leaves
-    /// the other places as they are.
+    /// Stores NaN as the sines of a pose that has failed. A pose that is solved has sines of directions only, and
+    /// leaves the other columns as they are.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn leave_out_sines(&self, index: usize) {
         fill_all(index, M::Scalar::nan(), self.sines.as_ref());
     }
 
-    /// Stores the motions of the inputs, and another number in all other places but those of sines, starting at a given pose.
+    /// Stores the motions of the inputs, and another number in all other columns but those of sines, starting at a
+    /// given pose.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn fill<V: Stored<Element = M::Scalar>, R: Row<V>>(&self, start: usize, inputs: &[R], number: V) {
         store_all(start, inputs, self.inputs.as_ref(), None);
-        for places in self.unknowns.as_ref() {
-            fill_all(start, number, places.as_ref());
+        for columns in self.unknowns.as_ref() {
+            fill_all(start, number, columns.as_ref());
         }
-        for places in self.outputs.as_ref() {
-            fill_all(start, number, places.as_ref());
+        for columns in self.outputs.as_ref() {
+            fill_all(start, number, columns.as_ref());
         }
     }
 }
@@ -134,12 +135,12 @@ impl<'t, M: Mechanism<Scalar: Element>> Destination<'t, M> {
 fn store_all<'t, V: Stored, R: Row<V>>(
     start: usize,
     motions: &[R],
-    places: &[impl Row<Entries<'t, V::Element>>],
+    columns: &[impl Row<Entries<'t, V::Element>>],
     gone: Option<V>,
 ) {
-    for (motion, places) in motions.iter().zip(places) {
+    for (motion, columns) in motions.iter().zip(columns) {
         for order in 0..R::LENGTH {
-            less(motion[order], gone).store(places[order], start);
+            less(motion[order], gone).store(columns[order], start);
         }
     }
 }
@@ -154,8 +155,8 @@ fn less<V: Stored>(number: V, gone: Option<V>) -> V {
 }
 
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn fill_all<V: Stored>(start: usize, number: V, places: &[Entries<'_, V::Element>]) {
-    for entries in places {
+fn fill_all<V: Stored>(start: usize, number: V, columns: &[Entries<'_, V::Element>]) {
+    for entries in columns {
         number.store(entries, start);
     }
 }
@@ -184,7 +185,7 @@ impl<const W: usize, const FUSED: bool, E: Element> Stored for Lanes<W, FUSED, E
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn store(self, entries: Entries<'_, E>, start: usize) {
-        // A wanted place is always long enough, but the compiler does not know it.
+        // A wanted column is always long enough, but the compiler does not know it.
         if let Some(entries) = entries.get(start..start + W) {
             for_each_lane!(lane in 0..W {
                 entries[lane].set(self.0[lane]);
@@ -196,20 +197,20 @@ impl<const W: usize, const FUSED: bool, E: Element> Stored for Lanes<W, FUSED, E
 struct ColumnSearch<'s, 't, M: Mechanism> {
     found: &'s mut Destination<'t, M>,
     count: usize,
-    /// The first place with a wrong length, and that length.
-    mismatch: Option<(Place, usize)>,
+    /// The slot of the first column with a wrong length, and that length.
+    mismatch: Option<(Slot, usize)>,
 }
 
 impl<'t, M: Mechanism<Scalar: Element>, C: Target<M::Scalar>> Visitor<'t, C> for ColumnSearch<'_, 't, M> {
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn visit(&mut self, place: Place, there: &'t mut C) {
+    fn visit(&mut self, slot: Slot, there: &'t mut C) {
         let Some(slice) = there.slice() else {
             return;
         };
         if slice.len() != self.count {
-            self.mismatch = self.mismatch.or(Some((place, slice.len())));
+            self.mismatch = self.mismatch.or(Some((slot, slice.len())));
             return;
         }
-        *self.found.entries(place) = Cell::from_mut(slice).as_slice_of_cells();
+        *self.found.entries(slot) = Cell::from_mut(slice).as_slice_of_cells();
     }
 }

@@ -15,7 +15,7 @@ pub(super) const MOST_LANES: usize = 16;
 /// The number of lanes of the widest vectors, in single precision.
 #[cfg_attr(
     not(feature = "std"),
-    expect(dead_code, reason = "verdicts need a place for each lane, and threads")
+    expect(dead_code, reason = "verdicts need a store for each lane, and threads")
 )]
 pub(super) const MOST_SINGLES: usize = 16;
 
@@ -95,8 +95,8 @@ pub trait Kernel {
     fn run<const W: usize, const FUSED: bool>(self) -> Self::Result;
 }
 
-/// Not inlined: without optimisation every result has its own place on the stack, and this stack would be added to that
-/// of the others.
+/// Not inlined: without optimisation every result has a separate slot on the stack, and this stack would be added to
+/// that of the others.
 #[inline(never)]
 fn compiled<K: Kernel>(kernel: K) -> K::Result {
     K::Element::run::<K, 4, 8, false>(kernel)

@@ -10,8 +10,8 @@ use crate::mechanism::Mechanism;
 use crate::number::Row;
 
 impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Batch<'a, M, G> {
-    /// The balances of all poses. `read` takes from each what is wanted, or handles its error: the results are stored in the order of the
-    /// columns.
+    /// The balances of all poses. `read` takes from each what is wanted, or handles its error: the results are stored
+    /// in the order of the columns.
     ///
     /// Each result is that of [`Loaded::balance`](crate::load::Loaded::balance), to the last bit. Nothing is allocated.
     ///
@@ -157,9 +157,9 @@ mod tests {
         let part = |row: u8| f64::from(row) / 50.0 - 1.0;
         let dimensions: Vec<Vec<f64>> = (1_u8..)
             .zip(mechanism.parameters().as_ref())
-            .map(|(place, own)| {
+            .map(|(number, dimension)| {
                 (0..101)
-                    .map(|row| own * (1.0 + 1e-3 * f64::from(place) * part(row)))
+                    .map(|row| dimension * (1.0 + 1e-3 * f64::from(number) * part(row)))
                     .collect()
             })
             .collect();
@@ -174,14 +174,14 @@ mod tests {
                     .collect()
             })
             .collect();
-        let parameters: M::Parameters<Column<'_>> = Row::from_fn(|place| Column::Each(&dimensions[place]));
+        let parameters: M::Parameters<Column<'_>> = Row::from_fn(|parameter| Column::Each(&dimensions[parameter]));
         let inputs: M::Inputs<M::Motion<Column<'_>>> =
             Row::from_fn(|input| Row::from_fn(|order| Column::Each(&motions[input][order])));
         let single: Vec<_> = (0..COUNT)
             .map(|row| {
-                let own = M::from_parameters(Row::from_fn(|place| dimensions[place][row]));
+                let member = M::from_parameters(Row::from_fn(|parameter| dimensions[parameter][row]));
                 let inputs = Row::from_fn(|input| Row::from_fn(|order| motions[input][order][row]));
-                all(own.balance(loads, inputs, assembly))
+                all(member.balance(loads, inputs, assembly))
             })
             .collect();
         assert_eq!(single.iter().any(Result::is_err), with_failures);

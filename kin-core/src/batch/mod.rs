@@ -1,10 +1,10 @@
 //! Many poses in one call: columns of parameters and inputs give columns of motions.
 //!
 //! Every mechanism has a method `batch`. It takes a [`Column`] for each number that `solve` takes: one value for
-//! all poses, or one value per pose. The [`Batch`] stores the motions in a pose of [targets](Target), which are vectors or slices.
-//! It calculates several poses at once, in the widest vectors of the machine, which it detects at run time (feature
-//! `std`, on x86), so no compiler flag is needed. It finds the poses that `solve` finds, up to rounding. Where it
-//! fails, it reports the same [outcome](Outcome): a pose out of reach does not affect the others. With the feature
+//! all poses, or one value per pose. The [`Batch`] stores the motions in a pose of [targets](Target), which are vectors
+//! or slices. It calculates several poses at once, in the widest vectors of the machine, which it detects at run time
+//! (feature `std`, on x86), so no compiler flag is needed. It finds the poses that `solve` finds, up to rounding. Where
+//! it fails, it reports the same [outcome](Outcome): a pose out of reach does not affect the others. With the feature
 //! `rayon`, `on_all_cores` does the same on all cores.
 //!
 //! ```
@@ -60,7 +60,7 @@ pub use column::Parameter;
 #[cfg(feature = "alloc")]
 pub(crate) use dispatch::Kernel;
 pub use dispatch::Vectors;
-pub use fold::{Fold, FoldError, Folded, FoldedNumber, Poses, Turn};
+pub use fold::{Fold, FoldError, Folded, FoldedNumber, InputGrid, Poses};
 #[doc(hidden)]
 pub use lanes::Element;
 pub use outcome::{LengthMismatch, Outcome, Summary};
@@ -79,7 +79,7 @@ pub use sweep::Batch;
 pub use sweep::{Guide, InAssembly, Nearest};
 #[doc(hidden)]
 pub use target::{Columns, MotionColumns, Visitor};
-pub use target::{Place, Target};
+pub use target::{Slot, Target};
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 pub use untyped::{AnyBatch, AnyFold, ColumnChoice, GivenColumns, WantedColumns};

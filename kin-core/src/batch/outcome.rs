@@ -136,7 +136,8 @@ impl fmt::Display for LengthMismatch {
         } = self;
         write!(
             formatter,
-            "a column of `{quantity}` has {length} entries, but there are {poses} outcomes: give one entry and one outcome for each pose"
+            "a column of `{quantity}` has {length} entries, but there are {poses} outcomes: give one entry and one \
+             outcome for each pose"
         )
     }
 }

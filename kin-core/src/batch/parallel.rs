@@ -10,7 +10,7 @@ use super::dispatch::MOST_SINGLES;
 use super::lanes::Element;
 use super::outcome::{LengthMismatch, Outcome, Summary};
 use super::sweep::{Batch, Guide};
-use super::target::{Columns, Place, Target, Visitor};
+use super::target::{Columns, Slot, Target, Visitor};
 use crate::mechanism::Mechanism;
 
 /// The number of poses solved in one go: enough to be worth handing over, and few enough for the first-level cache.
@@ -95,23 +95,23 @@ where
 }
 
 /// The wanted targets, one after the other.
-struct Targets<'a, E>(Vec<(Place, &'a mut [E])>);
+struct Targets<'a, E>(Vec<(Slot, &'a mut [E])>);
 
 impl<'a, E, C: Target<E>> Visitor<'a, C> for Targets<'a, E> {
-    fn visit(&mut self, place: Place, there: &'a mut C) {
+    fn visit(&mut self, slot: Slot, there: &'a mut C) {
         if let Some(slice) = there.slice() {
-            self.0.push((place, slice));
+            self.0.push((slot, slice));
         }
     }
 }
 
 impl<'a, E> Targets<'a, E> {
-    /// Splits off the places for the next poses.
+    /// Splits off the columns for the next poses.
     fn split_off(&mut self, count: usize) -> Self {
-        let split = |(place, slice): &mut (Place, &'a mut [E])| {
+        let split = |(slot, slice): &mut (Slot, &'a mut [E])| {
             let (next, rest) = core::mem::take(slice).split_at_mut(count);
             *slice = rest;
-            (*place, next)
+            (*slot, next)
         };
         Self(self.0.iter_mut().map(split).collect())
     }
@@ -123,8 +123,8 @@ impl<'a, E> Columns<&'a mut [E]> for Targets<'a, E> {
     where
         &'a mut [E]: 'b,
     {
-        for (place, slice) in &mut self.0 {
-            visitor.visit(*place, slice);
+        for (slot, slice) in &mut self.0 {
+            visitor.visit(*slot, slice);
         }
     }
 }

@@ -17,7 +17,7 @@ use super::outcome::{LengthMismatch, Outcome, Summary};
 use super::transmission::{Angles, TransmissionEntries};
 use super::untyped::{ColumnChoice, GivenColumns, WantedColumns};
 use super::view::repeat;
-use super::{Column, Fold, FoldError, FoldedNumber, Place, Poses, Turn};
+use super::{Column, Fold, FoldError, FoldedNumber, InputGrid, Poses, Slot};
 use crate::any::{Described, PositionChoice};
 use crate::failure::SolveError;
 use crate::number::Number;
@@ -45,9 +45,9 @@ pub trait SliceSolver: Described {
         found: &mut Numbers<f64>,
     ) -> Result<(), SolveError>;
 
-    /// Solves a chunk of poses, or [`CHUNKS`] of them side by side: as many as numbers are to be found for. The parameters
-    /// and inputs of a chunk stand behind those of the chunk before; inputs are given with all orders. Values nearby choose the
-    /// position of a single chunk only.
+    /// Solves a chunk of poses, or [`CHUNKS`] of them side by side: as many as numbers are to be found for. The
+    /// parameters and inputs of a chunk stand behind those of the chunk before; inputs are given with all orders.
+    /// Values nearby choose the position of a single chunk only.
     ///
     /// # Errors
     /// Those of the solver, in the first chunk that fails as a whole. Numbers may be found that are not finite.
@@ -101,7 +101,7 @@ pub const CHUNKS: usize = 4;
 pub struct Numbers<T> {
     /// The positions of the unknowns, of directions the angles. It is empty where no transmission angles are wanted.
     pub positions: Vec<T>,
-    /// The motions of the unknowns, one after the other. A direction has its cosine in the place of its angle.
+    /// The motions of the unknowns, one after the other. A direction has its cosine instead of its angle.
     pub unknowns: Vec<T>,
     /// The sines of directions.
     pub sines: Vec<Option<T>>,
@@ -259,14 +259,14 @@ pub fn solve_slices<S: SliceSolver>(
     };
     given.check(solver, count)?;
     let mut entries = Vec::new();
-    for (place, column) in wanted.iter_mut() {
-        let (kind, index) = match *place {
-            Place::Input(index, _) => (NameKind::Input, index),
-            Place::Unknown(index, _) | Place::Sine(index) => (NameKind::Unknown, index),
-            Place::Output(index, _) => (NameKind::Output, index),
+    for (slot, column) in wanted.iter_mut() {
+        let (kind, index) = match *slot {
+            Slot::Input(index, _) => (NameKind::Input, index),
+            Slot::Unknown(index, _) | Slot::Sine(index) => (NameKind::Unknown, index),
+            Slot::Output(index, _) => (NameKind::Output, index),
         };
         check_length(solver, kind, index, Some(column.len()), count)?;
-        entries.push((*place, Cell::from_mut(&mut **column).as_slice_of_cells()));
+        entries.push((*slot, Cell::from_mut(&mut **column).as_slice_of_cells()));
     }
     Ok(vectors.run(SliceRun {
         alone: PoseByPose {
@@ -284,40 +284,41 @@ pub fn solve_slices<S: SliceSolver>(
     }))
 }
 
-/// Summarises the poses of a turn of a solver that works on slices, as [`AnyFold`](super::AnyFold) does.
+/// Summarises poses at evenly spaced values of an input, of a solver that works on slices, as
+/// [`AnyFold`](super::AnyFold) does.
 ///
 /// # Errors
 /// Those of [`AnyFold`](super::AnyFold).
 pub fn fold_slices<S: SliceSolver>(
     solver: &S,
-    turn: Turn,
+    grid: InputGrid,
     given: GivenColumns<'_>,
     folds: &mut [Fold],
     memory: &mut KeptMemory,
     vectors: Vectors,
 ) -> Result<Summary, FoldError> {
     let orders = solver.description().order + 1;
-    let missing = FoldError::NoSuchInput { input: turn.input };
+    let missing = FoldError::NoSuchInput { input: grid.input };
     let given = Given::of(solver, given).filter(|given| given.assembly.is_some());
     let mut given = given.ok_or(missing)?;
-    *given.inputs.get_mut(turn.input * orders).ok_or(missing)? = Column::Same(f64::NAN);
+    *given.inputs.get_mut(grid.input * orders).ok_or(missing)? = Column::Same(f64::NAN);
     check_numbers(folds, solver.description(), solver.dyad_count())?;
-    given.check(solver, turn.poses)?;
-    Ok(fold_pieces(&Poses::Turn(turn), folds, vectors, |piece| {
+    given.check(solver, grid.poses)?;
+    Ok(fold_pieces(&Poses::Grid(grid), folds, vectors, |piece| {
         let Piece {
             range,
-            turning,
+            varied,
             folds,
             outcomes,
         } = piece;
         let (parameters, mut inputs) = (parts(given.parameters, &range), parts(&given.inputs, &range));
-        inputs[turn.input * orders] = Column::Each(turning);
-        let mut places = Vec::with_capacity(folds.len());
+        inputs[grid.input * orders] = Column::Each(varied);
+        let mut stored = Vec::with_capacity(folds.len());
         let of_dyads: Vec<Entries<'_, f64>> = vec![&[]; solver.dyad_count()];
         let mut angles = TransmissionEntries::nowhere(of_dyads);
         for (number, entries) in entries(folds, outcomes.len()) {
             match number {
-                FoldedNumber::At(place) => places.push((place, entries)),
+                FoldedNumber::At(slot) => stored.push((slot, entries)),
                 FoldedNumber::TransmissionAngle(dyad) => angles.of_dyads[dyad] = entries,
                 FoldedNumber::SmallestTransmissionAngle => angles.smallest = entries,
             }
@@ -329,7 +330,7 @@ pub fn fold_slices<S: SliceSolver>(
                 inputs: &inputs,
                 near: &[],
                 assembly: given.assembly,
-                entries: &places,
+                entries: &stored,
                 angles: &TransmissionEntries {
                     of_dyads: angles.of_dyads.as_slice(),
                     smallest: angles.smallest,
@@ -348,7 +349,7 @@ fn parts<'c>(columns: &[Column<'c>], range: &Range<usize>) -> Vec<Column<'c>> {
     columns.map(|column| column.part(range.clone())).collect()
 }
 
-/// A batch with the places for its results.
+/// A batch with the columns for its results.
 struct SliceRun<'r, S> {
     alone: PoseByPose<'r, S>,
     outcomes: &'r mut [Outcome],
@@ -390,7 +391,7 @@ struct PoseByPose<'r, S> {
     near: &'r [Column<'r>],
     /// The assembly, unless values nearby choose the position.
     assembly: Option<usize>,
-    entries: &'r [(Place, Entries<'r, f64>)],
+    entries: &'r [(Slot, Entries<'r, f64>)],
     angles: &'r TransmissionEntries<'r, f64, &'r [Entries<'r, f64>]>,
     orders: usize,
 }
@@ -424,29 +425,29 @@ impl<S: SliceSolver> PoseByPose<'_, S> {
         result
     }
 
-    /// Stores the numbers that are wanted, starting at a pose. If poses have failed, `gone` is NaN for these and zero for
-    /// the others, and is taken away from all numbers except those of the inputs.
+    /// Stores the numbers that are wanted, starting at a pose. If poses have failed, `gone` is NaN for these and zero
+    /// for the others, and is taken away from all numbers except those of the inputs.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn store<V: Stored<Element = f64>>(&self, start: usize, inputs: &[V], found: &Numbers<V>, gone: Option<V>) {
         let less = |number: V| gone.map_or(number, |gone| number - gone);
-        for (place, entries) in self.entries {
-            match *place {
-                Place::Input(index, order) => inputs[index * self.orders + order].store(entries, start),
-                Place::Unknown(index, order) => {
+        for (slot, entries) in self.entries {
+            match *slot {
+                Slot::Input(index, order) => inputs[index * self.orders + order].store(entries, start),
+                Slot::Unknown(index, order) => {
                     less(found.unknowns[index * self.orders + order]).store(entries, start);
                 }
-                Place::Sine(index) => {
+                Slot::Sine(index) => {
                     if let Some(sine) = found.sines[index] {
                         less(sine).store(entries, start);
                     }
                 }
-                Place::Output(index, order) => less(found.outputs[index * self.orders + order]).store(entries, start),
+                Slot::Output(index, order) => less(found.outputs[index * self.orders + order]).store(entries, start),
             }
         }
     }
 
-    /// Calculates and stores the transmission angles that are wanted, starting at a pose. Returns a number that is finite if
-    /// all of them are.
+    /// Calculates and stores the transmission angles that are wanted, starting at a pose. Returns a number that is
+    /// finite if all of them are.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn store_angles<V: Scalar + Angles<Element = f64>>(
         &self,
@@ -474,10 +475,10 @@ impl<S: SliceSolver> PoseByPose<'_, S> {
         vec![TransmissionAngle::of(Name::NONE, zero, zero); count]
     }
 
-    /// Stores NaN in the place of the sines of a pose that has failed.
+    /// Stores NaN as the sines of a pose that has failed.
     fn leave_out_sines(&self, index: usize) {
-        for (place, entries) in self.entries {
-            if matches!(place, Place::Sine(_)) {
+        for (slot, entries) in self.entries {
+            if matches!(slot, Slot::Sine(_)) {
                 f64::NAN.store(entries, index);
             }
         }
@@ -536,15 +537,21 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
         let mut one_by_one = 0;
         // If there are fewer poses than lanes, they are solved one by one.
         while next < count && count >= W {
-            let is_wide = alone.assembly.is_some() && next >= one_by_one && next + CHUNKS * W <= count;
-            let chunks = if is_wide { CHUNKS } else { 1 };
-            // The last chunk overlaps the one before it. The overlapped poses are solved twice, with the same result.
-            let start = next.min(count - W);
+            // The last chunks overlap those before them. The overlapped poses are solved twice, with the same result. None
+            // of them has failed, since what is stored of a failed pose would not be found again.
+            let wide_start = next.min(count.saturating_sub(CHUNKS * W));
+            let is_wide =
+                alone.assembly.is_some() && wide_start >= one_by_one && next + W < count && count >= CHUNKS * W;
+            let (chunks, start) = if is_wide {
+                (CHUNKS, wide_start)
+            } else {
+                (1, next.min(count - W))
+            };
             for chunk in 0..chunks {
-                let (own, first) = (chunk * parameter_count, chunk * input_count);
+                let (first_parameter, first_input) = (chunk * parameter_count, chunk * input_count);
                 let start = start + chunk * W;
-                gather_each(&mut parameters[own..], &parameter_columns, start);
-                gather_each(&mut inputs[first..], &input_columns, start);
+                gather_each(&mut parameters[first_parameter..], &parameter_columns, start);
+                gather_each(&mut inputs[first_input..], &input_columns, start);
             }
             gather_each(near, &near_columns, start);
             verdicts::forget::<f64>();
@@ -562,21 +569,21 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
                 if !is_finite {
                     break;
                 }
-                let own = &parameters[chunk * parameter_count..(chunk + 1) * parameter_count];
+                let parameters = &parameters[chunk * parameter_count..(chunk + 1) * parameter_count];
                 let motions = &inputs[chunk * input_count..(chunk + 1) * input_count];
-                sum = found.sum() + alone.store_angles(start + chunk * W, own, motions, found, angles);
+                sum = found.sum() + alone.store_angles(start + chunk * W, parameters, motions, found, angles);
                 is_finite = sum.is_finite_throughout();
             }
             if is_finite {
                 for (chunk, found) in found[..chunks].iter().enumerate() {
-                    let own = &inputs[chunk * input_count..(chunk + 1) * input_count];
-                    alone.store(start + chunk * W, own, found, None);
+                    let inputs = &inputs[chunk * input_count..(chunk + 1) * input_count];
+                    alone.store(start + chunk * W, inputs, found, None);
                 }
                 next = start + chunks * W;
                 continue;
             }
             if is_wide {
-                one_by_one = next + CHUNKS * W;
+                one_by_one = start + CHUNKS * W;
                 continue;
             }
             let (parameters, inputs, found) = (&parameters[..parameter_count], &inputs[..input_count], &mut found[0]);

@@ -24,14 +24,15 @@ type MotionsInLanes<M, const W: usize, const FUSED: bool> =
         <M as Mechanism>::Motion<Lanes<W, FUSED, <M as Mechanism>::Scalar>>,
     >;
 
-/// The places of the transmission angles of a declared mechanism.
+/// The entries of the transmission angles of a declared mechanism.
 pub(super) type AngleEntries<'t, M> =
     TransmissionEntries<'t, <M as Mechanism>::Scalar, <M as Mechanism>::Dyads<Entries<'t, <M as Mechanism>::Scalar>>>;
 
 /// Many poses of one mechanism, or of many that differ in their dimensions: columns in, columns out.
 ///
-/// The method `batch` of a mechanism makes it. [`new`](Self::new) and [`near`](Self::near) make it for any mechanism, with the columns in
-/// the order of parameters, inputs and unknowns. `G` is the choice among several positions, which these methods set.
+/// The method `batch` of a mechanism makes it. [`new`](Self::new) and [`near`](Self::near) make it for any mechanism,
+/// with the columns in the order of parameters, inputs and unknowns. `G` is the choice among several positions, which
+/// these methods set.
 ///
 /// | for | see |
 /// |---|---|
@@ -205,11 +206,12 @@ impl<'a, M: Mechanism<Scalar: Element>, C: Row<Column<'a, M::Scalar>>> Guide<'a,
 }
 
 impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Batch<'a, M, G> {
-    /// Solves all poses: writes their motions to the columns of `poses`, and an outcome for each pose. Nothing is allocated.
+    /// Solves all poses: writes their motions to the columns of `poses`, and an outcome for each pose. Nothing is
+    /// allocated.
     ///
     /// # Errors
-    /// [`LengthMismatch`] if the length of a column differs from the number of outcomes. Nothing is solved then. The outcome of a pose
-    /// tells whether it was solved.
+    /// [`LengthMismatch`] if the length of a column differs from the number of outcomes. Nothing is solved then. The
+    /// outcome of a pose says whether it was solved.
     pub fn solve<P: Columns<C>, C: Target<M::Scalar>>(
         &self,
         poses: &mut P,
@@ -294,7 +296,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Batch<'a, M, G> {
     }
 }
 
-/// A batch with the places for its results.
+/// A batch with the columns for its results.
 struct BatchRun<'p, 'd, 'a, M: Mechanism<Scalar: Element>, G> {
     alone: PoseByPose<'p, 'd, 'a, M, G>,
     outcomes: &'p mut [Outcome],

@@ -1,11 +1,11 @@
-//! The places for the motions of a batch.
+//! The columns for the motions of a batch.
 
 use crate::geometry::{Plane, Space};
 use crate::motion::{Direction, Motion};
 
-/// The place for one number of each pose: a vector or a slice, or nothing if the number is not wanted.
+/// The column for one number of each pose: a vector or a slice, or nothing if the number is not wanted.
 pub trait Target<T = f64> {
-    /// The place, with one entry for each pose, or `None` if the number is not wanted.
+    /// The column, with one entry for each pose, or `None` if the number is not wanted.
     fn slice(&mut self) -> Option<&mut [T]>;
 }
 
@@ -38,9 +38,9 @@ impl<T, C: Target<T>> Target<T> for Option<C> {
     }
 }
 
-/// The position of a number in a pose.
+/// The slot of a number in a pose: which quantity it belongs to, and which derivative it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum Slot {
     /// The derivative of an input: its index and its order.
     Input(usize, usize),
     /// The derivative of an unknown: its index and its order. Order 0 of a direction is its cosine.
@@ -54,18 +54,18 @@ pub enum Place {
 /// A pose with a `C` instead of each number. The structures of poses are generic for this; the `mechanism!` macro
 /// implements it.
 pub trait Columns<C> {
-    /// Calls the visitor for each place.
+    /// Calls the visitor for each slot.
     fn each<'a>(&'a mut self, visitor: &mut impl Visitor<'a, C>)
     where
         C: 'a;
 }
 
-/// A visitor of the places of a pose, one after the other.
+/// A visitor of the slots of a pose, one after the other.
 ///
 /// This is a trait and not a closure, because closures cannot be marked for inlining.
 pub trait Visitor<'a, C> {
-    /// Visits a place and its content.
-    fn visit(&mut self, place: Place, there: &'a mut C);
+    /// Visits a slot and its content.
+    fn visit(&mut self, slot: Slot, there: &'a mut C);
 }
 
 /// A motion with a `C` instead of each number.
@@ -73,8 +73,8 @@ pub trait MotionColumns<C> {
     /// A motion filled by a function, which is called once per number.
     fn filled(fill: &mut impl FnMut() -> C) -> Self;
 
-    /// Calls the visitor for each place. The scalar quantities of this motion count from `first`.
-    fn each<'a>(&'a mut self, first: usize, place: impl Fn(usize, usize) -> Place, visitor: &mut impl Visitor<'a, C>)
+    /// Calls the visitor for each slot. The scalar quantities of this motion count from `first`.
+    fn each<'a>(&'a mut self, first: usize, slot: impl Fn(usize, usize) -> Slot, visitor: &mut impl Visitor<'a, C>)
     where
         C: 'a;
 }
@@ -85,12 +85,12 @@ impl<C, const N: usize> MotionColumns<C> for Motion<C, N> {
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn each<'a>(&'a mut self, first: usize, place: impl Fn(usize, usize) -> Place, visitor: &mut impl Visitor<'a, C>)
+    fn each<'a>(&'a mut self, first: usize, slot: impl Fn(usize, usize) -> Slot, visitor: &mut impl Visitor<'a, C>)
     where
         C: 'a,
     {
         for (order, entry) in self.as_mut().iter_mut().enumerate() {
-            visitor.visit(place(first, order), entry);
+            visitor.visit(slot(first, order), entry);
         }
     }
 }
@@ -102,15 +102,15 @@ impl<C, const N: usize> MotionColumns<C> for Direction<C, N> {
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn each<'a>(&'a mut self, first: usize, place: impl Fn(usize, usize) -> Place, visitor: &mut impl Visitor<'a, C>)
+    fn each<'a>(&'a mut self, first: usize, slot: impl Fn(usize, usize) -> Slot, visitor: &mut impl Visitor<'a, C>)
     where
         C: 'a,
     {
         let (unit, rates) = self.parts_mut();
-        visitor.visit(place(first, 0), &mut unit.x);
-        visitor.visit(Place::Sine(first), &mut unit.y);
+        visitor.visit(slot(first, 0), &mut unit.x);
+        visitor.visit(Slot::Sine(first), &mut unit.y);
         for (below, entry) in rates.iter_mut().enumerate() {
-            visitor.visit(place(first, below + 1), entry);
+            visitor.visit(slot(first, below + 1), entry);
         }
     }
 }
@@ -121,13 +121,13 @@ impl<C, const N: usize> MotionColumns<C> for Motion<Plane<C>, N> {
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn each<'a>(&'a mut self, first: usize, place: impl Fn(usize, usize) -> Place, visitor: &mut impl Visitor<'a, C>)
+    fn each<'a>(&'a mut self, first: usize, slot: impl Fn(usize, usize) -> Slot, visitor: &mut impl Visitor<'a, C>)
     where
         C: 'a,
     {
         for (order, entry) in self.as_mut().iter_mut().enumerate() {
-            visitor.visit(place(first, order), &mut entry.x);
-            visitor.visit(place(first + 1, order), &mut entry.y);
+            visitor.visit(slot(first, order), &mut entry.x);
+            visitor.visit(slot(first + 1, order), &mut entry.y);
         }
     }
 }
@@ -138,14 +138,14 @@ impl<C, const N: usize> MotionColumns<C> for Motion<Space<C>, N> {
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn each<'a>(&'a mut self, first: usize, place: impl Fn(usize, usize) -> Place, visitor: &mut impl Visitor<'a, C>)
+    fn each<'a>(&'a mut self, first: usize, slot: impl Fn(usize, usize) -> Slot, visitor: &mut impl Visitor<'a, C>)
     where
         C: 'a,
     {
         for (order, entry) in self.as_mut().iter_mut().enumerate() {
-            visitor.visit(place(first, order), &mut entry.x);
-            visitor.visit(place(first + 1, order), &mut entry.y);
-            visitor.visit(place(first + 2, order), &mut entry.z);
+            visitor.visit(slot(first, order), &mut entry.x);
+            visitor.visit(slot(first + 1, order), &mut entry.y);
+            visitor.visit(slot(first + 2, order), &mut entry.z);
         }
     }
 }

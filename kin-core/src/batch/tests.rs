@@ -135,14 +135,14 @@ fn all_cores_write_what_one_writes() {
     let mut theta2 = Motion::new([1.0, -1.0, 0.5, 0.0, 0.2]).map(Column::Same);
     theta2[0] = Column::Each(&angles);
     let assembly = Assembly::Crossed;
-    let places = || {
+    let results = || {
         (
             FourBarBatch::filled(|| vec![0.0; count]),
             vec![Outcome::Unsolved; count],
         )
     };
     for vectors in vectors() {
-        let [(mut poses, mut outcomes), (mut other_poses, mut other_outcomes)] = [places(), places()];
+        let [(mut poses, mut outcomes), (mut other_poses, mut other_outcomes)] = [results(), results()];
         let summary = Batch::<FourBar, _>::new(parameters, [theta2], assembly)
             .vectors(vectors)
             .solve(&mut poses, &mut outcomes);

@@ -8,15 +8,16 @@ use crate::mechanism::{Mechanism, Pose};
 use crate::number::{Number, Row};
 use crate::picture::TransmissionAngle;
 
-/// The places of the transmission angles, each folded to at most a right angle. `R` is a row with a place for each dyad.
+/// The entries of the transmission angles, each folded to at most a right angle. `R` is a row with an entry list for
+/// each dyad.
 pub(super) struct TransmissionEntries<'t, E, R> {
     pub(super) of_dyads: R,
-    /// The place of the smallest of all.
+    /// The entries of the smallest of all.
     pub(super) smallest: Entries<'t, E>,
 }
 
 impl<'t, E: Element, R: AsRef<[Entries<'t, E>]>> TransmissionEntries<'t, E, R> {
-    /// The places of a batch in which no transmission angle is wanted. Those of the dyads are empty.
+    /// The entries of a batch in which no transmission angle is wanted. Those of the dyads are empty.
     pub(super) fn nowhere(of_dyads: R) -> Self {
         Self {
             of_dyads,
@@ -92,16 +93,16 @@ fn take_away<const W: usize, const FUSED: bool, E: Element>(
     entries: Entries<'_, E>,
     start: usize,
 ) {
-    if let Some(places) = entries.get(start..start + W) {
-        let numbers = Lanes::<W, FUSED, E>::from_fn(|lane| places[lane].get());
+    if let Some(group) = entries.get(start..start + W) {
+        let numbers = Lanes::<W, FUSED, E>::from_fn(|lane| group[lane].get());
         (numbers - gone).store(entries, start);
     }
 }
 
 /// Angles of one pose or several.
 pub(super) trait Angles: Number + Stored {
-    /// An angle in 0 ..= π or its negative, as the smaller of the angle and its supplement. A transmission angle takes its
-    /// sign from the first lane, so it may be negative in others.
+    /// An angle in 0 ..= π or its negative, as the smaller of the angle and its supplement. A transmission angle takes
+    /// its sign from the first lane, so it may be negative in others.
     fn folded(self) -> Self;
 
     /// The smaller of this number and another.

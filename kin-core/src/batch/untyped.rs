@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use super::{
-    Batch, Column, Columns, Fold, FoldError, KeptMemory, LengthMismatch, Outcome, Place, Summary, Turn, Vectors,
+    Batch, Column, Columns, Fold, FoldError, InputGrid, KeptMemory, LengthMismatch, Outcome, Slot, Summary, Vectors,
     Visitor,
 };
 use crate::any::{Described, Of};
@@ -43,17 +43,17 @@ impl<'a> GivenColumns<'a> {
 /// The numbers of the poses that are wanted, each with a slice for all rows.
 #[derive(Debug, Default)]
 pub struct WantedColumns<'w> {
-    columns: Vec<(Place, &'w mut [f64])>,
+    columns: Vec<(Slot, &'w mut [f64])>,
 }
 
 impl<'w> WantedColumns<'w> {
     /// These numbers.
     #[must_use]
-    pub fn new(columns: Vec<(Place, &'w mut [f64])>) -> Self {
+    pub fn new(columns: Vec<(Slot, &'w mut [f64])>) -> Self {
         Self { columns }
     }
 
-    pub(super) fn iter_mut(&mut self) -> impl Iterator<Item = &mut (Place, &'w mut [f64])> {
+    pub(super) fn iter_mut(&mut self) -> impl Iterator<Item = &mut (Slot, &'w mut [f64])> {
         self.columns.iter_mut()
     }
 }
@@ -63,8 +63,8 @@ impl<'w> Columns<&'w mut [f64]> for WantedColumns<'w> {
     where
         &'w mut [f64]: 'a,
     {
-        for (place, column) in &mut self.columns {
-            visitor.visit(*place, column);
+        for (slot, column) in &mut self.columns {
+            visitor.visit(*slot, column);
         }
     }
 }
@@ -118,16 +118,17 @@ impl<M: Mechanism<Scalar = f64>> AnyBatch for Of<M> {
     }
 }
 
-/// Summaries of the poses of a turn, on columns by their indices.
+/// Summaries of poses at evenly spaced values of an input, on columns by their indices.
 pub trait AnyFold: Described {
-    /// Solves the poses of a turn, and summarises some of their numbers. What is given for the position of the input that
-    /// turns is not read. A mechanism that runs without rustc works faster if the memory is kept for the next call.
+    /// Solves the poses of a grid, and summarises some of their numbers. What is given for the position of the input
+    /// with these values is not read. A mechanism that runs without rustc works faster if the memory is kept for the
+    /// next call.
     ///
     /// # Errors
-    /// As for [`Batch::fold`]. A coupled mechanism has no turn: its position is only known from values nearby.
+    /// As for [`Batch::fold`]. A coupled mechanism refuses every grid: its position is only known from values nearby.
     fn fold_batch(
         &self,
-        turn: Turn,
+        grid: InputGrid,
         given: GivenColumns<'_>,
         folds: &mut [Fold],
         memory: &mut KeptMemory,
@@ -138,7 +139,7 @@ pub trait AnyFold: Described {
 impl<M: Mechanism<Scalar = f64>> AnyFold for Of<M> {
     fn fold_batch(
         &self,
-        turn: Turn,
+        grid: InputGrid,
         given: GivenColumns<'_>,
         folds: &mut [Fold],
         _: &mut KeptMemory,
@@ -151,8 +152,8 @@ impl<M: Mechanism<Scalar = f64>> AnyFold for Of<M> {
         {
             return Batch::<M, _>::new(parameters, inputs, assembly)
                 .vectors(vectors)
-                .fold(turn, folds);
+                .fold(grid, folds);
         }
-        Err(FoldError::NoSuchInput { input: turn.input })
+        Err(FoldError::NoSuchInput { input: grid.input })
     }
 }

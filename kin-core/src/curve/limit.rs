@@ -2,15 +2,15 @@
 
 use core::fmt;
 
-/// The kind of a limit: a place up to which a mechanism closes, or at which it has several ways to go on.
+/// The kind of a limit: a position up to which a mechanism closes, or at which it has several ways to go on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum LimitKind {
-    /// A limit position: two assemblies meet, and neither goes on. The inputs can only turn back.
+    /// A limit position: two assemblies meet, and neither goes on. The inputs can only reverse.
     TurningPoint,
-    /// A change point: assemblies cross, or meet where a part turns freely or where several blocks have their limits, and geometry does not
-    /// determine which one the mechanism follows.
+    /// A change point: assemblies cross, or meet where a part rotates freely or where several blocks have their limits,
+    /// and geometry does not determine which one the mechanism follows.
     ChangePoint,
     /// A length goes to infinity. The unknowns are those next to the pole.
     Pole,

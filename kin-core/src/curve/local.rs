@@ -1,11 +1,12 @@
 //! The curve near one of its points, with one of its coordinates as the parameter.
 //!
-//! The coordinates are the unknowns and the travel of the inputs. The one that moves fastest is the parameter, and the others are unknown.
-//! With this parameter the curve is as smooth at a limit position as anywhere, and a limit position is a simple zero of the travel's rate.
-//! (Local parametrisation: W. C. Rheinboldt and J. V. Burkardt, A locally parameterized continuation process, ACM Transactions on
-//! Mathematical Software 9, 1983, 215-235.)
+//! The coordinates are the unknowns and the travel of the inputs. The one that moves fastest is the parameter, and the
+//! others are unknown. With this parameter the curve is as smooth at a limit position as anywhere, and a limit position
+//! is a simple zero of the travel's rate. (Local parametrisation: W. C. Rheinboldt and J. V. Burkardt, A locally
+//! parameterized continuation process, ACM Transactions on Mathematical Software 9, 1983, 215-235.)
 //!
-//! A coordinate is called by its index: that of an unknown, or the number of unknowns for the travel. Rates and corrections are in sizes.
+//! A coordinate is called by its index: that of an unknown, or the number of unknowns for the travel. Rates and
+//! corrections are in sizes.
 
 use super::lent_rows::LentRows;
 use super::rounding::rounding;
@@ -63,8 +64,8 @@ pub(crate) fn rates<'s>(
     rates
 }
 
-/// The Taylor series of the curve at a point, in all orders of the number: those of the unknowns in their own units, which it writes, and
-/// that of the travel, which it returns.
+/// The Taylor series of the curve at a point, in all orders of the number: those of the unknowns in their units, which
+/// it writes, and that of the travel, which it returns.
 ///
 /// `series` is memory for parameters, inputs, unknowns and residuals, in which the parameters stand.
 pub(crate) fn expanded<const N: usize>(
@@ -146,8 +147,8 @@ pub(crate) fn corrected<'s>(
     None
 }
 
-/// The distance from the curve that rounding errors may cause. It is zero if it exceeds [`MOST_BLUR`], because it would then
-/// excuse any deviation.
+/// The distance from the curve that rounding errors may cause. It is zero if it exceeds [`MOST_BLUR`], because it would
+/// then excuse any deviation.
 pub(crate) fn local_blur(
     way: &Way<'_>,
     point: WayPoint<'_>,

@@ -1,7 +1,7 @@
 //! The curve of all positions over a line of inputs.
 //!
-//! A [`Way`] is the line with the closure on it. `local.rs` follows the curve with any coordinate as its parameter: one bordered system
-//! of equations, one correction, one series. Tracks and exact circuits stand on it.
+//! A [`Way`] is the line with the closure on it. `local.rs` follows the curve with any coordinate as its parameter: one
+//! bordered system of equations, one correction, one series. Tracks and exact circuits stand on it.
 //!
 //! Nothing allocates here: rows are taken of memory that the caller lends.
 

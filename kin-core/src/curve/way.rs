@@ -11,18 +11,18 @@ use crate::number::{Number, at_constant_rate, series::Series};
 use crate::quantity::{Dimension, Name, NameKind};
 
 /// The shortest step along the curve, as a part of the way or of the unit.
-pub(crate) const SHORTEST: f64 = 1e-13;
+pub(crate) const SHORTEST_STEP: f64 = 1e-13;
 
 /// A point on the curve of solutions over the line of inputs.
 #[derive(Clone, Copy)]
 pub(crate) struct WayPoint<'s> {
-    /// The unknowns in their own units.
+    /// The unknowns in their units.
     pub(crate) unknowns: &'s [f64],
     /// The distance that the inputs have covered.
     pub(crate) travel: f64,
 }
 
-/// The line of inputs from one place to another, for a mechanism in double precision.
+/// The line of inputs from one point to another, for a mechanism in double precision.
 ///
 /// Unknowns are measured in their natural sizes: 1 for an angle, the longest link for a length. The travel of the
 /// inputs is the largest of their distances, in units of their sizes, so rates with respect to the travel are usually
@@ -65,7 +65,7 @@ impl Linear<'_> {
 }
 
 impl<'w> Way<'w> {
-    /// The line between two places, for unknowns `near` the first one. What the line keeps is taken of the scratch.
+    /// The line between two points, for unknowns `near` the first one. What the line keeps is taken of the scratch.
     pub(crate) fn new(
         mechanism: &'w dyn CurveFunctions,
         parameters: &'w [f64],
@@ -76,15 +76,15 @@ impl<'w> Way<'w> {
         let Lent { numbers, first, second } = lent;
         let mut scratch = LentRows::new(numbers);
         let description = mechanism.description();
-        let own = Sizes::of(description, parameters);
+        let units = Sizes::of(description, parameters);
         let sizes = scratch.row(near.len(), |index| {
-            own.size(description.unknowns[index].dimension, near[index])
+            units.size(description.unknowns[index].dimension, near[index])
         });
         let ends = from.iter().zip(to);
         let length = ends
             .zip(description.inputs)
             .fold(0.0, |length: f64, ((from, to), quantity)| {
-                let travel = (to - from).abs() / own.size(quantity.dimension, from.abs().max(to.abs()));
+                let travel = (to - from).abs() / units.size(quantity.dimension, from.abs().max(to.abs()));
                 if travel <= length { length } else { travel }
             });
         for (series, parameter) in first.iter_mut().zip(parameters) {
@@ -133,7 +133,7 @@ impl<'w> Way<'w> {
 
     /// The shortest step of the inputs.
     pub(crate) fn shortest(&self) -> f64 {
-        SHORTEST * self.length.max(1.0)
+        SHORTEST_STEP * self.length.max(1.0)
     }
 
     /// Whether two travels round to the same inputs.
@@ -177,9 +177,9 @@ impl<'w> Way<'w> {
         let motions = scratch.lend(self.count() * self.orders());
         let orders = self.orders();
         let mut scope = scratch.scope();
-        let inputs = scope.row(self.from.len() * orders, |place| match place % orders {
-            0 => self.input(travel, place / orders),
-            1 => self.slope(place / orders),
+        let inputs = scope.row(self.from.len() * orders, |index| match index % orders {
+            0 => self.input(travel, index / orders),
+            1 => self.slope(index / orders),
             _ => 0.0,
         });
         self.mechanism
@@ -205,7 +205,8 @@ impl<'w> Way<'w> {
         &mut series[first..first + self.count()]
     }
 
-    /// The residuals as series, in memory for parameters, inputs, unknowns and residuals in which parameters and unknowns stand.
+    /// The residuals as series, in memory for parameters, inputs, unknowns and residuals in which parameters and
+    /// unknowns stand.
     pub(crate) fn residuals<'m, const N: usize>(
         &self,
         functions: &dyn ClosureOver<Series<N>>,

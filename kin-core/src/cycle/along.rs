@@ -7,7 +7,7 @@ use core::f64::consts::PI;
 use core::fmt;
 use core::marker::PhantomData;
 
-use super::line::turned;
+use super::line::wrapped;
 use super::measure::{CircuitExtreme, CircuitPeak, MeasureError, Stroke, WorstTransmission};
 use super::station::MeasuredCycle;
 use super::{Cycle, SearchedCycle};
@@ -17,13 +17,15 @@ use crate::mechanism::Mechanism;
 use crate::picture::TransmissionAngle;
 use crate::quantity::Name;
 
-/// The smallest stroke of a quantity that moves, as a part of its largest value, and the shortest way between its ends, as a part of a turn.
+/// The smallest stroke of a quantity that moves, as a part of its largest value, and the shortest way between its ends,
+/// as a part of a revolution.
 const STILL: f64 = 1e-12;
 
 /// A circuit of a cycle. [`Cycle::along`] makes it; the words are those of a sweep.
 ///
-/// A quantity along a circuit is the same as along a [sweep](crate::extremes) over each of its branches, where the input moves at the speed 1.
-/// Angles go on from branch to branch, and so do the quantities that depend on them, as the position of a rack does.
+/// A quantity along a circuit is the same as along a [sweep](crate::extremes) over each of its branches, where the
+/// input moves at the speed 1. Angles go on from branch to branch, and so do the quantities that depend on them, as the
+/// position of a rack does.
 ///
 /// `C` is the cycle to which it belongs.
 #[derive(Clone, Copy)]
@@ -42,11 +44,12 @@ impl<C> fmt::Debug for CircuitAlong<'_, C> {
     }
 }
 
-/// A quantity along a circuit. [`CircuitAlong::of`] and [`CircuitAlong::of_expression`] make it, and each of its methods answers a question.
+/// A quantity along a circuit. [`CircuitAlong::of`] and [`CircuitAlong::of_expression`] make it, and each of its
+/// methods answers a question.
 ///
 /// # Errors
-/// For all questions, [`MeasureError::NoSuchCircuit`], and [`MeasureError::Extremes`] if no column has the name, or if the curve of the
-/// quantity is too rough to be searched.
+/// For all questions, [`MeasureError::NoSuchCircuit`], and [`MeasureError::Extremes`] if no column has the name, or if
+/// the curve of the quantity is too rough to be searched.
 #[must_use = "ask for its `stroke`, its `peak` or its `extremes`"]
 pub struct QuantityOnCircuit<'c> {
     cycle: MeasuredCycle<'c>,
@@ -72,11 +75,11 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     ///
     /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
     /// let cycle = linkage.cycle()?;
-    /// let turn = cycle.along(0);
-    /// println!("the rocker swings by {} rad", turn.of("theta4").stroke()?.length());
+    /// let measures = cycle.along(0);
+    /// println!("the rocker swings by {} rad", measures.of("theta4").stroke()?.length());
     /// // for each radian per second of the crank
-    /// println!("and has at most {} rad/s", turn.of("theta4_velocity").peak()?.value);
-    /// println!("at {} rad the transmission is worst", turn.worst_transmission()?.input);
+    /// println!("and has at most {} rad/s", measures.of("theta4_velocity").peak()?.value);
+    /// println!("at {} rad the transmission is worst", measures.worst_transmission()?.input);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
@@ -124,13 +127,14 @@ impl<'c, C> CircuitAlong<'c, C> {
         }
     }
 
-    /// A quantity by the name of its column: `"theta4"`, `"foot.x"`, `"theta4_velocity"`. Rates are those with respect to the input.
+    /// A quantity by the name of its column: `"theta4"`, `"foot.x"`, `"theta4_velocity"`. Rates are those with respect
+    /// to the input.
     pub fn of(&self, name: &str) -> QuantityOnCircuit<'c> {
         self.quantity(named_quantity(self.cycle.functions, name))
     }
 
-    /// The smallest transmission angle of all dyads, folded to at most a right angle. It is zero if the circuit has a limit in which a dyad
-    /// is stretched or folded.
+    /// The smallest transmission angle of all dyads, folded to at most a right angle. It is zero if the circuit has a
+    /// limit in which a dyad is stretched or folded.
     ///
     /// # Errors
     /// [`MeasureError::NoDyad`], if the mechanism has none, or if there is no such circuit.
@@ -174,7 +178,7 @@ impl<'c, C> CircuitAlong<'c, C> {
                 let sweep = self.cycle.sweep(&station);
                 for extreme in sweep.transmission_extremes(self.cycle.functions, dyad)? {
                     if let Some(angle) = extreme.value {
-                        let size = turned(angle).abs();
+                        let size = wrapped(angle).abs();
                         candidate(transmission.block, size.min(PI - size), extreme.at);
                     }
                 }
@@ -185,7 +189,8 @@ impl<'c, C> CircuitAlong<'c, C> {
 }
 
 impl QuantityOnCircuit<'_> {
-    /// All extremes, branch by branch in the order of the circuit: those inside, those at limits and kinks, and those at the ends of branches.
+    /// All extremes, branch by branch in the order of the circuit: those inside, those at limits and kinks, and those
+    /// at the ends of branches.
     ///
     /// # Errors
     /// As for all [questions](Self).
@@ -244,31 +249,33 @@ impl QuantityOnCircuit<'_> {
         self.range().map(|(stroke, _)| stroke)
     }
 
-    /// The stroke, and whether both of its ends lie inside of branches or at their limits, so that the quantity turns there.
+    /// The stroke, and whether both of its ends lie inside of branches or at their limits, so that the quantity
+    /// reverses there.
     fn range(&self) -> Result<(Stroke, bool), MeasureError> {
         let mut range: Option<(Stroke, [ExtremeKind; 2])> = None;
         for CircuitExtreme { branch, extreme } in self.extremes()? {
             let input = extreme.at;
             let value = extreme.value.ok_or(ExtremesError::Unbounded { at: input })?;
-            let own = CircuitPeak { value, input, branch };
-            let (stroke, kinds) = range.get_or_insert((Stroke { low: own, high: own }, [extreme.kind; 2]));
+            let peak = CircuitPeak { value, input, branch };
+            let (stroke, kinds) = range.get_or_insert((Stroke { low: peak, high: peak }, [extreme.kind; 2]));
             if value < stroke.low.value {
-                (stroke.low, kinds[0]) = (own, extreme.kind);
+                (stroke.low, kinds[0]) = (peak, extreme.kind);
             }
             if value > stroke.high.value {
-                (stroke.high, kinds[1]) = (own, extreme.kind);
+                (stroke.high, kinds[1]) = (peak, extreme.kind);
             }
         }
         let (stroke, kinds) = range.ok_or(MeasureError::NoSuchCircuit)?;
         Ok((stroke, !kinds.contains(&ExtremeKind::End)))
     }
 
-    /// The time ratio of a quick return, at a constant speed of the input: the longer of the ways of the input between the smallest and the
-    /// largest value, divided by the shorter one. It is 1 or more.
+    /// The time ratio of a quick return, at a constant speed of the input: the longer of the ways of the input between
+    /// the smallest and the largest value, divided by the shorter one. It is 1 or more.
     ///
     /// # Errors
-    /// [`MeasureError::NoFullTurn`], if the input does not turn once along the circuit, [`MeasureError::NoReturn`], if the quantity turns
-    /// fully or stays where it is; otherwise as for [`stroke`](Self::stroke).
+    /// [`MeasureError::NoFullRevolution`], if the input does not make one revolution along the circuit,
+    /// [`MeasureError::NoReturn`], if the quantity makes full revolutions fully or stays where it is; otherwise as for
+    /// [`stroke`](Self::stroke).
     ///
     /// ```
     /// use kin_core::cycle::FullCycle;
@@ -285,18 +292,18 @@ impl QuantityOnCircuit<'_> {
     /// ```
     pub fn time_ratio(&self) -> Result<f64, MeasureError> {
         let [branch] = self.cycle.circuit(self.circuit)? else {
-            return Err(MeasureError::NoFullTurn);
+            return Err(MeasureError::NoFullRevolution);
         };
         let branch = self.cycle.branch(*branch);
-        if !branch.is_full_turn() {
-            return Err(MeasureError::NoFullTurn);
+        if !branch.is_full_revolution() {
+            return Err(MeasureError::NoFullRevolution);
         }
-        let turn = branch.ends[1].input - branch.ends[0].input;
+        let revolution = branch.ends[1].input - branch.ends[0].input;
         let (stroke, returns) = self.range()?;
         let way = (stroke.high.input - stroke.low.input).abs();
-        let [short, long] = [way.min(turn - way), way.max(turn - way)];
+        let [short, long] = [way.min(revolution - way), way.max(revolution - way)];
         let (low, high) = (stroke.low.value, stroke.high.value);
-        let is_still = stroke.length() <= STILL * low.abs().max(high.abs()) || short <= STILL * turn;
+        let is_still = stroke.length() <= STILL * low.abs().max(high.abs()) || short <= STILL * revolution;
         if !returns || is_still {
             return Err(MeasureError::NoReturn { low, high });
         }

@@ -26,13 +26,13 @@ pub(super) struct Doubt(u8);
 impl Doubt {
     /// Every value exists.
     pub(super) const NONE: Self = Self(0);
-    /// The values exist from some place of the interval on, or everywhere, or nowhere.
+    /// The values exist from some point of the interval on, or everywhere, or nowhere.
     const RISING: Self = Self(1);
-    /// The values exist up to some place of the interval, or everywhere, or nowhere.
+    /// The values exist up to some point of the interval, or everywhere, or nowhere.
     const FALLING: Self = Self(2);
     /// Nothing is known about where the values exist.
-    const OPEN: Self = Self(4);
-    /// Rounding decides in the middle of the interval, and a shorter interval tells no more.
+    const UNKNOWN: Self = Self(4);
+    /// Rounding decides in the middle of the interval, and a shorter interval decides no more.
     const ROUNDING: Self = Self(8);
 
     /// The doubt about a number made of two.
@@ -41,13 +41,14 @@ impl Doubt {
         Self(self.0 | other.0)
     }
 
-    /// Whether values exist at both ends only if they exist in between, and the places where they exist touch one certain end.
+    /// Whether values exist at both ends only if they exist in between, and the points where they exist touch one
+    /// certain end.
     #[inline]
     pub(super) const fn is_one_sided(self) -> bool {
         self.0 == Self::RISING.0 || self.0 == Self::FALLING.0
     }
 
-    /// Whether rounding decides, so that a shorter interval tells no more.
+    /// Whether rounding decides, so that a shorter interval decides no more.
     #[inline]
     pub(super) const fn is_rounding(self) -> bool {
         self.0 & Self::ROUNDING.0 != 0
@@ -56,29 +57,30 @@ impl Doubt {
 
 /// All values of a function of one variable t in -1 ..= 1.
 ///
-/// The value at t = 0 has an error of at most `error`. All values lie between `low` and `high`, and all derivatives between `least` and `most`,
-/// rounding included: each operation widens its bounds by more than its own error. (R. E. Moore, R. B. Kearfott and M. J. Cloud, Introduction
-/// to Interval Analysis, SIAM 2009: natural extensions and, in [`Bounds::tight`], the mean value form.)
+/// The value at t = 0 has an error of at most `error`. All values lie between `low` and `high`, and all derivatives
+/// between `least_slope` and `greatest_slope`, rounding included: each operation widens its bounds by more than its
+/// error. (R. E. Moore, R. B. Kearfott and M. J. Cloud, Introduction to Interval Analysis, SIAM 2009: natural
+/// extensions and, in [`Bounds::tight`], the mean value form.)
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bounds {
     middle: f64,
     error: f64,
     pub(super) low: f64,
     pub(super) high: f64,
-    least: f64,
-    most: f64,
+    least_slope: f64,
+    greatest_slope: f64,
     pub(super) doubt: Doubt,
 }
 
 /// The smaller of two numbers, neither of which is NaN.
 #[inline]
-fn least(one: f64, other: f64) -> f64 {
+fn smaller(one: f64, other: f64) -> f64 {
     if one < other { one } else { other }
 }
 
 /// The larger of two numbers, neither of which is NaN.
 #[inline]
-fn most(one: f64, other: f64) -> f64 {
+fn larger(one: f64, other: f64) -> f64 {
     if one > other { one } else { other }
 }
 
@@ -93,16 +95,17 @@ pub(super) fn product(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 fn rounded_product(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     let [one, two, three, four] = [a[0] * b[0], a[0] * b[1], a[1] * b[0], a[1] * b[1]];
     [
-        least(least(one, two), least(three, four)),
-        most(most(one, two), most(three, four)),
+        smaller(smaller(one, two), smaller(three, four)),
+        larger(larger(one, two), larger(three, four)),
     ]
 }
 
 /// An interval that holds the exact result of an operation, whose rounded ends are given.
 #[inline]
 pub(super) fn widened([low, high]: [f64; 2]) -> [f64; 2] {
-    let size = most(low.abs(), high.abs());
-    // Only the product with an exact zero is zero: bounds do not underflow, and stay above the numbers with which processors are slow.
+    let size = larger(low.abs(), high.abs());
+    // Only the product with an exact zero is zero: bounds do not underflow, and stay above the numbers with which
+    // processors are slow.
     let slack = if size < TINY && size > 0.0 {
         TINY
     } else {
@@ -131,14 +134,14 @@ impl Bounds {
     #[inline]
     pub(super) fn variable(low: f64, high: f64) -> Self {
         let middle = 0.5 * (low + high);
-        let [least, most] = widened([0.5 * (high - low); 2]);
+        let [least_slope, greatest_slope] = widened([0.5 * (high - low); 2]);
         Self {
             middle,
             error: 0.0,
             low,
             high,
-            least,
-            most,
+            least_slope,
+            greatest_slope,
             doubt: Doubt::NONE,
         }
     }
@@ -171,14 +174,14 @@ impl Bounds {
     #[inline]
     fn new(middle: f64, error: f64, values: [f64; 2], slopes: [f64; 2], doubt: Doubt) -> Self {
         let [low, high] = widened(values);
-        let [least, most] = slopes;
+        let [least_slope, greatest_slope] = slopes;
         Self {
             middle,
             error: error + f64::EPSILON * middle.abs(),
             low,
             high,
-            least,
-            most,
+            least_slope,
+            greatest_slope,
             doubt,
         }
         .tight()
@@ -187,7 +190,7 @@ impl Bounds {
     /// Whether this is one number, known up to an error, which exists everywhere.
     #[inline]
     fn is_constant(self) -> bool {
-        self.least == 0.0 && self.most == 0.0 && self.doubt == Doubt::NONE
+        self.least_slope == 0.0 && self.greatest_slope == 0.0 && self.doubt == Doubt::NONE
     }
 
     /// This function times a constant. Its bounds are almost as tight as before.
@@ -195,21 +198,21 @@ impl Bounds {
     fn scaled(self, constant: Self) -> Self {
         let factor = constant.middle;
         let times = |[low, high]: [f64; 2]| {
-            let slack = constant.error * most(low.abs(), high.abs());
+            let slack = constant.error * larger(low.abs(), high.abs());
             let [low, high] = [low * factor, high * factor];
             let [low, high] = if factor < 0.0 { [high, low] } else { [low, high] };
             widened([low - slack, high + slack])
         };
         let middle = self.middle * factor;
-        let ([low, high], [least, most]) = (times(self.values()), times(self.slopes()));
+        let ([low, high], [least_slope, greatest_slope]) = (times(self.values()), times(self.slopes()));
         let error = self.error * factor.abs() + constant.error * (self.middle.abs() + self.error);
         Self {
             middle,
             error: error * (1.0 + 4.0 * f64::EPSILON) + f64::EPSILON * middle.abs(),
             low,
             high,
-            least,
-            most,
+            least_slope,
+            greatest_slope,
             doubt: self.doubt,
         }
     }
@@ -217,20 +220,21 @@ impl Bounds {
     /// The same function within the bounds that its derivative gives.
     #[inline]
     fn tight(mut self) -> Self {
-        let reach = (most(self.least.abs(), self.most.abs()) + self.error) * (1.0 + 4.0 * f64::EPSILON);
+        let reach =
+            (larger(self.least_slope.abs(), self.greatest_slope.abs()) + self.error) * (1.0 + 4.0 * f64::EPSILON);
         let rounding = f64::EPSILON * self.middle.abs();
         let (low, high) = (self.middle - reach - rounding, self.middle + reach + rounding);
         if reach < HUGE {
-            self.low = most(low, self.low);
-            self.high = least(high, self.high);
+            self.low = larger(low, self.low);
+            self.high = smaller(high, self.high);
         }
         self
     }
 
     /// The same function within bounds that are known of its derivative.
     pub(super) fn with_slopes(mut self, [low, high]: [f64; 2]) -> Self {
-        self.least = most(low, self.least);
-        self.most = least(high, self.most);
+        self.least_slope = larger(low, self.least_slope);
+        self.greatest_slope = smaller(high, self.greatest_slope);
         self.tight()
     }
 
@@ -241,7 +245,7 @@ impl Bounds {
 
     #[inline]
     pub(super) fn slopes(self) -> [f64; 2] {
-        [self.least, self.most]
+        [self.least_slope, self.greatest_slope]
     }
 
     /// A function of this number: its values, and its derivatives with respect to this number.
@@ -278,7 +282,8 @@ impl Bounds {
         Self::rough(middle, values, self.doubt.and(other.doubt))
     }
 
-    /// The angles from the vector in the middle, whose components are `x` and this number, to the corners of the box of all vectors.
+    /// The angles from the vector in the middle, whose components are `x` and this number, to the corners of the box of
+    /// all vectors.
     fn seen_from_the_middle(self, x: Self) -> [f64; 2] {
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for y in self.values() {
@@ -312,19 +317,19 @@ impl Bounds {
 #[inline]
 fn at_corners<const N: usize>(operands: [Bounds; N], mut visit: impl FnMut([f64; N])) {
     let corners = operands.map(Bounds::corners);
-    let mut place = [0_usize; N];
+    let mut corner = [0_usize; N];
     loop {
-        visit(core::array::from_fn(|index| corners[index].0[place[index]]));
+        visit(core::array::from_fn(|index| corners[index].0[corner[index]]));
         let mut index = 0;
         loop {
             if index == N {
                 return;
             }
-            place[index] += 1;
-            if place[index] < corners[index].1 {
+            corner[index] += 1;
+            if corner[index] < corners[index].1 {
                 break;
             }
-            place[index] = 0;
+            corner[index] = 0;
             index += 1;
         }
     }
@@ -375,10 +380,10 @@ fn trend<const N: usize, const K: usize>(
     let mut doubt = Doubt::NONE;
     for (index, operand) in operands.into_iter().enumerate() {
         let ends = |value: f64| {
-            let mut own = operands;
-            own[index] = Bounds::constant(value);
+            let mut varied = operands;
+            varied[index] = Bounds::constant(value);
             let (mut all, mut any) = (true, false);
-            at_corners(own, |values| {
+            at_corners(varied, |values| {
                 let holds = check.holds(values)[condition];
                 (all, any) = (all && holds, any || holds);
             });
@@ -403,21 +408,21 @@ fn trend<const N: usize, const K: usize>(
         let (low, high) = (ends(corners[0]), ends(corners[1]));
         if low == high {
             if count == 3 && ends(0.0) != low {
-                doubt = doubt.and(Doubt::OPEN);
+                doubt = doubt.and(Doubt::UNKNOWN);
             }
             continue;
         }
         // From the lower end to the upper one, the condition becomes true, or it becomes false.
         let becomes_true = u8::from(high.0) + u8::from(high.1) > u8::from(low.0) + u8::from(low.1);
-        doubt = doubt.and(if operand.least > 0.0 {
+        doubt = doubt.and(if operand.least_slope > 0.0 {
             if becomes_true { Doubt::RISING } else { Doubt::FALLING }
-        } else if operand.most < 0.0 {
+        } else if operand.greatest_slope < 0.0 {
             if becomes_true { Doubt::FALLING } else { Doubt::RISING }
         } else {
-            Doubt::OPEN
+            Doubt::UNKNOWN
         });
     }
-    if doubt == Doubt::NONE { Doubt::OPEN } else { doubt }
+    if doubt == Doubt::NONE { Doubt::UNKNOWN } else { doubt }
 }
 
 impl Add for Bounds {
@@ -429,7 +434,10 @@ impl Add for Bounds {
             self.middle + other.middle,
             self.error + other.error,
             [self.low + other.low, self.high + other.high],
-            widened([self.least + other.least, self.most + other.most]),
+            widened([
+                self.least_slope + other.least_slope,
+                self.greatest_slope + other.greatest_slope,
+            ]),
             self.doubt.and(other.doubt),
         )
     }
@@ -444,8 +452,8 @@ impl Neg for Bounds {
             middle: -self.middle,
             low: -self.high,
             high: -self.low,
-            least: -self.most,
-            most: -self.least,
+            least_slope: -self.greatest_slope,
+            greatest_slope: -self.least_slope,
             ..self
         }
     }
@@ -510,8 +518,8 @@ impl Number for Bounds {
             error: 0.0,
             low: value,
             high: value,
-            least: 0.0,
-            most: 0.0,
+            least_slope: 0.0,
+            greatest_slope: 0.0,
             doubt: Doubt::NONE,
         }
     }
@@ -587,7 +595,7 @@ impl Number for Bounds {
         self.rising([-HUGE, HUGE], Number::atan, slopes)
     }
 
-    /// The angle goes on beyond half a turn, so that it is continuous over the interval.
+    /// The angle goes on beyond half a revolution, so that it is continuous over the interval.
     #[inline(never)]
     fn atan2(self, x: Self) -> Self {
         let doubt = self.doubt.and(x.doubt);
@@ -601,8 +609,8 @@ impl Number for Bounds {
         );
         let steepest = Float::sqrt(inverse[1].abs());
         let error = (self.error + x.error) * steepest + FUNCTION * 4.0;
-        let half_turn = core::f64::consts::PI;
-        let mut values = [middle - half_turn, middle + half_turn];
+        let half_revolution = core::f64::consts::PI;
+        let mut values = [middle - half_revolution, middle + half_revolution];
         if slopes[0].abs().max(slopes[1].abs()) > 1.0 {
             let [low, high] = self.seen_from_the_middle(x);
             values = [middle + low - FUNCTION, middle + high + FUNCTION];
@@ -706,20 +714,20 @@ impl Scalar for Bounds {
     #[inline]
     fn chosen<const N: usize>(choice: impl Choose<Self, N>) -> Result<Assembly, Failure> {
         let mut choices: Option<Result<Assembly, Failure>> = None;
-        let mut is_told = true;
+        let mut is_decided = true;
         let mut ask = |values: [f64; N]| {
-            let own = choice.choose(values);
-            is_told &= match (&choices, &own) {
+            let assembly = choice.choose(values);
+            is_decided &= match (&choices, &assembly) {
                 (None, _) | (Some(Err(_)), Err(_)) => true,
                 (Some(Ok(one)), Ok(other)) => one == other,
                 _ => false,
             };
-            choices = Some(own);
+            choices = Some(assembly);
         };
         ask(real_parts(choice.operands()));
         at_corners(choice.operands(), ask);
         match choices {
-            Some(choice) if is_told => choice,
+            Some(choice) if is_decided => choice,
             _ => Err(Failure::not_finite(UNDECIDED)),
         }
     }

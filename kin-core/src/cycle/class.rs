@@ -14,24 +14,26 @@ fn sign(difference: f64, size: f64) -> core::cmp::Ordering {
     }
 }
 
-/// Grashof's types: whether the shortest link turns fully relative to the others.
+/// Grashof's types: whether the shortest link makes full revolutions relative to the others.
 ///
-/// F. Grashof, *Theoretische Maschinenlehre* 2, 1883: it does if the shortest and the longest link together are shorter than the other two.
+/// F. Grashof, *Theoretische Maschinenlehre* 2, 1883: it does if the shortest and the longest link together are shorter
+/// than the other two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum GrashofType {
-    /// The shortest link turns fully.
+    /// The shortest link makes full revolutions.
     Grashof,
     /// Both sums are equal: all links can come to lie on one line.
     ChangePoint,
-    /// No link turns fully relative to another one.
+    /// No link makes full revolutions relative to another one.
     NonGrashof,
 }
 
 /// Barker's classes of four-bar linkages.
 ///
-/// C. R. Barker, *A complete classification of planar four-bar linkages*, Mechanism and Machine Theory 20 (1985), 535-554. His symbols
-/// tell what crank, coupler and rocker do relative to the ground: C turns fully, R swings; G stands for Grashof, R for the other ones with the
-/// number of the longest link, S for a change point, X for two or four equal pairs.
+/// C. R. Barker, *A complete classification of planar four-bar linkages*, Mechanism and Machine Theory 20 (1985),
+/// 535-554. His symbols say what crank, coupler and rocker do relative to the ground: C makes full revolutions, R
+/// swings; G stands for Grashof, R for the other ones with the number of the longest link, S for a change point, X for
+/// two or four equal pairs.
 ///
 /// ```
 /// use kin_core::cycle::{BarkerClass, GrashofType};
@@ -44,21 +46,21 @@ pub enum GrashofType {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum BarkerClass {
-    /// 1, GCCC: the ground is shortest, and all other links turn fully.
+    /// 1, GCCC: the ground is shortest, and all other links make full revolutions.
     DoubleCrank,
-    /// 2, GCRR: the crank is shortest and turns fully.
+    /// 2, GCRR: the crank is shortest and makes full revolutions.
     CrankRocker,
-    /// 3, GRCR: the coupler is shortest and turns fully.
+    /// 3, GRCR: the coupler is shortest and makes full revolutions.
     DoubleRocker,
-    /// 4, GRRC: the rocker is shortest and turns fully.
+    /// 4, GRRC: the rocker is shortest and makes full revolutions.
     RockerCrank,
-    /// 5, RRR1: no link turns fully, and the ground is longest.
+    /// 5, RRR1: no link makes full revolutions, and the ground is longest.
     GroundLongest,
-    /// 6, RRR2: no link turns fully, and the crank is longest.
+    /// 6, RRR2: no link makes full revolutions, and the crank is longest.
     CrankLongest,
-    /// 7, RRR3: no link turns fully, and the coupler is longest.
+    /// 7, RRR3: no link makes full revolutions, and the coupler is longest.
     CouplerLongest,
-    /// 8, RRR4: no link turns fully, and the rocker is longest.
+    /// 8, RRR4: no link makes full revolutions, and the rocker is longest.
     RockerLongest,
     /// 9, SCCC: a change point, and the ground is shortest.
     ChangePointDoubleCrank,
@@ -75,8 +77,8 @@ pub enum BarkerClass {
 }
 
 impl BarkerClass {
-    /// The class of a linkage with four positive lengths; `None` if one link is longer than the others together, so that it cannot be
-    /// assembled, or if a length is not a positive number.
+    /// The class of a linkage with four positive lengths; `None` if one link is longer than the others together, so
+    /// that it cannot be assembled, or if a length is not a positive number.
     #[must_use]
     pub fn of(ground: f64, crank: f64, coupler: f64, rocker: f64) -> Option<Self> {
         let links = [ground, crank, coupler, rocker];
@@ -164,22 +166,23 @@ impl BarkerClass {
     }
 }
 
-/// The types of slider-cranks. They are four-bars whose ground and rocker are infinitely long: Grashof's condition compares the difference of
-/// crank and coupler with the offset.
+/// The types of slider-cranks. They are four-bars whose ground and rocker are infinitely long: Grashof's condition
+/// compares the difference of crank and coupler with the offset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SliderCrankType {
-    /// The crank turns fully: crank + offset < coupler.
+    /// The crank makes full revolutions: crank + offset < coupler.
     TurningCrank,
-    /// The coupler turns fully, and the crank swings: coupler + offset < crank.
+    /// The coupler makes full revolutions, and the crank swings: coupler + offset < crank.
     TurningCoupler,
-    /// Neither turns fully: the offset is larger than the difference of both.
+    /// Neither makes full revolutions: the offset is larger than the difference of both.
     Swinging,
     /// The offset equals the difference of both.
     ChangePoint,
 }
 
 impl SliderCrankType {
-    /// The type of a slider-crank; `None` if the offset is not smaller than crank and coupler together, so that it cannot be assembled.
+    /// The type of a slider-crank; `None` if the offset is not smaller than crank and coupler together, so that it
+    /// cannot be assembled.
     #[must_use]
     pub fn of(crank: f64, coupler: f64, offset: f64) -> Option<Self> {
         let size = crank + coupler + offset;
@@ -197,12 +200,12 @@ impl SliderCrankType {
     }
 }
 
-/// The types of inverted slider-cranks: a crank whose pin is in a slide on a link that turns about a second pivot.
+/// The types of inverted slider-cranks: a crank whose pin is in a slide on a link that rotates about a second pivot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum InvertedSliderCrankType {
-    /// Crank and link turn fully, as in Whitworth's mechanism: ground + offset < crank.
+    /// Crank and link make full revolutions, as in Whitworth's mechanism: ground + offset < crank.
     TurningLink,
-    /// The crank turns fully and the link swings, as in a shaper: crank + offset < ground.
+    /// The crank makes full revolutions and the link swings, as in a shaper: crank + offset < ground.
     SwingingLink,
     /// The crank swings: the offset is larger than the difference of crank and ground.
     SwingingCrank,
@@ -211,8 +214,8 @@ pub enum InvertedSliderCrankType {
 }
 
 impl InvertedSliderCrankType {
-    /// The type of an inverted slider-crank; `None` if the offset is not smaller than ground and crank together, so that it cannot be
-    /// assembled.
+    /// The type of an inverted slider-crank; `None` if the offset is not smaller than ground and crank together, so
+    /// that it cannot be assembled.
     #[must_use]
     pub fn of(ground: f64, crank: f64, offset: f64) -> Option<Self> {
         let size = ground + crank + offset;

@@ -25,10 +25,10 @@ use crate::quantity::{Dimension, Quantity};
 use crate::track::TrackError;
 
 /// The number of intervals of the first division.
-const FIRST: u32 = 8;
+const FIRST_INTERVALS: u32 = 8;
 /// The shortest interval, as a part of the range: a few units in the last place of its ends.
-const SHORTEST: f64 = 1.0 / 1_125_899_906_842_624.0;
-/// The distance of places that may be the same, as a part of the range.
+const SHORTEST_INTERVAL: f64 = 1.0 / 1_125_899_906_842_624.0;
+/// The distance of points that may be the same, as a part of the range.
 pub(super) const RESOLUTION: f64 = 1.0 / 16_777_216.0;
 /// The largest number of intervals of an assembly, besides those with which its search begins.
 const MOST_INTERVALS: usize = 4096;
@@ -37,17 +37,17 @@ const BENDING: usize = 512;
 /// The largest number of intervals with which the search of an assembly begins.
 const MOST_SHARED: usize = 256;
 /// The largest distance from a change point at which values lead to it, as a part of the range.
-const FAR: f64 = 2e-2;
+const FARTHEST_SAMPLE: f64 = 2e-2;
 /// The part of that distance at which the nearest of these values lie.
 const NEAREST: f64 = 0.15;
 /// The largest difference of two locations of a change point that agree, as a part of the range.
 const SETTLED: f64 = 1e-13;
 /// Two distances from a limit at which differences of assemblies show where these meet, as parts of the range.
 const ROOTS: [f64; 2] = [1.0 / 268_435_456.0, 1.0 / 67_108_864.0];
-/// The largest distance of limits at the same place, as a part of the range: that of some units in the last place of
+/// The largest distance of limits at the same point, as a part of the range: that of some units in the last place of
 /// the lengths.
 const TOGETHER: f64 = 1.0 / 8_796_093_022_208.0;
-/// The largest distance of two ranges in which rounding decides about one place, as a multiple of their widths.
+/// The largest distance of two ranges in which rounding decides about one point, as a multiple of their widths.
 const BRIDGE: f64 = 8.0;
 /// The width of bounds of a length, in the unit of the search, beyond which there may be a pole.
 const UNBOUNDED: f64 = 1e75;
@@ -61,7 +61,7 @@ const SWING: f64 = 1.5;
 enum Known {
     Closes,
     Fails,
-    /// At most one limit, which the ends tell.
+    /// At most one limit, which the ends determine.
     OneLimit,
     /// Rounding decides.
     Rounding,
@@ -78,10 +78,10 @@ struct Interval {
     middle: Option<NumberRow>,
 }
 
-/// A place at which two assemblies cross, the unknowns there, and the index of the other assembly.
+/// The input at which two assemblies cross, the unknowns there, and the index of the other assembly.
 type BranchCrossing = (f64, NumberRow, usize);
 
-/// The end of a piece at a node. A part that turns freely there may have another direction than in the node.
+/// The end of a piece at a node. A part that rotates freely there may have another direction than in the node.
 #[derive(Clone)]
 struct PieceEnd {
     node: usize,
@@ -95,8 +95,8 @@ pub(super) struct ClosedSearch<'a> {
     curved: Vec<Curved>,
     pub(super) line: &'a InputLine,
     pub(super) size: f64,
-    /// The ends of the intervals with which the search of an assembly begins: those of the assembly before it, which has most of its blocks
-    /// in common with it.
+    /// The ends of the intervals with which the search of an assembly begins: those of the assembly before it, which
+    /// has most of its blocks in common with it.
     division: Vec<f64>,
     found: FoundPieces,
 }
@@ -123,7 +123,7 @@ impl Known {
 
 /// All pieces of branches of a mechanism whose blocks all have closed forms.
 pub(super) fn search(mechanism: &SoughtMechanism<'_>, functions: &dyn ClosedForms, line: &InputLine) -> FoundPieces {
-    let place = |part: u32| line.low + (line.high - line.low) * (f64::from(part) / f64::from(FIRST));
+    let border = |part: u32| line.low + (line.high - line.low) * (f64::from(part) / f64::from(FIRST_INTERVALS));
     let mut search = ClosedSearch {
         mechanism,
         functions,
@@ -131,7 +131,7 @@ pub(super) fn search(mechanism: &SoughtMechanism<'_>, functions: &dyn ClosedForm
         curved: mechanism.parameters.iter().copied().map(Curved::rounded).collect(),
         line,
         size: mechanism.reach(),
-        division: (0..=FIRST).map(place).collect(),
+        division: (0..=FIRST_INTERVALS).map(border).collect(),
         found: FoundPieces {
             nodes: Vec::new(),
             pieces: Vec::new(),
@@ -199,8 +199,8 @@ impl ClosedSearch<'_> {
         let unknowns = match solved {
             Ok(unknowns) => unknowns,
             Err(error) => {
-                let is_told = !matches!(error.failure, Failure::NotFinite { quantity } if quantity == UNDECIDED);
-                return (is_told.then_some(Known::Fails), None);
+                let is_decided = !matches!(error.failure, Failure::NotFinite { quantity } if quantity == UNDECIDED);
+                return (is_decided.then_some(Known::Fails), None);
             }
         };
         let doubts = unknowns.iter().map(|unknown| unknown.doubt);
@@ -240,7 +240,7 @@ impl ClosedSearch<'_> {
         }
     }
 
-    /// Notes an interval in which the bounds do not tell whether an assembly closes.
+    /// Notes an interval in which the bounds do not decide whether an assembly closes.
     fn undecided(&mut self, index: usize, low: f64, high: f64) {
         match self.found.undecided.last_mut() {
             Some((known, range)) if *known == index && range[1] == low => range[1] = high,
@@ -248,7 +248,7 @@ impl ClosedSearch<'_> {
         }
     }
 
-    /// Tells of all assemblies about which nothing is known in a part of the range.
+    /// Reports all assemblies about which nothing is known in a part of the range.
     fn note_undecided(&mut self) {
         let undecided = &self.found.undecided;
         let mut indices: Vec<usize> = undecided.iter().map(|(index, _)| *index).collect();
@@ -263,7 +263,7 @@ impl ClosedSearch<'_> {
         }
     }
 
-    /// Tells that rounding decides about a block in a range.
+    /// Reports that rounding decides about a block in a range.
     fn note_rounding(&mut self, block: Name, range: [f64; 2]) {
         let reason = Incomplete::Rounding {
             block,
@@ -272,10 +272,10 @@ impl ClosedSearch<'_> {
         };
         let is_known = |known: &Incomplete| match *known {
             Incomplete::Rounding {
-                block: own,
+                block: recorded,
                 range: [low, high],
                 ..
-            } => own == block && low <= range[1] && high >= range[0],
+            } => recorded == block && low <= range[1] && high >= range[0],
             _ => false,
         };
         if !self.found.incomplete.iter().any(is_known) {
@@ -284,7 +284,7 @@ impl ClosedSearch<'_> {
     }
 
     fn intervals(&mut self, assembly: usize) -> Vec<Interval> {
-        let shortest = SHORTEST * (self.line.high - self.line.low);
+        let shortest = SHORTEST_INTERVAL * (self.line.high - self.line.low);
         let given = self.division.windows(2).rev();
         let mut waiting: Vec<(f64, f64)> = given.map(|ends| (ends[0], ends[1])).collect();
         let mut done: Vec<Interval> = Vec::with_capacity(32);
@@ -328,44 +328,45 @@ impl ClosedSearch<'_> {
     /// Adds the pieces of one assembly.
     fn assembly(&mut self, assembly: usize) {
         let intervals = self.intervals(assembly);
-        let mut open: Option<BranchPiece> = None;
+        let mut unfinished: Option<BranchPiece> = None;
         // Whether the assembly closes at the border before an interval, or at the end of the range; nothing if rounding
         // may decide about it.
-        let closes_at = |search: &Self, place: usize| {
-            // At the border of an interval that closes everywhere, and at that of one that closes nowhere, nothing needs to be solved.
-            let [before, after] =
-                [place.checked_sub(1), Some(place)].map(|place| intervals.get(place?).map(|own| own.known));
+        let closes_at = |search: &Self, border: usize| {
+            // At the border of an interval that closes everywhere, and at that of one that closes nowhere, nothing
+            // needs to be solved.
+            let [before, after] = [border.checked_sub(1), Some(border)]
+                .map(|border| intervals.get(border?).map(|interval| interval.known));
             let known = [before, after].into_iter().flatten().find_map(Known::closes);
             known.or_else(|| {
                 let is_inside = before.is_some() && after.is_some();
                 let is_unknown = [before, after].into_iter().flatten().any(Known::is_unknown);
-                let s = intervals.get(place).map_or(search.line.high, |interval| interval.low);
+                let s = intervals.get(border).map_or(search.line.high, |interval| interval.low);
                 (!(is_inside && is_unknown)).then(|| search.solved(s, assembly).is_some())
             })
         };
         let mut closes = closes_at(self, 0).unwrap_or(false);
         if closes {
-            open = Some(BranchPiece {
+            unfinished = Some(BranchPiece {
                 assembly: Some(assembly),
                 low: Tip::Seam,
                 high: Tip::Seam,
                 samples: Vec::with_capacity(16),
             });
             let s = self.line.low;
-            if let (Some(piece), Some(unknowns)) = (open.as_mut(), self.solved(s, assembly)) {
+            if let (Some(piece), Some(unknowns)) = (unfinished.as_mut(), self.solved(s, assembly)) {
                 piece.samples.push((s, unknowns));
             }
         }
-        let mut place = 0;
-        while let Some(interval) = intervals.get(place) {
-            let first = place;
-            place += 1;
+        let mut next = 0;
+        while let Some(interval) = intervals.get(next) {
+            let first = next;
+            next += 1;
             if interval.known == Known::Closes {
                 if !closes {
                     let node = self.limit(assembly, 0.5 * (interval.low + interval.high), interval.low);
-                    open = Some(self.begun(assembly, self.at_node(node)));
+                    unfinished = Some(self.begun(assembly, self.at_node(node)));
                 }
-                if let (Some(piece), Some(middle)) = (open.as_mut(), &interval.middle) {
+                if let (Some(piece), Some(middle)) = (unfinished.as_mut(), &interval.middle) {
                     add(
                         self.mechanism,
                         piece,
@@ -378,32 +379,32 @@ impl ClosedSearch<'_> {
             }
             // Intervals whose borders rounding decides are one.
             let after = loop {
-                if let Some(after) = closes_at(self, place) {
+                if let Some(after) = closes_at(self, next) {
                     break after;
                 }
-                place += 1;
+                next += 1;
             };
-            let (low, high) = (interval.low, intervals[place - 1].high);
+            let (low, high) = (interval.low, intervals[next - 1].high);
             if closes != after {
                 let (good, bad) = if closes { (low, high) } else { (high, low) };
                 let node = self.limit(assembly, good, bad);
                 let end = self.at_node(node);
                 if closes {
-                    self.finish(open.take(), end);
+                    self.finish(unfinished.take(), end);
                 } else {
-                    open = Some(self.begun(assembly, end));
+                    unfinished = Some(self.begun(assembly, end));
                 }
             } else if closes
                 && let Some([before, behind]) = self
                     .pole(assembly, [low, high])
-                    .or_else(|| self.change_point(assembly, &intervals, first..place))
+                    .or_else(|| self.change_point(assembly, &intervals, first..next))
             {
-                self.finish(open.take(), before);
-                open = Some(self.begun(assembly, behind));
+                self.finish(unfinished.take(), before);
+                unfinished = Some(self.begun(assembly, behind));
             }
             closes = after;
         }
-        if let Some(mut piece) = open {
+        if let Some(mut piece) = unfinished {
             let s = self.line.high;
             if let Some(unknowns) = self.solved(s, assembly) {
                 add(self.mechanism, &mut piece, s, unknowns);
@@ -438,7 +439,7 @@ impl ClosedSearch<'_> {
         self.found.pieces.push(piece);
     }
 
-    /// The limit between a place that closes and one that does not.
+    /// The limit between an input at which the assembly closes and one that does not.
     fn limit(&mut self, assembly: usize, mut good: f64, mut bad: f64) -> usize {
         let (low, high) = (good.min(bad), good.max(bad));
         let known = self.found.nodes.iter().position(|node| {
@@ -474,9 +475,9 @@ impl ClosedSearch<'_> {
             let Some(unknowns) = self.solved(good, other) else {
                 continue;
             };
-            let own = self.distance(&node.unknowns, &unknowns);
-            if own < closest {
-                closest = own;
+            let distance = self.distance(&node.unknowns, &unknowns);
+            if distance < closest {
+                closest = distance;
                 node.kind = EndKind::Limit(LimitKind::TurningPoint);
                 node.assemblies[1] = other;
             }
@@ -484,11 +485,11 @@ impl ClosedSearch<'_> {
         let together = self.together(assembly, good, good > bad);
         if let [_, _, ..] = together[..] {
             // Several blocks have their limits here, and all their assemblies meet.
-            let own = node.unknowns;
+            let unknowns = node.unknowns;
             let others = together.iter().filter_map(|(other, _)| self.solved(good, *other));
-            let all: Vec<NumberRow> = others.map(|other| self.mechanism.nearest(&other, &own)).collect();
-            node.unknowns = NumberRow::from_fn(own.len(), |unknown| {
-                let sum = all.iter().fold(own[unknown], |sum, other| sum + other[unknown]);
+            let all: Vec<NumberRow> = others.map(|other| self.mechanism.nearest(&other, &unknowns)).collect();
+            node.unknowns = NumberRow::from_fn(unknowns.len(), |unknown| {
+                let sum = all.iter().fold(unknowns[unknown], |sum, other| sum + other[unknown]);
                 sum / count(all.len() + 1)
             });
             let moves = |member: &usize| together.iter().any(|(_, apart)| apart[*member] != 0.0);
@@ -503,10 +504,10 @@ impl ClosedSearch<'_> {
             && let Some(other) = self.solved(good, node.assemblies[1])
         {
             // What the two assemblies differ by is the root of the distance to the limit, with opposite signs.
-            let own = node.unknowns;
-            let other = self.mechanism.nearest(&other, &own);
-            node.unknowns = NumberRow::from_fn(own.len(), |unknown| {
-                own[unknown] + 0.5 * (other[unknown] - own[unknown])
+            let unknowns = node.unknowns;
+            let other = self.mechanism.nearest(&other, &unknowns);
+            node.unknowns = NumberRow::from_fn(unknowns.len(), |unknown| {
+                unknowns[unknown] + 0.5 * (other[unknown] - unknowns[unknown])
             });
         }
         self.found.nodes.push(node);
@@ -515,8 +516,8 @@ impl ClosedSearch<'_> {
 
     /// The other assemblies that meet an assembly at its limit, and how far they are apart from it next to the limit.
     ///
-    /// The square of the difference of two assemblies that meet grows with the distance from the place where it is
-    /// zero. Two differences show that place, which is the limit of the block that the assemblies solve differently.
+    /// The square of the difference of two assemblies that meet grows with the distance from the input at which it is
+    /// zero. Two differences show that input, which is the limit of the block that the assemblies solve differently.
     fn together(&self, assembly: usize, limit: f64, is_above: bool) -> Vec<(usize, NumberRow)> {
         let range = (self.line.high - self.line.low) * if is_above { 1.0 } else { -1.0 };
         let [near, far] = ROOTS.map(|part| limit + part * range);
@@ -536,10 +537,10 @@ impl ClosedSearch<'_> {
         meets.collect()
     }
 
-    /// Moves a place that closes and one that does not together until no number lies between them.
+    /// Moves an input that closes and one that does not together until no number lies between them.
     ///
-    /// The square of the difference of the two assemblies that meet is zero at the limit, and smooth on the side that closes. Its secants lead
-    /// close to the limit, and bisection does the rest.
+    /// The square of the difference of the two assemblies that meet is zero at the limit, and smooth on the side that
+    /// closes. Its secants lead close to the limit, and bisection does the rest.
     fn narrow(&self, assembly: usize, good: &mut f64, bad: &mut f64) {
         let mut secant: Option<(f64, f64)> = None;
         let mut partner = None;
@@ -550,9 +551,9 @@ impl ClosedSearch<'_> {
             }
             let mut next = middle;
             if (4..24).contains(&step)
-                && let Some(own) = self.solved(*good, assembly)
+                && let Some(here) = self.solved(*good, assembly)
             {
-                let separation = |other: usize| Some(self.distance(&own, &self.solved(*good, other)?));
+                let separation = |other: usize| Some(self.distance(&here, &self.solved(*good, other)?));
                 if partner.is_none() {
                     let all = self
                         .others(assembly)
@@ -562,11 +563,11 @@ impl ClosedSearch<'_> {
                         .map(|(other, _)| other);
                 }
                 if let Some(square) = partner.and_then(separation).map(|root| root * root) {
-                    if let Some((place, before)) = secant
-                        && place != *good
+                    if let Some((previous, before)) = secant
+                        && previous != *good
                         && before != square
                     {
-                        let root = *good + (*good - place) * square / (before - square);
+                        let root = *good + (*good - previous) * square / (before - square);
                         // A little beyond or before the limit, so that the interval shrinks from both sides.
                         let aside = 1e-2 * (root - *good).abs() + 4.0 * f64::EPSILON * root.abs();
                         let beyond = aside.copysign(*bad - *good);
@@ -586,7 +587,7 @@ impl ClosedSearch<'_> {
         }
     }
 
-    /// The pole between two places at which an assembly closes, if there is one: a length grows towards both of them.
+    /// The pole between two inputs at which an assembly closes, if there is one: a length grows towards both of them.
     fn pole(&mut self, assembly: usize, [low, high]: [f64; 2]) -> Option<[PieceEnd; 2]> {
         let away = RESOLUTION * (self.line.high - self.line.low);
         let solved = |s: f64| self.solved(s, assembly);
@@ -619,10 +620,15 @@ impl ClosedSearch<'_> {
     }
 
     /// The change point in some intervals at both ends of which an assembly closes, if there is one: where the assembly
-    /// ends before it, and where it begins behind it. Both are the same unless a part turns freely there.
-    fn change_point(&mut self, assembly: usize, intervals: &[Interval], own: Range<usize>) -> Option<[PieceEnd; 2]> {
-        let is_doubtful = |place: &usize| !intervals[*place].known.may_close();
-        let (first, last) = (own.clone().find(is_doubtful)?, own.rev().find(is_doubtful)?);
+    /// ends before it, and where it begins behind it. Both are the same unless a part rotates freely there.
+    fn change_point(
+        &mut self,
+        assembly: usize,
+        intervals: &[Interval],
+        doubtful: Range<usize>,
+    ) -> Option<[PieceEnd; 2]> {
+        let is_doubtful = |index: &usize| !intervals[*index].known.may_close();
+        let (first, last) = (doubtful.clone().find(is_doubtful)?, doubtful.rev().find(is_doubtful)?);
         let (low, high) = (intervals[first].low, intervals[last].high);
         let range = self.line.high - self.line.low;
         let slack = RESOLUTION * range;
@@ -634,7 +640,7 @@ impl ClosedSearch<'_> {
             return Some([known; 2].map(|node| self.at_node(node)));
         }
         // As far as it certainly closes on both sides, but not farther than the curvature allows.
-        let far = FAR * range;
+        let far = FARTHEST_SAMPLE * range;
         let may_close = |interval: &&Interval| interval.known.may_close();
         let before = intervals[..first].iter().rev().take_while(may_close).last();
         let after = intervals[last + 1..].iter().take_while(may_close).last();
@@ -653,8 +659,8 @@ impl ClosedSearch<'_> {
             self.note_rounding(block, [low, high]);
             return None;
         }
-        let places = around(middle, reach);
-        if let Some(Jump { s, unknowns, block }) = free::jump(self, assembly, &places)
+        let samples = around(middle, reach);
+        if let Some(Jump { s, unknowns, block }) = free::jump(self, assembly, &samples)
             && is_inside(s)
         {
             let mut end = |unknowns: NumberRow| {
@@ -685,7 +691,7 @@ impl ClosedSearch<'_> {
                     return None;
                 }
                 Err(TrackError::ChangePoint(obstacle) | TrackError::TurningPoint(obstacle)) => (
-                    self.line.place(&obstacle.inputs),
+                    self.line.coordinate(&obstacle.inputs),
                     NumberRow::from(&*obstacle.unknowns),
                     obstacle.block,
                     assembly,
@@ -712,15 +718,15 @@ impl ClosedSearch<'_> {
         ))
     }
 
-    /// The place at which an assembly closes, as close to a wanted one as halving the way to another place finds it.
+    /// The input at which an assembly closes, as close to a wanted one as halving the way to another input finds it.
     fn closing(&self, wanted: f64, near: f64, assembly: usize) -> f64 {
-        let places = core::iter::successors(Some(wanted), |place| Some(0.5 * (place + near)));
-        let mut closing = places.take(8).filter(|place| self.solved(*place, assembly).is_some());
+        let halvings = core::iter::successors(Some(wanted), |s| Some(0.5 * (s + near)));
+        let mut closing = halvings.take(8).filter(|s| self.solved(*s, assembly).is_some());
         closing.next().unwrap_or(near)
     }
 
-    /// Whether two nodes are change points at the same place.
-    fn is_same_place(&self, one: &BranchNode, other: &BranchNode) -> bool {
+    /// Whether two nodes are change points at the same input.
+    fn is_same_change_point(&self, one: &BranchNode, other: &BranchNode) -> bool {
         let tolerance = 8.0 * RESOLUTION * (self.line.high - self.line.low);
         [one, other]
             .iter()
@@ -731,7 +737,7 @@ impl ClosedSearch<'_> {
     /// The index of a change point, which is added unless it is known.
     fn noted(&mut self, node: BranchNode) -> usize {
         let known = self.found.nodes.iter().position(|known| {
-            self.is_same_place(known, &node) && self.distance(&known.unknowns, &node.unknowns) < MEETING
+            self.is_same_change_point(known, &node) && self.distance(&known.unknowns, &node.unknowns) < MEETING
         });
         known.unwrap_or_else(|| {
             self.found.nodes.push(node);
@@ -739,15 +745,15 @@ impl ClosedSearch<'_> {
         })
     }
 
-    /// Makes one node of change points between which a part turns freely.
+    /// Makes one node of change points between which a part rotates freely.
     fn unite(&mut self) {
         let mut united: Vec<usize> = (0..self.found.nodes.len()).collect();
         for other in 1..self.found.nodes.len() {
-            let own = &self.found.nodes[other];
+            let node = &self.found.nodes[other];
             let mut before = self.found.nodes[..other].iter();
-            let same = before.position(|node| {
-                let positions: [&[f64]; 2] = [&node.unknowns, &own.unknowns];
-                self.is_same_place(node, own) && free::is_connected(self, own.s, positions)
+            let same = before.position(|earlier| {
+                let positions: [&[f64]; 2] = [&earlier.unknowns, &node.unknowns];
+                self.is_same_change_point(earlier, node) && free::is_connected(self, node.s, positions)
             });
             if let Some(same) = same {
                 united[other] = united[same];
@@ -762,9 +768,10 @@ impl ClosedSearch<'_> {
         }
     }
 
-    /// The place near another one at which two assemblies cross, the unknowns there, and the index of the other assembly.
+    /// The input near another one at which two assemblies cross, the unknowns there, and the index of the other
+    /// assembly.
     ///
-    /// It is found from places as far away as another limit allows, and from closer ones as long as these differ: next
+    /// It is found from inputs as far away as another limit allows, and from closer ones as long as these differ: next
     /// to another limit, the assemblies are no smooth functions of the input.
     fn crossing(&self, assembly: usize, s: f64, reach: f64) -> Option<BranchCrossing> {
         let tolerance = SETTLED * (self.line.high - self.line.low);
@@ -787,37 +794,38 @@ impl ClosedSearch<'_> {
         best.map(|(_, found)| found)
     }
 
-    /// The place at which two assemblies cross, from others within a distance from it.
+    /// The input at which two assemblies cross, from others within a distance from it.
     ///
-    /// Both are smooth if they change roles at the crossing. So their difference, with its sign changed behind the crossing, is a smooth
-    /// function with a simple zero, which inverse interpolation finds from places where the difference has all its digits.
+    /// Both are smooth if they change roles at the crossing. So their difference, with its sign changed behind the
+    /// crossing, is a smooth function with a simple zero, which inverse interpolation finds from inputs where the
+    /// difference has all its digits.
     fn crossing_within(&self, assembly: usize, s: f64, reach: f64) -> Option<BranchCrossing> {
-        let places = around(s, reach);
-        let own = places.map(|place| self.solved(place, assembly));
-        let first = own[CROSSING / 2].clone()?;
+        let samples = around(s, reach);
+        let first_assembly = samples.map(|s| self.solved(s, assembly));
+        let first = first_assembly[CROSSING / 2].clone()?;
         let candidates = self.others(assembly).filter_map(|other| {
-            let position = self.solved(places[CROSSING / 2], other)?;
+            let position = self.solved(samples[CROSSING / 2], other)?;
             Some((other, self.distance(&first, &position)))
         });
         let (partner, _) = candidates.min_by(|one, other| one.1.total_cmp(&other.1))?;
         let count = first.len();
         let mut means: [_; CROSSING] = core::array::from_fn(|_| first.clone());
         let mut halves = means.clone();
-        for (place, own) in own.into_iter().enumerate() {
-            let own = self.mechanism.nearest(&own?, &first);
-            let other = self.mechanism.nearest(&self.solved(places[place], partner)?, &own);
-            let side = if places[place] < s { 0.5 } else { -0.5 };
-            means[place] = NumberRow::from_fn(count, |unknown| 0.5 * (own[unknown] + other[unknown]));
-            halves[place] = NumberRow::from_fn(count, |unknown| side * (own[unknown] - other[unknown]));
+        for (sample, one) in first_assembly.into_iter().enumerate() {
+            let one = self.mechanism.nearest(&one?, &first);
+            let other = self.mechanism.nearest(&self.solved(samples[sample], partner)?, &one);
+            let side = if samples[sample] < s { 0.5 } else { -0.5 };
+            means[sample] = NumberRow::from_fn(count, |unknown| 0.5 * (one[unknown] + other[unknown]));
+            halves[sample] = NumberRow::from_fn(count, |unknown| side * (one[unknown] - other[unknown]));
         }
         let lead = (0..count).max_by(|one, other| {
             let size = |unknown: usize| halves[0][unknown].abs();
             size(*one).total_cmp(&size(*other))
         })?;
-        let differences: [f64; CROSSING] = core::array::from_fn(|place| halves[place][lead]);
-        let found = interpolated(&differences, &places, 0.0);
+        let differences: [f64; CROSSING] = core::array::from_fn(|sample| halves[sample][lead]);
+        let found = interpolated(&differences, &samples, 0.0);
         let unknowns = NumberRow::from_fn(count, |unknown| {
-            interpolated(&places, &core::array::from_fn(|place| means[place][unknown]), found)
+            interpolated(&samples, &core::array::from_fn(|sample| means[sample][unknown]), found)
         });
         let is_finite = unknowns.iter().all(|value| value.is_finite());
         (is_finite && crosses(&differences)).then_some((found, unknowns, partner))
@@ -828,23 +836,24 @@ impl ClosedSearch<'_> {
 /// How far rounding reaches is not known better than that.
 fn bridged(intervals: Vec<Interval>) -> Vec<Interval> {
     let mut all: Vec<Interval> = Vec::with_capacity(intervals.len());
-    for own in intervals {
-        let before = all.iter().rposition(|interval| !interval.known.may_close());
-        if own.known == Known::Rounding
+    for interval in intervals {
+        let before = all.iter().rposition(|earlier| !earlier.known.may_close());
+        if interval.known == Known::Rounding
             && let Some(before) = before
             && all[before].known == Known::Rounding
-            && own.low - all[before].high <= BRIDGE * ((own.high - own.low) + (all[before].high - all[before].low))
+            && interval.low - all[before].high
+                <= BRIDGE * ((interval.high - interval.low) + (all[before].high - all[before].low))
         {
             all.truncate(before + 1);
-            all[before].high = own.high;
+            all[before].high = interval.high;
         } else {
-            all.push(own);
+            all.push(interval);
         }
     }
     all
 }
 
-/// Adds a sample at the end of a piece, with angles on the nearest turns.
+/// Adds a sample at the end of a piece, with angles unwrapped to the samples before.
 fn add(mechanism: &SoughtMechanism<'_>, piece: &mut BranchPiece, s: f64, unknowns: NumberRow) {
     let unknowns = match piece.samples.last() {
         Some((_, last)) => mechanism.nearest(&unknowns, last),

@@ -8,8 +8,8 @@ use num_traits::{Float, ToPrimitive};
 use super::polynomial::{ClosurePolynomial, ClosureQuantity, Quantities};
 use crate::mechanism::{ClosureHarmonic, ClosureTerm};
 
-/// The largest sum of the multiples of an angle that is taken apart: the binomial coefficients of a larger one have more digits than a
-/// number.
+/// The largest sum of the multiples of an angle that is taken apart: the binomial coefficients of a larger one have
+/// more digits than a number.
 const MOST_MULTIPLES: u32 = 32;
 
 /// The terms of a closure with their coefficients, where the inputs are `from + direction v`.
@@ -27,17 +27,17 @@ pub(super) struct Closure {
     pub(super) equations: Vec<ClosurePolynomial>,
     /// The unknown angle, as a quantity, that was added to the input times the sign.
     pub(super) added: Option<(usize, i32)>,
-    /// The unknown angle, as a quantity, that turns the input, a length, and whose cosine and sine occur with it only. Their products with
-    /// the input have taken the place of its variables.
-    pub(super) turned: Option<usize>,
+    /// The unknown angle, as a quantity, that is the direction of the input, a length, and whose cosine and sine occur
+    /// with it only. Their products with the input replace its variables.
+    pub(super) slide_angle: Option<usize>,
 }
 
 impl Closure {
-    /// The closure whose first quantity is the input, v, or v plus or minus an unknown angle, whichever makes the lowest degrees. The
-    /// angle of a motor between two links is a difference of their angles, for example.
+    /// The closure whose first quantity is the input, v, or v plus or minus an unknown angle, whichever makes the
+    /// lowest degrees. The angle of a motor between two links is a difference of their angles, for example.
     ///
-    /// It is `None` if v, where it is an angle, or an unknown angle occurs outside of sines and cosines, or if a sine does not repeat itself
-    /// after a turn of v.
+    /// It is `None` if v, where it is an angle, or an unknown angle occurs outside of sines and cosines, or if a sine
+    /// does not repeat itself after a revolution of v.
     pub(super) fn new(quantities: &Quantities, on_line: ClosureOnLine<'_>) -> Option<Self> {
         let count = quantities.len();
         let mut best: Option<(usize, Self)> = None;
@@ -52,23 +52,24 @@ impl Closure {
             };
             let degree = equations.iter().map(ClosurePolynomial::degree).sum();
             if best.as_ref().is_none_or(|(known, _)| degree < *known) {
-                let own = Self {
+                let closure = Self {
                     quantities: quantities.clone(),
                     equations,
                     added,
-                    turned: None,
+                    slide_angle: None,
                 };
-                best = Some((degree, own));
+                best = Some((degree, closure));
             }
             if degree < count {
                 break;
             }
         }
-        best.map(|(_, closure)| closure.with_the_input_turned())
+        best.map(|(_, closure)| closure.with_the_link_of_the_input())
     }
 
-    /// The closure with the coordinates of the input's link as variables, if the input is the length of a turning link.
-    fn with_the_input_turned(mut self) -> Self {
+    /// The closure with the coordinates of the input's link as variables, if the input is the length of a rotating
+    /// link.
+    fn with_the_link_of_the_input(mut self) -> Self {
         let input = self.quantities.first(0);
         let is_input = |&(variable, _): &(u16, u8)| variable == input;
         let angle = self
@@ -89,35 +90,35 @@ impl Closure {
             .flat_map(ClosurePolynomial::terms)
             .all(|(powers, _)| {
                 let degree = |counts: &dyn Fn(&(u16, u8)) -> bool| -> u32 {
-                    let own = powers.iter().filter(|factor| counts(factor));
-                    own.map(|(_, power)| u32::from(*power)).sum()
+                    let factors = powers.iter().filter(|factor| counts(factor));
+                    factors.map(|(_, power)| u32::from(*power)).sum()
                 };
                 matches!((degree(&is_input), degree(&is_angle)), (0, 0) | (1, 1))
             });
         if is_product && self.quantities.kind(angle) == ClosureQuantity::Angle {
             let without = |equation: &ClosurePolynomial| {
-                let mut own = ClosurePolynomial::default();
+                let mut reduced = ClosurePolynomial::default();
                 for (powers, coefficient) in equation.terms() {
                     let others = powers.iter().filter(|factor| !is_input(factor));
-                    own.add(others.copied().collect(), coefficient);
+                    reduced.add(others.copied().collect(), coefficient);
                 }
-                own
+                reduced
             };
             self.equations = self.equations.iter().map(without).collect();
-            self.turned = Some(angle);
+            self.slide_angle = Some(angle);
         }
         self
     }
 
     /// The derivative of an equation with respect to an unknown, while the input stands still.
     pub(super) fn derivative(&self, equation: usize, quantity: usize) -> ClosurePolynomial {
-        let own = self.equations[equation].derivative(&self.quantities, quantity);
+        let derivative = self.equations[equation].derivative(&self.quantities, quantity);
         match self.added {
-            Some((added, sign)) if added == quantity => own.plus(
+            Some((added, sign)) if added == quantity => derivative.plus(
                 &self.equations[equation].derivative(&self.quantities, 0),
                 f64::from(sign),
             ),
-            _ => own,
+            _ => derivative,
         }
     }
 }
@@ -127,8 +128,10 @@ impl ClosureOnLine<'_> {
     fn equations(&self, quantities: &Quantities, added: Option<(usize, i32)>) -> Option<Vec<ClosurePolynomial>> {
         let mut equations = vec![ClosurePolynomial::default(); quantities.len() - 1];
         for term in self.terms {
-            let own = self.polynomial(quantities, added, term)?;
-            equations.get_mut(usize::from(term.equation))?.add_multiple(&own, 1.0);
+            let polynomial = self.polynomial(quantities, added, term)?;
+            equations
+                .get_mut(usize::from(term.equation))?
+                .add_multiple(&polynomial, 1.0);
         }
         equations.iter_mut().for_each(ClosurePolynomial::tidy);
         Some(equations)
@@ -146,14 +149,14 @@ impl ClosureOnLine<'_> {
         }
         let inputs = self.from.len();
         let mut whole = ClosurePolynomial::number(coefficient);
-        for &(place, power) in term.powers {
-            let place = usize::from(place);
-            let factor = match place.checked_sub(inputs) {
+        for &(quantity, power) in term.powers {
+            let quantity = usize::from(quantity);
+            let factor = match quantity.checked_sub(inputs) {
                 Some(unknown) => plain(quantities, unknown + 1)?,
-                None if self.direction[place] == 0.0 => ClosurePolynomial::number(self.from[place]),
+                None if self.direction[quantity] == 0.0 => ClosurePolynomial::number(self.from[quantity]),
                 None => {
-                    let mut input = ClosurePolynomial::number(self.from[place]);
-                    input.add_multiple(&plain(quantities, 0)?, self.direction[place]);
+                    let mut input = ClosurePolynomial::number(self.from[quantity]);
+                    input.add_multiple(&plain(quantities, 0)?, self.direction[quantity]);
                     input
                 }
             };
@@ -169,20 +172,20 @@ impl ClosureOnLine<'_> {
         // The angle is a phase plus multiples of the quantities.
         let (mut phase, mut rate) = (0.0, 0.0);
         let mut multiples = vec![0; quantities.len()];
-        for &(place, multiple) in angle {
-            let place = usize::from(place);
-            if let Some(unknown) = place.checked_sub(inputs) {
+        for &(quantity, multiple) in angle {
+            let quantity = usize::from(quantity);
+            if let Some(unknown) = quantity.checked_sub(inputs) {
                 multiples[unknown + 1] += i32::from(multiple);
             } else {
-                phase += f64::from(multiple) * self.from[place];
-                rate += f64::from(multiple) * self.direction[place];
+                phase += f64::from(multiple) * self.from[quantity];
+                rate += f64::from(multiple) * self.direction[quantity];
             }
         }
         multiples[0] = rate.to_i8().map(i32::from).filter(|whole| f64::from(*whole) == rate)?;
         if let Some((added, sign)) = added {
             multiples[added] -= sign * multiples[0];
         }
-        let [cosine, sine] = turned(quantities, phase, &multiples)?;
+        let [cosine, sine] = cosine_sine(quantities, phase, &multiples)?;
         Some(whole.times(if is_cosine { &cosine } else { &sine }))
     }
 }
@@ -194,11 +197,11 @@ fn plain(quantities: &Quantities, quantity: usize) -> Option<ClosurePolynomial> 
 }
 
 /// Cosine and sine of a phase plus multiples of angles: the parts of the product of their unit vectors.
-fn turned(quantities: &Quantities, phase: f64, multiples: &[i32]) -> Option<[ClosurePolynomial; 2]> {
+fn cosine_sine(quantities: &Quantities, phase: f64, multiples: &[i32]) -> Option<[ClosurePolynomial; 2]> {
     if multiples.iter().map(|multiple| multiple.unsigned_abs()).sum::<u32>() > MOST_MULTIPLES {
         return None;
     }
-    let mut turned = [Float::cos(phase), Float::sin(phase)].map(ClosurePolynomial::number);
+    let mut unit = [Float::cos(phase), Float::sin(phase)].map(ClosurePolynomial::number);
     for (quantity, multiple) in multiples.iter().enumerate().filter(|(_, multiple)| **multiple != 0) {
         if quantities.kind(quantity) != ClosureQuantity::Angle {
             return None;
@@ -207,12 +210,12 @@ fn turned(quantities: &Quantities, phase: f64, multiples: &[i32]) -> Option<[Clo
         let [cosine, sine] = [first, first + 1].map(ClosurePolynomial::variable);
         let sign = f64::from(multiple.signum());
         for _ in 0..multiple.unsigned_abs() {
-            let [x, y] = &turned;
+            let [x, y] = &unit;
             let (mut along, mut across) = (x.times(&cosine), y.times(&cosine));
             along.add_multiple(&y.times(&sine), -sign);
             across.add_multiple(&x.times(&sine), sign);
-            turned = [along, across];
+            unit = [along, across];
         }
     }
-    Some(turned)
+    Some(unit)
 }

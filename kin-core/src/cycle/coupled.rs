@@ -1,11 +1,13 @@
-//! The search where a block has no closed form: from all positions at some inputs, along the curve of solutions in both directions.
+//! The search where a block has no closed form: from all positions at some inputs, along the curve of solutions in both
+//! directions.
 //!
-//! If all limits are known, the ends of the range and the gaps beside those limits that no branch has reached are enough.
+//! If all limits are known, the ends of the range and the gaps beside those limits that no branch has reached are
+//! enough.
 
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::limits::{SingularPlace, limits};
+use super::limits::{SingularPoint, limits};
 use super::line::InputLine;
 use super::pieces::{BranchNode, BranchPiece, FoundPieces, Tip};
 use super::sought::{CoupledBlocks, SoughtMechanism};
@@ -22,22 +24,23 @@ const SEEDS: u32 = 8;
 /// The largest number of searches, each with more seeds than the last.
 const ROUNDS: usize = 3;
 /// The largest distance of positions that are the same.
-const SAME: f64 = 1e-6;
+const SAME_POSITION: f64 = 1e-6;
 /// The distance from a limit at which its other side begins, as a part of the range.
 const BESIDE: f64 = 1e-7;
-/// The largest distance of places that are the same node, as a part of the range.
-const SAME_PLACE: f64 = 1e-9;
-/// The largest distance of a node from a limit that continuation found, as a part of the range, and of the unknowns there. A multiple
-/// solution is known to a part of the digits only.
+/// The largest distance of inputs that are the same node, as a part of the range.
+const SAME_NODE: f64 = 1e-9;
+/// The largest distance of a node from a limit that continuation found, as a part of the range, and of the unknowns
+/// there. A multiple solution is known to a part of the digits only.
 const LOCATED: [f64; 2] = [1e-6, 1e-3];
 /// The largest number of pieces.
 const MOST_PIECES: usize = 4096;
 
-/// The distance from a limit at which its two branches are sought, in the fastest unknown: about the root of [`BESIDE`].
+/// The distance from a limit at which its two branches are sought, in the fastest unknown: about the root of
+/// [`BESIDE`].
 const ASIDE: f64 = 1e-3;
 
 /// Whether a limit is a position of the whole mechanism.
-fn is_whole(mechanism: &SoughtMechanism<'_>, limit: &SingularPlace) -> bool {
+fn is_whole(mechanism: &SoughtMechanism<'_>, limit: &SingularPoint) -> bool {
     limit.unknowns.len() == mechanism.unknowns().len()
 }
 
@@ -82,24 +85,24 @@ pub(super) fn search(
     }
 }
 
-/// The places that divide the range, and whether each is an end of it.
+/// The inputs that divide the range, and whether each is an end of it.
 fn division(line: &InputLine) -> impl Iterator<Item = (f64, bool)> {
     let (low, high) = (line.low, line.high);
     (0..=SEEDS).map(move |part| {
-        let place = low + (high - low) * (f64::from(part) / f64::from(SEEDS));
-        (place, part == 0 || part == SEEDS)
+        let s = low + (high - low) * (f64::from(part) / f64::from(SEEDS));
+        (s, part == 0 || part == SEEDS)
     })
 }
 
 /// All pieces, from all limits.
 ///
-/// A circuit that does not pass the ends of the range has a smallest input, which is a limit. So it is found from there, or all positions
-/// beside this limit are sought.
+/// A circuit that does not pass the ends of the range has a smallest input, which is a limit. So it is found from
+/// there, or all positions beside this limit are sought.
 fn from_limits(
     mechanism: &SoughtMechanism<'_>,
     functions: &dyn CoupledBlocks,
     line: &InputLine,
-    limits: &[SingularPlace],
+    limits: &[SingularPoint],
 ) -> Result<FoundPieces, SolveError> {
     let mut seeds: Vec<Seed> = Vec::new();
     for (s, is_end) in division(line) {
@@ -114,15 +117,18 @@ fn from_limits(
     let mut search = Search::new(mechanism, functions, line, seeds);
     search.all();
     let range = line.high - line.low;
-    let mut places: Vec<f64> = limits.iter().map(|limit| limit.s).collect();
-    places.extend([line.low, line.high]);
-    places.sort_by(f64::total_cmp);
+    let mut limits_and_ends: Vec<f64> = limits.iter().map(|limit| limit.s).collect();
+    limits_and_ends.extend([line.low, line.high]);
+    limits_and_ends.sort_by(f64::total_cmp);
     let mut beside: Vec<f64> = Vec::new();
-    let mut look_beside = |place: f64, clearance: f64| {
-        let after = places.iter().find(|other| **other > place + clearance * range);
-        let before = places.iter().rev().find(|other| **other < place - clearance * range);
+    let mut look_beside = |s: f64, clearance: f64| {
+        let after = limits_and_ends.iter().find(|other| **other > s + clearance * range);
+        let before = limits_and_ends
+            .iter()
+            .rev()
+            .find(|other| **other < s - clearance * range);
         for other in [before, after].into_iter().flatten() {
-            let middle = 0.5 * (place + other);
+            let middle = 0.5 * (s + other);
             if !beside.contains(&middle) {
                 beside.push(middle);
             }
@@ -137,12 +143,12 @@ fn from_limits(
             search.start_at(limit);
         }
         if search.nodes_at(limit).next().is_none() {
-            look_beside(limit.s, SAME_PLACE);
+            look_beside(limit.s, SAME_NODE);
         }
     }
-    for (node, place) in search.found.nodes.iter().enumerate() {
-        if place.kind == EndKind::Limit(LimitKind::TurningPoint) && search.branches_at(node) != 2 {
-            look_beside(place.s, SAME_PLACE);
+    for (index, end) in search.found.nodes.iter().enumerate() {
+        if end.kind == EndKind::Limit(LimitKind::TurningPoint) && search.branches_at(index) != 2 {
+            look_beside(end.s, SAME_NODE);
         }
     }
     for s in beside {
@@ -217,7 +223,7 @@ impl Seed {
     /// Notes that a branch passes a position.
     fn visit(&mut self, mechanism: &SoughtMechanism<'_>, size: f64, unknowns: &[f64]) {
         let mut known = self.positions.iter();
-        if let Some(known) = known.position(|known| mechanism.distance(size, known, unknowns) < SAME) {
+        if let Some(known) = known.position(|known| mechanism.distance(size, known, unknowns) < SAME_POSITION) {
             self.visited[known] = true;
         } else {
             self.positions.push(NumberRow::from(unknowns));
@@ -289,7 +295,7 @@ impl<'a> Search<'a> {
     }
 
     /// Follows the two branches that meet at a limit.
-    fn start_at(&mut self, limit: &SingularPlace) {
+    fn start_at(&mut self, limit: &SingularPoint) {
         if !is_whole(self.mechanism, limit) {
             return;
         }
@@ -303,27 +309,27 @@ impl<'a> Search<'a> {
             if s <= self.line.low || s >= self.line.high {
                 continue;
             }
-            let mut own = Seed::unknown(s);
+            let mut seed = Seed::unknown(s);
             for step in [ASIDE, -ASIDE] {
                 let guess = NumberRow::from_fn(position.len(), |index| position[index] + step * rates[index]);
                 let solved = self.near(s, &guess);
                 if let Ok(unknowns) = solved
                     && self.distance(&unknowns, &position) < 100.0 * ASIDE
-                    && own
+                    && seed
                         .positions
                         .iter()
-                        .all(|known| self.distance(known, &unknowns) >= SAME)
+                        .all(|known| self.distance(known, &unknowns) >= SAME_POSITION)
                 {
-                    own.positions.push(unknowns);
-                    own.visited.push(false);
+                    seed.positions.push(unknowns);
+                    seed.visited.push(false);
                 }
             }
-            if own.positions.len() == 2 {
-                let place = self.seeds.partition_point(|seed| seed.s < s);
-                self.seeds.insert(place, own);
+            if seed.positions.len() == 2 {
+                let index = self.seeds.partition_point(|other| other.s < s);
+                self.seeds.insert(index, seed);
                 self.all();
                 // Later branches need no stop here.
-                self.seeds.remove(place);
+                self.seeds.remove(index);
                 return;
             }
         }
@@ -331,7 +337,7 @@ impl<'a> Search<'a> {
 
     /// Seeks all positions at an input, and follows those that are on no piece yet.
     fn look(&mut self, s: f64) -> Result<(), SolveError> {
-        let mut own = seed(self.mechanism, self.functions, self.line, s)?;
+        let mut seed = seed(self.mechanism, self.functions, self.line, s)?;
         for piece in &self.found.pieces {
             let inside = piece.samples.iter().enumerate().filter(|(index, _)| {
                 let is_low = *index == 0 && matches!(piece.low, Tip::Node(_));
@@ -346,30 +352,30 @@ impl<'a> Search<'a> {
             let nearest = inside.min_by(|(_, one), (_, other)| (one.0 - s).abs().total_cmp(&(other.0 - s).abs()));
             let reached = nearest.and_then(|(_, (from, unknowns))| self.track(*from, unknowns, s).ok());
             if let Some(reached) = reached {
-                own.visit(self.mechanism, self.size, &reached);
+                seed.visit(self.mechanism, self.size, &reached);
             } else {
-                own.is_complete = false;
+                seed.is_complete = false;
             }
         }
-        let place = self.seeds.partition_point(|seed| seed.s < s);
-        self.seeds.insert(place, own);
+        let index = self.seeds.partition_point(|other| other.s < s);
+        self.seeds.insert(index, seed);
         self.all();
         Ok(())
     }
 
     /// The nodes at a limit that continuation found.
-    fn nodes_at(&self, limit: &SingularPlace) -> impl Iterator<Item = usize> {
+    fn nodes_at(&self, limit: &SingularPoint) -> impl Iterator<Item = usize> {
         let nodes = self.found.nodes.iter().enumerate();
         nodes
             .filter(|(_, node)| self.is_at(node, limit))
             .map(|(index, _)| index)
     }
 
-    fn is_at(&self, node: &BranchNode, limit: &SingularPlace) -> bool {
+    fn is_at(&self, node: &BranchNode, limit: &SingularPoint) -> bool {
         let tolerance = LOCATED[usize::from(limit.is_multiple)];
-        let mut own = node.unknowns.clone();
+        let mut unknowns = node.unknowns.clone();
         for unknown in &limit.unknowns {
-            own[unknown.index] = unknown.value;
+            unknowns[unknown.index] = unknown.value;
         }
         let is_singular = matches!(
             node.kind,
@@ -377,7 +383,7 @@ impl<'a> Search<'a> {
         );
         is_singular
             && (node.s - limit.s).abs() <= tolerance * (self.line.high - self.line.low)
-            && self.distance(&own, &node.unknowns) <= LOCATED[1]
+            && self.distance(&unknowns, &node.unknowns) <= LOCATED[1]
     }
 
     /// The number of ends of pieces at a node.
@@ -388,7 +394,7 @@ impl<'a> Search<'a> {
 
     /// Notes why there may be other pieces: nodes that are not the limits that continuation found, limits without a
     /// node, or positions that were not found.
-    fn compare(&mut self, limits: &[SingularPlace]) {
+    fn compare(&mut self, limits: &[SingularPoint]) {
         let nodes = || self.found.nodes.iter().enumerate();
         let is_limit = |node: &BranchNode| limits.iter().any(|limit| self.is_at(node, limit));
         let joins = |(index, node): (usize, &BranchNode)| match node.kind {
@@ -397,7 +403,7 @@ impl<'a> Search<'a> {
             _ => false,
         };
         // If a block that is solved later does not close, its mechanism is not at a limit of an earlier one.
-        let is_whole = |limit: &&SingularPlace| is_whole(self.mechanism, limit) && !limit.is_multiple;
+        let is_whole = |limit: &&SingularPoint| is_whole(self.mechanism, limit) && !limit.is_multiple;
         let whole = limits.iter().filter(is_whole);
         let reached = whole.clone().filter(|limit| self.nodes_at(limit).next().is_some());
         let (count, reached) = (whole.count(), reached.count());
@@ -457,16 +463,16 @@ impl<'a> Search<'a> {
                 tip == Tip::Node(node)
                     && sample.is_some_and(|(to, known)| {
                         let reached = self.track(s, &unknowns, *to);
-                        reached.is_ok_and(|reached| self.distance(&reached, known) < SAME)
+                        reached.is_ok_and(|reached| self.distance(&reached, known) < SAME_POSITION)
                     })
             });
             if is_known || self.found.pieces.len() >= MOST_PIECES {
                 continue;
             }
             let way = self.follow(s, unknowns.clone(), direction);
-            let place = &self.found.nodes[node];
-            let start = self.mechanism.nearest(&place.unknowns, &unknowns);
-            let mut samples = vec![(place.s, start), (s, unknowns)];
+            let from = &self.found.nodes[node];
+            let start = self.mechanism.nearest(&from.unknowns, &unknowns);
+            let mut samples = vec![(from.s, start), (s, unknowns)];
             samples.extend(way.samples);
             let piece = if direction > 0.0 {
                 BranchPiece {
@@ -513,8 +519,8 @@ impl<'a> Search<'a> {
                 }
                 Err(error) => {
                     let node = self.ended(s, &unknowns, direction, &error);
-                    let place = &self.found.nodes[node];
-                    samples.push((place.s, self.mechanism.nearest(&place.unknowns, &unknowns)));
+                    let to = &self.found.nodes[node];
+                    samples.push((to.s, self.mechanism.nearest(&to.unknowns, &unknowns)));
                     return WayEnd {
                         tip: Tip::Node(node),
                         samples,
@@ -538,18 +544,18 @@ impl<'a> Search<'a> {
                 }
                 self.node(EndKind::Limit(LimitKind::End), &inputs, unknowns, error.block)
             }
-            TrackError::TurningPoint(place) | TrackError::ChangePoint(place) | TrackError::Pole(place) => {
+            TrackError::TurningPoint(limit) | TrackError::ChangePoint(limit) | TrackError::Pole(limit) => {
                 let kind = error.limit().map_or(EndKind::Lost, |(kind, _)| EndKind::Limit(kind));
-                self.node(kind, &place.inputs, &place.unknowns, place.block)
+                self.node(kind, &limit.inputs, &limit.unknowns, limit.block)
             }
         };
-        let place = &self.found.nodes[node];
-        let inside = place.s - direction * BESIDE * range;
-        if place.kind == EndKind::Limit(LimitKind::TurningPoint)
+        let end = &self.found.nodes[node];
+        let inside = end.s - direction * BESIDE * range;
+        if end.kind == EndKind::Limit(LimitKind::TurningPoint)
             && (inside - s) * direction > 0.0
             && let Ok(near) = self.track(s, unknowns, inside)
         {
-            let limit = self.mechanism.nearest(&place.unknowns, &near);
+            let limit = self.mechanism.nearest(&end.unknowns, &near);
             let guess = NumberRow::from_fn(near.len(), |index| 2.0 * limit[index] - near[index]);
             if let Ok(other) = self.near(inside, &guess)
                 && self.distance(&other, &near) > 0.1 * self.distance(&guess, &near)
@@ -561,12 +567,12 @@ impl<'a> Search<'a> {
     }
 
     fn node(&mut self, kind: EndKind, inputs: &[f64], unknowns: &[f64], block: Name) -> usize {
-        let s = self.line.place(inputs);
+        let s = self.line.coordinate(inputs);
         let range = self.line.high - self.line.low;
         let known = self.found.nodes.iter().position(|node| {
             node.kind == kind
-                && (node.s - s).abs() <= SAME_PLACE * range
-                && self.distance(&node.unknowns, unknowns) < SAME
+                && (node.s - s).abs() <= SAME_NODE * range
+                && self.distance(&node.unknowns, unknowns) < SAME_POSITION
         });
         known.unwrap_or_else(|| {
             self.found.nodes.push(BranchNode {
@@ -583,23 +589,23 @@ impl<'a> Search<'a> {
     /// Seeds between neighbouring limits at which there are more positions than pieces.
     fn missing(&self) -> Result<Vec<Seed>, SolveError> {
         let range = self.line.high - self.line.low;
-        let mut places: Vec<f64> = self.found.nodes.iter().map(|node| node.s).collect();
-        places.extend([self.line.low, self.line.high]);
-        places.sort_by(f64::total_cmp);
+        let mut borders: Vec<f64> = self.found.nodes.iter().map(|node| node.s).collect();
+        borders.extend([self.line.low, self.line.high]);
+        borders.sort_by(f64::total_cmp);
         let mut more = Vec::new();
-        for pair in places.windows(2) {
+        for pair in borders.windows(2) {
             let [low, high] = [pair[0], pair[1]];
             let has_seed = self.seeds.iter().any(|seed| seed.s > low && seed.s < high);
             if has_seed || high - low <= 10.0 * BESIDE * range {
                 continue;
             }
-            let own = seed(self.mechanism, self.functions, self.line, 0.5 * (low + high))?;
+            let seed = seed(self.mechanism, self.functions, self.line, 0.5 * (low + high))?;
             let pieces = self.found.pieces.iter().filter(|piece| {
                 let ends = [piece.samples.first(), piece.samples.last()].map(|end| end.map_or(f64::NAN, |end| end.0));
-                ends[0] < own.s && ends[1] > own.s
+                ends[0] < seed.s && ends[1] > seed.s
             });
-            if pieces.count() < own.positions.len() {
-                more.push(own);
+            if pieces.count() < seed.positions.len() {
+                more.push(seed);
             }
         }
         Ok(more)

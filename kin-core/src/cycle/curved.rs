@@ -1,6 +1,6 @@
-//! Bounds with second derivatives, for intervals about which those with first derivatives tell nothing.
+//! Bounds with second derivatives, for intervals about which those with first derivatives decide nothing.
 //!
-//! A short link that a long crank turns about moves little, since the parts of its closure that move much cancel.
+//! A short link about which a long crank rotates moves little, since the parts of its closure that move much cancel.
 //! Bounds of the first derivative see that they do only over intervals that are shorter by the ratio of the links;
 //! those of the second, by its root.
 
@@ -163,8 +163,8 @@ impl Mul for Curved {
     fn mul(self, other: Self) -> Self {
         let (one, two) = (self.bounds, other.bounds);
         let terms = [one.middle() * other.slope, two.middle() * self.slope];
-        let wrong = |own: Bounds, other: &Self| {
-            own.middle().abs() * other.error + own.error() * (other.slope.abs() + other.error)
+        let wrong = |bounds: Bounds, other: &Self| {
+            bounds.middle().abs() * other.error + bounds.error() * (other.slope.abs() + other.error)
         };
         let error = wrong(one, &other) + wrong(two, &self);
         let both = product([2.0; 2], product(one.slopes(), two.slopes()));
@@ -226,11 +226,11 @@ impl Number for Curved {
 
     fn sin_cos(self) -> (Self, Self) {
         let (sine, cosine) = self.bounds.sin_cos();
-        let derivative = |own: Bounds| Derivative {
-            middle: own.middle(),
-            bounds: own.values(),
+        let derivative = |bounds: Bounds| Derivative {
+            middle: bounds.middle(),
+            bounds: bounds.values(),
         };
-        let negative = |own: Bounds| (-own).values();
+        let negative = |bounds: Bounds| (-bounds).values();
         (
             self.through(sine, &derivative(cosine), negative(sine)),
             self.through(cosine, &derivative(-sine), negative(cosine)),
@@ -262,11 +262,11 @@ impl Number for Curved {
         let negative = |[low, high]: [f64; 2]| [-high, -low];
         let across = |ys: [f64; 2], xs: [f64; 2]| sum(product(one.values(), ys), negative(product(two.values(), xs)));
         let along = sum(product(one.values(), one.slopes()), product(two.values(), two.slopes()));
-        let turn = product(
+        let rotation = product(
             across(two.slopes(), one.slopes()),
             product(along, product(inverse, inverse)),
         );
-        let bends = sum(product(across(y.bends, x.bends), inverse), product([-2.0; 2], turn));
+        let bends = sum(product(across(y.bends, x.bends), inverse), product([-2.0; 2], rotation));
         let terms = [one.middle() * y.slope, two.middle() * x.slope];
         let wrong = one.middle().abs() * y.error
             + one.error() * (y.slope.abs() + y.error)

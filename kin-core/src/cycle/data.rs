@@ -14,14 +14,16 @@ use crate::quantity::Name;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum EndKind {
-    /// A limit. At a limit position the input turns back, and the branch meets another one of its circuit; at a change point branches cross.
+    /// A limit. At a limit position the input reverses, and the branch meets another one of its circuit; at a change
+    /// point branches cross.
     Limit(LimitKind),
     /// The end of the range of the input that was looked at.
     Range,
     /// The search could not go on, for a reason that it does not know.
     Lost,
-    /// No end: after a full turn the branch is back at its start.
-    FullTurn,
+    /// No end: after a full revolution of the input the branch is back at its start.
+    #[cfg_attr(feature = "serde", serde(rename = "FullTurn"))]
+    FullRevolution,
 }
 
 /// An end of a branch.
@@ -33,7 +35,7 @@ pub struct End {
     pub kind: EndKind,
     /// The input, or the distance along the line of inputs.
     pub input: f64,
-    /// The unknowns at this end, with angles on the turns they have along the branch.
+    /// The unknowns at this end, with the angles unwrapped along the branch.
     pub unknowns: Vec<f64>,
     /// The unknowns of the block that is singular here, separated by commas; empty if there is none.
     pub block: Name,
@@ -53,7 +55,7 @@ impl EndKind {
     pub(super) fn limit(self) -> Option<LimitKind> {
         match self {
             Self::Limit(kind) => Some(kind),
-            Self::Range | Self::Lost | Self::FullTurn => None,
+            Self::Range | Self::Lost | Self::FullRevolution => None,
         }
     }
 }
@@ -76,19 +78,21 @@ impl Branch {
         self.ends.each_ref()
     }
 
-    /// The smallest and the largest input. A branch of a closed range may reach beyond half a turn, and a full turn may begin anywhere.
+    /// The smallest and the largest input. A branch of a closed range may reach beyond half a revolution, and a full
+    /// revolution may begin anywhere.
     #[must_use]
     pub fn range(&self) -> RangeInclusive<f64> {
         self.ends[0].input..=self.ends[1].input
     }
 
-    /// Whether the input turns without an end.
+    /// Whether the input makes full revolutions without an end.
     #[must_use]
-    pub fn is_full_turn(&self) -> bool {
-        self.ends[0].kind == EndKind::FullTurn
+    pub fn is_full_revolution(&self) -> bool {
+        self.ends[0].kind == EndKind::FullRevolution
     }
 
-    /// The index of the assembly, if every block has a closed form. [`Cycle::assembly_of`](super::Cycle::assembly_of) gives the assembly.
+    /// The index of the assembly, if every block has a closed form. [`Cycle::assembly_of`](super::Cycle::assembly_of)
+    /// gives the assembly.
     #[must_use]
     pub fn assembly(&self) -> Option<usize> {
         self.assembly
@@ -106,7 +110,7 @@ impl Branch {
         [&self.joins[0], &self.joins[1]]
     }
 
-    /// Some inputs in ascending order with the unknowns there. Angles go on over turns.
+    /// Some inputs in ascending order with the unknowns there. Angles are unwrapped.
     #[must_use]
     pub fn samples(&self) -> &[(f64, Vec<f64>)] {
         &self.samples
@@ -118,8 +122,10 @@ impl Branch {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Circuit {
     pub(super) branches: Vec<usize>,
-    pub(super) input_turns: Option<i32>,
-    pub(super) turns: Option<Vec<i32>>,
+    #[cfg_attr(feature = "serde", serde(rename = "input_turns"))]
+    pub(super) input_revolutions: Option<i32>,
+    #[cfg_attr(feature = "serde", serde(rename = "turns"))]
+    pub(super) revolutions: Option<Vec<i32>>,
 }
 
 impl Circuit {
@@ -129,23 +135,24 @@ impl Circuit {
         &self.branches
     }
 
-    /// Whether the mechanism comes back to its start along the circuit. It is false if the circuit ends, or has a change point, at which it
-    /// may go different ways.
+    /// Whether the mechanism comes back to its start along the circuit. It is false if the circuit ends, or has a
+    /// change point, at which it may go different ways.
     #[must_use]
     pub fn is_closed(&self) -> bool {
-        self.turns.is_some()
+        self.revolutions.is_some()
     }
 
-    /// The number of turns of the input along a closed circuit, once around: 0 if it swings.
+    /// The number of revolutions of the input along a closed circuit, once around: 0 if it swings.
     #[must_use]
-    pub fn input_turns(&self) -> Option<i32> {
-        self.input_turns
+    pub fn input_revolutions(&self) -> Option<i32> {
+        self.input_revolutions
     }
 
-    /// The number of turns of each unknown along a closed circuit, counted as the first branch runs with a growing input; 0 for lengths.
+    /// The number of revolutions of each unknown along a closed circuit, counted as the first branch runs with a
+    /// growing input; 0 for lengths.
     #[must_use]
-    pub fn turns(&self) -> Option<&[i32]> {
-        self.turns.as_deref()
+    pub fn revolutions(&self) -> Option<&[i32]> {
+        self.revolutions.as_deref()
     }
 }
 
@@ -187,34 +194,36 @@ impl CycleData {
         &self.incomplete
     }
 
-    /// Where it is not decided whether an assembly closes: its index, and a range of the input. [`Cycle::undecided`](super::Cycle::undecided)
-    /// has the assemblies themselves.
+    /// Where it is not decided whether an assembly closes: its index, and a range of the input.
+    /// [`Cycle::undecided`](super::Cycle::undecided) has the assemblies themselves.
     #[must_use]
     pub fn undecided_assemblies(&self) -> &[(usize, [f64; 2])] {
         &self.undecided
     }
 
-    /// The inputs at which all positions were sought, in ascending order: the ends of the range, and others if limits are not enough. It is
-    /// empty if every block has a closed form.
+    /// The inputs at which all positions were sought, in ascending order: the ends of the range, and others if limits
+    /// are not enough. It is empty if every block has a closed form.
     #[must_use]
     pub fn seeds(&self) -> &[f64] {
         &self.seeds
     }
 
-    /// The way after which the positions repeat themselves: a turn of the input, or several. `None` if the range has ends.
+    /// The way after which the positions repeat themselves: a revolution of the input, or several. `None` if the range
+    /// has ends.
     #[must_use]
     pub fn period(&self) -> Option<f64> {
         self.period
     }
 
-    /// The branches that have a position at an input, with the index of each. A branch that passes the input several times comes several times.
+    /// The branches that have a position at an input, with the index of each. A branch that passes the input several
+    /// times comes several times.
     pub fn at(&self, input: f64) -> impl Iterator<Item = (usize, &Branch)> {
         let period = self.period;
         self.branches.iter().enumerate().flat_map(move |(index, branch)| {
             let [low, high] = branch.ends.each_ref().map(|end| end.input);
             let count = match period {
-                Some(period) if branch.is_full_turn() => Float::round((high - low) / period),
-                // The places input + k period from the smallest to the largest input.
+                Some(period) if branch.is_full_revolution() => Float::round((high - low) / period),
+                // The inputs input + k period from the smallest to the largest input.
                 Some(period) => Float::floor((high - input) / period) - Float::ceil((low - input) / period) + 1.0,
                 None => f64::from(u8::from(input >= low && input <= high)),
             };

@@ -1,7 +1,9 @@
-//! Places where a part turns freely, such as the link of an inverted slider-crank whose slide stands on the link's pivot.
+//! Inputs at which a part rotates freely, such as the link of an inverted slider-crank whose slide stands on the link's
+//! pivot.
 //!
-//! There the assemblies do not cross, since the free part stands in different directions. But the mechanism moves on smoothly from one
-//! assembly into another one, and at the place itself the free part leads from every direction to every other.
+//! There the assemblies do not cross, since the free part stands in different directions. But the mechanism moves on
+//! smoothly from one assembly into another one, and at the input itself the free part leads from every direction to
+//! every other.
 
 use alloc::vec::Vec;
 
@@ -11,39 +13,40 @@ use super::line::MEETING;
 use crate::number::NumberRow;
 use crate::quantity::{Dimension, Name};
 
-/// The largest error of the closure on a way of positions, as a part of the size. The straight line between two other positions that are
-/// [`MEETING`] or more apart leaves the closure by the square of their distance over eight, which is a hundred times as much.
+/// The largest error of the closure on a way of positions, as a part of the size. The straight line between two other
+/// positions that are [`MEETING`] or more apart leaves the closure by the square of their distance over eight, which is
+/// a hundred times as much.
 const FREE: f64 = MEETING * MEETING / 1024.0;
 /// The number of parts of a straight line at whose ends the closure is tested.
-const PARTS: u32 = 8;
+const TESTED_PARTS: u32 = 8;
 
-/// The largest number of angles half a turn apart for which both ways are tried.
+/// The largest number of angles half a revolution apart for which both ways are tried.
 const MOST_HALVES: usize = 6;
 
-/// A place at which an assembly jumps, because a part turns freely there.
+/// An input at which an assembly jumps, because a part rotates freely there.
 pub(super) struct Jump {
     pub(super) s: f64,
-    /// The unknowns before the place and behind it.
+    /// The unknowns before the input and behind it.
     pub(super) unknowns: [NumberRow; 2],
     /// The unknowns of the block with the free part, separated by commas.
     pub(super) block: Name,
 }
 
-/// The place at which an assembly jumps, between places on both sides of it.
+/// The input at which an assembly jumps, between samples on both sides of it.
 ///
 /// Another assembly goes on smoothly where this one ends, and this one goes on where the other one ends. So there are
 /// two smooth curves. Their difference has a simple zero in the unknown that frees the part, the length of the slide,
-/// and inverse interpolation finds it. If two links turn freely, one on the other, it is the angle between them that
+/// and inverse interpolation finds it. If two links rotate freely, one on the other, it is the angle between them that
 /// has a simple zero along a curve.
-pub(super) fn jump(search: &ClosedSearch<'_>, assembly: usize, places: &[f64; CROSSING]) -> Option<Jump> {
+pub(super) fn jump(search: &ClosedSearch<'_>, assembly: usize, samples: &[f64; CROSSING]) -> Option<Jump> {
     const BEFORE: usize = CROSSING / 2 - 1;
     const BEHIND: usize = CROSSING / 2;
-    let start = search.solved(places[BEFORE], assembly)?;
-    let end = search.solved(places[BEHIND], assembly)?;
+    let start = search.solved(samples[BEFORE], assembly)?;
+    let end = search.solved(samples[BEHIND], assembly)?;
     let mechanism = search.mechanism;
     let others = mechanism.assemblies().filter(|other| *other != assembly);
     let candidates = others.filter_map(|other| {
-        let behind = search.solved(places[BEHIND], other)?;
+        let behind = search.solved(samples[BEHIND], other)?;
         Some((other, search.distance(&start, &behind)))
     });
     let (partner, way) = candidates.min_by(|one, other| one.1.total_cmp(&other.1))?;
@@ -51,14 +54,14 @@ pub(super) fn jump(search: &ClosedSearch<'_>, assembly: usize, places: &[f64; CR
         return None;
     }
     let [mut onward, mut back] =
-        [&start, &end].map(|own| core::array::from_fn::<NumberRow, CROSSING, _>(|_| own.clone()));
-    for (place, s) in places.iter().enumerate() {
-        let (own, other) = (search.solved(*s, assembly)?, search.solved(*s, partner)?);
-        let [one, two] = if place < BEHIND { [own, other] } else { [other, own] };
-        (onward[place], back[place]) = (mechanism.nearest(&one, &start), mechanism.nearest(&two, &end));
+        [&start, &end].map(|unknowns| core::array::from_fn::<NumberRow, CROSSING, _>(|_| unknowns.clone()));
+    for (index, s) in samples.iter().enumerate() {
+        let (found, other) = (search.solved(*s, assembly)?, search.solved(*s, partner)?);
+        let [one, two] = if index < BEHIND { [found, other] } else { [other, found] };
+        (onward[index], back[index]) = (mechanism.nearest(&one, &start), mechanism.nearest(&two, &end));
     }
-    let half = |place: usize, unknown: usize| 0.5 * (onward[place][unknown] - back[place][unknown]);
-    let values = |unknown: usize| core::array::from_fn(|place| half(place, unknown));
+    let half = |index: usize, unknown: usize| 0.5 * (onward[index][unknown] - back[index][unknown]);
+    let values = |unknown: usize| core::array::from_fn(|index| half(index, unknown));
     let unknowns = 0..start.len();
     let lead = unknowns
         .filter(|unknown| crosses(&values(*unknown)))
@@ -67,20 +70,20 @@ pub(super) fn jump(search: &ClosedSearch<'_>, assembly: usize, places: &[f64; CR
         (values(lead), mechanism.block_of(lead))
     } else {
         let dyads: [_; CROSSING] =
-            core::array::from_fn(|place| search.transmission_angles(places[place], &onward[place]));
+            core::array::from_fn(|index| search.transmission_angles(samples[index], &onward[index]));
         let folded = |dyad: usize| {
-            core::array::from_fn(|place| {
-                let angle = dyads[place][dyad].folded();
-                if place < BEHIND { angle } else { -angle }
+            core::array::from_fn(|index| {
+                let angle = dyads[index][dyad].folded();
+                if index < BEHIND { angle } else { -angle }
             })
         };
         let dyad = (0..dyads[0].len()).find(|dyad| crosses(&folded(*dyad)))?;
         (folded(dyad), dyads[0][dyad].block)
     };
-    let s = interpolated(&zero, places, 0.0);
+    let s = interpolated(&zero, samples, 0.0);
     let at = |curve: &[NumberRow; CROSSING]| {
         NumberRow::from_fn(start.len(), |unknown| {
-            interpolated(places, &core::array::from_fn(|place| curve[place][unknown]), s)
+            interpolated(samples, &core::array::from_fn(|sample| curve[sample][unknown]), s)
         })
     };
     let unknowns = [at(&onward), at(&back)];
@@ -89,19 +92,19 @@ pub(super) fn jump(search: &ClosedSearch<'_>, assembly: usize, places: &[f64; CR
     is_jump.then_some(Jump { s, unknowns, block })
 }
 
-/// The unknowns of an assembly before and behind a place, if they are different positions there: a part turns freely, and no other assembly goes on
-/// where this one ends, since the declared range of an unknown leaves it out.
+/// The unknowns of an assembly before and behind an input, if they are different positions there: a part rotates
+/// freely, and no other assembly goes on where this one ends, since the declared range of an unknown leaves it out.
 pub(super) fn sides(search: &ClosedSearch<'_>, assembly: usize, s: f64, reach: f64) -> Option<[NumberRow; 2]> {
-    // from places that keep away from it, where the direction of the free part has lost its digits
+    // from samples that keep away from it, where the direction of the free part has lost its digits
     let side = |direction: f64| {
-        let places = around(s + 0.55 * direction * reach, 0.45 * reach);
-        let first = search.solved(places[0], assembly)?;
+        let samples = around(s + 0.55 * direction * reach, 0.45 * reach);
+        let first = search.solved(samples[0], assembly)?;
         let mut values: [_; CROSSING] = core::array::from_fn(|_| first.clone());
-        for (value, place) in values.iter_mut().zip(places) {
-            *value = search.mechanism.nearest(&search.solved(place, assembly)?, &first);
+        for (value, sample) in values.iter_mut().zip(samples) {
+            *value = search.mechanism.nearest(&search.solved(sample, assembly)?, &first);
         }
         let unknowns = NumberRow::from_fn(first.len(), |unknown| {
-            interpolated(&places, &core::array::from_fn(|place| values[place][unknown]), s)
+            interpolated(&samples, &core::array::from_fn(|index| values[index][unknown]), s)
         });
         is_position(search, s, &unknowns).then_some(unknowns)
     };
@@ -115,8 +118,8 @@ fn is_position(search: &ClosedSearch<'_>, s: f64, unknowns: &[f64]) -> bool {
     residuals.iter().all(|residual| residual.abs() <= FREE * search.size)
 }
 
-/// Whether a straight line between two positions at the same input consists of positions. An angle that is half a turn
-/// apart may turn either way.
+/// Whether a straight line between two positions at the same input consists of positions. An angle that is half a
+/// revolution apart may rotate either way.
 pub(super) fn is_connected(search: &ClosedSearch<'_>, s: f64, [from, to]: [&[f64]; 2]) -> bool {
     let unknowns = search.mechanism.unknowns();
     let to = search.mechanism.nearest(to, from);
@@ -132,8 +135,8 @@ pub(super) fn is_connected(search: &ClosedSearch<'_>, s: f64, [from, to]: [&[f64
                 way[*unknown] -= core::f64::consts::TAU.copysign(way[*unknown]);
             }
         }
-        (0..=PARTS).all(|step| {
-            let part = f64::from(step) / f64::from(PARTS);
+        (0..=TESTED_PARTS).all(|step| {
+            let part = f64::from(step) / f64::from(TESTED_PARTS);
             let unknowns = NumberRow::from_fn(to.len(), |unknown| from[unknown] + part * way[unknown]);
             is_position(search, s, &unknowns)
         })

@@ -30,8 +30,8 @@ pub enum Incomplete {
         /// Whether the input is an angle.
         is_angle: bool,
     },
-    /// The bounds do not tell whether assemblies close: [`Cycle::undecided`](super::Cycle::undecided) has each with its
-    /// ranges.
+    /// The bounds do not decide whether assemblies close: [`Cycle::undecided`](super::Cycle::undecided) has each with
+    /// its ranges.
     Undecided {
         /// The number of assemblies.
         assemblies: usize,
@@ -47,8 +47,8 @@ pub enum Incomplete {
         /// Whether the input is an angle.
         is_angle: bool,
     },
-    /// The closure of a mechanism with a coupled block is no polynomial in lengths and in cosines and sines of angles, so its
-    /// limits are not all known.
+    /// The closure of a mechanism with a coupled block is no polynomial in lengths and in cosines and sines of angles,
+    /// so its limits are not all known.
     NotAlgebraic,
     /// An unknown of a mechanism with a coupled block has a declared range.
     DeclaredRange {
@@ -95,8 +95,8 @@ pub enum Incomplete {
 impl fmt::Display for Incomplete {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let between = |[low, high]: [f64; 2], is_angle: bool| {
-            let told = |value: f64| WithUnit { value, is_angle };
-            (told(low), told(high))
+            let shown = |value: f64| WithUnit { value, is_angle };
+            (shown(low), shown(high))
         };
         match *self {
             Self::Rounding { block, range, is_angle } => {
@@ -119,7 +119,7 @@ impl fmt::Display for Incomplete {
                 };
                 write!(
                     formatter,
-                    "bounds do not tell whether {assemblies} {number} {verb} between the inputs {low} and {high}"
+                    "bounds do not decide whether {assemblies} {number} {verb} between the inputs {low} and {high}"
                 )
             }
             Self::Lost { input, is_angle } => write!(

@@ -55,9 +55,9 @@ pub(super) fn joined_at_the_seam(
         used[start] = true;
         let mut samples = pieces[start].samples.clone();
         let mut last = start;
-        let mut turns = 0.0;
+        let mut revolutions = 0.0;
         let begins_at_seam = pieces[start].low == Tip::Seam;
-        let mut is_turning = false;
+        let mut is_endless = false;
         while let (Tip::Seam, Some(period)) = (pieces[last].high, period) {
             if begins_at_seam {
                 used[start] = false;
@@ -66,16 +66,16 @@ pub(super) fn joined_at_the_seam(
             used[start] = true;
             let Some(next) = next else { break };
             if next == start {
-                is_turning = true;
+                is_endless = true;
                 break;
             }
-            turns += 1.0;
+            revolutions += 1.0;
             used[next] = true;
             for (s, unknowns) in pieces[next].samples.iter().skip(1) {
                 let near = samples
                     .last()
                     .map_or_else(|| unknowns.clone(), |(_, near)| near.clone());
-                samples.push((s + turns * period, mechanism.nearest(unknowns, &near)));
+                samples.push((s + revolutions * period, mechanism.nearest(unknowns, &near)));
             }
             last = next;
         }
@@ -84,7 +84,7 @@ pub(super) fn joined_at_the_seam(
         };
         let end = |tip: Tip, (s, unknowns): (f64, NumberRow)| {
             let (kind, block, node) = match tip {
-                _ if is_turning => (EndKind::FullTurn, Name::NONE, None),
+                _ if is_endless => (EndKind::FullRevolution, Name::NONE, None),
                 Tip::Node(node) => (found.nodes[node].kind, found.nodes[node].block, Some(node)),
                 Tip::Seam if period.is_some() => (EndKind::Lost, Name::NONE, None),
                 Tip::Seam => (EndKind::Range, Name::NONE, None),
@@ -112,7 +112,7 @@ pub(super) fn joined_at_the_seam(
         };
         if let Some(period) = period {
             let middle = 0.5 * (branch.ends[0].input + branch.ends[1].input);
-            let shift = if is_turning {
+            let shift = if is_endless {
                 0.0
             } else {
                 // A branch whose middle lies half a period away has it on the positive side, whatever rounding says.
@@ -141,7 +141,7 @@ pub(super) fn circuits(mechanism: &SoughtMechanism<'_>, line: &InputLine, branch
     let at_node = |branches: &[Branch], node: usize| -> Vec<EnteredBranch> {
         let all = branches.iter().enumerate();
         all.flat_map(|(index, branch)| [0, 1].map(|side| (index, side, branch.ends[side].node)))
-            .filter(|(.., own)| *own == Some(node))
+            .filter(|(.., other)| *other == Some(node))
             .map(|(index, side, _)| (index, side))
             .collect()
     };
@@ -164,20 +164,20 @@ pub(super) fn circuits(mechanism: &SoughtMechanism<'_>, line: &InputLine, branch
             continue;
         }
         let circuit = around(mechanism, line, branches, start, &at_node).unwrap_or_else(|| {
-            let mut own = vec![start];
-            let mut place = 0;
-            while let Some(branch) = own.get(place).copied() {
+            let mut connected = vec![start];
+            let mut index = 0;
+            while let Some(branch) = connected.get(index).copied() {
                 for other in branches[branch].joins.iter().flatten() {
-                    if !own.contains(other) {
-                        own.push(*other);
+                    if !connected.contains(other) {
+                        connected.push(*other);
                     }
                 }
-                place += 1;
+                index += 1;
             }
             Circuit {
-                branches: own,
-                input_turns: None,
-                turns: None,
+                branches: connected,
+                input_revolutions: None,
+                revolutions: None,
             }
         });
         for branch in &circuit.branches {
@@ -197,20 +197,20 @@ fn around(
     start: usize,
     at_node: &impl Fn(&[Branch], usize) -> Vec<EnteredBranch>,
 ) -> Option<Circuit> {
-    let mut own = Vec::new();
+    let mut passed = Vec::new();
     let mut way = 0.0;
     let quantities = mechanism.unknowns();
     let mut angles = vec![0.0; quantities.len()];
     let (mut branch, mut entered) = (start, 0);
     loop {
-        own.push(branch);
+        passed.push(branch);
         let ends = &branches[branch].ends;
         let (from, to) = (&ends[entered], &ends[1 - entered]);
         way += to.input - from.input;
         for (sum, (to, from)) in angles.iter_mut().zip(to.unknowns.iter().zip(&from.unknowns)) {
             *sum += to - from;
         }
-        if branches[branch].is_full_turn() {
+        if branches[branch].is_full_revolution() {
             break;
         }
         let node = to.node?;
@@ -224,21 +224,21 @@ fn around(
         if branch == start {
             break;
         }
-        if own.contains(&branch) {
+        if passed.contains(&branch) {
             return None;
         }
     }
-    #[expect(clippy::cast_possible_truncation, reason = "a circuit has far fewer turns")]
-    let turns = |sum: f64| Float::round(sum / TAU) as i32;
+    #[expect(clippy::cast_possible_truncation, reason = "a circuit has far fewer revolutions")]
+    let revolutions = |sum: f64| Float::round(sum / TAU) as i32;
     Some(Circuit {
-        branches: own,
-        input_turns: Some(if line.is_angle { turns(way) } else { 0 }),
-        turns: Some(
+        branches: passed,
+        input_revolutions: Some(if line.is_angle { revolutions(way) } else { 0 }),
+        revolutions: Some(
             quantities
                 .iter()
                 .zip(angles)
                 .map(|(quantity, angle)| match quantity.dimension {
-                    Dimension::Angle => turns(angle),
+                    Dimension::Angle => revolutions(angle),
                     _ => 0,
                 })
                 .collect(),

@@ -15,9 +15,9 @@ use super::sought::{CoupledBlocks, SoughtMechanism};
 use crate::quantity::Dimension;
 use crate::quantity::NameKind;
 
-/// A place at which the Jacobian of a block is singular.
+/// An input at which the Jacobian of a block is singular.
 #[derive(Clone, Debug)]
-pub(super) struct SingularPlace {
+pub(super) struct SingularPoint {
     pub(super) s: f64,
     /// The unknowns on which the block depends.
     pub(super) unknowns: Vec<Singular>,
@@ -28,7 +28,7 @@ pub(super) struct SingularPlace {
 /// The closure along a line, as polynomials.
 struct AlongLine {
     closure: Closure,
-    /// The variable of the closure is `from + rate s` at a place s.
+    /// The variable of the closure is `from + rate s` at a coordinate s of the line.
     from: f64,
     rate: f64,
 }
@@ -37,7 +37,8 @@ impl AlongLine {
     /// The closure, if it is algebraic along the line.
     fn new(mechanism: &SoughtMechanism<'_>, functions: &dyn CoupledBlocks, line: &InputLine) -> Option<Self> {
         let mut moving = (0..line.direction.len()).filter(|input| line.direction[*input] != 0.0);
-        // A length that moves alone stands for the place on the line, so that its products with cosines are no sums.
+        // A length that moves alone stands for the coordinate on the line, so that its products with cosines are no
+        // sums.
         let alone = match (moving.next(), moving.next()) {
             (Some(input), None) if !line.is_angle => Some(input),
             _ => None,
@@ -70,8 +71,8 @@ impl AlongLine {
         closure.map(|closure| Self { closure, from, rate })
     }
 
-    /// The place on the line for a value of the closure's variable.
-    fn place(&self, input: f64) -> f64 {
+    /// The coordinate on the line for a value of the closure's variable.
+    fn coordinate(&self, input: f64) -> f64 {
         (input - self.from) / self.rate
     }
 }
@@ -85,7 +86,7 @@ pub(super) fn limits(
     mechanism: &SoughtMechanism<'_>,
     functions: &dyn CoupledBlocks,
     line: &InputLine,
-) -> Result<Vec<SingularPlace>, Incomplete> {
+) -> Result<Vec<SingularPoint>, Incomplete> {
     let description = mechanism.description();
     if let Some(unknown) = description.unknowns.iter().position(|unknown| unknown.has_range) {
         let unknown = mechanism.functions.name(NameKind::Unknown, unknown);
@@ -94,11 +95,11 @@ pub(super) fn limits(
     let along = AlongLine::new(mechanism, functions, line).ok_or(Incomplete::NotAlgebraic)?;
     let found = singular_positions(mechanism, &along.closure)?;
     let period = line.is_angle.then_some(TAU);
-    let mut all: Vec<SingularPlace> = found
+    let mut all: Vec<SingularPoint> = found
         .iter()
         .flat_map(|position| {
-            let places = places(along.place(position.input), period, [line.low, line.high]);
-            places.into_iter().map(|s| SingularPlace {
+            let coordinates = shifted(along.coordinate(position.input), period, [line.low, line.high]);
+            coordinates.into_iter().map(|s| SingularPoint {
                 s,
                 unknowns: position.unknowns.clone(),
                 is_multiple: position.is_multiple,
@@ -109,14 +110,14 @@ pub(super) fn limits(
     Ok(all)
 }
 
-/// The places of a range that differ from one by whole periods.
-fn places(s: f64, period: Option<f64>, [low, high]: [f64; 2]) -> Vec<f64> {
+/// The coordinates of a range that differ from one by whole periods.
+fn shifted(s: f64, period: Option<f64>, [low, high]: [f64; 2]) -> Vec<f64> {
     let Some(period) = period else {
         return if s >= low && s <= high { vec![s] } else { Vec::new() };
     };
     let first = s + period * Float::ceil((low - s) / period);
-    core::iter::successors(Some(first), |place| Some(place + period))
-        .take_while(|place| *place <= high)
+    core::iter::successors(Some(first), |shifted| Some(shifted + period))
+        .take_while(|shifted| *shifted <= high)
         .collect()
 }
 
@@ -162,8 +163,8 @@ mod tests {
     crate::mechanism! {
         /// A motor between two links, and a link on two legs.
         struct MotorAndLegs {
-            pub crank: Length, pub a: Length, pub b: Length, pub c: Length, pub p: Length, pub q: Length, pub delta: Angle,
-            pub pivot_b: Point, pub pivot_c: Point,
+            pub crank: Length, pub a: Length, pub b: Length, pub c: Length, pub p: Length, pub q: Length,
+            pub delta: Angle, pub pivot_b: Point, pub pivot_c: Point,
         }
         input theta: Angle;
         unknown psi: Angle, beta: Angle, gamma: Angle, phi: Angle;
@@ -184,7 +185,7 @@ mod tests {
     }
 
     crate::mechanism! {
-        /// Legs that a gear of any ratio turns, so that the closure is not algebraic.
+        /// Legs that a gear of any ratio drives, so that the closure is not algebraic.
         struct GearAndLegs {
             pub a: Length, pub b: Length, pub c: Length, pub p: Length, pub q: Length, pub ratio: Scalar,
             pub pivot_b: Point, pub pivot_c: Point,
@@ -217,12 +218,13 @@ mod tests {
         pivot_c: Plane { x: 3.0, y: 3.5 },
     };
 
-    /// A number between -1 and 1 that depends on its place.
-    fn mixed(sample: u32, place: usize) -> f64 {
-        (12.9898 * (f64::from(sample) + 0.7) * (super::super::line::count(place) + 1.3)).sin()
+    /// A number between -1 and 1 that depends on its sample and its index.
+    fn mixed(sample: u32, index: usize) -> f64 {
+        (12.9898 * (f64::from(sample) + 0.7) * (super::super::line::count(index) + 1.3)).sin()
     }
 
-    /// Compares the polynomials with the closure, at places that have nothing in common and in all positions at the first of them where there are some.
+    /// Compares the polynomials with the closure, at inputs that have nothing in common and in all positions at the
+    /// first of them where there are some.
     fn assert_is_the_closure<M: Mechanism<Scalar = f64>>(mechanism: &M, direction: &[f64]) {
         let functions = Of::<M>::FUNCTIONS;
         let sought = SoughtMechanism {
@@ -240,8 +242,8 @@ mod tests {
                 at[0] += f64::from(sign) * at[added];
             }
             let mut variables = closure.quantities.variables(&at);
-            if let Some(turned) = closure.turned {
-                let first = usize::from(closure.quantities.first(turned));
+            if let Some(angle) = closure.slide_angle {
+                let first = usize::from(closure.quantities.first(angle));
                 variables[first] *= at[0];
                 variables[first + 1] *= at[0];
             }
@@ -283,7 +285,7 @@ mod tests {
         assert!(positions > 0, "{} closes nowhere", M::DESCRIPTION.name);
     }
 
-    /// The polynomials have the values of the closure, in any place and in positions, where they vanish.
+    /// The polynomials have the values of the closure, anywhere and in positions, where they vanish.
     #[test]
     fn the_polynomials_are_the_closure() {
         let at = |x: f64, y: f64| Plane::new(x, y);

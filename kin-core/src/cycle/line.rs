@@ -13,14 +13,15 @@ use crate::quantity::Dimension;
 use crate::solve::Scalar;
 use crate::sweep::{Drive, READ, SmoothDrive, Variable, write_steady};
 
-/// The largest number of turns of the inputs after which the closure may repeat itself.
-const MOST_TURNS: u32 = 12;
+/// The largest number of revolutions of the inputs after which the closure may repeat itself.
+const MOST_REVOLUTIONS: u32 = 12;
 /// The largest difference of two values of a row, as a part of them, that may be rounding.
-const NEAR: f64 = 1e-9;
-/// The part of a turn by which the places of the search are shifted, so that symmetric linkages have no limit exactly there.
+const ROUNDING_OF_ROW: f64 = 1e-9;
+/// The part of a revolution by which the samples of the search are shifted, so that symmetric linkages have no limit
+/// exactly there.
 const SHIFT: f64 = 0.061_803;
 
-/// The largest [`distance`](SoughtMechanism::distance) of two positions next to the place where they meet.
+/// The largest [`distance`](SoughtMechanism::distance) of two positions next to the input at which they meet.
 pub(super) const MEETING: f64 = 1e-3;
 
 /// The inputs `from + s direction`, for s in a range.
@@ -28,7 +29,7 @@ pub(super) const MEETING: f64 = 1e-3;
 pub(super) struct InputLine {
     pub(super) from: NumberRow,
     pub(super) direction: NumberRow,
-    /// The range of the search. A closed range is shifted against the one that is told.
+    /// The range of the search. A closed range is shifted against the one that is reported.
     pub(super) low: f64,
     pub(super) high: f64,
     pub(super) is_closed: bool,
@@ -37,7 +38,7 @@ pub(super) struct InputLine {
 }
 
 impl InputLine {
-    /// The line through a place in a direction, over all places where the mechanism may close.
+    /// The line through a point in a direction, over all inputs at which the mechanism may close.
     fn whole(mechanism: &SoughtMechanism<'_>, from: NumberRow, direction: NumberRow) -> Self {
         let mut line = Self::over(mechanism, from, direction, [-PI, PI]);
         let direction = &line.direction;
@@ -51,18 +52,18 @@ impl InputLine {
                 .filter(|(input, _)| input.dimension == Dimension::Length)
                 .fold(0.0, |fastest: f64, (_, rate)| fastest.max(rate.abs()));
             (line.low, line.high) = (-reach / fastest, reach / fastest);
-        } else if let Some(turns) = (1..=MOST_TURNS)
+        } else if let Some(revolutions) = (1..=MOST_REVOLUTIONS)
             .map(f64::from)
-            .find(|turns| line.repeats(mechanism, turns * TAU))
+            .find(|revolutions| line.repeats(mechanism, revolutions * TAU))
         {
-            let half = PI * turns;
+            let half = PI * revolutions;
             line.is_closed = true;
             (line.low, line.high) = (-half - SHIFT * TAU, half - SHIFT * TAU);
         }
         line
     }
 
-    /// The line over a given range of s, or over all places where the mechanism may close.
+    /// The line over a given range of s, or over all inputs at which the mechanism may close.
     pub(super) fn new(
         mechanism: &SoughtMechanism<'_>,
         from: NumberRow,
@@ -94,7 +95,7 @@ impl InputLine {
         NumberRow::from_fn(self.from.len(), |index| self.from[index] + self.direction[index] * s)
     }
 
-    /// The inputs of the line as another number, for a place of that number.
+    /// The inputs of the line as another number, for a coordinate of that number.
     pub(super) fn inputs_at<B: Scalar>(&self, s: B) -> Vec<B> {
         let inputs = self.from.iter().zip(self.direction.iter());
         let inputs = inputs.map(|(from, rate)| {
@@ -109,8 +110,8 @@ impl InputLine {
         inputs.collect()
     }
 
-    /// The place of some inputs on the line.
-    pub(super) fn place(&self, inputs: &[f64]) -> f64 {
+    /// The coordinate of some inputs on the line.
+    pub(super) fn coordinate(&self, inputs: &[f64]) -> f64 {
         let rates = self.direction.iter().enumerate();
         let (lead, rate) = rates.fold((0, 0.0_f64), |best, (index, rate)| {
             if rate.abs() > best.1.abs() {
@@ -126,23 +127,23 @@ impl InputLine {
         self.is_closed.then_some(self.high - self.low)
     }
 
-    /// The place of the range that differs by whole periods from another one.
+    /// The coordinate in the range that differs by whole periods from another one.
     pub(super) fn reduced(&self, s: f64) -> f64 {
         match self.period() {
             Some(period) => {
-                let turns = Float::floor((s + 0.5 * period) / period);
-                s - turns * period
+                let periods = Float::floor((s + 0.5 * period) / period);
+                s - periods * period
             }
             None => s,
         }
     }
 
-    /// Whether the closure is the same after a given way, up to rounding, at some places that have nothing in common.
-    /// An angle that is a multiple of an input, like that of a gear, may have made turns.
+    /// Whether the closure is the same after a given way, up to rounding, at some inputs that have nothing in common.
+    /// An angle that is a multiple of an input, like that of a gear, may have made revolutions.
     fn repeats(&self, mechanism: &SoughtMechanism<'_>, way: f64) -> bool {
         let size = mechanism.reach().max(f64::MIN_POSITIVE);
         let (quantities, rounded) = (mechanism.unknowns(), mechanism.rounded());
-        let agrees = |turned: Option<(usize, f64)>| {
+        let agrees = |advanced: Option<(usize, f64)>| {
             (0..4).map(f64::from).all(|seed| {
                 let unknowns = NumberRow::from_fn(quantities.len(), |index| {
                     let mixed = Float::sin((seed + 0.5) * (count(index) + 1.7) * 12.9898);
@@ -152,7 +153,7 @@ impl InputLine {
                     }
                 });
                 let mut moved = unknowns.clone();
-                if let Some((index, angle)) = turned {
+                if let Some((index, angle)) = advanced {
                     moved[index] += angle;
                 }
                 let s = 0.3 + 1.1 * seed;
@@ -160,10 +161,11 @@ impl InputLine {
                 let near = mechanism.residuals(&self.inputs(s), &unknowns);
                 let far = mechanism.residuals(&self.inputs(s + way), &moved);
                 let rows = || near.iter().zip(far.iter());
-                if !rows().all(|(near, far)| is_same(*near, *far, NEAR * (near.abs() + size.max(1.0)))) {
+                if !rows().all(|(near, far)| is_same(*near, *far, ROUNDING_OF_ROW * (near.abs() + size.max(1.0)))) {
                     return false;
                 }
-                // Each row in its own unit: by the bounds of what rounding changes in it, a whole turn included.
+                // Each row in the unit of the row: by the bounds of what rounding changes in it, a whole revolution
+                // included.
                 let errors = |s: f64, unknowns: &[f64]| {
                     let inputs = self.inputs_at(Bounds::rounded(s));
                     let unknowns: Vec<Bounds> = unknowns.iter().copied().map(Bounds::rounded).collect();
@@ -179,16 +181,16 @@ impl InputLine {
             let unknowns = quantities.iter().enumerate();
             let angles = unknowns.filter(|(_, unknown)| unknown.dimension == Dimension::Angle);
             angles.flat_map(|(index, _)| {
-                let turns = (1..=MOST_TURNS).map(|turns| TAU * f64::from(turns));
-                turns.flat_map(move |angle| [(index, angle), (index, -angle)])
+                let revolutions = (1..=MOST_REVOLUTIONS).map(|revolutions| TAU * f64::from(revolutions));
+                revolutions.flat_map(move |angle| [(index, angle), (index, -angle)])
             })
         };
-        agrees(None) || angles().any(|turned| agrees(Some(turned)))
+        agrees(None) || angles().any(|advanced| agrees(Some(advanced)))
     }
 }
 
 impl Drive for InputLine {
-    /// The only input that moves, if it is the place of the line itself.
+    /// The only input that moves, if it is the coordinate of the line itself.
     fn variable(&self) -> Variable {
         let mut moving = (0..self.direction.len()).filter(|input| self.direction[*input] != 0.0);
         match (moving.next(), moving.next()) {
@@ -212,12 +214,12 @@ impl SmoothDrive for InputLine {
 }
 
 /// The same angle in -π ..= π.
-pub(super) fn turned(angle: f64) -> f64 {
-    angle - whole_turns(angle)
+pub(super) fn wrapped(angle: f64) -> f64 {
+    angle - whole_revolutions(angle)
 }
 
-/// The whole turns that are nearest to an angle.
-pub(super) fn whole_turns(angle: f64) -> f64 {
+/// The whole revolutions that are nearest to an angle.
+pub(super) fn whole_revolutions(angle: f64) -> f64 {
     TAU * Float::round(angle / TAU)
 }
 

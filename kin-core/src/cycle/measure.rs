@@ -64,9 +64,9 @@ pub struct WorstTransmission {
 pub enum MeasureError {
     /// There is no circuit with this index.
     NoSuchCircuit,
-    /// The input does not turn fully along the circuit.
-    NoFullTurn,
-    /// The quantity does not go to and fro: it turns fully with the input, or stays where it is.
+    /// The input makes no full revolution along the circuit.
+    NoFullRevolution,
+    /// The quantity does not go to and fro: it makes full revolutions with the input, or stays where it is.
     NoReturn {
         /// The smallest value.
         low: f64,
@@ -83,13 +83,13 @@ impl fmt::Display for MeasureError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoSuchCircuit => formatter.write_str("there is no circuit with this index"),
-            Self::NoFullTurn => formatter.write_str(
+            Self::NoFullRevolution => formatter.write_str(
                 "the input does not turn fully along this circuit, so there is no advance and return of one turn",
             ),
             Self::NoReturn { low, high } => write!(
                 formatter,
-                "the quantity does not go to and fro: it turns fully or stays where it is, from {} to {}, so there is no advance and \
-                 return",
+                "the quantity does not go to and fro: it turns fully or stays where it is, from {} to {}, so there is \
+                 no advance and return",
                 Digits(*low),
                 Digits(*high)
             ),

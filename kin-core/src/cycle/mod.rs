@@ -1,8 +1,9 @@
 //! The full cycle of a mechanism: all circuits and branches, with their limits.
 //!
-//! Over an input, the positions of a mechanism form curves. A *circuit* is such a curve: all positions that are reached without taking the
-//! mechanism apart. Where an input turns back, two *branches* of a circuit meet (T. R. Chase and J. A. Mirth, *Circuits and branches of
-//! single-degree-of-freedom planar linkages*, Journal of Mechanical Design 115 (1993), 223-230). [`FullCycle::cycle`] finds all of them.
+//! Over an input, the positions of a mechanism form curves. A *circuit* is such a curve: all positions that are reached
+//! without taking the mechanism apart. Where an input reverses, two *branches* of a circuit meet (T. R. Chase and J. A.
+//! Mirth, *Circuits and branches of single-degree-of-freedom planar linkages*, Journal of Mechanical Design 115 (1993),
+//! 223-230). [`FullCycle::cycle`] finds all of them.
 //!
 //! ```
 //! use kin_core::LimitKind;
@@ -25,22 +26,24 @@
 //! If every block has a closed form, the range of the input is divided into intervals. The solver runs on bounds of all
 //! values and derivatives over an interval, in interval arithmetic that includes rounding. The bounds prove that an
 //! assembly closes everywhere in the interval, or nowhere, or that the condition on which it depends is monotonic
-//! there, so that its values at the ends tell whether there is one limit or none. Other intervals are halved until
+//! there, so that its values at the ends decide whether there is one limit or none. Other intervals are halved until
 //! rounding decides, where every length counts as known to one unit in its last place. An assembly that closes on both
-//! sides of such a place has a change point there. [`is_complete`](CycleData::is_complete) is then true. One thing is tested and not
-//! proved: the choice by a declared range of an unknown is made at the ends and in the middle of each interval.
+//! sides of such an input has a change point there. [`is_complete`](CycleData::is_complete) is then true. One thing is
+//! tested and not proved: the choice by a declared range of an unknown is made at the ends and in the middle of each
+//! interval.
 //!
-//! The search has a unit of length of its own, so that a multiple of all lengths has the same cycle.
+//! The search has a unit of length for itself, so that a multiple of all lengths has the same cycle.
 //!
-//! If a block is coupled, all its limits come first: the real solutions of the closure and det J = 0, with the input unknown, by
-//! continuation. The macro states the closure as [polynomials](crate::Mechanism::closure_terms) in cosines, sines and
-//! lengths. A circuit that does not pass an end of the range has a smallest input, which is a limit. So [`track`](crate::track()) follows all positions
-//! at the [ends](CycleData::seeds), and both branches of every limit that was not reached. [`is_complete`](CycleData::is_complete) is true if no path of the
-//! continuation was lost, and if tracks and continuation have found the same limits. It holds with the reservation of [`Assemblies`](crate::Assemblies): paths
-//! are followed in double precision.
+//! If a block is coupled, all its limits come first: the real solutions of the closure and det J = 0, with the input
+//! unknown, by continuation. The macro states the closure as [polynomials](crate::Mechanism::closure_terms) in cosines,
+//! sines and lengths. A circuit that does not pass an end of the range has a smallest input, which is a limit. So
+//! [`track`](crate::track()) follows all positions at the [ends](CycleData::seeds), and both branches of every limit
+//! that was not reached. [`is_complete`](CycleData::is_complete) is true if no path of the continuation was lost, and
+//! if tracks and continuation have found the same limits. It holds with the reservation of
+//! [`Assemblies`](crate::Assemblies): paths are followed in double precision.
 //!
-//! This needs polynomials of at most 1024 paths, lengths that cannot become infinite, and unknowns without declared ranges. For any other
-//! mechanism all positions are sought at stated inputs, and `is_complete` is false.
+//! This needs polynomials of at most 1024 paths, lengths that cannot become infinite, and unknowns without declared
+//! ranges. For any other mechanism all positions are sought at stated inputs, and `is_complete` is false.
 //! [`incomplete`](CycleData::incomplete) says why.
 
 mod along;
@@ -96,11 +99,12 @@ pub(crate) use station::MeasuredCycle;
 
 /// The full cycle of every mechanism.
 pub trait FullCycle: Mechanism<Scalar = f64> {
-    /// All circuits and branches over the only input: over a full turn of an angle, or as many turns as it takes until the closure repeats
-    /// itself; and over all lengths that the sum of the links may reach, twice as far as they reach.
+    /// All circuits and branches over the only input: over a revolution of an angle, or as many revolutions as it takes
+    /// until the closure repeats itself; and over all lengths that the sum of the links may reach, twice as far as they
+    /// reach.
     ///
-    /// A plain number, and an angle with which the closure does not repeat itself within twelve turns, is taken from -π to π:
-    /// [`cycle_over`](Self::cycle_over) takes another range.
+    /// A plain number, and an angle with which the closure does not repeat itself within twelve revolutions, is taken
+    /// from -π to π: [`cycle_over`](Self::cycle_over) takes another range.
     ///
     /// # Errors
     /// An error if a parameter is not finite, and that of the solver if it refuses the lengths, because they are too
@@ -123,8 +127,8 @@ pub trait FullCycle: Mechanism<Scalar = f64> {
         Cycle::new(self, Row::splat(0.0), Row::splat(1.0), Some(range.ends()))
     }
 
-    /// All circuits and branches along a line in the space of the inputs: the inputs are `from + s direction`, and s takes the place of the
-    /// only input of [`cycle`](Self::cycle).
+    /// All circuits and branches along a line in the space of the inputs: the inputs are `from + s direction`, and s
+    /// replaces the only input of [`cycle`](Self::cycle).
     ///
     /// # Errors
     /// As for `cycle`, and an error if an input is not finite, or if the direction is zero.
@@ -133,10 +137,10 @@ pub trait FullCycle: Mechanism<Scalar = f64> {
     /// use kin_core::cycle::FullCycle;
     /// use kin_core::library::FiveBar;
     ///
-    /// // the left crank turns, the right one stands still
+    /// // the left crank rotates, the right one stands still
     /// let robot = FiveBar { ground: 2.0, left: 0.5, left_rod: 2.0, right_rod: 2.0, right: 1.5 };
     /// let cycle = robot.cycle_along([0.0, 1.0], [1.0, 0.0])?;
-    /// assert!(cycle.is_complete() && cycle.branches().iter().all(|branch| branch.is_full_turn()));
+    /// assert!(cycle.is_complete() && cycle.branches().iter().all(|branch| branch.is_full_revolution()));
     /// # Ok::<(), kin_core::SolveError>(())
     /// ```
     fn cycle_along(&self, from: Self::Inputs<f64>, direction: Self::Inputs<f64>) -> Result<Cycle<Self>, SolveError> {
@@ -191,11 +195,12 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
         })
     }
 
-    /// The assemblies of closed forms about which the bounds told nothing, each with a range of the input. There, only the ends and the middles
-    /// of intervals were tried.
+    /// The assemblies of closed forms about which the bounds decided nothing, each with a range of the input. There,
+    /// only the ends and the middles of intervals were tried.
     ///
-    /// A block with a motion of its own leads here, such as two equal links whose ends coincide at every input. In four of the eight
-    /// assemblies of Peaucellier's cell, the rhombus is folded, and two of its links turn freely:
+    /// A block that can move while its input stands still leads here, such as two equal links whose ends coincide at
+    /// every input. In four of the eight assemblies of Peaucellier's cell, the rhombus is folded, and two of its links
+    /// rotate freely:
     ///
     /// ```
     /// use kin_core::cycle::FullCycle;
@@ -222,11 +227,11 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     ///
     /// let cycle = JansenLeg::HOLY_NUMBERS.cycle()?;
     /// let (_, walking) = cycle.branches_of(JansenLeg::WALKING).next().expect("the leg walks");
-    /// assert!(walking.is_full_turn());
+    /// assert!(walking.is_full_revolution());
     /// # Ok::<(), SolveError>(())
     /// ```
     pub fn branches_of(&self, assembly: M::Assembly) -> impl Iterator<Item = (usize, &Branch)> {
-        let index = M::assemblies().position(|own| own == assembly);
+        let index = M::assemblies().position(|other| other == assembly);
         let branches = self.branches().iter().enumerate();
         branches.filter(move |(_, branch)| index.is_some() && branch.assembly == index)
     }
@@ -243,7 +248,7 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
         &self.mechanism
     }
 
-    /// The inputs at a place of the line: the only input itself, or `from + s direction`.
+    /// The inputs at a coordinate of the line: the only input itself, or `from + s direction`.
     #[must_use]
     pub fn inputs(&self, input: f64) -> M::Inputs<f64> {
         let inputs = self.searched.line.inputs(input);

@@ -5,14 +5,14 @@ use alloc::vec::Vec;
 use crate::number::NumberRow;
 use crate::quantity::Name;
 
-/// A place at which branches end.
+/// An input at which branches end.
 #[derive(Clone)]
 pub(super) struct BranchNode {
     pub(super) kind: super::EndKind,
     pub(super) s: f64,
     pub(super) unknowns: NumberRow,
     pub(super) block: Name,
-    /// Two numbers that tell apart what only looks the same: the assemblies that meet, if the search knows them.
+    /// Two numbers that distinguish what only looks the same: the assemblies that meet, if the search knows them.
     pub(super) assemblies: [usize; 2],
 }
 
@@ -25,14 +25,15 @@ pub(super) enum Tip {
     Seam,
 }
 
-/// A branch, or a part of one that ends at the seam of a closed range. The tips belong to the smallest and the largest input.
+/// A branch, or a part of one that ends at the seam of a closed range. The tips belong to the smallest and the largest
+/// input.
 #[derive(Clone)]
 pub(super) struct BranchPiece {
     /// The index of the assembly, if the search knows it.
     pub(super) assembly: Option<usize>,
     pub(super) low: Tip,
     pub(super) high: Tip,
-    /// Places and unknowns in ascending order, with angles that go on over turns. The first and the last belong to the tips.
+    /// Inputs and unknowns in ascending order, with angles unwrapped. The first and the last belong to the tips.
     pub(super) samples: Vec<(f64, NumberRow)>,
 }
 

@@ -31,9 +31,9 @@ impl Quantities {
         let first = kinds
             .iter()
             .map(|kind| {
-                let own = count;
+                let first = count;
                 count += if *kind == ClosureQuantity::Angle { 2 } else { 1 };
-                own
+                first
             })
             .collect();
         Self { kinds, first }
@@ -79,16 +79,16 @@ pub(super) struct ClosurePolynomial {
 
 impl ClosurePolynomial {
     pub(super) fn number(number: f64) -> Self {
-        let mut own = Self::default();
-        own.add(Vec::new(), number);
-        own
+        let mut polynomial = Self::default();
+        polynomial.add(Vec::new(), number);
+        polynomial
     }
 
     /// A variable by itself.
     pub(super) fn variable(variable: u16) -> Self {
-        let mut own = Self::default();
-        own.add(vec![(variable, 1)], 1.0);
-        own
+        let mut polynomial = Self::default();
+        polynomial.add(vec![(variable, 1)], 1.0);
+        polynomial
     }
 
     pub(super) fn terms(&self) -> impl Iterator<Item = (&[(u16, u8)], f64)> {
@@ -139,8 +139,8 @@ impl ClosurePolynomial {
     /// Adds the product of two polynomials and a number.
     fn add_product(&mut self, one: &Self, other: &Self, factor: f64) {
         for (powers, coefficient) in &one.terms {
-            for (others, own) in &other.terms {
-                self.add(product(powers, others), factor * coefficient * own);
+            for (others, other_coefficient) in &other.terms {
+                self.add(product(powers, others), factor * coefficient * other_coefficient);
             }
         }
     }
@@ -169,15 +169,15 @@ impl ClosurePolynomial {
         };
         for (powers, coefficient) in &self.terms {
             for &(variable, other, sign) in others {
-                let Some(place) = powers.iter().position(|(own, _)| *own == variable) else {
+                let Some(index) = powers.iter().position(|(factor, _)| *factor == variable) else {
                     continue;
                 };
                 let mut less = powers.clone();
-                let power = less[place].1;
+                let power = less[index].1;
                 if power == 1 {
-                    less.remove(place);
+                    less.remove(index);
                 } else {
-                    less[place].1 -= 1;
+                    less[index].1 -= 1;
                 }
                 let factor: Powers = other.map(|other| (other, 1)).into_iter().collect();
                 sum.add(product(&less, &factor), sign * f64::from(power) * coefficient);
@@ -196,13 +196,13 @@ impl ClosurePolynomial {
                 let quantity = quantities.quantity(variable);
                 quantities.kind(quantity) == ClosureQuantity::Angle && variable > quantities.first(quantity)
             };
-            let Some(place) = powers.iter().position(|&(own, power)| power > 1 && is_sine(own)) else {
+            let Some(index) = powers.iter().position(|&(factor, power)| power > 1 && is_sine(factor)) else {
                 reduced.add(powers, coefficient);
                 continue;
             };
-            let cosine = powers[place].0 - 1;
+            let cosine = powers[index].0 - 1;
             let mut less = powers;
-            less[place].1 -= 2;
+            less[index].1 -= 2;
             less.retain(|(_, power)| *power > 0);
             waiting.push((product(&less, &vec![(cosine, 2)]), -coefficient));
             waiting.push((less, coefficient));
@@ -224,9 +224,9 @@ impl ClosurePolynomial {
 fn product(one: &Powers, other: &Powers) -> Powers {
     let mut product = one.clone();
     for &(variable, power) in other {
-        match product.binary_search_by_key(&variable, |(own, _)| *own) {
-            Ok(place) => product[place].1 += power,
-            Err(place) => product.insert(place, (variable, power)),
+        match product.binary_search_by_key(&variable, |(factor, _)| *factor) {
+            Ok(index) => product[index].1 += power,
+            Err(index) => product.insert(index, (variable, power)),
         }
     }
     product

@@ -17,12 +17,12 @@ use crate::track::TrackError;
 const BESIDE: f64 = 64.0 * f64::EPSILON;
 
 impl<M: Mechanism<Scalar = f64>> Cycle<M> {
-    /// The unknowns of a branch at an input of its range, with angles on the turns they have along the branch. An input may be whole
-    /// [periods](super::CycleData::period) beside the range.
+    /// The unknowns of a branch at an input of its range, with the angles unwrapped along the branch. An input may be
+    /// whole [periods](super::CycleData::period) beside the range.
     ///
     /// # Errors
-    /// [`Failure::OutOfRange`] if the input lies outside the branch, with the range of the branch, and the errors of the solver: the input
-    /// lies at an end of the branch.
+    /// [`Failure::OutOfRange`] if the input lies outside the branch, with the range of the branch, and the errors of
+    /// the solver: the input lies at an end of the branch.
     pub fn position_on(&self, branch: usize, input: f64) -> Result<M::Unknowns<f64>, SolveError> {
         self.searched.position_on(branch, input).map(|found| row(&found))
     }
@@ -55,29 +55,31 @@ impl SearchedCycle<'_> {
             failure.at(block, names)
         };
         let none = || failed(Failure::not_finite("branch"));
-        let own = self.data.branches.get(branch).ok_or_else(none)?;
-        let input = self.place_on(own, input).map_err(failed)?;
+        let branch_data = self.data.branches.get(branch).ok_or_else(none)?;
+        let input = self.coordinate_on(branch_data, input).map_err(failed)?;
         let inputs = self.line.inputs(input);
-        let inner = own.samples.iter().filter(|(s, _)| {
-            let is_end = [0, 1].map(|end| own.ends[end].kind != EndKind::FullTurn && own.ends[end].input == *s);
+        let inner = branch_data.samples.iter().filter(|(s, _)| {
+            let is_end = [0, 1]
+                .map(|end| branch_data.ends[end].kind != EndKind::FullRevolution && branch_data.ends[end].input == *s);
             is_end == [false, false]
         });
         let closest = |one: &&(f64, Vec<f64>), other: &&(f64, Vec<f64>)| {
             (one.0 - input).abs().total_cmp(&(other.0 - input).abs())
         };
-        let sample = inner.min_by(closest).or(own.samples.iter().min_by(closest));
+        let sample = inner.min_by(closest).or(branch_data.samples.iter().min_by(closest));
         let (s, near) = sample.ok_or_else(none)?;
         let sought = &self.mechanism;
-        let found = match own.assembly {
+        let found = match branch_data.assembly {
             Some(assembly) => {
                 let solved = sought.position(&inputs, PositionChoice::Assembly(assembly))?;
                 let unknowns = sought.nearest(&solved, near);
                 let mut pairs = unknowns.iter().zip(solved.iter());
                 if pairs.any(|(unwrapped, solved)| (unwrapped - solved).abs() > PI) {
-                    // what depends on an angle itself, as the position of a rack does, depends on its turn
-                    let turned = sought.position(&inputs, PositionChoice::Near(&unknowns)).ok();
-                    let turned = turned.filter(|turned| sought.assembly_at(&inputs, turned) == Some(assembly));
-                    turned.map_or_else(|| unknowns.clone(), |turned| sought.nearest(&turned, &unknowns))
+                    // what depends on an angle itself, as the position of a rack does, depends on its revolution
+                    let unwrapped = sought.position(&inputs, PositionChoice::Near(&unknowns)).ok();
+                    let unwrapped =
+                        unwrapped.filter(|unwrapped| sought.assembly_at(&inputs, unwrapped) == Some(assembly));
+                    unwrapped.map_or_else(|| unknowns.clone(), |unwrapped| sought.nearest(&unwrapped, &unknowns))
                 } else {
                     unknowns
                 }
@@ -92,19 +94,19 @@ impl SearchedCycle<'_> {
         Ok(found)
     }
 
-    /// The place of an input in the range of a branch, which may be whole periods away from it.
-    fn place_on(&self, branch: &Branch, input: f64) -> Result<f64, Failure> {
+    /// The coordinate of an input in the range of a branch, which may be whole periods away from it.
+    fn coordinate_on(&self, branch: &Branch, input: f64) -> Result<f64, Failure> {
         let [low, high] = branch.ends.each_ref().map(|end| end.input);
         let slack = BESIDE * low.abs().max(high.abs());
-        let contains = |place: &f64| *place >= low - slack && *place <= high + slack;
-        if branch.is_full_turn() || contains(&input) {
+        let contains = |s: &f64| *s >= low - slack && *s <= high + slack;
+        if branch.is_full_revolution() || contains(&input) {
             return Ok(input);
         }
-        let turned = self.line.period().map(|period| {
+        let shifted = self.line.period().map(|period| {
             let periods = Float::ceil((low - slack - input) / period);
             input + periods * period
         });
-        turned.filter(contains).ok_or(Failure::OutOfRange {
+        shifted.filter(contains).ok_or(Failure::OutOfRange {
             unknown: "the input of the branch".into(),
             value: input,
             low,

@@ -20,7 +20,7 @@ crate::mechanism! {
     ground + crank * cis(theta) == vec2(slide, offset) * cis(phi);
 }
 
-/// The kinds of the ends, the circuit and the neighbours of each branch, and the turns of each circuit.
+/// The kinds of the ends, the circuit and the neighbours of each branch, and the revolutions of each circuit.
 fn outline<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>) -> String {
     let branches = cycle.branches().iter();
     let branches: Vec<String> = branches
@@ -35,10 +35,10 @@ fn outline<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>) -> String {
         .collect();
     let circuits = cycle.circuits().iter();
     let circuits: Vec<String> = circuits
-        .map(|circuit| format!("{:?} {:?}", circuit.input_turns(), circuit.turns()))
+        .map(|circuit| format!("{:?} {:?}", circuit.input_revolutions(), circuit.revolutions()))
         .collect();
-    let turns = cycle.period().map(|period| period / core::f64::consts::TAU);
-    format!("{:?} {turns:?} {branches:?} {circuits:?}", cycle.is_complete())
+    let revolutions = cycle.period().map(|period| period / core::f64::consts::TAU);
+    format!("{:?} {revolutions:?} {branches:?} {circuits:?}", cycle.is_complete())
 }
 
 /// All links of a parallelogram, of a kite or of another linkage with a change point can lie on one line, however short
@@ -91,7 +91,7 @@ fn a_near_miss_is_no_change_point() {
             "{excess} {cycle:?}"
         );
         assert!(
-            cycle.branches().iter().all(super::Branch::is_full_turn),
+            cycle.branches().iter().all(super::Branch::is_full_revolution),
             "{excess} {cycle:?}"
         );
     }
@@ -108,7 +108,7 @@ fn a_near_miss_is_no_change_point() {
                 let cycle = linkage.cycle().unwrap();
                 assert!(cycle.is_complete(), "{cycle:?}");
                 let (circuits, kind) = match sign {
-                    1.0 => (2, EndKind::FullTurn),
+                    1.0 => (2, EndKind::FullRevolution),
                     _ if excess > 2.0 * short => (0, EndKind::Limit(LimitKind::TurningPoint)),
                     _ => (1, EndKind::Limit(LimitKind::TurningPoint)),
                 };
@@ -120,7 +120,7 @@ fn a_near_miss_is_no_change_point() {
     }
 }
 
-/// The number of turns after which a gear repeats its position is that of any size.
+/// The number of revolutions after which a gear repeats its position is that of any size.
 #[test]
 fn a_period_does_not_depend_on_the_unit() {
     let linkage = |unit: f64| GearedFiveBar {
@@ -144,7 +144,7 @@ fn a_period_does_not_depend_on_the_unit() {
 }
 
 crate::mechanism! {
-    /// A four-bar and a small gear within the loop, which turns half as fast as the crank.
+    /// A four-bar and a small gear within the loop, which rotates half as fast as the crank.
     struct GearInLoop { pub a: Length, pub b: Length, pub c: Length, pub d: Length, pub gear: Length }
     input t: Angle;
     unknown phi: Angle, psi: Angle;
@@ -154,7 +154,7 @@ crate::mechanism! {
 /// A gear that is much smaller than the links has its say in the period.
 #[test]
 fn a_small_gear_doubles_the_period() {
-    for (gear, turns) in [(1e-3, 2.0), (1e-9, 2.0), (1e-12, 2.0), (0.0, 1.0)] {
+    for (gear, revolutions) in [(1e-3, 2.0), (1e-9, 2.0), (1e-12, 2.0), (0.0, 1.0)] {
         for unit in [1.0, 1e-20, 1e20] {
             let linkage: GearInLoop = GearInLoop {
                 a: 30.0 * unit,
@@ -165,7 +165,7 @@ fn a_small_gear_doubles_the_period() {
             };
             let cycle = linkage.cycle().unwrap();
             let period = cycle.period().map(|period| period / core::f64::consts::TAU);
-            assert_eq!(period, Some(turns), "{gear} {unit}");
+            assert_eq!(period, Some(revolutions), "{gear} {unit}");
             assert!(cycle.is_complete());
         }
     }
@@ -265,7 +265,7 @@ fn lengths_that_the_solver_refuses_are_an_error() {
     }
 }
 
-/// Where nothing can be told, the cycle says so and why.
+/// Where nothing can be decided, the cycle says so and why.
 #[test]
 fn rounding_is_a_reason() {
     let cycle = FourBar {
@@ -333,7 +333,7 @@ crate::mechanism! {
     a * cis(theta) + b * cis(phi) == vec2(x, 0) + d * cis(psi);
 }
 
-/// An input that stands still has no say in how often the others turn.
+/// An input that stands still has no say in how many revolutions the others make.
 #[test]
 fn an_angle_turns_while_a_length_stands_still() {
     let linkage = SlidingPivot {
@@ -344,7 +344,10 @@ fn an_angle_turns_while_a_length_stands_still() {
     let cycle = linkage.cycle_along([0.0, 90.0], [1.0, 0.0]).unwrap();
     assert_eq!(cycle.circuits().len(), 2);
     assert!(
-        cycle.circuits().iter().all(|circuit| circuit.input_turns() == Some(1)),
+        cycle
+            .circuits()
+            .iter()
+            .all(|circuit| circuit.input_revolutions() == Some(1)),
         "{cycle:?}"
     );
     let beside = cycle.position_on(0, 100.0);

@@ -18,7 +18,7 @@ pub enum SearchMethod<'f> {
     Coupled(&'f dyn CoupledBlocks),
 }
 
-/// All circuits and branches along a line of inputs, which is given by a place and a direction.
+/// All circuits and branches along a line of inputs, which is given by a point and a direction.
 pub(super) fn search(
     mechanism: &SoughtMechanism<'_>,
     functions: &SearchMethod<'_>,
@@ -31,7 +31,7 @@ pub(super) fn search(
         Failure::not_finite(quantity).at(block, names)
     };
     let unit = LengthUnit::of(mechanism, &from);
-    // The search sees lengths in its unit, and the same places of the line.
+    // The search sees lengths in its unit, and the same coordinates of the line.
     let sought = unit.mechanism(mechanism);
     let inputs = mechanism.inputs();
     let line = InputLine::new(&sought, unit.row(inputs, &from), unit.row(inputs, &direction), range);
@@ -88,7 +88,7 @@ pub(super) fn search(
 }
 
 /// The error of the solver if lengths are so large or so small that it refuses the positions of the cycle, which
-/// has its own unit.
+/// has a separate unit.
 fn refusal(mechanism: &SoughtMechanism<'_>, line: &InputLine, branches: &[Branch]) -> Option<SolveError> {
     let refused = |error: SolveError| matches!(error.failure, Failure::NotFinite { .. }).then_some(error);
     let mut middles = branches.iter().filter_map(|branch| {

@@ -17,7 +17,7 @@ pub(crate) struct SearchedCycle<'m> {
 }
 
 impl<'m> SearchedCycle<'m> {
-    /// Searches along a line of inputs, which is given by a place and a direction.
+    /// Searches along a line of inputs, which is given by a point and a direction.
     pub(crate) fn new(
         functions: &'m dyn SearchedFunctions,
         parameters: &[f64],

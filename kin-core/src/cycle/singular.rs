@@ -55,10 +55,10 @@ pub(super) fn singular_positions(
         return Err(Incomplete::Unbounded);
     }
     let mut all = Vec::new();
-    for (block, own) in blocks.iter().enumerate() {
-        let (name, members) = (mechanism.block_name(block), own.members);
+    for (block, singular_block) in blocks.iter().enumerate() {
+        let (name, members) = (mechanism.block_name(block), singular_block.members);
         let mut system = Vec::new();
-        let mut involved = match closure.turned {
+        let mut involved = match closure.slide_angle {
             Some(_) => Vec::new(),
             None => vec![0],
         };
@@ -83,7 +83,7 @@ pub(super) fn singular_positions(
                 .map(|member| closure.derivative(*equation, member + 1))
                 .collect()
         };
-        let matrix: Vec<Vec<ClosurePolynomial>> = own.equations.iter().map(row).collect();
+        let matrix: Vec<Vec<ClosurePolynomial>> = singular_block.equations.iter().map(row).collect();
         let singular = determinant(&matrix);
         if singular.is_zero() {
             return Err(Incomplete::AlwaysSingular { block: name });
@@ -93,13 +93,13 @@ pub(super) fn singular_positions(
         }
         system.push(singular);
         // A block on which the input has no effect stands still.
-        if closure.turned.is_some_and(|turned| !involved.contains(&turned)) {
+        if closure.slide_angle.is_some_and(|angle| !involved.contains(&angle)) {
             continue;
         }
         for (at, is_multiple) in solutions(closure, &system, &involved, name)? {
             let mut variables = quantities.variables(&at);
-            if let Some(turned) = closure.turned {
-                let first = usize::from(quantities.first(turned));
+            if let Some(angle) = closure.slide_angle {
+                let first = usize::from(quantities.first(angle));
                 variables[first] *= at[0];
                 variables[first + 1] *= at[0];
             }
@@ -109,8 +109,8 @@ pub(super) fn singular_positions(
                 .collect();
             let rates = kernel(numbers);
             let rate = |unknown: usize| {
-                let place = members.iter().position(|member| *member == unknown);
-                place.map_or(0.0, |place| rates[place])
+                let index = members.iter().position(|member| *member == unknown);
+                index.map_or(0.0, |index| rates[index])
             };
             let unknowns = involved.iter().filter_map(|quantity| {
                 let index = quantity.checked_sub(1)?;
@@ -136,7 +136,7 @@ pub(super) fn singular_positions(
 /// The product of the degrees of a system and of the circles of its angles.
 fn paths(closure: &Closure, system: &[ClosurePolynomial], involved: &[usize]) -> usize {
     let is_on_circle = |quantity: &&usize| {
-        closure.turned != Some(**quantity) && closure.quantities.kind(**quantity) == ClosureQuantity::Angle
+        closure.slide_angle != Some(**quantity) && closure.quantities.kind(**quantity) == ClosureQuantity::Angle
     };
     let circles = involved.iter().filter(is_on_circle).map(|_| 2);
     let degrees = system.iter().map(|polynomial| polynomial.degree().max(1));
@@ -155,11 +155,11 @@ fn reduce(system: &mut [ClosurePolynomial]) {
         let Some((powers, coefficient)) = highest(&system[pivot]) else {
             continue;
         };
-        let own = system[pivot].clone();
+        let pivot_equation = system[pivot].clone();
         for (index, other) in system.iter_mut().enumerate() {
             let share = other.coefficient(&powers) / coefficient;
             if index != pivot && share != 0.0 {
-                *other = other.plus(&own, -share);
+                *other = other.plus(&pivot_equation, -share);
             }
         }
     }
@@ -170,18 +170,18 @@ fn kernel(mut matrix: Vec<Vec<f64>>) -> Vec<f64> {
     let count = matrix.len();
     let mut order: Vec<usize> = (0..count).collect();
     for step in 0..count.saturating_sub(1) {
-        let places = (step..count).flat_map(|row| (step..count).map(move |column| (row, column)));
-        let best = places.max_by(|one, other| matrix[one.0][one.1].abs().total_cmp(&matrix[other.0][other.1].abs()));
+        let entries = (step..count).flat_map(|row| (step..count).map(move |column| (row, column)));
+        let best = entries.max_by(|one, other| matrix[one.0][one.1].abs().total_cmp(&matrix[other.0][other.1].abs()));
         let Some((row, column)) = best else { break };
         matrix.swap(step, row);
         order.swap(step, column);
-        for own in &mut matrix {
-            own.swap(step, column);
+        for matrix_row in &mut matrix {
+            matrix_row.swap(step, column);
         }
         let pivot = matrix[step].clone();
-        for own in matrix.iter_mut().skip(step + 1) {
-            let share = own[step] / pivot[step];
-            for (entry, pivot) in own.iter_mut().zip(&pivot) {
+        for lower_row in matrix.iter_mut().skip(step + 1) {
+            let share = lower_row[step] / pivot[step];
+            for (entry, pivot) in lower_row.iter_mut().zip(&pivot) {
                 *entry -= share * pivot;
             }
         }
@@ -207,17 +207,17 @@ fn kernel(mut matrix: Vec<Vec<f64>>) -> Vec<f64> {
 fn needed(closure: &Closure, blocks: &[Block<'_>], block: usize) -> Vec<usize> {
     let mut needed = vec![false; block + 1];
     needed[block] = true;
-    for own in (0..=block).rev() {
-        if !needed[own] {
+    for candidate in (0..=block).rev() {
+        if !needed[candidate] {
             continue;
         }
-        let terms = blocks[own]
+        let terms = blocks[candidate]
             .equations
             .iter()
             .flat_map(|equation| closure.equations[*equation].terms());
         for (variable, _) in terms.flat_map(|(powers, _)| powers) {
             let quantity = closure.quantities.quantity(*variable);
-            let earlier = blocks[..own]
+            let earlier = blocks[..candidate]
                 .iter()
                 .position(|block| quantity > 0 && block.members.contains(&(quantity - 1)));
             if let Some(earlier) = earlier {
@@ -225,11 +225,11 @@ fn needed(closure: &Closure, blocks: &[Block<'_>], block: usize) -> Vec<usize> {
             }
         }
     }
-    (0..=block).filter(|own| needed[*own]).collect()
+    (0..=block).filter(|candidate| needed[*candidate]).collect()
 }
 
-/// Whether no unknown can grow beyond all bounds while the input is finite: each length is alone in an equation with a constant
-/// coefficient, or in the two equations of a loop with the coefficients cos θ and sin θ.
+/// Whether no unknown can grow beyond all bounds while the input is finite: each length is alone in an equation with a
+/// constant coefficient, or in the two equations of a loop with the coefficients cos θ and sin θ.
 fn is_bounded(quantities: &Quantities, equations: &[ClosurePolynomial]) -> bool {
     let count = quantities.len() - 1;
     let mut bounded: Vec<bool> = (0..=count)
@@ -241,12 +241,12 @@ fn is_bounded(quantities: &Quantities, equations: &[ClosurePolynomial]) -> bool 
             if bounded[quantity] {
                 continue;
             }
-            let own = quantities.first(quantity);
+            let variable_of_length = quantities.first(quantity);
             // The other factors of the terms with the quantity, in equations without another unbounded one.
             let slopes = equations.iter().filter_map(|equation| {
                 let is_alone = equation.terms().all(|(powers, _)| {
                     powers.iter().all(|&(variable, power)| {
-                        bounded[quantities.quantity(variable)] || (variable == own && power == 1)
+                        bounded[quantities.quantity(variable)] || (variable == variable_of_length && power == 1)
                     })
                 });
                 let slope = equation.derivative(quantities, quantity);
@@ -254,13 +254,13 @@ fn is_bounded(quantities: &Quantities, equations: &[ClosurePolynomial]) -> bool 
             });
             let slopes: Vec<ClosurePolynomial> = slopes.collect();
             // Two slopes with a constant sum of squares, which is not zero, do not vanish together.
-            let is_turned = |one: &ClosurePolynomial, other: &ClosurePolynomial| {
+            let is_unit_vector = |one: &ClosurePolynomial, other: &ClosurePolynomial| {
                 let mut squares = one.times(one);
                 squares.add_multiple(&other.times(other), 1.0);
                 squares.reduced(quantities).degree() == 0
             };
-            bounded[quantity] = slopes.iter().enumerate().any(|(place, slope)| {
-                slope.degree() == 0 || slopes[place + 1..].iter().any(|other| is_turned(slope, other))
+            bounded[quantity] = slopes.iter().enumerate().any(|(index, slope)| {
+                slope.degree() == 0 || slopes[index + 1..].iter().any(|other| is_unit_vector(slope, other))
             });
             has_changed |= bounded[quantity];
         }
@@ -291,10 +291,10 @@ fn solutions(
         };
     }
     // The variable of the system for a variable of the closure.
-    let own = |variable: u16| {
+    let renumbered = |variable: u16| {
         let quantity = quantities.quantity(variable);
-        let place = involved.iter().position(|own| *own == quantity)?;
-        Some(first[place] + (variable - quantities.first(quantity)))
+        let index = involved.iter().position(|known| *known == quantity)?;
+        Some(first[index] + (variable - quantities.first(quantity)))
     };
     let mut terms: Vec<OwnedTerm> = Vec::new();
     let paths = paths(closure, system, involved);
@@ -303,7 +303,7 @@ fn solutions(
         for (powers, coefficient) in polynomial.terms() {
             let powers: Option<Vec<(u16, u8)>> = powers
                 .iter()
-                .map(|(variable, power)| Some((own(*variable)?, *power)))
+                .map(|(variable, power)| Some((renumbered(*variable)?, *power)))
                 .collect();
             terms.push((equation, coefficient, powers.ok_or(lost)?));
         }
@@ -311,7 +311,7 @@ fn solutions(
     }
     let mut pairs = Vec::new();
     for (quantity, first) in involved.iter().zip(&first) {
-        if closure.turned == Some(*quantity) {
+        if closure.slide_angle == Some(*quantity) {
             pairs.push([*first, *first + 1]);
         } else if quantities.kind(*quantity) == ClosureQuantity::Angle {
             for powers in [vec![(*first, 2)], vec![(*first + 1, 2)], Vec::new()] {
@@ -338,15 +338,15 @@ fn solutions(
                 ClosureQuantity::Angle => Float::atan2(variables[first + 1], variables[first]),
                 ClosureQuantity::Plain => variables[first],
             };
-            if closure.turned == Some(*quantity) {
+            if closure.slide_angle == Some(*quantity) {
                 at[0] = Float::hypot(variables[first], variables[first + 1]);
             }
         }
         all.push((at.clone(), is_multiple));
         // A negative length points the other way.
-        if let Some(turned) = closure.turned {
+        if let Some(angle) = closure.slide_angle {
             at[0] = -at[0];
-            at[turned] -= PI.copysign(at[turned]);
+            at[angle] -= PI.copysign(at[angle]);
             all.push((at, is_multiple));
         }
     }

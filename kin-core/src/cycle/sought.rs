@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 use super::bounds::Bounds;
 use super::curved::Curved;
-use super::line::turned;
+use super::line::wrapped;
 use super::search::SearchMethod;
 use crate::any::{AssemblyOver, ClosureOver, ClosureTermsOver, EveryPosition, Of, PositionChoice, TransmissionOver};
 use crate::curve::CurveFunctions;
@@ -127,7 +127,7 @@ impl<'f> SoughtMechanism<'f> {
         residuals
     }
 
-    /// The parameters as bounds of their last places.
+    /// The parameters as bounds of their last digits.
     pub(super) fn rounded(&self) -> Vec<Bounds> {
         self.parameters.iter().copied().map(Bounds::rounded).collect()
     }
@@ -147,24 +147,25 @@ impl<'f> SoughtMechanism<'f> {
         sum_of_lengths(self.description().parameters, &self.parameters)
     }
 
-    /// The distance of two positions: the largest difference of a direction, or of a length in parts of the size of the mechanism.
+    /// The distance of two positions: the largest difference of a direction, or of a length in parts of the size of the
+    /// mechanism.
     pub(super) fn distance(&self, size: f64, one: &[f64], other: &[f64]) -> f64 {
         let pairs = one.iter().zip(other);
         let named = self.unknowns().iter().zip(pairs);
         named.fold(0.0, |largest: f64, (quantity, (one, other))| {
             largest.max(match quantity.dimension {
-                Dimension::Angle => turned(one - other).abs(),
+                Dimension::Angle => wrapped(one - other).abs(),
                 Dimension::Length => (one - other).abs() / size.max(f64::MIN_POSITIVE),
                 Dimension::Scalar => (one - other).abs() / one.abs().max(1.0),
             })
         })
     }
 
-    /// The values of the unknowns, with angles on the turns closest to others.
+    /// The values of the unknowns, with angles unwrapped to the closest of others.
     pub(super) fn nearest(&self, values: &[f64], near: &[f64]) -> NumberRow {
         let unknowns = self.unknowns();
         NumberRow::from_fn(values.len(), |index| match unknowns[index].dimension {
-            Dimension::Angle => near[index] + turned(values[index] - near[index]),
+            Dimension::Angle => near[index] + wrapped(values[index] - near[index]),
             _ => values[index],
         })
     }

@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use super::data::Branch;
-use super::line::whole_turns;
+use super::line::whole_revolutions;
 use super::measure::{MeasureError, MeasuredFunctions};
 use super::{End, SearchedCycle};
 use crate::any::AssemblyChoice;
@@ -12,7 +12,7 @@ use crate::number::NumberRow;
 use crate::quantity::{Dimension, Quantity};
 use crate::sweep::{Footing, UntypedSweep, Walk};
 
-/// The distance from the end of a branch at which the turns of angles are compared, as a part of the branch.
+/// The distance from the end of a branch at which the revolutions of angles are compared, as a part of the branch.
 const NEAR_END: f64 = 1e-6;
 
 /// A pose inside of a branch, with angles that have come from the branches before it.
@@ -59,13 +59,13 @@ impl<'c> MeasuredCycle<'c> {
             {
                 if let Some(here) = self.near_end(&station, here) {
                     let quantities = self.cycle.mechanism.unknowns();
-                    let unknowns = moved_by_turns(quantities, &there.unknowns(), &here.unknowns(), &unknowns);
+                    let unknowns = moved_by_revolutions(quantities, &there.unknowns(), &here.unknowns(), &unknowns);
                     station = self.station(*branch, at, &unknowns);
                 }
                 if let Some(here) = self.near_end(&station, here) {
                     let outputs = station.footing.outputs();
                     let quantities = self.cycle.mechanism.description().outputs;
-                    let moved = moved_by_turns(quantities, &there.outputs(), &here.outputs(), &outputs);
+                    let moved = moved_by_revolutions(quantities, &there.outputs(), &here.outputs(), &outputs);
                     station.footing.set_outputs(&moved);
                 }
             }
@@ -105,7 +105,7 @@ impl<'c> MeasuredCycle<'c> {
         let branch = self.branch(station.branch);
         KnownStretch {
             limits: branch.ends.each_ref().map(End::limit),
-            is_full_turn: branch.is_full_turn(),
+            is_full_revolution: branch.is_full_revolution(),
             inside: Walk::from(station.footing.clone()),
         }
     }
@@ -121,7 +121,7 @@ impl<'c> MeasuredCycle<'c> {
             .cloned()
     }
 
-    /// A pose of a branch. A quantity that depends on the turn of an angle follows it.
+    /// A pose of a branch. A quantity that depends on the revolution of an angle follows it.
     fn station(&self, branch: usize, at: f64, unknowns: &[f64]) -> BranchStation<'c> {
         let (mechanism, inputs) = (&self.cycle.mechanism, self.cycle.line.inputs(at));
         let description = mechanism.description();
@@ -158,10 +158,10 @@ impl<'c> MeasuredCycle<'c> {
     }
 }
 
-/// Values whose angles are moved by the whole turns between two others.
-fn moved_by_turns(quantities: &[Quantity<'_>], to: &[f64], from: &[f64], values: &[f64]) -> NumberRow {
+/// Values whose angles are moved by the whole revolutions between two others.
+fn moved_by_revolutions(quantities: &[Quantity<'_>], to: &[f64], from: &[f64], values: &[f64]) -> NumberRow {
     NumberRow::from_fn(values.len(), |index| match quantities[index].dimension {
-        Dimension::Angle => values[index] + whole_turns(to[index] - from[index]),
+        Dimension::Angle => values[index] + whole_revolutions(to[index] - from[index]),
         _ => values[index],
     })
 }

@@ -29,25 +29,25 @@ fn four_bar(r1: f64, r2: f64, r3: f64, r4: f64) -> Cycle<FourBar> {
     FourBar { r1, r2, r3, r4 }.cycle().unwrap()
 }
 
-/// At places all over the range, as many positions exist as branches, and each lies near its own branch.
-fn disagreements<M: Mechanism<Scalar = f64>>(name: &str, cycle: &Cycle<M>, places: u32) -> Vec<String> {
+/// At inputs all over the range, as many positions exist as branches, and each lies near its branch.
+fn disagreements<M: Mechanism<Scalar = f64>>(name: &str, cycle: &Cycle<M>, count: u32) -> Vec<String> {
     let (low, high) = match cycle.period() {
         Some(period) => (-0.5 * period, 0.5 * period),
         None => (cycle.searched.line.low, cycle.searched.line.high),
     };
     let mut wrong = Vec::new();
-    let places = samples::of(places);
-    for place in 0..places {
-        let input = low + (high - low) * (f64::from(place) + 0.317) / f64::from(places);
+    let count = samples::of(count);
+    for index in 0..count {
+        let input = low + (high - low) * (f64::from(index) + 0.317) / f64::from(count);
         let mut found = Vec::new();
         let search = cycle
             .mechanism()
             .positions_at(cycle.inputs(input), |_, unknowns| found.push(unknowns));
         assert!(search.is_ok());
-        let own: Vec<usize> = cycle.at(input).map(|(index, _)| index).collect();
-        if found.len() != own.len() {
+        let branches: Vec<usize> = cycle.at(input).map(|(index, _)| index).collect();
+        if found.len() != branches.len() {
             wrong.push(format!(
-                "{name}: {} positions and branches {own:?} at {input}",
+                "{name}: {} positions and branches {branches:?} at {input}",
                 found.len()
             ));
         }
@@ -70,38 +70,53 @@ fn the_sample_linkage_swings() {
         assert!((theta3 - theta4 + PI).sin().abs() < 1e-13, "{theta3} {theta4}");
     }
     let circuit = &cycle.circuits()[0];
-    // No link turns fully.
-    assert_eq!((circuit.input_turns(), circuit.turns()), (Some(0), Some(&[0, 0][..])));
+    // No link makes full revolutions.
+    assert_eq!(
+        (circuit.input_revolutions(), circuit.revolutions()),
+        (Some(0), Some(&[0, 0][..]))
+    );
     assert_eq!(disagreements("sample", &cycle, 500), Vec::<String>::new());
 }
 
 #[test]
 fn every_type_of_four_bar() {
-    // crank-rocker: two circuits, each with one branch over a full turn
+    // crank-rocker: two circuits, each with one branch over a full revolution
     let cycle = four_bar(90.0, 30.0, 70.0, 60.0);
     assert!(cycle.is_complete());
     assert_eq!((cycle.circuits().len(), cycle.branches().len()), (2, 2));
     for circuit in cycle.circuits() {
-        assert_eq!((circuit.input_turns(), circuit.turns()), (Some(1), Some(&[0, 0][..])));
+        assert_eq!(
+            (circuit.input_revolutions(), circuit.revolutions()),
+            (Some(1), Some(&[0, 0][..]))
+        );
     }
     // double-crank
     let cycle = four_bar(30.0, 70.0, 60.0, 90.0);
     assert_eq!((cycle.circuits().len(), cycle.branches().len()), (2, 2));
     for circuit in cycle.circuits() {
-        assert_eq!((circuit.input_turns(), circuit.turns()), (Some(1), Some(&[1, 1][..])));
+        assert_eq!(
+            (circuit.input_revolutions(), circuit.revolutions()),
+            (Some(1), Some(&[1, 1][..]))
+        );
     }
-    // double-rocker, the coupler turns: two circuits of two branches
+    // double-rocker, the coupler makes full revolutions: two circuits of two branches
     let cycle = four_bar(90.0, 60.0, 30.0, 70.0);
     assert_eq!((cycle.circuits().len(), cycle.branches().len()), (2, 4));
     for circuit in cycle.circuits() {
-        assert_eq!(circuit.input_turns(), Some(0));
-        assert_eq!(circuit.turns().map(|turns| (turns[0].abs(), turns[1])), Some((1, 0)));
+        assert_eq!(circuit.input_revolutions(), Some(0));
+        assert_eq!(
+            circuit
+                .revolutions()
+                .map(|revolutions| (revolutions[0].abs(), revolutions[1])),
+            Some((1, 0))
+        );
     }
     // change point: a parallelogram
     let cycle = four_bar(90.0, 40.0, 90.0, 40.0);
     for branch in cycle.branches() {
         for end in branch.ends() {
-            // Next to a crossing, rounding changes the difference of the assemblies by ε divided by the distance, which is 0.01 there.
+            // Next to a crossing, rounding changes the difference of the assemblies by ε divided by the distance, which
+            // is 0.01 there.
             assert!((2.0 * end.input).sin().abs() < 16.0 * f64::EPSILON / 0.01, "{end:?}");
         }
     }
@@ -120,23 +135,23 @@ fn every_type_of_four_bar() {
 fn the_library_has_no_other_branch() {
     let mut wrong = Vec::new();
     macro_rules! scan {
-        ($places:literal: $($mechanism:expr),* $(,)?) => {
+        ($count:literal: $($mechanism:expr),* $(,)?) => {
             $({
                 let cycle = $mechanism.cycle().unwrap();
                 println!(
-                    "{}: {} circuits, {} branches, complete {}, turns {:?}",
+                    "{}: {} circuits, {} branches, complete {}, revolutions {:?}",
                     stringify!($mechanism),
                     cycle.circuits().len(),
                     cycle.branches().len(),
                     cycle.is_complete(),
-                    cycle.circuits().iter().map(|circuit| circuit.input_turns()).collect::<Vec<_>>(),
+                    cycle.circuits().iter().map(|circuit| circuit.input_revolutions()).collect::<Vec<_>>(),
                 );
                 let name = stringify!($mechanism);
-                // In four assemblies of Peaucellier's cell, two links turn freely.
+                // In four assemblies of Peaucellier's cell, two links rotate freely.
                 if cycle.is_complete() == name.starts_with("Peaucellier") {
                     wrong.push(format!("{}: is_complete", stringify!($mechanism)));
                 }
-                wrong.extend(disagreements(stringify!($mechanism), &cycle, $places));
+                wrong.extend(disagreements(stringify!($mechanism), &cycle, $count));
             })*
         };
     }
@@ -183,14 +198,17 @@ crate::mechanism! {
 
 crate::mechanism! {
     /// The same with a ram that the link drives.
-    struct CrankInSlideWithRam { pub ground: Length, pub crank: Length, pub arm: Length, pub rod: Length, pub height: Length }
+    struct CrankInSlideWithRam {
+        pub ground: Length, pub crank: Length, pub arm: Length, pub rod: Length, pub height: Length,
+    }
     input theta: Angle;
     unknown phi: Angle, slide: Length, psi: Angle, ram: Length;
     ground + crank * cis(theta) == slide * cis(phi);
     arm * cis(phi) + rod * cis(psi) == vec2(ram, height);
 }
 
-/// A crank as long as the ground leads the slide to the pivot of its link, where the link turns freely. All branches meet there.
+/// A crank as long as the ground leads the slide to the pivot of its link, where the link rotates freely. All branches
+/// meet there.
 #[test]
 fn a_link_turns_freely() {
     for length in [1.0, 3.7, 0.1, 250.0] {
@@ -204,7 +222,8 @@ fn a_link_turns_freely() {
         for branch in cycle.branches() {
             let inside = branch.samples()[branch.samples().len() / 2].1[1];
             for (end, joins) in branch.ends().iter().zip(branch.joins()) {
-                // Next to the place, the direction of the link has lost its digits: those 0.01 away have an error of ε divided by that.
+                // Next to that input, the direction of the link has lost its digits: those 0.01 away have an error of ε
+                // divided by that.
                 let tolerance = 16.0 * f64::EPSILON / 0.01;
                 assert_eq!(
                     (end.kind, end.block),
@@ -246,7 +265,8 @@ fn a_link_turns_freely() {
     }
 }
 
-/// If crank and ground are equal, and coupler and rocker as well, both of the latter turn freely with the crank on the ground.
+/// If crank and ground are equal, and coupler and rocker as well, both of the latter rotate freely with the crank on
+/// the ground.
 #[test]
 fn coupler_and_rocker_turn_freely() {
     let kite = four_bar(2.0, 2.0, 3.0, 3.0);
@@ -343,10 +363,10 @@ fn several_inputs_move_along_a_line() {
 }
 
 /// Small numbers that depend on a step, the same in every run.
-fn mixed(step: u32, place: u32) -> f64 {
+fn mixed(step: u32, index: u32) -> f64 {
     let mut state = step
         .wrapping_mul(2_654_435_761)
-        .wrapping_add(place.wrapping_mul(40_503))
+        .wrapping_add(index.wrapping_mul(40_503))
         .wrapping_add(12_345);
     for _ in 0..3 {
         state ^= state << 13;
@@ -361,7 +381,7 @@ fn mixed(step: u32, place: u32) -> f64 {
 fn labels_agree_with_the_cycle() {
     let mut counts = [0; 15];
     for step in 0..samples::of(2_500) {
-        let [r1, r2, r3, r4] = [0, 1, 2, 3].map(|place| mixed(step, place));
+        let [r1, r2, r3, r4] = [0, 1, 2, 3].map(|index| mixed(step, index));
         let class = BarkerClass::of(r1, r2, r3, r4);
         let name = std::format!("{r1} {r2} {r3} {r4} {class:?}");
         counts[class.map_or(0, |class| usize::from(class.number()))] += 1;
@@ -371,15 +391,15 @@ fn labels_agree_with_the_cycle() {
             assert_eq!(cycle.branches().len(), 0, "{name}");
             continue;
         };
-        let turns = |cycle: &Cycle<FourBar>| -> Vec<(Option<i32>, Option<Vec<i32>>)> {
-            let turns = cycle.circuits().iter();
-            turns
+        let revolutions = |cycle: &Cycle<FourBar>| -> Vec<(Option<i32>, Option<Vec<i32>>)> {
+            let revolutions = cycle.circuits().iter();
+            revolutions
                 .map(|circuit| {
                     (
-                        circuit.input_turns(),
+                        circuit.input_revolutions(),
                         circuit
-                            .turns()
-                            .map(|turns| turns.iter().map(|turns| turns.abs()).collect()),
+                            .revolutions()
+                            .map(|revolutions| revolutions.iter().map(|revolutions| revolutions.abs()).collect()),
                     )
                 })
                 .collect()
@@ -404,7 +424,7 @@ fn labels_agree_with_the_cycle() {
             }
         };
         assert!(!has_change_point, "{name}");
-        assert_eq!(turns(&cycle), expected, "{name} {cycle:?}");
+        assert_eq!(revolutions(&cycle), expected, "{name} {cycle:?}");
     }
     let seen = counts.iter().filter(|count| **count > 0).count();
     let least = if samples::are_all() { counts.len() } else { 12 };
@@ -421,11 +441,11 @@ fn a_position_on_a_branch_is_inside_of_it() {
         let [low, high] = branch.ends().map(|end| end.input);
         let middle = f64::midpoint(low, high);
         let there = cycle.position_on(index, middle).unwrap();
-        for turns in [-1.0, 1.0] {
-            let turned = cycle.position_on(index, middle + turns * 2.0 * PI).unwrap();
+        for revolutions in [-1.0, 1.0] {
+            let shifted = cycle.position_on(index, middle + revolutions * 2.0 * PI).unwrap();
             assert!(
-                (0..2).all(|unknown| (turned[unknown] - there[unknown]).abs() < 1e-12),
-                "{turned:?}"
+                (0..2).all(|unknown| (shifted[unknown] - there[unknown]).abs() < 1e-12),
+                "{shifted:?}"
             );
         }
         if branch.range().contains(&degrees(45.0)) {
@@ -446,19 +466,19 @@ fn a_position_on_a_branch_is_inside_of_it() {
         }
     }
     assert!(seen > 0, "{cycle:?}");
-    // over a part of the angles, a turn leads to no other place
+    // over a part of the angles, a revolution leads to no other position
     let part = SAMPLE.cycle_over(-1.0..=1.0).unwrap();
     assert!(part.position_on(0, 0.5).is_ok() && part.position_on(0, 0.5 + 2.0 * PI).is_err());
 }
 
-/// A quantity that turns with the input, or stays, has no advance and return.
+/// A quantity that makes full revolutions with the input, or stays, has no advance and return.
 #[test]
 fn a_time_ratio_needs_a_return() {
     let no_return = |cycle: Cycle<FourBar>, name: &str| {
         let ratio = cycle.along(0).of(name).time_ratio();
         assert!(matches!(ratio, Err(MeasureError::NoReturn { .. })), "{name}: {ratio:?}");
     };
-    // a double crank: coupler and rocker turn
+    // a double crank: coupler and rocker make full revolutions
     no_return(four_bar(30.0, 60.0, 70.0, 80.0), "theta4");
     no_return(four_bar(30.0, 60.0, 70.0, 80.0), "theta3");
     assert!(
@@ -490,12 +510,12 @@ fn questions_along_a_circuit_are_those_along_a_sweep() {
         );
         assert_eq!(named.peak().unwrap().value.abs(), low.abs().max(high.abs()));
         let velocity = along.of("theta4_velocity").peak();
-        if cycle.branches()[0].is_full_turn() {
-            let turn = cycle
+        if cycle.branches()[0].is_full_revolution() {
+            let measures = cycle
                 .mechanism()
                 .sweep(Assembly::BOTH[cycle.branches()[0].assembly().unwrap()]);
-            let turn = turn.over(0.0..=2.0 * PI, 3).of("theta4_velocity").peak().unwrap();
-            assert!((velocity.unwrap().value - turn.value).abs() < 1e-12);
+            let measures = measures.over(0.0..=2.0 * PI, 3).of("theta4_velocity").peak().unwrap();
+            assert!((velocity.unwrap().value - measures.value).abs() < 1e-12);
         } else {
             let unbounded = matches!(&velocity, Err(MeasureError::Extremes(ExtremesError::Unbounded { .. })));
             assert!(unbounded, "{velocity:?}");
@@ -506,7 +526,7 @@ fn questions_along_a_circuit_are_those_along_a_sweep() {
 }
 
 #[test]
-fn a_name_that_nothing_has_is_told_with_those_that_exist() {
+fn an_unknown_name_is_reported_with_those_that_exist() {
     let error = four_bar(90.0, 30.0, 70.0, 60.0)
         .along(0)
         .of("theta5")
@@ -517,17 +537,17 @@ fn a_name_that_nothing_has_is_told_with_those_that_exist() {
 }
 
 #[test]
-fn a_range_without_a_length_is_told() {
-    let told = |found: Result<Cycle<FourBar>, SolveError>, what: &str| {
+fn a_range_without_a_length_is_reported() {
+    let refused = |found: Result<Cycle<FourBar>, SolveError>, what: &str| {
         let Err(error) = found else {
             panic!("there is no {what}")
         };
         let what = format!("{what}, which is zero");
         assert!(std::string::ToString::to_string(&error).contains(&what), "{error}");
     };
-    told(SAMPLE.cycle_over(1.0..=1.0), "length of the range");
-    told(SAMPLE.cycle_along([1.0], [0.0]), "direction of the inputs");
-    told(
+    refused(SAMPLE.cycle_over(1.0..=1.0), "length of the range");
+    refused(SAMPLE.cycle_along([1.0], [0.0]), "direction of the inputs");
+    refused(
         SAMPLE.cycle_along_over([1.0], [-0.0], 0.0..=1.0),
         "direction of the inputs",
     );

@@ -24,9 +24,9 @@ const POWERS: core::ops::RangeInclusive<i32> = -4..=4;
 const AGREEMENT: f64 = 1e-12;
 /// The factor by which a mechanism is enlarged and reduced to see whether the declared ranges of its lengths have an
 /// end besides zero.
-const FAR: f64 = 1_099_511_627_776.0;
-/// The number of places at which it is tested.
-const PLACES: u32 = 16;
+const RANGE_TEST: f64 = 1_099_511_627_776.0;
+/// The number of inputs at which it is tested.
+const TESTED: u32 = 16;
 
 /// The factor by which lengths are multiplied for the search.
 #[derive(Clone, Copy)]
@@ -76,7 +76,7 @@ impl LengthUnit {
         }
     }
 
-    /// The unit in which the search's own lengths are told.
+    /// The unit of the search's lengths.
     pub(super) fn inverse(self) -> Self {
         Self(1.0 / self.0)
     }
@@ -85,11 +85,11 @@ impl LengthUnit {
 /// The power of two by which a number becomes at least a half and less than one; less than that at the ends of the
 /// range of numbers.
 fn reciprocal_power(value: f64) -> f64 {
-    const MOST: i32 = 1000;
+    const MOST_EXPONENT: i32 = 1000;
     let (_, exponent, _) = value.integer_decode();
     // The mantissa has 53 digits.
     let power = -(i32::from(exponent) + 53);
-    Float::powi(2.0, power.clamp(-MOST, MOST))
+    Float::powi(2.0, power.clamp(-MOST_EXPONENT, MOST_EXPONENT))
 }
 
 /// Whether each row of the closure is multiplied by a power of a factor by which all lengths are multiplied, and no
@@ -103,11 +103,11 @@ fn is_homogeneous(mechanism: &SoughtMechanism<'_>) -> bool {
         let mixed = |index: usize| Float::sin((f64::from(seed) + 0.5) * (count(index) + 1.7) * 12.9898);
         let given = NumberRow::from_fn(inputs.len(), |index| mixed(index + 11));
         let position = NumberRow::from_fn(unknowns.len(), mixed);
-        let own = mechanism.residuals(&given, &position);
+        let residual = mechanism.residuals(&given, &position);
         let other = enlarged.residuals(&factor.row(inputs, &given), &factor.row(unknowns, &position));
-        for (fits, (own, other)) in fits.iter_mut().zip(own.iter().zip(other.iter())) {
+        for (fits, (residual, other)) in fits.iter_mut().zip(residual.iter().zip(other.iter())) {
             for (bit, power) in POWERS.enumerate() {
-                let expected = own * Float::powi(ENLARGED, power);
+                let expected = residual * Float::powi(ENLARGED, power);
                 if (other - expected).abs() > AGREEMENT * expected.abs() {
                     *fits &= !(1 << bit);
                 }
@@ -126,14 +126,14 @@ fn ranges_have_no_end(mechanism: &SoughtMechanism<'_>) -> bool {
     if !lengths.any(|unknown| unknown.has_range) {
         return true;
     }
-    let units = [LengthUnit(FAR), LengthUnit(1.0 / FAR)];
+    let units = [LengthUnit(RANGE_TEST), LengthUnit(1.0 / RANGE_TEST)];
     let mechanisms = units.map(|unit| unit.mechanism(mechanism));
     let mut closes = false;
-    let places = (0..PLACES).map(|place| f64::from(place) * core::f64::consts::TAU / f64::from(PLACES) + 0.1);
-    let agrees = places
-        .flat_map(|place| mechanism.assemblies().zip(iter::repeat(place)))
-        .all(|(assembly, place)| {
-            let given = NumberRow::splat(inputs.len(), place);
+    let values = (0..TESTED).map(|value| f64::from(value) * core::f64::consts::TAU / f64::from(TESTED) + 0.1);
+    let agrees = values
+        .flat_map(|value| mechanism.assemblies().zip(iter::repeat(value)))
+        .all(|(assembly, value)| {
+            let given = NumberRow::splat(inputs.len(), value);
             let [large, small] = [0, 1].map(|which| {
                 let given = units[which].row(inputs, &given);
                 let solved = mechanisms[which].position(&given, PositionChoice::Assembly(assembly));

@@ -1,8 +1,8 @@
 //! Tables of whole circuits, through their limits.
 //!
-//! Where an input turns back, the unknowns are a root of it. As in [`track`](crate::track()), the quantity that moves fastest is the local
-//! parameter there, and the input one of the unknowns: with it the curve is as smooth as anywhere. The length of the arc joins all local
-//! parameters into one.
+//! Where an input reverses, the unknowns are a root of it. As in [`track`](crate::track()), the quantity that moves
+//! fastest is the local parameter there, and the input one of the unknowns: with it the curve is as smooth as anywhere.
+//! The length of the arc joins all local parameters into one.
 
 use alloc::boxed::Box;
 use alloc::string::ToString as _;
@@ -29,15 +29,16 @@ use crate::sweep::{Local, StraightLine, Sweep, Variable, Walk, composed};
 /// The number of terms of the series along the curve.
 const TERMS: usize = 5;
 /// The longest step along the curve.
-const LONGEST: f64 = 0.4;
-/// The shortest first piece. A shorter one would only bring rounding into the derivatives, and is made where the tolerance needs it.
+const LONGEST_STEP: f64 = 0.4;
+/// The shortest first piece. A shorter one would only bring rounding into the derivatives, and is made where the
+/// tolerance needs it.
 const THINNEST: f64 = 0.1;
 /// The shortest step. Where even this is too long, the curve has no single direction.
-const SHORTEST: f64 = 1e-7;
+const SHORTEST_STEP: f64 = 1e-7;
 /// The largest number of steps around a circuit.
 const MOST_STEPS: usize = 100_000;
-/// The cosine of the angle by which the curve may turn in a step.
-const TURN: f64 = 0.9;
+/// The cosine of the angle by which the direction of the curve may change in a step.
+const STRAIGHT: f64 = 0.9;
 /// The smallest share of the local parameter in the direction of the curve, in a step.
 const SHARE: f64 = 0.3;
 /// The largest distance between prediction and correction, for each unit of a step.
@@ -46,18 +47,18 @@ const CORRECTION: f64 = 0.05;
 const NOISE: f64 = 1e-9;
 /// The largest number of corrections of the length of an arc.
 const CORRECTIONS: usize = 16;
-/// The largest number of turns of an input after which the inputs may be where they were.
-const MOST_TURNS: u32 = 12;
-/// The longest piece over which the length of the arc is integrated at once. An error of 10⁻¹² would be one of 10⁻³ in a derivative of order 4
-/// of a short piece of the table.
+/// The largest number of revolutions of an input after which the inputs may be where they were.
+const MOST_REVOLUTIONS: u32 = 12;
+/// The longest piece over which the length of the arc is integrated at once. An error of 10⁻¹² would be one of 10⁻³ in
+/// a derivative of order 4 of a short piece of the table.
 const PIECE: f64 = 0.05;
-/// The distance of the places at which rows may stand. The lengths of pieces between them are not rounded.
+/// The distance of the parameters at which rows may stand. The lengths of pieces between them are not rounded.
 const GRID: f64 = 1.0 / 65_536.0;
 
 /// A point of the curve. Its coordinates are the unknowns and the travel of the inputs, in their sizes.
 #[derive(Clone)]
 struct Point {
-    place: Vec<f64>,
+    coordinates: Vec<f64>,
     /// The coordinate that is the local parameter.
     leading: usize,
     /// The series of each coordinate in the local parameter.
@@ -158,59 +159,61 @@ struct CircuitCurve<'c> {
     orders: usize,
 }
 
-/// The travel after which every moving input has turned by whole turns, which are so many for each unit of the travel.
-fn period(turns: &[f64]) -> Option<f64> {
-    let fastest = turns.iter().fold(0.0, |fastest: f64, turns| fastest.max(turns.abs()));
-    let is_whole = |turns: f64| (turns - Float::round(turns)).abs() <= NOISE;
-    let periods = (1..=MOST_TURNS).map(|count| f64::from(count) / fastest);
-    let mut whole = periods.filter(|period| turns.iter().all(|turns| is_whole(turns * period)));
+/// The travel after which every moving input has made whole revolutions, which are so many for each unit of the travel.
+fn period(revolutions: &[f64]) -> Option<f64> {
+    let fastest = revolutions
+        .iter()
+        .fold(0.0, |fastest: f64, revolutions| fastest.max(revolutions.abs()));
+    let is_whole = |revolutions: f64| (revolutions - Float::round(revolutions)).abs() <= NOISE;
+    let periods = (1..=MOST_REVOLUTIONS).map(|count| f64::from(count) / fastest);
+    let mut whole = periods.filter(|period| revolutions.iter().all(|revolutions| is_whole(revolutions * period)));
     whole.next()
 }
 
 impl CircuitCurve<'_> {
-    fn unknowns(&self, place: &[f64]) -> Vec<f64> {
-        let coordinates = place.iter().zip(self.way.sizes);
-        coordinates.map(|(value, size)| value * size).collect()
+    fn unknowns(&self, coordinates: &[f64]) -> Vec<f64> {
+        let values = coordinates.iter().zip(self.way.sizes);
+        values.map(|(value, size)| value * size).collect()
     }
 
-    /// The input of the sweep, at a place.
-    fn input(&self, place: &[f64]) -> f64 {
-        self.way.input(place[self.way.count()], self.lead)
+    /// The input of the sweep at a point of the curve.
+    fn input(&self, coordinates: &[f64]) -> f64 {
+        self.way.input(coordinates[self.way.count()], self.lead)
     }
 
-    /// The place on the curve with the same leading coordinate.
-    fn corrected(&self, place: &[f64], leading: usize) -> Option<Vec<f64>> {
+    /// The point on the curve with the same leading coordinate.
+    fn corrected(&self, coordinates: &[f64], leading: usize) -> Option<Vec<f64>> {
         let (way, mut scratch) = (&self.way, self.scratch.borrow_mut());
         let start = WayPoint {
-            unknowns: &self.unknowns(place),
-            travel: place[way.count()],
+            unknowns: &self.unknowns(coordinates),
+            travel: coordinates[way.count()],
         };
         let found = corrected(way, start, leading, &mut scratch.scope())?;
         let unknowns = found.unknowns.iter().zip(way.sizes).map(|(value, size)| value / size);
         Some(unknowns.chain([found.travel]).collect())
     }
 
-    /// The rates of all coordinates by the leading one, at a place of the curve.
-    fn rates(&self, place: &[f64], leading: usize) -> Option<Vec<f64>> {
+    /// The rates of all coordinates by the leading one, at a point of the curve.
+    fn rates(&self, coordinates: &[f64], leading: usize) -> Option<Vec<f64>> {
         let (way, mut scratch) = (&self.way, self.scratch.borrow_mut());
         let mut scope = scratch.scope();
         let point = WayPoint {
-            unknowns: &self.unknowns(place),
-            travel: place[way.count()],
+            unknowns: &self.unknowns(coordinates),
+            travel: coordinates[way.count()],
         };
         let linear = way.linearise(point, &mut scope)?;
         let system = bordered(&linear, leading, &mut scope);
         finite(rates(&linear, leading, &system, &mut scope)).map(<[f64]>::to_vec)
     }
 
-    /// The curve close to a place, in the direction of `ahead`.
-    fn point(&self, place: &[f64], leading: usize, ahead: &[f64]) -> Option<Point> {
-        let place = self.corrected(place, leading)?;
+    /// The curve close to a point, in the direction of `ahead`.
+    fn point(&self, coordinates: &[f64], leading: usize, ahead: &[f64]) -> Option<Point> {
+        let coordinates = self.corrected(coordinates, leading)?;
         let (way, mut scratch) = (&self.way, self.scratch.borrow_mut());
         let mut scope = scratch.scope();
         let point = WayPoint {
-            unknowns: &self.unknowns(&place),
-            travel: place[way.count()],
+            unknowns: &self.unknowns(&coordinates),
+            travel: coordinates[way.count()],
         };
         let linear = way.linearise(point, &mut scope)?;
         let mut system = bordered(&linear, leading, &mut scope);
@@ -223,8 +226,9 @@ impl CircuitCurve<'_> {
         let equations = (&linear, leading, &system);
         let travel = expanded::<TERMS>(way, (self.functions, &mut memory), point, equations, &mut scope);
         let unknowns = way.unknowns(&mut memory[..]).iter().zip(way.sizes);
-        let unknowns =
-            unknowns.map(|(series, size)| Local::from_coefficients(series.coefficients().map(|own| own / size)));
+        let unknowns = unknowns.map(|(series, size)| {
+            Local::from_coefficients(series.coefficients().map(|coefficient| coefficient / size))
+        });
         let series: Vec<Local> = unknowns.chain([travel]).collect();
         let mut coefficients = series.iter().flat_map(Local::coefficients);
         if !coefficients.all(f64::is_finite) {
@@ -233,7 +237,7 @@ impl CircuitCurve<'_> {
         let rates: Vec<f64> = series.iter().map(|series| series.coefficients()[1]).collect();
         let direction = dot(&rates, ahead).signum();
         Some(Point {
-            place,
+            coordinates,
             leading,
             series,
             direction,
@@ -242,17 +246,17 @@ impl CircuitCurve<'_> {
         })
     }
 
-    /// A place near the curve, after a change of the local parameter.
+    /// A point near the curve, after a change of the local parameter.
     fn predicted(from: &Point, change: f64) -> Vec<f64> {
-        let mut place: Vec<f64> = from.series.iter().map(|series| value(series, change)).collect();
-        place[from.leading] = from.place[from.leading] + change;
-        place
+        let mut coordinates: Vec<f64> = from.series.iter().map(|series| value(series, change)).collect();
+        coordinates[from.leading] = from.coordinates[from.leading] + change;
+        coordinates
     }
 
     /// The change of the length of the arc with the local parameter, after a change of it.
     fn speed(&self, from: &Point, change: f64) -> Option<f64> {
-        let place = self.corrected(&Self::predicted(from, change), from.leading)?;
-        Some(length(&self.rates(&place, from.leading)?))
+        let coordinates = self.corrected(&Self::predicted(from, change), from.leading)?;
+        Some(length(&self.rates(&coordinates, from.leading)?))
     }
 
     /// The length of the arc from a point to the one after a change of the local parameter, along the curve.
@@ -262,9 +266,9 @@ impl CircuitCurve<'_> {
         let mut sum = 0.0;
         let mut middle = half;
         while (middle - change) * change < 0.0 {
-            for (place, weight) in GAUSS {
-                for place in [place, -place] {
-                    sum += weight * self.speed(from, middle + place * half)?;
+            for (node, weight) in GAUSS {
+                for node in [node, -node] {
+                    sum += weight * self.speed(from, middle + node * half)?;
                 }
             }
             middle += 2.0 * half;
@@ -296,9 +300,9 @@ impl CircuitCurve<'_> {
         };
         let mut numbers = Vec::new();
         for input in &self.moving {
-            let own = derivatives(way.count(), way.slope(*input));
-            numbers.push(way.input(point.place[way.count()], *input));
-            numbers.extend(&own[1..self.orders]);
+            let rates = derivatives(way.count(), way.slope(*input));
+            numbers.push(way.input(point.coordinates[way.count()], *input));
+            numbers.extend(&rates[1..self.orders]);
         }
         for (index, size) in way.sizes.iter().enumerate() {
             numbers.extend(&derivatives(index, *size)[..self.orders]);
@@ -313,7 +317,7 @@ impl CircuitCurve<'_> {
     /// The error of a curve that cannot be followed beyond a station.
     fn lost(&self, station: &Station<Point>) -> ExactTableError {
         ExactTableError::Lost {
-            input: self.input(&station.near.place),
+            input: self.input(&station.near.coordinates),
             length: station.at,
         }
     }
@@ -322,10 +326,10 @@ impl CircuitCurve<'_> {
     fn next(&self, from: &Station<Point>, longest: f64) -> Result<Station<Point>, ExactTableError> {
         let here = &from.near;
         let tangent = here.tangent();
-        let input = self.input(&here.place);
+        let input = self.input(&here.coordinates);
         let mut way = longest;
         loop {
-            if way < SHORTEST {
+            if way < SHORTEST_STEP {
                 return Err(ExactTableError::ChangePoint { input });
             }
             let change = value(&here.by_arc(), way);
@@ -333,12 +337,12 @@ impl CircuitCurve<'_> {
             let found = self.point(&predicted, here.leading, &tangent).filter(|there| {
                 let ahead = there.tangent();
                 let distances = there
-                    .place
+                    .coordinates
                     .iter()
                     .zip(&predicted)
                     .map(|(one, other)| (one - other).abs());
                 change * here.direction > 0.0
-                    && dot(&tangent, &ahead) >= TURN
+                    && dot(&tangent, &ahead) >= STRAIGHT
                     && ahead[here.leading] * here.direction >= SHARE
                     && distances.fold(0.0, f64::max) <= CORRECTION * way
             });
@@ -354,7 +358,7 @@ impl CircuitCurve<'_> {
         }
     }
 
-    /// The last place of the grid between two stations.
+    /// The last parameter of the grid between two stations.
     fn on_grid(&self, from: &Station<Point>, there: Station<Point>) -> Station<Point> {
         let at = GRID * Float::floor(there.at / GRID);
         let is_between = at > from.at && at < there.at;
@@ -362,12 +366,12 @@ impl CircuitCurve<'_> {
         point.map_or(there, |point| self.station(at, point))
     }
 
-    /// Whether the solvers find this place as well. Near a limit they may not.
+    /// Whether the solvers find this point as well. Near a limit they may not.
     fn confirm(&self, station: &Station<Point>) -> Result<(), ExactTableError> {
         let point = &station.near;
-        let (way, unknowns) = (&self.way, self.unknowns(&point.place));
+        let (way, unknowns) = (&self.way, self.unknowns(&point.coordinates));
         let mut scratch = self.scratch.borrow_mut();
-        let solved = way.position_near(point.place[way.count()], &unknowns, &mut scratch.scope());
+        let solved = way.position_near(point.coordinates[way.count()], &unknowns, &mut scratch.scope());
         match solved.map(<[f64]>::to_vec) {
             Ok(found) => {
                 let is_near = way.description.unknowns.iter().enumerate().all(|(index, unknown)| {
@@ -382,22 +386,25 @@ impl CircuitCurve<'_> {
             Err(error) => match error.failure {
                 Failure::OutOfReach { .. } | Failure::Singular { .. } | Failure::NotConverged { .. } => Ok(()),
                 _ => Err(ExactTableError::NotClosed {
-                    at: self.input(&point.place),
+                    at: self.input(&point.coordinates),
                     error: Box::new(error),
                 }),
             },
         }
     }
 
-    /// The whole turns by which a place differs from the start, and the rest of the difference.
-    fn turns(&self, start: &Point, place: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    /// The whole periods by which a point differs from the start, and the rest of the difference.
+    fn periods_between(&self, start: &Point, coordinates: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let unknowns = self.way.description.unknowns.iter();
         let periods = unknowns.map(|unknown| (unknown.dimension == Dimension::Angle).then_some(TAU));
-        let differences = place.iter().zip(&start.place).zip(periods.chain([self.period]));
+        let differences = coordinates
+            .iter()
+            .zip(&start.coordinates)
+            .zip(periods.chain([self.period]));
         differences
             .map(|((one, other), period)| {
-                let turns = period.map_or(0.0, |period| period * Float::round((one - other) / period));
-                (turns, one - other - turns)
+                let whole = period.map_or(0.0, |period| period * Float::round((one - other) / period));
+                (whole, one - other - whole)
             })
             .unzip()
     }
@@ -405,10 +412,10 @@ impl CircuitCurve<'_> {
     /// The start again, if it lies between two stations.
     fn back(&self, start: &Station<Point>, [here, there]: [&Station<Point>; 2]) -> Option<Station<Point>> {
         let tangent = start.near.tangent();
-        let (_, before) = self.turns(&start.near, &here.near.place);
-        let (turns, behind) = self.turns(&start.near, &there.near.place);
+        let (_, before) = self.periods_between(&start.near, &here.near.coordinates);
+        let (whole, behind) = self.periods_between(&start.near, &there.near.coordinates);
         let passes = dot(&before, &tangent) < 0.0 && dot(&behind, &tangent) >= 0.0;
-        let is_near = length(&before).max(length(&behind)) <= 2.0 * LONGEST;
+        let is_near = length(&before).max(length(&behind)) <= 2.0 * LONGEST_STEP;
         let goes_on = dot(&there.near.tangent(), &tangent) > 0.0;
         if !(passes && is_near && goes_on) {
             return None;
@@ -416,12 +423,12 @@ impl CircuitCurve<'_> {
         let leading = here.near.leading;
         let end: Vec<f64> = start
             .near
-            .place
+            .coordinates
             .iter()
-            .zip(&turns)
-            .map(|(value, turn)| value + turn)
+            .zip(&whole)
+            .map(|(value, whole)| value + whole)
             .collect();
-        let change = end[leading] - here.near.place[leading];
+        let change = end[leading] - here.near.coordinates[leading];
         let found = self.corrected(&Self::predicted(&here.near, change), leading)?;
         let distances = found.iter().zip(&end).map(|(one, other)| (one - other).abs());
         if distances.fold(0.0, f64::max) > NOISE {
@@ -429,34 +436,34 @@ impl CircuitCurve<'_> {
         }
         let mut station = start.clone();
         station.at = here.at + self.arc(&here.near, change)?;
-        station.near.place.clone_from(&end);
+        station.near.coordinates.clone_from(&end);
         for (series, value) in station.near.series.iter_mut().zip(&end) {
             let mut coefficients = series.coefficients();
             coefficients[0] = *value;
             *series = Local::from_coefficients(coefficients);
         }
-        // the values on their new turns, the derivatives as they are
+        // the values after the whole periods, the derivatives as they are
         let again = self.station(station.at, station.near.clone());
-        for (own, again) in station
+        for (kept, again) in station
             .numbers
             .chunks_mut(self.orders)
             .zip(again.numbers.chunks(self.orders))
         {
-            own[0] = again[0];
+            kept[0] = again[0];
         }
         Some(station)
     }
 
-    /// Pairs of neighbouring stations around the whole circuit, from a place in the direction of the inputs.
-    fn around(&self, place: &[f64]) -> Result<Vec<[Station<Point>; 2]>, ExactTableError> {
-        let (input, travel) = (self.input(place), self.way.count());
-        let mut ahead = vec![0.0; place.len()];
+    /// Pairs of neighbouring stations around the whole circuit, from a point in the direction of the inputs.
+    fn around(&self, coordinates: &[f64]) -> Result<Vec<[Station<Point>; 2]>, ExactTableError> {
+        let (input, travel) = (self.input(coordinates), self.way.count());
+        let mut ahead = vec![0.0; coordinates.len()];
         ahead[travel] = 1.0;
-        let start = self.point(place, travel, &ahead);
+        let start = self.point(coordinates, travel, &ahead);
         let start = self.station(0.0, start.ok_or(ExactTableError::ChangePoint { input })?);
         let mut stations = vec![start.clone()];
         let mut here = start.clone();
-        let mut longest = LONGEST;
+        let mut longest = LONGEST_STEP;
         for _ in 0..MOST_STEPS {
             let there = self.next(&here, longest)?;
             let there = self.on_grid(&here, there);
@@ -469,7 +476,7 @@ impl CircuitCurve<'_> {
                 return Ok(pairs.map(|pair| [pair[0].clone(), pair[1].clone()]).collect());
             }
             self.confirm(&there)?;
-            longest = LONGEST.min(2.0 * (there.at - here.at));
+            longest = LONGEST_STEP.min(2.0 * (there.at - here.at));
             if stations.last().is_none_or(|last| there.at - last.at >= THINNEST) {
                 stations.push(there.clone());
             }
@@ -504,17 +511,19 @@ impl Source for CircuitCurve<'_> {
 }
 
 impl<M: Mechanism<Scalar = f64>> Sweep<M, StraightLine> {
-    /// The whole circuit as an [`ExactTable`]: from the beginning of the range in its direction, on through the limits where the input
-    /// turns back, until the motion has come back to its start. So one closed table holds both assemblies between two limits.
+    /// The whole circuit as an [`ExactTable`]: from the beginning of the range in its direction, on through the limits
+    /// where the input reverses, until the motion has come back to its start. So one closed table holds both assemblies
+    /// between two limits.
     ///
-    /// The parameter is the length of the arc, `arc`: the root of the sum of the squares of all ways of the unknowns and the moving input (of
-    /// several, the one that moves farthest), angles in radians and lengths in units of the longest link. It is smooth where the input turns back. A mechanism that is shown at a
-    /// constant speed of the arc moves evenly. The columns are the inputs that move and the unknowns, in this order. Outputs are not among
-    /// them: at a limit the solver has none of their derivatives. A quantity that is declared as an unknown with an equation of its own is
-    /// a column.
+    /// The parameter is the length of the arc, `arc`: the root of the sum of the squares of all ways of the unknowns
+    /// and the moving input (of several, the one that moves farthest), angles in radians and lengths in units of the
+    /// longest link. It is smooth where the input reverses. A mechanism that is shown at a constant speed of the arc
+    /// moves evenly. The columns are the inputs that move and the unknowns, in this order. Outputs are not among them:
+    /// at a limit the solver has none of their derivatives. A quantity that is declared as an unknown with a separate
+    /// equation is a column.
     ///
-    /// The errors are measured against the closure, which is well-conditioned at limits with the fastest quantity as its parameter; `solve`
-    /// is not. Away from limits both are the same.
+    /// The errors are measured against the closure, which is well-conditioned at limits with the fastest quantity as
+    /// its parameter; `solve` is not. Away from limits both are the same.
     ///
     /// ```
     /// use kin_core::library::FourBar;
@@ -532,9 +541,9 @@ impl<M: Mechanism<Scalar = f64>> Sweep<M, StraightLine> {
     /// ```
     ///
     /// # Errors
-    /// [`ExactTableError::NotClosed`] if the mechanism does not close at the beginning, or the motion leads to the end of the domain of a
-    /// function, [`ExactTableError::ChangePoint`] where branches cross, [`ExactTableError::Lost`] if the motion does not come back, and the
-    /// errors of [`exact_table`](Self::exact_table).
+    /// [`ExactTableError::NotClosed`] if the mechanism does not close at the beginning, or the motion leads to the end
+    /// of the domain of a function, [`ExactTableError::ChangePoint`] where branches cross, [`ExactTableError::Lost`] if
+    /// the motion does not come back, and the errors of [`exact_table`](Self::exact_table).
     pub fn exact_circuit(&self, precision: impl Into<Precision>) -> Result<ExactTable, ExactTableError> {
         let precision = precision.into();
         let sweep = self.any();
@@ -549,7 +558,7 @@ impl<M: Mechanism<Scalar = f64>> Sweep<M, StraightLine> {
             .step(&sweep, self.from, &sweep.motions(self.from))
             .map_err(closed)?;
         let unknowns = reached.unknowns();
-        // a sweep of one place has a direction as well
+        // a sweep of one point has a direction as well
         let end = if self.to == self.from { self.from + 1.0 } else { self.to };
         let [from, to] = [self.from, end].map(|at| sweep.inputs(at));
         let mut memory = HeapMemory::new(sweep.description, sweep.parameters.len());
@@ -562,7 +571,7 @@ impl<M: Mechanism<Scalar = f64>> Sweep<M, StraightLine> {
             .collect();
         let moving: Vec<usize> = (0..from.len()).filter(|input| from[*input] != to[*input]).collect();
         let is_angle = |input: &usize| sweep.description.inputs[*input].dimension == Dimension::Angle;
-        let turns: Vec<f64> = moving.iter().map(|input| way.slope(*input) / TAU).collect();
+        let revolutions: Vec<f64> = moving.iter().map(|input| way.slope(*input) / TAU).collect();
         let curve = CircuitCurve {
             functions,
             series: RefCell::new(series),
@@ -572,7 +581,7 @@ impl<M: Mechanism<Scalar = f64>> Sweep<M, StraightLine> {
                 Variable::Input(lead) => lead,
                 _ => 0,
             },
-            period: moving.iter().all(is_angle).then(|| period(&turns)).flatten(),
+            period: moving.iter().all(is_angle).then(|| period(&revolutions)).flatten(),
             moving,
             orders: order + 1,
             way,

@@ -1,4 +1,4 @@
-//! The reasons why bytes are no table, and why a place is in no table.
+//! The reasons why bytes are no table, and why a parameter is in no table.
 
 use core::error::Error;
 use core::fmt;
@@ -45,8 +45,8 @@ impl fmt::Display for ReadError {
             Self::NotATable => formatter.write_str("these bytes are no exact table: they do not begin with `kinExact`"),
             Self::Newer { found, known } => write!(
                 formatter,
-                "the exact table has version {found} of its format, and this version of kin reads versions up to {known}: \
-                 read it with a newer version, or write it again"
+                "the exact table has version {found} of its format, and this version of kin reads versions up to \
+                 {known}: read it with a newer version, or write it again"
             ),
             Self::Length { expected, found } => write!(
                 formatter,
@@ -54,7 +54,8 @@ impl fmt::Display for ReadError {
             ),
             Self::Checksum { stored, found } => write!(
                 formatter,
-                "the exact table is damaged: its bytes have the sum {found:#018x}, and {stored:#018x} is stored with them"
+                "the exact table is damaged: its bytes have the sum {found:#018x}, and {stored:#018x} is stored with \
+                 them"
             ),
             Self::Contradiction { what } => write!(formatter, "the exact table contradicts itself: {what}"),
         }
@@ -65,21 +66,21 @@ crate::__debug_by_display!(ReadError);
 
 impl Error for ReadError {}
 
-/// The reason why a table has no number at a place.
+/// The reason why a table has no number at a parameter.
 #[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
-pub enum PlaceError {
-    /// The place is beyond the table, which does not repeat itself, or it is not finite.
+pub enum LookupError {
+    /// The parameter is beyond the table, which does not repeat itself, or it is not finite.
     Beyond {
-        /// The place.
+        /// The parameter.
         at: f64,
-        /// The first and the last place of the table.
+        /// The first and the last parameter of the table.
         range: [f64; 2],
     },
-    /// The place is so many periods away from the table, which repeats itself, that numbers of its size do not tell one part of a period
-    /// from another.
-    TooManyTurns {
-        /// The place.
+    /// The parameter is so many periods away from the table, which repeats itself, that numbers of its size do not
+    /// distinguish one part of a period from another.
+    TooManyPeriods {
+        /// The parameter.
         at: f64,
         /// The period of the table.
         period: f64,
@@ -105,7 +106,7 @@ pub enum PlaceError {
     },
 }
 
-impl fmt::Display for PlaceError {
+impl fmt::Display for LookupError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Beyond { at, range: [low, high] } => write!(
@@ -115,9 +116,10 @@ impl fmt::Display for PlaceError {
                 Digits(*low),
                 Digits(*high)
             ),
-            Self::TooManyTurns { at, period } => write!(
+            Self::TooManyPeriods { at, period } => write!(
                 formatter,
-                "{} is so far from the table, which repeats itself after {}, that its part of a period cannot be told: leave whole periods out",
+                "{} is so far from the table, which repeats itself after {}, that its part of a period cannot be \
+                 determined: leave whole periods out",
                 Digits(*at),
                 Digits(*period)
             ),
@@ -128,12 +130,12 @@ impl fmt::Display for PlaceError {
             ),
             Self::Room { needed, given } => write!(
                 formatter,
-                "the columns of the table have {needed} numbers at a place, and there is room for {given}"
+                "the columns of the table have {needed} numbers for one parameter, and there is room for {given}"
             ),
         }
     }
 }
 
-crate::__debug_by_display!(PlaceError);
+crate::__debug_by_display!(LookupError);
 
-impl Error for PlaceError {}
+impl Error for LookupError {}

@@ -18,7 +18,7 @@ pub enum ExactTableError {
     Sweep(SweepError),
     /// The range has no length.
     NoRange {
-        /// The place where it begins and ends.
+        /// The parameter at which it begins and ends.
         at: f64,
     },
     /// The table shall end with the values, and its pieces need a derivative.
@@ -40,20 +40,21 @@ pub enum ExactTableError {
         /// Its value.
         tolerance: f64,
     },
-    /// The mechanism does not close at a place of the range, or is too close to a limit there.
+    /// The mechanism does not close somewhere in the range, or is too close to a limit there.
     NotClosed {
-        /// The place.
+        /// The parameter.
         at: f64,
         /// The reason.
         error: Box<SolveError>,
     },
-    /// The pieces do not agree with the poses within the tolerance, and there may be no more rows, or more rows make it worse.
+    /// The pieces do not agree with the poses within the tolerance, and there may be no more rows, or more rows make it
+    /// worse.
     Unreached {
         /// The column that deviates most, as a part of its tolerance.
         column: String,
         /// The order of its derivative.
         order: usize,
-        /// The place.
+        /// The parameter.
         at: f64,
         /// Twice the difference there.
         error: f64,
@@ -103,7 +104,8 @@ impl fmt::Display for ExactTableError {
             ),
             Self::Order { asked } => write!(
                 formatter,
-                "the table shall end with order {asked}, and its pieces need a derivative: end it with order 1 or a higher one"
+                "the table shall end with order {asked}, and its pieces need a derivative: end it with order 1 or a \
+                 higher one"
             ),
             Self::MoreRows { most, rows } => write!(
                 formatter,
@@ -129,7 +131,8 @@ impl fmt::Display for ExactTableError {
             } => {
                 write!(
                     formatter,
-                    "with {rows} rows, the derivative of order {order} of {column} has the error {} at {}, and {} is allowed: ",
+                    "with {rows} rows, the derivative of order {order} of {column} has the error {} at {}, and {} is \
+                     allowed: ",
                     Digits(*error),
                     Digits(*at),
                     Digits(*allowed)

@@ -1,8 +1,9 @@
-//! Exact tables: a motion as a few kilobytes of numbers, from which every place can be read, with all derivatives, to a tolerance.
+//! Exact tables: a motion as a few kilobytes of numbers, which can be read at every parameter, with all derivatives, to
+//! a tolerance.
 //!
-//! A row holds the value and the derivatives of each column at a place. Between two rows a column is the polynomial that agrees with both
-//! in all orders, of degree 9 if the derivatives go up to snap. So a table takes the place of a solver: for an animation, a controller, a
-//! cam. Reading it takes twenty lines of any language.
+//! A row holds the value and the derivatives of each column at a parameter. Between two rows a column is the polynomial
+//! that agrees with both in all orders, of degree 9 if the derivatives go up to snap. So a table replaces a solver: for
+//! an animation, a controller, a cam. Reading it takes twenty lines of any language.
 //!
 //! ```
 //! use std::f64::consts::TAU;
@@ -10,11 +11,11 @@
 //! use kin_core::prelude::*;
 //!
 //! let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
-//! // a turn of the crank, with an error of at most 10⁻⁷ in every order
+//! // a revolution of the crank, with an error of at most 10⁻⁷ in every order
 //! let table = linkage.sweep(Assembly::Open).over(0.0..=TAU, 13).exact_table(1e-7)?;
 //! assert!(table.as_bytes().len() < 10_000);
 //!
-//! // the rocker at the crank angle 1, while the crank turns at 10 rad/s
+//! // the rocker at the crank angle 1, while the crank rotates at 10 rad/s
 //! let [angle, velocity, acceleration, jerk, snap] = table.column("theta4")?.at_speed(1.0, 10.0)?;
 //! let pose = linkage.solve([1.0, 10.0, 0.0, 0.0, 0.0], Assembly::Open)?;
 //! assert!((angle - pose.theta4.position()).abs() < 1e-8);
@@ -23,13 +24,13 @@
 //! ```
 //!
 //! # How exact
-//! Pieces are halved until they agree with `solve` in every order, within the [`Precision`] that was asked for, at a third, at the middle
-//! and at two thirds. Twice the largest difference that was seen is the error that the table states for each column and each order,
-//! [`ExactColumn::errors`].
+//! Pieces are halved until they agree with `solve` in every order, within the [`Precision`] that was asked for, at a
+//! third, at the middle and at two thirds. Twice the largest difference that was seen is the error that the table
+//! states for each column and each order, [`ExactColumn::errors`].
 //!
-//! The error of a piece falls with the tenth power of its length in the values, and with one power less for each derivative. Rounding in
-//! the values at both ends of a piece comes back in its derivatives, divided by powers of its length. So sparse rows keep the highest
-//! derivatives best, and a tolerance that rounding does not allow is an error.
+//! The error of a piece falls with the tenth power of its length in the values, and with one power less for each
+//! derivative. Rounding in the values at both ends of a piece comes back in its derivatives, divided by powers of its
+//! length. So sparse rows keep the highest derivatives best, and a tolerance that rounding does not allow is an error.
 
 #[cfg(feature = "alloc")]
 mod circuit;
@@ -52,7 +53,7 @@ mod swept;
 #[cfg(test)]
 mod tests;
 
-pub use error::{PlaceError, ReadError};
+pub use error::{LookupError, ReadError};
 #[cfg(feature = "alloc")]
 pub use failure::ExactTableError;
 #[cfg(feature = "alloc")]

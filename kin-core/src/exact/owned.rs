@@ -4,7 +4,7 @@ use alloc::string::{String, ToString as _};
 use alloc::vec::Vec;
 use core::ops::RangeInclusive;
 
-use super::error::{PlaceError, ReadError};
+use super::error::{LookupError, ReadError};
 use super::read::{ExactColumn, ExactTableRef, HEAD, Layout, MAGIC, VERSION, WORD, checksum};
 use crate::quantity::Dimension;
 use crate::sweep::NoSuchColumn;
@@ -31,7 +31,7 @@ pub struct ExactParts {
     pub is_closed: bool,
     /// What is known of each column.
     pub columns: Vec<ExactColumnParts>,
-    /// The rows: the place, and for each column the value and its derivatives by the parameter.
+    /// The rows: the parameter, and for each column the value and its derivatives by the parameter.
     pub rows: Vec<Vec<f64>>,
 }
 
@@ -43,7 +43,7 @@ pub struct ExactColumnParts {
     /// The dimension.
     pub dimension: Dimension,
     /// The difference between one period and the next.
-    pub turn: f64,
+    pub increment: f64,
     /// The measured errors of the value and of each derivative.
     pub errors: Vec<f64>,
 }
@@ -65,10 +65,12 @@ impl ExactParts {
         let contradiction = |what| Err(ReadError::Contradiction { what });
         let count = self.order + 1;
         let width = 1 + self.columns.len() * count;
-        if self.rows.iter().any(|row| row.len() != width) || self.columns.iter().any(|own| own.errors.len() != count) {
+        if self.rows.iter().any(|row| row.len() != width)
+            || self.columns.iter().any(|column| column.errors.len() != count)
+        {
             return contradiction("a row or a column has another length than the others");
         }
-        let names = self.columns.iter().map(|own| &own.name);
+        let names = self.columns.iter().map(|column| &column.name);
         if names
             .chain([&self.name, &self.parameter.0])
             .any(|name| name.contains('\n'))
@@ -76,7 +78,7 @@ impl ExactParts {
             return contradiction("a name has a line break");
         }
         let mut text = self.name.clone();
-        let columns = self.columns.iter().map(|own| (&own.name, own.dimension));
+        let columns = self.columns.iter().map(|column| (&column.name, column.dimension));
         for (name, dimension) in [(&self.parameter.0, self.parameter.1)].into_iter().chain(columns) {
             text.push('\n');
             text.push(letter(dimension));
@@ -100,10 +102,10 @@ impl ExactParts {
         }
         bytes.extend(text.as_bytes());
         bytes.resize(HEAD + text.len().next_multiple_of(WORD), 0);
-        let turns = self.columns.iter().map(|own| own.turn);
-        let errors = self.columns.iter().flat_map(|own| own.errors.iter().copied());
+        let increments = self.columns.iter().map(|column| column.increment);
+        let errors = self.columns.iter().flat_map(|column| column.errors.iter().copied());
         let rows = self.rows.iter().flatten().copied();
-        for number in turns.chain(errors).chain(rows) {
+        for number in increments.chain(errors).chain(rows) {
             bytes.extend(number.to_le_bytes());
         }
         bytes.extend(checksum(&bytes).to_le_bytes());
@@ -131,7 +133,7 @@ impl ExactTable {
     /// | length of the names, with zeros to a multiple of 8 | the names in UTF-8, a line each: of the table, of the parameter, of the columns. Before the last two stand `A ` for angles, `L ` for lengths or `S ` for numbers |
     /// | 8 c | the change of each column over a period |
     /// | 8 c (n + 1) | the measured errors of each column: of the value and of each derivative |
-    /// | 8 r (1 + c (n + 1)) | the rows: the place, then for each column the value and its derivatives |
+    /// | 8 r (1 + c (n + 1)) | the rows: the parameter, then for each column the value and its derivatives |
     /// | 8 | the sum of all bytes before, FNV-1a of 64 bits |
     #[must_use]
     pub fn as_bytes(&self) -> &[u8] {
@@ -159,7 +161,7 @@ impl ExactTable {
                 .map(|column| ExactColumnParts {
                     name: column.name().to_string(),
                     dimension: column.dimension(),
-                    turn: column.turn(),
+                    increment: column.increment(),
                     errors: column.errors().collect(),
                 })
                 .collect(),
@@ -204,13 +206,14 @@ impl ExactTable {
         self.reader().parameter()
     }
 
-    /// The first and the last place.
+    /// The first and the last parameter.
     #[must_use]
     pub fn range(&self) -> RangeInclusive<f64> {
         self.reader().range()
     }
 
-    /// The way after which the table repeats itself, if it does. It has numbers everywhere then, and angles go on over turns.
+    /// The way after which the table repeats itself, if it does. It has numbers everywhere then, and angles are
+    /// unwrapped.
     #[must_use]
     pub fn period(&self) -> Option<f64> {
         self.reader().period()
@@ -232,20 +235,22 @@ impl ExactTable {
         found.ok_or_else(|| NoSuchColumn::new(name, reader.columns().map(|column| column.name())))
     }
 
-    /// Writes all columns at a place into `result`: the value and the derivatives by the parameter, column after column.
+    /// Writes all columns at a parameter into `result`: the value and the derivatives by the parameter, column after
+    /// column.
     ///
     /// # Errors
-    /// [`PlaceError`], for a place that is not in the table, or a result of another length.
-    pub fn fill(&self, at: f64, result: &mut [f64]) -> Result<(), PlaceError> {
+    /// [`LookupError`], for a parameter that is not in the table, or a result of another length.
+    pub fn fill(&self, at: f64, result: &mut [f64]) -> Result<(), LookupError> {
         self.reader().fill(at, result)
     }
 
-    /// Writes all columns at a place into `result`: the value and the derivatives by time while the parameter changes at this speed, column
-    /// after column.
+    /// Writes all columns at a parameter into `result`: the value and the derivatives by time while the parameter
+    /// changes at this speed, column after column.
     ///
     /// # Errors
-    /// [`PlaceError`], for a place that is not in the table, a speed that is not finite, or a result of another length.
-    pub fn fill_at_speed(&self, at: f64, speed: f64, result: &mut [f64]) -> Result<(), PlaceError> {
+    /// [`LookupError`], for a parameter that is not in the table, a speed that is not finite, or a result of another
+    /// length.
+    pub fn fill_at_speed(&self, at: f64, speed: f64, result: &mut [f64]) -> Result<(), LookupError> {
         self.reader().fill_at_speed(at, speed, result)
     }
 }

@@ -4,8 +4,8 @@ use core::ops::RangeInclusive;
 
 use num_traits::Float;
 
-use super::error::{PlaceError, ReadError};
-use super::piece::{MOST, piece};
+use super::error::{LookupError, ReadError};
+use super::piece::{MOST_NUMBERS, piece};
 use crate::motion::Motion;
 use crate::quantity::Dimension;
 
@@ -15,14 +15,14 @@ pub(super) const VERSION: u32 = 1;
 pub(super) const MAGIC: [u8; 8] = *b"kinExact";
 /// The number of bytes of the head.
 pub(super) const HEAD: usize = 32;
-/// The most periods between the first row of a closed table and a place. With more of them, the places that can be told from each other are
-/// further apart than 1/512 of a period.
-pub(super) const MOST_TURNS: f64 = 8_796_093_022_208.0;
+/// The most periods between the first row of a closed table and a parameter. With more of them, the parameters that can
+/// be distinguished are further apart than 1/512 of a period.
+pub(super) const MOST_PERIODS: f64 = 8_796_093_022_208.0;
 /// The number of bytes of a number.
 pub(super) const WORD: usize = 8;
 
-/// An exact table that is read where it lies, without the standard library and without allocating: in a file, in flash memory, in a
-/// constant by `include_bytes!`.
+/// An exact table that is read where it lies, without the standard library and without allocating: in a file, in flash
+/// memory, in a constant by `include_bytes!`.
 ///
 /// ```
 /// use std::f64::consts::TAU;
@@ -37,10 +37,11 @@ pub(super) const WORD: usize = 8;
 /// // on another machine
 /// let table = ExactTableRef::new(bytes)?;
 /// let rocker = table.column("theta4").expect("the four-bar has this angle");
-/// // the crank stands at 1 and turns at 10 rad/s
+/// // the crank stands at 1 and rotates at 10 rad/s
 /// let [angle, velocity, acceleration] = rocker.at_speed(1.0, 10.0)?;
 /// # let pose = linkage.solve([1.0, 10.0, 0.0, 0.0, 0.0], Assembly::Open)?;
-/// # assert!((angle - pose.theta4.position()).abs() < 1e-8 && (acceleration - pose.theta4.acceleration()).abs() < 1e-6);
+/// # assert!((angle - pose.theta4.position()).abs() < 1e-8);
+/// # assert!((acceleration - pose.theta4.acceleration()).abs() < 1e-6);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,7 +51,7 @@ pub struct ExactTableRef<'b> {
     text: &'b str,
 }
 
-/// What the head of a table tells.
+/// What the head of a table says.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Layout {
     order: usize,
@@ -79,8 +80,8 @@ const fn contradiction<T>(what: &'static str) -> Result<T, ReadError> {
     Err(ReadError::Contradiction { what })
 }
 
-fn word(bytes: &[u8], place: usize) -> Option<u32> {
-    let found = bytes.get(place..place + 4)?;
+fn word(bytes: &[u8], start: usize) -> Option<u32> {
+    let found = bytes.get(start..start + 4)?;
     Some(u32::from_le_bytes(found.try_into().ok()?))
 }
 
@@ -109,7 +110,7 @@ impl<'b> ExactTableRef<'b> {
             expected,
             found: bytes.len() as u64,
         };
-        let word = |place| word(bytes, place).ok_or(too_short(HEAD as u64));
+        let word = |start| word(bytes, start).ok_or(too_short(HEAD as u64));
         let version = word(8)?;
         if version > VERSION {
             return Err(ReadError::Newer {
@@ -118,15 +119,15 @@ impl<'b> ExactTableRef<'b> {
             });
         }
         let [order, columns, rows, flags, length] = [word(12)?, word(16)?, word(20)?, word(24)?, word(28)?];
-        if version == 0 || flags > 1 || !(1..MOST).contains(&(order as usize)) || columns == 0 || rows < 2 {
+        if version == 0 || flags > 1 || !(1..MOST_NUMBERS).contains(&(order as usize)) || columns == 0 || rows < 2 {
             return contradiction("its head is not one that kin writes");
         }
         let [order_count, column_count, row_count] = [order + 1, columns, rows].map(u64::from);
         let numbers = column_count
             .checked_mul(order_count)
-            .and_then(|own| Some((own, own.checked_add(1)?.checked_mul(row_count)?)))
-            .and_then(|(own, all)| {
-                all.checked_add(own)?
+            .and_then(|per_row| Some((per_row, per_row.checked_add(1)?.checked_mul(row_count)?)))
+            .and_then(|(per_row, all)| {
+                all.checked_add(per_row)?
                     .checked_add(column_count)?
                     .checked_mul(WORD as u64)
             });
@@ -180,35 +181,35 @@ impl<'b> ExactTableRef<'b> {
         if (0..self.layout.columns * self.count()).any(|index| self.number(self.layout.columns + index) < 0.0) {
             return contradiction("an error is negative");
         }
-        let rises = |row: usize| self.place(row) < self.place(row + 1);
+        let rises = |row: usize| self.parameter_of(row) < self.parameter_of(row + 1);
         let last = self.layout.rows - 2;
-        // two rows may share a place, where the motion of the inputs has an edge
-        let is_in_order = (0..=last).all(|row| self.place(row) <= self.place(row + 1))
+        // two rows may share a parameter, where the motion of the inputs has an edge
+        let is_in_order = (0..=last).all(|row| self.parameter_of(row) <= self.parameter_of(row + 1))
             && (1..=last).all(|row| rises(row - 1) || rises(row));
         if !is_in_order || !rises(0) || !rises(last) {
             return contradiction("its rows are not in order");
         }
-        if !(self.place(self.layout.rows - 1) - self.place(0)).is_finite() {
+        if !(self.parameter_of(self.layout.rows - 1) - self.parameter_of(0)).is_finite() {
             return contradiction("its range is not finite");
         }
         Ok(())
     }
 
-    /// The place of the first number among the bytes.
+    /// The index of the first number among the bytes.
     fn numbers(&self) -> usize {
         HEAD + self.text.len().next_multiple_of(WORD)
     }
 
     fn number(&self, index: usize) -> f64 {
-        let place = self.numbers() + WORD * index;
+        let start = self.numbers() + WORD * index;
         let mut word = [0; WORD];
-        if let Some(found) = self.bytes.get(place..place + WORD) {
+        if let Some(found) = self.bytes.get(start..start + WORD) {
             word.copy_from_slice(found);
         }
         f64::from_le_bytes(word)
     }
 
-    /// The number of numbers of a column at a place: the value and its derivatives.
+    /// The number of numbers of a column in a row: the value and its derivatives.
     pub(super) fn count(&self) -> usize {
         self.layout.order + 1
     }
@@ -233,15 +234,15 @@ impl<'b> ExactTableRef<'b> {
         self.layout.columns * (1 + self.count()) + row * (1 + self.layout.columns * self.count())
     }
 
-    /// The place of a row.
-    fn place(&self, row: usize) -> f64 {
+    /// The parameter of a row.
+    fn parameter_of(&self, row: usize) -> f64 {
         self.number(self.row(row))
     }
 
-    /// The numbers of a row: the place, and for each column the value and its derivatives.
+    /// The numbers of a row: the parameter, and for each column the value and its derivatives.
     #[must_use]
     pub fn row_at(&self, row: usize) -> Option<impl ExactSizeIterator<Item = f64> + use<'b>> {
-        // only the place of a row that exists is sure not to overflow
+        // only the index of a row that exists is sure not to overflow
         (row < self.layout.rows).then(|| {
             let (table, first, width) = (*self, self.row(row), self.row(1) - self.row(0));
             (0..width).map(move |index| table.number(first + index))
@@ -283,18 +284,19 @@ impl<'b> ExactTableRef<'b> {
         found.map_or(("", Dimension::Scalar), |(dimension, name)| (name, dimension))
     }
 
-    /// The first and the last place.
+    /// The first and the last parameter.
     #[must_use]
     pub fn range(&self) -> RangeInclusive<f64> {
-        self.place(0)..=self.place(self.layout.rows - 1)
+        self.parameter_of(0)..=self.parameter_of(self.layout.rows - 1)
     }
 
-    /// The way after which the table repeats itself, if it does. It has numbers everywhere then, and angles go on over turns.
+    /// The way after which the table repeats itself, if it does. It has numbers everywhere then, and angles are
+    /// unwrapped.
     #[must_use]
     pub fn period(&self) -> Option<f64> {
         self.layout
             .is_closed
-            .then(|| self.place(self.layout.rows - 1) - self.place(0))
+            .then(|| self.parameter_of(self.layout.rows - 1) - self.parameter_of(0))
     }
 
     /// The columns.
@@ -310,48 +312,50 @@ impl<'b> ExactTableRef<'b> {
         self.columns().find(|column| column.name() == name)
     }
 
-    /// Writes all columns at a place into `result`: the value and the derivatives by the parameter, column after column.
+    /// Writes all columns at a parameter into `result`: the value and the derivatives by the parameter, column after
+    /// column.
     ///
     /// # Errors
-    /// [`PlaceError`], for a place that is not in the table, or a result of another length.
-    pub fn fill(&self, at: f64, result: &mut [f64]) -> Result<(), PlaceError> {
+    /// [`LookupError`], for a parameter that is not in the table, or a result of another length.
+    pub fn fill(&self, at: f64, result: &mut [f64]) -> Result<(), LookupError> {
         self.fill_at_speed(at, 1.0, result)
     }
 
-    /// Writes all columns at a place into `result`: the value and the derivatives by time while the parameter changes at this speed, column
-    /// after column.
+    /// Writes all columns at a parameter into `result`: the value and the derivatives by time while the parameter
+    /// changes at this speed, column after column.
     ///
     /// # Errors
-    /// [`PlaceError`], for a place that is not in the table, a speed that is not finite, or a result of another length.
-    pub fn fill_at_speed(&self, at: f64, speed: f64, result: &mut [f64]) -> Result<(), PlaceError> {
+    /// [`LookupError`], for a parameter that is not in the table, a speed that is not finite, or a result of another
+    /// length.
+    pub fn fill_at_speed(&self, at: f64, speed: f64, result: &mut [f64]) -> Result<(), LookupError> {
         let needed = self.layout.columns * self.count();
         if result.len() != needed {
             let given = result.len();
-            return Err(PlaceError::Room { needed, given });
+            return Err(LookupError::Room { needed, given });
         }
         let spot = self.spot(at)?;
-        for (column, own) in result.chunks_mut(self.count()).enumerate() {
-            self.read(&spot, column, own);
-            faster(own, speed)?;
+        for (column, numbers) in result.chunks_mut(self.count()).enumerate() {
+            self.read(&spot, column, numbers);
+            faster(numbers, speed)?;
         }
         Ok(())
     }
 
-    /// The piece in which a place lies.
-    fn spot(&self, at: f64) -> Result<Spot, PlaceError> {
-        let [low, high] = [self.place(0), self.place(self.layout.rows - 1)];
-        let beyond = PlaceError::Beyond { at, range: [low, high] };
+    /// The piece in which a parameter lies.
+    fn spot(&self, at: f64) -> Result<Spot, LookupError> {
+        let [low, high] = [self.parameter_of(0), self.parameter_of(self.layout.rows - 1)];
+        let beyond = LookupError::Beyond { at, range: [low, high] };
         if !at.is_finite() {
             return Err(beyond);
         }
-        let (mut at, mut turns) = (at, 0.0);
+        let (mut at, mut periods) = (at, 0.0);
         if self.layout.is_closed {
-            turns = Float::floor((at - low) / (high - low));
-            if Float::abs(turns) > MOST_TURNS {
+            periods = Float::floor((at - low) / (high - low));
+            if Float::abs(periods) > MOST_PERIODS {
                 let period = high - low;
-                return Err(PlaceError::TooManyTurns { at, period });
+                return Err(LookupError::TooManyPeriods { at, period });
             }
-            at = (at - turns * (high - low)).max(low).min(high);
+            at = (at - periods * (high - low)).max(low).min(high);
         }
         if !(low..=high).contains(&at) {
             return Err(beyond);
@@ -359,60 +363,60 @@ impl<'b> ExactTableRef<'b> {
         let (mut left, mut right) = (0, self.layout.rows - 1);
         while right - left > 1 {
             let middle = left.midpoint(right);
-            if self.place(middle) <= at {
+            if self.parameter_of(middle) <= at {
                 left = middle;
             } else {
                 right = middle;
             }
         }
-        let start = self.place(left);
-        let length = self.place(right) - start;
+        let start = self.parameter_of(left);
+        let length = self.parameter_of(right) - start;
         let part = (at - start) / length;
         Ok(Spot {
             left,
             length,
             part,
-            turns,
+            periods,
         })
     }
 
     fn read(&self, spot: &Spot, column: usize, result: &mut [f64]) {
-        let mut ends = [[0.0; MOST]; 2];
+        let mut ends = [[0.0; MOST_NUMBERS]; 2];
         let count = self.count();
         for (row, end) in ends.iter_mut().enumerate() {
             let first = self.row(spot.left + row) + 1 + column * count;
-            for (order, own) in end[..count].iter_mut().enumerate() {
-                *own = self.number(first + order);
+            for (order, number) in end[..count].iter_mut().enumerate() {
+                *number = self.number(first + order);
             }
         }
-        let mut own = [0.0; MOST];
+        let mut derivatives = [0.0; MOST_NUMBERS];
         let [left, right] = &ends;
         piece(
             &left[..count],
             &right[..count],
             spot.length,
             spot.part,
-            &mut own[..count],
+            &mut derivatives[..count],
         );
-        own[0] += spot.turns * self.number(column);
+        derivatives[0] += spot.periods * self.number(column);
         let asked = result.len().min(count);
-        result[..asked].copy_from_slice(&own[..asked]);
+        result[..asked].copy_from_slice(&derivatives[..asked]);
     }
 }
 
-/// A place in a piece.
+/// A parameter in a piece.
 struct Spot {
     left: usize,
     length: f64,
     part: f64,
     /// The number of periods before.
-    turns: f64,
+    periods: f64,
 }
 
 /// Derivatives by time from those by the parameter, at a speed of the parameter.
-fn faster(derivatives: &mut [f64], speed: f64) -> Result<(), PlaceError> {
+fn faster(derivatives: &mut [f64], speed: f64) -> Result<(), LookupError> {
     if !speed.is_finite() {
-        return Err(PlaceError::Speed { speed });
+        return Err(LookupError::Speed { speed });
     }
     let mut factor = 1.0;
     for derivative in derivatives {
@@ -435,15 +439,15 @@ impl<'b> ExactColumn<'b> {
         self.table.line(self.index + 2).1
     }
 
-    /// The difference between one period and the next: whole turns of an angle, or zero.
+    /// The difference between one period and the next: whole revolutions of an angle, or zero.
     #[must_use]
-    pub fn turn(&self) -> f64 {
+    pub fn increment(&self) -> f64 {
         self.table.number(self.index)
     }
 
-    /// The measured errors of the value and of each derivative by the parameter, in the column's own units: twice the largest difference
-    /// from the poses that was seen at a third, the middle and two thirds of all pieces, and four units in the last place of the largest
-    /// magnitude.
+    /// The measured errors of the value and of each derivative by the parameter, in the column's units: twice the
+    /// largest difference from the poses that was seen at a third, the middle and two thirds of all pieces, and four
+    /// units in the last place of the largest magnitude.
     #[must_use]
     pub fn errors(&self) -> impl ExactSizeIterator<Item = f64> + use<'b> {
         let (table, first) = (self.table, self.table.layout.columns + self.index * self.table.count());
@@ -453,19 +457,20 @@ impl<'b> ExactColumn<'b> {
     /// The value and its first derivatives by the parameter.
     ///
     /// # Errors
-    /// [`PlaceError`], for a place that is not in the table, or more derivatives than it has.
-    pub fn at<const N: usize>(&self, at: f64) -> Result<[f64; N], PlaceError> {
+    /// [`LookupError`], for a parameter that is not in the table, or more derivatives than it has.
+    pub fn at<const N: usize>(&self, at: f64) -> Result<[f64; N], LookupError> {
         self.at_speed(at, 1.0)
     }
 
     /// The value and its first derivatives by time, while the parameter changes at this speed.
     ///
     /// # Errors
-    /// [`PlaceError`], for a place that is not in the table, a speed that is not finite, or more derivatives than the table has.
-    pub fn at_speed<const N: usize>(&self, at: f64, speed: f64) -> Result<[f64; N], PlaceError> {
+    /// [`LookupError`], for a parameter that is not in the table, a speed that is not finite, or more derivatives than
+    /// the table has.
+    pub fn at_speed<const N: usize>(&self, at: f64, speed: f64) -> Result<[f64; N], LookupError> {
         let (asked, order) = (N.saturating_sub(1), self.table.layout.order);
         if asked > order {
-            return Err(PlaceError::Orders { asked, order });
+            return Err(LookupError::Orders { asked, order });
         }
         let mut result = [0.0; N];
         self.table.read(&self.table.spot(at)?, self.index, &mut result);
@@ -491,13 +496,13 @@ impl<'b> ExactColumn<'b> {
     /// ```
     ///
     /// # Errors
-    /// [`PlaceError`], for a place that is not in the table, or more derivatives than it has.
-    pub fn under<const N: usize>(&self, parameter: Motion<f64, N>) -> Result<Motion<f64, N>, PlaceError> {
+    /// [`LookupError`], for a parameter that is not in the table, or more derivatives than it has.
+    pub fn under<const N: usize>(&self, parameter: Motion<f64, N>) -> Result<Motion<f64, N>, LookupError> {
         let rates = parameter.derivatives();
         if let Some(speed) = rates.iter().skip(1).copied().find(|rate| !rate.is_finite()) {
-            return Err(PlaceError::Speed { speed });
+            return Err(LookupError::Speed { speed });
         }
-        let place = rates.first().copied().unwrap_or(f64::NAN);
-        Ok(Motion::new(self.at::<N>(place)?).driven_by(parameter))
+        let at = rates.first().copied().unwrap_or(f64::NAN);
+        Ok(Motion::new(self.at::<N>(at)?).driven_by(parameter))
     }
 }

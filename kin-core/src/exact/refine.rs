@@ -9,18 +9,18 @@ use num_traits::Float;
 
 use super::ExactTableError;
 use super::owned::{ExactColumnParts, ExactParts, ExactTable};
-use super::piece::{MOST, piece};
+use super::piece::{MOST_NUMBERS, piece};
 use super::precision::Precision;
 use crate::law::Side;
 use crate::quantity::{Dimension, Quantity};
 
 /// The parts of a piece at which it is compared. The error of a piece vanishes in every odd order in its middle.
-const PLACES: [f64; 3] = [1.0 / 3.0, 0.5, 2.0 / 3.0];
-/// A difference below this multiple of ε, of the size of the values and of a power of one over the length may be rounding: what the values
-/// at both ends of a piece leave in its highest derivatives.
+const TESTED: [f64; 3] = [1.0 / 3.0, 0.5, 2.0 / 3.0];
+/// A difference below this multiple of ε, of the size of the values and of a power of one over the length may be
+/// rounding: what the values at both ends of a piece leave in its highest derivatives.
 const ROUNDING: f64 = 2000.0;
 
-/// The numbers at a place, and what is needed to find those at a place nearby.
+/// The numbers at a parameter, and what is needed to find those at a parameter nearby.
 #[derive(Clone)]
 pub(super) struct Station<N> {
     pub(super) at: f64,
@@ -31,13 +31,13 @@ pub(super) struct Station<N> {
 
 /// A motion over a parameter.
 pub(super) trait Source {
-    /// What is needed to find the numbers at a place nearby.
+    /// What is needed to find the numbers at a parameter nearby.
     type Near: Clone;
 
     /// The columns.
     fn columns(&self) -> Vec<Quantity<'_>>;
 
-    /// The numbers at a place, found from those at another one. Where two pieces of a law meet, `side` selects one.
+    /// The numbers at a parameter, found from those at another one. Where two pieces of a law meet, `side` selects one.
     fn station(&self, at: f64, side: Side, from: &Station<Self::Near>) -> Result<Station<Self::Near>, ExactTableError>;
 }
 
@@ -151,15 +151,15 @@ fn look<S: Source>(
     let length = right.at - left.at;
     let mut differences = vec![0.0; left.numbers.len()];
     let mut middle = None;
-    for part in PLACES {
+    for part in TESTED {
         let at = left.at + part * length;
-        // the part of the place to which the parameter was rounded
+        // the part of the piece to which the parameter was rounded
         let part = (at - left.at) / length;
         let station = source.station(at, Side::Right, middle.as_ref().unwrap_or(left))?;
         let ends = left.numbers.chunks(count).zip(right.numbers.chunks(count));
-        let own = differences.chunks_mut(count).zip(station.numbers.chunks(count));
-        for ((left, right), (differences, expected)) in ends.zip(own) {
-            let mut found = [0.0; MOST];
+        let measured = differences.chunks_mut(count).zip(station.numbers.chunks(count));
+        for ((left, right), (differences, expected)) in ends.zip(measured) {
+            let mut found = [0.0; MOST_NUMBERS];
             piece(left, right, length, part, &mut found[..count]);
             for ((difference, found), expected) in differences.iter_mut().zip(found).zip(expected) {
                 *difference = difference.max((found - expected).abs());
@@ -185,14 +185,17 @@ struct Magnitudes {
 
 impl Magnitudes {
     fn new<N>(columns: &[Quantity<'_>], count: usize, first: &[[Station<N>; 2]]) -> Self {
-        let places = || first.iter().flatten().map(|station| station.at);
+        let parameters = || first.iter().flatten().map(|station| station.at);
         let [low, high] = [
-            places().fold(f64::INFINITY, f64::min),
-            places().fold(f64::NEG_INFINITY, f64::max),
+            parameters().fold(f64::INFINITY, f64::min),
+            parameters().fold(f64::NEG_INFINITY, f64::max),
         ];
         let mut sizes = Self {
             largest: vec![0.0; columns.len() * count],
-            angles: columns.iter().map(|own| own.dimension == Dimension::Angle).collect(),
+            angles: columns
+                .iter()
+                .map(|column| column.dimension == Dimension::Angle)
+                .collect(),
             count,
             unit: (high - low) / TAU,
         };
@@ -213,12 +216,12 @@ impl Magnitudes {
         let (column, order) = (index / self.count, index % self.count);
         let mut size: f64 = 0.0;
         for lower in 0..=order {
-            let own = if lower == 0 && self.angles[column] {
+            let scale = if lower == 0 && self.angles[column] {
                 1.0
             } else {
                 self.largest[column * self.count + lower]
             };
-            size = (size / if lower == 0 { 1.0 } else { self.unit }).max(own);
+            size = (size / if lower == 0 { 1.0 } else { self.unit }).max(scale);
         }
         // a column of zeros is what it is
         size.max(f64::MIN_POSITIVE)
@@ -272,19 +275,22 @@ fn table<N: Clone>(
     if rows.len() > 1 && rows[0].at > rows[1].at {
         rows.reverse();
     }
-    let turns = frame.may_close.then(|| turns(columns, count, &rows, sizes)).flatten();
+    let revolutions = frame
+        .may_close
+        .then(|| revolutions(columns, count, &rows, sizes))
+        .flatten();
     let parts = ExactParts {
         name: frame.name,
         parameter: frame.parameter,
         order: frame.order,
-        is_closed: turns.is_some(),
+        is_closed: revolutions.is_some(),
         columns: columns
             .iter()
             .enumerate()
             .map(|(column, quantity)| ExactColumnParts {
                 name: quantity.name.to_string(),
                 dimension: quantity.dimension,
-                turn: turns.as_ref().map_or(0.0, |turns| turns[column]),
+                increment: revolutions.as_ref().map_or(0.0, |revolutions| revolutions[column]),
                 errors: (0..count)
                     .map(|order| {
                         let index = column * count + order;
@@ -307,25 +313,31 @@ fn table<N: Clone>(
     parts.table()
 }
 
-/// The change of each column over the range, if the motion repeats itself: whole turns of angles, and nothing else.
-fn turns<N>(columns: &[Quantity<'_>], count: usize, rows: &[&Station<N>], sizes: &Magnitudes) -> Option<Vec<f64>> {
+/// The change of each column over the range, if the motion repeats itself: whole revolutions of angles, and nothing
+/// else.
+fn revolutions<N>(
+    columns: &[Quantity<'_>],
+    count: usize,
+    rows: &[&Station<N>],
+    sizes: &Magnitudes,
+) -> Option<Vec<f64>> {
     let (first, last) = (rows.first()?, rows.last()?);
-    let mut turns = Vec::with_capacity(columns.len());
+    let mut revolutions = Vec::with_capacity(columns.len());
     for (index, (start, end)) in first.numbers.iter().zip(&last.numbers).enumerate() {
         let mut change = end - start;
         if index % count == 0 {
-            let turn = if columns[index / count].dimension == Dimension::Angle {
+            let revolution = if columns[index / count].dimension == Dimension::Angle {
                 TAU * Float::round(change / TAU)
             } else {
                 0.0
             };
-            turns.push(turn);
-            change -= turn;
+            revolutions.push(revolution);
+            change -= revolution;
         }
         let is_same = change.abs() <= 1e-9 * sizes.of(index);
         if !is_same {
             return None;
         }
     }
-    Some(turns)
+    Some(revolutions)
 }

@@ -18,11 +18,11 @@ use crate::number::NumberRow;
 use crate::quantity::{Dimension, Quantity};
 use crate::sweep::{READ, SmoothDrive, Sweep, UntypedSweep, Variable, Walk, joints};
 
-/// The largest number of turns of an input after which a motion is looked upon as closed.
-const MOST_TURNS: u32 = 12;
+/// The largest number of revolutions of an input after which a motion is looked upon as closed.
+const MOST_REVOLUTIONS: u32 = 12;
 
-/// The distance of two places that differ by rounding errors alone, as a part of the range's largest number.
-const CLOSE: f64 = 16.0 * f64::EPSILON;
+/// The distance of two parameters that differ by rounding errors alone, as a part of the range's largest number.
+const SAME_PARAMETER: f64 = 16.0 * f64::EPSILON;
 
 /// A sweep as a motion over its variable.
 struct Swept<'c> {
@@ -93,12 +93,14 @@ impl<'c> Source for Swept<'c> {
 }
 
 impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> Sweep<M, D> {
-    /// The motion as an [`ExactTable`]: a table from which every place of the range can be read, in all orders, to a tolerance.
+    /// The motion as an [`ExactTable`]: a table that can be read everywhere in the range, in all orders, to a
+    /// tolerance.
     ///
-    /// The parameter of the table is the variable of the sweep, whatever its speed. The columns are the inputs that move with it, the
-    /// unknowns and the outputs. The rows of the sweep are there, and as many between them as it takes until all pieces agree with `solve`
-    /// in every order, at a third, the middle and two thirds. A sweep with few rows makes the smallest table. If the input makes full turns
-    /// and the motion repeats itself, so does the table.
+    /// The parameter of the table is the variable of the sweep, whatever its speed. The columns are the inputs that
+    /// move with it, the unknowns and the outputs. The rows of the sweep are there, and as many between them as it
+    /// takes until all pieces agree with `solve` in every order, at a third, the middle and two thirds. A sweep with
+    /// few rows makes the smallest table. If the input makes full revolutions and the motion repeats itself, so does
+    /// the table.
     ///
     /// ```
     /// use std::f64::consts::TAU;
@@ -106,15 +108,15 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> Sweep<M, D> {
     /// use kin_core::prelude::*;
     ///
     /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
-    /// let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 13);
+    /// let sweep = linkage.sweep(Assembly::Open).over(0.0..=TAU, 13);
     /// // one tolerance for all orders
-    /// let table = turn.exact_table(1e-7)?;
+    /// let table = sweep.exact_table(1e-7)?;
     /// let [angle, velocity, acceleration, jerk, snap] = table.column("theta4")?.at(1.0)?;
     /// # let pose = linkage.solve([1.0, 1.0, 0.0, 0.0, 0.0], Assembly::Open)?;
     /// # assert!((snap - pose.theta4.snap()).abs() < 1e-6 && (angle - pose.theta4.position()).abs() < 1e-8);
     ///
     /// // one for each order, up to the acceleration
-    /// let table = turn.exact_table([1e-13, 1e-11, 1e-9])?;
+    /// let table = sweep.exact_table([1e-13, 1e-11, 1e-9])?;
     /// for column in table.columns() {
     ///     println!("{}: {:.0e} rad", column.name(), column.errors().next().unwrap());
     /// }
@@ -122,8 +124,9 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> Sweep<M, D> {
     /// ```
     ///
     /// # Errors
-    /// [`ExactTableError::NotClosed`] if the mechanism does not close at a place of the range, [`ExactTableError::Unreached`] if a
-    /// tolerance cannot be reached, and the errors of the sweep and of the tolerances themselves.
+    /// [`ExactTableError::NotClosed`] if the mechanism does not close somewhere in the range,
+    /// [`ExactTableError::Unreached`] if a tolerance cannot be reached, and the errors of the sweep and of the
+    /// tolerances themselves.
     pub fn exact_table(&self, precision: impl Into<Precision>) -> Result<ExactTable, ExactTableError> {
         exact_table(self.any(), &self.drive, precision.into())
     }
@@ -155,31 +158,32 @@ impl<'c> Swept<'c> {
             [Side::Left, Side::Right]
         };
         let (low, high) = (from.min(to), from.max(to));
-        let close = CLOSE * low.abs().max(high.abs());
-        let is_end = |place: f64| (place - low).abs() <= close || (high - place).abs() <= close;
+        let close = SAME_PARAMETER * low.abs().max(high.abs());
+        let is_end = |at: f64| (at - low).abs() <= close || (high - at).abs() <= close;
         let (beside_ends, joints): (Vec<f64>, Vec<f64>) = joints(self.drive, [low, high])
             .into_iter()
             .partition(|joint| is_end(*joint));
-        // A row that rounding puts beside a joint stands for it. The ends of the range stay, with the piece of the law that the joint ends.
-        let near = |place: f64, joints: &[f64]| joints.iter().copied().find(|joint| (joint - place).abs() <= close);
+        // A row that rounding puts beside a joint stands for it. The ends of the range stay, with the piece of the law
+        // that the joint ends.
+        let near = |at: f64, joints: &[f64]| joints.iter().copied().find(|joint| (joint - at).abs() <= close);
         let rows = (0..self.sweep.count.max(2)).map(|row| self.sweep.at(row));
-        let mut places: Vec<f64> = rows.filter(|row| near(*row, &joints).is_none()).collect();
-        places.extend(&joints);
-        places.sort_by(f64::total_cmp);
-        places.dedup();
+        let mut parameters: Vec<f64> = rows.filter(|row| near(*row, &joints).is_none()).collect();
+        parameters.extend(&joints);
+        parameters.sort_by(f64::total_cmp);
+        parameters.dedup();
         if !runs_up {
-            places.reverse();
+            parameters.reverse();
         }
-        let seen_at = |place: f64, side: Side, from: Option<&Station<Walk<'c>>>| {
-            let found = self.found(near(place, &beside_ends).unwrap_or(place), side, from);
-            found.map(|station| Station { at: place, ..station })
+        let seen_at = |at: f64, side: Side, from: Option<&Station<Walk<'c>>>| {
+            let found = self.found(near(at, &beside_ends).unwrap_or(at), side, from);
+            found.map(|station| Station { at, ..station })
         };
-        let mut first = Vec::with_capacity(places.len());
-        let mut left = seen_at(places[0], start, None)?;
-        for place in places.into_iter().skip(1) {
-            let right = seen_at(place, end, Some(&left))?;
-            let next = if joints.contains(&place) {
-                self.found(place, start, Some(&right))?
+        let mut first = Vec::with_capacity(parameters.len());
+        let mut left = seen_at(parameters[0], start, None)?;
+        for at in parameters.into_iter().skip(1) {
+            let right = seen_at(at, end, Some(&left))?;
+            let next = if joints.contains(&at) {
+                self.found(at, start, Some(&right))?
             } else {
                 right.clone()
             };
@@ -191,15 +195,15 @@ impl<'c> Swept<'c> {
             name: self.sweep.description.name.to_string(),
             parameter: (quantity.name.to_string(), quantity.dimension),
             order,
-            may_close: quantity.dimension == Dimension::Angle && is_turn(high - low),
+            may_close: quantity.dimension == Dimension::Angle && is_revolution(high - low),
         };
         refined(&self, frame, first, precision)
     }
 }
 
-/// Whether a range is a number of full turns.
-fn is_turn(range: f64) -> bool {
-    let turns = Float::round(range / TAU);
-    let is_whole = (range - turns * TAU).abs() <= 16.0 * f64::EPSILON * range;
-    is_whole && turns >= 1.0 && turns <= f64::from(MOST_TURNS)
+/// Whether a range is a number of full revolutions.
+fn is_revolution(range: f64) -> bool {
+    let revolutions = Float::round(range / TAU);
+    let is_whole = (range - revolutions * TAU).abs() <= 16.0 * f64::EPSILON * range;
+    is_whole && revolutions >= 1.0 && revolutions <= f64::from(MOST_REVOLUTIONS)
 }

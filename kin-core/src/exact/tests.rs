@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 use std::{println, vec, vec::Vec};
 
 use super::read::{HEAD, VERSION, WORD, checksum};
-use super::{ExactTable, ExactTableError, ExactTableRef, PlaceError, Precision, ReadError};
+use super::{ExactTable, ExactTableError, ExactTableRef, LookupError, Precision, ReadError};
 use crate::assembly::{Assembly, Near};
 use crate::geometry::{Plane, Space};
 use crate::law::{Dwell, Rise, Sequence, Shape, Side};
@@ -20,8 +20,8 @@ use crate::sweep::samples::{CRANK_ROCKER, LIMITED, triad};
 use crate::sweep::{Instant, READ, SmoothDrive, Sweep, Swept};
 use crate::verify::Random;
 
-/// The number of random places of each table.
-const PLACES: u32 = 1000;
+/// The number of random parameters of each table.
+const TESTED: u32 = 1000;
 /// Each derivative may lose two digits.
 const GRADED: [f64; 5] = [1e-13, 1e-11, 1e-9, 1e-7, 1e-6];
 /// Tolerances that rounding allows for harder motions.
@@ -37,7 +37,8 @@ fn difference(dimension: Dimension, one: f64, other: f64) -> f64 {
     }
 }
 
-/// Compares a table with the solver at random places, and returns it. No error may be larger than the one that the table states.
+/// Compares a table with the solver at random parameters, and returns it. No error may be larger than the one that the
+/// table states.
 fn compared<M: Mechanism<Scalar = f64>, D: SmoothDrive>(
     name: &str,
     sweep: &Sweep<M, D>,
@@ -51,7 +52,7 @@ fn compared<M: Mechanism<Scalar = f64>, D: SmoothDrive>(
     let columns: Vec<_> = table.columns().collect();
     let mut worst: f64 = 0.0;
     let mut numbers = vec![0.0; columns.len() * 5];
-    for _ in 0..samples::of(PLACES) {
+    for _ in 0..samples::of(TESTED) {
         let at = random.between(low, high);
         let mut inputs = vec![0.0; M::DESCRIPTION.inputs.len() * READ];
         sweep.drive.derivatives(at, Side::Right, &mut inputs);
@@ -77,14 +78,14 @@ fn compared<M: Mechanism<Scalar = f64>, D: SmoothDrive>(
             expected.push((output.name, motion.as_ref().to_vec()));
         }
         for (column, found) in columns.iter().zip(numbers.chunks(5)) {
-            let own = expected.iter().find(|(name, _)| *name == column.name()).unwrap();
+            let known = expected.iter().find(|(name, _)| *name == column.name()).unwrap();
             for (order, stated) in column.errors().enumerate() {
                 let dimension = if order == 0 {
                     column.dimension()
                 } else {
                     Dimension::Scalar
                 };
-                let error = difference(dimension, found[order], own.1[order]).abs();
+                let error = difference(dimension, found[order], known.1[order]).abs();
                 assert!(
                     error <= stated,
                     "{name}: {} of order {order} at {at} is wrong by {error:e}, and {stated:e} is stated",
@@ -113,23 +114,23 @@ fn stated(table: &ExactTable, order: usize) -> f64 {
     errors.fold(0.0, f64::max)
 }
 
-/// Both angles of a turn of a four-bar take few kilobytes.
+/// Both angles of a revolution of a four-bar take few kilobytes.
 #[test]
 fn a_turn_of_a_four_bar_is_small() {
-    let turn = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 9);
-    let table = compared("crank-rocker", &turn, GRADED);
+    let sweep = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 9);
+    let table = compared("crank-rocker", &sweep, GRADED);
     assert!(stated(&table, 0) <= 1e-13, "{}", stated(&table, 0));
     assert!(table.as_bytes().len() < 7_000, "{}", table.as_bytes().len());
     assert_eq!(table.period(), Some(TAU));
-    // it repeats itself; the coupler and the rocker make no turns
+    // it repeats itself; the coupler and the rocker make no revolutions
     let rocker = table.column("theta4").unwrap();
-    for turns in [-3.0, 5.0] {
-        let [one, other] = [1.0, 1.0 + turns * TAU].map(|at| rocker.at::<5>(at).unwrap());
+    for revolutions in [-3.0, 5.0] {
+        let [one, other] = [1.0, 1.0 + revolutions * TAU].map(|at| rocker.at::<5>(at).unwrap());
         for (one, other) in one.into_iter().zip(other) {
             assert!((one - other).abs() < 1e-12, "{one} {other}");
         }
     }
-    // the other assembly, downwards, from a place that is no zero
+    // the other assembly, downwards, from a parameter that is no zero
     let back = CRANK_ROCKER.sweep(Assembly::Crossed).over(1.0..=1.0 - TAU, 2);
     let table = compared("crossed crank-rocker", &back, GRADED);
     assert_eq!(*table.range().end(), 1.0);
@@ -138,7 +139,7 @@ fn a_turn_of_a_four_bar_is_small() {
     assert_eq!(back.speed(7.0).exact_table(GRADED).unwrap(), table);
 }
 
-/// Links that turn fully are a turn further after each period.
+/// Links that make full revolutions are one further after each period.
 #[test]
 fn turns_go_on() {
     let drag_link = FourBar {
@@ -147,27 +148,27 @@ fn turns_go_on() {
         r3: 70.0,
         r4: 90.0,
     };
-    let turn = drag_link.sweep(Assembly::Open).over(0.0..=TAU, 9);
-    let table = compared("drag link", &turn, GRADED);
+    let sweep = drag_link.sweep(Assembly::Open).over(0.0..=TAU, 9);
+    let table = compared("drag link", &sweep, GRADED);
     let rocker = table.column("theta4").unwrap();
-    assert_eq!(rocker.turn(), TAU);
+    assert_eq!(rocker.increment(), TAU);
     let [[first], [third]] = [0.5, 0.5 + 2.0 * TAU].map(|at| rocker.at(at).unwrap());
     assert!((third - first - 2.0 * TAU).abs() < 1e-13);
     // and on: the table is closed
     let coupler = table.column("theta3").unwrap();
     assert!(coupler.at::<5>(1e6).is_ok() && coupler.at::<5>(-1e12).is_ok());
-    // as long as numbers of this size tell one part of a period from another
+    // as long as numbers of this size distinguish one part of a period from another
     for at in [1e14, 1e300, f64::MAX] {
         for at in [at, -at] {
-            let told = PlaceError::TooManyTurns { at, period: TAU };
-            assert_eq!(coupler.at::<5>(at), Err(told));
+            let error = LookupError::TooManyPeriods { at, period: TAU };
+            assert_eq!(coupler.at::<5>(at), Err(error));
             let near = drag_link.position_near(at, [at, at]);
             assert!(near.is_err() || at.abs() < 1e15, "{at}");
         }
     }
-    let told = PlaceError::TooManyTurns { at: 1e300, period: TAU };
-    let told = std::format!("{told}");
-    assert!(told.contains("1e300") && told.contains("6.28"), "{told}");
+    let error = LookupError::TooManyPeriods { at: 1e300, period: TAU };
+    let error = std::format!("{error}");
+    assert!(error.contains("1e300") && error.contains("6.28"), "{error}");
 }
 
 /// Two tables with the same content have the same bytes.
@@ -179,10 +180,10 @@ fn bytes_behind_names_are_zero() {
     let length = length + table.columns().map(|column| column.name().len() + 3).sum::<usize>();
     let padding = HEAD + length..(HEAD + length).next_multiple_of(WORD);
     assert!(!padding.is_empty());
-    for place in padding {
+    for index in padding {
         let mut bytes = whole.to_vec();
-        assert_eq!(bytes[place], 0);
-        bytes[place] = 1;
+        assert_eq!(bytes[index], 0);
+        bytes[index] = 1;
         resum(&mut bytes);
         assert!(matches!(
             ExactTable::from_bytes(bytes),
@@ -208,10 +209,10 @@ fn rows_are_where_they_are_needed() {
         r3: 100.0,
         r4: 40.5,
     };
-    let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 9);
-    let table = compared("near a change point", &turn, COARSE);
-    let places: Vec<f64> = table.parts().rows.iter().map(|row| row[0]).collect();
-    let ways = places.windows(2).map(|pair| pair[1] - pair[0]);
+    let sweep = linkage.sweep(Assembly::Open).over(0.0..=TAU, 9);
+    let table = compared("near a change point", &sweep, COARSE);
+    let parameters: Vec<f64> = table.parts().rows.iter().map(|row| row[0]).collect();
+    let ways = parameters.windows(2).map(|pair| pair[1] - pair[0]);
     let (shortest, longest) = ways.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), way| {
         (low.min(way), high.max(way))
     });
@@ -222,8 +223,8 @@ fn rows_are_where_they_are_needed() {
 #[test]
 fn tables_of_all_kinds_of_mechanisms_are_as_exact_as_they_state() {
     let press = SliderCrank { r: 0.1, l: 0.3 };
-    let turn = press.sweep(Assembly::Open).over(0.0..=TAU, 9);
-    let table = compared("slider-crank", &turn, GRADED);
+    let sweep = press.sweep(Assembly::Open).over(0.0..=TAU, 9);
+    let table = compared("slider-crank", &sweep, GRADED);
     assert_eq!(table.column("s").unwrap().dimension(), Dimension::Length);
 
     let walk = JansenLeg::HOLY_NUMBERS.sweep(JansenLeg::WALKING).over(0.0..=TAU, 13);
@@ -296,8 +297,8 @@ fn motions_over_time_are_tables_as_well() {
     let cam = CRANK_ROCKER.sweep(Assembly::Open).under_laws([&laws], 0.0..=0.75, 4);
     let table = compared("laws", &cam, COARSE);
     assert_eq!(table.parameter().0, "time");
-    let places: Vec<f64> = table.parts().rows.iter().map(|row| row[0]).collect();
-    assert_eq!(places.iter().filter(|place| **place == 0.5).count(), 2);
+    let parameters: Vec<f64> = table.parts().rows.iter().map(|row| row[0]).collect();
+    assert_eq!(parameters.iter().filter(|at| **at == 0.5).count(), 2);
     let [_, _, _, before] = table.column("theta2").unwrap().at(0.5 - 1e-9).unwrap();
     let [_, _, _, behind] = table.column("theta2").unwrap().at(0.5).unwrap();
     assert!((before - behind).abs() > 1000.0, "{before} {behind}");
@@ -313,15 +314,15 @@ fn motions_over_time_are_tables_as_well() {
 /// A table that ends with a lower order has pieces of a lower degree.
 #[test]
 fn lower_orders_make_smaller_rows() {
-    let turn = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 9);
+    let sweep = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 9);
     for order in 1..=4 {
-        let table = turn.exact_table(Precision::from(1e-5).up_to(order)).unwrap();
+        let table = sweep.exact_table(Precision::from(1e-5).up_to(order)).unwrap();
         assert_eq!(table.order(), order);
         let [rocker] = table.column("theta4").unwrap().at(2.0).unwrap();
         let pose = CRANK_ROCKER.solve([2.0, 1.0, 0.0, 0.0, 0.0], Assembly::Open).unwrap();
         assert!((rocker - pose.theta4.position()).abs() < 1e-5);
         let asked = table.column("theta4").unwrap().at::<6>(2.0);
-        assert_eq!(asked, Err(PlaceError::Orders { asked: 5, order }));
+        assert_eq!(asked, Err(LookupError::Orders { asked: 5, order }));
     }
 }
 
@@ -336,24 +337,24 @@ fn tables_tell_motions_in_time() {
     let rocker = table.column("theta4").unwrap();
     let crank = Motion::from([2.0, -7.0, 11.0, -3.0, 5.0]);
     let pose = CRANK_ROCKER.solve(crank, Assembly::Open).unwrap();
-    let own = rocker.under(crank).unwrap().derivatives();
+    let derivatives = rocker.under(crank).unwrap().derivatives();
     let even = CRANK_ROCKER.solve([2.0, -7.0, 0.0, 0.0, 0.0], Assembly::Open).unwrap();
     let faster = rocker.at_speed::<5>(2.0, -7.0).unwrap();
     for order in 0..5 {
         // the errors of all orders up to this one, each with its power of the speed
         let allowed = 50.0 * stated(&table, order) * 7_f64.powi(i32::try_from(order).unwrap());
-        assert!((own[order] - pose.theta4.derivatives()[order]).abs() <= allowed);
+        assert!((derivatives[order] - pose.theta4.derivatives()[order]).abs() <= allowed);
         assert!((faster[order] - even.theta4.derivatives()[order]).abs() <= allowed);
     }
     assert_eq!(
         rocker.at_speed::<1>(2.0, f64::INFINITY),
-        Err(PlaceError::Speed { speed: f64::INFINITY })
+        Err(LookupError::Speed { speed: f64::INFINITY })
     );
-    assert!(matches!(rocker.at::<1>(f64::NAN), Err(PlaceError::Beyond { .. })));
+    assert!(matches!(rocker.at::<1>(f64::NAN), Err(LookupError::Beyond { .. })));
     let mut short = [0.0; 9];
     assert_eq!(
         table.fill(1.0, &mut short),
-        Err(PlaceError::Room { needed: 10, given: 9 })
+        Err(LookupError::Room { needed: 10, given: 9 })
     );
 }
 
@@ -376,8 +377,8 @@ fn a_circuit_may_be_entered_anywhere() {
     }
 }
 
-/// A circuit against four-bars that are driven by the angle that moves fastest, which the table does not do: with the motion of that angle
-/// they find those of the others.
+/// A circuit against four-bars that are driven by the angle that moves fastest, which the table does not do: with the
+/// motion of that angle they find those of the others.
 fn compared_circuit(name: &str, linkage: FourBar, start: f64) -> ExactTable {
     let FourBar { r1, r2, r3, r4 } = linkage;
     let circuit = linkage.sweep(Assembly::Open).over(start..=start + 0.1, 2);
@@ -385,7 +386,8 @@ fn compared_circuit(name: &str, linkage: FourBar, start: f64) -> ExactTable {
         .exact_circuit(COARSE)
         .unwrap_or_else(|error| panic!("{name}: {error}"));
     let period = table.period().expect("it is closed");
-    // r2 cis(theta2) + r3 cis(theta3) == r1 + r4 cis(theta4), driven by each of the angles, and the order of the angles then
+    // r2 cis(theta2) + r3 cis(theta3) == r1 + r4 cis(theta4), driven by each of the angles, and the order of the angles
+    // then
     let driven = [
         (linkage, [0, 1, 2]),
         (FourBar { r1, r2: r3, r3: r2, r4 }, [1, 0, 2]),
@@ -401,7 +403,7 @@ fn compared_circuit(name: &str, linkage: FourBar, start: f64) -> ExactTable {
     ];
     let mut random = Random::new(11);
     let mut worst: f64 = 0.0;
-    for _ in 0..samples::of(PLACES) {
+    for _ in 0..samples::of(TESTED) {
         let at = random.between(0.0, period);
         let mut numbers = [[0.0; 5]; 3];
         for (column, numbers) in table.columns().zip(&mut numbers) {
@@ -417,13 +419,13 @@ fn compared_circuit(name: &str, linkage: FourBar, start: f64) -> ExactTable {
         let near = [numbers[one][0], numbers[other][0]];
         let pose = linkage.solve_near(Motion::from(numbers[drive]), near).unwrap();
         for (angle, found) in [(one, pose.theta3), (other, pose.theta4)] {
-            for (order, (own, found)) in numbers[angle].into_iter().zip(found.derivatives()).enumerate() {
+            for (order, (expected, found)) in numbers[angle].into_iter().zip(found.derivatives()).enumerate() {
                 let dimension = if order == 0 {
                     Dimension::Angle
                 } else {
                     Dimension::Scalar
                 };
-                let error = difference(dimension, own, found).abs();
+                let error = difference(dimension, expected, found).abs();
                 worst = worst.max(error / stated(&table, order));
             }
         }
@@ -446,29 +448,29 @@ fn circuits_lead_through_limits() {
     let crank = table.column("theta2").unwrap();
     let limit = LIMITED.crank_range().unwrap().high;
     let period = table.period().unwrap();
-    // the crank turns where its rate vanishes
+    // the crank reverses where its rate vanishes
     let (mut limits, mut assemblies) = (0, [0, 0]);
     let mut before = crank.at::<2>(0.0).unwrap();
     for step in 1..=2000 {
         let at = period * f64::from(step) / 2000.0;
-        let own = crank.at::<2>(at).unwrap();
-        if own[1] * before[1] < 0.0 {
+        let here = crank.at::<2>(at).unwrap();
+        if here[1] * before[1] < 0.0 {
             // a secant's step to the limit
-            let place = at - period / 2000.0 * own[1] / (own[1] - before[1]);
-            let [highest, rate, bend] = crank.at(place).unwrap();
+            let reversal = at - period / 2000.0 * here[1] / (here[1] - before[1]);
+            let [highest, rate, bend] = crank.at(reversal).unwrap();
             let highest: f64 = highest - 0.5 * rate * rate / bend;
             assert!((highest.abs() - limit).abs() < 1e-10, "{highest} {limit}");
             limits += 1;
         }
-        before = own;
+        before = here;
         let unknowns = ["theta3", "theta4"].map(|name| table.column(name).unwrap().at::<1>(at).unwrap()[0]);
-        let assembly = LIMITED.assembly_at(own[0], unknowns);
+        let assembly = LIMITED.assembly_at(here[0], unknowns);
         assemblies[usize::from(assembly == Assembly::Open)] += 1;
     }
     assert_eq!(limits, 2);
     assert!(assemblies[0] > 500 && assemblies[1] > 500, "{assemblies:?}");
 
-    // the coupler turns fully, and its circuit has both assemblies as well
+    // the coupler makes full revolutions, and its circuit has both assemblies as well
     let grashof = FourBar {
         r1: 90.0,
         r2: 80.0,
@@ -476,10 +478,10 @@ fn circuits_lead_through_limits() {
         r4: 60.0,
     };
     let table = compared_circuit("Grashof's double rocker", grashof, 0.9);
-    assert_eq!(table.column("theta3").unwrap().turn().abs(), TAU);
+    assert_eq!(table.column("theta3").unwrap().increment().abs(), TAU);
     // without any limit
     let table = compared_circuit("crank-rocker as a circuit", CRANK_ROCKER, 0.0);
-    assert_eq!(table.column("theta2").unwrap().turn(), TAU);
+    assert_eq!(table.column("theta2").unwrap().increment(), TAU);
 }
 
 crate::mechanism! {
@@ -504,13 +506,13 @@ fn a_slider_leads_a_crank_around() {
         .exact_circuit(COARSE)
         .unwrap();
     let crank = table.column("theta").unwrap();
-    assert_eq!(crank.turn().abs(), TAU);
+    assert_eq!(crank.increment().abs(), TAU);
     let driven = SliderCrank { r: 0.3, l: 0.8 };
     let mut random = Random::new(17);
-    for _ in 0..samples::of(PLACES) {
+    for _ in 0..samples::of(TESTED) {
         let at = random.between(0.0, table.period().unwrap());
         let motion: [f64; 5] = crank.at(at).unwrap();
-        // the crank's own solver knows the slider everywhere, and its input never turns back
+        // the solver of the crank knows the slider everywhere, and its input never reverses
         let pose = driven.solve(Motion::from(motion), Assembly::Open).unwrap();
         let slider = table.column("s").unwrap();
         let found: [f64; 5] = slider.at(at).unwrap();
@@ -544,10 +546,10 @@ fn coupled_blocks_are_led_through_limits() {
     let period = table.period().unwrap();
     let columns = ["theta2", "theta3", "theta4", "theta5", "theta6"].map(|name| table.column(name).unwrap());
     // link 5 swings
-    assert_eq!(columns[3].turn(), 0.0);
+    assert_eq!(columns[3].increment(), 0.0);
     let mut random = Random::new(19);
-    let (mut worst, mut places): (f64, u32) = (0.0, 0);
-    for _ in 0..samples::of(PLACES) {
+    let (mut worst, mut compared_count): (f64, u32) = (0.0, 0);
+    for _ in 0..samples::of(TESTED) {
         let at = random.between(0.0, period);
         let found: [[f64; 5]; 5] = columns.map(|column| column.at(at).unwrap());
         let fastest = found
@@ -556,30 +558,34 @@ fn coupled_blocks_are_led_through_limits() {
         if found[0][1].abs() < 0.5 * fastest {
             continue;
         }
-        places += 1;
+        compared_count += 1;
         let near = [1, 2, 3, 4].map(|angle| found[angle][0]);
         let pose = by_crank.solve_near(Motion::from(found[0]), near).unwrap();
         let expected = [pose.theta3, pose.theta4, pose.theta5, pose.theta6];
         for (found, expected) in found[1..].iter().zip(expected) {
-            for (order, (own, expected)) in found.iter().zip(expected.derivatives()).enumerate() {
+            for (order, (number, expected)) in found.iter().zip(expected.derivatives()).enumerate() {
                 let dimension = if order == 0 {
                     Dimension::Angle
                 } else {
                     Dimension::Scalar
                 };
-                let error = difference(dimension, *own, expected).abs();
+                let error = difference(dimension, *number, expected).abs();
                 worst = worst.max(error / stated(&table, order));
             }
         }
     }
     println!(
-        "six-bar as a circuit: {} rows, {} bytes, arc {period}, {places} places, {:.0} % of the stated errors",
+        "six-bar as a circuit: {} rows, {} bytes, arc {period}, {compared_count} parameters, {:.0} % of the stated \
+         errors",
         table.rows(),
         table.as_bytes().len(),
         100.0 * worst
     );
     // the error of an angle, and twice that of the crank
-    assert!(5 * places > samples::of(PLACES) && worst <= 3.0, "{places}: {worst}");
+    assert!(
+        5 * compared_count > samples::of(TESTED) && worst <= 3.0,
+        "{compared_count}: {worst}"
+    );
 }
 
 /// There is no table of a motion that ends, or of one that rounding spoils, and the error says why.
@@ -593,8 +599,8 @@ fn refusals_say_why() {
         std::string::ToString::to_string(&error).contains("exact_circuit"),
         "{error}"
     );
-    let turn = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 9);
-    let exact = turn.exact_table(1e-12);
+    let sweep = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 9);
+    let exact = sweep.exact_table(1e-12);
     let Err(ExactTableError::Unreached {
         order: 4, is_rounding, ..
     }) = exact
@@ -602,17 +608,17 @@ fn refusals_say_why() {
         panic!("{exact:?}");
     };
     assert!(is_rounding);
-    let few = turn.exact_table(Precision::from(1e-6).most_rows(20));
+    let few = sweep.exact_table(Precision::from(1e-6).most_rows(20));
     let Err(ExactTableError::Unreached { is_rounding, rows, .. }) = few else {
         panic!("{few:?}");
     };
     assert!(!is_rounding && rows <= 21);
     assert!(matches!(
-        turn.exact_table(0.0),
+        sweep.exact_table(0.0),
         Err(ExactTableError::Tolerance { order: 0, .. })
     ));
     assert!(matches!(
-        turn.exact_table([1e-9, f64::NAN]),
+        sweep.exact_table([1e-9, f64::NAN]),
         Err(ExactTableError::Tolerance { order: 1, .. })
     ));
     let nothing = CRANK_ROCKER.sweep(Assembly::Open).over(1.0..=1.0, 9).exact_table(1e-6);
@@ -635,8 +641,8 @@ fn refusals_say_why() {
 }
 
 fn table() -> ExactTable {
-    let turn = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 9);
-    turn.exact_table(1e-4).unwrap()
+    let sweep = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 9);
+    sweep.exact_table(1e-4).unwrap()
 }
 
 #[test]
@@ -671,8 +677,11 @@ fn newer_versions_are_refused() {
         ExactTable::from_bytes(bytes.clone()),
         Err(ReadError::Newer { found, known: VERSION })
     );
-    let told = std::string::ToString::to_string(&ReadError::Newer { found, known: VERSION });
-    assert!(told.contains("version 7") && told.contains("up to 1"), "{told}");
+    let message = std::string::ToString::to_string(&ReadError::Newer { found, known: VERSION });
+    assert!(
+        message.contains("version 7") && message.contains("up to 1"),
+        "{message}"
+    );
     // also if the rest of it has another form
     bytes.truncate(12);
     assert_eq!(
@@ -707,8 +716,8 @@ fn damaged_bytes_are_errors() {
                     bytes.remove(below(end.min(bytes.len())));
                 }
                 _ if !bytes.is_empty() => {
-                    let place = below(end.min(bytes.len()));
-                    bytes[place] = u8::try_from(below(256)).unwrap();
+                    let index = below(end.min(bytes.len()));
+                    bytes[index] = u8::try_from(below(256)).unwrap();
                 }
                 _ => {}
             }
@@ -756,9 +765,9 @@ fn rows_beside_joints_stand_for_them() {
     let down = Rise::new(Shape::Cycloidal, 1.0, 0.0, 0.3).unwrap();
     let cam = Sequence::new([&up, &high, &down]).unwrap();
     let joint: f64 = 0.1 + 0.2;
-    assert_ne!(joint, 0.3, "the row has another place than the joint");
+    assert_ne!(joint, 0.3, "the row has another parameter than the joint");
     let start = SliderCrank { r: 0.1, l: 0.3 }.sweep(Assembly::Open);
-    // to the last and from the next place beside a joint as well
+    // to the last and from the next parameter beside a joint as well
     for range in [
         0.0..=0.6,
         0.6..=0.0,
@@ -782,11 +791,11 @@ fn rows_beside_joints_stand_for_them() {
 
 #[test]
 fn what_no_table_can_hold_is_refused_before_the_work() {
-    let turn = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 361);
+    let sweep = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 361);
     let values = Precision::from(1e-3).up_to(0);
-    assert_eq!(turn.exact_table(values), Err(ExactTableError::Order { asked: 0 }));
-    assert_eq!(turn.exact_circuit(values), Err(ExactTableError::Order { asked: 0 }));
-    let few = turn.exact_table(Precision::from(1e-3).most_rows(10));
+    assert_eq!(sweep.exact_table(values), Err(ExactTableError::Order { asked: 0 }));
+    assert_eq!(sweep.exact_circuit(values), Err(ExactTableError::Order { asked: 0 }));
+    let few = sweep.exact_table(Precision::from(1e-3).most_rows(10));
     assert_eq!(few, Err(ExactTableError::MoreRows { most: 10, rows: 361 }));
     // as many rows as it takes, and one less
     let start = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 5);

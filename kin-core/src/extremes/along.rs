@@ -58,11 +58,12 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> QuantitySource for Sweep<M, D> 
     }
 }
 
-/// A quantity along a sweep. [`Sweep::of`] and [`Sweep::of_expression`] make it, and each of its methods answers a question.
+/// A quantity along a sweep. [`Sweep::of`] and [`Sweep::of_expression`] make it, and each of its methods answers a
+/// question.
 ///
 /// # Errors
-/// [`ExtremesError`] for all questions: if no column has the name, if the mechanism closes nowhere, if the sweep has no length, or if the
-/// curve of the quantity is too rough to be searched.
+/// [`ExtremesError`] for all questions: if no column has the name, if the mechanism closes nowhere, if the sweep has no
+/// length, or if the curve of the quantity is too rough to be searched.
 #[must_use = "ask for its `peak`, its `extremes` or its `mean`"]
 pub struct QuantityAlong<'c, S, Q> {
     sweep: &'c S,
@@ -160,7 +161,7 @@ pub trait AskedQuantity<S> {
     #[doc(hidden)]
     fn check(&self, sweep: &S, highest: usize) -> Result<(), ExtremesError>;
 
-    /// Its value at a place of a sweep.
+    /// Its value at a point of a sweep.
     #[doc(hidden)]
     fn at(&self, sweep: &S, station: &SweepStation<'_>) -> Result<Local, ExtremesError>;
 
@@ -173,7 +174,7 @@ pub trait AskedQuantity<S> {
 
 /// A quantity whose dependence on the dimensions is known. A new version may add items.
 pub trait SensitiveQuantity<S>: AskedQuantity<S> {
-    /// How its value and its slope at a place of a sweep change with a dimension.
+    /// How its value and its slope at a point of a sweep change with a dimension.
     #[doc(hidden)]
     fn by_dimension(
         &self,
@@ -339,9 +340,9 @@ where
 impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> Sweep<M, D> {
     /// A quantity by the name of its column, as in `"theta4_jerk"`, to ask for its peak, its extremes or its mean.
     ///
-    /// Names go on above the order of the mechanism, up to the twelfth derivative, and `"margin"` is the length that is left until the first
-    /// dyad ceases to close. A name that no column has is an error of the question. An expression of a pose goes to
-    /// [`of_expression`](Self::of_expression).
+    /// Names go on above the order of the mechanism, up to the twelfth derivative, and `"margin"` is the length that is
+    /// left until the first dyad ceases to close. A name that no column has is an error of the question. An expression
+    /// of a pose goes to [`of_expression`](Self::of_expression).
     ///
     /// ```
     /// use std::f64::consts::TAU;
@@ -349,8 +350,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> Sweep<M, D> {
     /// use kin_core::prelude::*;
     ///
     /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
-    /// let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 100).speed(10.0);
-    /// let jerk = turn.of("theta4_jerk");
+    /// let sweep = linkage.sweep(Assembly::Open).over(0.0..=TAU, 100).speed(10.0);
+    /// let jerk = sweep.of("theta4_jerk");
     /// println!("from {} to {}", jerk.lowest()?, jerk.highest()?);
     /// # Ok::<(), kin_core::extremes::ExtremesError>(())
     /// ```
@@ -367,8 +368,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> Sweep<M, D> {
     /// use kin_core::prelude::*;
     ///
     /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
-    /// let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 100).speed(10.0);
-    /// let height = turn.of_expression(|at| 60.0 * at.theta4.sin()).highest()?;
+    /// let sweep = linkage.sweep(Assembly::Open).over(0.0..=TAU, 100).speed(10.0);
+    /// let height = sweep.of_expression(|at| 60.0 * at.theta4.sin()).highest()?;
     /// println!("{} at {} rad", height.value, height.at);
     /// # Ok::<(), kin_core::extremes::ExtremesError>(())
     /// ```
@@ -379,13 +380,13 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive> Sweep<M, D> {
         QuantityAlong::new(self, ByExpression(expression))
     }
 
-    /// A measure of the Jacobian of results, as its smallest singular value or its condition number: where is a robot close to a singular
-    /// pose? The results are unknowns or outputs, which are called by their names. A point has a row for each of its coordinates. See
-    /// [`Jacobian`](crate::Jacobian), which tells what the values mean.
+    /// A measure of the Jacobian of results, as its smallest singular value or its condition number: where is a robot
+    /// close to a singular pose? The results are unknowns or outputs, which are called by their names. A point has a
+    /// row for each of its coordinates. See [`Jacobian`](crate::Jacobian), which explains the values.
     ///
-    /// Where two singular values are equal, and where one is zero, they have kinks, which are found as such. Where the mechanism ceases
-    /// to close because its inputs cannot hold it, the largest singular value and the condition number grow beyond all bounds.
-    /// A closure has the matrix itself: see [`At::jacobian_of`].
+    /// Where two singular values are equal, and where one is zero, they have kinks, which are found as such. Where the
+    /// mechanism ceases to close because its inputs cannot hold it, the largest singular value and the condition number
+    /// grow beyond all bounds. A closure has the matrix itself: see [`At::jacobian_of`].
     ///
     /// ```
     /// use kin_core::JacobianMeasure;
@@ -484,11 +485,11 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
         }
     }
 
-    /// The same quantity, whose questions tell how far they have come: `progress` is called with the part of the sweep that has been
-    /// searched, which grows. It is 1 in the last call, unless the answer is an error.
+    /// The same quantity, whose questions report their progress: `progress` is called with the part of the sweep that
+    /// has been searched, which grows. It is 1 in the last call, unless the answer is an error.
     ///
-    /// The calls come after each of the pieces with which a search for extremes begins: 24 for a turn of an input, or for all of another sweep,
-    /// and at least 4 between two joints of a law.
+    /// The calls come after each of the pieces with which a search for extremes begins: 24 for a revolution of an
+    /// input, or for all of another sweep, and at least 4 between two joints of a law.
     ///
     /// ```
     /// use std::f64::consts::TAU;
@@ -496,9 +497,9 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
     /// use kin_core::prelude::*;
     ///
     /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
-    /// let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 361);
+    /// let sweep = linkage.sweep(Assembly::Open).over(0.0..=TAU, 361);
     /// let mut parts = vec![];
-    /// let extremes = turn.of("theta4_derivative_9").on_progress(|part| parts.push(part)).extremes()?;
+    /// let extremes = sweep.of("theta4_derivative_9").on_progress(|part| parts.push(part)).extremes()?;
     /// println!("{} extremes", extremes.len());
     /// assert_eq!((parts.len(), parts[23]), (24, 1.0));
     /// # Ok::<(), kin_core::extremes::ExtremesError>(())
@@ -527,8 +528,8 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
     /// use kin_core::prelude::*;
     ///
     /// let press = SliderCrank { r: 0.1, l: 0.3 };
-    /// let turn = press.sweep(Assembly::Open).over(0.0..=TAU, 100);
-    /// let ram = turn.of("s");
+    /// let sweep = press.sweep(Assembly::Open).over(0.0..=TAU, 100);
+    /// let ram = sweep.of("s");
     /// assert!((ram.highest()?.value - 0.4).abs() < 1e-15 && (ram.lowest()?.value - 0.2).abs() < 1e-15);
     /// # Ok::<(), kin_core::extremes::ExtremesError>(())
     /// ```
@@ -544,7 +545,8 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
         self.ask(|asked| asked.best(|value| -value))
     }
 
-    /// All extremes, in the order of the sweep: those inside, those at limits and kinks, and those at its ends. A full turn has no ends.
+    /// All extremes, in the order of the sweep: those inside, those at limits and kinks, and those at its ends. A full
+    /// revolution has no ends.
     ///
     /// ```
     /// use kin_core::extremes::ExtremeKind;
@@ -568,8 +570,8 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
         self.ask(|asked| Ok(asked.extremes()?.extremes))
     }
 
-    /// The places where the quantity crosses a level, in the order of the sweep: zero for its changes of sign. A jump across the level,
-    /// where two pieces of a law meet, counts as well.
+    /// The points where the quantity crosses a level, in the order of the sweep: zero for its changes of sign. A jump
+    /// across the level, where two pieces of a law meet, counts as well.
     ///
     /// # Errors
     /// [`ExtremesError::Argument`] if the level is not finite.
@@ -602,8 +604,8 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
         rooted(self.ask(|asked| asked.mean(over, 2)))
     }
 
-    /// The values in the rows of the sweep, as a column beside those of its [table](Sweep::table): NaN in rows that do not close, and
-    /// infinite where the quantity is.
+    /// The values in the rows of the sweep, as a column beside those of its [table](Sweep::table): NaN in rows that do
+    /// not close, and infinite where the quantity is.
     ///
     /// ```
     /// use std::f64::consts::TAU;
@@ -611,9 +613,9 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
     /// use kin_core::prelude::*;
     ///
     /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
-    /// let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 361).speed(10.0);
-    /// let power = turn.of_expression(|at| at.theta4.velocity() * at.theta4.acceleration()).column()?;
-    /// assert_eq!(power.len(), turn.table()?.count());
+    /// let sweep = linkage.sweep(Assembly::Open).over(0.0..=TAU, 361).speed(10.0);
+    /// let power = sweep.of_expression(|at| at.theta4.velocity() * at.theta4.acceleration()).column()?;
+    /// assert_eq!(power.len(), sweep.table()?.count());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
@@ -621,7 +623,7 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
     /// Those of the type, except that a sweep which closes nowhere has a column.
     #[expect(
         clippy::redundant_closure_for_method_calls,
-        reason = "the method by its path has a lifetime of its own"
+        reason = "the method by its path has another lifetime"
     )]
     pub fn column(&self) -> Result<Vec<f64>, ExtremesError> {
         self.ask(|asked| asked.column())
@@ -633,7 +635,7 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
     ) -> Result<T, ExtremesError> {
         self.quantity.check(self.sweep, HIGHEST)?;
         let answer = |station: &SweepStation<'_>| self.quantity.at(self.sweep, station);
-        let tell = |part: f64| {
+        let report = |part: f64| {
             if let Some(progress) = &self.progress {
                 progress.reach(part);
             }
@@ -647,7 +649,7 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
                 functions: self.sweep.named(),
             }),
             known: None,
-            progress: Some(&tell),
+            progress: Some(&report),
         })?;
         if let Some(progress) = &self.progress {
             progress.end();
@@ -657,10 +659,10 @@ impl<'c, S: QuantitySource, Q: AskedQuantity<S>> QuantityAlong<'c, S, Q> {
 }
 
 impl<S: QuantitySource, Q: SensitiveQuantity<S>> QuantityAlong<'_, S, Q> {
-    /// The [`peak`](Self::peak), and how its value and its place depend on every dimension of the mechanism.
+    /// The [`peak`](Self::peak), and how its value and its position depend on every dimension of the mechanism.
     ///
-    /// A peak between the ends of the sweep is taken where it is. One at an end of the sweep stays there. At a limit or a kink there is
-    /// none: it moves with the limit, and its value need not have a derivative.
+    /// A peak between the ends of the sweep is taken where it is. One at an end of the sweep stays there. At a limit or
+    /// a kink there is none: it moves with the limit, and its value need not have a derivative.
     ///
     /// ```
     /// use std::f64::consts::TAU;
@@ -668,8 +670,8 @@ impl<S: QuantitySource, Q: SensitiveQuantity<S>> QuantityAlong<'_, S, Q> {
     /// use kin_core::prelude::*;
     ///
     /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
-    /// let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 361).speed(10.0);
-    /// let found = turn.of("theta4_acceleration").peak_sensitivities()?;
+    /// let sweep = linkage.sweep(Assembly::Open).over(0.0..=TAU, 361).speed(10.0);
+    /// let found = sweep.of("theta4_acceleration").peak_sensitivities()?;
     /// for (name, by) in ["r1", "r2", "r3", "r4"].iter().zip(&found.by) {
     ///     println!("{name}: {} rad/s² for each unit of length, and {} rad", by.value, by.at);
     /// }

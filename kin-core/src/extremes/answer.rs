@@ -6,15 +6,17 @@ use crate::mechanism::JacobianError;
 use crate::motion::Motion;
 use crate::sweep::Local;
 
-/// A quantity of a pose: a number, a motion for its value, or the result of loads, which may have no balance there, or of a Jacobian.
+/// A quantity of a pose: a number, a motion for its value, or the result of loads, which may have no balance there, or
+/// of a Jacobian.
 ///
 /// Do not implement it for other types: a new version may add items.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a quantity of a pose",
-    note = "return a `Local`, as `|at| at.theta4.jerk()`, or a `Result<Local, LoadError>`, as `|at| at.effort(&loads, 0)`"
+    note = "return a `Local`, as `|at| at.theta4.jerk()`, or a `Result<Local, LoadError>`, as `|at| at.effort(&loads, \
+            0)`"
 )]
 pub trait Answer {
-    /// The number, or the reason why there is none at a place of the sweep.
+    /// The number, or the reason why there is none at a point of the sweep.
     ///
     /// # Errors
     /// The error of the loads or of the Jacobian.

@@ -13,11 +13,11 @@ use crate::motion::Motion;
 use crate::number::{Number, NumberRow, Row};
 use crate::picture::TransmissionAngle;
 use crate::quantity::{Dimension, RATES};
-use crate::solve::nearest_turn;
+use crate::solve::unwrap_near;
 use crate::sweep::{Local, READ};
 
-/// The pose at one place of a sweep, in numbers that carry their derivatives with respect to the variable of the sweep. Any expression of
-/// them carries its own.
+/// The pose at one point of a sweep, in numbers that carry their derivatives with respect to the variable of the sweep.
+/// Any expression of them carries its derivatives.
 ///
 /// It has the fields of the pose: `at.theta4.jerk()`. Plain numbers are constants among them: `2.0 * at.theta4.jerk()`.
 ///
@@ -27,9 +27,9 @@ use crate::sweep::{Local, READ};
 /// use kin_core::prelude::*;
 ///
 /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
-/// let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 100).speed(10.0);
+/// let sweep = linkage.sweep(Assembly::Open).over(0.0..=TAU, 100).speed(10.0);
 /// // power per unit of inertia, whose peak is neither that of the velocity nor that of the acceleration
-/// let power = turn.of_expression(|at| at.theta4.velocity() * at.theta4.acceleration()).peak()?;
+/// let power = sweep.of_expression(|at| at.theta4.velocity() * at.theta4.acceleration()).peak()?;
 /// println!("{} at {} rad", power.value, power.at);
 /// # Ok::<(), kin_core::extremes::ExtremesError>(())
 /// ```
@@ -38,7 +38,7 @@ pub struct At<M: Mechanism> {
     mechanism: M::With<Local>,
     pose: <M::With<Local> as Mechanism>::Pose,
     inputs: <M::With<Local> as Mechanism>::Inputs<<M::With<Local> as Mechanism>::Motion<Local>>,
-    /// The unknowns, with angles on the turns they have reached.
+    /// The unknowns, with angles unwrapped along the sweep.
     near: <M::With<Local> as Mechanism>::Unknowns<Local>,
     /// The outputs, with unwrapped angles.
     outputs: <M::Pose as Pose>::Outputs<f64>,
@@ -70,8 +70,8 @@ impl<M: Mechanism> Deref for At<M> {
 }
 
 impl<M: Mechanism<Scalar = f64>> At<M> {
-    /// The typed pose at a place of a sweep, as the solvers of a mechanism find it: with the dimensions of the sweep, or with others that
-    /// change with the variable.
+    /// The typed pose at a point of a sweep, as the solvers of a mechanism find it: with the dimensions of the sweep,
+    /// or with others that change with the variable.
     pub(super) fn of(station: &SweepStation<'_>, changed: Option<&[Local]>) -> Result<Self, SolveError> {
         let mechanism = M::With::<Local>::from_parameters(match changed {
             Some(changed) => row(changed),
@@ -122,8 +122,8 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
         (order <= HIGHEST).then(|| source.input(index, order))
     }
 
-    /// The derivative of an unknown, by its index and its order, up to the twelfth. Those above the order of the mechanism come from its
-    /// position, solved in longer series.
+    /// The derivative of an unknown, by its index and its order, up to the twelfth. Those above the order of the
+    /// mechanism come from its position, solved in longer series.
     #[must_use]
     pub fn unknown(&self, index: usize, order: usize) -> Option<Local> {
         if order > M::DESCRIPTION.order && order <= HIGHEST {
@@ -139,7 +139,7 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
         let value = *motions.as_ref().get(index)?.as_ref().get(order)?;
         let is_angle = M::DESCRIPTION.unknowns[index].dimension == Dimension::Angle;
         Some(if is_angle && order == 0 {
-            nearest_turn(value, self.near[index])
+            unwrap_near(value, self.near[index])
         } else {
             value
         })
@@ -159,7 +159,7 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
         let value = *motions.as_ref().get(index)?.as_ref().get(order)?;
         let is_angle = M::DESCRIPTION.outputs[index].dimension == Dimension::Angle;
         Some(if is_angle && order == 0 {
-            nearest_turn(value, Local::constant(self.outputs[index]))
+            unwrap_near(value, Local::constant(self.outputs[index]))
         } else {
             value
         })
@@ -171,9 +171,9 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
         self.margins().transmission_angle(dyad)
     }
 
-    /// The Jacobian of unknowns or outputs of these names, whose singular values have their derivatives along the sweep. It has the rows
-    /// that [`Mechanism::jacobian_of`](crate::Mechanism::jacobian_of) has at one pose. For one of its measures alone,
-    /// [`of_jacobian`](crate::sweep::Sweep::of_jacobian) is shorter.
+    /// The Jacobian of unknowns or outputs of these names, whose singular values have their derivatives along the
+    /// sweep. It has the rows that [`Mechanism::jacobian_of`](crate::Mechanism::jacobian_of) has at one pose. For one
+    /// of its measures alone, [`of_jacobian`](crate::sweep::Sweep::of_jacobian) is shorter.
     ///
     /// ```
     /// use kin_core::JacobianMeasure;
@@ -200,8 +200,8 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
         Ok(Jacobian::from_fn(rows.len(), M::DESCRIPTION.inputs.len(), entry))
     }
 
-    /// The Jacobian of the pose, with a row for each unknown and then for each scalar output, and a number for each input: see
-    /// [`Mechanism::jacobian`](crate::Mechanism::jacobian).
+    /// The Jacobian of the pose, with a row for each unknown and then for each scalar output, and a number for each
+    /// input: see [`Mechanism::jacobian`](crate::Mechanism::jacobian).
     ///
     /// # Errors
     /// As there.
@@ -211,7 +211,8 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
         self.mechanism.jacobian_near(inputs, near)
     }
 
-    /// The balance of loads and drives, with its change along the sweep. The loads are those of the mechanism over `Local`.
+    /// The balance of loads and drives, with its change along the sweep. The loads are those of the mechanism over
+    /// `Local`.
     ///
     /// # Errors
     /// As for [`balance`](Loaded::balance).
@@ -242,28 +243,31 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
     ///     .gravity(Plane::new(0.0, -9.81))
     ///     .mass(1.4, |pose| pose.coupler)
     ///     .inertia(0.03, |pose| pose.theta4);
-    /// let turn = press.sweep(Assembly::Open).over(0.0..=TAU, 100).speed(rpm(120.0));
-    /// let peak = turn.of_expression(|at| at.effort(&loads, 0)).peak()?;
-    /// let rms = turn.of_expression(|at| at.effort(&loads, 0)).rms(Over::Time)?;
+    /// let sweep = press.sweep(Assembly::Open).over(0.0..=TAU, 100).speed(rpm(120.0));
+    /// let peak = sweep.of_expression(|at| at.effort(&loads, 0)).peak()?;
+    /// let rms = sweep.of_expression(|at| at.effort(&loads, 0)).rms(Over::Time)?;
     /// println!("{} N m at {}°, in the mean {} N m", peak.value, peak.at.to_degrees(), rms.value);
     /// assert!(rms.value < peak.value.abs());
     /// # Ok::<(), kin_core::extremes::ExtremesError>(())
     /// ```
     ///
     /// # Errors
-    /// As for [`balance`](Loaded::balance), and [`LoadError::NoEffort`] if there is no such input, or if the mechanism is declared to a lower order than 2.
+    /// As for [`balance`](Loaded::balance), and [`LoadError::NoEffort`] if there is no such input, or if the mechanism
+    /// is declared to a lower order than 2.
     pub fn effort<L: LoadsOf<M::With<Local>>>(&self, loads: &L, input: usize) -> Result<Local, LoadError> {
         let efforts = self.balance(loads)?.efforts();
         let effort = efforts.as_ref().get(input).and_then(|effort| effort.derivative(0));
         effort.ok_or(LoadError::NoEffort { input })
     }
 
-    /// The margin of a dyad, by its index in the order in which the dyads are solved: by how much its links could be longer or shorter
-    /// until it ceases to close. It is the number of [`Failure::OutOfReach`](crate::Failure::OutOfReach), positive where the dyad closes, and
-    /// zero at a turning point.
+    /// The margin of a dyad, by its index in the order in which the dyads are solved: by how much its links could be
+    /// longer or shorter until it ceases to close. It is the number of
+    /// [`Failure::OutOfReach`](crate::Failure::OutOfReach), positive where the dyad closes, and zero at a turning
+    /// point.
     ///
-    /// For two links a and b whose ends are d apart it is min(a + b - d, d - |a - b|), for a link and a slider the link less the distance of
-    /// its end from the slider's line. The length of a link may change with the position, as that of a cylinder does.
+    /// For two links a and b whose ends are d apart it is min(a + b - d, d - |a - b|), for a link and a slider the link
+    /// less the distance of its end from the slider's line. The length of a link may change with the position, as that
+    /// of a cylinder does.
     ///
     /// ```
     /// use kin_core::prelude::*;

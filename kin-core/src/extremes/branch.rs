@@ -18,7 +18,7 @@ pub(crate) struct KnownStretch<'c> {
     /// The limits at both ends, `None` where the curve would go on.
     pub(crate) limits: [Option<LimitKind>; 2],
     /// Whether the end is the pose of the beginning.
-    pub(crate) is_full_turn: bool,
+    pub(crate) is_full_revolution: bool,
     pub(crate) inside: Walk<'c>,
 }
 
@@ -72,7 +72,7 @@ impl KnownSweep<'_> {
         };
         let found = asked.extremes()?;
         Ok(match found.first {
-            // a quantity that stays where it is over a full turn
+            // a quantity that stays where it is over a full revolution
             Some(first) if found.extremes.is_empty() => alloc::vec![first],
             _ => found.extremes,
         })

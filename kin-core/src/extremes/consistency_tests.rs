@@ -19,7 +19,8 @@ use crate::sweep::{SmoothDrive, StraightLine, Sweep, Swept, Table};
 use crate::verify::Random;
 
 crate::mechanism! {
-    /// A four-bar linkage with all that can depend on an angle: a rack on a pinion, a gear of half the speed, directions and differences.
+    /// A four-bar linkage with all that can depend on an angle: a rack on a pinion, a gear of half the speed,
+    /// directions and differences.
     struct Geared { r1: Length, r2: Length, r3: Length, r4: Length, pinion: Length }
     input theta2: Angle;
     unknown theta3: Angle, theta4: Angle, rack: Length, gear: Angle, direction: Angle;
@@ -53,7 +54,7 @@ const CRANK_ROCKER: Geared = Geared {
     pinion: 10.0,
 };
 
-/// The rows of a fine table in which the mechanism closes, as places and values; rows that do not close divide it.
+/// The rows of a fine table in which the mechanism closes, as variables and values; rows that do not close divide it.
 struct Fine {
     parts: Vec<Vec<[f64; 2]>>,
     size: f64,
@@ -63,7 +64,7 @@ struct Fine {
 
 impl Fine {
     fn of(table: &Table, name: &str) -> Self {
-        let places = table.variable().values;
+        let variables = table.variable().values;
         let mut parts = std::vec![std::vec![]];
         for (row, value) in table.column(name).unwrap().iter().enumerate() {
             let limits = table.limits().iter();
@@ -71,7 +72,7 @@ impl Fine {
                 parts.push(std::vec![]);
             }
             if !value.is_nan() {
-                parts.last_mut().unwrap().push([places[row], *value]);
+                parts.last_mut().unwrap().push([variables[row], *value]);
             }
         }
         parts.retain(|part: &Vec<[f64; 2]>| !part.is_empty());
@@ -105,12 +106,12 @@ impl Fine {
         sum / length
     }
 
-    /// The values on both sides of a place, if the mechanism closes there.
-    fn around(&self, place: f64) -> Option<[f64; 2]> {
+    /// The values on both sides of a variable, if the mechanism closes there.
+    fn around(&self, at: f64) -> Option<[f64; 2]> {
         let pairs = self.parts.iter().flat_map(|part| part.windows(2));
         let is_between = |pair: &&[[f64; 2]]| {
             let (low, high) = (pair[0][0].min(pair[1][0]), pair[0][0].max(pair[1][0]));
-            low <= place && place <= high
+            low <= at && at <= high
         };
         pairs.clone().find(is_between).map(|pair| [pair[0][1], pair[1][1]])
     }
@@ -142,11 +143,11 @@ fn hold<M: Mechanism<Scalar = f64>, D: SmoothDrive>(name: &str, fine_table: &Tab
     }
     assert!(compared > 0 || rows < 10, "{}", context());
     let column = sweep.of(name).column().unwrap();
-    for (row, (own, expected)) in column.iter().zip(table.column(name).unwrap()).enumerate() {
-        let is_same = (own - expected).abs() <= 1e-9 * fine.size.max(expected.abs());
+    for (row, (value, expected)) in column.iter().zip(table.column(name).unwrap()).enumerate() {
+        let is_same = (value - expected).abs() <= 1e-9 * fine.size.max(expected.abs());
         assert!(
-            is_same || own.is_nan() && expected.is_nan(),
-            "{}, row {row}: {own} in the column, {expected} in the table",
+            is_same || value.is_nan() && expected.is_nan(),
+            "{}, row {row}: {value} in the column, {expected} in the table",
             context()
         );
     }
@@ -236,7 +237,7 @@ fn hold_all<M: Mechanism<Scalar = f64>, D: SmoothDrive>(rows: &[usize], sweep: i
     true
 }
 
-/// A double crank turns its rocker fully, in one turn or two, whatever hangs on it.
+/// In a double crank the rocker makes full revolutions, in one revolution of the crank or two, whatever hangs on it.
 #[test]
 fn all_answers_about_a_double_crank_agree() {
     hold_all(&[2, 361], |rows| {
@@ -265,7 +266,7 @@ fn all_answers_about_a_quick_return_agree() {
     hold_all(&[7], |rows| linkage.sweep(Assembly::Open).over(0.0..=TAU, rows));
 }
 
-/// Random links with random ranges: cranks, rockers, gaps, several turns and whole-numbered change points.
+/// Random links with random ranges: cranks, rockers, gaps, several revolutions and whole-numbered change points.
 #[test]
 fn all_answers_about_random_linkages_agree() {
     let mut random = Random::new(7);
@@ -300,11 +301,11 @@ fn hold_random<M: Mechanism<Scalar = f64, Pose: PoseOf<M>>>(random: &mut Random,
     let mechanism = M::from_parameters(Row::from_fn(|index| value(&M::DESCRIPTION.parameters[index])));
     let from = M::Inputs::from_fn(|index| value(&M::DESCRIPTION.inputs[index]));
     let to = M::Inputs::from_fn(|index| {
-        let turn = match M::DESCRIPTION.inputs[index].dimension {
+        let way = match M::DESCRIPTION.inputs[index].dimension {
             Dimension::Angle => random.between(-3.0, 9.0),
             _ => random.between(-2.0, 2.0),
         };
-        from[index] + turn
+        from[index] + way
     });
     let mut assembly = None;
     // the solver refuses no finite inputs
@@ -348,7 +349,8 @@ fn hold_jacobian<M: Mechanism<Scalar = f64, Pose: PoseOf<M>>>(mechanism: &M, swe
     }
 }
 
-/// Closed and coupled, in the plane and in space, with gears, sliders and change points. `KIN_CONSISTENCY=500` draws 500 of them.
+/// Closed and coupled, in the plane and in space, with gears, sliders and change points. `KIN_CONSISTENCY=500` draws
+/// 500 of them.
 #[test]
 fn all_answers_about_random_mechanisms_agree() {
     let mut random = Random::new(11);
@@ -401,7 +403,7 @@ fn hold_transmission(linkage: &Geared, cycle: &Cycle<Geared>, circuit: usize) {
             lowest => least = least.min(lowest.unwrap().value),
         }
     }
-    // at a limit the angle is a root of the place, whose rounding is a part of ε
+    // at a limit the angle is a root of the variable, whose rounding is a part of ε
     let tolerance = if worst.angle == 0.0 {
         8.0 * f64::EPSILON.sqrt()
     } else {
@@ -413,8 +415,8 @@ fn hold_transmission(linkage: &Geared, cycle: &Cycle<Geared>, circuit: usize) {
     );
 }
 
-/// The stroke of a cycle is the range of a turn, or of both branches between two limits. Turned by half a turn, a linkage has the same
-/// strokes, although the angles jump elsewhere.
+/// The stroke of a cycle is the range of a revolution, or of both branches between two limits. Rotated by half a
+/// revolution, a linkage has the same strokes, although the angles jump elsewhere.
 #[test]
 fn strokes_are_those_of_sweeps() {
     let mut random = Random::new(8);
@@ -432,14 +434,14 @@ fn strokes_are_those_of_sweeps() {
                 pinion: length(),
             },
         };
-        let turned = Geared::from_parameters([-linkage.r1, -linkage.r2, -linkage.r3, -linkage.r4, linkage.pinion]);
-        let [cycle, turned] = [linkage, turned].map(|linkage| linkage.cycle().unwrap());
-        assert_eq!(cycle.circuits().len(), turned.circuits().len(), "{linkage:?}");
+        let rotated = Geared::from_parameters([-linkage.r1, -linkage.r2, -linkage.r3, -linkage.r4, linkage.pinion]);
+        let [cycle, rotated] = [linkage, rotated].map(|linkage| linkage.cycle().unwrap());
+        assert_eq!(cycle.circuits().len(), rotated.circuits().len(), "{linkage:?}");
         for index in 0..cycle.circuits().len() {
             hold_transmission(&linkage, &cycle, index);
         }
         // each quantity in every third linkage
-        for (_, name) in (sample..).zip(quantities()).filter(|(place, _)| place % 3 == 0) {
+        for (_, name) in (sample..).zip(quantities()).filter(|(index, _)| index % 3 == 0) {
             let mut lengths = [std::vec![], std::vec![]];
             for (index, circuit) in cycle.circuits().iter().enumerate() {
                 let stroke = cycle.along(index).of(name).stroke().unwrap();
@@ -472,9 +474,9 @@ fn strokes_are_those_of_sweeps() {
                     "{linkage:?}, {name}: {stroke:?}, {ranges:?}"
                 );
                 lengths[0].push(stroke.length());
-                lengths[1].push(turned.along(index).of(name).stroke().unwrap().length());
+                lengths[1].push(rotated.along(index).of(name).stroke().unwrap().length());
             }
-            // half an angle, turned by half a turn, has another sine
+            // half an angle, rotated by half a revolution, has another sine
             if name == "tooth" {
                 continue;
             }

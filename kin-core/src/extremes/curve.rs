@@ -12,11 +12,11 @@ use crate::law::Side;
 use crate::number::Number;
 use crate::sweep::{Limit, Local, Walk};
 
-/// The smallest parameter next to a turning point. Closer to it, a Taylor series goes on: the places of the variable there are too few for
-/// the poses to be exact.
+/// The smallest parameter next to a turning point. Closer to it, a Taylor series goes on: the numbers for the variable
+/// there are too few for the poses to be exact.
 const NEAREST: f64 = 1.0 / 256.0;
-/// The smallest distance of an angle from a change point. A velocity there has an error of ε over the square of this distance, and a series of
-/// five terms one of its fifth power.
+/// The smallest distance of an angle from a change point. A velocity there has an error of ε over the square of this
+/// distance, and a series of five terms one of its fifth power.
 const NEAREST_ANGLE: f64 = 2.5e-3;
 
 /// The distance from a turning point that rounding makes, as a part of the sweep or of the variable.
@@ -28,15 +28,15 @@ const BEYOND: f64 = 1.0 / 1024.0;
 /// The largest number of gaps and edges between rows.
 const MOST_DIVISIONS: usize = 64;
 
-/// The distance between two places of the curve at which it is sought for gaps, as a change of an angle that is an input. A sweep has at
-/// least as many such places as a turn.
+/// The distance between two points of the curve at which it is sought for gaps, as a change of an angle that is an
+/// input. A sweep has at least as many such points as a revolution.
 const PROBE: f64 = TAU / 24.0;
 const MOST_PROBES: f64 = 1e6;
 
 /// The end of a stretch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum StretchEnd {
-    /// The end of the sweep, with the place of the other end if both are the same pose.
+    /// The end of the sweep, with the variable at the other end if both are the same pose.
     Sweep,
     /// The end of the sweep, so short of a turning point that the curve is a root of the distance from it.
     ShortOf {
@@ -47,7 +47,7 @@ pub(super) enum StretchEnd {
     Joint,
     /// Where the mechanism begins or ceases to close.
     Limit(LimitKind),
-    /// A place inside of a smooth curve, where a stretch has been divided.
+    /// A point inside of a smooth curve, where a stretch has been divided.
     Inside,
 }
 
@@ -58,11 +58,12 @@ impl StretchEnd {
     }
 }
 
-/// A part of the sweep on which the mechanism closes and the curve has no edge, with its own parameter.
+/// A part of the sweep on which the mechanism closes and the curve has no edge, with a separate parameter.
 ///
-/// Towards a turning point the curve is a root of the variable. The parameter s makes it smooth again: the variable is the limit plus
-/// `scale` s². At a change point, where branches cross, it is smooth in the variable itself, and its rates jump. The closer to either of
-/// them, the more rounding errors of a pose are magnified, so a stretch ends short of it, and its series goes on.
+/// Towards a turning point the curve is a root of the variable. The parameter s makes it smooth again: the variable is
+/// the limit plus `scale` s². At a change point, where branches cross, it is smooth in the variable itself, and its
+/// rates jump. The closer to either of them, the more rounding errors of a pose are magnified, so a stretch ends short
+/// of it, and its series goes on.
 #[derive(Clone)]
 pub(super) struct Stretch<'a> {
     /// The parameters at both ends, in the order of the sweep.
@@ -112,14 +113,14 @@ impl Stretch<'_> {
     }
 
     /// The value of the variable. The smallest parameter next to a limit stands for the limit itself.
-    pub(super) fn place(&self, parameter: f64) -> f64 {
+    pub(super) fn value_of_variable(&self, parameter: f64) -> f64 {
         match self.edge {
             Some(edge) if parameter == edge.nearest => edge.end.0,
             _ => self.variable(parameter).real(),
         }
     }
 
-    /// The distance of parameters that are neighbours. Next to zero, numbers are closer than any pose can tell.
+    /// The distance of parameters that are neighbours. Next to zero, numbers are closer than any pose can distinguish.
     pub(super) fn resolution(&self) -> f64 {
         resolution(self.parameters)
     }
@@ -135,7 +136,7 @@ fn resolution(ends: [f64; 2]) -> f64 {
     16.0 * f64::EPSILON * ends[0].abs().max(ends[1].abs())
 }
 
-/// A place on the curve.
+/// A point on the curve.
 #[derive(Clone)]
 pub(super) struct CurveNode<'a> {
     pub(super) parameter: f64,
@@ -153,7 +154,7 @@ type ClosedPart<'a> = ([f64; 2], [StretchEnd; 2], Mark<'a>);
 pub(super) struct Curve<'c> {
     pub(super) quantity: &'c QuantityOfSweep<'c>,
     pub(super) extent: SweepExtent,
-    /// Places where the mechanism does not close, although it does in the rows on both sides.
+    /// Points where the mechanism does not close, although it does in the rows on both sides.
     gaps: Vec<f64>,
     /// Change points and poles between rows that close.
     edges: Vec<(f64, LimitKind)>,
@@ -178,8 +179,8 @@ impl<'c> Curve<'c> {
         }
     }
 
-    /// Tells that the sweep has been searched up to a place.
-    pub(super) fn tell(&self, at: f64) {
+    /// Reports that the sweep has been searched up to a point.
+    pub(super) fn report(&self, at: f64) {
         if let Some(progress) = self.quantity.progress {
             progress((at - self.extent.from) / (self.extent.to - self.extent.from));
         }
@@ -190,10 +191,11 @@ impl<'c> Curve<'c> {
         self.quantity.way(at)
     }
 
-    /// The answer to a question. A gap or an edge that it meets between two rows divides the sweep, and the question is asked again.
+    /// The answer to a question. A gap or an edge that it meets between two rows divides the sweep, and the question is
+    /// asked again.
     ///
-    /// Towards the ends of a gap the curve is a root, which no piece agrees with. So pieces are halved there until a place in the gap
-    /// is met. The same holds for a change point, where rates jump, and for a pole.
+    /// Towards the ends of a gap the curve is a root, which no piece agrees with. So pieces are halved there until a
+    /// point in the gap is met. The same holds for a change point, where rates jump, and for a pole.
     pub(super) fn across_gaps<T>(
         mut self,
         question: impl Fn(&Self) -> Result<T, ExtremesError>,
@@ -234,29 +236,29 @@ impl<'c> Curve<'c> {
         (is_edge && is_between).then_some((limit.at, limit.kind))
     }
 
-    /// The rows, places between rows that are far apart, the end of the sweep if there is only one row, and the gaps, in the order of the
-    /// sweep.
-    fn places(&self) -> Vec<f64> {
+    /// The rows, points between rows that are far apart, the end of the sweep if there is only one row, and the gaps,
+    /// in the order of the sweep.
+    fn points_to_visit(&self) -> Vec<f64> {
         let SweepExtent { to, rows, .. } = self.extent;
         let end = (rows == 1).then_some(to);
         let given: Vec<f64> = (0..rows).map(|row| self.quantity.row(row)).chain(end).collect();
-        let mut places = given.clone();
+        let mut points = given.clone();
         for pair in given.windows(2) {
             let count = self.probes([pair[0], pair[1]]);
-            places
+            points
                 .extend((1..count).map(|probe| pair[0] + (pair[1] - pair[0]) * (f64::from(probe) / f64::from(count))));
         }
-        places.extend(&self.gaps);
-        self.put_in_order(&mut places);
-        places
+        points.extend(&self.gaps);
+        self.put_in_order(&mut points);
+        points
     }
 
-    /// Sorts places in the order of the sweep.
-    fn put_in_order(&self, places: &mut Vec<f64>) {
-        places.sort_by(f64::total_cmp);
-        places.dedup();
+    /// Sorts points in the order of the sweep.
+    fn put_in_order(&self, points: &mut Vec<f64>) {
+        points.sort_by(f64::total_cmp);
+        points.dedup();
         if self.extent.to < self.extent.from {
-            places.reverse();
+            points.reverse();
         }
     }
 
@@ -268,10 +270,10 @@ impl<'c> Curve<'c> {
     )]
     fn probes(&self, [from, to]: [f64; 2]) -> u32 {
         let part = (to - from) / (self.extent.to - self.extent.from) * (TAU / PROBE);
-        num_traits::Float::ceil(part.max(self.quantity.turn([from, to]) / PROBE)).clamp(1.0, MOST_PROBES) as u32
+        num_traits::Float::ceil(part.max(self.quantity.rotation([from, to]) / PROBE)).clamp(1.0, MOST_PROBES) as u32
     }
 
-    /// The place with a parameter, found from a pose nearby.
+    /// The point with a parameter, found from a pose nearby.
     pub(super) fn node(
         &self,
         stretch: &Stretch<'c>,
@@ -280,7 +282,7 @@ impl<'c> Curve<'c> {
     ) -> Result<CurveNode<'c>, ExtremesError> {
         let variable = stretch.variable(parameter);
         let at = variable.real();
-        // At the end of a stretch its own piece of the law counts.
+        // At the end of a stretch the piece of the law before it counts.
         let is_last = parameter == stretch.parameters[1];
         let side = if is_last == stretch.runs_up {
             Side::Left
@@ -297,10 +299,11 @@ impl<'c> Curve<'c> {
         })
     }
 
-    /// The closer of two walks to a place of a stretch: the given one, or that to the node before if it is in the same stretch.
+    /// The closer of two walks to a point of a stretch: the given one, or that to the node before if it is in the same
+    /// stretch.
     fn closest(&self, stretch: &Stretch<'c>, at: f64, given: &Mark<'c>) -> Mark<'c> {
         let [one, other] = stretch.parameters.map(|parameter| stretch.variable(parameter).real());
-        let is_inside = |place: f64| one.min(other) <= place && place <= one.max(other);
+        let is_inside = |point: f64| one.min(other) <= point && point <= one.max(other);
         let distance = |mark: &Mark<'c>| mark.at.map_or(f64::INFINITY, |last| (last - at).abs());
         match &*self.cursor.borrow() {
             Some(cursor) if cursor.at.is_some_and(is_inside) && distance(cursor) < distance(given) => cursor.clone(),
@@ -334,14 +337,14 @@ impl<'c> Curve<'c> {
 
     /// The parts of the sweep on which the mechanism closes, each with a pose.
     fn circuits(&self) -> Result<Vec<ClosedPart<'c>>, ExtremesError> {
-        let mut places = self.places();
-        let mut seen = self.circuits_at(&places);
+        let mut points = self.points_to_visit();
+        let mut seen = self.circuits_at(&points);
         if !matches!(seen, Ok((_, None))) {
-            let islands = self.islands(&places);
+            let islands = self.islands(&points);
             if !islands.is_empty() {
-                places.extend(islands);
-                self.put_in_order(&mut places);
-                seen = self.circuits_at(&places);
+                points.extend(islands);
+                self.put_in_order(&mut points);
+                seen = self.circuits_at(&points);
             }
         }
         let (mut circuits, first_error) = seen?;
@@ -356,14 +359,15 @@ impl<'c> Curve<'c> {
         Ok(circuits)
     }
 
-    /// The parts on which the mechanism closes, as some places tell, and the error at the first place at which it does not.
-    fn circuits_at(&self, places: &[f64]) -> Result<(Vec<ClosedPart<'c>>, Option<SolveError>), ExtremesError> {
+    /// The parts on which the mechanism closes, as some points show, and the error at the first point at which it does
+    /// not.
+    fn circuits_at(&self, points: &[f64]) -> Result<(Vec<ClosedPart<'c>>, Option<SolveError>), ExtremesError> {
         let mut circuits: Vec<ClosedPart<'c>> = Vec::new();
         let mut mark = Mark::new(Walk::BEGINNING);
         let mut first_error = None;
-        // the row before: its place, its mark, and whether it closed
+        // the row before: its point, its mark, and whether it closed
         let mut before: Option<(f64, Mark<'c>, bool)> = None;
-        for at in places.iter().copied() {
+        for at in points.iter().copied() {
             let result;
             (mark, result) = self.quantity.step(&mark, at);
             let is_closed = result.is_ok();
@@ -372,12 +376,12 @@ impl<'c> Curve<'c> {
             }
             match (&before, is_closed) {
                 (None, true) => circuits.push(([at, at], [StretchEnd::Sweep, StretchEnd::Sweep], mark.clone())),
-                (Some((place, _, false)), true) => {
-                    let (limit, kind) = self.limit(at, &mark, *place)?;
+                (Some((previous, _, false)), true) => {
+                    let (limit, kind) = self.limit(at, &mark, *previous)?;
                     circuits.push(([limit, at], [StretchEnd::Limit(kind), StretchEnd::Sweep], mark.clone()));
                 }
-                (Some((place, there, true)), false) => {
-                    let (limit, kind) = self.limit(*place, there, at)?;
+                (Some((previous, there, true)), false) => {
+                    let (limit, kind) = self.limit(*previous, there, at)?;
                     if let Some((ends, kinds, _)) = circuits.last_mut() {
                         (ends[1], kinds[1]) = (limit, StretchEnd::Limit(kind));
                     }
@@ -409,14 +413,14 @@ impl<'c> Curve<'c> {
         }
     }
 
-    /// The turning point at which the curve ends close beyond the first of two places.
+    /// The turning point at which the curve ends close beyond the first of two points.
     fn turning_point_beyond(&self, [end, other]: [f64; 2], mark: &Mark<'c>) -> Option<StretchEnd> {
         let way = end - other;
         let beyond = end + BEYOND * way;
         if way == 0.0 || self.quantity.step(mark, beyond).1.is_ok() {
             return None;
         }
-        // from a place that is as far on this side: a pose at the turning point itself leads nowhere
+        // from a point that is as far on this side: a pose at the turning point itself leads nowhere
         let inside = end - BEYOND * way;
         let (mark, result) = self.quantity.step(mark, inside);
         result.ok()?;
@@ -432,7 +436,7 @@ impl<'c> Curve<'c> {
         is_beyond.then_some(StretchEnd::ShortOf { limit: limit.at })
     }
 
-    /// Where the mechanism does not close at a single place only, the curve has a kink there and goes on.
+    /// Where the mechanism does not close at a single point only, the curve has a kink there and goes on.
     fn join(&self, circuits: &mut [ClosedPart<'c>]) {
         let nearest = resolution([self.extent.from, self.extent.to]);
         let end = StretchEnd::Limit(LimitKind::End);
@@ -450,7 +454,7 @@ impl<'c> Curve<'c> {
         }
     }
 
-    /// The joints of laws and the edges between two places, in the order from the first to the second.
+    /// The joints of laws and the edges between two points, in the order from the first to the second.
     fn cuts(&self, ends: [f64; 2]) -> Vec<(f64, StretchEnd)> {
         let [low, high] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
         let inside = |(at, _): &&(f64, LimitKind)| low < *at && *at < high;
@@ -466,30 +470,31 @@ impl<'c> Curve<'c> {
         cuts
     }
 
-    /// The limit between a place that closes and one that does not, with its kind.
-    fn limit(&self, closed: f64, mark: &Mark<'c>, open: f64) -> Result<(f64, LimitKind), ExtremesError> {
-        let told = |limit: Limit| (limit.at, limit.kind);
-        if let Some(limit) = self.quantity.limit(closed, mark, open) {
-            return Ok(told(limit));
+    /// The limit between a point that closes and one that does not, with its kind.
+    fn limit(&self, closed: f64, mark: &Mark<'c>, unclosed: f64) -> Result<(f64, LimitKind), ExtremesError> {
+        let found = |limit: Limit| (limit.at, limit.kind);
+        if let Some(limit) = self.quantity.limit(closed, mark, unclosed) {
+            return Ok(found(limit));
         }
         // an angle that an equation gives in -π ..= π may have jumped on the way, which stops a track
-        let gap = || ExtremesError::Gap { at: open };
-        let near = self.quantity.edge(closed, open);
+        let gap = || ExtremesError::Gap { at: unclosed };
+        let near = self.quantity.edge(closed, unclosed);
         let (mark, result) = self.quantity.step(mark, near);
         result.map_err(|_| gap())?;
-        if let Some(limit) = self.quantity.limit(near, &mark, open) {
-            return Ok(told(limit));
+        if let Some(limit) = self.quantity.limit(near, &mark, unclosed) {
+            return Ok(found(limit));
         }
         // a sweep that ends at a limit, up to rounding, ends on either side of it
-        let rounding = AT_LIMIT * open.abs().max((self.extent.to - self.extent.from).abs());
-        if (open - near).abs() <= rounding {
+        let rounding = AT_LIMIT * unclosed.abs().max((self.extent.to - self.extent.from).abs());
+        if (unclosed - near).abs() <= rounding {
             return Ok((near, LimitKind::TurningPoint));
         }
         Err(gap())
     }
 
-    /// Adds the stretches between two ends: two if it is bounded by limits on both sides. The end of a range or domain is taken for a turning
-    /// point, as the mechanism may be one there, and a curve that is none is smooth in the root of the distance as well.
+    /// Adds the stretches between two ends: two if it is bounded by limits on both sides. The end of a range or domain
+    /// is taken for a turning point, as the mechanism may be one there, and a curve that is none is smooth in the root
+    /// of the distance as well.
     fn add(&self, stretches: &mut Vec<Stretch<'c>>, [start, end]: [(f64, StretchEnd); 2], mark: &Mark<'c>) {
         if start.0 == end.0 {
             return;

@@ -42,21 +42,21 @@ fn a_rate_has_two_values_at_a_change_point() {
             (crossings[0].at - TAU).abs() < 1e-12 && crossings[0].is_rising,
             "{rows} rows: {crossings:?}"
         );
-        // over a turn from beside it
-        let turn = CHANGE_POINT
+        // over a revolution from beside it
+        let sweep = CHANGE_POINT
             .sweep(Assembly::Open)
             .over(0.1..=0.1 + TAU, rows)
             .speed(1.0);
         let [lowest, highest] = [
-            turn.of("theta4_velocity").lowest(),
-            turn.of("theta4_velocity").highest(),
+            sweep.of("theta4_velocity").lowest(),
+            sweep.of("theta4_velocity").highest(),
         ]
         .map(Result::unwrap);
         assert!(
             (lowest.value - JUMP[0]).abs() < 1e-8 && (highest.value - JUMP[1]).abs() < 1e-8,
             "{rows} rows: {lowest:?} {highest:?}"
         );
-        assert!(turn.of("theta4_velocity").extremes().unwrap().len() >= 2);
+        assert!(sweep.of("theta4_velocity").extremes().unwrap().len() >= 2);
         let sweep = CHANGE_POINT.sweep(Assembly::Open).over(6.2..=6.4, rows).speed(1.0);
         assert!(
             (sweep.of("theta4_velocity").highest().unwrap().value - JUMP[1]).abs() < 1e-8,
@@ -73,8 +73,8 @@ fn a_rate_is_finite_on_both_sides_of_a_change_point() {
         r3: -2.0,
         r4: 6.0,
     };
-    let turn = linkage.sweep(Assembly::Crossed).over(0.1..=0.1 + TAU, 41).speed(1.0);
-    let peak = turn.of("theta4_velocity").peak().unwrap();
+    let sweep = linkage.sweep(Assembly::Crossed).over(0.1..=0.1 + TAU, 41).speed(1.0);
+    let peak = sweep.of("theta4_velocity").peak().unwrap();
     assert!(peak.value.abs() < 10.0, "{peak}");
     let extremes = SliderCrank { r: 1.0, l: 1.0 }
         .sweep(Assembly::Open)
@@ -85,7 +85,7 @@ fn a_rate_is_finite_on_both_sides_of_a_change_point() {
     assert!(extremes.iter().all(|extreme| extreme.value.is_some()), "{extremes:?}");
 }
 
-/// With a crank as long as the ground, the slot turns by half a turn at 180 degrees.
+/// With a crank as long as the ground, the slot rotates by half a revolution at 180 degrees.
 #[test]
 fn an_angle_jumps_where_a_vector_vanishes() {
     for length in [1.0, 0.3] {
@@ -149,7 +149,10 @@ fn a_pole_is_unbounded() {
         let sweep = Lever { h: 1.0 }.sweep().over(0.0..=PI, rows).speed(1.0);
         for name in ["y", "travel", "ratio"] {
             assert!(
-                matches!(sweep.of(name).highest(), Err(ExtremesError::Unbounded { at }) if (at - FRAC_PI_2).abs() < 1e-9),
+                matches!(
+                    sweep.of(name).highest(),
+                    Err(ExtremesError::Unbounded { at }) if (at - FRAC_PI_2).abs() < 1e-9
+                ),
                 "{name}, {rows} rows: {:?}",
                 sweep.of(name).highest()
             );
@@ -166,7 +169,11 @@ fn a_pole_is_unbounded() {
     for name in ["y", "travel", "ratio", "y_velocity"] {
         let stroke = Lever { h: 1.0 }.cycle().unwrap().along(0).of(name).stroke();
         assert!(
-            matches!(stroke, Err(MeasureError::Extremes(ExtremesError::Unbounded { at })) if (at.abs() - FRAC_PI_2).abs() < 1e-9),
+            matches!(
+                stroke,
+                Err(MeasureError::Extremes(ExtremesError::Unbounded { at }))
+                    if (at.abs() - FRAC_PI_2).abs() < 1e-9
+            ),
             "{name}: {stroke:?}"
         );
     }
@@ -180,10 +187,10 @@ fn a_branch_ends_at_a_pole() {
             panic!("{:?}", cycle.branches())
         };
         for (branch, range) in [(one, [-1.0, 1.0]), (other, [1.0, 3.0])] {
-            for (end, place) in branch.ends().iter().zip(range) {
+            for (end, quarter) in branch.ends().iter().zip(range) {
                 assert_eq!((end.kind, end.block), (EndKind::Limit(LimitKind::Pole), "y".into()));
                 assert!(
-                    (end.input - place * FRAC_PI_2).abs() <= 4.0 * f64::EPSILON,
+                    (end.input - quarter * FRAC_PI_2).abs() <= 4.0 * f64::EPSILON,
                     "{branch:?}"
                 );
             }
@@ -251,7 +258,7 @@ fn islands_that_no_row_meets_are_found() {
     }
 }
 
-/// A sweep may end where the input turns back, or as close to it as numbers can, on either side.
+/// A sweep may end where the input reverses, or as close to it as numbers can, on either side.
 #[test]
 fn sweeps_end_at_limits() {
     let mut random = Random::new(7);
@@ -260,7 +267,7 @@ fn sweeps_end_at_limits() {
         let [r1, r2, r3, r4] = [(); 4].map(|()| random.between(0.3, 2.0));
         let linkage = FourBar { r1, r2, r3, r4 };
         let cycle = linkage.cycle().unwrap();
-        for branch in cycle.branches().iter().filter(|branch| !branch.is_full_turn()) {
+        for branch in cycle.branches().iter().filter(|branch| !branch.is_full_revolution()) {
             let [low, high] = branch.ends().map(|end| end.input);
             let assembly = Assembly::BOTH[branch.assembly().unwrap()];
             let expected = branch.ends().map(|end| end.unknowns[1]);
@@ -269,12 +276,12 @@ fn sweeps_end_at_limits() {
                 let sweep = linkage.sweep(assembly).over(range, 11);
                 let extremes = sweep.of("theta4").extremes().unwrap();
                 let (first, last) = (extremes.first().unwrap(), extremes.last().unwrap());
-                let turns = first.value.unwrap() - expected[0];
-                let turns = TAU * (turns / TAU).round();
+                let whole = first.value.unwrap() - expected[0];
+                let whole = TAU * (whole / TAU).round();
                 // the angle is a root of the distance from the limit
                 let near = 1e-6 + 10.0 * slack.abs().sqrt() * (1.0 + (r1 + r2 + r3 + r4) / r1.min(r2).min(r3).min(r4));
                 for (extreme, expected) in [first, last].into_iter().zip(expected) {
-                    let difference = extreme.value.unwrap() - turns - expected;
+                    let difference = extreme.value.unwrap() - whole - expected;
                     assert!(difference.abs() < near, "{linkage:?} {slack}: {extreme} {expected}");
                 }
                 let velocity = sweep.of("theta4_velocity").extremes().unwrap();
@@ -321,7 +328,7 @@ fn a_mean_covers_what_closes() {
 }
 
 crate::mechanism! {
-    /// A plate that is turned about its middle: the nearer edge changes at zero.
+    /// A plate that is rotated about its middle: the nearer edge changes at zero.
     struct Plate { h: Length }
     input x: Length;
     unknown y: Length;

@@ -22,9 +22,9 @@ pub enum ExtremesError {
     Sweep(SweepError),
     /// The mechanism closes nowhere on the sweep. The error is that of the first row.
     NothingCloses(SolveError),
-    /// The sweep begins where it ends, or closes at a single place, so that there is no curve.
+    /// The sweep begins where it ends, or closes at a single point, so that there is no curve.
     NoLength {
-        /// The place.
+        /// The variable of the sweep.
         at: f64,
     },
     /// A level or a tolerance of the question is not finite.
@@ -36,46 +36,46 @@ pub enum ExtremesError {
     },
     /// The curve is not found within its divisions: it has too many kinks or jumps, or waves that are too short.
     Unresolved {
-        /// A place where it is not found.
+        /// A point where it is not found.
         at: f64,
         /// The difference there between the curve and the poses, in the unit of the quantity.
         difference: f64,
     },
-    /// The mechanism does not close at a place next to those where it does, and no limit was found between them.
+    /// The mechanism does not close at a point next to those where it does, and no limit was found between them.
     Gap {
-        /// A place where it does not close.
+        /// A point where it does not close.
         at: f64,
     },
-    /// The quantity is not finite at a place where the mechanism closes.
+    /// The quantity is not finite at a point where the mechanism closes.
     NotFinite {
-        /// The place.
+        /// The variable of the sweep.
         at: f64,
     },
-    /// The loads have no balance at a place where the mechanism closes.
+    /// The loads have no balance at a point where the mechanism closes.
     Load {
-        /// The place.
+        /// The variable of the sweep.
         at: f64,
         /// The reason.
         error: Box<LoadError>,
     },
-    /// The force in a joint is not found at a place where the mechanism closes.
+    /// The force in a joint is not found at a point where the mechanism closes.
     Reaction {
-        /// The place; NaN if the question itself is at fault.
+        /// The variable of the sweep; NaN if the question itself is at fault.
         at: f64,
         /// The reason.
         error: Box<ReactionError>,
     },
-    /// The results have no Jacobian with singular values, whatever the place.
+    /// The results have no Jacobian with singular values, whatever the point.
     Jacobian(Box<JacobianError>),
-    /// The peak moves with the end of the circuit or stands at a kink, so that it has no sensitivity of its own.
+    /// The peak moves with the end of the circuit or stands at a kink, so that it has no sensitivity.
     NoSensitivity {
-        /// The place of the peak.
+        /// The variable of the sweep at the peak.
         at: f64,
         /// Its kind.
         kind: ExtremeKind,
     },
-    /// The quantity grows beyond all bounds towards a limit, a turning point or a pole, or at a joint of laws where a lower rate jumps, so it
-    /// has no peak.
+    /// The quantity grows beyond all bounds towards a limit, a turning point or a pole, or at a joint of laws where a
+    /// lower rate jumps, so it has no peak.
     Unbounded {
         /// The limit or the joint.
         at: f64,
@@ -97,13 +97,13 @@ pub enum ExtremesError {
 }
 
 impl ExtremesError {
-    /// The error of loads at a place of a sweep.
+    /// The error of loads at a point of a sweep.
     pub(super) fn of_loads(at: f64, error: LoadError) -> Self {
         let error = Box::new(error);
         Self::Load { at, error }
     }
 
-    /// The error of the force in a joint at a place of a sweep.
+    /// The error of the force in a joint at a point of a sweep.
     pub(super) fn of_reaction(at: f64, error: ReactionError) -> Self {
         match error {
             ReactionError::Solve(_) => Self::Gap { at },
@@ -115,7 +115,7 @@ impl ExtremesError {
         }
     }
 
-    /// The error of a Jacobian at a place of a sweep.
+    /// The error of a Jacobian at a point of a sweep.
     pub(super) fn of_jacobian(at: f64, error: JacobianError) -> Self {
         match error {
             JacobianError::Position(_) => Self::Gap { at },
@@ -144,8 +144,8 @@ impl fmt::Display for ExtremesError {
             Self::Argument { argument, value } => write!(formatter, "the {argument} is {value}: give a finite number"),
             Self::Unresolved { at, difference } => write!(
                 formatter,
-                "the quantity is too rough to be searched: at {} the pieces of its curve still deviate from the poses by {}; divide \
-                 the sweep, or ask for a smoother quantity",
+                "the quantity is too rough to be searched: at {} the pieces of its curve still deviate from the poses \
+                 by {}; divide the sweep, or ask for a smoother quantity",
                 Digits(*at),
                 Digits(*difference)
             ),
@@ -171,14 +171,14 @@ impl fmt::Display for ExtremesError {
             ),
             Self::Unbounded { at } => write!(
                 formatter,
-                "the quantity grows beyond all bounds at {}, a limit or a joint of laws where a lower rate jumps: end the sweep short of it, \
-                 or take a smoother law",
+                "the quantity grows beyond all bounds at {}, a limit or a joint of laws where a lower rate jumps: end \
+                 the sweep short of it, or take a smoother law",
                 Digits(*at)
             ),
             Self::Diverges { at, power } => write!(
                 formatter,
-                "the integral diverges at the limit {}: the integrand grows with the power {} of one over the distance, \
-                 and a power of 1 is too much; end the sweep short of it",
+                "the integral diverges at the limit {}: the integrand grows with the power {} of one over the \
+                 distance, and a power of 1 is too much; end the sweep short of it",
                 Digits(*at),
                 Digits(*power)
             ),

@@ -1,4 +1,5 @@
-//! Questions about extremes to a sweep that does not say yet how its inputs move: see [`sweep::guessed`](crate::sweep::guessed).
+//! Questions about extremes to a sweep that does not say yet how its inputs move: see
+//! [`sweep::guessed`](crate::sweep::guessed).
 
 use super::{ByName, QuantityAlong};
 use crate::mechanism::Mechanism;

@@ -1,4 +1,5 @@
-//! Singular values of Jacobians along sweeps, against those of nalgebra, against known robots and next to singular poses.
+//! Singular values of Jacobians along sweeps, against those of nalgebra, against known robots and next to singular
+//! poses.
 #![cfg(feature = "alloc")]
 
 use core::f64::consts::{FRAC_PI_4, PI, TAU};
@@ -36,8 +37,8 @@ crate::mechanism! {
     output hand: Point = upper * cis(shoulder) + fore * cis(lean);
 }
 
-/// Isotropic where the elbow is bent by 135 degrees. (J. K. Salisbury & J. J. Craig, Articulated hands: force control and kinematic issues,
-/// International Journal of Robotics Research 1, no. 1, 1982, 4-17.)
+/// Isotropic where the elbow is bent by 135 degrees. (J. K. Salisbury & J. J. Craig, Articulated hands: force control
+/// and kinematic issues, International Journal of Robotics Research 1, no. 1, 1982, 4-17.)
 const ARM: Arm = Arm {
     upper: core::f64::consts::SQRT_2,
     fore: 1.0,
@@ -56,8 +57,9 @@ fn close(one: f64, other: f64, allowed: f64) {
     assert!((one - other).abs() <= allowed * (1.0 + other.abs()), "{one} {other}");
 }
 
-/// The hand's Jacobian by the equation of each rod e: e · v = e · k' for the velocity k' of the crank's end. (C. Gosselin & J. Angeles,
-/// Singularity analysis of closed-loop kinematic chains, IEEE Transactions on Robotics and Automation 6, 1990, 281-290.)
+/// The hand's Jacobian by the equation of each rod e: e · v = e · k' for the velocity k' of the crank's end. (C.
+/// Gosselin & J. Angeles, Singularity analysis of closed-loop kinematic chains, IEEE Transactions on Robotics and
+/// Automation 6, 1990, 281-290.)
 fn by_rods(robot: &FiveBar, cranks: [f64; 2], hand: [f64; 2]) -> [[f64; 2]; 2] {
     let rods = [(robot.left, 0.0), (robot.right, robot.ground)];
     let lines: Vec<[f64; 3]> = (0..2)
@@ -109,7 +111,8 @@ fn of_the_rows_are_those_of_the_poses() {
     }
 }
 
-/// Values and derivatives with respect to the variable: a closure's matrix, the measure by its name, and poses beside it.
+/// Values and derivatives with respect to the variable: a closure's matrix, the measure by its name, and poses beside
+/// it.
 fn derivatives_agree<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
     from: M::Inputs<f64>,
@@ -123,21 +126,21 @@ fn derivatives_agree<M: Mechanism<Scalar = f64>>(
         .sweep(AssemblyChoice::of::<M>(assembly))
         .between(from.as_ref(), to.as_ref(), 9);
     for measure in [LargestSingularValue, SmallestSingularValue, InverseConditionNumber] {
-        let own = way.of_expression(|at| Ok::<_, JacobianError>(at.jacobian_of(results)?.measure(measure)));
+        let of_expression = way.of_expression(|at| Ok::<_, JacobianError>(at.jacobian_of(results)?.measure(measure)));
         let named = way.of_jacobian(results, measure);
         assert_eq!(
             named.extremes().unwrap(),
             any.of_jacobian(results, measure).extremes().unwrap()
         );
-        let (one, other) = (own.extremes().unwrap(), named.extremes().unwrap());
+        let (one, other) = (of_expression.extremes().unwrap(), named.extremes().unwrap());
         assert_eq!(one.len(), other.len(), "{measure:?}: {one:?} {other:?}");
         for (one, other) in one.iter().zip(&other) {
             close(one.value.unwrap(), other.value.unwrap(), 1e-12);
             close(one.at, other.at, 1e-7);
         }
         // the derivatives, by Taylor's formula
-        let at = |place: f64| {
-            let along = |input: usize| from[input] + (to[input] - from[input]) * place;
+        let at = |part: f64| {
+            let along = |input: usize| from[input] + (to[input] - from[input]) * part;
             let inputs = M::Inputs::<f64>::from_fn(along);
             let near = mechanism
                 .sweep(assembly)
@@ -199,7 +202,8 @@ fn of_a_platform_on_cylinders() {
     );
 }
 
-/// With one input, the singular value of one row is the size of a velocity at unit speed: at limits and at change points, too.
+/// With one input, the singular value of one row is the size of a velocity at unit speed: at limits and at change
+/// points, too.
 #[test]
 fn of_one_input_are_speeds() {
     let check = |linkage: FourBar, from: f64, to: f64| {
@@ -289,8 +293,8 @@ fn of_an_arm() {
     assert!(found.by.iter().all(|by| by.at.abs() < 1e-9), "{found:?}");
 }
 
-/// Where both rods of a five-bar are in line, the cranks cannot hold the hand; where a crank and its rod are, the hand cannot move along
-/// them.
+/// Where both rods of a five-bar are in line, the cranks cannot hold the hand; where a crank and its rod are, the hand
+/// cannot move along them.
 #[test]
 fn next_to_singular_poses() {
     // both cranks outwards until the rods are stretched
@@ -322,11 +326,11 @@ fn next_to_singular_poses() {
 }
 
 #[test]
-fn mistakes_are_told() {
+fn mistakes_are_reported() {
     let way = ROBOT.sweep(Assembly::Open).between([2.1, 1.0], [1.8, 1.2], 5);
     let error = way.of_jacobian(&["hnd"], ConditionNumber).highest().unwrap_err();
-    let told = "no unknown and no output is called `hnd`: there are phi, psi, hand.x, hand.y";
-    assert_eq!(error.to_string(), told);
+    let message = "no unknown and no output is called `hnd`: there are phi, psi, hand.x, hand.y";
+    assert_eq!(error.to_string(), message);
     let error = way.of_jacobian(&["hand", "phi"], ConditionNumber).column().unwrap_err();
     let ExtremesError::Jacobian(error) = error else {
         panic!("{error:?}");
@@ -337,9 +341,12 @@ fn mistakes_are_told() {
     assert_eq!((one.as_str(), other.as_str()), ("hand.x", "phi"));
     let error = way.of_jacobian(&[], ConditionNumber).lowest().unwrap_err();
     assert_eq!(error, ExtremesError::Jacobian(JacobianError::Empty.into()));
-    let of_expression = way.of_expression(|at| at.jacobian_of(&["phi", "hand"]).map(|own| own.condition_number()));
+    let of_expression = way.of_expression(|at| {
+        at.jacobian_of(&["phi", "hand"])
+            .map(|jacobian| jacobian.condition_number())
+    });
     assert!(matches!(of_expression.lowest(), Err(ExtremesError::Jacobian(_))));
-    // divided by a length of its own
+    // divided by a separate length
     let scaled = way.of_expression(|at| {
         let [phi, _, x, y] = at.jacobian()?;
         let rows = [phi, x.map(|entry| entry / 1.5), y.map(|entry| entry / 1.5)];

@@ -49,11 +49,11 @@ impl Margins<'_> {
         let mut forms = Vec::new();
         self.functions
             .block_forms(&self.parameters, &mut |form| forms.push(form));
-        // a slider along an axis is a block of its own behind that of its link
+        // a slider along an axis is a separate block behind that of its link
         let name = transmission.block;
         let is_own = |index: usize, block: &Block<'_>| match (name.text(), name.index()) {
             (Some(text), _) => name == block.unknowns || text.split(", ").any(|unknown| unknown == block.unknowns),
-            (None, own) => own == Some((NameKind::Block, index)),
+            (None, index_of_block) => index_of_block == Some((NameKind::Block, index)),
         };
         let mut blocks = self.description.blocks.iter().zip(&forms).enumerate();
         blocks.find_map(|(index, (block, form))| match form {
@@ -69,8 +69,8 @@ impl Margins<'_> {
         })
     }
 
-    /// What the equations of a block have left if some of its angles are turned.
-    fn turned(&self, block: &Block<'_>, angles: &[(usize, f64)]) -> [Local; 2] {
+    /// What the equations of a block have left if some of its angles are changed.
+    fn changed(&self, block: &Block<'_>, angles: &[(usize, f64)]) -> [Local; 2] {
         let mut unknowns = self.unknowns.clone();
         for (unknown, angle) in angles {
             unknowns[*unknown] = unknowns[*unknown] + Local::constant(*angle);
@@ -88,14 +88,15 @@ impl Margins<'_> {
 
     /// The margin of two links by the sides of their triangle: what two sides are longer than the third one, at least.
     ///
-    /// A link that is turned by half a turn changes the closure by twice its vector. One angle, the other one and both turn the links one by one
-    /// or together, which side ever belongs to which: an angle may be that of a link against the other link.
+    /// A link that is rotated by half a revolution changes the closure by twice its vector. One angle, the other one
+    /// and both rotate the links one by one or together, which side ever belongs to which: an angle may be that of a
+    /// link against the other link.
     fn slack(&self, block: &Block<'_>) -> Option<Local> {
         let &[one, other] = block.members else { return None };
         let [one, other] = [one, other].map(|unknown| (unknown, PI));
-        let here = self.turned(block, &[]);
+        let here = self.changed(block, &[]);
         let side = |angles: &[(usize, f64)]| {
-            let [x, y] = self.turned(block, angles);
+            let [x, y] = self.changed(block, angles);
             length(half(x - here[0]), half(y - here[1]))
         };
         let [a, b, c] = [side(&[one])?, side(&[other])?, side(&[one, other])?];
@@ -107,13 +108,13 @@ impl Margins<'_> {
 
     /// The length of the link of a slider.
     ///
-    /// One equation of the slider on an axis tells the component of the link along the other axis. The other component is that of the link
-    /// turned by a right angle.
+    /// One equation of the slider on an axis gives the component of the link along the other axis. The other component
+    /// is that of the link rotated by a right angle.
     fn link(&self, block: &Block<'_>) -> Option<Local> {
         let is_angle = |unknown: &usize| self.description.unknowns[*unknown].dimension == Dimension::Angle;
         let angle = block.members.iter().copied().find(is_angle)?;
         let [here, opposite, left, right] =
-            [0.0, PI, FRAC_PI_2, -FRAC_PI_2].map(|turn| self.turned(block, &[(angle, turn)]));
+            [0.0, PI, FRAC_PI_2, -FRAC_PI_2].map(|change| self.changed(block, &[(angle, change)]));
         if let [_] = block.equations {
             return length(half(here[0] - opposite[0]), half(left[0] - right[0]));
         }
@@ -133,7 +134,7 @@ impl Margins<'_> {
     }
 }
 
-/// The transmission angle of a dyad at a place of a sweep.
+/// The transmission angle of a dyad at a point of a sweep.
 pub(super) fn transmission_angle(
     margins: Result<Margins<'_>, SolveError>,
     station: &SweepStation<'_>,

@@ -54,30 +54,32 @@ impl<'c> Curve<'c> {
     /// The mean of a power of the quantity: 1, or 2 for the mean square.
     pub(super) fn mean(&self, over: Over, power: i32) -> Result<Mean, ExtremesError> {
         let stretches = self.stretches()?;
-        // Quadrature steps over change points and poles. The pieces of the curve meet them, and the sweep is divided there.
+        // Quadrature steps over change points and poles. The pieces of the curve meet them, and the sweep is divided
+        // there.
         for stretch in &stretches {
             let [_, end] = self.parts(stretch, false, &mut |_, _| Ok(()))?;
             if stretch.ends[1] == StretchEnd::Joint && self.quantity.impulse(&end)? != [false; 2] {
                 return Err(ExtremesError::Unbounded { at: end.at });
             }
         }
-        let is_smooth_turn = self.extent.is_full_turn && stretches.len() == 1 && self.is_periodic(&stretches)?;
-        if is_smooth_turn && let Some(mean) = self.over_turn(&stretches[0], power)? {
+        let is_smooth_revolution =
+            self.extent.is_full_revolution && stretches.len() == 1 && self.is_periodic(&stretches)?;
+        if is_smooth_revolution && let Some(mean) = self.over_revolution(&stretches[0], power)? {
             return Ok(mean);
         }
         let covered = self.covered(&stretches);
         let (mut sum, mut error) = (Integral::default(), 0.0);
         for stretch in &stretches {
-            // first, as it tells whether there is an integral at all
+            // first, as it decides whether there is an integral at all
             if let Some(edge) = stretch.edge {
                 sum = sum.plus(self.beside_limit(stretch, edge, over, power)?, 1.0);
             }
             let [from, to] = stretch.parameters;
             let whole = self.gauss(stretch, [from, to], over, power)?;
-            // where the quantity should be zero, its size elsewhere tells what is rounding
+            // where the quantity should be zero, its size elsewhere decides what is rounding
             let scale = whole.size.max(Number::powi(self.size.get(), power) * whole.weight);
-            let own = self.halved(stretch, [from, to], whole, scale, over, power, HALVINGS, &mut error)?;
-            sum = sum.plus(own, 1.0);
+            let part = self.halved(stretch, [from, to], whole, scale, over, power, HALVINGS, &mut error)?;
+            sum = sum.plus(part, 1.0);
         }
         let mean = Mean {
             value: sum.value / sum.weight,
@@ -96,7 +98,7 @@ impl<'c> Curve<'c> {
     /// The part of the sweep that stretches cover.
     fn covered(&self, stretches: &[Stretch<'c>]) -> f64 {
         let length = |stretch: &Stretch<'c>| {
-            let [start, end] = stretch.parameters.map(|parameter| stretch.place(parameter));
+            let [start, end] = stretch.parameters.map(|parameter| stretch.value_of_variable(parameter));
             (end - start).abs()
         };
         let covered: f64 = stretches.iter().map(length).sum();
@@ -142,8 +144,8 @@ impl<'c> Curve<'c> {
         let (middle, half) = (f64::midpoint(from, to), 0.5 * (to - from));
         let mut sum = Integral::default();
         for (node, weight) in GAUSS {
-            for place in [middle - half * node, middle + half * node] {
-                sum = sum.plus(self.integrand(stretch, place, over, power)?, weight * half.abs());
+            for parameter in [middle - half * node, middle + half * node] {
+                sum = sum.plus(self.integrand(stretch, parameter, over, power)?, weight * half.abs());
             }
         }
         Ok(sum)
@@ -176,7 +178,7 @@ impl<'c> Curve<'c> {
         Ok(left.plus(right, 1.0))
     }
 
-    /// The part next to a turning point, from the Taylor series at the nearest place.
+    /// The part next to a turning point, from the Taylor series at the nearest point.
     fn beside_limit(
         &self,
         stretch: &Stretch<'c>,
@@ -218,23 +220,24 @@ impl<'c> Curve<'c> {
             }
             sum
         };
-        let own = integral(value * weight);
+        let mean = integral(value * weight);
         Ok(Integral {
-            value: own,
-            size: own.abs(),
+            value: mean,
+            size: mean.abs(),
             weight: integral(weight),
         })
     }
 
-    /// The mean over a full turn by the trapezoid rule, whose error falls faster than any power of the number of points.
-    /// (L. N. Trefethen and J. A. C. Weideman, The exponentially convergent trapezoidal rule, SIAM Review 56, 2014, 385-458.)
-    fn over_turn(&self, stretch: &Stretch<'c>, power: i32) -> Result<Option<Mean>, ExtremesError> {
+    /// The mean over a full revolution by the trapezoid rule, whose error falls faster than any power of the number of
+    /// points. (L. N. Trefethen and J. A. C. Weideman, The exponentially convergent trapezoidal rule, SIAM Review 56,
+    /// 2014, 385-458.)
+    fn over_revolution(&self, stretch: &Stretch<'c>, power: i32) -> Result<Option<Mean>, ExtremesError> {
         let [from, to] = stretch.parameters;
         let (mut points, mut sum, mut size) = (16_u32, 0.0, 0.0);
         let mut last = f64::NAN;
         let mut add = |index: u32, points: u32| -> Result<(f64, f64), ExtremesError> {
-            let place = from + (to - from) * (f64::from(index) / f64::from(points));
-            let value = Number::powi(self.node(stretch, place, &stretch.mark)?.value.real(), power);
+            let parameter = from + (to - from) * (f64::from(index) / f64::from(points));
+            let value = Number::powi(self.node(stretch, parameter, &stretch.mark)?.value.real(), power);
             sum += value;
             size += value.abs();
             Ok((sum, size))

@@ -6,8 +6,8 @@
 //! use kin_core::prelude::*;
 //!
 //! let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
-//! let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 361).speed(10.0);
-//! let peak = turn.of("theta4_acceleration").peak()?;
+//! let sweep = linkage.sweep(Assembly::Open).over(0.0..=TAU, 361).speed(10.0);
+//! let peak = sweep.of("theta4_acceleration").peak()?;
 //! println!("{} rad/s² at {}°", peak.value, peak.at.to_degrees());
 //!
 //! // there the jerk vanishes
@@ -16,25 +16,26 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A question is asked to the sweep itself, and the answer does not depend on its rows: extremes are found between them. The quantity is
-//! called [`of`](crate::sweep::Sweep::of) the sweep by the name of its column, or is any expression of the pose by a closure: see [`At`]. Names go on above the order of the
-//! mechanism, up to the twelfth derivative: `theta4_crackle`, `theta4_pop`, `theta4_derivative_7`. `margin` is the length that is left
-//! until the first dyad ceases to close.
+//! A question is asked to the sweep itself, and the answer does not depend on its rows: extremes are found between
+//! them. The quantity is called [`of`](crate::sweep::Sweep::of) the sweep by the name of its column, or is any
+//! expression of the pose by a closure: see [`At`]. Names go on above the order of the mechanism, up to the twelfth
+//! derivative: `theta4_crackle`, `theta4_pop`, `theta4_derivative_7`. `margin` is the length that is left until the
+//! first dyad ceases to close.
 //!
 //! # Method
-//! The positions are solved in numbers that carry their Taylor series in the variable of the sweep; rates are read from them. A closure
-//! gets a typed pose, whose rates are solved in such numbers. A piece of the curve between
-//! two poses is the Hermite polynomial of degree 9 that agrees with both series. Pieces are halved until they agree with the
-//! poses at a third, the middle and two thirds. Descartes' rule isolates the zeros of the slope of each piece, and Newton's
+//! The positions are solved in numbers that carry their Taylor series in the variable of the sweep; rates are read from
+//! them. A closure gets a typed pose, whose rates are solved in such numbers. A piece of the curve between two poses is
+//! the Hermite polynomial of degree 9 that agrees with both series. Pieces are halved until they agree with the poses
+//! at a third, the middle and two thirds. Descartes' rule isolates the zeros of the slope of each piece, and Newton's
 //! method refines them on the poses themselves.
 //!
-//! Towards a turning point the curve is a root of the variable. There the parameter is the root of the distance, in which the
-//! curve is smooth. A rate that grows beyond all bounds is `Unbounded`, never a number. Within 10⁻⁵ of the way to a turning point, values
-//! come from the series next to it. At a change point, where the rates jump, each side has a stretch of its own, whose values next to the
-//! change point come from its series as well.
+//! Towards a turning point the curve is a root of the variable. There the parameter is the root of the distance, in
+//! which the curve is smooth. A rate that grows beyond all bounds is `Unbounded`, never a number. Within 10⁻⁵ of the
+//! way to a turning point, values come from the series next to it. At a change point, where the rates jump, each side
+//! has a separate stretch, whose values next to the change point come from its series as well.
 //!
-//! Two extremes are told from rounding errors if the quantity differs between them by more than 10⁻⁸ of the range of their piece, and by
-//! more than 10⁻¹² of its size.
+//! Two extremes are distinguished from rounding errors if the quantity differs between them by more than 10⁻⁸ of the
+//! range of their piece, and by more than 10⁻¹² of its size.
 
 mod along;
 mod answer;
@@ -95,11 +96,12 @@ pub enum ExtremeKind {
     Kink,
     /// The sweep ends.
     End,
-    /// The quantity grows beyond all bounds: towards a turning point or a pole, or at a joint of laws where a lower rate jumps.
+    /// The quantity grows beyond all bounds: towards a turning point or a pole, or at a joint of laws where a lower
+    /// rate jumps.
     Unbounded,
 }
 
-/// A place where a quantity is larger or smaller than on both sides.
+/// A point where a quantity is larger or smaller than on both sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extreme {
     /// The value of the variable of the sweep: radians or the mechanism's unit of length for an input, or the time.
@@ -147,7 +149,7 @@ impl fmt::Display for Peak {
     }
 }
 
-/// A place where a quantity crosses a level.
+/// A point where a quantity crosses a level.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
     /// The value of the variable of the sweep.
@@ -161,7 +163,7 @@ pub struct Crossing {
 pub struct DwellRange {
     /// Its start.
     pub from: f64,
-    /// Its end. A dwell through the seam of a full turn ends beyond the end of the sweep.
+    /// Its end. A dwell through the seam of a full revolution ends beyond the end of the sweep.
     pub to: f64,
     /// Its time, in the unit of time of the rates.
     pub duration: f64,

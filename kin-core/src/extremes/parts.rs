@@ -7,39 +7,41 @@ use crate::hermite::Piece;
 use crate::number::Number;
 use crate::sweep::Local;
 
-/// The first pieces of a turn of an angle, or of the whole sweep.
-const FIRST: f64 = 24.0;
+/// The first pieces of a revolution of an angle, or of the whole sweep.
+const FIRST_PIECES: f64 = 24.0;
 /// The largest difference between a piece and the poses, as a part of the piece's range.
 const AGREEMENT: f64 = 1e-8;
-/// The largest difference by rounding, as a part of the size of the quantity: its terms may be this many times larger than itself,
-/// in units of ε.
+/// The largest difference by rounding, as a part of the size of the quantity: its terms may be this many times larger
+/// than itself, in units of ε.
 pub(super) const ROUNDING: f64 = 1e4 * f64::EPSILON;
 /// The largest number of divisions of one stretch, and those that each of its first pieces adds.
-const MOST: [usize; 2] = [20_000, 8];
+const MOST_DIVISIONS: [usize; 2] = [20_000, 8];
 /// The number of halvings after which the rounding errors of the poses are measured.
-const DEEP: usize = 4;
+const MEASURED_DEPTH: usize = 4;
 /// The number of halvings after which a change point or a pole is sought between the ends of a piece.
 const SUSPECT: usize = 8;
-/// Distances from a place that may be a pole, in lengths of the shortest piece, and the growth from each of them to the next smaller one.
+/// Distances from a point that may be a pole, in lengths of the shortest piece, and the growth from each of them to the
+/// next smaller one.
 const DISTANCES: [f64; 4] = [1e3, 4e3, 16e3, 64e3];
 const POLE_GROWTH: f64 = 1.3;
-/// The distance between places that differ by rounding errors alone, as a part of the piece.
+/// The distance between points that differ by rounding errors alone, as a part of the piece.
 const BESIDE: f64 = 1.0 / 1024.0;
-/// The largest difference between a piece and the poses, and the smallest range with an extreme, in measured rounding errors.
+/// The largest difference between a piece and the poses, and the smallest range with an extreme, in measured rounding
+/// errors.
 const MEASURED: [f64; 2] = [8.0, 64.0];
 
 /// The smallest parameter next to a limit whose value counts for the size of the quantity.
 const BESIDE_LIMIT: f64 = 0.1;
-/// Places of a stretch at which the size of the quantity is looked at, as parts of it.
+/// Points of a stretch at which the size of the quantity is read, as parts of it.
 const SIZED: [f64; 4] = [0.2, 0.4, 0.6, 0.8];
 
 /// A part of a curve.
 pub(super) enum CurvePart {
     /// A piece that agrees with the poses.
     Piece(Piece),
-    /// Two neighbouring places between which the values differ by rounding errors alone.
+    /// Two neighbouring points between which the values differ by rounding errors alone.
     Flat,
-    /// Two neighbouring places between which the curve has a kink or a jump.
+    /// Two neighbouring points between which the curve has a kink or a jump.
     Kink,
 }
 
@@ -47,13 +49,14 @@ pub(super) enum CurvePart {
 type VisitPart<'v, 'c> = dyn FnMut(&CurvePart, [&CurveNode<'c>; 2]) -> Result<(), ExtremesError> + 'v;
 
 impl<'c> Curve<'c> {
-    /// Divides a stretch into parts, and passes on each with its ends. It returns the nodes at both ends of the stretch.
+    /// Divides a stretch into parts, and passes on each with its ends. It returns the nodes at both ends of the
+    /// stretch.
     ///
-    /// If the stretch is a full turn, its end is its beginning, so that an extreme on the seam is found once.
+    /// If the stretch is a full revolution, its end is its beginning, so that an extreme on the seam is found once.
     pub(super) fn parts(
         &self,
         stretch: &Stretch<'c>,
-        is_turn: bool,
+        is_revolution: bool,
         visit: &mut VisitPart<'_, 'c>,
     ) -> Result<[CurveNode<'c>; 2], ExtremesError> {
         let [from, to] = stretch.parameters;
@@ -63,7 +66,7 @@ impl<'c> Curve<'c> {
         } else {
             (self.extent.to - self.extent.from).abs()
         };
-        let count = num_traits::Float::ceil(FIRST * way / unit).max(4.0);
+        let count = num_traits::Float::ceil(FIRST_PIECES * way / unit).max(4.0);
         let first = self.node(stretch, from, &stretch.mark)?;
         let mut left = first.clone();
         #[expect(
@@ -71,7 +74,7 @@ impl<'c> Curve<'c> {
             clippy::cast_sign_loss,
             reason = "a count from 4 on, and the conversion ends at the largest number"
         )]
-        let mut budget = MOST[0].saturating_add(MOST[1].saturating_mul(count as usize));
+        let mut budget = MOST_DIVISIONS[0].saturating_add(MOST_DIVISIONS[1].saturating_mul(count as usize));
         let mut size = self.size.get();
         let mut index = 0.0;
         while index < count {
@@ -82,7 +85,7 @@ impl<'c> Curve<'c> {
                 from + (to - from) * (index / count)
             };
             let mut right = self.node(stretch, parameter, &left.mark)?;
-            if is_turn && index == count {
+            if is_revolution && index == count {
                 right.value = first.value;
             }
             // next to a turning point rates are far larger than elsewhere
@@ -92,16 +95,16 @@ impl<'c> Curve<'c> {
             self.divide(stretch, [&left, &right], 0, size, &mut budget, visit)?;
             self.size.set(self.size.get().max(size));
             left = right;
-            self.tell(left.at);
+            self.report(left.at);
         }
         Ok([first, left])
     }
 
-    /// Looks at the size of the quantity in all stretches: where it should be zero on one of them, it is made of rounding errors, whose size
-    /// others tell.
+    /// Looks at the size of the quantity in all stretches: where it should be zero on one of them, it is made of
+    /// rounding errors, whose size others give.
     pub(super) fn see_size(&self, stretches: &[Stretch<'c>]) -> Result<(), ExtremesError> {
         let mut size: f64 = 0.0;
-        // a single stretch tells its size itself
+        // a single stretch gives its size itself
         for stretch in stretches.iter().filter(|_| stretches.len() > 1) {
             let [from, to] = stretch.parameters;
             for part in SIZED {
@@ -141,7 +144,7 @@ impl<'c> Curve<'c> {
             return visit(&CurvePart::Kink, [left, right]);
         }
         let [low, high] = piece.bounds();
-        let own = left
+        let largest = left
             .value
             .real()
             .abs()
@@ -153,12 +156,12 @@ impl<'c> Curve<'c> {
             Some(_) => 1.0 + 1.0 / (nearest * nearest),
             None => 1.0,
         };
-        let tolerance = AGREEMENT * (high - low) + ROUNDING * (own * growth).max(size);
+        let tolerance = AGREEMENT * (high - low) + ROUNDING * (largest * growth).max(size);
         let apart = |node: &CurveNode<'c>| (piece.at(node.parameter).real() - node.value.real()).abs();
         let mut apart_most = apart(&middle);
         // the node that is furthest from the piece
         let mut furthest = None;
-        if apart_most <= tolerance || depth >= DEEP {
+        if apart_most <= tolerance || depth >= MEASURED_DEPTH {
             for part in [1.0 / 3.0, 2.0 / 3.0] {
                 let node = self.node(stretch, at(part), &left.mark)?;
                 if apart(&node) > apart_most {
@@ -168,7 +171,7 @@ impl<'c> Curve<'c> {
             }
         }
         if apart_most <= tolerance {
-            let is_flat = high - low <= ROUNDING * own.max(size);
+            let is_flat = high - low <= ROUNDING * largest.max(size);
             let part = if is_flat {
                 CurvePart::Flat
             } else {
@@ -176,12 +179,16 @@ impl<'c> Curve<'c> {
             };
             return visit(&part, [left, right]);
         }
-        if depth >= DEEP {
-            // Where a quantity should be zero, some poses have a rounding error and others have none: those that differ, and the ends.
+        if depth >= MEASURED_DEPTH {
+            // Where a quantity should be zero, some poses have a rounding error and others have none: those that
+            // differ, and the ends.
             let mut rounding: f64 = 0.0;
             // The ends are looked at now and then: at a kink, which is none of this, pieces are halved all the way.
             let nodes = [furthest.as_ref().unwrap_or(&middle), left, right];
-            for node in nodes.into_iter().take(if depth.is_multiple_of(DEEP) { 3 } else { 1 }) {
+            for node in nodes
+                .into_iter()
+                .take(if depth.is_multiple_of(MEASURED_DEPTH) { 3 } else { 1 })
+            {
                 rounding = rounding.max(self.rounding(stretch, node, BESIDE * (ends[1] - ends[0]))?);
                 let [agreement, flat] = MEASURED.map(|times| times * rounding);
                 if high - low <= flat && apart_most <= flat {
@@ -200,7 +207,8 @@ impl<'c> Curve<'c> {
         self.divide(stretch, [&middle, right], depth + 1, size, budget, visit)
     }
 
-    /// Whether the quantity grows beyond all bounds between two neighbouring places: on one side it grows from distance to distance.
+    /// Whether the quantity grows beyond all bounds between two neighbouring points: on one side it grows from distance
+    /// to distance.
     fn is_pole(&self, stretch: &Stretch<'c>, [left, right]: [&CurveNode<'c>; 2]) -> Result<bool, ExtremesError> {
         let [low, high] = [
             stretch.parameters[0].min(stretch.parameters[1]),
@@ -224,9 +232,9 @@ impl<'c> Curve<'c> {
         Ok(false)
     }
 
-    /// The rounding error of the quantity, as places that are close together show it: the difference between poses and the Taylor series
-    /// of a pose beside them. On one side of a jump the series holds, so the smaller difference of both sides counts. An end of a stretch
-    /// has one side, and none is known there.
+    /// The rounding error of the quantity, as points that are close together show it: the difference between poses and
+    /// the Taylor series of a pose beside them. On one side of a jump the series holds, so the smaller difference of
+    /// both sides counts. An end of a stretch has one side, and none is known there.
     fn rounding(&self, stretch: &Stretch<'c>, node: &CurveNode<'c>, step: f64) -> Result<f64, ExtremesError> {
         if stretch.parameters.contains(&node.parameter) {
             return Ok(0.0);
@@ -246,8 +254,8 @@ impl<'c> Curve<'c> {
         Ok(sides[0].min(sides[1]))
     }
 
-    /// The place where a function of the series vanishes, by Newton's method from a place nearby. The function returns its value and its
-    /// slope.
+    /// The point where a function of the series vanishes, by Newton's method from a point nearby. The function returns
+    /// its value and its slope.
     pub(super) fn refined(
         &self,
         stretch: &Stretch<'c>,
@@ -262,7 +270,7 @@ impl<'c> Curve<'c> {
             let (value, slope) = function(node.value);
             let step = -value / slope;
             let next = (node.parameter + step).clamp(low, high);
-            // rounding errors move the place to and fro
+            // rounding errors move the point to and fro
             if !step.is_finite() || step.abs() >= 0.5 * last || next == node.parameter {
                 break;
             }

@@ -75,7 +75,7 @@ impl Named {
         Self { order, ..self }
     }
 
-    /// Its value at a place of a sweep, from the position alone.
+    /// Its value at a point of a sweep, from the position alone.
     pub(super) fn at(self, functions: &dyn NamedFunctions, station: &SweepStation<'_>) -> Result<Local, ExtremesError> {
         let value = match (self.result(), self.kind) {
             (Some(result), _) => station.result(functions, result, self.order),
@@ -85,7 +85,7 @@ impl Named {
         value.map_err(|_| gap(station))
     }
 
-    /// How its value and its slope at a place of a sweep change with a dimension.
+    /// How its value and its slope at a point of a sweep change with a dimension.
     pub(super) fn by_dimension(
         self,
         functions: &dyn ChangedFunctions,
@@ -103,7 +103,7 @@ impl Named {
                 let margins = station.changed_margins(functions, changed);
                 margins.map(|margins| smallest(&margins)).map_err(|_| gap(station))
             }),
-            // the inputs move as they are told
+            // the inputs move as they are driven
             (None, _) => Ok(ByDimension { value: 0.0, slope: 0.0 }),
         }
     }

@@ -11,14 +11,15 @@ use crate::number::Number;
 use crate::sweep::Local;
 
 /// The parameters next to a turning point at which a quantity is compared with itself.
-const NEAR: [f64; 2] = [1.0 / 4096.0, 1.0 / 2048.0];
+const NEAR_LIMIT: [f64; 2] = [1.0 / 4096.0, 1.0 / 2048.0];
 /// The growth between them of a quantity that has no bound.
 const GROWTH: f64 = 1.05;
 
 /// A slope, as a part of those at the ends of a piece, above which Newton's method has not found its zero.
 const KINK: f64 = 1e-3;
 
-/// All extremes, and the place where the sweep begins to close: a quantity that is constant over a full turn has no other.
+/// All extremes, and the point where the sweep begins to close: a quantity that is constant over a full revolution has
+/// no other.
 pub(super) struct FoundExtremes {
     pub(super) extremes: Vec<Extreme>,
     pub(super) first: Option<Extreme>,
@@ -30,14 +31,14 @@ impl<'c> Curve<'c> {
         let mut extremes: Vec<Extreme> = Vec::new();
         // the end of the stretch before, with its kind
         let mut before: Option<(CurveNode<'c>, bool, StretchEnd)> = None;
-        let is_turn = self.extent.is_full_turn && self.is_periodic(&stretches)?;
+        let is_revolution = self.extent.is_full_revolution && self.is_periodic(&stretches)?;
         let mut first = None;
         for stretch in &stretches {
             let mut inner = Vec::new();
-            let [begin, end] = self.parts(stretch, is_turn, &mut |part, nodes| match part {
+            let [begin, end] = self.parts(stretch, is_revolution, &mut |part, nodes| match part {
                 CurvePart::Piece(piece) => {
-                    for place in piece.turns() {
-                        inner.push(self.turn(stretch, nodes, place)?);
+                    for parameter in piece.stationary_points() {
+                        inner.push(self.stationary(stretch, nodes, parameter)?);
                     }
                     Ok(())
                 }
@@ -72,14 +73,14 @@ impl<'c> Curve<'c> {
                 before => {
                     // a change point beyond which nothing closes
                     extremes.extend(before.map(|(node, rose, _)| edge(&node, ExtremeKind::Limit, rose)));
-                    if !(is_turn && stretch.ends[0] == StretchEnd::Sweep) {
+                    if !(is_revolution && stretch.ends[0] == StretchEnd::Sweep) {
                         extremes.push(beginning);
                     }
                 }
             }
             extremes.append(&mut inner);
             match stretch.ends[1] {
-                StretchEnd::Sweep if is_turn => {}
+                StretchEnd::Sweep if is_revolution => {}
                 StretchEnd::Sweep => extremes.push(edge(&end, ExtremeKind::End, rises_last)),
                 StretchEnd::ShortOf { .. } => extremes.push(self.short_of_limit(stretch, &end)?),
                 end_kind if end_kind.goes_on() => {}
@@ -131,10 +132,15 @@ impl<'c> Curve<'c> {
         best.ok_or(ExtremesError::NoLength { at: self.extent.from })
     }
 
-    /// The extreme near a turn of a piece. If the slope does not vanish there, the quantity has a kink.
-    fn turn(&self, stretch: &Stretch<'c>, nodes: [&CurveNode<'c>; 2], place: f64) -> Result<Extreme, ExtremesError> {
+    /// The extreme near a stationary point of a piece. If the slope does not vanish there, the quantity has a kink.
+    fn stationary(
+        &self,
+        stretch: &Stretch<'c>,
+        nodes: [&CurveNode<'c>; 2],
+        parameter: f64,
+    ) -> Result<Extreme, ExtremesError> {
         let slope = |node: &CurveNode<'c>| node.value.coefficients()[1];
-        let node = self.refined(stretch, nodes, place, |value| {
+        let node = self.refined(stretch, nodes, parameter, |value| {
             let [_, slope, bend, ..] = value.coefficients();
             (slope, 2.0 * bend)
         })?;
@@ -158,7 +164,7 @@ impl<'c> Curve<'c> {
         }
     }
 
-    /// Whether the quantity is the same at both ends of a full turn.
+    /// Whether the quantity is the same at both ends of a full revolution.
     pub(super) fn is_periodic(&self, stretches: &[Stretch<'c>]) -> Result<bool, ExtremesError> {
         let (Some(first), Some(last)) = (stretches.first(), stretches.last()) else {
             return Ok(false);
@@ -221,14 +227,14 @@ impl<'c> Curve<'c> {
         Ok(self.growth(stretch, nearest)? > GROWTH)
     }
 
-    /// The growth of a quantity from a place near a turning point to another one twice as near, in the parameter.
+    /// The growth of a quantity from a point near a turning point to another one twice as near, in the parameter.
     pub(super) fn growth(&self, stretch: &Stretch<'c>, nearest: &CurveNode<'c>) -> Result<f64, ExtremesError> {
-        let [near, far] = NEAR.map(|parameter| self.node(stretch, parameter, &nearest.mark));
+        let [near, far] = NEAR_LIMIT.map(|parameter| self.node(stretch, parameter, &nearest.mark));
         let (near, far) = (near?.value.real(), far?.value.real());
         Ok(if near == 0.0 { 0.0 } else { near.abs() / far.abs() })
     }
 
-    /// The places where the quantity crosses a level.
+    /// The points where the quantity crosses a level.
     pub(super) fn crossings(&self, level: f64) -> Result<Vec<Crossing>, ExtremesError> {
         finite("level", level)?;
         let mut crossings = Vec::new();
@@ -259,7 +265,8 @@ impl<'c> Curve<'c> {
         Ok(crossings)
     }
 
-    /// Passes on the places inside of a stretch where the quantity crosses a level, and returns the nodes at both ends of the stretch.
+    /// Passes on the points inside of a stretch where the quantity crosses a level, and returns the nodes at both ends
+    /// of the stretch.
     fn crossings_of(
         &self,
         stretch: &Stretch<'c>,
@@ -269,12 +276,12 @@ impl<'c> Curve<'c> {
         self.parts(stretch, false, &mut |part, nodes| {
             match part {
                 CurvePart::Piece(piece) => {
-                    for place in piece.crossings(level) {
+                    for parameter in piece.crossings(level) {
                         let value = |value: Local| {
                             let [value, slope, ..] = value.coefficients();
                             (value - level, slope)
                         };
-                        found(&self.refined(stretch, nodes, place, value)?);
+                        found(&self.refined(stretch, nodes, parameter, value)?);
                     }
                 }
                 CurvePart::Flat | CurvePart::Kink => {
@@ -316,7 +323,7 @@ impl<'c> Curve<'c> {
                     continue;
                 }
                 // next to a turning point the quantity goes on to the limit
-                let [start, end] = [pair[0], pair[1]].map(|parameter| stretch.place(parameter));
+                let [start, end] = [pair[0], pair[1]].map(|parameter| stretch.value_of_variable(parameter));
                 match dwells.last_mut() {
                     Some(last) if last[1] == start => last[1] = end,
                     _ => dwells.push([start, end]),
@@ -324,7 +331,7 @@ impl<'c> Curve<'c> {
             }
         }
         let (begin, end) = (self.extent.from, self.extent.to);
-        if dwells.len() > 1 && self.extent.is_full_turn && self.is_periodic(&stretches)? {
+        if dwells.len() > 1 && self.extent.is_full_revolution && self.is_periodic(&stretches)? {
             let (first, last) = (dwells[0], dwells[dwells.len() - 1]);
             if first[0] == begin && last[1] == end {
                 dwells.remove(0);
@@ -345,8 +352,8 @@ impl<'c> Curve<'c> {
     }
 }
 
-/// Takes out the extremes that rounding errors make: those inside of the curve that differ from the next one, or from both neighbours, by
-/// less than the errors.
+/// Takes out the extremes that rounding errors make: those inside of the curve that differ from the next one, or from
+/// both neighbours, by less than the errors.
 fn leave_out_rounding(extremes: &mut Vec<Extreme>, rounding: f64) {
     let is_inside = |extreme: &Extreme| matches!(extreme.kind, ExtremeKind::Inner | ExtremeKind::Kink);
     let is_same = |one: &Extreme, other: &Extreme| match (one.value, other.value) {
@@ -367,8 +374,8 @@ fn leave_out_rounding(extremes: &mut Vec<Extreme>, rounding: f64) {
     }
     let mut index = 1;
     while index + 1 < kept.len() {
-        let [before, own, after] = [&kept[index - 1], &kept[index], &kept[index + 1]];
-        if is_inside(own) && is_same(before, own) && is_same(own, after) {
+        let [before, extreme, after] = [&kept[index - 1], &kept[index], &kept[index + 1]];
+        if is_inside(extreme) && is_same(before, extreme) && is_same(extreme, after) {
             kept.remove(index);
         } else {
             index += 1;
@@ -386,8 +393,8 @@ fn finite(argument: &'static str, value: f64) -> Result<(), ExtremesError> {
     }
 }
 
-/// Whether the quantity rises in the direction of the sweep. A slope of zero counts as one that rises with the parameter, as
-/// [`Piece::turns`](crate::hermite::Piece::turns) counts it.
+/// Whether the quantity rises in the direction of the sweep. A slope of zero counts as one that rises with the
+/// parameter, as [`Piece::stationary_points`](crate::hermite::Piece::stationary_points) counts it.
 fn rises(stretch: &Stretch<'_>, node: &CurveNode<'_>) -> bool {
     let [from, to] = stretch.parameters;
     (node.value.coefficients()[1] >= 0.0) == (to >= from)
@@ -405,7 +412,7 @@ fn reached<'c>(stretch: &Stretch<'_>, end: StretchEnd, nearest: &CurveNode<'c>) 
     }
 }
 
-/// The extreme at a place that has only one side, or only one value.
+/// The extreme at a point that has only one side, or only one value.
 fn edge(node: &CurveNode<'_>, kind: ExtremeKind, is_maximum: bool) -> Extreme {
     Extreme {
         at: node.at,
@@ -415,8 +422,8 @@ fn edge(node: &CurveNode<'_>, kind: ExtremeKind, is_maximum: bool) -> Extreme {
     }
 }
 
-/// The extremes at an edge with two sides, where the quantity rises or falls on each. A jump between them has an extreme on each side
-/// from which the quantity does not go on in the same direction.
+/// The extremes at an edge with two sides, where the quantity rises or falls on each. A jump between them has an
+/// extreme on each side from which the quantity does not go on in the same direction.
 fn joint(nodes: [&CurveNode<'_>; 2], rises: [bool; 2], kind: ExtremeKind) -> [Option<Extreme>; 2] {
     let [left, right] = nodes.map(|node| node.value.real());
     let jump = right - left;
@@ -430,7 +437,7 @@ fn joint(nodes: [&CurveNode<'_>; 2], rises: [bool; 2], kind: ExtremeKind) -> [Op
     ]
 }
 
-/// The value at the turning point, where the parameter is zero, from the series at the nearest place.
+/// The value at the turning point, where the parameter is zero, from the series at the nearest point.
 pub(super) fn extrapolated(nearest: Local, edge: Edge) -> f64 {
     let coefficients = nearest.coefficients();
     coefficients

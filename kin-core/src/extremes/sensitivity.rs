@@ -1,12 +1,12 @@
 //! How a peak depends on the dimensions.
 //!
-//! At an inner extreme the slope vanishes. So a dimension changes the extreme value as it changes the quantity at that place, and the
-//! place itself moves by minus the mixed second derivative over the bend. (A. E. Bryson & Y.-C. Ho, *Applied Optimal Control*, Hemisphere
-//! 1975, section 1.2, or any text on the envelope theorem.)
+//! At an inner extreme the slope vanishes. So a dimension changes the extreme value as it changes the quantity at that
+//! point, and the point itself moves by minus the mixed second derivative over the bend. (A. E. Bryson & Y.-C. Ho,
+//! *Applied Optimal Control*, Hemisphere 1975, section 1.2, or any text on the envelope theorem.)
 //!
-//! The mixed derivative of a quantity called by its name comes with the value, from a position in series of the variable that change with
-//! the dimension. That of an expression comes from two series in which variable and dimension change together: with the second-order terms
-//! c₊ and c₋ in the directions (1, 1) and (1, -1), it is (c₊ - c₋) / 2.
+//! The mixed derivative of a quantity called by its name comes with the value, from a position in series of the
+//! variable that change with the dimension. That of an expression comes from two series in which variable and dimension
+//! change together: with the second-order terms c₊ and c₋ in the directions (1, 1) and (1, -1), it is (c₊ - c₋) / 2.
 
 use alloc::vec::Vec;
 
@@ -24,7 +24,8 @@ use crate::sweep::Local;
 pub struct PeakSensitivity {
     /// The derivative of the value with its sign, in the unit of the quantity over the unit of the dimension.
     pub value: f64,
-    /// The derivative of the place: that of the variable of the sweep over the unit of the dimension. At the end of a sweep it is zero.
+    /// The derivative of the position: that of the variable of the sweep over the unit of the dimension. At the end of
+    /// a sweep it is zero.
     pub at: f64,
 }
 
@@ -37,7 +38,7 @@ pub struct PeakSensitivities {
     pub by: Vec<PeakSensitivity>,
 }
 
-/// A quantity at the place of a peak, whose variable has the slope 1.
+/// A quantity at a peak, whose variable has the slope 1.
 pub(super) type PeakQuantity<'q> = dyn Fn(&SweepStation<'_>, usize) -> Result<ByDimension, ExtremesError> + 'q;
 
 /// The derivatives of a quantity with respect to a dimension.
@@ -56,12 +57,12 @@ impl ByDimension {
         dimension: usize,
         expression: impl Fn(&SweepStation<'_>, &[Local]) -> Result<Local, ExtremesError>,
     ) -> Result<Self, ExtremesError> {
-        let own = station.parameters[dimension];
+        let value = station.parameters[dimension];
         // a change of the size of the dimension keeps both second-order terms alike
-        let unit = if own == 0.0 { 1.0 } else { own.abs() };
+        let unit = if value == 0.0 { 1.0 } else { value.abs() };
         let along = |slope: f64, step: f64| {
             let mut changed: Vec<Local> = station.parameters.iter().copied().map(Local::constant).collect();
-            changed[dimension] = Local::from_coefficients([own, step, 0.0, 0.0, 0.0]);
+            changed[dimension] = Local::from_coefficients([value, step, 0.0, 0.0, 0.0]);
             let variable = Local::from_coefficients([station.variable.real(), slope, 0.0, 0.0, 0.0]);
             let moved = SweepStation {
                 variable,

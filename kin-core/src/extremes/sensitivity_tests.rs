@@ -1,4 +1,4 @@
-//! Sensitivities of peaks, against dual numbers at their place and against the peaks of changed mechanisms.
+//! Sensitivities of peaks, against dual numbers at their position and against the peaks of changed mechanisms.
 
 use core::f64::consts::{PI, TAU};
 use std::string::ToString;
@@ -104,15 +104,15 @@ fn on_triad<T: Scalar>() -> Loads<ClassThreeTriad<T>, impl Load<ClassThreeTriad<
 }
 
 /// The mechanism with one dimension changed.
-fn changed<M: Mechanism<Scalar = f64>>(mechanism: &M, place: usize, change: f64) -> M {
+fn changed<M: Mechanism<Scalar = f64>>(mechanism: &M, dimension: usize, change: f64) -> M {
     let parameters = mechanism.parameters();
     M::from_parameters(Row::from_fn(|index| {
-        parameters[index] + if index == place { change } else { 0.0 }
+        parameters[index] + if index == dimension { change } else { 0.0 }
     }))
 }
 
-/// Compares with the peaks of mechanisms of which one dimension is changed by two steps to either side: these differences have an
-/// error of the fourth power of the step, and lose three digits to rounding.
+/// Compares with the peaks of mechanisms of which one dimension is changed by two steps to either side: these
+/// differences have an error of the fourth power of the step, and lose three digits to rounding.
 fn check_by_differences<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
     found: &PeakSensitivities,
@@ -126,53 +126,53 @@ fn check_by_differences<M: Mechanism<Scalar = f64>>(
         (true, true) | (false, false) => 3,
         (true, false) => 6,
     };
-    let places = (0..count).step_by(step);
-    for (place, sensitivity) in places.map(|place| (place, &found.by[place])) {
-        let own: f64 = parameters[place];
-        let unit = if own == 0.0 { 1.0 } else { own.abs() };
+    let dimensions = (0..count).step_by(step);
+    for (dimension, sensitivity) in dimensions.map(|dimension| (dimension, &found.by[dimension])) {
+        let value: f64 = parameters[dimension];
+        let unit = if value == 0.0 { 1.0 } else { value.abs() };
         let step = 1e-3 * unit;
         let [far, near] = [2.0, 1.0].map(|steps| {
-            let [one, other] = [steps, -steps].map(|steps| peak(&changed(mechanism, place, steps * step)));
+            let [one, other] = [steps, -steps].map(|steps| peak(&changed(mechanism, dimension, steps * step)));
             [one.value - other.value, one.at - other.at]
         });
         let slope = |part: usize| (8.0 * near[part] - far[part]) / (12.0 * step);
         let size = found.peak.value.abs() / unit;
         assert!(
             (sensitivity.value - slope(0)).abs() < 1e-8 * (size + slope(0).abs()),
-            "value by {place}: {} {}",
+            "value by {dimension}: {} {}",
             sensitivity.value,
             slope(0)
         );
         assert!(
             (sensitivity.at - slope(1)).abs() < 1e-7 * (1.0 / unit + slope(1).abs()),
-            "place by {place}: {} {}",
+            "position by {dimension}: {} {}",
             sensitivity.at,
             slope(1)
         );
     }
 }
 
-/// The peaks of all orders of both angles, as differences and the sensitivities of the motion itself tell.
+/// The peaks of all orders of both angles, as differences and the sensitivities of the motion itself show.
 #[test]
-fn peaks_of_a_turn() {
+fn peaks_of_a_revolution() {
     let linkage = FourBar {
         r1: 90.0,
         r2: 30.0,
         r3: 70.0,
         r4: 60.0,
     };
-    let turn = |linkage: &FourBar, assembly| linkage.sweep(assembly).over(0.3..=0.3 + TAU, 100).speed(10.0);
+    let sweep = |linkage: &FourBar, assembly| linkage.sweep(assembly).over(0.3..=0.3 + TAU, 100).speed(10.0);
     for assembly in Assembly::BOTH {
         for (name, unknown, order) in [
             ("theta4_velocity", 1, 1),
             ("theta3_acceleration", 0, 2),
             ("theta4_snap", 1, 4),
         ] {
-            let found = turn(&linkage, assembly).of(name).peak_sensitivities().unwrap();
-            assert_eq!(found.peak, turn(&linkage, assembly).of(name).peak().unwrap());
+            let found = sweep(&linkage, assembly).of(name).peak_sensitivities().unwrap();
+            assert_eq!(found.peak, sweep(&linkage, assembly).of(name).peak().unwrap());
             assert_eq!(found.peak.kind, ExtremeKind::Inner);
             check_by_differences(&linkage, &found, |linkage| {
-                turn(linkage, assembly).of(name).peak().unwrap()
+                sweep(linkage, assembly).of(name).peak().unwrap()
             });
             let crank = Motion::at_constant_speed(found.peak.at, 10.0);
             let partials = linkage.sensitivities_at([crank], assembly).unwrap();
@@ -190,12 +190,12 @@ fn peaks_of_a_turn() {
     }
 }
 
-/// The peak of the first drive's effort, as differences and numbers with a change tell.
+/// The peak of the first drive's effort, as differences and numbers with a change show.
 fn check_effort<M, D, L>(
     mechanism: &M,
     sweep: impl Fn(&M) -> Sweep<M, D>,
     loads: &Loads<M::With<Local>, L>,
-    at_place: impl Fn(&M::With<Changing<f64>>, f64) -> Changing<f64>,
+    at_peak: impl Fn(&M::With<Changing<f64>>, f64) -> Changing<f64>,
 ) where
     M: Mechanism<Scalar = f64>,
     D: SmoothDrive,
@@ -207,24 +207,24 @@ fn check_effort<M, D, L>(
     check_by_differences(mechanism, &found, |mechanism| {
         sweep(mechanism).of_expression(effort).peak().unwrap()
     });
-    for (place, sensitivity) in found.by.iter().enumerate() {
+    for (dimension, sensitivity) in found.by.iter().enumerate() {
         let mut next = 0;
         let changing = mechanism.convert(|value| {
             next += 1;
-            Changing::new(value, if next == place + 1 { 1.0 } else { 0.0 })
+            Changing::new(value, if next == dimension + 1 { 1.0 } else { 0.0 })
         });
-        let Changing { value, change } = at_place(&changing, found.peak.at);
+        let Changing { value, change } = at_peak(&changing, found.peak.at);
         let size = found.peak.value.abs() + change.abs();
         assert!((found.peak.value - value).abs() < 1e3 * f64::EPSILON * size);
         assert!(
             (sensitivity.value - change).abs() < 1e3 * f64::EPSILON * size,
-            "{place}: {} {change}",
+            "{dimension}: {} {change}",
             sensitivity.value
         );
     }
 }
 
-/// A motion at constant speed, without a change of its own.
+/// A motion at constant speed, without a change itself.
 fn steady(at: f64, speed: f64) -> Motion<Changing<f64>, 5> {
     let number = |value| Changing::new(value, 0.0);
     Motion::at_constant_speed(number(at), number(speed))
@@ -246,7 +246,7 @@ fn peaks_of_efforts() {
     );
 }
 
-/// A motion under a law, without a change of its own.
+/// A motion under a law, without a change itself.
 fn under(law: &Rise, at: f64) -> Motion<Changing<f64>, 5> {
     let motion: Motion<f64, 5> = law.at(at);
     Motion::new(motion.derivatives().map(|entry| Changing::new(entry, 0.0)))
@@ -272,8 +272,8 @@ fn peaks_of_efforts_of_two_drives() {
 #[test]
 fn peaks_of_efforts_in_space() {
     let loads = on_spatial();
-    let turn = SPATIAL.sweep(Assembly::Open).over(0.0..=TAU, 100).speed(6.0);
-    let whole = turn.of_expression(|at| at.effort(&loads, 0)).peak().unwrap();
+    let sweep = SPATIAL.sweep(Assembly::Open).over(0.0..=TAU, 100).speed(6.0);
+    let whole = sweep.of_expression(|at| at.effort(&loads, 0)).peak().unwrap();
     check_effort(
         &SPATIAL,
         |linkage| {
@@ -325,10 +325,10 @@ fn peaks_of_efforts_by_newtons_method() {
 #[test]
 fn an_effort_on_a_sweep_is_that_of_the_pose() {
     let speed = 12.0;
-    let turn = PRESS.sweep(Assembly::Crossed).over(0.0..=TAU, 100).speed(speed);
+    let sweep = PRESS.sweep(Assembly::Crossed).over(0.0..=TAU, 100).speed(speed);
     let loads = on_press();
-    let crossings = turn.of_expression(|at| at.effort(&loads, 0)).crossings(1.0).unwrap();
-    let rates = turn.of_expression(|at| at.effort(&loads, 0)).extremes().unwrap();
+    let crossings = sweep.of_expression(|at| at.effort(&loads, 0)).crossings(1.0).unwrap();
+    let rates = sweep.of_expression(|at| at.effort(&loads, 0)).extremes().unwrap();
     assert!(!crossings.is_empty() && rates.len() >= 2);
     let single = |at: f64| {
         let crank = Motion::at_constant_speed(at, speed);
@@ -370,7 +370,7 @@ fn peaks_under_a_law_with_dwells() {
     });
 }
 
-/// The place of a peak at the end of a sweep stays, and its value changes as the quantity there.
+/// The position of a peak at the end of a sweep stays, and its value changes as the quantity there.
 #[test]
 fn a_peak_at_the_end_of_a_sweep_stays_there() {
     let engine = SliderCrank { r: 0.05, l: 0.15 };
@@ -390,7 +390,7 @@ fn a_peak_at_a_limit_has_none() {
         r4: 45.0,
     };
     let sweep = linkage.sweep(Assembly::Open).over(1.0..=PI, 100);
-    // the rocker turns on to the limit
+    // the rocker rotates on to the limit
     let raised = |at: &At<FourBar>| at.theta4.value() + Local::constant(10.0);
     let error = sweep.of_expression(raised).peak_sensitivities().unwrap_err();
     let ExtremesError::NoSensitivity {
@@ -430,12 +430,12 @@ fn a_peak_at_a_kink_has_none() {
     );
 }
 
-/// A load without a result is the answer to the question, with its place.
+/// A load without a result is the answer to the question, with its position.
 #[test]
 fn loads_without_a_result() {
-    let turn = PRESS.sweep(Assembly::Open).over(0.0..=TAU, 100);
+    let sweep = PRESS.sweep(Assembly::Open).over(0.0..=TAU, 100);
     let loads = on_press();
-    let error = turn.of_expression(|at| at.effort(&loads, 1)).peak().unwrap_err();
+    let error = sweep.of_expression(|at| at.effort(&loads, 1)).peak().unwrap_err();
     assert_eq!(
         error,
         ExtremesError::Load {

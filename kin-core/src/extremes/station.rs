@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 use super::ExtremesError;
 use super::margin::{DyadFunctions, Margins};
-use crate::any::{NearOver, Of, OutputsOver, PlacesOver};
+use crate::any::{NearOver, Of, OutputsOver, SkeletonOver};
 use crate::failure::SolveError;
 use crate::load::{Change, EFFORT_ENTRIES, NamedLoads, NamedMotion};
 use crate::mechanism::{Description, Jacobian, Mechanism};
@@ -13,15 +13,15 @@ use crate::number::series::Series;
 use crate::number::{Changing, Number, NumberRow};
 use crate::quantity::{Dimension, Quantity};
 use crate::reaction::{NamedReactions, ReactionFunctions, ReactionPart, ReactionPlace, Reactions};
-use crate::solve::{Scalar, nearest_turn};
+use crate::solve::{Scalar, unwrap_near};
 use crate::sweep::{Local, READ, TERMS, by_time, composed};
 
-/// The terms from which the derivatives up to snap are read, each with its own series.
+/// The terms from which the derivatives up to snap are read, each as a separate series.
 const UP_TO_SNAP: usize = SNAP + TERMS;
 const SNAP: usize = 4;
 
-/// A quantity called by its name needs positions only: over a series in the variable of the sweep, they have all its derivatives. So the
-/// solvers of rates are compiled in long numbers only where a closure asks for a typed pose.
+/// A quantity called by its name needs positions only: over a series in the variable of the sweep, they have all its
+/// derivatives. So the solvers of rates are compiled in long numbers only where a closure asks for a typed pose.
 pub trait NamedFunctions:
     PositionFunctions<Series<UP_TO_SNAP>> + PositionFunctions<Series<READ>> + DyadFunctions
 {
@@ -29,12 +29,12 @@ pub trait NamedFunctions:
 
 impl<F: PositionFunctions<Series<UP_TO_SNAP>> + PositionFunctions<Series<READ>> + DyadFunctions> NamedFunctions for F {}
 
-/// What the dependence of a quantity on the dimensions, and forces, need beside: positions in series that change with a dimension or an
-/// input, and the places of the picture.
+/// What the dependence of a quantity on the dimensions, and forces, need beside: positions in series that change with a
+/// dimension or an input, and the points of the skeleton.
 pub trait ChangedFunctions:
     NamedFunctions
     + PositionFunctions<Changing<Series<UP_TO_SNAP>>>
-    + PlacesOver<Changing<Series<UP_TO_SNAP>>>
+    + SkeletonOver<Changing<Series<UP_TO_SNAP>>>
     + ReactionFunctions
 {
     /// The same in longer series, if the mechanism has derivatives above snap.
@@ -103,7 +103,8 @@ pub struct SweepStation<'s> {
     pub(super) variable: Local,
 }
 
-/// A position in series of the variable: parameters, inputs, what the unknowns are near, and the unknowns, one after the other.
+/// A position in series of the variable: parameters, inputs, what the unknowns are near, and the unknowns, one after
+/// the other.
 struct SeriesPosition<T> {
     numbers: Vec<T>,
     counts: [usize; 3],
@@ -257,19 +258,19 @@ impl SweepStation<'_> {
         };
         let all = [&*parameters, &*inputs, &*unknowns, &outputs].into_iter().flatten();
         let quantities: Vec<NamedMotion<Local>> = all.map(|quantity| by_time(*quantity)).collect();
-        let mut places: Vec<[NamedMotion<Local>; 2]> = Vec::new();
+        let mut points: Vec<[NamedMotion<Local>; 2]> = Vec::new();
         if loads.has_bodies() && !functions.is_space() {
             let mut all: Vec<[Number; 2]> = Vec::new();
-            let mut add = |place: &[Number]| all.push([place[0], place[1]]);
-            PlacesOver::<Number>::places(functions, parameters, inputs, unknowns, &mut add);
+            let mut add = |point: &[Number]| all.push([point[0], point[1]]);
+            SkeletonOver::<Number>::skeleton_points(functions, parameters, inputs, unknowns, &mut add);
             let joints = all.len() - functions.outline().slides.len();
             for [x, y] in &mut all[joints..] {
                 let length = (*x * *x + *y * *y).sqrt();
                 (*x, *y) = (*x / length, *y / length);
             }
-            places.extend(all.into_iter().map(|place| place.map(by_time)));
+            points.extend(all.into_iter().map(|point| point.map(by_time)));
         }
-        let effort = loads.effort(&quantities, &places);
+        let effort = loads.effort(&quantities, &points);
         effort.map_err(|error| ExtremesError::of_loads(at, error))
     }
 
@@ -409,10 +410,10 @@ fn shorter(series: Series<UP_TO_SNAP>) -> Local {
     Local::from_coefficients(core::array::from_fn(|power| coefficients[power]))
 }
 
-/// A value on the turn nearest to another one, if it is an angle.
+/// A value, if it is an angle unwrapped to the closest to another one.
 fn unwrapped<T: Scalar>(quantity: Quantity<'_>, value: T, near: f64) -> T {
     match quantity.dimension {
-        Dimension::Angle => nearest_turn(value, T::constant(near)),
+        Dimension::Angle => unwrap_near(value, T::constant(near)),
         _ => value,
     }
 }

@@ -1,7 +1,7 @@
 //! A sweep and a quantity of its poses, without the type of the mechanism.
 //!
-//! The search for extremes, crossings, dwells and means is compiled once, in this crate. For each mechanism only its functions and the
-//! quantity are compiled.
+//! The search for extremes, crossings, dwells and means is compiled once, in this crate. For each mechanism only its
+//! functions and the quantity are compiled.
 
 use alloc::rc::Rc;
 use alloc::vec;
@@ -36,8 +36,8 @@ pub(super) struct SweepExtent {
     pub(super) rows: usize,
     /// Whether the variable is an angle.
     pub(super) is_angle: bool,
-    /// Whether the sweep is one full turn of the only input that moves.
-    pub(super) is_full_turn: bool,
+    /// Whether the sweep is one full revolution of the only input that moves.
+    pub(super) is_full_revolution: bool,
     /// Whether every block has a closed form, so that rows behind a gap close again.
     pub(super) has_assemblies: bool,
     /// The time for each unit of the variable.
@@ -81,7 +81,7 @@ pub(super) struct QuantityOfSweep<'c> {
     pub(super) quantity: &'c PoseQuantity<'c>,
     pub(super) rate: Option<RateOfQuantity<'c>>,
     pub(super) known: Option<KnownStretch<'c>>,
-    /// Told the part of the sweep that has been searched.
+    /// Receives the part of the sweep that has been searched.
     pub(super) progress: Option<&'c dyn Fn(f64)>,
 }
 
@@ -91,7 +91,7 @@ impl QuantityOfSweep<'_> {
         Curve::new(self).across_gaps(question)
     }
 
-    /// The place where a measure of the value is largest.
+    /// The point where a measure of the value is largest.
     pub(super) fn best(&self, measure: fn(f64) -> f64) -> Result<Peak, ExtremesError> {
         self.ask(|curve| curve.best(measure))
     }
@@ -183,19 +183,19 @@ impl<'c> QuantityOfSweep<'c> {
         Ok((station, Mark::new(walk)))
     }
 
-    fn is_full_turn(&self) -> bool {
+    fn is_full_revolution(&self) -> bool {
         if let Some(known) = &self.known {
-            return known.is_full_turn;
+            return known.is_full_revolution;
         }
         let sweep = &self.sweep;
         let way = (sweep.to - sweep.from).abs();
-        let is_turn = (way - TAU).abs() <= 8.0 * f64::EPSILON * sweep.to.abs().max(sweep.from.abs());
+        let is_revolution = (way - TAU).abs() <= 8.0 * f64::EPSILON * sweep.to.abs().max(sweep.from.abs());
         let Variable::Input(lead) = sweep.drive.variable() else {
             return false;
         };
         let mut inputs = 0..sweep.description.inputs.len();
         let is_alone = inputs.all(|input| input == lead || sweep.drive.same(input, 0).is_some());
-        is_turn && is_alone && sweep.description.inputs[lead].dimension == Dimension::Angle
+        is_revolution && is_alone && sweep.description.inputs[lead].dimension == Dimension::Angle
     }
 
     pub(super) fn extent(&self) -> SweepExtent {
@@ -205,7 +205,7 @@ impl<'c> QuantityOfSweep<'c> {
             to: sweep.to,
             rows: sweep.count,
             is_angle: sweep.variable().dimension == Dimension::Angle,
-            is_full_turn: self.is_full_turn(),
+            is_full_revolution: self.is_full_revolution(),
             has_assemblies: sweep.has_assemblies(),
             time: 1.0 / self.drive.rate().abs(),
         }
@@ -221,8 +221,8 @@ impl<'c> QuantityOfSweep<'c> {
         self.sweep.at(row)
     }
 
-    /// The largest change of an angle among the inputs between two places.
-    pub(super) fn turn(&self, ends: [f64; 2]) -> f64 {
+    /// The largest change of an angle among the inputs between two points.
+    pub(super) fn rotation(&self, ends: [f64; 2]) -> f64 {
         let [start, end] = ends.map(|at| self.sweep.inputs(at));
         let inputs = self.sweep.description.inputs.iter().enumerate();
         inputs
@@ -240,13 +240,14 @@ impl<'c> QuantityOfSweep<'c> {
         inputs.get(1).map_or(1.0, |rate| rate.abs())
     }
 
-    /// The joints of laws between two places, in the order from the first to the second.
+    /// The joints of laws between two points, in the order from the first to the second.
     pub(super) fn joints(&self, ends: [f64; 2]) -> Vec<f64> {
         joints(self.drive, ends)
     }
 
-    /// The directions in which the quantity has no bound at a joint, upwards and downwards: a rate below it jumps there. One above a jump
-    /// has the direction of the jump, and those above that have both. Another input's jump need not be one of the quantity.
+    /// The directions in which the quantity has no bound at a joint, upwards and downwards: a rate below it jumps
+    /// there. One above a jump has the direction of the jump, and those above that have both. Another input's jump need
+    /// not be one of the quantity.
     pub(super) fn impulse(&self, joint: &CurveNode<'_>) -> Result<[bool; 2], ExtremesError> {
         let (Some(rate), Some(jump)) = (&self.rate, self.drive.jump(joint.at)) else {
             return Ok([false; 2]);
@@ -275,7 +276,7 @@ impl<'c> QuantityOfSweep<'c> {
         self.known.as_ref().map(KnownStretch::ends)
     }
 
-    /// The walk on to another place, and whether the mechanism closes there.
+    /// The walk on to another point, and whether the mechanism closes there.
     pub(super) fn step(&self, near: &Mark<'c>, at: f64) -> (Mark<'c>, Result<(), SolveError>) {
         let (walk, result) = near.walk.stepped(&self.sweep, at, &self.sweep.motions(at));
         (Mark::new(walk), result)
@@ -292,7 +293,7 @@ impl<'c> QuantityOfSweep<'c> {
         Ok((station.finite((self.quantity)(&station)?)?, mark))
     }
 
-    /// The length that is missing for the assembly to close at a place, if it does not for this reason.
+    /// The length that is missing for the assembly to close at a point, if it does not for this reason.
     pub(super) fn missing(&self, at: f64) -> Option<MissingLength> {
         let error = self.sweep.position(at).err()?;
         let length = match error.failure {
@@ -305,13 +306,13 @@ impl<'c> QuantityOfSweep<'c> {
         })
     }
 
-    /// The limit on the way from a pose to another place.
+    /// The limit on the way from a pose to another point.
     pub(super) fn limit(&self, closed: f64, near: &Mark<'_>, other: f64) -> Option<Limit> {
         limit_between(&self.sweep, closed, &near.walk.last.as_ref()?.unknowns(), other)
     }
 
-    /// The place closest to one that does not close at which the mechanism closes.
-    pub(super) fn edge(&self, closed: f64, open: f64) -> f64 {
-        self.sweep.edge(closed, open)
+    /// The point closest to one that does not close at which the mechanism closes.
+    pub(super) fn edge(&self, closed: f64, unclosed: f64) -> f64 {
+        self.sweep.edge(closed, unclosed)
     }
 }

@@ -16,7 +16,7 @@ use crate::sweep::{Instant, Local, StraightLine, Sweep, Swept};
 
 const ORDERS: [&str; 5] = ["", "_velocity", "_acceleration", "_jerk", "_snap"];
 
-fn turn(linkage: FourBar, assembly: Assembly) -> Sweep<FourBar, StraightLine> {
+fn swept(linkage: FourBar, assembly: Assembly) -> Sweep<FourBar, StraightLine> {
     linkage.sweep(assembly).over(0.0..=TAU, 100).speed(10.0)
 }
 
@@ -36,61 +36,62 @@ fn rocker(linkage: FourBar, assembly: Assembly, at: f64, order: usize) -> [f64; 
 /// Closures calculate with plain numbers, and compare, as with numbers of any kind.
 #[test]
 fn closures_calculate_with_plain_numbers() {
-    let turn = turn(CRANK_ROCKER, Assembly::Open);
+    let sweep = swept(CRANK_ROCKER, Assembly::Open);
     let [high, low] = [
-        turn.of("theta4").highest().unwrap(),
-        turn.of("theta4").lowest().unwrap(),
+        sweep.of("theta4").highest().unwrap(),
+        sweep.of("theta4").lowest().unwrap(),
     ];
     let near = |one: f64, other: f64| assert!((one - other).abs() < 1e-14 * (1.0 + other.abs()), "{one} {other}");
     // motions, which answer by their values, and the series that they give
-    let found = turn.of_expression(|at| 2.0 * at.theta4 + 1.0).highest().unwrap();
+    let found = sweep.of_expression(|at| 2.0 * at.theta4 + 1.0).highest().unwrap();
     near(found.value, 2.0 * high.value + 1.0);
     near(found.at, high.at);
     near(
-        turn.of_expression(|at| at.theta4 * 2.0).highest().unwrap().value,
+        sweep.of_expression(|at| at.theta4 * 2.0).highest().unwrap().value,
         2.0 * high.value,
     );
-    let found = turn
+    let found = sweep
         .of_expression(|at| 1.0 - at.theta4.position() / 4.0)
         .highest()
         .unwrap();
     near(found.value, 1.0 - low.value / 4.0);
     near(found.at, low.at);
     near(
-        turn.of_expression(|at| at.theta4.sqrt()).highest().unwrap().value,
+        sweep.of_expression(|at| at.theta4.sqrt()).highest().unwrap().value,
         high.value.sqrt(),
     );
     // the rocker stays in the half-plane in which the cosine falls
     assert!(low.value > 0.0 && high.value < PI);
     near(
-        turn.of_expression(|at| at.theta4.cos()).lowest().unwrap().value,
+        sweep.of_expression(|at| at.theta4.cos()).lowest().unwrap().value,
         high.value.cos(),
     );
     near(
-        turn.of_expression(|at| at.theta4.position().cos())
+        sweep
+            .of_expression(|at| at.theta4.position().cos())
             .lowest()
             .unwrap()
             .value,
         high.value.cos(),
     );
     // as the function itself is, derivatives and all
-    let sine = turn
+    let sine = sweep
         .of_expression(|at| 90.0 * at.theta4.sin().velocity())
         .peak()
         .unwrap();
-    let chain = turn
+    let chain = sweep
         .of_expression(|at| 90.0 * at.theta4.velocity() * at.theta4.position().cos())
         .peak()
         .unwrap();
     near(sine.value, chain.value);
     // comparisons: the part of the travel above a level
     let level = 0.5 * (low.value + high.value);
-    let above = turn
+    let above = sweep
         .of_expression(|at| (at.theta4 - level).max(0.0 * at.theta4))
         .highest()
         .unwrap();
     near(above.value, high.value - level);
-    let above = turn
+    let above = sweep
         .of_expression(|at| {
             if at.theta4.position() < level {
                 Local::constant(level)
@@ -102,7 +103,8 @@ fn closures_calculate_with_plain_numbers() {
         .unwrap();
     near(above.value, level);
     near(
-        turn.of_expression(|at| (at.theta4.position() - level).abs())
+        sweep
+            .of_expression(|at| (at.theta4.position() - level).abs())
             .highest()
             .unwrap()
             .value,
@@ -110,13 +112,13 @@ fn closures_calculate_with_plain_numbers() {
     );
 }
 
-/// Every extreme of a turn is found once: as many as a dense scan sees, each where the next derivative vanishes.
+/// Every extreme of a revolution is found once: as many as a dense scan sees, each where the next derivative vanishes.
 #[test]
 fn a_turn_has_the_extremes_of_a_dense_scan() {
     for assembly in Assembly::BOTH {
         for (order, suffix) in ORDERS.iter().enumerate() {
             let name = std::format!("theta4{suffix}");
-            let found = turn(CRANK_ROCKER, assembly).of(&name).extremes().unwrap();
+            let found = swept(CRANK_ROCKER, assembly).of(&name).extremes().unwrap();
             let count = samples::of(7200);
             let at = |index: u32| (f64::from(index) + 0.3) * TAU / f64::from(count);
             let slopes: Vec<f64> = (0..=count)
@@ -138,9 +140,9 @@ fn a_turn_has_the_extremes_of_a_dense_scan() {
                 );
                 assert!(slope.abs() < 1e-11 * size * 10.0, "{name} {extreme}: {slope}");
             }
-            let peak = turn(CRANK_ROCKER, assembly).of(&name).peak().unwrap();
+            let peak = swept(CRANK_ROCKER, assembly).of(&name).peak().unwrap();
             let largest = values.fold(0.0, |size: f64, value| size.max(value.abs()));
-            // between two places of the scan, a peak is higher by the square of their distance
+            // between two points of the scan, a peak is higher by the square of their distance
             let step = TAU / f64::from(count);
             assert!(
                 peak.value.abs() >= largest * (1.0 - 1e-15) && peak.value.abs() < largest * (1.0 + 10.0 * step * step)
@@ -152,7 +154,7 @@ fn a_turn_has_the_extremes_of_a_dense_scan() {
 /// The dead points of a crank-rocker's rocker, by the law of cosines.
 #[test]
 fn dead_points_are_exact() {
-    let found = turn(CRANK_ROCKER, Assembly::Open).of("theta4").extremes().unwrap();
+    let found = swept(CRANK_ROCKER, Assembly::Open).of("theta4").extremes().unwrap();
     let FourBar { r1, r2, r3, r4 } = CRANK_ROCKER;
     let mut expected = [r3 + r2, r3 - r2].map(|side| PI - ((r1 * r1 + r4 * r4 - side * side) / (2.0 * r1 * r4)).acos());
     expected.sort_by(f64::total_cmp);
@@ -164,7 +166,8 @@ fn dead_points_are_exact() {
     }
 }
 
-/// A scotch yoke is a cosine: extremes, also at the seam of the turn, crossings, mean and root mean square are known.
+/// A scotch yoke is a cosine: extremes, also at the seam of the revolution, crossings, mean and root mean square are
+/// known.
 #[test]
 fn a_yoke_is_a_cosine() {
     let yoke = ScotchYoke {
@@ -172,11 +175,11 @@ fn a_yoke_is_a_cosine() {
         gamma: PI / 2.0,
     };
     for start in [0.0, 1.0, -7.0] {
-        let turn = yoke.sweep().over(start..=start + TAU, 50).speed(3.0);
+        let sweep = yoke.sweep().over(start..=start + TAU, 50).speed(3.0);
         let name = "x";
         for (order, suffix) in ORDERS.iter().enumerate() {
             let name = std::format!("{name}{suffix}");
-            let extremes = turn.of(&name).extremes().unwrap();
+            let extremes = sweep.of(&name).extremes().unwrap();
             assert_eq!(extremes.len(), 2, "{name} from {start}");
             let size = 2.0 * 3_f64.powi(i32::try_from(order).unwrap());
             for extreme in extremes {
@@ -188,21 +191,21 @@ fn a_yoke_is_a_cosine() {
                 };
                 assert!(quarter.sin().abs() < 1e-14);
             }
-            let mean = turn.of(&name).mean(Over::Time).unwrap();
+            let mean = sweep.of(&name).mean(Over::Time).unwrap();
             assert!(mean.value.abs() < 1e-14 * size && mean.error < 1e-12 * size);
-            let rms = turn.of(&name).rms(Over::Input).unwrap();
+            let rms = sweep.of(&name).rms(Over::Input).unwrap();
             assert!((rms.value - size / 2_f64.sqrt()).abs() < 1e-14 * size);
         }
-        assert_eq!(turn.of(name).crossings(1.0).unwrap().len(), 2);
-        let dwells = turn.of(name).dwells(2.0, 1.0).unwrap();
+        assert_eq!(sweep.of(name).crossings(1.0).unwrap().len(), 2);
+        let dwells = sweep.of(name).dwells(2.0, 1.0).unwrap();
         assert_eq!(dwells.len(), 1);
         assert!((dwells[0].to - dwells[0].from - TAU / 3.0).abs() < 1e-13);
         assert!((dwells[0].duration - TAU / 9.0).abs() < 1e-13);
     }
 }
 
-/// At a turning point a position has an extreme, and its rates have no bound. The mean velocity is the way over the time, and the
-/// mean square has no value.
+/// At a turning point a position has an extreme, and its rates have no bound. The mean velocity is the way over the
+/// time, and the mean square has no value.
 #[test]
 fn turning_points_bound_positions_and_not_rates() {
     let sweep = LIMITED.sweep(Assembly::Open).over(-3.0..=3.0, 100).speed(10.0);
@@ -303,7 +306,8 @@ fn laws_have_joints() {
     assert!((mean.value - (end - start) / 0.4).abs() < 1e-11);
 }
 
-/// Where a rate jumps, the one above it is an impulse in the direction of the jump, and those above that have no bound on either side.
+/// Where a rate jumps, the one above it is an impulse in the direction of the jump, and those above that have no bound
+/// on either side.
 #[test]
 fn rates_above_a_jump_have_no_bound() {
     let crank = SliderCrank { r: 0.1, l: 0.3 };
@@ -326,7 +330,7 @@ fn rates_above_a_jump_have_no_bound() {
     }
     let [begin, stop] = [0.2, 0.45];
     assert_eq!(unbounded(&servo, "theta_acceleration"), [(begin, true), (stop, false)]);
-    // the slide moves back as the crank turns on
+    // the slide moves back as the crank rotates on
     assert_eq!(unbounded(&servo, "s_acceleration"), [(begin, false), (stop, true)]);
     let both = [(begin, true), (begin, false), (stop, true), (stop, false)];
     assert_eq!(unbounded(&servo, "theta_jerk"), both);
@@ -344,7 +348,8 @@ fn rates_above_a_jump_have_no_bound() {
     assert_eq!(unbounded(&servo, "theta_snap"), [(begin, true), (stop, false)]);
 }
 
-/// A jump of one input is none of a quantity that does not follow it, and a crank that begins a new turn does not jump.
+/// A jump of one input is none of a quantity that does not follow it, and a crank that begins a new revolution does not
+/// jump.
 #[test]
 fn jumps_are_those_of_the_quantity() {
     let robot = FiveBar {
@@ -357,7 +362,7 @@ fn jumps_are_those_of_the_quantity() {
     let left = Rise::new(Shape::Cycloidal, 0.0, 2.0, 0.5).unwrap();
     let right = Rise::new(Shape::ConstantSpeed, 1.0, 1.6, 0.25).unwrap();
     let sweep = robot.sweep(Assembly::Open).under_laws([&left, &right], 0.0..=0.6, 20);
-    for (name, places) in [
+    for (name, jumps) in [
         ("beta_acceleration", std::vec![0.25]),
         ("phi_acceleration", std::vec![0.25]),
         ("phi_jerk", std::vec![0.25, 0.25]),
@@ -366,14 +371,12 @@ fn jumps_are_those_of_the_quantity() {
     ] {
         let extremes = sweep.of(name).extremes().unwrap();
         let unbounded = extremes.iter().filter(|extreme| extreme.value.is_none());
-        assert_eq!(
-            unbounded.map(|extreme| extreme.at).collect::<Vec<_>>(),
-            places,
-            "{name}"
-        );
+        assert_eq!(unbounded.map(|extreme| extreme.at).collect::<Vec<_>>(), jumps, "{name}");
     }
-    let turns = ConstantSpeed::new(0.0, TAU / 0.5, 0.5).unwrap().repeated();
-    let sweep = CRANK_ROCKER.sweep(Assembly::Open).under_laws([&turns], 0.0..=1.5, 40);
+    let revolutions = ConstantSpeed::new(0.0, TAU / 0.5, 0.5).unwrap().repeated();
+    let sweep = CRANK_ROCKER
+        .sweep(Assembly::Open)
+        .under_laws([&revolutions], 0.0..=1.5, 40);
     for name in [
         "theta2_velocity",
         "theta4_velocity",
@@ -389,7 +392,7 @@ fn jumps_are_those_of_the_quantity() {
 /// A kink of the quantity itself is found to rounding: the folded transmission angle has one at a right angle.
 #[test]
 fn kinks_and_transmission_angles() {
-    let sweep = turn(CRANK_ROCKER, Assembly::Open);
+    let sweep = swept(CRANK_ROCKER, Assembly::Open);
     let angle = |at: &At<FourBar>| at.transmission_angle(0).unwrap();
     let plain = sweep.of_expression(|at| angle(at).angle).extremes().unwrap();
     // the classic extremes, where the crank is in line with the ground
@@ -412,7 +415,7 @@ fn kinks_and_transmission_angles() {
     }
 }
 
-/// A coupled block is followed: equal legs turn the platform, l² = R² + ρ² - 2 R ρ cos phi.
+/// A coupled block is followed: equal legs rotate the platform, l² = R² + ρ² - 2 R ρ cos phi.
 #[test]
 fn coupled_blocks_have_extremes() {
     let triad = triad();
@@ -446,7 +449,7 @@ fn track_to(triad: &ClassThreeTriad, from: [f64; 3], to: [f64; 3]) -> [f64; 4] {
 /// Above the declared order, extremes are the zeros of the next derivative as well, of unknowns and of outputs.
 #[test]
 fn derivatives_above_the_order_have_names() {
-    let sweep = turn(CRANK_ROCKER, Assembly::Open);
+    let sweep = swept(CRANK_ROCKER, Assembly::Open);
     let long = CRANK_ROCKER.convert(|parameter: f64| Series::<13>::constant(parameter));
     let derivatives = |at: f64| {
         let mut input = [0.0; 13];
@@ -506,8 +509,8 @@ fn derivatives_above_the_order_have_names() {
 #[test]
 fn margins_are_quantities() {
     let FourBar { r1, r2, r3, r4 } = CRANK_ROCKER;
-    let margins = turn(CRANK_ROCKER, Assembly::Open).of("margin").extremes().unwrap();
-    let smallest = turn(CRANK_ROCKER, Assembly::Open).of("margin").lowest().unwrap().value;
+    let margins = swept(CRANK_ROCKER, Assembly::Open).of("margin").extremes().unwrap();
+    let smallest = swept(CRANK_ROCKER, Assembly::Open).of("margin").lowest().unwrap().value;
     // stretched: crank and ground in line
     assert!((smallest - (r3 + r4 - r1 - r2)).abs() < 1e-12, "{smallest}");
     let kinks: Vec<_> = margins
@@ -547,7 +550,7 @@ fn margins_are_quantities() {
 }
 
 crate::mechanism! {
-    /// A cylinder lifts a boom. The angle of the boom is told against the cylinder.
+    /// A cylinder lifts a boom. The angle of the boom is measured against the cylinder.
     struct RelativeBoom { pub base: Length, pub boom: Length }
     input cylinder: Length;
     unknown alpha: Angle, beta: Angle;
@@ -579,7 +582,7 @@ crate::mechanism! {
     crank * cis(theta) + travel * cis(alpha) == base + boom * cis(beta);
 }
 
-/// The margin as a series at a place of a sweep, by differences of the extremes' own numbers.
+/// The margin as a series at a point of a sweep, by differences of the extremes' numbers.
 fn margins<M>(sweep: &Sweep<M, StraightLine>, expected: impl Fn(f64) -> f64)
 where
     M: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]>,
@@ -589,17 +592,18 @@ where
     let asked = sweep
         .of_expression(|at: &At<M>| {
             let margin = at.smallest_margin().unwrap();
-            let [place, rate] = [0, 1].map(|order| at.input(0, 0).unwrap().derivatives()[order]);
+            let [angle, rate] = [0, 1].map(|order| at.input(0, 0).unwrap().derivatives()[order]);
             assert!(
-                (margin.real() - expected(place)).abs() < 1e-14 * 8.0,
-                "{place}: {margin:?}"
+                (margin.real() - expected(angle)).abs() < 1e-14 * 8.0,
+                "{angle}: {margin:?}"
             );
-            // the difference has an error of its step squared times the third derivative, if there is no kink within the step
-            let predicted = slope(place) * rate;
-            if (slope(place - 2e-4) - slope(place + 2e-4)).abs() < 1e-2 {
+            // the difference has an error of its step squared times the third derivative, if there is no kink within
+            // the step
+            let predicted = slope(angle) * rate;
+            if (slope(angle - 2e-4) - slope(angle + 2e-4)).abs() < 1e-2 {
                 assert!(
                     (margin.derivatives()[1] - predicted).abs() < 1e-6,
-                    "{place}: {margin:?} {predicted}"
+                    "{angle}: {margin:?} {predicted}"
                 );
                 tested.set(tested.get() + 1);
             }
@@ -653,9 +657,9 @@ fn margins_of_links_that_change() {
 
 /// The progress of a question grows to 1, and the answer is the same.
 #[test]
-fn progress_is_told() {
+fn progress_is_reported() {
     let sweeps = [
-        turn(CRANK_ROCKER, Assembly::Open),
+        swept(CRANK_ROCKER, Assembly::Open),
         LIMITED.sweep(Assembly::Open).over(-3.0..=3.0, 50),
     ];
     for sweep in sweeps {
@@ -681,7 +685,7 @@ fn progress_is_told() {
         ..CRANK_ROCKER
     };
     let mut parts = Vec::new();
-    let found = turn(gap, Assembly::Open)
+    let found = swept(gap, Assembly::Open)
         .of("theta4")
         .on_progress(|part| parts.push(part))
         .extremes();
@@ -689,7 +693,7 @@ fn progress_is_told() {
         found.is_ok() && parts.windows(2).all(|pair| pair[0] < pair[1]),
         "{parts:?}"
     );
-    let error = turn(CRANK_ROCKER, Assembly::Open)
+    let error = swept(CRANK_ROCKER, Assembly::Open)
         .of("theta9")
         .on_progress(|_| panic!("nothing is solved"))
         .peak();
@@ -725,7 +729,7 @@ fn gaps_divide_a_sweep() {
         let mean = sweep.of("theta4_velocity").mean(Over::Time).unwrap();
         // what it rises on both sides of the gap, over the time
         let values: Vec<f64> = extremes.iter().filter_map(|extreme| extreme.value).collect();
-        let at = |place: f64| linkage.position(place, Assembly::Open).unwrap().theta4.value();
+        let at = |angle: f64| linkage.position(angle, Assembly::Open).unwrap().theta4.value();
         let limit_values: Vec<f64> = extremes
             .iter()
             .filter(|extreme| extreme.kind == ExtremeKind::Limit)
@@ -746,13 +750,13 @@ fn gaps_divide_a_sweep() {
 fn a_dwell_may_touch_its_border() {
     let leg = JansenLeg::HOLY_NUMBERS;
     for start in [-3.0, -1.0, 0.0, 1.0, PI] {
-        let turn = leg.sweep(JansenLeg::WALKING).over(start..=start + TAU, 25);
-        let values = turn.of("foot.y").extremes().unwrap();
+        let sweep = leg.sweep(JansenLeg::WALKING).over(start..=start + TAU, 25);
+        let values = sweep.of("foot.y").extremes().unwrap();
         let low = values
             .iter()
             .filter_map(|extreme| extreme.value)
             .fold(f64::INFINITY, f64::min);
-        let ground = turn.of("foot.y").dwells(low + 0.5, 0.5).unwrap();
+        let ground = sweep.of("foot.y").dwells(low + 0.5, 0.5).unwrap();
         assert_eq!(ground.len(), 1, "{ground:?} from {start}");
         assert!((ground[0].duration.to_degrees() - 155.175).abs() < 1e-3, "{ground:?}");
     }
@@ -773,8 +777,8 @@ fn formulas_have_extremes() {
     let extremes = swing.of("x").extremes().unwrap();
     let mut expected = std::vec![PI / 2.0, PI + PI / 6.0, 1.5 * PI, TAU - PI / 6.0];
     for extreme in extremes.iter().filter(|extreme| extreme.kind == ExtremeKind::Inner) {
-        let place = expected.iter().position(|place| (place - extreme.at).abs() < 1e-13);
-        expected.remove(place.unwrap_or_else(|| panic!("{extreme}")));
+        let index = expected.iter().position(|at| (at - extreme.at).abs() < 1e-13);
+        expected.remove(index.unwrap_or_else(|| panic!("{extreme}")));
         let value = 2.0 * (0.25 + 0.5 * extreme.at.sin()).cos();
         assert!((extreme.value.unwrap() - value).abs() < 1e-14);
     }
@@ -786,7 +790,7 @@ fn formulas_have_extremes() {
 /// Any expression of a pose carries its derivatives.
 #[test]
 fn expressions_of_a_pose() {
-    let sweep = turn(CRANK_ROCKER, Assembly::Open);
+    let sweep = swept(CRANK_ROCKER, Assembly::Open);
     let power = sweep
         .of_expression(|at| at.theta4.velocity() * at.theta4.acceleration())
         .peak()
@@ -809,8 +813,8 @@ fn expressions_of_a_pose() {
 }
 
 #[test]
-fn mistakes_are_told() {
-    let sweep = turn(CRANK_ROCKER, Assembly::Open);
+fn mistakes_are_reported() {
+    let sweep = swept(CRANK_ROCKER, Assembly::Open);
     let error = sweep.of("theta4_jrk").peak().unwrap_err();
     assert!(error.to_string().contains("did you mean `theta4_jerk`"), "{error}");
     let short = FourBar { r4: 1.0, ..LIMITED };
@@ -863,7 +867,8 @@ fn rounding_errors_have_no_extremes() {
             "{suffix}: {}",
             across.len()
         );
-        // along the line the way is a tangent of half the angle, whose derivatives have an extreme in the middle or none
+        // along the line the way is a tangent of half the angle, whose derivatives have an extreme in the middle or
+        // none
         let along = sweep.of(&std::format!("tracer.y{suffix}")).extremes().unwrap();
         assert!(along.len() <= 3, "{suffix}: {}", along.len());
     }
@@ -904,11 +909,15 @@ fn a_constant_is_largest_where_it_closes() {
             "{peak}"
         );
     }
-    let turning = turn(CRANK_ROCKER, Assembly::Open).of("theta2_velocity").peak().unwrap();
-    assert_eq!((turning.at, turning.value, turning.kind), (0.0, 10.0, ExtremeKind::End));
+    let speed = swept(CRANK_ROCKER, Assembly::Open)
+        .of("theta2_velocity")
+        .peak()
+        .unwrap();
+    assert_eq!((speed.at, speed.value, speed.kind), (0.0, 10.0, ExtremeKind::End));
 }
 
-/// At a joint of a law a quantity may jump across a level, upwards as well as downwards, and in both directions of the sweep.
+/// At a joint of a law a quantity may jump across a level, upwards as well as downwards, and in both directions of the
+/// sweep.
 #[test]
 fn jumps_at_joints_cross_levels() {
     let crank = SliderCrank { r: 0.1, l: 0.3 };
@@ -938,10 +947,15 @@ fn jumps_at_joints_cross_levels() {
 
 #[test]
 fn levels_and_tolerances_are_finite() {
-    let sweep = turn(CRANK_ROCKER, Assembly::Open);
+    let sweep = swept(CRANK_ROCKER, Assembly::Open);
     let name = "theta4";
     for wrong in [f64::NAN, f64::INFINITY] {
-        let is = |error: ExtremesError, expected: &str| matches!(error, ExtremesError::Argument { argument, value } if argument == expected && !value.is_finite());
+        let is = |error: ExtremesError, expected: &str| {
+            matches!(
+                error,
+                ExtremesError::Argument { argument, value } if argument == expected && !value.is_finite()
+            )
+        };
         assert!(is(sweep.of(name).crossings(wrong).unwrap_err(), "level"));
         assert!(is(sweep.of(name).dwells(wrong, 0.1).unwrap_err(), "level"));
         assert!(is(sweep.of(name).dwells(1.0, wrong).unwrap_err(), "tolerance"));
@@ -952,7 +966,7 @@ fn levels_and_tolerances_are_finite() {
 #[test]
 #[ignore = "takes ten seconds"]
 fn a_rough_quantity_is_refused() {
-    let sweep = turn(CRANK_ROCKER, Assembly::Open);
+    let sweep = swept(CRANK_ROCKER, Assembly::Open);
     let waves = |count: f64| {
         sweep
             .of_expression(|at| (at.theta2.position() * Local::constant(count)).sin_cos().0)

@@ -8,7 +8,7 @@ use crate::quantity::{Digits, Name, WithUnit};
 
 /// The reason why a solver found no position.
 ///
-/// Lengths are in the mechanism's own units, angles in radians.
+/// Lengths are in the mechanism's units, angles in radians.
 #[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Failure {
@@ -64,9 +64,9 @@ pub enum Failure {
         /// The condition number of the Jacobian where the iteration gave up, in the maximum norm after scaling.
         condition: f64,
     },
-    /// The guess for an angle has so many turns that neighbouring numbers are more than a degree apart. No angle of
-    /// that size is a solution.
-    TooManyTurns {
+    /// The guess for an angle has so many revolutions that neighbouring numbers are more than a degree apart. No angle
+    /// of that size is a solution.
+    TooManyRevolutions {
         /// The name of the unknown.
         unknown: Name,
         /// The guess near which the unknown was to be solved.
@@ -82,7 +82,7 @@ pub enum Failure {
 }
 
 impl Failure {
-    /// The failure with the place where it occurred: the unknowns of the block, separated by commas, and the inputs of
+    /// The failure with the block where it occurred: the unknowns of the block, separated by commas, and the inputs of
     /// the solver.
     #[cold]
     #[must_use]
@@ -178,12 +178,12 @@ impl fmt::Display for Failure {
             } => write!(
                 formatter,
                 "no solution found near the guess, a residual of {} is left after {iterations} steps \
-                 (condition of the Jacobian {}); start from a better guess, track from a known pose, or bring the inputs \
-                 back within reach",
+                 (condition of the Jacobian {}); start from a better guess, track from a known pose, or bring the \
+                 inputs back within reach",
                 Digits(residual),
                 Digits(condition)
             ),
-            Self::TooManyTurns {
+            Self::TooManyRevolutions {
                 unknown,
                 guess,
                 spacing,
@@ -240,7 +240,7 @@ pub struct SolveError {
 }
 
 impl SolveError {
-    /// The missing length when the mechanism is out of reach, as a negative number in its own units; zero in a singular
+    /// The missing length when the mechanism is out of reach, as a negative number in its units; zero in a singular
     /// position. `None` if the failure is of another kind.
     #[must_use]
     pub fn margin(&self) -> Option<f64> {
@@ -291,8 +291,8 @@ mod tests {
         for (failure, message) in [
             (
                 Failure::Singular { determinant: 0.0 },
-                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: singular position, a dead point or the limit of the \
-                 range, where the two assemblies meet and rates are not defined (determinant 0); \
+                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: singular position, a dead point or the \
+                 limit of the range, where the two assemblies meet and rates are not defined (determinant 0); \
                  stop short of it, or drive the mechanism by another input",
             ),
             (
@@ -303,8 +303,9 @@ mod tests {
                     high: core::f64::consts::PI,
                     is_angle: true,
                 },
-                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: theta3 = 4 rad (229.2°) lies outside its \
-                 declared range from 0 rad (0.0°) to 3.141593 rad (180.0°); widen the range, or change dimensions or inputs",
+                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: theta3 = 4 rad (229.2°) lies outside \
+                 its declared range from 0 rad (0.0°) to 3.141593 rad (180.0°); widen the range, or change dimensions \
+                 or inputs",
             ),
             (
                 Failure::Ambiguous {
@@ -313,8 +314,8 @@ mod tests {
                     second: 1.0,
                     is_angle: false,
                 },
-                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: the declared range of theta3 holds both solutions, \
-                 -1 and 1; narrow it until one is left",
+                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: the declared range of theta3 holds both \
+                 solutions, -1 and 1; narrow it until one is left",
             ),
             (
                 Failure::OutsideDomain {
@@ -330,23 +331,24 @@ mod tests {
                     iterations: 12,
                     condition: 3.5e9,
                 },
-                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: no solution found near the guess, a residual of 0.25 \
-                 is left after 12 steps (condition of the Jacobian 3.5e9); start from a better guess, \
+                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: no solution found near the guess, a \
+                 residual of 0.25 is left after 12 steps (condition of the Jacobian 3.5e9); start from a better guess, \
                  track from a known pose, or bring the inputs back within reach",
             ),
             (
-                Failure::TooManyTurns {
+                Failure::TooManyRevolutions {
                     unknown: "theta3".into(),
                     guess: 1e15,
                     spacing: 0.125,
                 },
-                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: the guess for theta3 is 1e15 rad, where neighbouring \
-                 numbers are 0.125 rad (7.2°) apart and define no direction; subtract whole turns from the guess",
+                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: the guess for theta3 is 1e15 rad, where \
+                 neighbouring numbers are 0.125 rad (7.2°) apart and define no direction; subtract whole turns from \
+                 the guess",
             ),
             (
                 Failure::not_finite("r1"),
-                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: r1: not finite, that is NaN, infinite, or too large \
-                 or too small for the number type; check parameters and inputs",
+                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: r1: not finite, that is NaN, infinite, \
+                 or too large or too small for the number type; check parameters and inputs",
             ),
         ] {
             let error = failure.at("theta3", inputs);

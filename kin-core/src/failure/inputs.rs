@@ -5,7 +5,7 @@ use core::fmt;
 use crate::failure::InputNames;
 use crate::quantity::{Name, Quantity};
 
-/// The first few inputs of a mechanism with their names and units. They tell where an error occurred.
+/// The first few inputs of a mechanism with their names and units. They say where an error occurred.
 ///
 /// ```
 /// use kin_core::{InputValues, Quantity};
@@ -48,8 +48,8 @@ impl InputValues {
     pub fn of(names: InputNames, values: &[f64]) -> Self {
         let count = values.len().min(Self::CAPACITY);
         let mut kept = [0.0; Self::CAPACITY];
-        for (place, value) in kept.iter_mut().zip(values).take(count) {
-            *place = *value;
+        for (slot, value) in kept.iter_mut().zip(values).take(count) {
+            *slot = *value;
         }
         Self {
             names: names.first(count),

@@ -7,7 +7,7 @@ use crate::number::Number;
 /// A vector in the plane, or the complex number `x + i y`.
 ///
 /// Both coordinates have the same unit. A direction is a vector of length 1: the cosine and sine of its angle.
-/// [`times`](Plane::times) turns one vector by another.
+/// [`times`](Plane::times) rotates one vector by another.
 ///
 /// ```
 /// use kin_core::Plane;

@@ -11,10 +11,10 @@ use crate::number::Number;
 /// use core::f64::consts::FRAC_PI_2;
 /// use kin_core::{Rotation, Space};
 ///
-/// // a quarter turn about z takes x to y, one about x takes that on to z
+/// // a quarter revolution about z takes x to y, one about x takes that on to z
 /// let rotation = Rotation::about_x(FRAC_PI_2).times(Rotation::about_z(FRAC_PI_2));
-/// let turned = rotation.turn(Space::new(1.0, 0.0, 0.0));
-/// assert!((turned - Space::new(0.0, 0.0, 1.0)).norm() < 1e-15);
+/// let rotated = rotation.rotate(Space::new(1.0, 0.0, 0.0));
+/// assert!((rotated - Space::new(0.0, 0.0, 1.0)).norm() < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rotation<T = f64> {
@@ -110,9 +110,9 @@ impl<T: Number> Rotation<T> {
         }
     }
 
-    /// The turned vector.
+    /// The vector, rotated.
     #[must_use]
-    pub fn turn(self, vector: Space<T>) -> Space<T> {
+    pub fn rotate(self, vector: Space<T>) -> Space<T> {
         let [x, y, z] = self.rows.map(|row| row.dot(vector));
         Space::new(x, y, z)
     }
@@ -129,7 +129,7 @@ impl<T: Number> Rotation<T> {
         }
     }
 
-    /// The rows of the matrix. Their scalar products with a vector are the coordinates of the turned vector.
+    /// The rows of the matrix. Their scalar products with a vector are the coordinates of the rotated vector.
     #[must_use]
     pub const fn rows(&self) -> [Space<T>; 3] {
         self.rows
@@ -154,9 +154,9 @@ mod tests {
     #[test]
     fn quarter_turns_take_each_axis_to_the_next() {
         let quarter = core::f64::consts::FRAC_PI_2;
-        assert_near(Rotation::about_x(quarter).turn(Y), Z);
-        assert_near(Rotation::about_y(quarter).turn(Z), X);
-        assert_near(Rotation::about_z(quarter).turn(X), Y);
+        assert_near(Rotation::about_x(quarter).rotate(Y), Z);
+        assert_near(Rotation::about_y(quarter).rotate(Z), X);
+        assert_near(Rotation::about_z(quarter).rotate(X), Y);
     }
 
     #[test]
@@ -165,16 +165,16 @@ mod tests {
             for length in [1.0, 0.25, 7.0] {
                 for v in [X, Y, Z, Space::new(0.3, -2.0, 1.1)] {
                     assert_near(
-                        Rotation::about(X.scale(length), angle).turn(v),
-                        Rotation::about_x(angle).turn(v),
+                        Rotation::about(X.scale(length), angle).rotate(v),
+                        Rotation::about_x(angle).rotate(v),
                     );
                     assert_near(
-                        Rotation::about(Y.scale(length), angle).turn(v),
-                        Rotation::about_y(angle).turn(v),
+                        Rotation::about(Y.scale(length), angle).rotate(v),
+                        Rotation::about_y(angle).rotate(v),
                     );
                     assert_near(
-                        Rotation::about(Z.scale(length), angle).turn(v),
-                        Rotation::about_z(angle).turn(v),
+                        Rotation::about(Z.scale(length), angle).rotate(v),
+                        Rotation::about_z(angle).rotate(v),
                     );
                 }
             }
@@ -185,19 +185,19 @@ mod tests {
     fn the_axis_stays_and_lengths_are_kept() {
         let (axis, v) = (Space::new(1.0, -2.0, 0.5), Space::new(0.3, -2.0, 1.1));
         let rotation = Rotation::about(axis, 0.7);
-        assert_near(rotation.turn(axis), axis);
-        let turned = rotation.turn(v);
-        assert!((turned.norm() - v.norm()).abs() <= 8.0 * f64::EPSILON * v.norm());
-        // The inverse rotation restores the vector, and a third of a turn about the diagonal takes x to y.
-        assert_near(Rotation::about(axis, -0.7).turn(turned), v);
+        assert_near(rotation.rotate(axis), axis);
+        let rotated = rotation.rotate(v);
+        assert!((rotated.norm() - v.norm()).abs() <= 8.0 * f64::EPSILON * v.norm());
+        // The inverse rotation restores the vector, and a third of a revolution about the diagonal takes x to y.
+        assert_near(Rotation::about(axis, -0.7).rotate(rotated), v);
         let third = Rotation::about(Space::new(1.0, 1.0, 1.0), 2.0 * core::f64::consts::FRAC_PI_3);
-        assert_near(third.turn(X), Y);
+        assert_near(third.rotate(X), Y);
     }
 
     #[test]
     fn products_turn_by_the_second_factor_first() {
         let (first, second) = (Rotation::about_x(0.4), Rotation::about_y(-1.1));
         let v = Space::new(0.3, -2.0, 1.1);
-        assert_near(first.times(second).turn(v), first.turn(second.turn(v)));
+        assert_near(first.times(second).rotate(v), first.rotate(second.rotate(v)));
     }
 }

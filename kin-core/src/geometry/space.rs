@@ -53,8 +53,8 @@ impl<T: Number> Space<T> {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
 
-    /// The vector product, at right angles to both factors. Seen from its tip, the turn from the first factor to the
-    /// second is counter-clockwise. Its unit is the product of the units.
+    /// The vector product, at right angles to both factors. Seen from its tip, the rotation from the first factor to
+    /// the second is counter-clockwise. Its unit is the product of the units.
     #[inline]
     #[must_use]
     pub fn cross(self, other: Self) -> Self {

@@ -1,7 +1,8 @@
-//! Pieces of curves that agree with a function at both ends, in the value and four derivatives: Hermite polynomials of degree 9.
+//! Pieces of curves that agree with a function at both ends, in the value and four derivatives: Hermite polynomials of
+//! degree 9.
 //!
-//! The error of a piece goes with the tenth power of its length. Seventy-two pieces reproduce a turn of an ordinary crank-rocker to
-//! rounding.
+//! The error of a piece goes with the tenth power of its length. Seventy-two pieces reproduce a revolution of an
+//! ordinary crank-rocker to rounding.
 
 mod piece;
 mod zeros;

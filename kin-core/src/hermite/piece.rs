@@ -6,19 +6,20 @@ use crate::number::series::Series;
 
 /// A polynomial of degree 9 with given value and derivatives at both ends.
 ///
-/// It is kept by its Bernstein coefficients. Those next to an end follow from the derivatives there by differences: the k-th forward
-/// difference of the first coefficients is the k-th derivative, times hᵏ (9 - k)! / 9! for a piece of the length h.
-/// (G. Farin, *Curves and Surfaces for CAGD*, 5th edition, Morgan Kaufmann 2002, section 5.3.)
+/// It is kept by its Bernstein coefficients. Those next to an end follow from the derivatives there by differences: the
+/// k-th forward difference of the first coefficients is the k-th derivative, times hᵏ (9 - k)! / 9! for a piece of the
+/// length h. (G. Farin, *Curves and Surfaces for CAGD*, 5th edition, Morgan Kaufmann 2002, section 5.3.)
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Piece {
     ends: [f64; 2],
     coefficients: [f64; COEFFICIENTS],
-    /// The slopes at both ends, times the length, without the rounding errors of differences: neighbouring pieces share their signs.
+    /// The slopes at both ends, times the length, without the rounding errors of differences: neighbouring pieces share
+    /// their signs.
     slopes: [f64; 2],
 }
 
 impl Piece {
-    /// The piece between two places, from the series at each of them.
+    /// The piece between two points, from the series at each of them.
     #[must_use]
     pub(crate) fn new(ends: [f64; 2], series: [Series<TERMS>; 2]) -> Self {
         let length = ends[1] - ends[0];
@@ -28,16 +29,17 @@ impl Piece {
             let mut differences = series.coefficients();
             let mut factor = 1.0;
             for (order, difference) in differences.iter_mut().enumerate().skip(1) {
-                // times h over the number of the orders left: k! of the series' coefficient stands against (9 - k)! / 9!
+                // times h over the number of the orders left: k! of the series' coefficient stands against (9 - k)! /
+                // 9!
                 factor *= length * count(order) / count(COEFFICIENTS - order);
                 *difference *= factor;
             }
-            for place in 0..TERMS {
+            for step in 0..TERMS {
                 let coefficient = differences[0];
-                for order in 0..TERMS - 1 - place {
+                for order in 0..TERMS - 1 - step {
                     differences[order] += differences[order + 1];
                 }
-                let index = if end == 0 { place } else { COEFFICIENTS - 1 - place };
+                let index = if end == 0 { step } else { COEFFICIENTS - 1 - step };
                 coefficients[index] = coefficient;
             }
         }
@@ -48,11 +50,11 @@ impl Piece {
         }
     }
 
-    /// The value and four derivatives at a place, as a series.
+    /// The value and four derivatives at a point, as a series.
     #[must_use]
-    pub(crate) fn at(&self, place: f64) -> Series<TERMS> {
+    pub(crate) fn at(&self, at: f64) -> Series<TERMS> {
         let length = self.ends[1] - self.ends[0];
-        let part = (place - self.ends[0]) / length;
+        let part = (at - self.ends[0]) / length;
         let mut coefficients = self.coefficients;
         let mut derivatives = [0.0; TERMS];
         let mut factor = 1.0;
@@ -71,15 +73,15 @@ impl Piece {
         [fold(f64::INFINITY, f64::min), fold(f64::NEG_INFINITY, f64::max)]
     }
 
-    /// The places where the piece crosses a level. Each is found once, also on the border of two pieces.
+    /// The points where the piece crosses a level. Each is found once, also on the border of two pieces.
     #[must_use]
     pub(crate) fn crossings(&self, level: f64) -> Zeros {
         isolate(self.ends, &self.coefficients.map(|coefficient| coefficient - level))
     }
 
-    /// The places where the slope of the piece changes its sign. Each is found once, also on the border of two pieces.
+    /// The points where the slope of the piece changes its sign. Each is found once, also on the border of two pieces.
     #[must_use]
-    pub(crate) fn turns(&self) -> Zeros {
+    pub(crate) fn stationary_points(&self) -> Zeros {
         let mut slope = self.coefficients;
         differentiate(&mut slope);
         [slope[0], slope[COEFFICIENTS - 2]] = self.slopes;
@@ -117,7 +119,7 @@ fn count(number: usize) -> f64 {
 mod tests {
     use super::*;
 
-    /// A polynomial of degree 9 is its own piece, in all derivatives.
+    /// A polynomial of degree 9 is equal to its piece, in all derivatives.
     #[test]
     fn a_piece_of_a_polynomial_is_the_polynomial() {
         let polynomial = |x: f64| {
@@ -129,13 +131,13 @@ mod tests {
             sum
         };
         let piece = Piece::new([-0.5, 1.25], [polynomial(-0.5), polynomial(1.25)]);
-        for place in [-0.5, -0.2, 0.0, 0.3, 0.9, 1.25] {
-            let (found, expected) = (piece.at(place).derivatives(), polynomial(place).derivatives());
+        for at in [-0.5, -0.2, 0.0, 0.3, 0.9, 1.25] {
+            let (found, expected) = (piece.at(at).derivatives(), polynomial(at).derivatives());
             for (order, (found, expected)) in found.into_iter().zip(expected).enumerate() {
                 let tolerance = 1e-12 * 20_f64.powi(i32::try_from(order).unwrap());
                 assert!(
                     (found - expected).abs() < tolerance,
-                    "{order} at {place}: {found} {expected}"
+                    "{order} at {at}: {found} {expected}"
                 );
             }
         }
@@ -162,19 +164,19 @@ mod tests {
             Series::from_derivatives([s, 7.0 * c, -49.0 * s, -343.0 * c, 2401.0 * s])
         };
         for pieces in [14_u32, 15, 28, 60] {
-            let place = |index: u32| core::f64::consts::TAU * f64::from(index) / f64::from(pieces);
-            let mut turns = 0;
+            let border = |index: u32| core::f64::consts::TAU * f64::from(index) / f64::from(pieces);
+            let mut stationary = 0;
             let mut crossings = 0;
             for index in 0..pieces {
-                let ends = [place(index), place(index + 1)];
+                let ends = [border(index), border(index + 1)];
                 let piece = Piece::new(ends, ends.map(wave));
-                turns += piece.turns().count();
+                stationary += piece.stationary_points().count();
                 crossings += piece.crossings(0.5).count();
-                for turn in piece.turns() {
-                    assert!((7.0 * turn).cos().abs() < 2e-3, "{turn}");
+                for at in piece.stationary_points() {
+                    assert!((7.0 * at).cos().abs() < 2e-3, "{at}");
                 }
             }
-            assert_eq!((turns, crossings), (14, 14), "{pieces} pieces");
+            assert_eq!((stationary, crossings), (14, 14), "{pieces} pieces");
         }
     }
 }

@@ -5,18 +5,18 @@ use super::COEFFICIENTS;
 /// Beyond this many halvings, two zeros are one that touches.
 const HALVINGS: usize = 44;
 
-/// The places where a piece changes its sign, in ascending order of their part of the piece.
+/// The points where a piece changes its sign, in ascending order of their part of the piece.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Zeros {
-    places: [f64; COEFFICIENTS],
+    points: [f64; COEFFICIENTS],
     count: usize,
     next: usize,
 }
 
 impl Zeros {
-    fn push(&mut self, place: f64) {
-        if let Some(entry) = self.places.get_mut(self.count) {
-            *entry = place;
+    fn push(&mut self, point: f64) {
+        if let Some(entry) = self.points.get_mut(self.count) {
+            *entry = point;
             self.count += 1;
         }
     }
@@ -26,9 +26,9 @@ impl Iterator for Zeros {
     type Item = f64;
 
     fn next(&mut self) -> Option<f64> {
-        let place = self.places.get(self.next).filter(|_| self.next < self.count)?;
+        let point = self.points.get(self.next).filter(|_| self.next < self.count)?;
         self.next += 1;
-        Some(*place)
+        Some(*point)
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
@@ -38,19 +38,20 @@ impl Iterator for Zeros {
 
 impl ExactSizeIterator for Zeros {}
 
-/// Isolates the changes of sign by Descartes' rule: there are at most as many as the coefficients have, and exactly one if they have one.
-/// Halving by de Casteljau's rule never adds any. (J. M. Lane and R. F. Riesenfeld, Bounds on a polynomial, BIT 21, 1981, 112-117.)
+/// Isolates the changes of sign by Descartes' rule: there are at most as many as the coefficients have, and exactly one
+/// if they have one. Halving by de Casteljau's rule never adds any. (J. M. Lane and R. F. Riesenfeld, Bounds on a
+/// polynomial, BIT 21, 1981, 112-117.)
 ///
 /// A zero counts as positive, so that neighbouring pieces agree about a zero on their border.
 pub(super) fn isolate(ends: [f64; 2], coefficients: &[f64]) -> Zeros {
     let mut zeros = Zeros {
-        places: [0.0; COEFFICIENTS],
+        points: [0.0; COEFFICIENTS],
         count: 0,
         next: 0,
     };
-    let mut own = [0.0; COEFFICIENTS];
-    own[..coefficients.len()].copy_from_slice(coefficients);
-    search(ends, &own, coefficients.len(), HALVINGS, &mut zeros);
+    let mut padded = [0.0; COEFFICIENTS];
+    padded[..coefficients.len()].copy_from_slice(coefficients);
+    search(ends, &padded, coefficients.len(), HALVINGS, &mut zeros);
     zeros
 }
 

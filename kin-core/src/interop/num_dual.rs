@@ -14,7 +14,7 @@ macro_rules! dual_scalar {
                 F: DualNumFloat,
             {
                 const EPSILON: f64 = T::EPSILON;
-                const SMALLEST: f64 = T::SMALLEST;
+                const SMALLEST_DIVISOR: f64 = T::SMALLEST_DIVISOR;
                 const ORDER: usize = $order + T::ORDER;
 
                 #[inline]
@@ -241,7 +241,7 @@ mod tests {
         // The fourth derivative of atan2(sin t, cos t) = t.
         let angle = Number::atan2(nested([0.0, -1.0, 0.0, 1.0, 0.0]), nested([-1.0, 0.0, 1.0, 0.0, -1.0]));
         check(
-            "half a turn",
+            "half a revolution",
             [
                 angle.re.re,
                 angle.re.eps1,

@@ -86,7 +86,7 @@ impl<T: Number> Piecewise<T> for ConstantSpeed<T> {
 /// Writes a value, its speed, and zeros.
 pub(super) fn line<T: Number>(value: T, speed: T, derivatives: &mut [T]) {
     derivatives.fill(T::constant(0.0));
-    for (entry, own) in derivatives.iter_mut().zip([value, speed]) {
-        *entry = own;
+    for (entry, known) in derivatives.iter_mut().zip([value, speed]) {
+        *entry = known;
     }
 }

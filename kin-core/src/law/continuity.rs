@@ -1,4 +1,4 @@
-//! The places where the pieces of a law meet.
+//! The joints where the pieces of a law meet.
 
 use core::fmt;
 use core::marker::PhantomData;
@@ -8,19 +8,20 @@ use crate::motion::Motion;
 use crate::number::Number;
 use crate::quantity::{Digits, RATES};
 
-/// Jumps of this many roundings of a piece's own size are none. The formulas of the pieces take some tens of roundings each.
+/// Jumps of this many roundings of the size of a piece are none. The formulas of the pieces take some tens of roundings
+/// each.
 const ROUNDINGS: f64 = 256.0;
 
 /// Times are rounded as often, relative to the duration of the law.
 const TIME_ROUNDINGS: f64 = 4.0;
 
-/// The number of places in a piece at which its derivatives are looked at to know their size.
-const PLACES: u8 = 8;
+/// The number of samples in a piece at which its derivatives are looked at to know their size.
+const SAMPLES: u8 = 8;
 
-/// A place where two pieces of a law meet, with the motions on both sides.
+/// A joint where two pieces of a law meet, with the motions on both sides.
 ///
-/// A jump counts if it exceeds rounding: 256 roundings of the largest value that the derivative has in either piece, and what it changes
-/// within 4 roundings of the law's duration.
+/// A jump counts if it exceeds rounding: 256 roundings of the largest value that the derivative has in either piece,
+/// and what it changes within 4 roundings of the law's duration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LawJoint<T, const N: usize> {
     /// The time from the start of the law.
@@ -151,8 +152,8 @@ impl<'a, T: Number, L: Piecewise<T> + ?Sized, const N: usize> LawJoints<'a, T, L
         let length = self.law.end(piece) - start;
         let mut largest = [0.0_f64; N];
         let mut extremes = [[f64::INFINITY, f64::NEG_INFINITY]; N];
-        for place in 0..=PLACES {
-            let part = T::constant(f64::from(place) / f64::from(PLACES));
+        for sample in 0..=SAMPLES {
+            let part = T::constant(f64::from(sample) / f64::from(SAMPLES));
             let motion: Motion<T, N> = of_piece(self.law, piece, start + length * part);
             for (order, entry) in motion.as_slice().iter().enumerate() {
                 let value = entry.real();
@@ -180,7 +181,7 @@ impl<T: Number, L: Piecewise<T> + ?Sized, const N: usize> Iterator for LawJoints
             let piece = self.next;
             self.next += 1;
             let before = self.before.replace(piece);
-            // a law that repeats comes from its own last piece
+            // a law that repeats comes from its last piece
             let before = before.or_else(|| {
                 let last = (0..count).rev().find(|&other| !self.is_empty(other));
                 last.filter(|_| self.law.repeats())

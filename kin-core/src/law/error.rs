@@ -74,7 +74,8 @@ impl fmt::Display for LawError {
             ),
             Self::NoMove { value } => write!(
                 formatter,
-                "the S-curve starts and ends at {}, and no move takes no time: leave it out, or hold the value by a `Dwell`",
+                "the S-curve starts and ends at {}, and no move takes no time: leave it out, or hold the value by a \
+                 `Dwell`",
                 Digits(value)
             ),
             Self::Empty => formatter.write_str("the sequence is empty; it needs one law at least"),

@@ -26,7 +26,8 @@ pub struct Fourier<T, const K: usize> {
 }
 
 impl<T: Number, const K: usize> Fourier<T, K> {
-    /// The sum of the mean and of `a cos kωt + b sin kωt` for each `[a, b]` of the harmonics k = 1, 2, …, with ω = 2π / period.
+    /// The sum of the mean and of `a cos kωt + b sin kωt` for each `[a, b]` of the harmonics k = 1, 2, …, with ω = 2π /
+    /// period.
     ///
     /// # Errors
     /// [`LawError::NotFinite`] for mean and harmonics, [`LawError::NotPositive`] for the period.
@@ -70,8 +71,8 @@ impl<T: Number, const K: usize> Piecewise<T> for Fourier<T, K> {
     }
 }
 
-/// Adds a harmonic and its derivatives, from its value and its value a quarter of a period later: each derivative is `speed` times the value
-/// a quarter of a period later.
+/// Adds a harmonic and its derivatives, from its value and its value a quarter of a period later: each derivative is
+/// `speed` times the value a quarter of a period later.
 pub(super) fn add_harmonic<T: Number>(values: [T; 2], speed: T, derivatives: &mut [T]) {
     let [mut value, mut later] = values;
     let mut factor = T::constant(1.0);

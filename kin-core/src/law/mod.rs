@@ -1,7 +1,7 @@
 //! Motion laws: how an input moves over time, or over a driving angle.
 //!
-//! A law gives the value and the derivatives of any order at any time, `law.at(time)`, as the [`Motion`](crate::Motion) that `solve` takes. The
-//! derivatives are closed formulas, so that they are exact up to rounding. Nothing allocates.
+//! A law gives the value and the derivatives of any order at any time, `law.at(time)`, as the [`Motion`](crate::Motion)
+//! that `solve` takes. The derivatives are closed formulas, so that they are exact up to rounding. Nothing allocates.
 //!
 //! | law | what it is |
 //! |---|---|
@@ -14,15 +14,15 @@
 //! | [`Sequence`] | laws one after the other |
 //! | [`Repeated`] | a law again and again, as a cam repeats it |
 //!
-//! The variable of a law is called time here. It may as well be the angle of a cam: [`Law::driven`] then gives the derivatives by
-//! time, from the motion of that angle.
+//! The variable of a law is called time here. It may as well be the angle of a cam: [`Law::driven`] then gives the
+//! derivatives by time, from the motion of that angle.
 //!
 //! ```
 //! use kin_core::law::{Dwell, Law, Rise, Sequence, Shape};
 //! use kin_core::prelude::*;
 //! use kin_core::library::SliderCrank;
 //!
-//! // a servo turns the crank by 90 degrees in 0.4 s, and waits for 0.1 s
+//! // a servo rotates the crank by 90 degrees in 0.4 s, and waits for 0.1 s
 //! let rise = Rise::new(Shape::ModifiedSine, 0.0, 90_f64.to_radians(), 0.4)?;
 //! let dwell = Dwell::new(90_f64.to_radians(), 0.1)?;
 //! let servo = Sequence::new([&rise, &dwell])?;
@@ -38,8 +38,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Sources: R. L. Norton, *Cam Design and Manufacturing Handbook*, Industrial Press; VDI 2143 Blatt 1, *Bewegungsgesetze für
-//! Kurvengetriebe, Theoretische Grundlagen*, VDI-Verlag 1980. The documentation of each law names further ones.
+//! Sources: R. L. Norton, *Cam Design and Manufacturing Handbook*, Industrial Press; VDI 2143 Blatt 1,
+//! *Bewegungsgesetze für Kurvengetriebe, Theoretische Grundlagen*, VDI-Verlag 1980. The documentation of each law names
+//! further ones.
 
 mod constant;
 mod continuity;

@@ -17,8 +17,8 @@ pub enum Side {
 
 /// A law as a row of pieces, each with one formula: what a law of your own implements.
 ///
-/// The methods to use are those of [`Law`], which every such type has. The first piece starts at time zero. A piece may have no length;
-/// it is then left out.
+/// The methods to use are those of [`Law`], which every such type has. The first piece starts at time zero. A piece may
+/// have no length; it is then left out.
 ///
 /// ```
 /// use kin_core::law::{Law, Piecewise};
@@ -113,11 +113,11 @@ impl<T: Number, L: Piecewise<T> + ?Sized> Piecewise<T> for &L {
 pub trait Law<T: Number>: Piecewise<T> {
     /// The value and its derivatives at a time.
     ///
-    /// Where two pieces meet, they are those of the right side, the later piece. Before its start and after its end a law rests at the
-    /// value there, unless it repeats; at the end itself the motion is that of the last piece.
+    /// Where two pieces meet, they are those of the right side, the later piece. Before its start and after its end a
+    /// law rests at the value there, unless it repeats; at the end itself the motion is that of the last piece.
     ///
-    /// A time that is not finite may give NaN, and derivatives that exceed the range of the number type are infinite or NaN: `solve` refuses both with
-    /// [`Failure::NotFinite`](crate::Failure::NotFinite).
+    /// A time that is not finite may give NaN, and derivatives that exceed the range of the number type are infinite or
+    /// NaN: `solve` refuses both with [`Failure::NotFinite`](crate::Failure::NotFinite).
     ///
     /// ```
     /// use kin_core::law::{Law, Rise, Shape};
@@ -135,15 +135,17 @@ pub trait Law<T: Number>: Piecewise<T> {
         approached(self, time, Side::Right)
     }
 
-    /// The motion in time of what the law prescribes over a driving angle, from the motion of that angle, by the chain rule.
+    /// The motion in time of what the law prescribes over a driving angle, from the motion of that angle, by the chain
+    /// rule.
     ///
-    /// Where two pieces meet, the piece that the angle moves into is taken: the later one, or the earlier one if the angle decreases.
+    /// Where two pieces meet, the piece that the angle moves into is taken: the later one, or the earlier one if the
+    /// angle decreases.
     ///
     /// ```
     /// use kin_core::Motion;
     /// use kin_core::law::{Law, Rise, Shape};
     ///
-    /// // 30 mm over 120 degrees of a cam that turns at 10 rad/s
+    /// // 30 mm over 120 degrees of a cam that rotates at 10 rad/s
     /// let rise = Rise::new(Shape::Cycloidal, 0.0, 30.0, 120_f64.to_radians())?;
     /// let cam: Motion = Motion::at_constant_speed(1.0, 10.0);
     /// let follower = rise.driven(cam);
@@ -162,9 +164,9 @@ pub trait Law<T: Number>: Piecewise<T> {
         approached(self, drive.value(), side).driven_by(drive)
     }
 
-    /// The places where pieces meet, with the jump of every derivative below order `N`.
+    /// The joints where pieces meet, with the jump of every derivative below order `N`.
     ///
-    /// The start and the end of a law are joints too: with its own end if it repeats, with rest otherwise.
+    /// The start and the end of a law are joints too: with the end of the law if it repeats, with rest otherwise.
     ///
     /// ```
     /// use kin_core::law::{Law, Rise, Shape};
@@ -236,7 +238,7 @@ pub(crate) fn approached<T: Number, L: Piecewise<T> + ?Sized, const N: usize>(
 
 /// A law that starts again whenever it ends, as that of a cam.
 ///
-/// Its value at the end should be that at the start; [`Law::joints`] tells whether it is.
+/// Its value at the end should be that at the start; [`Law::joints`] says whether it is.
 ///
 /// ```
 /// use kin_core::law::{Law, Rise, Sequence, Shape};

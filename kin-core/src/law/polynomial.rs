@@ -8,9 +8,9 @@ use crate::number::Number;
 
 /// A polynomial between two states: at either end the value and any number of derivatives are given.
 ///
-/// With `K` conditions at both ends together it has the degree `K - 1`. It is kept by its Bernstein coefficients, which follow from the
-/// states by differences, so that value and derivatives at the ends are reproduced to rounding. (G. Farin, *Curves and Surfaces for
-/// Computer-Aided Geometric Design*, Academic Press, the chapters on Bézier curves.)
+/// With `K` conditions at both ends together it has the degree `K - 1`. It is kept by its Bernstein coefficients, which
+/// follow from the states by differences, so that value and derivatives at the ends are reproduced to rounding. (G.
+/// Farin, *Curves and Surfaces for Computer-Aided Geometric Design*, Academic Press, the chapters on Bézier curves.)
 ///
 /// ```
 /// use kin_core::Motion;
@@ -32,12 +32,12 @@ pub struct Polynomial<T, const K: usize> {
 }
 
 impl<T: Number, const K: usize> Polynomial<T, K> {
-    /// The polynomial of the least degree that leads from one state to another in a time. `K` must be the number of conditions `A + B`;
-    /// another number does not compile.
+    /// The polynomial of the least degree that leads from one state to another in a time. `K` must be the number of
+    /// conditions `A + B`; another number does not compile.
     ///
     /// # Errors
-    /// [`LawError::NotFinite`] for the states, [`LawError::NotPositive`] for the duration, and [`LawError::OutOfRange`] if a coefficient is
-    /// not finite.
+    /// [`LawError::NotFinite`] for the states, [`LawError::NotPositive`] for the duration, and [`LawError::OutOfRange`]
+    /// if a coefficient is not finite.
     pub fn between<const A: usize, const B: usize>(
         start: Motion<T, A>,
         end: Motion<T, B>,
@@ -73,8 +73,8 @@ impl<T: Number, const K: usize> Polynomial<T, K> {
     }
 }
 
-/// Writes the Bernstein coefficients from one end, given the state there: the k-th difference of the coefficients is the k-th derivative
-/// times `duration`ᵏ (n - k)! / n!, with the degree n.
+/// Writes the Bernstein coefficients from one end, given the state there: the k-th difference of the coefficients is
+/// the k-th derivative times `duration`ᵏ (n - k)! / n!, with the degree n.
 fn fill<'a, T: Number, const A: usize>(
     coefficients: impl Iterator<Item = &'a mut T>,
     state: Motion<T, A>,
@@ -108,8 +108,8 @@ impl<T: Number, const K: usize> Piecewise<T> for Polynomial<T, K> {
     }
 }
 
-/// Writes the value and the derivatives of a polynomial with given Bernstein coefficients, by de Casteljau's scheme on the differences of
-/// the coefficients. `rest` is `1 - part`, which the caller knows with less rounding.
+/// Writes the value and the derivatives of a polynomial with given Bernstein coefficients, by de Casteljau's scheme on
+/// the differences of the coefficients. `rest` is `1 - part`, which the caller knows with less rounding.
 pub(super) fn bernstein<T: Number, const K: usize>(mut differences: [T; K], part: T, rest: T, derivatives: &mut [T]) {
     let mut factor = 1.0;
     for (order, entry) in derivatives.iter_mut().enumerate() {
@@ -131,7 +131,7 @@ pub(super) fn bernstein<T: Number, const K: usize>(mut differences: [T; K], part
     }
 }
 
-/// Turns derivatives by the part of the duration into derivatives by time, and multiplies them.
+/// Converts derivatives by the part of the duration into derivatives by time, and multiplies them.
 pub(super) fn scale<T: Number>(derivatives: &mut [T], factor: T, duration: T) {
     let mut factor = factor;
     for entry in derivatives {

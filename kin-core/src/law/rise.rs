@@ -13,8 +13,8 @@ use crate::number::Number;
 
 /// The shape of a [`Rise`].
 ///
-/// Every shape is symmetrical: the second half is the first one turned about its middle. The peaks are those of a rise by 1 in the time 1; a
-/// rise by h in the time T has Cv h/T, Ca h/T², Cj h/T³ and Cs h/T⁴.
+/// Every shape is symmetrical: the second half is the first one rotated about its middle. The peaks are those of a rise
+/// by 1 in the time 1; a rise by h in the time T has Cv h/T, Ca h/T², Cj h/T³ and Cs h/T⁴.
 ///
 /// | shape | Cv | Ca | Cj | Cs | first jump beside a dwell |
 /// |---|---|---|---|---|---|
@@ -57,7 +57,7 @@ impl Shape {
         match self {
             Self::ModifiedSine => Some(&Scca::MODIFIED_SINE),
             Self::ModifiedTrapezoid => Some(&Scca::MODIFIED_TRAPEZOID),
-            Self::Scca(own) => Some(own),
+            Self::Scca(scca) => Some(scca),
             _ => None,
         }
     }
@@ -89,7 +89,7 @@ impl Shape {
             Self::Polynomial56789 => bernstein(step::<T, 10>(), part, rest, derivatives),
             Self::ModifiedSine => Scca::MODIFIED_SINE.write(piece, part, derivatives),
             Self::ModifiedTrapezoid => Scca::MODIFIED_TRAPEZOID.write(piece, part, derivatives),
-            Self::Scca(own) => own.write(piece, part, derivatives),
+            Self::Scca(scca) => scca.write(piece, part, derivatives),
         }
     }
 }

@@ -34,22 +34,25 @@ const JERK: [f64; PHASES] = [0.0, 1.0, 1.0, 0.0, 0.0, -1.0, -1.0, 0.0];
 
 /// An S-curve: from rest to rest over a distance within [`Limits`].
 ///
-/// Without a limit of the snap it has seven phases: the jerk is at its limit or zero. With it there are fifteen, and the snap is at its
-/// limit or zero. A phase vanishes if its limit is not reached, so that at every instant one limit is.
+/// Without a limit of the snap it has seven phases: the jerk is at its limit or zero. With it there are fifteen, and
+/// the snap is at its limit or zero. A phase vanishes if its limit is not reached, so that at every instant one limit
+/// is.
 ///
-/// The velocity is a rectangle smoothed by the mean over two or three times w₁ < w₂ < w₃, as long as the limits ask for:
+/// The velocity is a rectangle smoothed by the mean over two or three times w₁ < w₂ < w₃, as long as the limits ask
+/// for:
 ///
 /// ```text
 /// jerk = snap w₁     acceleration = jerk w₂     velocity = acceleration w₃     distance = velocity w₄
 /// w₂ ≥ w₁     w₃ ≥ w₁ + w₂     w₄ ≥ w₁ + w₂ + w₃     duration = w₁ + w₂ + w₃ + w₄
 /// ```
 ///
-/// With seven phases, w₁ is zero, and the motion is the shortest that the limits allow. With fifteen phases it is the shortest of this form,
-/// whose acceleration rises and falls symmetrically. If the snap alone limits it, a motion with unequal phases is 7 % shorter: for a snap S
-/// and a distance D, the duration is (512 D/S)^(1/4) instead of (384 D/S)^(1/4).
+/// With seven phases, w₁ is zero, and the motion is the shortest that the limits allow. With fifteen phases it is the
+/// shortest of this form, whose acceleration rises and falls symmetrically. If the snap alone limits it, a motion with
+/// unequal phases is 7 % shorter: for a snap S and a distance D, the duration is (512 D/S)^(1/4) instead of (384
+/// D/S)^(1/4).
 ///
-/// Source: P. Lambrechts, M. Boerlage, M. Steinbuch, *Trajectory planning and feedforward design for electromechanical motion systems*,
-/// Control Engineering Practice 13, 2005, pages 145 to 157.
+/// Source: P. Lambrechts, M. Boerlage, M. Steinbuch, *Trajectory planning and feedforward design for electromechanical
+/// motion systems*, Control Engineering Practice 13, 2005, pages 145 to 157.
 ///
 /// ```
 /// use kin_core::law::{Law, Limits, Piecewise, SCurve};
@@ -81,8 +84,8 @@ impl<T: Number> SCurve<T> {
     /// The motion from rest at one value to rest at another.
     ///
     /// # Errors
-    /// [`LawError::NotFinite`] for the values, [`LawError::NoMove`] if they are equal, [`LawError::NotPositive`] for a limit, and [`LawError::OutOfRange`] if
-    /// limits and distance are too far apart for the number type.
+    /// [`LawError::NotFinite`] for the values, [`LawError::NoMove`] if they are equal, [`LawError::NotPositive`] for a
+    /// limit, and [`LawError::OutOfRange`] if limits and distance are too far apart for the number type.
     pub fn new(from: T, to: T, limits: Limits<T>) -> Result<Self, LawError> {
         finite("value from which the S-curve starts", from)?;
         finite("value at which the S-curve ends", to)?;
@@ -128,8 +131,8 @@ impl<T: Number> SCurve<T> {
 impl<T: Number> SCurve<T> {
     /// The time since the start of a phase, not beyond its ends.
     ///
-    /// A time is rounded to a part of the duration, which may be much of a short phase: without this the phase would last longer, and
-    /// exceed a limit.
+    /// A time is rounded to a part of the duration, which may be much of a short phase: without this the phase would
+    /// last longer, and exceed a limit.
     fn within(&self, phase: usize, since: T) -> T {
         let time = since.real();
         since - T::constant(time - time.max(0.0).min(self.lengths[phase].real()))

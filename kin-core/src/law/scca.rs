@@ -13,11 +13,11 @@ const FORMULAS: usize = 4;
 /// The number of pieces of the whole law: constant speed is its middle.
 pub(super) const PIECES: usize = 2 * FORMULAS - 1;
 
-/// A law whose acceleration rises as a quarter of a sine, stays constant, and falls as a quarter of a cosine; then it moves at constant
-/// speed, and brakes in the same way.
+/// A law whose acceleration rises as a quarter of a sine, stays constant, and falls as a quarter of a cosine; then it
+/// moves at constant speed, and brakes in the same way.
 ///
-/// The shares of sine, constant and cosine are those of the whole duration, counting acceleration and braking. What they leave is the
-/// share of constant speed. Known laws are members of this family:
+/// The shares of sine, constant and cosine are those of the whole duration, counting acceleration and braking. What
+/// they leave is the share of constant speed. Known laws are members of this family:
 ///
 /// | law | sine | constant | cosine |
 /// |---|---|---|---|
@@ -134,9 +134,9 @@ impl Scca {
             }
             1 => {
                 let gain = acceleration * since;
-                let own = [T::constant(0.5) * gain * since, gain, acceleration];
-                for (entry, own) in derivatives.iter_mut().zip(own) {
-                    *entry = *entry + own;
+                let terms = [T::constant(0.5) * gain * since, gain, acceleration];
+                for (entry, term) in derivatives.iter_mut().zip(terms) {
+                    *entry = *entry + term;
                 }
             }
             // v = a d/π sin(π x / d)
@@ -155,7 +155,7 @@ impl Scca {
 }
 
 fn add_line<T: Number>(speed: T, since: T, derivatives: &mut [T]) {
-    for (entry, own) in derivatives.iter_mut().zip([speed * since, speed]) {
-        *entry = *entry + own;
+    for (entry, term) in derivatives.iter_mut().zip([speed * since, speed]) {
+        *entry = *entry + term;
     }
 }

@@ -12,7 +12,8 @@ use crate::number::Number;
 
 /// Laws one after the other, over time or over a driving angle.
 ///
-/// A law that repeats takes part with one cycle. Each law states its own values; [`Law::joints`](super::Law::joints) tells where they do not fit together.
+/// A law that repeats takes part with one cycle. Each law states its values; [`Law::joints`](super::Law::joints) says
+/// where they do not fit together.
 ///
 /// ```
 /// use kin_core::law::{Dwell, Law, Rise, Sequence, Shape};
@@ -92,14 +93,14 @@ impl<L> Sequence<L> {
         L: LawRow<T>,
     {
         let mut start = T::constant(0.0);
-        let (mut own, mut owner) = (piece, None);
+        let (mut piece_of_law, mut owner) = (piece, None);
         for law in self.laws.laws() {
-            owner = Some((law, own, start));
+            owner = Some((law, piece_of_law, start));
             let count = law.pieces();
-            if own < count {
+            if piece_of_law < count {
                 break;
             }
-            own -= count;
+            piece_of_law -= count;
             start = start + law.duration();
         }
         owner
@@ -113,12 +114,14 @@ impl<T: Number, L: LawRow<T>> Piecewise<T> for Sequence<L> {
 
     fn end(&self, piece: usize) -> T {
         let owner = self.owner(piece);
-        owner.map_or(T::constant(0.0), |(law, own, start)| start + law.end(own))
+        owner.map_or(T::constant(0.0), |(law, piece_of_law, start)| {
+            start + law.end(piece_of_law)
+        })
     }
 
     fn write(&self, piece: usize, time: T, derivatives: &mut [T]) {
-        if let Some((law, own, start)) = self.owner(piece) {
-            law.write(own, time - start, derivatives);
+        if let Some((law, piece_of_law, start)) = self.owner(piece) {
+            law.write(piece_of_law, time - start, derivatives);
         }
     }
 
@@ -130,12 +133,12 @@ impl<T: Number, L: LawRow<T>> Piecewise<T> for Sequence<L> {
     fn piece(&self, time: f64, side: Side) -> usize {
         let (mut before, mut start) = (0, T::constant(0.0));
         let mut found = 0;
-        for (place, law) in self.laws.laws().enumerate() {
-            let own = start.real();
-            if place > 0 && !(own < time || (own == time && side == Side::Right)) {
+        for (index, law) in self.laws.laws().enumerate() {
+            let begin = start.real();
+            if index > 0 && !(begin < time || (begin == time && side == Side::Right)) {
                 break;
             }
-            found = before + law.piece(time - own, side);
+            found = before + law.piece(time - begin, side);
             before += law.pieces();
             start = start + law.duration();
         }

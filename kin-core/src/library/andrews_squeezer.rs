@@ -23,7 +23,7 @@ crate::mechanism! {
     /// // the initial position and accelerations of the source: it starts from rest
     /// let start = Motion::from((0.0, 0.0, -10666.832_939_965_585, 0.0, 0.0));
     /// let pose = AndrewsSqueezer::PUBLISHED.solve(start, AndrewsSqueezer::PUBLISHED_ASSEMBLY)?;
-    /// let agrees = |own: f64, published: f64| (own - published).abs() < 1e-14;
+    /// let agrees = |found: f64, published: f64| (found - published).abs() < 1e-14;
     /// assert!(agrees(pose.beta.position(), -0.061_713_890_014_276_45));
     /// assert!(agrees(pose.gamma.position(), 0.455_279_819_163_070_4));
     /// assert!(agrees(pose.phi.position(), 0.222_668_390_165_885_9));

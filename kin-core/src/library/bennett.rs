@@ -11,8 +11,8 @@ crate::mechanism! {
     /// before it to the link after it. `alpha` and `beta` must differ, and neither may be a multiple of 180 degrees.
     ///
     /// The loop closes in space, so there are six scalar equations for three unknown angles, and three of the equations
-    /// follow from the others. The declared equations are: opposite hinges turn by opposite angles, and the second
-    /// hinge turns the chain of links 2 and 3 to the place of the fourth hinge, seen along the axis. The other
+    /// follow from the others. The declared equations are: opposite hinges rotate by opposite angles, and the second
+    /// hinge rotates the chain of links 2 and 3 to the position of the fourth hinge, seen along the axis. The other
     /// equations then hold too, and so does Bennett's relation tan(theta1 / 2) tan(theta2 / 2) = sin((beta + alpha) /
     /// 2) / sin((beta - alpha) / 2).
     ///

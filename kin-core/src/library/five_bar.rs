@@ -51,7 +51,7 @@ crate::mechanism! {
 }
 
 crate::mechanism! {
-    /// Geared five-bar linkage: the second crank turns `ratio` times as fast as the first, and leads by `phase`.
+    /// Geared five-bar linkage: the second crank rotates `ratio` times as fast as the first, and leads by `phase`.
     ///
     /// Cranks 2 and 5 turn about the origin and about (`r1`, 0). Gears in mesh turn in opposite directions, so `ratio`
     /// is negative; with an idler or a belt it is positive.
@@ -84,7 +84,7 @@ crate::mechanism! {
         pub r4: Length,
         /// Second crank.
         pub r5: Length,
-        /// Turns of the second crank for each turn of the first.
+        /// Revolutions of the second crank for each revolution of the first.
         pub ratio: Scalar,
         /// The second crank's angle when the first crank's angle is zero.
         pub phase: Angle,

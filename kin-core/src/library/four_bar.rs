@@ -42,8 +42,8 @@ crate::mechanism! {
     r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
 }
 
-/// The crank angles at which a four-bar linkage closes: |theta2|, reduced to half a turn, from `low` to `high`, in
-/// radians.
+/// The crank angles at which a four-bar linkage closes: |theta2|, reduced to half a revolution, from `low` to `high`,
+/// in radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CrankRange {
     /// The smallest angle between crank and ground; 0 if the crank passes the ground line.
@@ -53,9 +53,9 @@ pub struct CrankRange {
 }
 
 impl CrankRange {
-    /// Whether the crank makes full turns.
+    /// Whether the crank makes full revolutions.
     #[must_use]
-    pub fn is_full_turn(&self) -> bool {
+    pub fn is_full_revolution(&self) -> bool {
         self.low == 0.0 && self.high == core::f64::consts::PI
     }
 }

@@ -2,7 +2,7 @@
 
 crate::mechanism! {
     /// Hoeken's straight-line linkage, also called Hoecken's linkage or Chebyshev's lambda linkage: a crank-rocker
-    /// whose coupler is as long as the rocker, and as long as its own extension to the tracer.
+    /// whose coupler is as long as the rocker, and as long as its extension to the tracer.
     ///
     /// The crank turns about the origin, the rocker about (`ground`, 0). While the crank passes through the half-plane
     /// away from the rocker's pivot, the tracer moves along a nearly straight line at a nearly constant speed.
@@ -56,7 +56,7 @@ crate::mechanism! {
 }
 
 impl HoekenLinkage {
-    /// The proportions 1 : 2 : 2.5, with which the crank makes full turns.
+    /// The proportions 1 : 2 : 2.5, with which the crank makes full revolutions.
     pub const PUBLISHED: Self = Self {
         ground: 2.0,
         crank: 1.0,

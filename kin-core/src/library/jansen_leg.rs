@@ -6,11 +6,11 @@ crate::mechanism! {
     /// Jansen's leg: eleven bars and a crank that move a foot along a flat path and lift it back.
     ///
     /// The letters come from T. Jansen, The Great Pretender, 010 Publishers 2007.
-    /// [`HOLY_NUMBERS`](JansenLeg::HOLY_NUMBERS) contains his "eleven holy numbers" with the place of the pivot and the
-    /// crank. The crank `m` turns about the origin; all other parts turn about the pivot (-`a`, -`l`). From the crank's
-    /// pin, `j` leads to the upper triangle `b`, `d`, `e`, one corner of which is the pivot. Also from the pin, `k`
-    /// leads to the knee, which `c` connects to the pivot. `f` from the upper triangle and `g` from the knee meet at
-    /// the outer corner of the lower triangle `g`, `h`, `i`, whose last corner is the foot.
+    /// [`HOLY_NUMBERS`](JansenLeg::HOLY_NUMBERS) contains his "eleven holy numbers" with the position of the pivot and
+    /// the crank. The crank `m` turns about the origin; all other parts turn about the pivot (-`a`, -`l`). From the
+    /// crank's pin, `j` leads to the upper triangle `b`, `d`, `e`, one corner of which is the pivot. Also from the pin,
+    /// `k` leads to the knee, which `c` connects to the pivot. `f` from the upper triangle and `g` from the knee meet
+    /// at the outer corner of the lower triangle `g`, `h`, `i`, whose last corner is the foot.
     ///
     /// With the holy numbers the foot's path is 67.9 wide and 22.5 high. Within 1 of its lowest point the foot moves
     /// 57.4 along the ground, while the crank turns through 155°.
@@ -97,7 +97,7 @@ crate::mechanism! {
 }
 
 impl JansenLeg {
-    /// Jansen's own dimensions.
+    /// Jansen's dimensions.
     pub const HOLY_NUMBERS: Self = Self {
         a: 38.0,
         b: 41.5,

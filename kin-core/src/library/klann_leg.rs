@@ -6,8 +6,8 @@ use crate::assembly::Assembly;
 use crate::geometry::Plane;
 
 crate::mechanism! {
-    /// Klann's leg: a Stephenson six-bar linkage of the third kind, whose foot moves straight for one half turn of the
-    /// crank and is lifted for the other half.
+    /// Klann's leg: a Stephenson six-bar linkage of the third kind, whose foot moves straight for half a revolution of
+    /// the crank and is lifted for the other half.
     ///
     /// The crank turns about the origin and drives a bent connecting arm. The lower rocker holds the bend of the arm,
     /// which is the elbow. The end of the arm is the knee of a bent leg, and the upper rocker holds the hip of that

@@ -1,4 +1,4 @@
-//! The names of the library's mechanisms, in one place for all that visits every one of them.
+//! The names of the library's mechanisms, in one list for all that visits every one of them.
 
 /// Calls a macro with the names of all mechanisms of the [library](crate::library), in alphabetical order and without
 /// commas.

@@ -7,7 +7,7 @@ crate::mechanism! {
     /// The crank turns about the z axis. Its ball is at the distance `crank` from the origin, and on the x axis at
     /// angle 0. The rocker's axis passes through the point `pivot` in the direction of `axis`, whose length does not
     /// matter. `arm` is the vector from the pivot to the rocker's ball at the rocker's angle 0; it need not be at right
-    /// angles to the axis. The rod may spin about its own length without any effect.
+    /// angles to the axis. The rod may spin about its length without any effect.
     ///
     /// The square of the rod's length gives the equation a cos phi + b sin phi = c in the rocker's angle phi. It has
     /// two solutions, like Freudenstein's equation in the plane. (R. S. Hartenberg and J. Denavit, "Kinematic Synthesis

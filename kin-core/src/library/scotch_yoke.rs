@@ -31,7 +31,7 @@ crate::mechanism! {
         /// The crank's angle.
         theta: Angle;
     unknown
-        /// The yoke's position, which is the place where its slot crosses the x axis.
+        /// The yoke's position, which is the point where its slot crosses the x axis.
         x: Length,
         /// The pin's position in the slot, measured from the x axis.
         slide: Length;

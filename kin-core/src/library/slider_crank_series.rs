@@ -180,10 +180,10 @@ mod tests {
         let higher = SliderCrankHigherApproximation { r, l }.solve(theta).unwrap().s;
         for (terms, declared) in [(1, first), (3, higher)] {
             let series = SliderCrankSeries { r, l, terms }.motion(theta);
-            for (own, other) in series.derivatives().into_iter().zip(declared.derivatives()) {
+            for (value, other) in series.derivatives().into_iter().zip(declared.derivatives()) {
                 assert!(
-                    (own - other).abs() <= 1e-13 * (1.0 + other.abs()) * 81.0,
-                    "{terms}: {own} {other}"
+                    (value - other).abs() <= 1e-13 * (1.0 + other.abs()) * 81.0,
+                    "{terms}: {value} {other}"
                 );
             }
         }

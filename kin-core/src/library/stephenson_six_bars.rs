@@ -74,8 +74,8 @@ crate::mechanism! {
     /// turns about (`r1`, 0). The drive lies inside the four-bar linkage, so its loop is closed first, in the frame of
     /// link 2: `psi`, `alpha` and `beta` are angles in that frame. The second loop then gives the angle of link 2.
     ///
-    /// If the four-bar linkage is a parallelogram, link 4 stays parallel to link 2, and the angle of link 2 follows from
-    /// the sides of one triangle:
+    /// If the four-bar linkage is a parallelogram, link 4 stays parallel to link 2, and the angle of link 2 follows
+    /// from the sides of one triangle:
     ///
     /// ```
     /// use kin_core::library::{StephensonIIByElbow, StephensonIIByElbowAssembly};
@@ -155,7 +155,7 @@ crate::mechanism! {
     ///
     /// As long as that point moves along a circle with the radius `r5`, and link 6 ends at its centre, link 6 stands
     /// still (R. L. Norton, Design of Machinery, McGraw-Hill, chapter 3, "Dwell mechanisms"). On a parallelogram every
-    /// coupler point moves on such a circle for the whole turn:
+    /// coupler point moves on such a circle for the whole revolution:
     ///
     /// ```
     /// use kin_core::library::{StephensonIII, StephensonIIIAssembly};

@@ -6,7 +6,7 @@ crate::mechanism! {
     ///
     /// The platform's origin is at (`x`, `y`, `z`). The platform turns by `roll` about x first, by `pitch` about y next
     /// and by `yaw` about z last, all about fixed axes. The leg runs from `base`, in the fixed frame, to `joint`, in
-    /// the platform's own frame. Six legs form the platform of V. E. Gough (1947) and D. Stewart ("A platform with six
+    /// the platform's frame. Six legs form the platform of V. E. Gough (1947) and D. Stewart ("A platform with six
     /// degrees of freedom", Proceedings of the Institution of Mechanical Engineers 180, 1965).
     ///
     /// ```
@@ -38,11 +38,11 @@ crate::mechanism! {
         y: Length,
         /// The platform's position along z.
         z: Length,
-        /// The first turn, about x.
+        /// The first rotation, about x.
         roll: Angle,
-        /// The second turn, about y.
+        /// The second rotation, about y.
         pitch: Angle,
-        /// The last turn, about z.
+        /// The last rotation, about z.
         yaw: Angle;
     unknown
         /// The leg's length.

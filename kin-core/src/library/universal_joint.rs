@@ -8,8 +8,8 @@ crate::mechanism! {
     /// tan(driving) / cos(beta).
     ///
     /// The only equation says that the arms of the cross are at right angles. In the open assembly both angles are
-    /// equal wherever they are multiples of 90 degrees. In the crossed assembly the driven yoke is mounted half a turn
-    /// further.
+    /// equal wherever they are multiples of 90 degrees. In the crossed assembly the driven yoke is mounted half a
+    /// revolution further.
     ///
     /// ```
     /// use kin_core::library::UniversalJoint;

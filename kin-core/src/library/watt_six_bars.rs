@@ -31,8 +31,8 @@ crate::mechanism! {
     /// // links 5 and 6 stay parallel to the coupler and the crank in one of the dyad's assemblies
     /// let assembly = WattIAssembly { theta3_theta4: Assembly::Open, theta5_theta6: Assembly::Open };
     /// let tool = linkage.solve(crank, assembly)?.tool;
-    /// for (own, half) in tool.derivatives().into_iter().zip(path.derivatives()) {
-    ///     assert!((own.x - 2.0 * half.x).abs() < 1e-12 && (own.y - 2.0 * half.y).abs() < 1e-12);
+    /// for (whole, half) in tool.derivatives().into_iter().zip(path.derivatives()) {
+    ///     assert!((whole.x - 2.0 * half.x).abs() < 1e-12 && (whole.y - 2.0 * half.y).abs() < 1e-12);
     /// }
     /// # Ok::<(), SolveError>(())
     /// ```
@@ -97,9 +97,9 @@ crate::mechanism! {
     /// let crank = Motion::from((1.0_f64, 2.0, 0.5, -0.2, 0.1));
     /// let rocker = first.solve(crank, Assembly::Open)?.theta4;
     /// let expected = second.solve(rocker, Assembly::Open)?.theta4;
-    /// let own = linkage.solve(crank, WattII::ASSEMBLIES[0])?.theta6;
-    /// assert!((own.velocity() - expected.velocity()).abs() < 1e-13);
-    /// assert!((own.snap() - expected.snap()).abs() < 1e-11);
+    /// let found = linkage.solve(crank, WattII::ASSEMBLIES[0])?.theta6;
+    /// assert!((found.velocity() - expected.velocity()).abs() < 1e-13);
+    /// assert!((found.snap() - expected.snap()).abs() < 1e-11);
     /// # Ok::<(), SolveError>(())
     /// ```
     pub struct WattII {

@@ -24,7 +24,7 @@ crate::mechanism! {
     /// # Ok::<(), SolveError>(())
     /// ```
     pub struct WhitworthQuickReturn {
-        /// Distance between the two pivots; the lever makes full turns if it is less than `crank`.
+        /// Distance between the two pivots; the lever makes full revolutions if it is less than `crank`.
         pub ground: Length,
         /// Crank.
         pub crank: Length,

@@ -9,7 +9,7 @@ use super::{AnyLinkage, LinkageFunctions};
 use crate::any::{
     AnyMechanism, AssemblyChoice, AssemblyMotionOver, AssemblyOver, Block, ClosureOver, ClosureTerm, ClosureTermsOver,
     Described, Description, EveryPosition, FormsOver, Formulas, MotionNearOver, Name, NameKind, Named, NearOver, Of,
-    Outline, OutputsOver, Pictured, PlacesOver, PositionChoice, Quantity, TransmissionOver,
+    Outline, OutputsOver, Pictured, PositionChoice, Quantity, SkeletonOver, TransmissionOver,
 };
 use crate::curve::LimitKind;
 use crate::cycle::{SearchMethod, SearchedFunctions};
@@ -102,9 +102,9 @@ impl<T: Scalar> OutputsOver<T> for Made<'_> {
     }
 }
 
-impl<T: Scalar> PlacesOver<T> for Made<'_> {
-    fn places(&self, parameters: &[T], inputs: &[T], unknowns: &[T], found: &mut dyn FnMut(&[T])) {
-        INNER.places(parameters, inputs, unknowns, found);
+impl<T: Scalar> SkeletonOver<T> for Made<'_> {
+    fn skeleton_points(&self, parameters: &[T], inputs: &[T], unknowns: &[T], found: &mut dyn FnMut(&[T])) {
+        INNER.skeleton_points(parameters, inputs, unknowns, found);
     }
 }
 

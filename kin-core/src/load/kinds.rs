@@ -298,7 +298,7 @@ where
 
 /// The distance, from its square.
 fn distance<M: LoadedSystem>(square: Coordinate<M>, load: usize) -> Result<Coordinate<M>, LoadError> {
-    if square.motion[0].real() > M::Scalar::SMALLEST {
+    if square.motion[0].real() > M::Scalar::SMALLEST_DIVISOR {
         Ok(square.sqrt())
     } else {
         Err(LoadError::NoDirection { load })

@@ -67,7 +67,7 @@ where
         rigid(&along, &along).map_err(|rate| LoadError::NotRigid { load, rate })?;
         let square = dot::<M>(&along, &along).motion[0];
         let length = square.sqrt();
-        if length.real() <= M::Scalar::SMALLEST {
+        if length.real() <= M::Scalar::SMALLEST_DIVISOR {
             return Err(LoadError::NoDirection { load });
         }
         let [x, y, z] = along.map(|coordinate| coordinate.scale(M::Scalar::constant(1.0) / length));

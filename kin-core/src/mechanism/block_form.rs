@@ -7,12 +7,13 @@ use crate::quantity::Name;
 /// returns them.
 ///
 /// Lengths are positive and have the unit of the mechanism. If an equation was multiplied by a number, so are its
-/// lengths. A length is `None` if it changes with the position, as that of a cylinder does. A dyad whose end is carried by a
-/// crank, a link that turns about a fixed pivot by one angle, is named as a whole: four-bar, slider-crank or inverted
-/// slider-crank. The `driver` is the name of that angle, an input or an unknown that is found before the block.
+/// lengths. A length is `None` if it changes with the position, as that of a cylinder does. A dyad whose end is carried
+/// by a crank, a link that rotates about a fixed pivot by one angle, is named as a whole: four-bar, slider-crank or
+/// inverted slider-crank. The `driver` is the name of that angle, an input or an unknown that is found before the
+/// block.
 ///
-/// A sum of vectors does not show which links are joined. In a four-bar the coupler is the link on the crank's side of the
-/// equation, or the unknown that was declared first if that does not decide.
+/// A sum of vectors does not show which links are joined. In a four-bar the coupler is the link on the crank's side of
+/// the equation, or the unknown that was declared first if that does not decide.
 ///
 /// ```
 /// use kin_core::library::FourBar;
@@ -24,7 +25,7 @@ use crate::quantity::Name;
 /// let BlockForm::FourBar { driver, ground, crank, coupler, rocker } = form else { panic!("it is a four-bar") };
 /// assert_eq!(driver, "theta2");
 /// assert_eq!((ground, crank, coupler, rocker), (90.0, 30.0, 60.0, 45.0));
-/// // Grashof: the shortest and the longest link are together longer than the others, so no link turns fully
+/// // Grashof: the shortest and the longest link are together longer than the others, so no link makes full revolutions
 /// assert!(30.0 + 90.0 > 60.0 + 45.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,7 +37,7 @@ pub enum BlockForm<T = f64> {
         driver: Name,
         /// The distance of the two fixed pivots.
         ground: T,
-        /// The link that turns with the driver.
+        /// The link that rotates with the driver.
         crank: T,
         /// The link on the crank.
         coupler: T,
@@ -52,7 +53,7 @@ pub enum BlockForm<T = f64> {
     SliderCrank {
         /// The angle of the crank.
         driver: Name,
-        /// The link that turns with the driver.
+        /// The link that rotates with the driver.
         crank: T,
         /// The link between crank and slider.
         coupler: T,
@@ -64,18 +65,18 @@ pub enum BlockForm<T = f64> {
         /// The length of the link.
         length: Option<T>,
     },
-    /// A slider on a link that turns about a fixed pivot (RPR dyad), carried by a crank.
+    /// A slider on a link that rotates about a fixed pivot (RPR dyad), carried by a crank.
     InvertedSliderCrank {
         /// The angle of the crank.
         driver: Name,
         /// The distance of the two fixed pivots.
         ground: T,
-        /// The link that turns with the driver.
+        /// The link that rotates with the driver.
         crank: T,
         /// The distance of the slider's joint from the line through the link's pivot along which it slides.
         offset: T,
     },
-    /// A slider on a link that turns (RPR dyad), whose ends are placed in another way.
+    /// A slider on a link that rotates (RPR dyad), whose ends are placed in another way.
     SliderOnLink {
         /// The distance of the slider's joint from the line through the link's pivot along which it slides.
         offset: Option<T>,

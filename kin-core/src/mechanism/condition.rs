@@ -26,8 +26,8 @@ pub(crate) fn conditions<M: Mechanism>(
     let values = |row: &[M::Scalar], index: usize| row[index].real();
     // The change of each equation with a quantity, times a number.
     let response = |quantity: Changed, by: f64| {
-        let series = |own: Changed, value: f64| {
-            let change = if own == quantity { by } else { 0.0 };
+        let series = |varied: Changed, value: f64| {
+            let change = if varied == quantity { by } else { 0.0 };
             FirstOrder::from_coefficients([value, change])
         };
         let changed = <M::With<FirstOrder>>::from_parameters(Row::from_fn(|index| {

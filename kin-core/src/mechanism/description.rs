@@ -26,8 +26,8 @@ pub struct Description<'d> {
     pub order: usize,
     /// The cost of each order, position first, in the most expensive assembly.
     pub operations: &'d [Operations],
-    /// The names of groups of unknowns in errors, see [`NameKind::Group`]. A declared mechanism has none: its errors hold
-    /// texts.
+    /// The names of groups of unknowns in errors, see [`NameKind::Group`]. A declared mechanism has none: its errors
+    /// hold texts.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub groups: &'d [&'d str],
 }

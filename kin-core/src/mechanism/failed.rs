@@ -1,4 +1,4 @@
-//! Errors with the place where they occurred.
+//! Errors with the block and the inputs at which they occurred.
 
 use crate::failure::{Failure, InputNames, InputValues, SolveError};
 use crate::mechanism::{Description, Mechanism};
@@ -78,8 +78,8 @@ pub fn failed_in(
     let quantity = parameter.or_else(|| input().map(|index| name(NameKind::Input, index)));
     let failure = quantity.map_or(failure, Failure::not_finite);
     let (mut first, mut count) = ([0.0; InputValues::CAPACITY], 0);
-    for (place, input) in first.iter_mut().zip(inputs) {
-        *place = input;
+    for (slot, input) in first.iter_mut().zip(inputs) {
+        *slot = input;
         count += 1;
     }
     failure.at(block, InputValues::of(input_names, &first[..count]))
@@ -118,11 +118,11 @@ mod tests {
     /// not known.
     #[test]
     fn what_is_not_finite_is_named_by_its_index() {
-        let place = |kind| Name::by_index(kind, 1);
-        let (first, block) = (Name::by_index(NameKind::Unknown, 0), place(NameKind::Block));
-        let (failure, result) = culprit_in([(first, true), (place(NameKind::Unknown), false)], []);
-        assert_eq!(failure, Failure::not_finite(place(NameKind::Unknown)));
-        assert_eq!(result, place(NameKind::Unknown));
+        let second = |kind| Name::by_index(kind, 1);
+        let (first, block) = (Name::by_index(NameKind::Unknown, 0), second(NameKind::Block));
+        let (failure, result) = culprit_in([(first, true), (second(NameKind::Unknown), false)], []);
+        assert_eq!(failure, Failure::not_finite(second(NameKind::Unknown)));
+        assert_eq!(result, second(NameKind::Unknown));
         let inputs = InputNames::by_index(&[Quantity::angle("", ""), Quantity::length("", "")]);
         let fails = |parameters: &[f64], values: &[f64]| {
             let (parameters, values) = (parameters.iter().copied(), values.iter().copied());
@@ -138,8 +138,8 @@ mod tests {
                     .map(|(kind, index, value)| (Name::by_index(kind, index), value)))
         );
         let of_input = fails(&[1.0, 2.0], &[3.0, f64::NAN]);
-        assert_eq!(of_input.failure, Failure::not_finite(place(NameKind::Input)));
+        assert_eq!(of_input.failure, Failure::not_finite(second(NameKind::Input)));
         let of_parameter = fails(&[1.0, f64::INFINITY], &[3.0, f64::NAN]);
-        assert_eq!(of_parameter.failure, Failure::not_finite(place(NameKind::Parameter)));
+        assert_eq!(of_parameter.failure, Failure::not_finite(second(NameKind::Parameter)));
     }
 }

@@ -20,7 +20,7 @@ pub struct Formula<'d> {
 /// number, so `cis(theta)` is e^(iθ), and `vec2(x, y)` is x + i y. If the declaration has a quantity `e` or `i`, the
 /// text has cis(θ) instead.
 ///
-/// A solution may introduce letters of its own. They hold for one block, and have a prime where the declaration uses the
+/// A solution may introduce further letters. They hold for one block, and have a prime where the declaration uses the
 /// same letter. An expression that is too long to be read is written as a function h of the inputs and unknowns that it
 /// contains, and a typed formula as dots.
 ///
@@ -41,8 +41,8 @@ pub struct Formulas<'d> {
     pub position: &'d [Formula<'d>],
     /// The linear equations of each block's velocities. The rates of the block's unknowns are on the left.
     pub velocity: &'d [Formula<'d>],
-    /// The linear equations of all higher orders, where **A** ẋ = **b** are those of a block's velocities. Each order has
-    /// the same matrix **A**.
+    /// The linear equations of all higher orders, where **A** ẋ = **b** are those of a block's velocities. Each order
+    /// has the same matrix **A**.
     pub rates: Formula<'d>,
     /// The abbreviations that the outputs use, and the outputs.
     pub outputs: Formula<'d>,

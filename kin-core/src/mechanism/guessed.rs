@@ -1,7 +1,8 @@
-//! Calls that people guess and that do not exist. Each trait here leads the compiler to a message that says what to write.
+//! Calls that people guess and that do not exist. Each trait here leads the compiler to a message that says what to
+//! write.
 //!
-//! No program can use these traits: their methods ask for conditions that never hold, and their constant is no function.
-//! A method that a program defines on the type itself comes before them.
+//! No program can use these traits: their methods ask for conditions that never hold, and their constant is no
+//! function. A method that a program defines on the type itself comes before them.
 
 /// The type of [`new`](MadeOfNamedParameters::new), named for the compiler to say: `expected function, found …`.
 #[derive(Clone, Copy, Debug)]
@@ -16,7 +17,7 @@ pub trait MadeOfNamedParameters {
     const new: WriteTheParametersByName = WriteTheParametersByName;
 }
 
-/// A mechanism with floating-point numbers as parameters. None implements it, because these have solvers of their own.
+/// A mechanism with floating-point numbers as parameters. None implements it, because these have inherent solvers.
 #[diagnostic::on_unimplemented(
     message = "the parameters of `{Self}` are integers, with which no mechanism is solved",
     label = "write the parameters with a decimal point: `90.0` instead of `90`"
@@ -66,12 +67,13 @@ pub trait IntegersInASweep: Sized {
     solvers_of_integers!(@method sweep [A]);
 }
 
-/// A pose that knows the rates below the order that is asked for. None implements it, because such a pose has a method of
-/// its own.
+/// A pose that knows the rates below the order that is asked for. None implements it, because such a pose has an
+/// inherent method.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not know the rates below this order",
     label = "go on from order to order: `.velocity(rates)` of a position, then `.acceleration(rates)`, and so on",
-    note = "`solve` solves for all orders at once, and every quantity of its pose has rates: `pose.theta.acceleration()`"
+    note = "`solve` solves for all orders at once, and every quantity of its pose has rates: \
+            `pose.theta.acceleration()`"
 )]
 pub trait KnowsTheRatesBelow {}
 
@@ -86,14 +88,16 @@ pub trait LaterOrders {
     fn snap(&self) {}
 }
 
-/// A mechanism that finds all of its positions. None implements it, because those that do have a method of their own.
+/// A mechanism that finds all of its positions. None implements it, because those that do have an inherent method.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not find all of its positions",
-    label = "start from values near a position instead: `position_near`, `solve_near`, and `track` from one to the next",
-    note = "`assemblies_at` is there if the coupled equations are algebraic in their unknowns, sines and cosines, and the product of \
-            their degrees is 1024 at most: the coordinates of joints as unknowns often give a smaller one than the angles of a body in space",
-    note = "it is also there for one body in space on six legs, if the unknowns are the coordinates in `vec3(x, y, z)` and the \
-            three angles in a product such as `rot_z(a) * rot_y(b) * rot_x(c)`"
+    label = "start from values near a position instead: `position_near`, `solve_near`, and `track` from one to the \
+             next",
+    note = "`assemblies_at` is there if the coupled equations are algebraic in their unknowns, sines and cosines, and \
+            the product of their degrees is 1024 at most: the coordinates of joints as unknowns often give a smaller \
+            one than the angles of a body in space",
+    note = "it is also there for one body in space on six legs, if the unknowns are the coordinates in `vec3(x, y, z)` \
+            and the three angles in a product such as `rot_z(a) * rot_y(b) * rot_x(c)`"
 )]
 pub trait FindsAllPositions {
     /// What would be found. Its absence prevents further errors.

@@ -34,17 +34,18 @@ impl<const N: usize> JacobianNumber for Series<N> {
 /// The partial derivatives of chosen unknowns or outputs with respect to all inputs: rows of the [Jacobian of a
 /// pose](crate::Mechanism::jacobian), which has one for each of them.
 ///
-/// If the root of the sum of squares of the inputs' speeds is 1, the hand of a robot has the speed of the largest singular
-/// value in its fastest direction, and that of the smallest one in its slowest. Where the smallest one is zero, the hand does
-/// not move at all in some direction. By the same factors errors of the inputs reach the hand, and forces on the hand reach
-/// the drives. (T. Yoshikawa, *Manipulability of robotic mechanisms*, International Journal of Robotics Research 4, no. 2
-/// (1985), 3-9.)
+/// If the root of the sum of squares of the inputs' speeds is 1, the hand of a robot has the speed of the largest
+/// singular value in its fastest direction, and that of the smallest one in its slowest. Where the smallest one is
+/// zero, the hand does not move at all in some direction. By the same factors errors of the inputs reach the hand, and
+/// forces on the hand reach the drives. (T. Yoshikawa, *Manipulability of robotic mechanisms*, International Journal of
+/// Robotics Research 4, no. 2 (1985), 3-9.)
 ///
 /// Singular values compare rows with each other, and columns with each other. They mean something only if all rows have
-/// one dimension, and all inputs have one; otherwise they would depend on the unit of length. [`Mechanism::jacobian_of`] refuses
-/// to mix dimensions. Divide the rows of lengths by a length that you state, and make a matrix [`from_rows`](Self::from_rows).
+/// one dimension, and all inputs have one; otherwise they would depend on the unit of length.
+/// [`Mechanism::jacobian_of`] refuses to mix dimensions. Divide the rows of lengths by a length that you state, and
+/// make a matrix [`from_rows`](Self::from_rows).
 ///
-/// They tell nothing of rounding errors: the [condition of a pose](crate::Mechanism::condition) does.
+/// They say nothing about rounding errors: the [condition of a pose](crate::Mechanism::condition) does.
 ///
 /// [`Mechanism::jacobian_of`]: crate::Mechanism::jacobian_of
 #[derive(Clone, Debug, PartialEq)]
@@ -54,7 +55,7 @@ pub struct Jacobian<T> {
     width: usize,
 }
 
-/// A number that tells how evenly a Jacobian turns velocities of the inputs into those of the results.
+/// A number that measures how evenly a Jacobian converts velocities of the inputs into those of the results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum JacobianMeasure {
@@ -92,9 +93,9 @@ impl<T: Copy> Jacobian<T> {
 
     /// The matrix with a number for each row and each column.
     pub(crate) fn from_fn(height: usize, width: usize, mut entry: impl FnMut(usize, usize) -> T) -> Self {
-        let places = (0..height * width).map(|place| (place / width, place % width));
+        let entries = (0..height * width).map(|index| (index / width, index % width));
         Self {
-            entries: places.map(|(row, column)| entry(row, column)).collect(),
+            entries: entries.map(|(row, column)| entry(row, column)).collect(),
             width,
         }
     }
@@ -108,10 +109,11 @@ impl<T: Copy> Jacobian<T> {
 }
 
 impl<T: JacobianNumber> Jacobian<T> {
-    /// The singular values, the largest first: as many as there are rows or columns, whichever are fewer. None is negative.
+    /// The singular values, the largest first: as many as there are rows or columns, whichever are fewer. None is
+    /// negative.
     ///
-    /// Where two of them are equal, or where one is zero, series of them have a kink. They are those behind it, where the
-    /// variable is larger.
+    /// Where two of them are equal, or where one is zero, series of them have a kink. They are those behind it, where
+    /// the variable is larger.
     #[must_use]
     pub fn singular_values(&self) -> Vec<T> {
         T::singular_values(&self.entries, self.width)
@@ -136,7 +138,8 @@ impl<T: JacobianNumber> Jacobian<T> {
         }
     }
 
-    /// The [largest singular value over the smallest one](JacobianMeasure::ConditionNumber), infinite for a singular matrix.
+    /// The [largest singular value over the smallest one](JacobianMeasure::ConditionNumber), infinite for a singular
+    /// matrix.
     #[must_use]
     pub fn condition_number(&self) -> T {
         self.measure(JacobianMeasure::ConditionNumber)
@@ -178,8 +181,9 @@ impl fmt::Display for JacobianError {
             Self::Empty => formatter.write_str("a Jacobian needs a result and an input: name an unknown or an output"),
             Self::MixedDimensions { one, other } => write!(
                 formatter,
-                "`{one}` and `{other}` have different dimensions, so that singular values would depend on the units: choose results of one \
-                 dimension, or divide the rows of lengths by a length and make a `Jacobian::from_rows`"
+                "`{one}` and `{other}` have different dimensions, so that singular values would depend on the units: \
+                 choose results of one dimension, or divide the rows of lengths by a length and make a \
+                 `Jacobian::from_rows`"
             ),
             Self::Position(error) => write!(formatter, "{error}"),
         }
@@ -203,22 +207,23 @@ impl From<SolveError> for JacobianError {
     }
 }
 
-/// The rows of a pose's Jacobian that belong to results of these names: one for a scalar, and those of all coordinates for a point.
+/// The rows of a pose's Jacobian that belong to results of these names: one for a scalar, and those of all coordinates
+/// for a point.
 pub(crate) fn rows_of(description: &Description<'_>, names: &[&str]) -> Result<Vec<usize>, JacobianError> {
     let results = || description.unknowns.iter().chain(description.outputs);
     let mut rows = Vec::new();
     for name in names {
-        let is_meant = |own: &str| {
-            let rest = own.strip_prefix(name);
+        let is_meant = |result: &str| {
+            let rest = result.strip_prefix(name);
             rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
         };
-        let meant = results().enumerate().filter(|(_, own)| is_meant(own.name));
+        let meant = results().enumerate().filter(|(_, quantity)| is_meant(quantity.name));
         let before = rows.len();
         rows.extend(meant.map(|(row, _)| row));
         if rows.len() == before {
             return Err(JacobianError::NoSuchResult {
                 name: name.to_string(),
-                results: results().map(|own| own.name.to_string()).collect(),
+                results: results().map(|quantity| quantity.name.to_string()).collect(),
             });
         }
     }

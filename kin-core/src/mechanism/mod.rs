@@ -61,9 +61,9 @@ use crate::solve::Scalar;
 ///
 /// Only [`mechanism!`](crate::mechanism!) implements this trait. A new version may add items without a default.
 ///
-/// The solvers have the names of the inherent methods that `mechanism!` makes for each structure, and take the inputs as one
-/// row. On a structure itself the inherent method is called; `Mechanism::position(&linkage, [1.0], assembly)` calls that of the
-/// trait. The errors are the same.
+/// The solvers have the names of the inherent methods that `mechanism!` makes for each structure, and take the inputs
+/// as one row. On a structure itself the inherent method is called; `Mechanism::position(&linkage, [1.0], assembly)`
+/// calls that of the trait. The errors are the same.
 ///
 /// The associated rows are arrays. Their lengths are the numbers of scalar parameters, inputs, unknowns and scalar
 /// equations. A point in the plane counts as two scalars, x and y, a point in space as three.
@@ -72,7 +72,7 @@ use crate::solve::Scalar;
 /// use kin_core::library::FourBar;
 /// use kin_core::prelude::*;
 ///
-/// /// The largest angular acceleration of any unknown over a turn of the (only) input, wherever the mechanism closes.
+/// /// The largest angular acceleration of any unknown over a revolution of the only input, where the mechanism closes.
 /// fn peak<M: Mechanism<Scalar = f64>>(mechanism: &M, assembly: M::Assembly, speed: f64) -> f64 {
 ///     let mut peak: f64 = 0.0;
 ///     for step in 0..360 {
@@ -122,7 +122,7 @@ pub trait Mechanism: Copy + Debug + 'static {
     /// A value for each dyad of two links, or of a link and a slider.
     type Dyads<V: Copy>: Row<V>;
     /// The joints of the skeleton and the directions of its slides: an array of points of the plane or of space.
-    type Places: PointArray<Point: PlaneOrSpace<Scalar = Self::Scalar>>;
+    type SkeletonPoints: PointArray<Point: PlaneOrSpace<Scalar = Self::Scalar>>;
 
     /// The names, dimensions and equations, and the methods that solve them.
     const DESCRIPTION: Description<'static>;
@@ -203,17 +203,17 @@ pub trait Mechanism: Copy + Debug + 'static {
         unknowns: Self::Unknowns<Self::Scalar>,
     ) -> Self::Residuals<Self::Scalar>;
 
-    /// Calls `found` with the closure as trigonometric polynomials of inputs and unknowns: the terms of the scalar equations, whose sums
-    /// are the residuals of [`closure`](Self::closure), and the coefficients of these terms.
+    /// Calls `found` with the closure as trigonometric polynomials of inputs and unknowns: the terms of the scalar
+    /// equations, whose sums are the residuals of [`closure`](Self::closure), and the coefficients of these terms.
     ///
-    /// Only a mechanism with a coupled block has them, if its closure is algebraic: then angles occur in sines and cosines only, and
-    /// nothing that moves stands in a denominator. Otherwise `found` is not called.
+    /// Only a mechanism with a coupled block has them, if its closure is algebraic: then angles occur in sines and
+    /// cosines only, and nothing that moves stands in a denominator. Otherwise `found` is not called.
     fn closure_terms(&self, found: impl FnOnce(&'static [ClosureTerm<'static>], &[Self::Scalar])) {
         let _ = found;
     }
 
-    /// The inherent method of this name exists `with sensitivities;` only. Without it this one is found instead, and the
-    /// compiler names the request that is missing.
+    /// The inherent method of this name exists `with sensitivities;` only. Without it this one is found instead, and
+    /// the compiler names the request that is missing.
     #[doc(hidden)]
     fn sensitivities(&self, pose: &Self::Pose) -> Self::Parameters<<Self as Sensitive>::Partials>
     where
@@ -224,12 +224,12 @@ pub trait Mechanism: Copy + Debug + 'static {
 
     /// The partial derivatives of the motion at given inputs with respect to each scalar parameter, in all its orders.
     ///
-    /// The mechanism is solved once for each parameter, with numbers that carry the derivative with respect to it. So no
-    /// mechanism has to request them, and they are exact but for rounding. A mechanism that is declared `with sensitivities;` has
-    /// straight-line code for them: see [`Sensitive`], which is several times faster.
+    /// The mechanism is solved once for each parameter, with numbers that carry the derivative with respect to it. So
+    /// no mechanism has to request them, and they are exact but for rounding. A mechanism that is declared
+    /// `with sensitivities;` has straight-line code for them: see [`Sensitive`], which is several times faster.
     ///
-    /// Entry n of a motion is the derivative of the n-th time derivative, in the unit of the unknown or output over the unit
-    /// of the parameter and over the n-th power of the unit of time.
+    /// Entry n of a motion is the derivative of the n-th time derivative, in the unit of the unknown or output over the
+    /// unit of the parameter and over the n-th power of the unit of time.
     ///
     /// # Errors
     /// The errors of [`solve`](Self::solve) at these inputs and in this assembly.
@@ -260,7 +260,11 @@ pub trait Mechanism: Copy + Debug + 'static {
     }
 
     /// The joints of the skeleton and the directions of its slides, for any values of inputs and unknowns.
-    fn places(&self, inputs: Self::Inputs<Self::Scalar>, unknowns: Self::Unknowns<Self::Scalar>) -> Self::Places;
+    fn skeleton_points(
+        &self,
+        inputs: Self::Inputs<Self::Scalar>,
+        unknowns: Self::Unknowns<Self::Scalar>,
+    ) -> Self::SkeletonPoints;
 
     /// The scalar outputs, for any values of inputs and unknowns. An angle that an output finds itself is in -π ..= π.
     fn outputs_at(
@@ -270,9 +274,9 @@ pub trait Mechanism: Copy + Debug + 'static {
     ) -> <Self::Pose as Pose>::Outputs<Self::Scalar>;
 
     /// The skeleton of a pose of any order, as the inherent `skeleton` gives it.
-    fn skeleton(&self, pose: &impl PoseOf<Self>) -> Skeleton<'static, Self::Places> {
+    fn skeleton(&self, pose: &impl PoseOf<Self>) -> Skeleton<'static, Self::SkeletonPoints> {
         let (inputs, unknowns) = pose.values();
-        Skeleton::new(&Self::OUTLINE, self.places(inputs, unknowns))
+        Skeleton::new(&Self::OUTLINE, self.skeleton_points(inputs, unknowns))
     }
 
     /// The form of each block, with the lengths of its links as numbers from the parameters. See [`BlockForm`].
@@ -286,21 +290,21 @@ pub trait Mechanism: Copy + Debug + 'static {
         unknowns: Self::Unknowns<Self::Scalar>,
     ) -> Self::Dyads<TransmissionAngle<Self::Scalar>>;
 
-    /// The transmission angle of every dyad in a pose of any order. The request `with transmission_angles;` makes the same
-    /// method inherent.
+    /// The transmission angle of every dyad in a pose of any order. The request `with transmission_angles;` makes the
+    /// same method inherent.
     fn transmission_angles(&self, pose: &impl PoseOf<Self>) -> Self::Dyads<TransmissionAngle<Self::Scalar>> {
         let (inputs, unknowns) = pose.values();
         self.transmission_angles_at(inputs, unknowns)
     }
 
-    /// The Jacobian of a pose of any order: the partial derivatives of the unknowns, then of the scalar outputs, with respect to the
-    /// inputs.
+    /// The Jacobian of a pose of any order: the partial derivatives of the unknowns, then of the scalar outputs, with
+    /// respect to the inputs.
     ///
-    /// It has a row for each unknown and then for each scalar output, and in each row a number for each input, all in the
-    /// order in which they were declared. A point has a row for x, a row for y and, in space, a row for z. An entry has the
-    /// unit of its unknown or output over that of its input: radians per radian, lengths per radian, and so on. A row
-    /// times the velocities of the inputs is the velocity of its unknown or output, and the transposed rows turn forces
-    /// into the efforts of the inputs.
+    /// It has a row for each unknown and then for each scalar output, and in each row a number for each input, all in
+    /// the order in which they were declared. A point has a row for x, a row for y and, in space, a row for z. An entry
+    /// has the unit of its unknown or output over that of its input: radians per radian, lengths per radian, and so on.
+    /// A row times the velocities of the inputs is the velocity of its unknown or output, and the transposed rows
+    /// convert forces into the efforts of the inputs.
     ///
     /// It does not depend on the velocity of the pose, and never divides by it: the position is solved again from the
     /// unknowns of the pose, and the velocity once for each input.
@@ -325,12 +329,12 @@ pub trait Mechanism: Copy + Debug + 'static {
         self.jacobian_near(inputs, unknowns)
     }
 
-    /// The rows of the [`jacobian`](Self::jacobian) for unknowns or outputs of these names, with their singular values. A point
-    /// has a row for each of its coordinates.
+    /// The rows of the [`jacobian`](Self::jacobian) for unknowns or outputs of these names, with their singular values.
+    /// A point has a row for each of its coordinates.
     ///
-    /// All of these results must have one dimension, and all inputs must have one: see [`Jacobian`](crate::Jacobian), which
-    /// tells what singular values mean. Along a sweep, [`of_jacobian`](crate::sweep::Sweep::of_jacobian) finds where they
-    /// are smallest.
+    /// All of these results must have one dimension, and all inputs must have one: see [`Jacobian`](crate::Jacobian),
+    /// which says what singular values mean. Along a sweep, [`of_jacobian`](crate::sweep::Sweep::of_jacobian) finds
+    /// where they are smallest.
     ///
     /// ```
     /// use kin_core::library::FiveBar;
@@ -345,8 +349,8 @@ pub trait Mechanism: Copy + Debug + 'static {
     /// ```
     ///
     /// # Errors
-    /// [`JacobianError`](crate::JacobianError) for names that no result has, for mixed dimensions, and with the errors of
-    /// [`jacobian`](Self::jacobian).
+    /// [`JacobianError`](crate::JacobianError) for names that no result has, for mixed dimensions, and with the errors
+    /// of [`jacobian`](Self::jacobian).
     #[cfg(feature = "alloc")]
     #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
     fn jacobian_of(&self, pose: &impl PoseOf<Self>, results: &[&str]) -> Result<Jacobian<f64>, JacobianError> {
@@ -356,8 +360,8 @@ pub trait Mechanism: Copy + Debug + 'static {
         Ok(Jacobian::from_fn(rows.len(), Self::DESCRIPTION.inputs.len(), entry))
     }
 
-    /// The condition of each unknown of a pose, in the unit of the unknown: rounding changes its value by about this times ε, the
-    /// [distance](crate::Number::EPSILON) from 1 to the next number.
+    /// The condition of each unknown of a pose, in the unit of the unknown: rounding changes its value by about this
+    /// times ε, the [distance](crate::Number::EPSILON) from 1 to the next number.
     ///
     /// The condition is the sum of the first-order changes of the unknown that are caused by changing each of the
     /// following alone by a part ε of itself: every parameter and every input; the term of every unknown in every
@@ -390,7 +394,7 @@ pub trait Mechanism: Copy + Debug + 'static {
     }
 
     /// The largest of the [conditions](Self::conditions), with angles measured in radians, lengths relative to the
-    /// longest length of the mechanism, and plain numbers relative to their own size if that is larger than 1. From 1/ε
+    /// longest length of the mechanism, and plain numbers relative to their size if that is larger than 1. From 1/ε
     /// on, no digit of the position is reliable.
     fn condition(&self, pose: &impl PoseOf<Self>) -> f64 {
         let (inputs, unknowns) = pose.values();
@@ -410,11 +414,12 @@ pub trait Mechanism: Copy + Debug + 'static {
 
     /// Calls `found` with every regular position at given inputs: its assembly, and the values of the unknowns.
     ///
-    /// Where every block has a closed form, these are the assemblies in which the mechanism closes. Otherwise they are the
-    /// positions that the inherent method `assemblies_at` finds, in double precision, each refined in the mechanism's own
-    /// numbers. There is no such method where the coupled equations are not algebraic in the unknowns, their sines and
-    /// cosines, or where the product of their degrees is above 1024, as for the angles of several bodies in space. Then
-    /// nothing is found, and the search is not complete. A single body on six legs has the method.
+    /// Where every block has a closed form, these are the assemblies in which the mechanism closes. Otherwise they are
+    /// the positions that the inherent method `assemblies_at` finds, in double precision, each refined in the
+    /// mechanism's numbers. There is no such method where the coupled equations are not algebraic in the unknowns,
+    /// their sines and cosines, or where the product of their degrees is above 1024, as for the angles of several
+    /// bodies in space. Then nothing is found, and the search is not complete. A single body on six legs has the
+    /// method.
     ///
     /// # Errors
     /// Returns an error if a parameter or an input is not finite.
@@ -447,8 +452,8 @@ pub trait Mechanism: Copy + Debug + 'static {
         (0..Self::ASSEMBLY_COUNT).filter_map(Self::assembly)
     }
 
-    /// The name of an assembly, as programs and tables write it: `open`, or `knee=open,foot=crossed` where several dyads
-    /// have one each. It is empty if there is no choice.
+    /// The name of an assembly, as programs and tables write it: `open`, or `knee=open,foot=crossed` where several
+    /// dyads have one each. It is empty if there is no choice.
     ///
     /// ```
     /// use kin_core::library::FourBar;
@@ -483,7 +488,7 @@ pub trait Pose: Copy + Debug {
     /// mechanism has needed it.
     fn unknown_motions(&self) -> Self::Unknowns<Self::Motion>;
 
-    /// The motions of the unknowns, with the angles that are calculated here on the turns closest to the given values.
+    /// The motions of the unknowns, with the angles that are calculated here unwrapped to the given values.
     /// [`solve_near`](Mechanism::solve_near) puts all other angles there.
     fn unknown_motions_near(&self, near: Self::Unknowns<Self::Scalar>) -> Self::Unknowns<Self::Motion> {
         let _ = near;

@@ -5,7 +5,7 @@ use core::fmt::{self, Display, Write};
 use super::Description;
 use crate::quantity::{Name, NameKind};
 
-/// A value, for example an error, shown with the names of a mechanism in the place of their indices.
+/// A value, for example an error, shown with the names of a mechanism instead of their indices.
 ///
 /// ```
 /// use kin_core::any::{Described, Name, NameKind, Named, Of};
@@ -42,14 +42,14 @@ impl<V: Display> Display for Named<'_, V> {
 }
 
 /// The longest text between brackets that may stand for a name.
-const LONGEST: usize = "parameter 65535".len();
+const LONGEST_INDEX: usize = "parameter 65535".len();
 
-/// A writer that puts names in the place of indices.
+/// A writer that puts names instead of indices.
 struct NameWriter<'n, 'f, 'g> {
     description: &'n Description<'n>,
     formatter: &'f mut fmt::Formatter<'g>,
     /// The text behind a bracket, and its length.
-    index: Option<([u8; LONGEST], usize)>,
+    index: Option<([u8; LONGEST_INDEX], usize)>,
 }
 
 impl<'n> NameWriter<'n, '_, '_> {
@@ -67,7 +67,7 @@ impl<'n> NameWriter<'n, '_, '_> {
     fn name(&self) -> Option<&'n str> {
         let (text, length) = self.index.as_ref()?;
         let (word, index) = str::from_utf8(&text[..*length]).ok()?.split_once(' ')?;
-        let (of, _) = NameKind::ALL.iter().find(|(_, own)| *own == word)?;
+        let (of, _) = NameKind::ALL.iter().find(|(_, word_of_kind)| *word_of_kind == word)?;
         self.description.name_of(*of, index.parse().ok()?)
     }
 }
@@ -78,11 +78,11 @@ impl Write for NameWriter<'_, '_, '_> {
         for letter in text.chars() {
             if letter == before {
                 self.flush()?;
-                self.index = Some(([0; LONGEST], 0));
+                self.index = Some(([0; LONGEST_INDEX], 0));
                 continue;
             }
             match &mut self.index {
-                Some((text, length)) if letter.is_ascii() && *length < LONGEST => {
+                Some((text, length)) if letter.is_ascii() && *length < LONGEST_INDEX => {
                     letter.encode_utf8(&mut text[*length..]);
                     *length += 1;
                     continue;

@@ -3,8 +3,8 @@
 use crate::failure::{Failure, SolveError};
 use crate::mechanism::Mechanism;
 
-/// The outcome of [`Mechanism::positions_at`](crate::Mechanism::positions_at), a search for all regular positions at given
-/// inputs.
+/// The outcome of [`Mechanism::positions_at`](crate::Mechanism::positions_at), a search for all regular positions at
+/// given inputs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct PositionSearch {
@@ -12,9 +12,9 @@ pub struct PositionSearch {
     pub found: usize,
     /// The number of singular positions found: limit positions and dead points. They are not passed on.
     pub singular: usize,
-    /// Whether there is no other regular position. It is false if a path to a position was lost, if a declared range holds
-    /// both solutions, and if there is no search for this mechanism: its coupled equations are not algebraic, or have too
-    /// many solutions.
+    /// Whether there is no other regular position. It is false if a path to a position was lost, if a declared range
+    /// holds both solutions, and if there is no search for this mechanism: its coupled equations are not algebraic, or
+    /// have too many solutions.
     pub is_complete: bool,
 }
 

@@ -55,7 +55,7 @@ pub trait Sensitive: Mechanism {
     const SENSITIVITY_OPERATIONS: Operations;
 
     /// The derivatives with respect to each scalar parameter, as the inherent method `sensitivities` returns them. The
-    /// pose must be one of this mechanism's own.
+    /// pose must be one of this mechanism.
     fn sensitivities_of(&self, pose: &Self::Pose) -> Self::Parameters<Self::Partials>;
 }
 

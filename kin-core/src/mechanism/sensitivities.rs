@@ -12,8 +12,8 @@ type FirstOrder = Series<2>;
 /// The outputs of a mechanism whose numbers carry a change.
 type Outputs<M, V> = <<<M as Mechanism>::With<FirstOrder> as Mechanism>::Pose as Pose>::Outputs<V>;
 
-/// The partial derivatives of a motion with respect to one parameter, as [`Mechanism::sensitivities_at`] returns them. They are read by
-/// the methods of [`Partials`].
+/// The partial derivatives of a motion with respect to one parameter, as [`Mechanism::sensitivities_at`] returns them.
+/// They are read by the methods of [`Partials`].
 #[derive(Clone, Copy)]
 pub struct PartialMotions<M: Mechanism> {
     unknowns: M::Unknowns<M::Motion<f64>>,
@@ -66,11 +66,11 @@ pub(super) fn sensitivities_at<M: Mechanism<Scalar = f64>>(
                 Row::from_fn(|order| FirstOrder::constant(motion[order]))
             },
         );
-    for (place, partial) in partials.as_mut().iter_mut().enumerate() {
+    for (index, partial) in partials.as_mut().iter_mut().enumerate() {
         let mut next = 0;
         let changed = mechanism.convert(|value| {
             next += 1;
-            FirstOrder::from_coefficients([value, if next == place + 1 { 1.0 } else { 0.0 }])
+            FirstOrder::from_coefficients([value, if next == index + 1 { 1.0 } else { 0.0 }])
         });
         let pose = changed.solve(fixed, assembly)?;
         let change = |motion: &M::Motion<FirstOrder>| M::Motion::from_fn(|order| motion[order].coefficients()[1]);

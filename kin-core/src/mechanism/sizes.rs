@@ -5,7 +5,7 @@ use num_traits::Float;
 use super::Description;
 use crate::quantity::Dimension;
 
-/// The sizes of the quantities of a mechanism: 1 for an angle, and for a length that of the longest link or its own value.
+/// The sizes of the quantities of a mechanism: 1 for an angle, and for a length that of the longest link or its value.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sizes {
     /// The longest length among the dimensions.

@@ -4,11 +4,12 @@ use super::{Motion, leibniz};
 use crate::number::Number;
 
 impl<T: Number, const N: usize> Motion<T, N> {
-    /// The motion in time of a quantity whose derivatives with respect to a driving quantity are given, from the motion of the latter.
+    /// The motion in time of a quantity whose derivatives with respect to a driving quantity are given, from the motion
+    /// of the latter.
     ///
-    /// If `self` holds f(θ), f'(θ), f''(θ), … and `drive` holds θ and its derivatives by time, the result holds f and its derivatives by
-    /// time. The n-th derivative by θ is again such a quantity, and its rate is the next derivative times the rate of θ: Leibniz's rule
-    /// differentiates this product.
+    /// If `self` holds f(θ), f'(θ), f''(θ), … and `drive` holds θ and its derivatives by time, the result holds f and
+    /// its derivatives by time. The n-th derivative by θ is again such a quantity, and its rate is the next derivative
+    /// times the rate of θ: Leibniz's rule differentiates this product.
     ///
     /// ```
     /// use kin_core::Motion;
@@ -24,11 +25,11 @@ impl<T: Number, const N: usize> Motion<T, N> {
         // from the highest derivative by θ down, each in its motion as far as it is needed
         let mut above = [T::constant(0.0); N];
         for (order, derivative) in self.derivatives.into_iter().enumerate().rev() {
-            let mut own = [derivative; N];
+            let mut series = [derivative; N];
             for rate in 1..N - order {
-                own[rate] = leibniz(&above[..rate], &rates[..rate]);
+                series[rate] = leibniz(&above[..rate], &rates[..rate]);
             }
-            above = own;
+            above = series;
         }
         Self::new(above)
     }

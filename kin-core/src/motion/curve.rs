@@ -79,7 +79,7 @@ impl<T: Scalar, const N: usize> Motion<Plane<T>, N> {
         finite(T::constant(1.0) / curvature)
     }
 
-    /// The centre of curvature, which is the point about which the path turns; `None` where the point rests or the path
+    /// The centre of curvature, which is the point about which the path bends; `None` where the point rests or the path
     /// is straight. The evolute of the path is the curve of its centres.
     ///
     /// ```
@@ -93,7 +93,7 @@ impl<T: Scalar, const N: usize> Motion<Plane<T>, N> {
     pub fn centre_of_curvature(&self) -> Option<Plane<T>> {
         let tangent = self.tangent()?;
         let radius = self.radius_of_curvature()?;
-        finite_vector(self.rate::<0>() + quarter_turn(tangent).scale(radius))
+        finite_vector(self.rate::<0>() + normal(tangent).scale(radius))
     }
 
     /// The rate of change of the curvature along the path, dκ/ds, in the reciprocal square of the unit of length;
@@ -116,9 +116,9 @@ impl<T: Scalar, const N: usize> Motion<Plane<T>, N> {
     pub fn curvature_rate(&self) -> Option<T> {
         let (tangent, speed) = self.direction()?;
         let curvature = self.curvature()?;
-        let turning = tangent.cross(self.rate::<3>()) / speed;
+        let bending = tangent.cross(self.rate::<3>()) / speed;
         let stretching = T::constant(3.0) * curvature * tangent.dot(self.rate::<2>());
-        finite((turning - stretching) / (speed * speed))
+        finite((bending - stretching) / (speed * speed))
     }
 
     /// The tangent and the speed.
@@ -140,8 +140,8 @@ impl<T: Scalar, const N: usize> Motion<Plane<T>, N> {
     }
 }
 
-/// The vector turned a quarter turn to its left.
-pub(crate) fn quarter_turn<T: Scalar>(vector: Plane<T>) -> Plane<T> {
+/// The vector, rotated by a right angle to its left.
+pub(crate) fn normal<T: Scalar>(vector: Plane<T>) -> Plane<T> {
     Plane::new(-vector.y, vector.x)
 }
 
@@ -218,7 +218,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_told_of_what_is_not_finite() {
+    fn what_is_not_finite_has_no_curvature() {
         let origin = Plane::new(0.0, 0.0);
         let fast = Motion::from([origin, Plane::new(1e200, 0.0), origin]);
         assert_eq!(fast.speed(), None);
@@ -244,8 +244,8 @@ mod tests {
             let point = Motion::from_coordinates(cosine.scale(a), sine.scale(b));
             let (s, c) = (sine.value(), cosine.value());
             let square = (a * s).powi(2) + (b * c).powi(2);
-            let turn = speed.signum();
-            let curvature = turn * a * b / (square * Number::sqrt(square));
+            let sense = speed.signum();
+            let curvature = sense * a * b / (square * Number::sqrt(square));
             let error = (point.curvature().unwrap() - curvature).abs();
             assert!(error <= 4.0 * EPSILON * sensitivity(point), "{speed}: {error}");
             // dκ/ds = dκ/dφ / |dr/dφ|, and the sense of travel counts twice.

@@ -45,8 +45,8 @@ impl<T: Number, const N: usize> Motion<T, N> {
 
 /// Revolutions per minute as an angular velocity in radians per second: x · π / 30.
 ///
-/// Mechanisms have any unit of time. A speed from this function makes it the second, so velocities are per second, accelerations per
-/// second squared, and so on.
+/// Mechanisms have any unit of time. A speed from this function makes it the second, so velocities are per second,
+/// accelerations per second squared, and so on.
 ///
 /// ```
 /// use core::f64::consts::PI;

@@ -74,7 +74,8 @@ impl<T, const N: usize> Direction<T, N> {
     /// ```
     /// use kin_core::{Direction, Plane};
     ///
-    /// let mut columns: Direction<Option<[f64; 8]>> = Direction::new(Plane::new(Some([0.0; 8]), Some([0.0; 8])), [None; 4]);
+    /// let unit = Plane::new(Some([0.0; 8]), Some([0.0; 8]));
+    /// let mut columns: Direction<Option<[f64; 8]>> = Direction::new(unit, [None; 4]);
     /// let (unit, rates) = columns.parts_mut();
     /// unit.y = None;
     /// rates[0] = Some([0.0; 8]);
@@ -146,7 +147,7 @@ impl<T: Scalar, const N: usize> Direction<T, N> {
         self.unit.y.atan2(self.unit.x)
     }
 
-    /// The angle closest to a given one in radians, on any turn. Each call calculates an arctangent.
+    /// The angle closest to a given one in radians, unwrapped. Each call calculates an arctangent.
     ///
     /// ```
     /// use core::f64::consts::PI;
@@ -157,7 +158,7 @@ impl<T: Scalar, const N: usize> Direction<T, N> {
     #[inline]
     #[must_use]
     pub fn angle_near(&self, near: T) -> T {
-        solve::nearest_turn(self.angle(), near)
+        solve::unwrap_near(self.angle(), near)
     }
 
     /// The time derivative of the angle of the given order, if there is one. Order 0 is the [`angle`](Self::angle).
@@ -204,7 +205,7 @@ macro_rules! lengths {
     (motions $($length:literal -> $longer:literal: $($entry:ident)*;)+) => {
         $(
             impl<T: Copy> Direction<T, $length> {
-                /// The motion of the angle with a known value, on any turn.
+                /// The motion of the angle with a known value, on any revolution.
                 #[cfg_attr(not(debug_assertions), inline(always))]
                 #[must_use]
                 pub fn motion_from(&self, angle: T) -> Motion<T, $longer> {
@@ -305,7 +306,7 @@ mod tests {
     }
 
     #[test]
-    fn the_angle_is_found_on_any_turn() {
+    fn the_angle_is_found_on_any_revolution() {
         let back = Direction::new(Plane::new(-1.0, 0.0), [2.0]);
         assert_eq!(back.angle(), PI);
         assert_eq!(back.angle_near(-2.0), -PI);

@@ -19,8 +19,8 @@ use crate::number::Number;
 /// use kin_core::prelude::*;
 ///
 /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
-/// let turning = linkage.solve([1.0, -10.0, 0.0, 0.0, 0.0], Assembly::Open)?;
-/// assert_eq!(turning, linkage.solve(Motion::at_constant_speed(1.0, -10.0), Assembly::Open)?);
+/// let moving = linkage.solve([1.0, -10.0, 0.0, 0.0, 0.0], Assembly::Open)?;
+/// assert_eq!(moving, linkage.solve(Motion::at_constant_speed(1.0, -10.0), Assembly::Open)?);
 /// let at_rest = linkage.solve(1.0, Assembly::Open)?;
 /// assert_eq!(at_rest.theta4.velocity(), 0.0);
 /// # Ok::<(), SolveError>(())
@@ -28,7 +28,8 @@ use crate::number::Number;
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not the motion of this input, which has {N} entries of the type `{T}`",
     label = "give {N} entries from the position upwards, as in `[1.0, 2.0, ..]`, or one number for an input at rest",
-    note = "`Motion::at_constant_speed(position, speed)` and `Motion::constant(position)` fill the other entries with zeros",
+    note = "`Motion::at_constant_speed(position, speed)` and `Motion::constant(position)` fill the other entries with \
+            zeros",
     note = "`position` takes the value alone, without rates",
     note = "every input has its own argument, in the order of their declaration, and the assembly comes last",
     note = "numbers have a decimal point: write `1.0` instead of `1`"

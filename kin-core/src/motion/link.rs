@@ -2,7 +2,7 @@
 
 use crate::geometry::Plane;
 use crate::motion::Motion;
-use crate::motion::curve::{finite, finite_vector, quarter_turn};
+use crate::motion::curve::{finite, finite_vector, normal};
 use crate::solve::{self, Scalar};
 
 /// The motion of a link, given by the motion of one of its points and of its angle.
@@ -58,7 +58,7 @@ impl<T: Scalar, const N: usize> LinkMotion<T, N> {
         Self { point, angle }
     }
 
-    /// The motion of the point of the link that is now at the given place.
+    /// The motion of the point of the link that is now at the given position.
     ///
     /// The motion is A + (X - A) cis(θ - θ now), differentiated to every order.
     ///
@@ -72,8 +72,8 @@ impl<T: Scalar, const N: usize> LinkMotion<T, N> {
     /// assert_eq!(wheel.carried(Plane::new(0.0, 4.0)).velocity(), Plane::new(12.0, 0.0));
     /// ```
     #[must_use]
-    pub fn carried(&self, place: Plane<T>) -> Motion<Plane<T>, N> {
-        let arm = place - self.point.value();
+    pub fn carried(&self, point: Plane<T>) -> Motion<Plane<T>, N> {
+        let arm = point - self.point.value();
         let (sine, cosine) = (self.angle - Motion::constant(self.angle.value())).sin_cos();
         self.point
             + Motion::from_coordinates(
@@ -85,7 +85,7 @@ impl<T: Scalar, const N: usize> LinkMotion<T, N> {
     /// The instant centre, or velocity pole: the point of the link's plane that is at rest, A + i **v** / ω. Every
     /// point moves at right angles to its line to the instant centre, at a speed proportional to its distance.
     ///
-    /// The result is `None` where the link does not turn: then there is no centre, or all points rest. It needs the
+    /// The result is `None` where the link does not rotate: then there is no centre, or all points rest. It needs the
     /// velocity.
     ///
     /// ```
@@ -99,9 +99,9 @@ impl<T: Scalar, const N: usize> LinkMotion<T, N> {
     /// ```
     #[must_use]
     pub fn instant_centre(&self) -> Option<Plane<T>> {
-        let turning = self.turning::<1>();
-        solve::regular(turning).ok()?;
-        let arm = quarter_turn(self.point.rate::<1>()).scale(T::constant(1.0) / turning);
+        let rate_of_rotation = self.rate_of_rotation::<1>();
+        solve::regular(rate_of_rotation).ok()?;
+        let arm = normal(self.point.rate::<1>()).scale(T::constant(1.0) / rate_of_rotation);
         finite_vector(self.point.value() + arm)
     }
 
@@ -120,7 +120,7 @@ impl<T: Scalar, const N: usize> LinkMotion<T, N> {
     /// ```
     #[must_use]
     pub fn acceleration_pole(&self) -> Option<Plane<T>> {
-        let (speed, acceleration) = (self.turning::<1>(), self.turning::<2>());
+        let (speed, acceleration) = (self.rate_of_rotation::<1>(), self.rate_of_rotation::<2>());
         let square = speed * speed;
         let size = square * square + acceleration * acceleration;
         solve::regular(size).ok()?;
@@ -136,7 +136,7 @@ impl<T: Scalar, const N: usize> LinkMotion<T, N> {
     /// circle](Self::inflection_diameter).
     ///
     /// The pole is P + **a**ₚ / ω², where **a**ₚ is the acceleration of the point of the link that is now at the
-    /// instant centre P. The result is `None` where the link does not turn. It needs the acceleration.
+    /// instant centre P. The result is `None` where the link does not rotate. It needs the acceleration.
     ///
     /// ```
     /// use kin_core::{LinkMotion, Motion, Plane};
@@ -160,9 +160,9 @@ impl<T: Scalar, const N: usize> LinkMotion<T, N> {
     /// equation of Euler and Savary, it gives the centre of curvature of every other path: if a point has the distance
     /// r from the instant centre, and the inflection circle has the distance w on the same ray, the radius of curvature
     /// is r² / |r - w|. The diameter is zero where **a**ₚ is zero. All paths then have the instant centre as their
-    /// centre of curvature, as for a link that turns about a fixed point.
+    /// centre of curvature, as for a link that rotates about a fixed point.
     ///
-    /// The result is `None` where the link does not turn. It needs the acceleration.
+    /// The result is `None` where the link does not rotate. It needs the acceleration.
     #[must_use]
     pub fn inflection_diameter(&self) -> Option<T> {
         let square = self.inflection_arm()?.norm_squared();
@@ -177,7 +177,7 @@ impl<T: Scalar, const N: usize> LinkMotion<T, N> {
     /// The vector from the instant centre to the inflection pole.
     fn inflection_arm(&self) -> Option<Plane<T>> {
         let arm = self.instant_centre()? - self.point.value();
-        let (speed, acceleration) = (self.turning::<1>(), self.turning::<2>());
+        let (speed, acceleration) = (self.rate_of_rotation::<1>(), self.rate_of_rotation::<2>());
         let square = speed * speed;
         solve::regular(square).ok()?;
         let resting = self.point.rate::<2>() + arm.times(Plane::new(-square, acceleration));
@@ -185,7 +185,7 @@ impl<T: Scalar, const N: usize> LinkMotion<T, N> {
     }
 
     /// The derivative of the angle of a given order. The code does not compile if the motion has no such derivative.
-    fn turning<const ORDER: usize>(&self) -> T {
+    fn rate_of_rotation<const ORDER: usize>(&self) -> T {
         const {
             assert!(
                 ORDER < N,
@@ -259,12 +259,12 @@ mod tests {
     fn euler_and_savary_agree_with_the_curvature() {
         let link = link();
         let (centre, pole) = (link.instant_centre().unwrap(), link.inflection_pole().unwrap());
-        for place in [Plane::new(0.0, 0.0), Plane::new(-4.0, 1.0), Plane::new(2.0, 9.0)] {
-            let arm = place - centre;
+        for point in [Plane::new(0.0, 0.0), Plane::new(-4.0, 1.0), Plane::new(2.0, 9.0)] {
+            let arm = point - centre;
             let distance = size(arm);
             let inflection = (pole - centre).dot(arm) / distance;
             let expected = distance * distance / (distance - inflection).abs();
-            let found = link.carried(place).radius_of_curvature().unwrap().abs();
+            let found = link.carried(point).radius_of_curvature().unwrap().abs();
             let condition = (distance + inflection.abs()) / (distance - inflection).abs();
             assert!((found - expected).abs() <= 16.0 * EPSILON * condition * expected);
         }

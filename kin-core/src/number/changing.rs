@@ -6,8 +6,8 @@ use crate::number::Number;
 
 /// A number and its change with one quantity: the first derivative with respect to this quantity.
 ///
-/// The number itself may be of any type, so that a series can change as well. Comparisons, `==` among them, compare the numbers and leave
-/// the changes aside.
+/// The number itself may be of any type, so that a series can change as well. Comparisons, `==` among them, compare the
+/// numbers and leave the changes aside.
 #[derive(Clone, Copy, Debug)]
 pub struct Changing<S> {
     /// The number.
@@ -73,7 +73,7 @@ impl<S: Number> Neg for Changing<S> {
 
 impl<S: Number> Number for Changing<S> {
     const EPSILON: f64 = S::EPSILON;
-    const SMALLEST: f64 = S::SMALLEST;
+    const SMALLEST_DIVISOR: f64 = S::SMALLEST_DIVISOR;
     const ORDER: usize = S::ORDER + 1;
 
     fn constant(value: f64) -> Self {
@@ -190,13 +190,16 @@ mod tests {
             |x| x.ln(),
             |x| x.powi(-3) / (x - x * x) - x,
         ];
-        for (place, (changing, series)) in functions.into_iter().enumerate() {
-            let own = changing(Changing::new(0.4, 1.5));
+        for (index, (changing, series)) in functions.into_iter().enumerate() {
+            let found = changing(Changing::new(0.4, 1.5));
             let [value, change] = series(Series::from_coefficients([0.4, 1.5])).coefficients();
-            assert!((own.value - value).abs() <= 4.0 * f64::EPSILON * value.abs(), "{place}");
             assert!(
-                (own.change - change).abs() <= 16.0 * f64::EPSILON * change.abs(),
-                "{place}"
+                (found.value - value).abs() <= 4.0 * f64::EPSILON * value.abs(),
+                "{index}"
+            );
+            assert!(
+                (found.change - change).abs() <= 16.0 * f64::EPSILON * change.abs(),
+                "{index}"
             );
         }
     }

@@ -76,8 +76,8 @@ pub trait Number:
 
     /// The smallest positive real part that may be a divisor. From here up to its reciprocal, numbers and their
     /// reciprocals have full precision.
-    // Twice `MIN_POSITIVE`: LLVM turns a comparison with `MIN_POSITIVE` itself into integer tests, lane by lane.
-    const SMALLEST: f64 = 2.0 * f64::MIN_POSITIVE;
+    // Twice `MIN_POSITIVE`: LLVM converts a comparison with `MIN_POSITIVE` itself into integer tests, lane by lane.
+    const SMALLEST_DIVISOR: f64 = 2.0 * f64::MIN_POSITIVE;
 
     /// The number of successive derivatives that the number carries besides its real part: 0 for a plain number, n for
     /// a series up to the n-th power of time. Iterations continue until the highest derivative is right.
@@ -106,7 +106,7 @@ pub trait Number:
         let mut are_finite = true;
         #[expect(
             clippy::needless_range_loop,
-            reason = "it stands in thousands of places, and iterators take a compiler longer"
+            reason = "it stands at thousands of calls, and iterators take a compiler longer"
         )]
         for index in 0..numbers.len() {
             are_finite &= numbers[index].is_finite();
@@ -242,7 +242,8 @@ pub trait Number:
     }
 }
 
-/// The real parts of some numbers. `map` of an array takes a compiler ten times as long as this loop, and each test of a solver has one.
+/// The real parts of some numbers. `map` of an array takes a compiler ten times as long as this loop, and each test of
+/// a solver has one.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn real_parts<T: Number, const N: usize>(numbers: [T; N]) -> [f64; N] {
     let mut parts = [0.0; N];

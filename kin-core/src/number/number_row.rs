@@ -3,10 +3,11 @@
 use alloc::vec::Vec;
 use core::ops::{Deref, DerefMut};
 
-/// The numbers that are kept without memory of their own.
+/// The numbers that are kept without memory on the heap.
 const INLINE: usize = 8;
 
-/// A number for each of some quantities of a mechanism without its type. Most mechanisms have few, for which nothing is allocated.
+/// A number for each of some quantities of a mechanism without its type. Most mechanisms have few, for which nothing is
+/// allocated.
 #[derive(Clone, Debug)]
 pub(crate) enum NumberRow {
     /// The first `count` of these numbers.

@@ -90,7 +90,8 @@ macro_rules! chosen {
 
 with_derivatives!(chosen);
 
-/// Comparisons compare the values, whatever the derivatives: with numbers of the same type, and with an `f64` on either side.
+/// Comparisons compare the values, whatever the derivatives: with numbers of the same type, and with an `f64` on either
+/// side.
 macro_rules! compared {
     ([$($parameter:tt)*] $number:ty) => {
         compared!(@sides [$($parameter)*] $number, $number: |one, other| (one.real(), other.real()));

@@ -15,7 +15,7 @@ macro_rules! primitive {
     ($float:ty, $from_f64:expr, $sine_cosine:expr, $arc_tangent:expr, $arc_tangents:expr) => {
         impl Number for $float {
             const EPSILON: f64 = <$float>::EPSILON as f64;
-            const SMALLEST: f64 = 2.0 * <$float>::MIN_POSITIVE as f64;
+            const SMALLEST_DIVISOR: f64 = 2.0 * <$float>::MIN_POSITIVE as f64;
 
             #[inline]
             fn constant(value: f64) -> Self {
@@ -169,9 +169,9 @@ mod tests {
             "though their sum is not"
         );
         for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-            for place in 0..4 {
+            for wrong_at in 0..4 {
                 let mut numbers = [1.0, f64::MAX, -3.0, 0.0];
-                numbers[place] = wrong;
+                numbers[wrong_at] = wrong;
                 assert!(!f64::are_finite(&numbers), "{numbers:?}");
             }
         }

@@ -6,7 +6,8 @@ use core::ops::RangeInclusive;
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a range of an input or of the time",
     label = "write both ends with a decimal point, and `=` before the last: `0.0..=1.5`",
-    note = "angles are in radians: a turn is `0.0..=TAU`, with `use std::f64::consts::TAU;`, and 90 degrees are `90_f64.to_radians()`"
+    note = "angles are in radians: a revolution is `0.0..=TAU`, with `use std::f64::consts::TAU;`, and 90 degrees are \
+            `90_f64.to_radians()`"
 )]
 pub trait ClosedRange {
     /// Its ends, in the order in which they were given.

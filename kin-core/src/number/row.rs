@@ -19,8 +19,8 @@ pub trait Row<V>: Copy + AsRef<[V]> + AsMut<[V]> + Index<usize, Output = V> + In
 impl<V: Copy, const N: usize> Row<V> for [V; N] {
     const LENGTH: usize = N;
 
-    /// `core::array::from_fn` calls five functions that the compiler generates anew for each closure, and there are thousands of
-    /// closures. This loop is one.
+    /// `core::array::from_fn` calls five functions that the compiler generates anew for each closure, and there are
+    /// thousands of closures. This loop is one.
     #[inline]
     fn from_fn(mut function: impl FnMut(usize) -> V) -> Self {
         if N == 0 {

@@ -22,7 +22,8 @@ use crate::number::Number;
 /// assert_eq!(sine.derivatives(), [0.0, 2.0, 0.0, -8.0]);
 /// ```
 ///
-/// Plain numbers take part as constants. Comparisons, `==` among them, compare the values and leave the derivatives aside:
+/// Plain numbers take part as constants. Comparisons, `==` among them, compare the values and leave the derivatives
+/// aside:
 ///
 /// ```
 /// use kin_core::Number;
@@ -160,7 +161,8 @@ impl<const N: usize> Neg for Series<N> {
     }
 }
 
-/// The largest number of terms whose products stand where they are used. Longer series share one product, compiled in this crate.
+/// The largest number of terms whose products stand where they are used. Longer series share one product, compiled in
+/// this crate.
 const SHORT: usize = 8;
 
 /// Cauchy's product.

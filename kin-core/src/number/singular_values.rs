@@ -1,12 +1,14 @@
 //! Singular values of a small matrix of series.
 //!
-//! The method is that of M. R. Hestenes, *Inversion of matrices by biorthogonalization and related results*, Journal of the Society for
-//! Industrial and Applied Mathematics 6 (1958), 51-90: columns are turned in pairs until all are at right angles, and their lengths are the
-//! singular values. In series the turns are series, too, and each pass at least doubles the number of terms that are right.
+//! The method is that of M. R. Hestenes, *Inversion of matrices by biorthogonalization and related results*, Journal of
+//! the Society for Industrial and Applied Mathematics 6 (1958), 51-90: columns are rotated in pairs until all are at
+//! right angles, and their lengths are the singular values. In series the rotations are series, too, and each pass at
+//! least doubles the number of terms that are right.
 //!
-//! Where two columns of equal length are at right angles, the first terms in which they differ tell the turn. So values that cross, or
-//! that pass through zero, have the series of an analytic decomposition. (A. Bunse-Gerstner, R. Byers, V. Mehrmann & N. K. Nichols,
-//! *Numerical computation of an analytic singular value decomposition of a matrix valued function*, Numerische Mathematik 60 (1991), 1-39.)
+//! Where two columns of equal length are at right angles, the first terms in which they differ determine the rotation.
+//! So values that cross, or that pass through zero, have the series of an analytic decomposition. (A. Bunse-Gerstner,
+//! R. Byers, V. Mehrmann & N. K. Nichols, *Numerical computation of an analytic singular value decomposition of a
+//! matrix valued function*, Numerische Mathematik 60 (1991), 1-39.)
 
 use alloc::vec::Vec;
 
@@ -18,48 +20,49 @@ const PASSES: usize = 24;
 /// The rounding error of a coefficient, as a part of the sum of its terms' sizes.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// Whether columns are turned by constant angles or by series.
+/// Whether columns are rotated by constant angles or by series.
 #[derive(Clone, Copy, PartialEq)]
-enum Turns {
+enum Rotations {
     Constant,
     Changing,
 }
 
 /// A column, and the rounding error of its constant terms.
-struct TurnedColumn<const N: usize> {
+struct RotatedColumn<const N: usize> {
     entries: Vec<Series<N>>,
     error: f64,
 }
 
-/// The singular values of a matrix, the largest first. The matrix is given in rows of so many columns, and has as many values as its smaller
-/// side has entries. All of them are at least zero.
+/// The singular values of a matrix, the largest first. The matrix is given in rows of so many columns, and has as many
+/// values as its smaller side has entries. All of them are at least zero.
 ///
-/// Where two values are equal, or where one is zero, they have kinks, and the series are those on the right side of it: behind the kink if
-/// the variable of the series grows.
+/// Where two values are equal, or where one is zero, they have kinks, and the series are those on the right side of it:
+/// behind the kink if the variable of the series grows.
 pub(crate) fn singular_values<const N: usize>(rows: &[Series<N>], width: usize) -> Vec<Series<N>> {
     let height = rows.len().checked_div(width).unwrap_or(0);
-    let column = |own: usize| -> TurnedColumn<N> {
+    let column = |index: usize| -> RotatedColumn<N> {
         // the transposed matrix has the same values
         let entries: Vec<Series<N>> = if height >= width {
-            (0..height).map(|row| rows[row * width + own]).collect()
+            (0..height).map(|row| rows[row * width + index]).collect()
         } else {
-            rows[own * width..(own + 1) * width].to_vec()
+            rows[index * width..(index + 1) * width].to_vec()
         };
         let error = f64::EPSILON * size_of_constants(&entries);
-        TurnedColumn { entries, error }
+        RotatedColumn { entries, error }
     };
-    let mut columns: Vec<TurnedColumn<N>> = (0..width.min(height)).map(column).collect();
-    // The constant terms first: columns on their way to right angles may be nearly alike, and series of their turns would grow.
-    for turns in [Turns::Constant, Turns::Changing] {
+    let mut columns: Vec<RotatedColumn<N>> = (0..width.min(height)).map(column).collect();
+    // The constant terms first: columns on their way to right angles may be nearly alike, and series of their rotations
+    // would grow.
+    for rotations in [Rotations::Constant, Rotations::Changing] {
         for _ in 0..PASSES {
-            let mut is_turned = false;
+            let mut is_rotated = false;
             for second in 1..columns.len() {
                 let (before, behind) = columns.split_at_mut(second);
                 for first in before {
-                    is_turned |= turn(first, &mut behind[0], turns);
+                    is_rotated |= rotate(first, &mut behind[0], rotations);
                 }
             }
-            if !is_turned {
+            if !is_rotated {
                 break;
             }
         }
@@ -80,8 +83,8 @@ pub(crate) fn singular_values<const N: usize>(rows: &[Series<N>], width: usize) 
     values
 }
 
-/// Turns two columns until they are at right angles, unless they are.
-fn turn<const N: usize>(first: &mut TurnedColumn<N>, second: &mut TurnedColumn<N>, turns: Turns) -> bool {
+/// Rotates two columns until they are at right angles, unless they are.
+fn rotate<const N: usize>(first: &mut RotatedColumn<N>, second: &mut RotatedColumn<N>, rotations: Rotations) -> bool {
     let mut across = Series::ZERO;
     let mut longer = Series::ZERO;
     let mut terms = [Series::<N>::ZERO; 2];
@@ -93,16 +96,17 @@ fn turn<const N: usize>(first: &mut TurnedColumn<N>, second: &mut TurnedColumn<N
     }
     let mut across = without_rounding(across, terms[0]);
     let mut longer = without_rounding(longer, terms[1]);
-    if turns == Turns::Constant {
+    if rotations == Rotations::Constant {
         [across, longer] = [across, longer].map(|series| Series::constant(series.real()));
     }
     if across.coefficients() == [0.0; N] {
         return false;
     }
-    // The columns of equal length are turned as their first difference says. It is lost in the last terms of the turn, which multiply it.
+    // The columns of equal length are rotated as their first difference says. It is lost in the last terms of the
+    // rotation, which multiply it.
     let order = first_order([across, longer]);
     let [across, longer] = [shifted(across + across, order), shifted(longer, order)];
-    // by no more than an eighth of a turn, without which the passes need not end
+    // by no more than an eighth of a revolution, without which the passes need not end
     let (sine, cosine) = if longer.real() < 0.0 {
         halved((-across).atan2(-longer))
     } else {
@@ -124,9 +128,10 @@ fn halved<const N: usize>(angle: Series<N>) -> (Series<N>, Series<N>) {
     (angle * Series::constant(0.5)).sin_cos()
 }
 
-/// The length of the shortest column of a square matrix, along the only direction at right angles to all others. Its own direction, which
-/// is that of small numbers with large rounding errors, is not needed. `None` if the others are too short to have directions.
-fn shortest_length<const N: usize>(columns: &[TurnedColumn<N>]) -> Option<(usize, Series<N>)> {
+/// The length of the shortest column of a square matrix, along the only direction at right angles to all others. Its
+/// direction, which is that of small numbers with large rounding errors, is not needed. `None` if the others are too
+/// short to have directions.
+fn shortest_length<const N: usize>(columns: &[RotatedColumn<N>]) -> Option<(usize, Series<N>)> {
     let sizes = columns.iter().map(|column| size_of_constants(&column.entries));
     let (shortest, _) = sizes.enumerate().min_by(|one, other| one.1.total_cmp(&other.1))?;
     let others = columns.iter().enumerate().filter(|(index, _)| *index != shortest);
@@ -164,8 +169,9 @@ fn shortest_length<const N: usize>(columns: &[TurnedColumn<N>]) -> Option<(usize
     Number::is_finite(length).then_some((shortest, length))
 }
 
-/// The length of a column: t to some power times that of the column without this power, so that a root is never that of zero.
-fn length<const N: usize>(column: &TurnedColumn<N>) -> Series<N> {
+/// The length of a column: t to some power times that of the column without this power, so that a root is never that of
+/// zero.
+fn length<const N: usize>(column: &RotatedColumn<N>) -> Series<N> {
     let mut entries = column.entries.clone();
     let clear = |entries: &mut [Series<N>]| {
         for entry in entries {
@@ -193,8 +199,8 @@ fn regular_length<const N: usize>(entries: &[Series<N>]) -> Series<N> {
     if size == 0.0 {
         return Series::ZERO;
     }
-    // Along the direction of the constant terms the column is long. What is across begins with the first power, and its root needs no
-    // differences.
+    // Along the direction of the constant terms the column is long. What is across begins with the first power, and its
+    // root needs no differences.
     let along = entries().fold(Series::ZERO, |sum, entry| {
         sum + entry * Series::constant(entry.real() / size)
     });
@@ -364,14 +370,14 @@ mod tests {
                 };
                 let expected = matrix(0).svd(true, true);
                 let (left, right) = (expected.u.unwrap(), expected.v_t.unwrap());
-                let mut own: Vec<(f64, f64)> = (0..height.min(width))
+                let mut expected: Vec<(f64, f64)> = (0..height.min(width))
                     .map(|index| {
                         let slope = left.column(index).transpose() * matrix(1) * right.row(index).transpose();
                         (expected.singular_values[index], slope[(0, 0)])
                     })
                     .collect();
-                own.sort_by(|one, other| other.0.total_cmp(&one.0));
-                for (found, (value, slope)) in found.iter().zip(own) {
+                expected.sort_by(|one, other| other.0.total_cmp(&one.0));
+                for (found, (value, slope)) in found.iter().zip(expected) {
                     let [one, other, ..] = found.coefficients();
                     assert!(
                         (one - value).abs() < 1e-13 && (other - slope).abs() < 1e-11,

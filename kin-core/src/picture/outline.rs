@@ -13,8 +13,8 @@ pub struct Outline<'d> {
     pub points: &'d [(&'d str, usize)],
     /// The equations that are no vectors, as that of a gear, which the picture does not show.
     pub scalar_equations: &'d [&'d str],
-    /// The statements that would declare it, if it was guessed from the vector equations: `body r2: 0, r2 * cis(theta2);` and so on, one in
-    /// a line. `None` if the declaration states its bodies itself.
+    /// The statements that would declare it, if it was guessed from the vector equations:
+    /// `body r2: 0, r2 * cis(theta2);` and so on, one in a line. `None` if the declaration states its bodies itself.
     pub guess: Option<&'d str>,
 }
 

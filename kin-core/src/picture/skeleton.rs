@@ -4,14 +4,14 @@ use super::{Outline, PlaneOrSpace, PointArray, Slide};
 
 /// A mechanism in one position: joints, the bodies between them, and what stands still.
 ///
-/// The closure is the picture. Terms of its vector equations that turn together are one body, terms without any input or unknown are the
-/// ground, and a joint at the end of a term of variable length slides along it. A declaration whose equations do not tell that states
-/// its bodies itself, by `body`, `ground` and `slide`. Joints that coincide are one joint. An output that is a point belongs to the body
-/// whose terms it continues.
+/// The closure is the picture. Terms of its vector equations that rotate together are one body, terms without any input
+/// or unknown are the ground, and a joint at the end of a term of variable length slides along it. A declaration whose
+/// equations do not determine that states its bodies itself, by `body`, `ground` and `slide`. Joints that coincide are
+/// one joint. An output that is a point belongs to the body whose terms it continues.
 ///
-/// A mechanism makes its own skeleton, by a generated method; generic code calls [`Mechanism::skeleton`](crate::Mechanism::skeleton).
-/// `P` is an array of [`Plane`](crate::Plane) or of [`Space`](crate::Space): the joints, and behind them a direction for each slide.
-/// Nothing is allocated.
+/// A mechanism makes its skeleton, by a generated method; generic code calls
+/// [`Mechanism::skeleton`](crate::Mechanism::skeleton). `P` is an array of [`Plane`](crate::Plane) or of
+/// [`Space`](crate::Space): the joints, and behind them a direction for each slide. Nothing is allocated.
 ///
 /// ```
 /// use kin_core::library::FourBar;
@@ -34,14 +34,17 @@ use super::{Outline, PlaneOrSpace, PointArray, Slide};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Skeleton<'d, P> {
     outline: &'d Outline<'d>,
-    places: P,
+    points_and_directions: P,
 }
 
 impl<'d, P: PointArray> Skeleton<'d, P> {
     /// From the outline, and the joints with the directions of the slides behind them.
     #[doc(hidden)]
-    pub const fn new(outline: &'d Outline<'d>, places: P) -> Self {
-        Self { outline, places }
+    pub const fn new(outline: &'d Outline<'d>, points_and_directions: P) -> Self {
+        Self {
+            outline,
+            points_and_directions,
+        }
     }
 
     /// Which joints belong together.
@@ -51,9 +54,9 @@ impl<'d, P: PointArray> Skeleton<'d, P> {
 
     /// The joints and marked points, each once, in the mechanism's unit of length.
     pub fn joints(&self) -> &[P::Point] {
-        let places = self.places.as_slice();
-        let count = places.len().saturating_sub(self.outline.slides.len());
-        places.get(..count).unwrap_or_default()
+        let points_and_directions = self.points_and_directions.as_slice();
+        let count = points_and_directions.len().saturating_sub(self.outline.slides.len());
+        points_and_directions.get(..count).unwrap_or_default()
     }
 
     /// The joints that stand still.
@@ -67,10 +70,10 @@ impl<'d, P: PointArray> Skeleton<'d, P> {
         bodies.map(|body| (body.name, self.joints_of(body.joints)))
     }
 
-    /// The slides, each with the place of its joint and the direction of its line. The direction may have any length but zero.
+    /// The slides, each with its joint and the direction of its line. The direction may have any length but zero.
     pub fn slides(&self) -> impl Iterator<Item = (&'d Slide, [P::Point; 2])> {
         let joints = self.joints();
-        let directions = self.places.as_slice().iter().skip(joints.len());
+        let directions = self.points_and_directions.as_slice().iter().skip(joints.len());
         let slides = self.outline.slides.iter().zip(directions);
         slides.filter_map(|(slide, &direction)| Some((slide, [*joints.get(slide.joint)?, direction])))
     }

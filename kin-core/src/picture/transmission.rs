@@ -5,18 +5,19 @@ use crate::quantity::Name;
 
 /// The transmission angle of a dyad: the angle at which its two links meet.
 ///
-/// For two links joined by a turning joint (RRR), it is the angle between the lines from that joint to the joints at their
-/// other ends. For a link and a slider (RRP), the slider stands for a link of infinite length at right angles to its
-/// line: it is the angle between the line from the slider's joint to the link's other end, and the normal to the left of the
-/// direction in which that joint moves as the sought length grows. Both are in 0 ..= π. At a right angle the force along one link turns the other best; at 0 and at π, where the links lie on one line,
-/// it does not turn it at all, and the position is singular.
+/// For two links joined by a revolute joint (RRR), it is the angle between the lines from that joint to the joints at
+/// their other ends. For a link and a slider (RRP), the slider stands for a link of infinite length at right angles to
+/// its line: it is the angle between the line from the slider's joint to the link's other end, and the normal to the
+/// left of the direction in which that joint moves as the sought length grows. Both are in 0 ..= π. At a right angle
+/// the force along one link drives the other best; at 0 and at π, where the links lie on one line, it does not drive it
+/// at all, and the position is singular.
 ///
-/// H. Alt, *Der Übertragungswinkel und seine Bedeutung für das Konstruieren periodischer Getriebe*, Werkstattstechnik 26
-/// (1932), pages 61 to 64; R. S. Hartenberg and J. Denavit, *Kinematic Synthesis of Linkages*, McGraw-Hill 1964. The literature
-/// gives the angle itself or the smaller of it and its supplement: here, `angle` is the one and
+/// H. Alt, *Der Übertragungswinkel und seine Bedeutung für das Konstruieren periodischer Getriebe*, Werkstattstechnik
+/// 26 (1932), pages 61 to 64; R. S. Hartenberg and J. Denavit, *Kinematic Synthesis of Linkages*, McGraw-Hill 1964. The
+/// literature gives the angle itself or the smaller of it and its supplement: here, `angle` is the one and
 /// [`folded`](Self::folded) the other.
 ///
-/// A mechanism tells those of all its dyads by a generated method, if the declaration says `with transmission_angles;`.
+/// A mechanism gives those of all its dyads by a generated method, if the declaration says `with transmission_angles;`.
 ///
 /// ```
 /// use kin_core::prelude::*;

@@ -6,7 +6,7 @@ use num_traits::Float;
 
 /// A number shown to seven significant figures, without trailing zeros.
 ///
-/// Messages are for people: `1.9547687622336491` tells them no more than `1.954769`.
+/// Messages are for people: `1.9547687622336491` says no more to them than `1.954769`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Digits(pub(crate) f64);
 

@@ -122,7 +122,7 @@ impl<'d> Quantity<'d> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Dimension {
-    /// A length, in the mechanism's own unit.
+    /// A length, in the mechanism's unit.
     Length,
     /// An angle, in radians.
     Angle,

@@ -4,9 +4,10 @@ use core::fmt;
 
 /// The name of a quantity or of a block in an error.
 ///
-/// The names of a declared mechanism are constants of the program, and its errors hold them. A mechanism that is made while the program runs
-/// may be dropped before its errors are. They hold an index instead, and [`Named`](crate::any::Named) shows them with the names. So errors
-/// are small, can be copied, and outlive their mechanism.
+/// The names of a declared mechanism are constants of the program, and its errors hold them. A mechanism that is made
+/// while the program runs may be dropped before its errors are. They hold an index instead, and
+/// [`Named`](crate::any::Named) shows them with the names. So errors are small, can be copied, and outlive their
+/// mechanism.
 ///
 /// ```
 /// use kin_core::any::{Name, NameKind};

@@ -14,20 +14,20 @@ use alloc::string::String;
 #[must_use]
 pub fn in_small_letters(name: &str, between: char) -> String {
     let letters: alloc::vec::Vec<char> = name.chars().collect();
-    let mut own = String::new();
-    for (place, letter) in letters.iter().enumerate() {
-        let before = place
+    let mut small = String::new();
+    for (index, letter) in letters.iter().enumerate() {
+        let before = index
             .checked_sub(1)
-            .map(|place| letters[place])
+            .map(|before| letters[before])
             .filter(|before| *before != '_');
         let begins = letter.is_uppercase()
             && before.is_some_and(|before| {
-                !before.is_uppercase() || letters.get(place + 1).is_some_and(|next| next.is_lowercase())
+                !before.is_uppercase() || letters.get(index + 1).is_some_and(|next| next.is_lowercase())
             });
         if begins {
-            own.push(between);
+            small.push(between);
         }
-        own.extend(letter.to_lowercase());
+        small.extend(letter.to_lowercase());
     }
-    own
+    small
 }

@@ -4,12 +4,12 @@ use core::fmt;
 
 use super::Digits;
 
-/// The largest number of degrees that is told beside radians. Beyond it, people think in turns.
+/// The largest number of degrees that is shown beside radians. Beyond it, people think in revolutions.
 const MOST_DEGREES: f64 = 1e4;
 
 /// A value for people: an angle has its unit, and its degrees in parentheses.
 ///
-/// Lengths have the mechanism's own unit, which has no name. Without a precision, the number has seven significant figures.
+/// Lengths have the mechanism's unit, which has no name. Without a precision, the number has seven significant figures.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct WithUnit {
     pub(crate) value: f64,
@@ -40,7 +40,7 @@ mod tests {
 
     use super::WithUnit;
     #[test]
-    fn angles_are_told_in_degrees_too() {
+    fn angles_are_shown_in_degrees_too() {
         let angle = |value| WithUnit { value, is_angle: true }.to_string();
         assert_eq!(angle(0.855_211_333), "0.8552113 rad (49.0°)");
         assert_eq!(angle(-core::f64::consts::PI), "-3.141593 rad (-180.0°)");

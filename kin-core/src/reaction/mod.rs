@@ -67,7 +67,7 @@ use alloc::vec::Vec;
 use core::cell::RefCell;
 use core::fmt;
 
-use crate::any::{AnyMechanism, NearOver, OutputsOver, Pictured, PlacesOver, PositionChoice};
+use crate::any::{AnyMechanism, NearOver, OutputsOver, Pictured, PositionChoice, SkeletonOver};
 use crate::failure::SolveError;
 use crate::geometry::Plane;
 use crate::hermite::TERMS;
@@ -77,7 +77,7 @@ use crate::number::series::Series;
 use crate::number::{Number, NumberRow, singular_values};
 use crate::picture::Outline;
 use crate::quantity::Dimension;
-use crate::solve::nearest_turn;
+use crate::solve::unwrap_near;
 use action::{Action, Influence, Influences, Wrench};
 use connection::{Connection, Member, connections, member_name};
 use demand::Demand;
@@ -95,12 +95,12 @@ pub type MovedNumber = Series<REACH>;
 
 /// The functions of a mechanism from which its reactions are found. Every declared mechanism has them.
 pub trait ReactionFunctions:
-    AnyMechanism + Pictured + NearOver<MovedNumber> + OutputsOver<MovedNumber> + PlacesOver<MovedNumber>
+    AnyMechanism + Pictured + NearOver<MovedNumber> + OutputsOver<MovedNumber> + SkeletonOver<MovedNumber>
 {
 }
 
 impl<F> ReactionFunctions for F where
-    F: ?Sized + AnyMechanism + Pictured + NearOver<MovedNumber> + OutputsOver<MovedNumber> + PlacesOver<MovedNumber>
+    F: ?Sized + AnyMechanism + Pictured + NearOver<MovedNumber> + OutputsOver<MovedNumber> + SkeletonOver<MovedNumber>
 {
 }
 
@@ -433,12 +433,12 @@ impl ReactionPlace<'_> {
         OutputsOver::<MovedNumber>::outputs(functions, &parameters, inputs, &unknowns, &mut outputs);
         for ((output, quantity), near) in outputs.iter_mut().zip(description.outputs).zip(self.outputs) {
             if quantity.dimension == Dimension::Angle {
-                *output = nearest_turn(*output, Series::constant(*near));
+                *output = unwrap_near(*output, Series::constant(*near));
             }
         }
         let mut places: Vec<Plane<MovedNumber>> = Vec::new();
         let mut add = |coordinates: &[MovedNumber]| places.push(Plane::new(coordinates[0], coordinates[1]));
-        PlacesOver::<MovedNumber>::places(functions, &parameters, inputs, &unknowns, &mut add);
+        SkeletonOver::<MovedNumber>::skeleton_points(functions, &parameters, inputs, &unknowns, &mut add);
         let joints = places.len() - functions.outline().slides.len();
         for direction in &mut places[joints..] {
             *direction = direction.scale(Series::constant(1.0) / direction.norm());

@@ -138,9 +138,9 @@ fn level<T: Scalar>(entries: &mut [T], rows: &mut [FactorRow]) {
     }
     for (column, row) in rows.iter_mut().enumerate() {
         let column = || (0..count).map(|row| row * count + column);
-        row.column_exponent = levelling::<T>(column().map(|place| &entries[place]));
-        for place in column() {
-            entries[place] = entries[place] * power_of_two(row.column_exponent);
+        row.column_exponent = levelling::<T>(column().map(|index| &entries[index]));
+        for index in column() {
+            entries[index] = entries[index] * power_of_two(row.column_exponent);
         }
     }
 }
@@ -360,7 +360,7 @@ fn levelling<'a, T: Scalar>(entries: impl Iterator<Item = &'a T>) -> i32 {
 
 /// The largest exponent for which both the power of two and its reciprocal have full precision in the type.
 pub(crate) fn range<T: Scalar>() -> i32 {
-    -exponent_of(T::SMALLEST) - 6
+    -exponent_of(T::SMALLEST_DIVISOR) - 6
 }
 
 /// The exponent of the largest power of two that does not exceed a positive number.
@@ -578,9 +578,10 @@ mod tests {
             factor([[1.0, 2.0], [2.0, 4.0]]),
             Err(Failure::Singular { determinant: 0.0 })
         );
-        assert!(
-            matches!(factor([[0.1, 0.2], [0.3, 0.6]]), Err(Failure::Singular { determinant }) if determinant.abs() < 1e-16)
-        );
+        assert!(matches!(
+            factor([[0.1, 0.2], [0.3, 0.6]]),
+            Err(Failure::Singular { determinant }) if determinant.abs() < 1e-16
+        ));
         assert!(factor([[1.0, 0.0], [0.0, 1e-30]]).is_ok());
         assert!(factor([[1.0_f32, 1.0], [1.0, 1.0 + f32::EPSILON]]).is_err());
         assert!(factor([[1.0_f64, 1.0], [1.0, 1.0 + f64::from(f32::EPSILON)]]).is_ok());
@@ -604,9 +605,9 @@ mod tests {
     #[test]
     fn what_is_not_finite_is_refused() {
         for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-            for place in 0..4 {
+            for index in 0..4 {
                 let mut entries = [2.0, 1.0, 1.0, 3.0];
-                entries[place] = value;
+                entries[index] = value;
                 let [a, b, c, d] = entries;
                 assert!(matches!(factor([[a, b], [c, d]]), Err(Failure::NotFinite { .. })));
             }

@@ -161,8 +161,8 @@ fn level(entries: &mut [f64], row_scales: &mut [f64], column_scales: &mut [f64])
     }
 }
 
-/// Transforms a levelled matrix into its triangular factors. The elimination stops at a pivot that is exactly zero. It returns
-/// 1, or -1 if an odd number of pairs of rows was exchanged.
+/// Transforms a levelled matrix into its triangular factors. The elimination stops at a pivot that is exactly zero. It
+/// returns 1, or -1 if an odd number of pairs of rows was exchanged.
 fn eliminate(entries: &mut [f64], row_scales: &mut [f64], origins: &mut [f64]) -> f64 {
     let count = origins.len();
     let mut sign = 1.0;

@@ -22,9 +22,9 @@
 //! The tests measure these counts by running the functions on numbers that count operations. The functions
 //! [`choose()`], [`check_value`] and [`check_angle`] handle declared ranges. [`square_root_of`],
 //! [`arc_sine`] and similar functions check the domains of functions that are not defined everywhere. [`direction()`]
-//! computes the angle of a vector, [`directions`] those of two, and [`on_turn`] moves an angle to the requested turn.
-//! [`regular()`] and [`finite`] say whether a solver can continue. Each decision is a [`Check`] with a name, operands and
-//! a margin. [`decisive`] and [`decisive_vector`] serve several poses at once.
+//! computes the angle of a vector, [`directions`] those of two, and [`unwrap_to_guess`] moves an angle by whole
+//! revolutions to a guess. [`regular()`] and [`finite`] say whether a solver can continue. Each decision is a [`Check`]
+//! with a name, operands and a margin. [`decisive`] and [`decisive_vector`] serve several poses at once.
 //!
 //! Where rates are divided by a square root, the root comes with its square, as a [`Root`].
 //!

@@ -94,11 +94,11 @@ pub fn newton<T: Scalar, const N: usize>(
         rows: [&mut [FactorRow::default(); N], &mut [FactorRow::default(); N]],
     };
     newton_in(&mut solution, &sizes, memory, |unknowns, residuals, jacobian| {
-        let mut own = guess;
-        own.copy_from_slice(unknowns);
-        let (own_residuals, own_jacobian) = evaluate(own);
-        residuals.copy_from_slice(&own_residuals);
-        jacobian.copy_from_slice(own_jacobian.as_flattened());
+        let mut values = guess;
+        values.copy_from_slice(unknowns);
+        let (typed_residuals, typed_jacobian) = evaluate(values);
+        residuals.copy_from_slice(&typed_residuals);
+        jacobian.copy_from_slice(typed_jacobian.as_flattened());
     })?;
     Ok(solution)
 }
@@ -239,7 +239,7 @@ struct Before {
 fn real_root<T: Scalar>(
     unknowns: &mut [T],
     sizes: &[T],
-    [own_residuals, own_jacobian, trial]: [&mut [T]; 3],
+    [typed_residuals, typed_jacobian, trial]: [&mut [T]; 3],
     memory: RealMemory<'_>,
     evaluate: &mut impl FnMut(&[T], &mut [T], &mut [T]),
 ) -> Result<(), Failure> {
@@ -270,8 +270,8 @@ fn real_root<T: Scalar>(
     for entry in &mut *unknowns {
         *entry = T::constant(entry.real());
     }
-    evaluate(unknowns, own_residuals, own_jacobian);
-    if !are_real([own_residuals, own_jacobian], units, residuals, jacobian) {
+    evaluate(unknowns, typed_residuals, typed_jacobian);
+    if !are_real([typed_residuals, typed_jacobian], units, residuals, jacobian) {
         return Err(Failure::not_finite(QUANTITY));
     }
     let mut limit = FIRST_STEP;
@@ -280,7 +280,7 @@ fn real_root<T: Scalar>(
     let mut ended: Option<Determinant<f64>> = None;
     let mut iteration = 0;
     loop {
-        // factored in one place only, as there is much to inline
+        // factored here only, as there is much to inline
         factors.copy_from_slice(jacobian);
         let elimination = factor_to(factors, rows, T::EPSILON)?;
         let determinant = Determinant::of(factors, rows, elimination.is_odd);
@@ -319,8 +319,8 @@ fn real_root<T: Scalar>(
             if length * length <= LINEAR_STEP * T::EPSILON {
                 return true;
             }
-            let own = unknowns.iter().zip(&*units);
-            let size = own.fold(1.0, |size: f64, (entry, unit)| size.max(entry.real().abs() / unit));
+            let sizes = unknowns.iter().zip(&*units);
+            let size = sizes.fold(1.0, |size: f64, (entry, unit)| size.max(entry.real().abs() / unit));
             let scratch = [&mut *one, &mut *two, &mut *three];
             length <= 16.0 * T::EPSILON * size * amplification(factors, rows, jacobian, scratch)
         };
@@ -349,8 +349,8 @@ fn real_root<T: Scalar>(
         for _ in 0..TRIALS {
             moved(unknowns, correction, part, units, trial);
             let mut advice = 0.5 * part;
-            evaluate(trial, own_residuals, own_jacobian);
-            if are_real([own_residuals, own_jacobian], units, next_residuals, next_jacobian) {
+            evaluate(trial, typed_residuals, typed_jacobian);
+            if are_real([typed_residuals, typed_jacobian], units, next_residuals, next_jacobian) {
                 corrected(factors, rows, next_residuals, expected);
                 let fall = greatest(expected) / length;
                 if fall < 1.0 - 0.25 * part {
@@ -403,14 +403,14 @@ fn real_root<T: Scalar>(
 /// Writes the real parts of residuals and Jacobian, the latter in the units of the unknowns, and returns whether all
 /// are finite.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn are_real<T: Scalar>(own: [&[T]; 2], units: &[f64], residuals: &mut [f64], jacobian: &mut [f64]) -> bool {
-    for (entry, own) in residuals.iter_mut().zip(own[0]) {
-        *entry = own.real();
+fn are_real<T: Scalar>(typed: [&[T]; 2], units: &[f64], residuals: &mut [f64], jacobian: &mut [f64]) -> bool {
+    for (entry, typed) in residuals.iter_mut().zip(typed[0]) {
+        *entry = typed.real();
     }
     let rows = jacobian.chunks_exact_mut(units.len().max(1));
-    for (row, own) in rows.zip(own[1].chunks_exact(units.len().max(1))) {
-        for ((entry, own), unit) in row.iter_mut().zip(own).zip(units) {
-            *entry = own.real() * unit;
+    for (row, typed) in rows.zip(typed[1].chunks_exact(units.len().max(1))) {
+        for ((entry, typed), unit) in row.iter_mut().zip(typed).zip(units) {
+            *entry = typed.real() * unit;
         }
     }
     residuals.iter().chain(&*jacobian).all(|entry| entry.is_finite())
@@ -617,8 +617,8 @@ mod tests {
     #[test]
     fn angles_stay_on_the_turn_of_the_guess() {
         let expected = closed_form(GRASHOF, 1.0, Assembly::Open).unwrap();
-        for turns in [-1000.0, -1.0, 3.0, 1e6] {
-            let guess = expected.map(|angle| angle + 0.1 + turns * TAU);
+        for revolutions in [-1000.0, -1.0, 3.0, 1e6] {
+            let guess = expected.map(|angle| angle + 0.1 + revolutions * TAU);
             let root = newton(guess, [1.0; 2], four_bar(GRASHOF, 1.0)).unwrap();
             for (actual, guess) in root.into_iter().zip(guess) {
                 assert!((actual - guess + 0.1).abs() <= 8.0 * f64::EPSILON * guess.abs());
@@ -680,7 +680,7 @@ mod tests {
             }
             let crank = Series::from_coefficients(motion);
             let expected = closed_form(GRASHOF, crank, Assembly::Open).unwrap();
-            // The guess has derivatives of its own, which must not matter.
+            // The guess has derivatives, which must not matter.
             let guess = expected.map(|angle| Series::from_coefficients([angle.real() + 0.3; N]));
             let root = newton(guess, [Number::constant(1.0); 2], four_bar(GRASHOF, crank)).unwrap();
             for (actual, expected) in root.into_iter().zip(expected) {
@@ -712,12 +712,12 @@ mod tests {
             let mut rows = std::vec![FactorRow::default(); rows];
             assert!(NewtonMemory::new(2, &mut numbers, &mut reals[1..], &mut rows).is_none());
             let memory = NewtonMemory::new(2, &mut numbers, &mut reals, &mut rows).unwrap();
-            let mut own = four_bar(GRASHOF, T::constant(1.0));
+            let mut linkage = four_bar(GRASHOF, T::constant(1.0));
             let mut found = guess.map(T::constant);
             newton_in(&mut found, &[T::constant(1.0); 2], memory, |at, residuals, jacobian| {
-                let (own_residuals, own_jacobian) = own([at[0], at[1]]);
-                residuals.copy_from_slice(&own_residuals);
-                jacobian.copy_from_slice(own_jacobian.as_flattened());
+                let (typed_residuals, typed_jacobian) = linkage([at[0], at[1]]);
+                residuals.copy_from_slice(&typed_residuals);
+                jacobian.copy_from_slice(typed_jacobian.as_flattened());
             })
             .unwrap();
             found
@@ -771,7 +771,7 @@ mod tests {
     }
 
     #[test]
-    fn near_a_double_root_the_two_are_told_apart() {
+    fn near_a_double_root_the_two_are_distinguished() {
         for gap in [1e-2, 1e-4, 1e-6] {
             for side in [1.0, -1.0] {
                 let root = newton([side], [1.0], |[x]: [f64; 1]| ([x * x - gap * gap], [[2.0 * x]])).unwrap();

@@ -49,7 +49,8 @@ macro_rules! counts {
 counts! {
     circle_circle: |assembly| solve::circle_circle(number(3.0), number(4.0), vector(4.0, 3.0), assembly)
         => "8a 12m 1d 0n 1r", "8a 12m 1d 1n 1r";
-    circle_circle_squared: |assembly| solve::circle_circle_squared(number(9.0), number(16.0), vector(4.0, 3.0), assembly)
+    circle_circle_squared: |assembly|
+        solve::circle_circle_squared(number(9.0), number(16.0), vector(4.0, 3.0), assembly)
         => "6a 11m 1d 0n 1r", "6a 11m 1d 1n 1r";
     circle_line: |assembly| solve::circle_line(number(9.0), vector(0.8, 0.6), vector(4.0, 3.0), assembly)
         => "7a 10m 1d 0n 1r", "7a 10m 1d 0n 1r";
@@ -69,7 +70,8 @@ counts! {
         => "2a 1m 0d 0n 1r", "2a 1m 0d 1n 1r";
     linear: |_| solve::linear(number(0.6), number(3.0))
         => "0a 0m 1d 0n 0r", "0a 0m 1d 0n 0r";
-    linear_pair: |_| solve::linear_pair([[number(1.0), number(2.0)], [number(3.0), number(5.0)]], [number(3.0), number(1.0)])
+    linear_pair: |_|
+        solve::linear_pair([[number(1.0), number(2.0)], [number(3.0), number(5.0)]], [number(3.0), number(1.0)])
         => "3a 8m 1d 0n 0r", "3a 8m 1d 0n 0r";
     quadratic: |assembly| solve::quadratic(number(1.0), number(-3.0), number(1.0), assembly)
         => "2a 3m 1d 0n 1r", "2a 3m 1d 0n 1r";

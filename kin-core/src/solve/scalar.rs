@@ -13,7 +13,8 @@ use crate::solve::newton::{NewtonMemory, damped_root};
 /// A solver makes decisions: whether links reach, which pivot is the largest, which of two solutions lies in a range. A
 /// plain number, and a number that carries derivatives, decides by its real part, as the provided methods do.
 ///
-/// The trait is implemented for all numbers of this crate. Your own number type needs only `impl Scalar for Own {}`.
+/// The trait is implemented for all numbers of this crate. A number type of another crate needs only
+/// `impl Scalar for Own {}`.
 ///
 /// ```
 /// use kin_core::prelude::*;
@@ -49,7 +50,7 @@ pub trait Scalar: Number {
         let mut hold = true;
         #[expect(
             clippy::needless_range_loop,
-            reason = "it stands in thousands of places, and iterators take a compiler longer"
+            reason = "it stands at thousands of calls, and iterators take a compiler longer"
         )]
         for index in 0..K {
             hold &= conditions[index];
@@ -64,8 +65,8 @@ pub trait Scalar: Number {
         self.provided(check).map(|square| (square, square.sqrt()))
     }
 
-    /// The failure of a solver, from the function that makes the diagnosis. A number that holds several poses makes none:
-    /// each of its poses may fail for another reason.
+    /// The failure of a solver, from the function that makes the diagnosis. A number that holds several poses makes
+    /// none: each of its poses may fail for another reason.
     #[doc(hidden)]
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn refused(diagnosis: impl FnOnce() -> Failure) -> Failure {
@@ -142,11 +143,11 @@ pub trait Scalar: Number {
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn measured_over<M: RowMeasure>(_: M, count: usize, operand: impl Fn(usize) -> Self) -> Self {
-        let mut own = M::start();
+        let mut constant = M::start();
         for index in 0..count {
-            own = M::with(own, operand(index).real());
+            constant = M::with(constant, operand(index).real());
         }
-        Self::constant(M::end::<f64>(own))
+        Self::constant(M::end::<f64>(constant))
     }
 
     /// A choice for the whole number. A number that holds several poses fails if they do not agree.
@@ -165,7 +166,7 @@ pub trait Scalar: Number {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn first_chosen<const N: usize>(choices: &[impl Choose<Self, N>]) -> Result<Assembly, Failure> {
         let mut number = 0;
-        // The function is called in one place only, so that the compiler can inline it.
+        // The function is called at one site only, so that the compiler can inline it.
         loop {
             let chosen = Self::chosen(choices[number]);
             number += 1;
@@ -198,8 +199,8 @@ pub trait Scalar: Number {
         best
     }
 
-    /// The assembly of the side of the singular positions on which a number lies that is zero there: open if its real part is
-    /// positive or zero.
+    /// The assembly of the side of the singular positions on which a number lies that is zero there: open if its real
+    /// part is positive or zero.
     #[doc(hidden)]
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn side(self) -> Assembly {

@@ -7,7 +7,7 @@ use serde::ser::{self, Serialize, Serializer};
 
 const REASON: &str = ", and only finite numbers can be stored";
 
-/// The number that is not finite, by its place in the value that was to be stored.
+/// The number that is not finite, by its position in the value that was to be stored.
 ///
 /// ```
 /// use kin_core::{Motion, Plane, stored};
@@ -18,7 +18,7 @@ const REASON: &str = ", and only finite numbers can be stored";
 /// ```
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub struct NotFinite {
-    /// The place and the number: `unknowns.theta4[3] is NaN`.
+    /// The position and the number: `unknowns.theta4[3] is NaN`.
     text: Text<SHORT>,
 }
 
@@ -29,11 +29,11 @@ impl NotFinite {
         }
     }
 
-    fn inside(self, place: impl Display) -> Self {
+    fn inside(self, position: impl Display) -> Self {
         let inner = self.text.as_str();
         let separator = if inner.starts_with([' ', '[']) { "" } else { "." };
         Self {
-            text: Text::of(format_args!("{place}{separator}{inner}")),
+            text: Text::of(format_args!("{position}{separator}{inner}")),
         }
     }
 }
@@ -50,10 +50,11 @@ crate::__debug_by_display!(NotFinite);
 
 impl Error for NotFinite {}
 
-/// Whether every number of a value is finite, so that it can be stored in formats without NaN and infinities, such as JSON.
+/// Whether every number of a value is finite, so that it can be stored in formats without NaN and infinities, such as
+/// JSON.
 ///
 /// # Errors
-/// The place of the first number that is not finite.
+/// The position of the first number that is not finite.
 ///
 /// ```
 /// use kin_core::library::FourBar;
@@ -77,10 +78,10 @@ pub(super) fn write<V: Serialize, S: Serializer>(value: &V, serializer: S) -> Re
     value.serialize(serializer)
 }
 
-/// The length of a place, so that results of the search stay small.
+/// The length of a position, so that results of the search stay small.
 const SHORT: usize = 104;
 
-/// The length of a place with the reason.
+/// The length of a position with the reason.
 const LONG: usize = SHORT + REASON.len();
 
 /// A text without allocation. The rest of a longer one is cut off.
@@ -111,10 +112,10 @@ impl<const CAPACITY: usize> fmt::Write for Text<CAPACITY> {
     fn write_str(&mut self, part: &str) -> fmt::Result {
         for letter in part.chars() {
             let end = self.length + letter.len_utf8();
-            let Some(place) = self.bytes.get_mut(self.length..end) else {
+            let Some(room) = self.bytes.get_mut(self.length..end) else {
                 break;
             };
-            letter.encode_utf8(place);
+            letter.encode_utf8(room);
             self.length = end;
         }
         Ok(())
@@ -125,14 +126,14 @@ impl<const CAPACITY: usize> fmt::Write for Text<CAPACITY> {
 #[derive(Debug)]
 enum Found {
     Number(NotFinite),
-    /// The value cannot be written for a reason of its own.
+    /// The value cannot be written for another reason.
     Other,
 }
 
 impl Found {
-    fn inside(self, place: impl Display) -> Self {
+    fn inside(self, position: impl Display) -> Self {
         match self {
-            Self::Number(number) => Self::Number(number.inside(place)),
+            Self::Number(number) => Self::Number(number.inside(position)),
             Self::Other => Self::Other,
         }
     }
@@ -150,7 +151,7 @@ impl Display for Found {
 impl Error for Found {}
 
 impl ser::Error for Found {
-    /// The types of this crate that are parts of the value search their own numbers, and report them by this message.
+    /// The types of this crate that are parts of the value search their numbers, and report them by this message.
     fn custom<M: Display>(message: M) -> Self {
         let text = Text::<LONG>::of(message);
         text.as_str()
@@ -319,7 +320,11 @@ macro_rules! structures {
                 type Ok = ();
                 type Error = Found;
 
-                fn serialize_field<V: Serialize + ?Sized>(&mut self, name: &'static str, value: &V) -> Result<(), Found> {
+                fn serialize_field<V: Serialize + ?Sized>(
+                    &mut self,
+                    name: &'static str,
+                    value: &V,
+                ) -> Result<(), Found> {
                     value.serialize(Search).map_err(|found| found.inside(name))
                 }
 

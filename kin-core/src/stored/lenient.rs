@@ -1,4 +1,5 @@
-//! Numbers of errors, which may be NaN or infinite. Texts of people write these as words, because JSON has no such numbers.
+//! Numbers of errors, which may be NaN or infinite. Texts of people write these as words, because JSON has no such
+//! numbers.
 
 use core::fmt;
 

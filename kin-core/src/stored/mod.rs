@@ -16,21 +16,22 @@
 //!
 //! # Parameters
 //!
-//! The structure of a declaration may derive `Serialize` and `Deserialize` like any other structure, points included. A program
-//! that does not depend on serde itself, or wants to hear of numbers that are not finite, calls [`storable!`](crate::storable)
-//! instead. Both write the same JSON. The mechanisms of `library` are storable.
+//! The structure of a declaration may derive `Serialize` and `Deserialize` like any other structure, points included. A
+//! program that does not depend on serde itself, or wants to hear of numbers that are not finite, calls
+//! [`storable!`](crate::storable) instead. Both write the same JSON. The mechanisms of `library` are storable.
 //!
 //! # Numbers that are not finite
 //!
-//! JSON has no NaN and no infinity, and common writers replace them by `null` in silence. The types of this crate refuse to be
-//! written instead, and the error names the number: `unknowns.theta4[3] is NaN, and only finite numbers can be stored`. A
-//! structure that derives `Serialize` does what serde does. [`check`] checks it, and any other value. Only errors are written
-//! with such numbers, as texts, because these numbers may be the reason for the error.
+//! JSON has no NaN and no infinity, and common writers replace them by `null` in silence. The types of this crate
+//! refuse to be written instead, and the error names the number:
+//! `unknowns.theta4[3] is NaN, and only finite numbers can be stored`. A structure that derives `Serialize` does what
+//! serde does. [`check`] checks it, and any other value. Only errors are written with such numbers, as texts, because
+//! these numbers may be the reason for the error.
 //!
 //! # Poses
 //!
-//! A pose has private numbers, which belong to the dimensions that it was solved for. They are not written, so that a pose
-//! itself cannot be read. Its [`PoseRecord`] can, and `solve` makes a pose of it again.
+//! A pose has private numbers, which belong to the dimensions that it was solved for. They are not written, so that a
+//! pose itself cannot be read. Its [`PoseRecord`] can, and `solve` makes a pose of it again.
 
 mod assembly;
 #[cfg(feature = "std")]

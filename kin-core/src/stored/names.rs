@@ -13,7 +13,7 @@ pub(super) fn list<'a>(names: impl Iterator<Item = &'a str>, formatter: &mut fmt
     Ok(())
 }
 
-/// The index of a name, where the function tells the name of each index.
+/// The index of a name, where the function gives the name of each index.
 pub(super) struct IndexedName<F>(pub(super) F);
 
 impl<'de, F: Fn(usize) -> Option<&'static str>> DeserializeSeed<'de> for IndexedName<F> {

@@ -15,8 +15,8 @@ use crate::quantity::Quantity;
 
 /// The parameters of a mechanism as they are stored: by name, points as maps of their coordinates.
 ///
-/// This is how generic code stores any mechanism. Where the mechanism is known, [`storable!`](crate::storable) lets its structure
-/// be stored like this.
+/// This is how generic code stores any mechanism. Where the mechanism is known, [`storable!`](crate::storable) lets its
+/// structure be stored like this.
 ///
 /// ```
 /// use kin_core::library::FourBar;
@@ -33,10 +33,10 @@ pub struct ParameterRecord<M>(
     pub M,
 );
 
-/// A parameter: a number or a vector, with the place of its first number among the scalar parameters.
+/// A parameter: a number or a vector, with the index of its first number among the scalar parameters.
 struct Member {
     name: &'static str,
-    place: usize,
+    start: usize,
     length: usize,
 }
 
@@ -47,19 +47,19 @@ fn vector(quantity: &Quantity<'static>) -> Option<&'static str> {
 
 /// The parameters, in the order in which they were declared.
 fn members(quantities: &'static [Quantity<'static>]) -> impl Iterator<Item = Member> + Clone {
-    let begins = move |place: &usize| {
-        let before = place.checked_sub(1).and_then(|before| vector(&quantities[before]));
-        before.is_none() || vector(&quantities[*place]) != before
+    let begins = move |start: &usize| {
+        let before = start.checked_sub(1).and_then(|before| vector(&quantities[before]));
+        before.is_none() || vector(&quantities[*start]) != before
     };
-    (0..quantities.len()).filter(begins).map(move |place| {
-        let first = &quantities[place];
+    (0..quantities.len()).filter(begins).map(move |start| {
+        let first = &quantities[start];
         let Some(name) = vector(first) else {
             let (name, length) = (first.name, 1);
-            return Member { name, place, length };
+            return Member { name, start, length };
         };
-        let rest = quantities[place..].iter();
+        let rest = quantities[start..].iter();
         let length = rest.take_while(|quantity| vector(quantity) == Some(name)).count();
-        Member { name, place, length }
+        Member { name, start, length }
     })
 }
 
@@ -72,8 +72,8 @@ impl<T: Serialize + Copy> Serialize for Form<'_, T> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let members = members(self.quantities);
         let mut map = serializer.serialize_map(Some(members.clone().count()))?;
-        for Member { name, place, length } in members {
-            match self.values.get(place..place + length).unwrap_or_default() {
+        for Member { name, start, length } in members {
+            match self.values.get(start..start + length).unwrap_or_default() {
                 &[x, y] => map.serialize_entry(name, &Plane::new(x, y))?,
                 &[x, y, z] => map.serialize_entry(name, &Space::new(x, y, z))?,
                 others => {
@@ -128,26 +128,26 @@ where
         let name = |index| member(index).map(|member| member.name);
         let mut values = M::Parameters::<Option<M::Scalar>>::splat(None);
         while let Some(index) = map.next_key_seed(IndexedName(name))? {
-            let Some(Member { name, place, length }) = member(index) else {
+            let Some(Member { name, start, length }) = member(index) else {
                 continue;
             };
             let fault = |error: A::Error| A::Error::custom(format_args!("{name}: {error}"));
-            if values[place].is_some() {
+            if values[start].is_some() {
                 return Err(A::Error::duplicate_field(name));
             }
             match length {
                 2 => {
                     let Plane { x, y } = map.next_value().map_err(fault)?;
-                    (values[place], values[place + 1]) = (Some(x), Some(y));
+                    (values[start], values[start + 1]) = (Some(x), Some(y));
                 }
                 3 => {
                     let Space { x, y, z } = map.next_value().map_err(fault)?;
-                    (values[place], values[place + 1], values[place + 2]) = (Some(x), Some(y), Some(z));
+                    (values[start], values[start + 1], values[start + 2]) = (Some(x), Some(y), Some(z));
                 }
-                _ => values[place] = Some(map.next_value().map_err(fault)?),
+                _ => values[start] = Some(map.next_value().map_err(fault)?),
             }
         }
-        if let Some(Member { name, .. }) = members.clone().find(|member| values[member.place].is_none()) {
+        if let Some(Member { name, .. }) = members.clone().find(|member| values[member.start].is_none()) {
             return Err(A::Error::missing_field(name));
         }
         Ok(ParameterRecord(M::from_parameters(whole(&values))))

@@ -16,13 +16,16 @@ use crate::quantity::Quantity;
 
 type Outputs<M, V> = <<M as Mechanism>::Pose as Pose>::Outputs<V>;
 
-/// A pose as it is stored: the motions of inputs, unknowns and outputs by name, without the private numbers of the pose.
+/// A pose as it is stored: the motions of inputs, unknowns and outputs by name, without the private numbers of the
+/// pose.
 ///
-/// Every pose of a mechanism converts to a record, and is written as one. `LENGTH` is the number of values of each motion: 5 for a
-/// pose through snap, 1 for a position. A direction is stored as its angle with the derivatives; a point is its coordinates.
+/// Every pose of a mechanism converts to a record, and is written as one. `LENGTH` is the number of values of each
+/// motion: 5 for a pose through snap, 1 for a position. A direction is stored as its angle with the derivatives; a
+/// point is its coordinates.
 ///
-/// A record is read by the names of its mechanism, in any order. Outputs are read as well. A record of another mechanism, a
-/// name that is missing or unknown, and a motion of another length are errors. The dimensions are not part of a record.
+/// A record is read by the names of its mechanism, in any order. Outputs are read as well. A record of another
+/// mechanism, a name that is missing or unknown, and a motion of another length are errors. The dimensions are not part
+/// of a record.
 ///
 /// [`solve`](Self::solve) makes a pose through all orders of the record. From a record of fewer orders, solve by
 /// `position_near` and the methods of the position, as far as the inputs are known.
@@ -50,7 +53,8 @@ pub struct PoseRecord<M: Mechanism, const LENGTH: usize = 5> {
     pub inputs: M::Inputs<Motion<M::Scalar, LENGTH>>,
     /// The motions of the unknowns, in the order in which they were declared.
     pub unknowns: M::Unknowns<Motion<M::Scalar, LENGTH>>,
-    /// The motions of the outputs, in the order in which they were declared. A point is its x, its y and, in space, its z.
+    /// The motions of the outputs, in the order in which they were declared. A point is its x, its y and, in space, its
+    /// z.
     pub outputs: Outputs<M, Motion<M::Scalar, LENGTH>>,
 }
 
@@ -69,8 +73,8 @@ where
 {
     /// The pose of a mechanism at the inputs of the record, with unknowns near those of the record.
     ///
-    /// With the dimensions that the record was made with, the unknowns agree with those of the record up to rounding: exactly for
-    /// blocks with a closed form, and up to the last step of Newton's method for others.
+    /// With the dimensions that the record was made with, the unknowns agree with those of the record up to rounding:
+    /// exactly for blocks with a closed form, and up to the last step of Newton's method for others.
     ///
     /// # Errors
     /// The errors of `solve_near`.

@@ -40,14 +40,14 @@ impl<'de, T: Deserialize<'de>, const N: usize> Visitor<'de> for RowVisitor<T, N>
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut row: A) -> Result<[T; N], A::Error> {
         let mut values = array::from_fn(|_| None);
-        for (index, place) in values.iter_mut().enumerate() {
+        for (index, slot) in values.iter_mut().enumerate() {
             let value = row
                 .next_element()
                 .map_err(|error| A::Error::custom(format_args!("[{index}]: {error}")))?;
-            *place = Some(value.ok_or_else(|| A::Error::invalid_length(index, &self))?);
+            *slot = Some(value.ok_or_else(|| A::Error::invalid_length(index, &self))?);
         }
-        // A format that reports its own length has already refused a longer row, or does so afterwards.
-        Ok(values.map(|value| value.expect("every place has been filled")))
+        // A format that reports the length has already refused a longer row, or does so afterwards.
+        Ok(values.map(|value| value.expect("every slot has been filled")))
     }
 }
 

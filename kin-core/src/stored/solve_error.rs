@@ -8,7 +8,8 @@ use super::lenient::{self, Lenient};
 use crate::failure::{Failure, InputValues, SolveError};
 use crate::quantity::Name;
 
-/// A [`Failure`] that owns its names: the text `S` is `String` when it is read, and [`Name`] when it is made of a failure.
+/// A [`Failure`] that owns its names: the text `S` is `String` when it is read, and [`Name`] when it is made of a
+/// failure.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 #[non_exhaustive]
 #[allow(missing_docs, reason = "the fields are those of the failure")]
@@ -57,8 +58,9 @@ pub enum FailureRecord<S> {
         #[serde(with = "lenient")]
         condition: f64,
     },
-    /// [`Failure::TooManyTurns`]
-    TooManyTurns {
+    /// [`Failure::TooManyRevolutions`]
+    #[serde(rename = "TooManyTurns")]
+    TooManyRevolutions {
         unknown: S,
         #[serde(with = "lenient")]
         guess: f64,
@@ -111,11 +113,11 @@ impl<S: From<Name>> From<Failure> for FailureRecord<S> {
                 iterations,
                 condition,
             },
-            Failure::TooManyTurns {
+            Failure::TooManyRevolutions {
                 unknown,
                 guess,
                 spacing,
-            } => Self::TooManyTurns {
+            } => Self::TooManyRevolutions {
                 unknown: unknown.into(),
                 guess,
                 spacing,

@@ -17,10 +17,11 @@ use crate::any::{AssemblyOver, Of};
 use crate::batch::Outcome;
 use crate::mechanism::Mechanism;
 
-/// A step between rows is not halved beyond this part of the range. There the curves have an edge: the end of a circuit or a kink.
-const SHORTEST: f64 = 1e-6;
+/// A step between rows is not halved beyond this part of the range. There the curves have an edge: the end of a circuit
+/// or a kink.
+const SHORTEST_STEP: f64 = 1e-6;
 
-/// The fewest places between the rows of a sweep at which the ranges of its columns are looked for.
+/// The fewest samples between the rows of a sweep at which the ranges of its columns are looked for.
 const PROBES: usize = 16;
 
 /// A row that has been solved.
@@ -29,8 +30,8 @@ struct Sample<'c> {
     at: f64,
     walk: Rc<Walk<'c>>,
     outcome: Outcome,
-    /// Its place among the samples.
-    place: usize,
+    /// Its index among the samples.
+    index: usize,
 }
 
 /// The largest deviation of a sample from the straight line between its neighbours.
@@ -53,12 +54,13 @@ struct Samples<'c> {
 }
 
 impl<M: Mechanism<Scalar = f64>, D: Drive> Sweep<M, D> {
-    /// The poses as a table with rows where they are needed: the straight lines between them deviate from the curves of all unknowns and
-    /// outputs by no more than `tolerance`, as a part of the range of each column. The range is that of the rows of the sweep and of places
-    /// between them.
+    /// The poses as a table with rows where they are needed: the straight lines between them deviate from the curves of
+    /// all unknowns and outputs by no more than `tolerance`, as a part of the range of each column. The range is that
+    /// of the rows of the sweep and of samples between them.
     ///
-    /// The rows of the sweep are there, and others between them. Derivatives above the `order` are not looked at. Each step is
-    /// tested at a quarter, at the middle and at three quarters. Steps at the end of a circuit are halved down to 10⁻⁶ of the range.
+    /// The rows of the sweep are there, and others between them. Derivatives above the `order` are not looked at. Each
+    /// step is tested at a quarter, at the middle and at three quarters. Steps at the end of a circuit are halved down
+    /// to 10⁻⁶ of the range.
     ///
     /// ```
     /// use std::f64::consts::TAU;
@@ -66,23 +68,23 @@ impl<M: Mechanism<Scalar = f64>, D: Drive> Sweep<M, D> {
     /// use kin_core::prelude::*;
     ///
     /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
-    /// let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 25).speed(10.0);
+    /// let sweep = linkage.sweep(Assembly::Open).over(0.0..=TAU, 25).speed(10.0);
     /// // curves of position, velocity and acceleration that look smooth
-    /// let table = turn.adaptive_table(1e-3, 2, 10_000)?;
+    /// let table = sweep.adaptive_table(1e-3, 2, 10_000)?;
     /// assert!(table.count() > 50 && table.count() < 500);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors
-    /// [`SweepError::TooManyRows`] and, towards a limit, [`SweepError::TooManyRowsAtLimit`] if more rows than `most_rows` were needed,
-    /// [`SweepError::MoreRows`] if the sweep itself has more, [`SweepError::Tolerance`] if the tolerance is not a positive number, and the
-    /// errors of [`table`](Self::table).
+    /// [`SweepError::TooManyRows`] and, towards a limit, [`SweepError::TooManyRowsAtLimit`] if more rows than
+    /// `most_rows` were needed, [`SweepError::MoreRows`] if the sweep itself has more, [`SweepError::Tolerance`] if the
+    /// tolerance is not a positive number, and the errors of [`table`](Self::table).
     pub fn adaptive_table(&self, tolerance: f64, order: usize, most_rows: usize) -> Result<Table, SweepError> {
         self.adaptive_table_with_progress(tolerance, order, most_rows, |_| {})
     }
 
-    /// [`adaptive_table`](Self::adaptive_table), which calls `progress` after every step between two rows of the sweep, with the part of the
-    /// steps that are done.
+    /// [`adaptive_table`](Self::adaptive_table), which calls `progress` after every step between two rows of the sweep,
+    /// with the part of the steps that are done.
     ///
     /// # Errors
     /// As for [`adaptive_table`](Self::adaptive_table).
@@ -134,14 +136,14 @@ impl UntypedSweep<'_> {
         }
         let first = empty.first_unknown(self.description);
         let ranges = samples.ranges(&given);
-        // The rounding errors of a column that stays the same are no curve. They count against the largest number of its kind, as a column
-        // that stays at zero has nothing else.
+        // The rounding errors of a column that stays the same are no curve. They count against the largest number of
+        // its kind, as a column that stays at zero has nothing else.
         let size = |label: &Heading| {
             let alike = |other: &Heading| {
                 (other.order, other.dimension) == (label.order, label.dimension) && !other.is_variable
             };
-            let own = empty.labels.iter().zip(&ranges).filter(|(other, _)| alike(other));
-            own.fold(0.0, |size: f64, (_, [low, high])| size.max(low.abs()).max(high.abs()))
+            let alike_columns = empty.labels.iter().zip(&ranges).filter(|(other, _)| alike(other));
+            alike_columns.fold(0.0, |size: f64, (_, [low, high])| size.max(low.abs()).max(high.abs()))
         };
         let columns = empty.labels.iter().zip(&ranges).enumerate();
         let scale = |(column, (label, [low, high])): (usize, (&Heading, &[f64; 2]))| {
@@ -164,7 +166,7 @@ impl UntypedSweep<'_> {
         for (row, sample) in kept.iter().enumerate() {
             table.outcomes[row] = sample.outcome;
             for column in 0..samples.width {
-                table.data[column * kept.len() + row] = samples.data[sample.place * samples.width + column];
+                table.data[column * kept.len() + row] = samples.data[sample.index * samples.width + column];
             }
         }
         let is_closed = table.outcomes.iter().all(Outcome::is_solved);
@@ -188,12 +190,12 @@ impl<'c> Samples<'c> {
             at,
             walk: Rc::new(walk),
             outcome: outcome(&result),
-            place: start / self.width,
+            index: start / self.width,
         }
     }
 
-    /// The lowest and the highest value of each column, at the rows of the sweep and at places between them: a few rows may all lie where a
-    /// column has the same value.
+    /// The lowest and the highest value of each column, at the rows of the sweep and at samples between them: a few
+    /// rows may all lie where a column has the same value.
     fn ranges(&mut self, given: &[Sample<'c>]) -> Vec<[f64; 2]> {
         let mut ranges = vec![[f64::INFINITY, f64::NEG_INFINITY]; self.width];
         // numbers of rows that do not close are NaN, which both leave out
@@ -234,9 +236,9 @@ impl<'c> Samples<'c> {
     ) -> Result<(), SweepError> {
         let start = self.data.len();
         let is_edge = left.outcome.is_solved() != right.outcome.is_solved();
-        let is_open = !left.outcome.is_solved() && !right.outcome.is_solved();
-        let is_shortest = (right.at - left.at).abs() <= SHORTEST * (self.sweep.to - self.sweep.from).abs();
-        if is_open || is_shortest {
+        let is_unclosed = !left.outcome.is_solved() && !right.outcome.is_solved();
+        let is_shortest = (right.at - left.at).abs() <= SHORTEST_STEP * (self.sweep.to - self.sweep.from).abs();
+        if is_unclosed || is_shortest {
             return Ok(());
         }
         let middle = self.middle(left, 0.5, right);
@@ -264,7 +266,7 @@ impl<'c> Samples<'c> {
             return Err(self.too_many_rows(middle.at, worst, table));
         }
         self.rows += 1;
-        self.data.truncate((middle.place + 1) * self.width);
+        self.data.truncate((middle.index + 1) * self.width);
         self.refine(left, &middle, tolerance, kept, table)?;
         kept.push(middle.clone());
         self.refine(&middle, right, tolerance, kept, table)
@@ -285,7 +287,7 @@ impl<'c> Samples<'c> {
     }
 
     fn deviation(&self, left: &Sample<'_>, part: f64, between: &Sample<'_>, right: &Sample<'_>) -> Deviation {
-        let row = |sample: &Sample<'_>| &self.data[sample.place * self.width..(sample.place + 1) * self.width];
+        let row = |sample: &Sample<'_>| &self.data[sample.index * self.width..(sample.index + 1) * self.width];
         let (left, between, right) = (row(left), row(between), row(right));
         let mut worst = Deviation { part: 0.0, column: 0 };
         for (column, scale) in self.scales.iter().enumerate() {

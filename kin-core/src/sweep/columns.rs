@@ -59,11 +59,12 @@ impl fmt::Display for Label<'_> {
 
 /// The unit of a column, as text: `rad/s²`, `mm/s`.
 ///
-/// A mechanism has its own units of length and time. Until [`Table::units`](super::Table::units) names them they are `L` and `T`.
+/// A mechanism has units of length and time. Until [`Table::units`](super::Table::units) names them they are `L` and
+/// `T`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Unit<'t> {
     /// The unit as it was given, of a column that is no quantity of the mechanism.
-    pub(super) own: Option<&'t str>,
+    pub(super) given: Option<&'t str>,
     pub(super) dimension: Dimension,
     pub(super) order: usize,
     pub(super) is_time: bool,
@@ -75,8 +76,8 @@ pub struct Unit<'t> {
 impl Unit<'_> {
     /// Whether it is the unit of a plain number, which is not written.
     fn is_none(&self) -> bool {
-        match self.own {
-            Some(own) => own.is_empty(),
+        match self.given {
+            Some(given) => given.is_empty(),
             None => self.dimension == Dimension::Scalar && self.order == 0 && !self.is_time,
         }
     }
@@ -84,8 +85,8 @@ impl Unit<'_> {
 
 impl fmt::Display for Unit<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(own) = self.own {
-            return formatter.write_str(own);
+        if let Some(given) = self.given {
+            return formatter.write_str(given);
         }
         if self.is_time {
             return formatter.write_str(self.time);
@@ -123,7 +124,8 @@ pub struct ColumnOf<'t> {
     pub values: &'t [f64],
 }
 
-/// The heading of a column where it stands over numbers: its name, and its unit in brackets, as in `theta4_velocity [rad/s]`.
+/// The heading of a column where it stands over numbers: its name, and its unit in brackets, as in
+/// `theta4_velocity [rad/s]`.
 impl fmt::Display for ColumnOf<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { label, unit, .. } = self;
@@ -182,9 +184,10 @@ impl Heading {
     }
 }
 
-/// The labels of all columns of a mechanism: the variable unless it is an input, then inputs, unknowns and outputs, each in all orders.
+/// The labels of all columns of a mechanism: the variable unless it is an input, then inputs, unknowns and outputs,
+/// each in all orders.
 pub(super) fn labels<'d>(description: &'d Description<'d>, variable: Variable) -> impl Iterator<Item = Label<'d>> {
-    let own = match variable {
+    let given = match variable {
         Variable::Input(_) => None,
         _ => Some(Label {
             is_variable: true,
@@ -196,5 +199,5 @@ pub(super) fn labels<'d>(description: &'d Description<'d>, variable: Variable) -
         .into_iter()
         .flatten()
         .flat_map(move |quantity| (0..=description.order).map(move |order| Label::new(*quantity, order)));
-    own.into_iter().chain(all)
+    given.into_iter().chain(all)
 }

@@ -23,10 +23,11 @@ pub type Local = Series<TERMS>;
 /// The time of a formula, with all derivatives that are read of it.
 pub type Instant = Series<READ>;
 
-/// The number of derivatives of an input that are read, with its value: those of the highest order, and those of its series.
+/// The number of derivatives of an input that are read, with its value: those of the highest order, and those of its
+/// series.
 pub const READ: usize = RATES.len() + TERMS;
 
-/// The largest rounding of a number of turns that is whole.
+/// The largest rounding of a whole number of revolutions.
 const WHOLE: f64 = 1e-9;
 
 /// The inputs of the mechanism `M`, each in all orders, as numbers of the type `V`.
@@ -64,7 +65,8 @@ pub trait Drive {
     /// The variable.
     fn variable(&self) -> Variable;
 
-    /// Writes the motions of the inputs at a value of the variable, one after the other, each with a number of orders that a pose may have.
+    /// Writes the motions of the inputs at a value of the variable, one after the other, each with a number of orders
+    /// that a pose may have.
     #[doc(hidden)]
     fn motions(&self, at: f64, orders: usize, motions: &mut [f64]);
 
@@ -75,13 +77,14 @@ pub trait Drive {
         None
     }
 
-    /// The change of the variable for each unit of time, not a number if the rates of the inputs do not tell it.
+    /// The change of the variable for each unit of time, not a number if the rates of the inputs do not determine it.
     #[doc(hidden)]
     fn rate(&self) -> f64 {
         1.0
     }
 
-    /// Whether the inputs can move so over a range of the variable, from the smaller end to the larger one, in a number of rows.
+    /// Whether the inputs can move so over a range of the variable, from the smaller end to the larger one, in a number
+    /// of rows.
     #[doc(hidden)]
     fn check(&self, range: [f64; 2], rows: usize) -> Result<(), SweepError> {
         let _ = (range, rows);
@@ -91,12 +94,12 @@ pub trait Drive {
 
 /// A drive that is known with its derivatives to any order, so that the poses between the rows are known as well.
 pub trait SmoothDrive: Drive {
-    /// Writes the inputs with their derivatives with respect to the variable, one after the other, each with as many as are read. Where two
-    /// pieces of a law meet, `side` selects one.
+    /// Writes the inputs with their derivatives with respect to the variable, one after the other, each with as many as
+    /// are read. Where two pieces of a law meet, `side` selects one.
     #[doc(hidden)]
     fn derivatives(&self, at: f64, side: Side, derivatives: &mut [f64]);
 
-    /// The first place beyond `after` where two pieces of a law meet, if there is one.
+    /// The first joint beyond `after` where two pieces of a law meet, if there is one.
     #[doc(hidden)]
     fn next_joint(&self, after: f64) -> Option<f64> {
         let _ = after;
@@ -375,10 +378,11 @@ impl Drive for Laws<'_> {
     }
 }
 
-/// The lowest order that jumps at a joint. A jump of an angle by whole turns is none: a crank starts a new turn at zero.
+/// The lowest order that jumps at a joint. A jump of an angle by whole revolutions is none: a crank starts a new
+/// revolution at zero.
 fn first_jump<const N: usize>(joint: &LawJoint<f64, N>, is_angle: bool) -> Option<usize> {
-    let turns = joint.jump().value() / core::f64::consts::TAU;
-    let is_whole = is_angle && (turns - Float::round(turns)).abs() < WHOLE;
+    let revolutions = joint.jump().value() / core::f64::consts::TAU;
+    let is_whole = is_angle && (revolutions - Float::round(revolutions)).abs() < WHOLE;
     joint.first_jump_from(usize::from(is_whole))
 }
 
@@ -394,7 +398,8 @@ fn within(time: f64, period: Option<f64>, [start, end]: [f64; 2]) -> Option<f64>
 impl SmoothDrive for Laws<'_> {
     fn derivatives(&self, at: f64, side: Side, derivatives: &mut [f64]) {
         for (law, motion) in self.laws.iter().zip(derivatives.chunks_exact_mut(READ)) {
-            // The end of a law itself has the motion of the last piece. Behind it, and before the beginning, the law rests.
+            // The end of a law itself has the motion of the last piece. Behind it, and before the beginning, the law
+            // rests.
             let rests = match side {
                 Side::Left => at <= 0.0,
                 Side::Right => at >= law.duration(),
@@ -440,7 +445,7 @@ impl SmoothDrive for Laws<'_> {
             .filter_map(|(law, (_, is_angle))| {
                 let duration = law.duration();
                 // times are rounded, and the end of a law that repeats is its beginning
-                let turns = |time: f64| {
+                let repetitions = |time: f64| {
                     if law.repeats() {
                         Float::round(time / duration)
                     } else {
@@ -449,16 +454,17 @@ impl SmoothDrive for Laws<'_> {
                 };
                 let is_here = |time: f64| {
                     let distance = joint - time;
-                    (distance - turns(distance) * duration).abs() <= 16.0 * f64::EPSILON * joint.abs().max(duration)
+                    (distance - repetitions(distance) * duration).abs()
+                        <= 16.0 * f64::EPSILON * joint.abs().max(duration)
                 };
-                let mut joints = law.joints::<ORDERS>().filter(|own| is_here(own.time));
-                joints.find_map(|own| first_jump(&own, is_angle))
+                let mut joints = law.joints::<ORDERS>().filter(|joint_of_law| is_here(joint_of_law.time));
+                joints.find_map(|joint_of_law| first_jump(&joint_of_law, is_angle))
             });
         jumps.min()
     }
 }
 
-/// Columns of one's own, one for each order of each input.
+/// Columns that are given, one for each order of each input.
 #[derive(Clone)]
 pub struct Along<'c> {
     columns: Vec<Column<'c>>,
@@ -600,13 +606,13 @@ mod tests {
         let fall = Rise::new(Shape::Cycloidal, 2.0, 0.0, 0.25).unwrap();
         let laws = Sequence::new([&rise, &fall]).unwrap();
         let joints = |drive: &Laws<'_>| {
-            let mut places = std::vec![];
+            let mut joints = std::vec![];
             let mut after = -0.1;
             while let Some(next) = drive.next_joint(after).filter(|joint| *joint < 1.6) {
-                places.push(next);
+                joints.push(next);
                 after = next;
             }
-            places
+            joints
         };
         assert_eq!(
             joints(&Laws::new(

@@ -48,18 +48,19 @@ pub enum SweepError {
         /// The number of rows of the sweep.
         rows: usize,
     },
-    /// The rows towards a place where the mechanism begins or ceases to close are not as dense as they shall be, and there may be no more.
+    /// The rows towards a limit where the mechanism begins or ceases to close are not as dense as they shall be, and
+    /// there may be no more.
     TooManyRowsAtLimit {
         /// The largest number of rows allowed.
         most: usize,
-        /// The place where the next row was needed.
+        /// The variable where the next row was needed.
         at: f64,
     },
     /// The straight lines between the rows are not within the tolerance, and there may be no more rows.
     TooManyRows {
         /// The largest number of rows allowed.
         most: usize,
-        /// The place where the next row was needed.
+        /// The variable where the next row was needed.
         at: f64,
         /// The column that deviates most there.
         column: Name,
@@ -90,24 +91,35 @@ impl fmt::Display for SweepError {
                 "the tolerance of the adaptive table is {value}: give a positive, finite number"
             ),
             Self::NoSpeed => formatter.write_str(
-                "the speed of the sweep is zero, with which the inputs do not move: give a positive or negative one, or none for 1",
+                "the speed of the sweep is zero, with which the inputs do not move: give a positive or negative one, \
+                 or none for 1",
             ),
-            Self::Jump { input, is_angle, at, by } => write!(
+            Self::Jump {
+                input,
+                is_angle,
+                at,
+                by,
+            } => write!(
                 formatter,
-                "the law of {input} jumps by {} at the time {}, and no mechanism does: let each law begin where the one before ends",
-                WithUnit { value: *by, is_angle: *is_angle },
+                "the law of {input} jumps by {} at the time {}, and no mechanism does: let each law begin where the \
+                 one before ends",
+                WithUnit {
+                    value: *by,
+                    is_angle: *is_angle
+                },
                 Digits(*at)
             ),
             Self::NoRows => formatter.write_str("the sweep has no rows: give two or more"),
             Self::MoreRows { most, rows } => write!(
                 formatter,
-                "the sweep has {rows} rows, and its adaptive table may have {most}: allow more rows, or give the sweep fewer"
+                "the sweep has {rows} rows, and its adaptive table may have {most}: allow more rows, or give the sweep \
+                 fewer"
             ),
             Self::Columns(mismatch) => write!(formatter, "{mismatch}"),
             Self::TooManyRowsAtLimit { most, at } => write!(
                 formatter,
-                "{most} rows are not enough: the mechanism begins or ceases to close near {}, and the rows are to be denser there; \
-                 allow more rows, or end the sweep short of it",
+                "{most} rows are not enough: the mechanism begins or ceases to close near {}, and the rows are to be \
+                 denser there; allow more rows, or end the sweep short of it",
                 Digits(*at)
             ),
             Self::TooManyRows {
@@ -118,8 +130,9 @@ impl fmt::Display for SweepError {
                 deviation,
             } => write!(
                 formatter,
-                "{most} rows are not enough: at {} the derivative of order {order} of {column} deviates from the straight line \
-                 between its neighbours by {} of its range; allow more rows or a larger tolerance, or read fewer orders",
+                "{most} rows are not enough: at {} the derivative of order {order} of {column} deviates from the \
+                 straight line between its neighbours by {} of its range; allow more rows or a larger tolerance, or \
+                 read fewer orders",
                 Digits(*at),
                 Digits(*deviation)
             ),

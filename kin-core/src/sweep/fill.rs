@@ -15,7 +15,7 @@ use super::unwrap::unwrap;
 use super::walk::Walk;
 use super::{Sweep, limits};
 use crate::any::{AssemblyOver, Of};
-use crate::batch::{AnyBatch, Column, ColumnChoice, GivenColumns, Outcome, Place, Vectors, WantedColumns};
+use crate::batch::{AnyBatch, Column, ColumnChoice, GivenColumns, Outcome, Slot, Vectors, WantedColumns};
 use crate::failure::SolveError;
 use crate::mechanism::Mechanism;
 use crate::number::Number;
@@ -36,14 +36,14 @@ impl<M: Mechanism<Scalar = f64>, D: Drive> Sweep<M, D> {
     /// Where every block has a closed form, a batch solves several rows at once.
     ///
     /// # Errors
-    /// [`SweepError`] if an end of the range or the speed is not finite, if there are no rows or no speed, if a law jumps, or if given columns have
-    /// different lengths.
+    /// [`SweepError`] if an end of the range or the speed is not finite, if there are no rows or no speed, if a law
+    /// jumps, or if given columns have different lengths.
     pub fn table(&self) -> Result<Table, SweepError> {
         self.table_with_progress(|_| {})
     }
 
-    /// [`table`](Self::table) for sweeps of many rows. `progress` is called after every block of 65 536 rows, of coupled blocks after every
-    /// 256 rows, with the part of the rows that are solved. It is 1 in the last call.
+    /// [`table`](Self::table) for sweeps of many rows. `progress` is called after every block of 65 536 rows, of
+    /// coupled blocks after every 256 rows, with the part of the rows that are solved. It is 1 in the last call.
     ///
     /// ```
     /// use kin_core::library::SliderCrank;
@@ -63,8 +63,8 @@ impl<M: Mechanism<Scalar = f64>, D: Drive> Sweep<M, D> {
         self.any().table(Of::<M>::FUNCTIONS, &mut progress)
     }
 
-    /// [`table`](Self::table) in the place of another table, whose memory is used again: for programs that make many tables of the same
-    /// size. The units and the choice of radians or degrees are those of a new table.
+    /// [`table`](Self::table) instead of another table, whose memory is used again: for programs that make many tables
+    /// of the same size. The units and the choice of radians or degrees are those of a new table.
     ///
     /// ```
     /// use std::f64::consts::TAU;
@@ -119,7 +119,7 @@ impl UntypedSweep<'_> {
         Ok(())
     }
 
-    /// Writes all numbers of a table that has their places.
+    /// Writes all numbers of a table that has room for them.
     fn fill(
         &self,
         functions: &dyn TabledMechanism,
@@ -150,18 +150,18 @@ impl UntypedSweep<'_> {
         let same: Vec<Option<f64>> = (0..columns)
             .map(|column| self.drive.same(column / orders, column % orders))
             .collect();
-        let own = table.first_input();
-        let (given, results) = table.data.split_at_mut((own + columns) * count);
-        if own > 0 {
-            self.write_places(&mut given[..count]);
+        let first_input = table.first_input();
+        let (given, results) = table.data.split_at_mut((first_input + columns) * count);
+        if first_input > 0 {
+            self.write_variable(&mut given[..count]);
         }
-        let inputs = &mut given[own * count..];
+        let inputs = &mut given[first_input * count..];
         let mut varies = false;
         for (column, values) in inputs.chunks_exact_mut(count).enumerate() {
             match same[column] {
                 Some(value) => values.fill(value),
                 None if self.drive.variable() == Variable::Input(column / orders) && column % orders == 0 => {
-                    self.write_places(values);
+                    self.write_variable(values);
                 }
                 None => varies = true,
             }
@@ -178,7 +178,7 @@ impl UntypedSweep<'_> {
         }
         let inputs = &*inputs;
         let parameters: Vec<Column<'_>> = self.parameters.iter().copied().map(Column::Same).collect();
-        let solve = |rows: Range<usize>, wanted: Vec<(Place, &mut [f64])>, outcomes: &mut [Outcome]| {
+        let solve = |rows: Range<usize>, wanted: Vec<(Slot, &mut [f64])>, outcomes: &mut [Outcome]| {
             let columns = same.iter().zip(inputs.chunks_exact(count));
             let columns: Vec<Column<'_>> = columns
                 .map(|(same, values)| same.map_or(Column::Each(&values[rows.clone()]), Column::Same))
@@ -194,7 +194,8 @@ impl UntypedSweep<'_> {
             Ok::<_, SweepError>(summary.failed == 0)
         };
         let unknowns = description.unknowns.len();
-        // A batch stores a direction as cosine and sine. Which unknowns are directions is seen at the first row that closes.
+        // A batch stores a direction as cosine and sine. Which unknowns are directions is seen at the first row that
+        // closes.
         let mut is_direction = vec![false; unknowns];
         for row in 0..count {
             let (mut sines, mut outcome) = (vec![f64::NAN; unknowns], [Outcome::Unsolved]);
@@ -217,11 +218,11 @@ impl UntypedSweep<'_> {
             );
             for (index, column) in results.chunks_exact_mut(count).enumerate() {
                 let (quantity, order) = (index / orders, index % orders);
-                let place = match quantity.checked_sub(unknowns) {
-                    None => Place::Unknown(quantity, order),
-                    Some(output) => Place::Output(output, order),
+                let slot = match quantity.checked_sub(unknowns) {
+                    None => Slot::Unknown(quantity, order),
+                    Some(output) => Slot::Output(output, order),
                 };
-                wanted.push((place, &mut column[rows.clone()]));
+                wanted.push((slot, &mut column[rows.clone()]));
             }
             is_closed &= solve(rows.clone(), wanted, &mut table.outcomes[rows.clone()])?;
             progress(part(rows.end, count));
@@ -237,17 +238,17 @@ impl UntypedSweep<'_> {
 
     /// Writes the values of the variable.
     #[expect(clippy::cast_precision_loss, reason = "a table has far fewer rows than 2⁵³")]
-    fn write_places(&self, column: &mut [f64]) {
+    fn write_variable(&self, column: &mut [f64]) {
         let way = self.to - self.from;
         let last = self.count.saturating_sub(1).max(1) as f64;
-        // Without a branch, and with numbers of 32 bits that vectors can convert, so that several are calculated at once. The rest is there
-        // for columns of 17 gigabytes and more.
+        // Without a branch, and with numbers of 32 bits that vectors can convert, so that several are calculated at
+        // once. The rest is there for columns of 17 gigabytes and more.
         let (short, long) = column.split_at_mut(column.len().min(1 << 31));
-        for (row, place) in (0_i32..).zip(short.iter_mut()) {
-            *place = self.from + way * (f64::from(row) / last);
+        for (row, value) in (0_i32..).zip(short.iter_mut()) {
+            *value = self.from + way * (f64::from(row) / last);
         }
-        for (row, place) in long.iter_mut().enumerate() {
-            *place = self.from + way * ((row + short.len()) as f64 / last);
+        for (row, value) in long.iter_mut().enumerate() {
+            *value = self.from + way * ((row + short.len()) as f64 / last);
         }
         for row in [0, self.count - 1] {
             column[row] = self.at(row);
@@ -274,7 +275,8 @@ impl UntypedSweep<'_> {
         table.outcomes.iter().all(Outcome::is_solved)
     }
 
-    /// Passes on the numbers of a row of a table, each with its column. Without a pose, those of unknowns and outputs are NaN.
+    /// Passes on the numbers of a row of a table, each with its column. Without a pose, those of unknowns and outputs
+    /// are NaN.
     pub(super) fn write(
         &self,
         at: f64,
@@ -282,20 +284,20 @@ impl UntypedSweep<'_> {
         reached: Option<&Footing<'_>>,
         mut put: impl FnMut(usize, f64),
     ) {
-        let own = match self.drive.variable() {
+        let first_input = match self.drive.variable() {
             Variable::Input(_) => 0,
             Variable::Time | Variable::Row => 1,
         };
-        if own > 0 {
+        if first_input > 0 {
             put(0, at);
         }
         let given = reached.map_or(motions, |reached| &reached.numbers);
         for (column, value) in given.iter().enumerate() {
-            put(own + column, *value);
+            put(first_input + column, *value);
         }
         let results = self.description.unknowns.len() + self.description.outputs.len();
         for column in given.len()..motions.len() + results * self.orders() {
-            put(own + column, f64::NAN);
+            put(first_input + column, f64::NAN);
         }
     }
 }
@@ -306,7 +308,7 @@ pub(super) fn outcome<T>(result: &Result<T, SolveError>) -> Outcome {
 }
 
 /// The sines of the unknowns that have a column for them.
-fn sines_of<'s>(columns: impl Iterator<Item = &'s mut [f64]>) -> Vec<(Place, &'s mut [f64])> {
+fn sines_of<'s>(columns: impl Iterator<Item = &'s mut [f64]>) -> Vec<(Slot, &'s mut [f64])> {
     let all = columns.enumerate().filter(|(_, column)| !column.is_empty());
-    all.map(|(unknown, column)| (Place::Sine(unknown), column)).collect()
+    all.map(|(unknown, column)| (Slot::Sine(unknown), column)).collect()
 }

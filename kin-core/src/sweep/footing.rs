@@ -11,8 +11,9 @@ use crate::mechanism::Description;
 use crate::number::NumberRow;
 
 /// The longest step of an angle that is an input.
-pub(super) const LONGEST: f64 = 1.0;
-/// The largest difference between an angle and its prediction from the rates at both ends of a step. Half a turn would be ambiguous.
+pub(super) const LONGEST_INPUT_STEP: f64 = 1.0;
+/// The largest difference between an angle and its prediction from the rates at both ends of a step. Half a revolution
+/// would be ambiguous.
 pub(super) const PREDICTION: f64 = 1.0;
 /// The largest such difference by which a pose of the other assembly is still known to continue the motion.
 const SURE_PREDICTION: f64 = 0.1;
@@ -20,10 +21,10 @@ const SURE_PREDICTION: f64 = 0.1;
 pub(super) const LONGEST_PREDICTION: f64 = 2.0;
 /// The largest step of an angle without rates.
 pub(super) const WITHOUT_RATES: f64 = FRAC_PI_2;
-/// The part of a turn within which half a turn is ambiguous.
+/// The part of a revolution within which half a revolution is ambiguous.
 const AMBIGUOUS: f64 = 1e-6;
 
-/// The pose at a place of a sweep, from which a walk goes on.
+/// The pose at a point of a sweep, from which a walk goes on.
 #[derive(Clone)]
 pub(crate) struct Footing<'c> {
     /// The variable of the sweep.
@@ -36,7 +37,7 @@ pub(crate) struct Footing<'c> {
     pub(super) description: &'c Description<'c>,
     /// The values of the unknowns near which the pose has been found, unless it is that of the assembly itself.
     pub(super) near: Option<Vec<f64>>,
-    /// Whether an angle has changed in a way that its rates do not tell, although the steps were as short as can be.
+    /// Whether an angle has changed in a way that its rates do not predict, although the steps were as short as can be.
     pub(super) has_jumped: bool,
 }
 
@@ -44,9 +45,9 @@ impl<'c> Footing<'c> {
     /// A pose with the angles that it returns.
     pub(super) fn new(sweep: &UntypedSweep<'c>, at: f64, numbers: Vec<f64>) -> Self {
         let orders = sweep.orders();
-        // Exact tables give rates by the variable itself, others those by time: so it is the motion of the variable that tells, and not the
-        // speed of the sweep.
-        let own = match sweep.drive.variable() {
+        // Exact tables give rates by the variable itself, others those by time: so it is the motion of the variable
+        // that decides, and not the speed of the sweep.
+        let rate_of_variable = match sweep.drive.variable() {
             Variable::Input(lead) if orders > 1 => Some(numbers[lead * orders + 1]),
             _ => None,
         };
@@ -54,7 +55,7 @@ impl<'c> Footing<'c> {
             at,
             numbers,
             orders,
-            time: 1.0 / own.unwrap_or_else(|| sweep.drive.rate()),
+            time: 1.0 / rate_of_variable.unwrap_or_else(|| sweep.drive.rate()),
             description: sweep.description,
             near: None,
             has_jumped: false,
@@ -144,7 +145,7 @@ impl<'c> Footing<'c> {
         }
     }
 
-    /// Moves the angles of the unknowns to the turns that follow from another footing.
+    /// Moves the angles of the unknowns to the revolutions that follow from another footing.
     pub(super) fn unwrap_unknowns(&mut self, from: &Footing<'_>) -> Unwrapping {
         self.unwrap_all(from, self.unknown_angles())
     }
@@ -153,7 +154,8 @@ impl<'c> Footing<'c> {
         self.unwrap_all(from, self.output_angles())
     }
 
-    /// Moves all angles to the turns that follow from another footing. It returns whether the step from there is short enough for that.
+    /// Moves all angles to the revolutions that follow from another footing. It returns whether the step from there is
+    /// short enough for that.
     pub(super) fn unwrap(&mut self, from: &Footing<'_>) -> bool {
         let [unknowns, outputs] = [self.unwrap_unknowns(from), self.unwrap_outputs(from)];
         unknowns.follows && outputs.follows && self.inputs_follow(from)
@@ -178,8 +180,8 @@ impl<'c> Footing<'c> {
         unwrapping
     }
 
-    /// The unknowns, with predicted angles for those that do not follow from another footing by whole turns: a gear of half the speed is
-    /// half a turn away.
+    /// The unknowns, with predicted angles for those that do not follow from another footing by whole revolutions: a
+    /// gear of half the speed is half a revolution away.
     pub(super) fn near(&self, from: &Footing<'_>) -> Vec<f64> {
         let step = self.at - from.at;
         let [first, _] = self.firsts();
@@ -199,7 +201,7 @@ impl<'c> Footing<'c> {
         self
     }
 
-    /// Whether the turns of the unknowns are certain.
+    /// Whether the revolutions of the unknowns are certain.
     pub(super) fn unknowns_follow(&self, from: &Footing<'_>) -> bool {
         let step = self.at - from.at;
         self.unknown_angles()
@@ -211,19 +213,19 @@ impl<'c> Footing<'c> {
         from.is_near(&self.numbers, self.orders)
     }
 
-    /// Whether motions of the inputs, in a number of orders, are so close that no angle among them turns far.
+    /// Whether motions of the inputs, in a number of orders, are so close that no angle among them moves far.
     pub(super) fn is_near(&self, motions: &[f64], orders: usize) -> bool {
         angles(self.description.inputs)
-            .all(|input| (motions[input * orders] - self.numbers[input * self.orders]).abs() <= LONGEST)
+            .all(|input| (motions[input * orders] - self.numbers[input * self.orders]).abs() <= LONGEST_INPUT_STEP)
     }
 }
 
 /// What has become of the angles that follow from those of another footing.
 #[derive(Clone, Copy)]
 pub(super) struct Unwrapping {
-    /// Whether one has moved to another turn.
+    /// Whether one has moved to another revolution.
     pub(super) has_moved: bool,
-    /// Whether each is so close to its prediction that its turn is certain.
+    /// Whether each is so close to its prediction that its revolution is certain.
     pub(super) follows: bool,
     /// Whether each is so close to its prediction that its assembly is certain, too.
     pub(super) is_sure: bool,
@@ -243,13 +245,13 @@ impl MovingAngle {
         change.is_finite().then_some(before.value + change)
     }
 
-    /// The angle on the turn nearest to the prediction, or to the angle before if there is none.
+    /// The angle unwrapped to the prediction, or to the angle before if there is none.
     fn unwrapped(self, before: Self, step: f64) -> f64 {
         let near = self.predicted(before, step).unwrap_or(before.value);
-        nearest_turn(self.value, near)
+        unwrapped_to(self.value, near)
     }
 
-    /// Whether the angle is so close to the prediction that its turn is certain.
+    /// Whether the angle is so close to the prediction that its revolution is certain.
     fn follows(self, before: Self, step: f64) -> bool {
         match self.predicted(before, step) {
             Some(_) => self.is_within(PREDICTION, before, step),
@@ -264,12 +266,18 @@ impl MovingAngle {
     }
 }
 
-/// The angle on the turn closest to another angle. Half a turn apart, where rounding would decide, it stays on the smaller turn.
-fn nearest_turn(angle: f64, near: f64) -> f64 {
+/// The angle unwrapped to another angle. Half a revolution apart, where rounding would decide, it moves less.
+fn unwrapped_to(angle: f64, near: f64) -> f64 {
     if (near - angle).abs() <= PI {
         return angle;
     }
-    let turns = (near - angle) / TAU;
-    let turns = Float::ceil(turns.abs() - 0.5 - AMBIGUOUS).max(0.0).copysign(turns);
-    if turns == 0.0 { angle } else { angle + turns * TAU }
+    let revolutions = (near - angle) / TAU;
+    let revolutions = Float::ceil(revolutions.abs() - 0.5 - AMBIGUOUS)
+        .max(0.0)
+        .copysign(revolutions);
+    if revolutions == 0.0 {
+        angle
+    } else {
+        angle + revolutions * TAU
+    }
 }

@@ -1,9 +1,10 @@
 //! Gaps between two rows that both close.
 //!
-//! At both ends of a gap an unknown y is a root of the distance d from the end: y' grows with 1/√d and has opposite signs on the two
-//! sides, while y'' is large and of the same sign. So the change of y' between two rows disagrees with the one that y'' at both rows
-//! predicts, by more than y' itself. On a smooth curve, the difference falls with the third power of the step. Steps that disagree are halved until
-//! they agree, or until a place that does not close is met.
+//! At both ends of a gap an unknown y is a root of the distance d from the end: y' grows with 1/√d and has opposite
+//! signs on the two sides, while y'' is large and of the same sign. So the change of y' between two rows disagrees with
+//! the one that y'' at both rows predicts, by more than y' itself. On a smooth curve, the difference falls with the
+//! third power of the step. Steps that disagree are halved until they agree, or until a point that does not close is
+//! met.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -27,9 +28,9 @@ const SUSPECT: f64 = 0.5;
 /// A disagreement by rounding errors, as a part of the value.
 const ROUNDING: f64 = 1e-12;
 /// The shortest step, as a part of the way between two rows. A narrower gap counts as a change point.
-const SHORTEST: f64 = 1e-9;
+const SHORTEST_STEP: f64 = 1e-9;
 /// The most poses between two rows. A kink of a law takes about sixty.
-const MOST: usize = 500;
+const MOST_POSES: usize = 500;
 
 /// The pairs of rows that may have a gap between them, by the rows in front of it.
 pub(super) fn suspects(sweep: &UntypedSweep<'_>, table: &Table) -> Vec<usize> {
@@ -51,7 +52,7 @@ pub(super) fn suspects(sweep: &UntypedSweep<'_>, table: &Table) -> Vec<usize> {
     if orders < 3 || !time.is_finite() {
         return rows.filter(|row| closes(table, *row)).collect();
     }
-    let places = table.values(table.variable);
+    let variables = table.values(table.variable);
     let first = table.first_unknown(description);
     let columns = |unknown: usize| {
         let column = first + unknown * orders;
@@ -70,7 +71,7 @@ pub(super) fn suspects(sweep: &UntypedSweep<'_>, table: &Table) -> Vec<usize> {
     let any = |unknown: usize| {
         let (velocity, acceleration) = columns(unknown);
         Vectors::widest().run(AnyDisagrees {
-            places,
+            variables,
             velocity,
             acceleration,
             time,
@@ -81,7 +82,7 @@ pub(super) fn suspects(sweep: &UntypedSweep<'_>, table: &Table) -> Vec<usize> {
     }
     let pair = |column: &[f64], row: usize| [column[row], column[row + 1]];
     let has_gap = |row: &usize| {
-        let step = places[row + 1] - places[*row];
+        let step = variables[row + 1] - variables[*row];
         unknowns.clone().any(|unknown| {
             let (velocity, acceleration) = columns(unknown);
             disagrees(time * step, pair(velocity, *row), pair(acceleration, *row))
@@ -92,8 +93,9 @@ pub(super) fn suspects(sweep: &UntypedSweep<'_>, table: &Table) -> Vec<usize> {
 
 /// Whether there may be a gap on the straight line between the inputs of two rows of columns.
 ///
-/// The rates of the only input turn those of the unknowns into derivatives with respect to the input, unless the input stands still. All other
-/// pairs are solved again. An angle that moves by more than half a turn does not say in which direction.
+/// The rates of the only input convert those of the unknowns into derivatives with respect to the input, unless the
+/// input stands still. All other pairs are solved again. An angle that moves by more than half a revolution does not
+/// say in which direction.
 fn may_part(description: &Description<'_>, table: &Table, row: usize) -> bool {
     let orders = description.order + 1;
     let pair = |quantity: usize, order: usize| {
@@ -140,10 +142,10 @@ fn disagrees(time: f64, [one, other]: [f64; 2], [first, last]: [f64; 2]) -> bool
 
 /// The question whether any step of a column disagrees.
 struct AnyDisagrees<'a> {
-    places: &'a [f64],
+    variables: &'a [f64],
     velocity: &'a [f64],
     acceleration: &'a [f64],
-    /// The time for each unit of the places.
+    /// The time for each unit of the variable.
     time: f64,
 }
 
@@ -153,7 +155,7 @@ impl Kernel for AnyDisagrees<'_> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<const W: usize, const FUSED: bool>(self) -> bool {
-        let ends = self.places.iter().zip(&self.places[1..]);
+        let ends = self.variables.iter().zip(&self.variables[1..]);
         let velocities = self.velocity.iter().zip(&self.velocity[1..]);
         let accelerations = self.acceleration.iter().zip(&self.acceleration[1..]);
         let all = ends.zip(velocities.zip(accelerations));
@@ -167,8 +169,8 @@ fn closes(table: &Table, row: usize) -> bool {
     table.outcomes[row].is_solved() && table.outcomes[row + 1].is_solved()
 }
 
-/// A place between two rows that does not close, if there is one.
-pub(super) fn open_place(
+/// A point between two rows that does not close, if there is one.
+pub(super) fn unclosed_between(
     sweep: &UntypedSweep<'_>,
     bends: &dyn AssemblyOver<Bend>,
     [start, end]: [f64; 2],
@@ -180,11 +182,11 @@ pub(super) fn open_place(
         assembly: sweep.assembly.index()?,
         parameters: sweep.parameters.iter().copied().map(Bend::constant).collect(),
         slopes: NumberRow::from_fn(from.len(), |input| (to[input] - from[input]) / (end - start)),
-        shortest: SHORTEST * (end - start).abs(),
-        budget: MOST,
+        shortest: SHORTEST_STEP * (end - start).abs(),
+        budget: MOST_POSES,
     };
     let (left, right) = (search.bends(start)?, search.bends(end)?);
-    search.open(start, &left, end, &right)
+    search.unclosed(start, &left, end, &right)
 }
 
 struct Search<'c> {
@@ -214,7 +216,7 @@ impl Search<'_> {
         found.is_ok().then_some(unknowns)
     }
 
-    fn open(&mut self, start: f64, left: &[Bend], end: f64, right: &[Bend]) -> Option<f64> {
+    fn unclosed(&mut self, start: f64, left: &[Bend], end: f64, right: &[Bend]) -> Option<f64> {
         let step = end - start;
         let is_suspect = left.iter().zip(right).any(|(left, right)| {
             let [value, one, first] = left.derivatives();
@@ -230,7 +232,7 @@ impl Search<'_> {
         let Some(between) = self.bends(middle) else {
             return Some(middle);
         };
-        self.open(start, left, middle, &between)
-            .or_else(|| self.open(middle, &between, end, right))
+        self.unclosed(start, left, middle, &between)
+            .or_else(|| self.unclosed(middle, &between, end, right))
     }
 }

@@ -1,4 +1,5 @@
-//! Questions to a sweep that does not say yet how its inputs move. Each leads the compiler to a message that names what is missing.
+//! Questions to a sweep that does not say yet how its inputs move. Each leads the compiler to a message that names what
+//! is missing.
 //!
 //! No program can ask them: they ask for a condition that never holds.
 

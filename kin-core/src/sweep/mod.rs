@@ -6,16 +6,16 @@
 //! use kin_core::prelude::*;
 //!
 //! let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
-//! // a turn of the crank at 10 rad/s, in 361 rows
-//! let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 361).speed(10.0);
+//! // a revolution of the crank at 10 rad/s, in 361 rows
+//! let sweep = linkage.sweep(Assembly::Open).over(0.0..=TAU, 361).speed(10.0);
 //!
 //! // as poses, one after the other
-//! for pose in turn.rows() {
+//! for pose in sweep.rows() {
 //!     println!("{}", pose?.theta4.acceleration());
 //! }
 //!
 //! // as a table
-//! let table = turn.table()?;
+//! let table = sweep.table()?;
 //! let jerk = table.column("theta4_jerk")?;
 //! assert_eq!(jerk.len(), 361);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -30,13 +30,13 @@
 //! | along columns | [`along`](Assembled::along) |
 //!
 //! # The assembly
-//! A sweep stays in its assembly. Blocks with a closed form find it in every row. Blocks of coupled equations start near the given
-//! values, and are [tracked](crate::track()) from row to row. They stay in their circuit: where it ends the sweep ends too, and rows
-//! beyond the gap do not close again.
+//! A sweep stays in its assembly. Blocks with a closed form find it in every row. Blocks of coupled equations start
+//! near the given values, and are [tracked](crate::track()) from row to row. They stay in their circuit: where it ends
+//! the sweep ends too, and rows beyond the gap do not close again.
 //!
-//! Angles continue over turns, whatever the number of rows: a crank that has turned twice stands at 4π. The rates predict each angle from
-//! row to row, and steps that are too long for it are halved. Angles of outputs continue in the same way, and what is calculated from an
-//! angle, as the position of a rack, follows it.
+//! Angles are unwrapped, whatever the number of rows: a crank stands at 4π after two revolutions. The rates predict
+//! each angle from row to row, and steps that are too long for it are halved. Angles of outputs continue in the same
+//! way, and what is calculated from an angle, as the position of a rack, follows it.
 
 mod adaptive;
 mod columns;
@@ -93,8 +93,8 @@ use crate::number::{ClosedRange, Row};
 pub trait Swept: Mechanism<Scalar = f64> {
     /// A sweep of this mechanism in an assembly. The next word says how its inputs move.
     ///
-    /// For a mechanism with coupled blocks, the assembly is [`Near`](crate::Near) values of the unknowns at the first row. A mechanism with
-    /// a single position has a method of the same name without this argument: `lift.sweep()`.
+    /// For a mechanism with coupled blocks, the assembly is [`Near`](crate::Near) values of the unknowns at the first
+    /// row. A mechanism with a single position has a method of the same name without this argument: `lift.sweep()`.
     fn sweep(&self, assembly: Self::Assembly) -> Assembled<Self> {
         Assembled {
             mechanism: *self,
@@ -138,11 +138,11 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
         }
     }
 
-    /// Over a range of the only input, in a number of rows at equal distances; the first and the last stand at the ends of the range. The
-    /// range may run downwards, and the input then moves downwards in time.
+    /// Over a range of the only input, in a number of rows at equal distances; the first and the last stand at the ends
+    /// of the range. The range may run downwards, and the input then moves downwards in time.
     ///
-    /// The speed is 1 unless [`speed`](Sweep::speed) tells another one, so that rates are per unit of the way. A mechanism of several
-    /// inputs takes [`between`](Self::between).
+    /// The speed is 1 unless [`speed`](Sweep::speed) gives another one, so that rates are per unit of the way. A
+    /// mechanism of several inputs takes [`between`](Self::between).
     pub fn over(self, range: impl ClosedRange, rows: usize) -> Sweep<M, StraightLine>
     where
         M::Inputs<f64>: OneInput,
@@ -151,15 +151,15 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
         self.between(from, to, rows)
     }
 
-    /// Over the straight line between two places in the space of the inputs. The variable of the sweep is the first input that moves, and
-    /// the others move in proportion.
+    /// Over the straight line between two points in the space of the inputs. The variable of the sweep is the first
+    /// input that moves, and the others move in proportion.
     ///
     /// ```
     /// use kin_core::library::FiveBar;
     /// use kin_core::prelude::*;
     ///
     /// let robot = FiveBar { ground: 2.0, left: 1.5, left_rod: 2.0, right_rod: 2.0, right: 1.5 };
-    /// // the left crank at 3 rad/s, the right one turns the other way
+    /// // the left crank at 3 rad/s, the right one rotates the other way
     /// let move_up = robot.sweep(Assembly::Open).between([1.0, 2.0], [2.0, 1.0], 100).speed(3.0);
     /// let table = move_up.table()?;
     /// assert_eq!(table.column("beta_velocity")?[0], -3.0);
@@ -173,8 +173,9 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
 
     /// Over a range of the time, with a function that gives the motion of every input: an array of what `solve` takes.
     ///
-    /// Only the poses of the rows are read. [Extremes](crate::extremes) between them need [`by_formula`](Self::by_formula) or
-    /// [`under_laws`](Self::under_laws), which know derivatives above the order of the mechanism.
+    /// Only the poses of the rows are read. [Extremes](crate::extremes) between them need
+    /// [`by_formula`](Self::by_formula) or [`under_laws`](Self::under_laws), which know derivatives above the order of
+    /// the mechanism.
     ///
     /// ```
     /// use kin_core::library::SliderCrank;
@@ -182,7 +183,8 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     ///
     /// let press = SliderCrank { r: 0.1, l: 0.3 };
     /// // the crank speeds up from rest by 2 rad/s²
-    /// let start = press.sweep(Assembly::Open).over_time(0.0..=1.0, 101, |t| [Motion::polynomial(&[0.0, 0.0, 1.0], t)]);
+    /// let crank = |t| [Motion::polynomial(&[0.0, 0.0, 1.0], t)];
+    /// let start = press.sweep(Assembly::Open).over_time(0.0..=1.0, 101, crank);
     /// assert_eq!(start.table()?.column("theta_velocity")?[100], 2.0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -195,8 +197,8 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
         self.sweep(OverTime::new::<M>(motions), range, rows)
     }
 
-    /// Over a range of the time, with a formula that gives the value of every input. It is calculated in numbers that carry their
-    /// derivatives, so the formula says nothing of rates.
+    /// Over a range of the time, with a formula that gives the value of every input. It is calculated in numbers that
+    /// carry their derivatives, so the formula says nothing of rates.
     ///
     /// ```
     /// use kin_core::library::SliderCrank;
@@ -205,7 +207,9 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     /// let press = SliderCrank { r: 0.1, l: 0.3 };
     /// // the crank swings by half a radian about one, twice a second
     /// let frequency = 2.0 * std::f64::consts::TAU;
-    /// let swing = press.sweep(Assembly::Open).by_formula(0.0..=0.5, 101, |time| [1.0 + 0.5 * (frequency * time).sin()]);
+    /// let swing = press
+    ///     .sweep(Assembly::Open)
+    ///     .by_formula(0.0..=0.5, 101, |time| [1.0 + 0.5 * (frequency * time).sin()]);
     /// println!("{} m/s³", swing.of("s_jerk").peak()?);
     /// # Ok::<(), kin_core::extremes::ExtremesError>(())
     /// ```
@@ -218,8 +222,8 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
         self.sweep(ByFormula::new::<M>(formula), range, rows)
     }
 
-    /// Over a range of the time, with a [motion law](crate::law) for each input, in brackets. A law whose value jumps inside of the range
-    /// is an error of every question to the sweep, unless an angle jumps by whole turns.
+    /// Over a range of the time, with a [motion law](crate::law) for each input, in brackets. A law whose value jumps
+    /// inside of the range is an error of every question to the sweep, unless an angle jumps by whole revolutions.
     ///
     /// ```
     /// use kin_core::law::{Rise, Shape};
@@ -246,10 +250,11 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
         )
     }
 
-    /// Along columns: one for each order of each input, as a [batch](crate::batch) takes them. The number of rows is the length of the first column
-    /// that has one.
+    /// Along columns: one for each order of each input, as a [batch](crate::batch) takes them. The number of rows is
+    /// the length of the first column that has one.
     ///
-    /// Limits between two rows are those on the straight line between their inputs, and their places are parts of the way from one row to the next.
+    /// Limits between two rows are those on the straight line between their inputs, and their positions are parts of
+    /// the way from one row to the next.
     #[expect(clippy::cast_precision_loss, reason = "a table has far fewer rows than 2⁵³")]
     pub fn along(self, columns: InputMotions<M, Column<'_>>) -> Sweep<M, Along<'_>> {
         let along = Along::new::<M>(&columns);
@@ -259,8 +264,9 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
 }
 
 impl<M: Mechanism<Scalar = f64>> Sweep<M, StraightLine> {
-    /// The speed of the input, or of the first input that moves, in the direction of the range: over a range that runs downwards, its velocity
-    /// is negative. A negative speed moves against the range, so that the last row is the first one in time.
+    /// The speed of the input, or of the first input that moves, in the direction of the range: over a range that runs
+    /// downwards, its velocity is negative. A negative speed moves against the range, so that the last row is the first
+    /// one in time.
     ///
     /// ```
     /// use kin_core::library::SliderCrank;
@@ -292,9 +298,9 @@ impl<M: Mechanism<Scalar = f64>, D: Drive> Sweep<M, D> {
 
     /// The poses, one after the other.
     ///
-    /// A row that does not close is an error with its margin. Where a coupled block does not close, the margin is the distance of the
-    /// inputs to the end of their circuit. Where the way to a row was too long to be tracked, the error is
-    /// [`NotConverged`](crate::Failure::NotConverged), which has no margin, and whose condition is NaN.
+    /// A row that does not close is an error with its margin. Where a coupled block does not close, the margin is the
+    /// distance of the inputs to the end of their circuit. Where the way to a row was too long to be tracked, the error
+    /// is [`NotConverged`](crate::Failure::NotConverged), which has no margin, and whose condition is NaN.
     #[must_use]
     pub fn rows(&self) -> Rows<'_, M, D> {
         Rows::new(self)

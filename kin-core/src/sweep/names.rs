@@ -30,7 +30,7 @@ impl NoSuchColumn {
         let count = all.len();
         // as many changes as a third of the name, or a name that the other begins with
         let is_near = |entry: &(usize, String)| 3 * entry.0 <= bare.len() + 2 || entry.1.starts_with(bare);
-        all.sort_by_key(|(distance, own)| (!own.starts_with(bare), *distance));
+        all.sort_by_key(|(distance, name)| (!name.starts_with(bare), *distance));
         let near = all.into_iter().filter(is_near).map(|(_, column)| column).take(3);
         Self {
             name: name.to_string(),
@@ -40,12 +40,12 @@ impl NoSuchColumn {
     }
 }
 
-/// The number of letters to be inserted, left out or replaced. (V. I. Levenshtein, Binary codes capable of correcting deletions,
-/// insertions, and reversals, Soviet Physics Doklady 10, 1966, 707-710.)
+/// The number of letters to be inserted, left out or replaced. (V. I. Levenshtein, Binary codes capable of correcting
+/// deletions, insertions, and reversals, Soviet Physics Doklady 10, 1966, 707-710.)
 fn distance(one: &str, other: &str) -> usize {
     let mut row: Vec<usize> = (0..=other.chars().count()).collect();
-    for (place, letter) in one.chars().enumerate() {
-        let mut next = vec![place + 1];
+    for (index_in_one, letter) in one.chars().enumerate() {
+        let mut next = vec![index_in_one + 1];
         for (index, candidate) in other.chars().enumerate() {
             let replaced = row[index] + usize::from(letter != candidate);
             next.push(replaced.min(row[index + 1] + 1).min(next[index] + 1));

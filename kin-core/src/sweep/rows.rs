@@ -47,7 +47,8 @@ impl<M: Mechanism<Scalar = f64>, D: Drive> Iterator for Rows<'_, M, D> {
         self.given.resize(sweep.description.inputs.len() * orders, 0.0);
         sweep.drive.motions(at, orders, &mut self.given);
         let motions: InputMotions<M, f64> = motions(&self.given);
-        // The walk tells which position it is. As a rule it is that of the assembly, whose pose the walk then needs not solve again.
+        // The walk decides which position it is. As a rule it is that of the assembly, whose pose the walk then needs
+        // not solve again.
         let mut known = None;
         if sweep.has_assemblies() || walk.last.is_none() {
             known = typed.mechanism.solve(motions, typed.assembly).ok();

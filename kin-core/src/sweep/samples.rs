@@ -3,7 +3,7 @@
 use crate::geometry::Plane;
 use crate::library::{ClassThreeTriad, FourBar};
 
-/// Its crank turns fully.
+/// Its crank makes full revolutions.
 pub(crate) const CRANK_ROCKER: FourBar = FourBar {
     r1: 90.0,
     r2: 30.0,
@@ -19,7 +19,8 @@ pub(crate) const LIMITED: FourBar = FourBar {
     r4: 45.0,
 };
 
-/// Two equilateral triangles, of which the legs turn one: l² = R² + ρ² - 2 R ρ cos phi for legs of the length l, with R = 2 and ρ = 1.
+/// Two equilateral triangles, of which the legs rotate one: l² = R² + ρ² - 2 R ρ cos phi for legs of the length l, with
+/// R = 2 and ρ = 1.
 pub(crate) fn triad() -> ClassThreeTriad {
     let root = 3.0_f64.sqrt();
     ClassThreeTriad {

@@ -12,12 +12,14 @@ use crate::quantity::Dimension;
 
 /// The poses of a sweep as named columns of numbers.
 ///
-/// The columns are the inputs, the unknowns and the outputs, each in all orders: `theta4`, `theta4_velocity`, `theta4_acceleration`,
-/// `theta4_jerk`, `theta4_snap`. A sweep over time has the column `time` before them. A point `p` has the columns `p.x`, `p.y` and so on.
-/// Angles are in radians unless [`in_degrees`](Self::in_degrees) converts them.
+/// The columns are the inputs, the unknowns and the outputs, each in all orders: `theta4`, `theta4_velocity`,
+/// `theta4_acceleration`, `theta4_jerk`, `theta4_snap`. A sweep over time has the column `time` before them. A point
+/// `p` has the columns `p.x`, `p.y` and so on. Angles are in radians unless [`in_degrees`](Self::in_degrees) converts
+/// them.
 ///
-/// Where the mechanism does not close, the columns of unknowns and outputs are NaN, [`outcome`](Self::outcome) says why, and
-/// [`margin`](Self::margin) by how much. [`limits`](Self::limits) are the exact places between rows where it ceases to close.
+/// Where the mechanism does not close, the columns of unknowns and outputs are NaN, [`outcome`](Self::outcome) says
+/// why, and [`margin`](Self::margin) by how much. [`limits`](Self::limits) are the exact points between rows where it
+/// ceases to close.
 ///
 /// ```
 /// use kin_core::library::FourBar;
@@ -75,7 +77,8 @@ impl Table {
         self.count
     }
 
-    /// The values of a column, one for each row. The column is called by its name, or by its heading in a file: `theta4 [rad]`.
+    /// The values of a column, one for each row. The column is called by its name, or by its heading in a file:
+    /// `theta4 [rad]`.
     ///
     /// # Errors
     /// [`NoSuchColumn`], with names that may have been meant.
@@ -107,22 +110,22 @@ impl Table {
         self.outcomes.get(row).copied()
     }
 
-    /// The missing length of a row that does not close, as a negative number. For coupled blocks, which have no margin, it is the distance
-    /// of the inputs to the end of their circuit, in the unit of the inputs.
+    /// The missing length of a row that does not close, as a negative number. For coupled blocks, which have no margin,
+    /// it is the distance of the inputs to the end of their circuit, in the unit of the inputs.
     #[must_use]
     pub fn margin(&self, row: usize) -> Option<f64> {
         self.outcomes.get(row).and_then(Outcome::margin)
     }
 
-    /// The places between rows where the mechanism begins or ceases to close, in the order of the rows. A gap that lies between two rows which
-    /// both close has two.
+    /// The points between rows where the mechanism begins or ceases to close, in the order of the rows. A gap that lies
+    /// between two rows which both close has two.
     #[must_use]
     pub fn limits(&self) -> &[Limit] {
         &self.limits
     }
 
-    /// The numbers of a limit, in the order and the units of the columns: the inputs and the unknowns. Rates and outputs, which may have no
-    /// value there, are NaN.
+    /// The numbers of a limit, in the order and the units of the columns: the inputs and the unknowns. Rates and
+    /// outputs, which may have no value there, are NaN.
     pub fn values_at<'t>(&'t self, limit: &'t Limit) -> impl Iterator<Item = f64> + 't {
         let mut values = limit.inputs.iter().chain(&limit.unknowns);
         self.labels.iter().enumerate().map(move |(index, label)| {
@@ -142,7 +145,7 @@ impl Table {
         })
     }
 
-    /// The table with degrees in the place of radians, in every column of an angle or of its derivatives, and in its limits.
+    /// The table with degrees instead of radians, in every column of an angle or of its derivatives, and in its limits.
     #[must_use]
     pub fn in_degrees(mut self) -> Self {
         if self.in_degrees {
@@ -185,8 +188,8 @@ impl Table {
         self
     }
 
-    /// The table with one more column of numbers, as [`column`](crate::extremes::QuantityAlong::column) gives them, behind all others. Rows
-    /// without a number have NaN. Later changes of the units of the table do not concern it.
+    /// The table with one more column of numbers, as [`column`](crate::extremes::QuantityAlong::column) gives them,
+    /// behind all others. Rows without a number have NaN. Later changes of the units of the table do not concern it.
     ///
     /// ```
     /// use kin_core::library::FourBar;
@@ -234,7 +237,7 @@ impl Table {
         ColumnOf {
             label,
             unit: Unit {
-                own: self.labels[index].unit.as_deref(),
+                given: self.labels[index].unit.as_deref(),
                 dimension: label.dimension,
                 order: label.order,
                 is_time: label.is_variable && label.name == "time",

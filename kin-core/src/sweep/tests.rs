@@ -17,13 +17,13 @@ use crate::mechanism::{Mechanism, OneInput};
 use crate::motion::Motion;
 use crate::number::{Number, samples};
 
-/// The table and the iterator hold the same poses, up to the rounding of lanes and whole turns.
+/// The table and the iterator hold the same poses, up to the rounding of lanes and whole revolutions.
 #[test]
 fn table_and_rows_agree() {
-    let turn = CRANK_ROCKER.sweep(Assembly::Open).over(-1.0..=TAU, 100).speed(-10.0);
-    let table = turn.table().unwrap();
+    let sweep = CRANK_ROCKER.sweep(Assembly::Open).over(-1.0..=TAU, 100).speed(-10.0);
+    let table = sweep.table().unwrap();
     assert_eq!(table.count(), 100);
-    for (row, pose) in turn.rows().enumerate() {
+    for (row, pose) in sweep.rows().enumerate() {
         let pose = pose.unwrap();
         for (name, motion) in [
             ("theta2", pose.theta2),
@@ -46,23 +46,23 @@ fn table_and_rows_agree() {
     assert!(table.limits().is_empty());
 }
 
-/// A coupler that turns fully, of a double crank, ends a turn further for each turn of the crank.
+/// The coupler of a double crank makes full revolutions: it ends one further for each of the crank.
 #[test]
-fn angles_continue_over_turns() {
+fn angles_are_unwrapped() {
     let double_crank = FourBar {
         r1: 30.0,
         r2: 90.0,
         r3: 70.0,
         r4: 60.0,
     };
-    let turns = double_crank.sweep(Assembly::Open).over(0.0..=3.0 * TAU, 301);
-    let table = turns.table().unwrap();
+    let sweep = double_crank.sweep(Assembly::Open).over(0.0..=3.0 * TAU, 301);
+    let table = sweep.table().unwrap();
     let rocker = table.column("theta4").unwrap();
     assert!((rocker[300] - rocker[0] - 3.0 * TAU).abs() < 1e-12);
     for pair in rocker.windows(2) {
         assert!((pair[1] - pair[0]).abs() < 0.5);
     }
-    let poses: Vec<f64> = turns.rows().map(|pose| pose.unwrap().theta4.position()).collect();
+    let poses: Vec<f64> = sweep.rows().map(|pose| pose.unwrap().theta4.position()).collect();
     for (one, other) in poses.iter().zip(rocker) {
         assert!((one - other).abs() < 1e-12);
     }
@@ -122,7 +122,7 @@ fn limits_under_a_law_have_a_time() {
 
 /// A table does not depend on the blocks in which it is solved, and coupled blocks report theirs.
 #[test]
-fn progress_is_told() {
+fn progress_is_reported() {
     let sweep = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 70_000).speed(10.0);
     let mut parts = std::vec![];
     let table = sweep.table_with_progress(|part| parts.push(part)).unwrap();
@@ -147,8 +147,8 @@ fn progress_is_told() {
     assert_eq!(parts, [0.25, 0.5, 0.75, 1.0]);
 }
 
-/// Beyond the end of its circuit a coupled block stays open, for every kind of sweep: its rows, its table and its adaptive table. Each row
-/// tells the distance of the input that is farthest from the end.
+/// Beyond the end of its circuit a coupled block stays unclosed, for every kind of sweep: its rows, its table and its
+/// adaptive table. Each row gives the distance of the input that is farthest from the end.
 #[test]
 fn coupled_blocks_do_not_enter_again() {
     let leg = 5.0_f64.sqrt();
@@ -179,13 +179,9 @@ fn coupled_blocks_do_not_enter_again() {
     }
     // the last rows have legs as long as the first ones
     assert!(is_over && (table.column("a").unwrap()[30] - leg).abs() < 1e-12);
-    let places = adaptive.variable().values;
-    for (row, place) in places.iter().enumerate() {
-        assert_eq!(
-            adaptive.outcome(row).unwrap().is_solved(),
-            *place <= limit.at,
-            "{place}"
-        );
+    let variables = adaptive.variable().values;
+    for (row, at) in variables.iter().enumerate() {
+        assert_eq!(adaptive.outcome(row).unwrap().is_solved(), *at <= limit.at, "{at}");
     }
     assert_eq!(adaptive.limits().len(), 1);
     // extremes and means end there as well
@@ -198,12 +194,12 @@ fn coupled_blocks_do_not_enter_again() {
 #[test]
 fn tables_are_filled_again() {
     let limited = LIMITED.sweep(Assembly::Open).over(-3.0..=3.0, 100).speed(5.0);
-    let turn = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 73);
+    let sweep = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 73);
     let rise = Rise::new(Shape::Cycloidal, 0.0, 3.0, 1.0).unwrap();
     let law = LIMITED.sweep(Assembly::Open).under_laws([&rise], 0.0..=1.0, 100);
     let mut table = limited.table().unwrap().in_degrees().units("mm", "s");
-    turn.fill_table(&mut table).unwrap();
-    assert_eq!(table, turn.table().unwrap());
+    sweep.fill_table(&mut table).unwrap();
+    assert_eq!(table, sweep.table().unwrap());
     law.fill_table(&mut table).unwrap();
     limited.fill_table(&mut table).unwrap();
     // NaN differs from itself
@@ -214,7 +210,7 @@ fn tables_are_filled_again() {
     law.fill_table(&mut table).unwrap();
     assert_eq!(std::format!("{table:?}"), std::format!("{:?}", law.table().unwrap()));
     assert!(
-        turn.count() == 73
+        sweep.count() == 73
             && CRANK_ROCKER
                 .sweep(Assembly::Open)
                 .over(0.0..=1.0, 0)
@@ -223,7 +219,8 @@ fn tables_are_filled_again() {
     );
 }
 
-/// A gap about the stretched position, narrower than a step, is found wherever the rows lie, and nothing where there is none.
+/// A gap about the stretched position, narrower than a step, is found wherever the rows lie, and nothing where there is
+/// none.
 #[test]
 fn gaps_between_rows_are_found() {
     for rest in [1e-2, 1e-4, 1e-6] {
@@ -282,7 +279,8 @@ fn gaps_between_rows_are_found() {
     }
 }
 
-/// Also along columns, where the inputs move on straight lines from row to row: with rates, at rest, and with several inputs.
+/// Also along columns, where the inputs move on straight lines from row to row: with rates, at rest, and with several
+/// inputs.
 #[test]
 fn gaps_along_columns_are_found() {
     let linkage = FourBar {
@@ -315,7 +313,7 @@ fn gaps_along_columns_are_found() {
                         exact.at
                     );
                 }
-                // the place is a part of the way between two rows
+                // the position is a part of the way between two rows
                 let row = first.row;
                 let part = (first.inputs[0] - column[row]) / (column[row + 1] - column[row]);
                 assert!(
@@ -325,7 +323,7 @@ fn gaps_along_columns_are_found() {
             }
         }
     }
-    // an angle that jumps by a turn goes nowhere, and a full turn has no gap
+    // an angle that jumps by a revolution goes nowhere, and a full revolution has no gap
     for speed in [7.0, 0.0] {
         let angles: Vec<f64> = (0..200).map(|row| (f64::from(row) * 0.1) % TAU).collect();
         let mut crank = Motion::<Column<'_>>::new([0.0; 5].map(Column::Same));
@@ -361,7 +359,7 @@ fn gaps_along_columns_are_found() {
         motion
     });
     let along = robot.sweep(Assembly::Open).along(motions).table().unwrap();
-    let places = |table: &Table| -> Vec<Vec<f64>> { table.limits().iter().map(|limit| limit.inputs.clone()).collect() };
+    let inputs = |table: &Table| -> Vec<Vec<f64>> { table.limits().iter().map(|limit| limit.inputs.clone()).collect() };
     assert_eq!(
         along.limits().len(),
         line.limits().len(),
@@ -369,7 +367,7 @@ fn gaps_along_columns_are_found() {
         along.limits(),
         line.limits()
     );
-    for (one, other) in places(&along).iter().zip(&places(&line)) {
+    for (one, other) in inputs(&along).iter().zip(&inputs(&line)) {
         assert!(
             one.iter().zip(other).all(|(one, other)| (one - other).abs() < 1e-12),
             "{one:?} {other:?}"
@@ -391,8 +389,8 @@ fn gaps_over_time_are_found() {
     for table in [sweep.table().unwrap(), adaptive] {
         assert_eq!(table.limits().len(), 2);
         for (limit, exact) in table.limits().iter().zip(exact.limits()) {
-            let place: Motion<f64, 1> = rise.at(limit.at);
-            assert!((place[0] - exact.at).abs() < 1e-12);
+            let input: Motion<f64, 1> = rise.at(limit.at);
+            assert!((input[0] - exact.at).abs() < 1e-12);
         }
     }
 }
@@ -430,7 +428,7 @@ fn a_coupled_block_stays_in_its_circuit() {
     assert!(last > 1 && last < 20);
     assert!((last..41).all(|row| !table.outcome(row).unwrap().is_solved()));
     let [limit] = table.limits() else { panic!("one limit") };
-    // the shortest legs are 2 - 1 long, where the platform has turned by nothing
+    // the shortest legs are 2 - 1 long, where the platform has not rotated
     assert!((limit.inputs[0] - 1.0).abs() < 1e-9, "{limit:?}");
     for row in last..41 {
         let length = table.column("a").unwrap()[row];
@@ -507,9 +505,9 @@ fn directions_are_columns_of_angles() {
 
 #[test]
 fn adaptive_rows_are_within_the_tolerance() {
-    let turn = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 9).speed(10.0);
-    let table = turn.adaptive_table(1e-3, 4, 5000).unwrap();
-    let places = table.variable().values;
+    let sweep = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 9).speed(10.0);
+    let table = sweep.adaptive_table(1e-3, 4, 5000).unwrap();
+    let variables = table.variable().values;
     for name in ["theta3", "theta4_velocity", "theta4_snap"] {
         let values = table.column(name).unwrap();
         let range = |values: &[f64]| {
@@ -523,21 +521,21 @@ fn adaptive_rows_are_within_the_tolerance() {
             .unwrap();
         let mut row = 0;
         for (at, exact) in dense.variable().values.iter().zip(dense.column(name).unwrap()) {
-            while places[row + 1] < *at {
+            while variables[row + 1] < *at {
                 row += 1;
             }
-            let part = (at - places[row]) / (places[row + 1] - places[row]);
+            let part = (at - variables[row]) / (variables[row + 1] - variables[row]);
             let line = values[row] + part * (values[row + 1] - values[row]);
             assert!((line - exact).abs() < 1.3e-3 * range(values), "{name} at {at}");
         }
     }
-    let few = turn.adaptive_table(1e-3, 4, 50).unwrap_err();
+    let few = sweep.adaptive_table(1e-3, 4, 50).unwrap_err();
     assert!(matches!(few, SweepError::TooManyRows { most: 50, deviation, .. } if deviation > 1e-3));
-    let all = turn.adaptive_table(1e-3, 4, table.count()).unwrap();
+    let all = sweep.adaptive_table(1e-3, 4, table.count()).unwrap();
     assert_eq!(all.count(), table.count());
-    let one_less = turn.adaptive_table(1e-3, 4, table.count() - 1).unwrap_err();
+    let one_less = sweep.adaptive_table(1e-3, 4, table.count() - 1).unwrap_err();
     assert!(matches!(one_less, SweepError::TooManyRows { .. }));
-    let more = turn.adaptive_table(1e3, 4, 8).unwrap_err();
+    let more = sweep.adaptive_table(1e3, 4, 8).unwrap_err();
     assert_eq!(more, SweepError::MoreRows { most: 8, rows: 9 });
     // the sides of a limit come close to it
     let table = LIMITED
@@ -558,11 +556,11 @@ fn adaptive_rows_are_within_the_tolerance() {
     assert!((at - limit.at).abs() < 0.2, "{few}");
 }
 
-/// Two rows of a full turn hold the same pose, and say nothing of the range of a column.
+/// Two rows of a full revolution hold the same pose, and say nothing of the range of a column.
 #[test]
 fn a_turn_in_two_rows_becomes_dense() {
-    let turn = |rows| CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, rows).speed(10.0);
-    let [few, many] = [2, 25].map(|rows| turn(rows).adaptive_table(1e-3, 2, 10_000).unwrap());
+    let sweep = |rows| CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, rows).speed(10.0);
+    let [few, many] = [2, 25].map(|rows| sweep(rows).adaptive_table(1e-3, 2, 10_000).unwrap());
     assert!(
         few.count() > many.count() / 2 && few.count() < 2 * many.count(),
         "{} {}",
@@ -570,7 +568,7 @@ fn a_turn_in_two_rows_becomes_dense() {
         many.count()
     );
     // one row is all that one row can become
-    assert_eq!(turn(1).adaptive_table(1e-3, 2, 10_000).unwrap().count(), 1);
+    assert_eq!(sweep(1).adaptive_table(1e-3, 2, 10_000).unwrap().count(), 1);
 }
 
 /// The unknowns of a limit are those at the limit, also where it is the end of a range.
@@ -598,13 +596,13 @@ crate::mechanism! {
 #[test]
 fn an_angle_may_turn_many_times_between_two_rows() {
     let orbit: Orbit = Orbit { eccentricity: 0.5 };
-    let turns = 100.0 * TAU;
-    let table = orbit.sweep(Near([0.0])).over(0.0..=turns, 2).table().unwrap();
+    let angle = 100.0 * TAU;
+    let table = orbit.sweep(Near([0.0])).over(0.0..=angle, 2).table().unwrap();
     let eccentric = table.column("eccentric").unwrap()[1];
-    assert!((eccentric - turns).abs() < 1e-9, "{eccentric}");
+    assert!((eccentric - angle).abs() < 1e-9, "{eccentric}");
 }
 
-/// In one step of 3 radians the links of the other assembly are closer to the prediction, on another turn.
+/// In one step of 3 radians the links of the other assembly are closer to the prediction, on another revolution.
 #[test]
 fn a_long_step_stays_in_its_assembly() {
     let linkage = GearedFiveBar {
@@ -628,7 +626,7 @@ fn a_long_step_stays_in_its_assembly() {
 }
 
 #[test]
-fn mistakes_are_told() {
+fn mistakes_are_reported() {
     let start = CRANK_ROCKER.sweep(Assembly::Open);
     assert_eq!(start.over(0.0..=1.0, 0).table(), Err(SweepError::NoRows));
     let endless = start.over(0.0..=f64::INFINITY, 3).table().unwrap_err();
@@ -649,20 +647,20 @@ fn mistakes_are_told() {
 /// Inputs that do not move, or that nobody knows, are no sweep. Rates of zero would be answers.
 #[test]
 fn speeds_and_lines_that_are_none_are_refused() {
-    let turn = |speed: f64| CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 5).speed(speed);
-    assert_eq!(turn(0.0).table(), Err(SweepError::NoSpeed));
-    assert_eq!(turn(-0.0).of("theta4").peak(), Err(SweepError::NoSpeed.into()));
+    let sweep = |speed: f64| CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 5).speed(speed);
+    assert_eq!(sweep(0.0).table(), Err(SweepError::NoSpeed));
+    assert_eq!(sweep(-0.0).of("theta4").peak(), Err(SweepError::NoSpeed.into()));
     assert!(SweepError::NoSpeed.to_string().contains("is zero"));
     for speed in [f64::NAN, f64::INFINITY] {
-        let error = turn(speed).table().unwrap_err();
+        let error = sweep(speed).table().unwrap_err();
         assert!(
             matches!(error, SweepError::NotFinite { quantity: "speed", .. }),
             "{error}"
         );
-        assert!(turn(speed).of("theta4").mean(crate::extremes::Over::Time).is_err());
-        assert!(turn(speed).adaptive_table(1e-2, 1, 100).is_err());
+        assert!(sweep(speed).of("theta4").mean(crate::extremes::Over::Time).is_err());
+        assert!(sweep(speed).adaptive_table(1e-2, 1, 100).is_err());
     }
-    assert!(turn(-3.0).table().is_ok());
+    assert!(sweep(-3.0).table().is_ok());
     // also the inputs beside the first one that moves
     let robot = FiveBar {
         ground: 2.0,
@@ -678,14 +676,14 @@ fn speeds_and_lines_that_are_none_are_refused() {
         ] {
             let error = robot.sweep(Assembly::Open).between(from, to, 5).table().unwrap_err();
             assert!(
-                matches!(error, SweepError::NotFinite { quantity: told, .. } if told == quantity),
+                matches!(error, SweepError::NotFinite { quantity: named, .. } if named == quantity),
                 "{error}"
             );
         }
     }
 }
 
-/// A mechanism does not jump from one place to another: its velocity would have no value.
+/// A mechanism does not jump from one position to another: its velocity would have no value.
 #[test]
 fn laws_that_jump_are_refused() {
     let rise = |from, to| Rise::new(Shape::Cycloidal, from, to, 1.0).unwrap();
@@ -703,7 +701,8 @@ fn laws_that_jump_are_refused() {
     assert_eq!(under(0.0, 2.0).of("theta4_velocity").peak().unwrap_err(), jump.into());
     assert_eq!(
         jump.to_string(),
-        "the law of theta2 jumps by 1 rad (57.3°) at the time 1, and no mechanism does: let each law begin where the one before ends"
+        "the law of theta2 jumps by 1 rad (57.3°) at the time 1, and no mechanism does: let each law begin where the \
+         one before ends"
     );
     // on either side there is no jump
     assert!(under(0.0, 1.0).table().is_ok() && under(1.0, 2.0).table().is_ok());
@@ -723,12 +722,12 @@ fn laws_that_jump_are_refused() {
             "{error}"
         );
     }
-    // a crank that starts its next turn at zero goes on
-    let turn = rise(0.0, TAU).repeated();
+    // a crank that starts its next revolution at zero goes on
+    let revolution = rise(0.0, TAU).repeated();
     assert!(
         CRANK_ROCKER
             .sweep(Assembly::Open)
-            .under_laws([&turn], 0.0..=3.0, 31)
+            .under_laws([&revolution], 0.0..=3.0, 31)
             .table()
             .is_ok()
     );
@@ -743,7 +742,8 @@ fn laws_that_jump_are_refused() {
     );
 }
 
-/// Code for any mechanism gives the assembly, whatever it is; a program with a mechanism of a single position gives none.
+/// Code for any mechanism gives the assembly, whatever it is; a program with a mechanism of a single position gives
+/// none.
 #[test]
 fn a_single_position_takes_no_assembly() {
     fn rows<M: Mechanism<Scalar = f64>>(mechanism: &M, assembly: M::Assembly) -> Table

@@ -23,7 +23,7 @@ pub trait SweptMechanism: CurveFunctions + MotionOver<f64> {}
 
 impl<M: Mechanism<Scalar = f64>> SweptMechanism for Of<M> {}
 
-/// The joints of laws between two places, in the order from the first to the second.
+/// The joints of laws between two points, in the order from the first to the second.
 pub(crate) fn joints(drive: &dyn SmoothDrive, ends: [f64; 2]) -> Vec<f64> {
     let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
     let next = |after: f64| drive.next_joint(after).filter(|joint| *joint < high);
@@ -99,8 +99,8 @@ impl<'c> UntypedSweep<'c> {
         self.assembly.index().is_some()
     }
 
-    /// The motions of inputs, unknowns and outputs at given motions of the inputs, in the assembly of the sweep. `numbers` is memory to use
-    /// again.
+    /// The motions of inputs, unknowns and outputs at given motions of the inputs, in the assembly of the sweep.
+    /// `numbers` is memory to use again.
     pub(super) fn solved(&self, motions: &[f64], numbers: Vec<f64>) -> Result<Vec<f64>, SolveError> {
         self.solve(motions, self.assembly.position(), numbers)
     }
@@ -127,7 +127,7 @@ impl<'c> UntypedSweep<'c> {
         Ok(numbers)
     }
 
-    /// The unknowns of the assembly at a place.
+    /// The unknowns of the assembly at a point.
     pub(crate) fn position(&self, at: f64) -> Result<NumberRow, SolveError> {
         let mut unknowns = NumberRow::splat(self.description.unknowns.len(), 0.0);
         let (inputs, choice) = (self.inputs(at), self.assembly.position());
@@ -136,19 +136,19 @@ impl<'c> UntypedSweep<'c> {
         Ok(unknowns)
     }
 
-    /// Whether the mechanism closes at a place.
+    /// Whether the mechanism closes at a point.
     pub(super) fn closes(&self, at: f64) -> bool {
         self.position(at).is_ok()
     }
 
-    /// The last place at which the mechanism closes, from one that closes to one that does not.
-    pub(crate) fn edge(&self, mut closed: f64, mut open: f64) -> f64 {
+    /// The last point at which the mechanism closes, from one that closes to one that does not.
+    pub(crate) fn edge(&self, mut closed: f64, mut unclosed: f64) -> f64 {
         for _ in 0..EDGE {
-            let middle = f64::midpoint(closed, open);
+            let middle = f64::midpoint(closed, unclosed);
             if self.closes(middle) {
                 closed = middle;
             } else {
-                open = middle;
+                unclosed = middle;
             }
         }
         closed

@@ -1,14 +1,14 @@
 //! The angles of a table that a batch has solved, unwrapped from row to row.
 //!
-//! A batch solves each row by itself, so its angles are in -π ..= π. Most tables need nothing: the rates of both rows predict every change.
-//! Where they do not, a [walk](super::walk) goes from the row before to this one.
+//! A batch solves each row by itself, so its angles are in -π ..= π. Most tables need nothing: the rates of both rows
+//! predict every change. Where they do not, a [walk](super::walk) goes from the row before to this one.
 
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
 
 use num_traits::Float;
 
-use super::footing::{Footing, LONGEST, LONGEST_PREDICTION, PREDICTION, WITHOUT_RATES};
+use super::footing::{Footing, LONGEST_INPUT_STEP, LONGEST_PREDICTION, PREDICTION, WITHOUT_RATES};
 use super::table::Table;
 use super::untyped::{UntypedSweep, angles};
 use super::walk::Walk;
@@ -17,10 +17,12 @@ use crate::mechanism::Description;
 use crate::number::NumberRow;
 use crate::quantity::Quantity;
 
-/// The difference of a number between two turns of an angle from which on it depends on the turn, as a part of its size.
+/// The difference of a number between two revolutions of an angle from which on it depends on the revolution, as a part
+/// of its size.
 const DEPENDENCE: f64 = 1e-9;
 
-/// Unwraps all angles of a table, and writes again what depends on them. It returns the rows behind which an angle jumps.
+/// Unwraps all angles of a table, and writes again what depends on them. It returns the rows behind which an angle
+/// jumps.
 pub(super) fn unwrap(sweep: &UntypedSweep<'_>, table: &mut Table) -> Vec<usize> {
     let columns = AngleColumns {
         description: sweep.description,
@@ -34,27 +36,27 @@ pub(super) fn unwrap(sweep: &UntypedSweep<'_>, table: &mut Table) -> Vec<usize> 
     }
     let mut jumps = Vec::new();
     let mut last: Option<Footing<'_>> = None;
-    let mut open = None;
-    let mut turned = Turned(Vec::new());
+    let mut unclosed = None;
+    let mut revolutions = Revolutions(Vec::new());
     for row in 0..table.count {
         if !table.outcomes[row].is_solved() {
-            open = Some(table.values(table.variable)[row]);
+            unclosed = Some(table.values(table.variable)[row]);
             continue;
         }
         let solved = columns.footing(table, row);
         let mut footing = solved.clone();
-        let follows = last.as_ref().is_none_or(|from| footing.unwrap(from)) && open.is_none();
-        if !follows || turned.depends(&solved, &footing) != Some(false) {
+        let follows = last.as_ref().is_none_or(|from| footing.unwrap(from)) && unclosed.is_none();
+        if !follows || revolutions.depends(&solved, &footing) != Some(false) {
             let mut walk = Walk {
                 last,
-                open,
+                unclosed,
                 ..Walk::BEGINNING
             };
             if let Ok(reached) = walk.step(sweep, solved.at, &sweep.motions(solved.at)) {
                 if reached.has_jumped && table.outcomes[row - 1].is_solved() {
                     jumps.push(row - 1);
                 }
-                if turned.sees(&solved, reached) {
+                if revolutions.sees(&solved, reached) {
                     let numbers = table.data.chunks_exact_mut(table.count).skip(columns.first_input);
                     for (column, value) in numbers.zip(&reached.numbers) {
                         column[row] = *value;
@@ -64,38 +66,44 @@ pub(super) fn unwrap(sweep: &UntypedSweep<'_>, table: &mut Table) -> Vec<usize> 
             }
         }
         columns.write(table, row, &footing);
-        (last, open) = (Some(footing), None);
+        (last, unclosed) = (Some(footing), None);
     }
     jumps
 }
 
-/// The turns of the unknowns by which rows have been moved, and whether other numbers of a pose depend on them: the position of a rack
-/// does, that of a coupler point does not.
-struct Turned(Vec<(NumberRow, bool)>);
+/// The revolutions of the unknowns by which rows have been moved, and whether other numbers of a pose depend on them:
+/// the position of a rack does, that of a coupler point does not.
+struct Revolutions(Vec<(NumberRow, bool)>);
 
-impl Turned {
-    fn turns(solved: &Footing<'_>, unwrapped: &Footing<'_>) -> NumberRow {
+impl Revolutions {
+    fn between(solved: &Footing<'_>, unwrapped: &Footing<'_>) -> NumberRow {
         let (from, to) = (solved.unknowns(), unwrapped.unknowns());
         NumberRow::from_fn(to.len(), |unknown| Float::round((to[unknown] - from[unknown]) / TAU))
     }
 
-    /// Whether other numbers depend on the turns of a row, if it is known.
+    /// Whether other numbers depend on the revolutions of a row, if it is known.
     fn depends(&self, solved: &Footing<'_>, unwrapped: &Footing<'_>) -> Option<bool> {
-        let turns = Self::turns(solved, unwrapped);
-        if angles(solved.description.unknowns).all(|unknown| turns[unknown] == 0.0) {
+        let revolutions = Self::between(solved, unwrapped);
+        if angles(solved.description.unknowns).all(|unknown| revolutions[unknown] == 0.0) {
             return Some(false);
         }
-        self.0.iter().find(|known| *known.0 == *turns).map(|known| known.1)
+        self.0
+            .iter()
+            .find(|known| *known.0 == *revolutions)
+            .map(|known| known.1)
     }
 
-    /// Compares a row with the pose on the turns that its angles have reached.
+    /// Compares a row with the pose whose angles are unwrapped.
     fn sees(&mut self, solved: &Footing<'_>, reached: &Footing<'_>) -> bool {
         let is_whole = |quantities: &[Quantity<'_>], one: &[f64], other: &[f64]| {
             let is_angle = |index: usize| angles(quantities).any(|angle| angle == index);
             one.iter().zip(other).enumerate().all(|(index, (one, other))| {
                 let (difference, size) = if is_angle(index) {
-                    let turns = (other - one) / TAU;
-                    ((turns - Float::round(turns)).abs(), one.abs().max(other.abs()).max(1.0))
+                    let revolutions = (other - one) / TAU;
+                    (
+                        (revolutions - Float::round(revolutions)).abs(),
+                        one.abs().max(other.abs()).max(1.0),
+                    )
                 } else {
                     ((other - one).abs(), one.abs().max(other.abs()))
                 };
@@ -106,7 +114,7 @@ impl Turned {
         let depends = !is_whole(description.unknowns, &solved.unknowns(), &reached.unknowns())
             || !is_whole(description.outputs, &solved.outputs(), &reached.outputs());
         if self.depends(solved, reached).is_none() {
-            self.0.push((Self::turns(solved, reached), depends));
+            self.0.push((Self::between(solved, reached), depends));
         }
         depends
     }
@@ -131,19 +139,22 @@ impl<'c> AngleColumns<'c> {
         angles(unknowns).chain(outputs).map(move |index| first + index * orders)
     }
 
-    /// Whether the rates predict every angle in every row, so that no turn is missing.
+    /// Whether the rates predict every angle in every row, so that no revolution is missing.
     fn are_continuous(&self, table: &Table) -> bool {
-        let places = table.values(table.variable);
+        let variables = table.values(table.variable);
         let inputs_are_close = angles(self.description.inputs).all(|input| {
             let values = table.values(self.first_input + input * self.orders);
-            Vectors::widest().run(MovesBy { values, most: LONGEST })
+            Vectors::widest().run(MovesBy {
+                values,
+                most: LONGEST_INPUT_STEP,
+            })
         });
         let is_predicted = |column: usize| {
             let values = table.values(column);
             if self.orders > 1 && self.time.is_finite() {
                 let rates = table.values(column + 1);
                 return Vectors::widest().run(IsPredicted {
-                    places,
+                    variables,
                     values,
                     rates,
                     time: self.time,
@@ -180,7 +191,8 @@ impl<'c> AngleColumns<'c> {
     }
 }
 
-/// The question whether a column moves by no more than a limit from row to row. A row that does not close counts as a larger step.
+/// The question whether a column moves by no more than a limit from row to row. A row that does not close counts as a
+/// larger step.
 struct MovesBy<'a> {
     values: &'a [f64],
     most: f64,
@@ -199,10 +211,10 @@ impl Kernel for MovesBy<'_> {
 
 /// The question whether the rates predict each change of an angle.
 struct IsPredicted<'a> {
-    places: &'a [f64],
+    variables: &'a [f64],
     values: &'a [f64],
     rates: &'a [f64],
-    /// The time for each unit of the places.
+    /// The time for each unit of the variable.
     time: f64,
 }
 
@@ -213,10 +225,10 @@ impl Kernel for IsPredicted<'_> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<const W: usize, const FUSED: bool>(self) -> bool {
         let half = 0.5 * self.time;
-        let places = self.places.iter().zip(self.places.get(1..).unwrap_or_default());
+        let variables = self.variables.iter().zip(self.variables.get(1..).unwrap_or_default());
         let values = self.values.iter().zip(self.values.get(1..).unwrap_or_default());
         let rates = self.rates.iter().zip(self.rates.get(1..).unwrap_or_default());
-        places
+        variables
             .zip(values.zip(rates))
             .fold(true, |all, ((start, end), ((one, other), (first, last)))| {
                 let predicted = half * (end - start) * (first + last);

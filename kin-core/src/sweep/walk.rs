@@ -1,8 +1,9 @@
 //! The way from one pose of a sweep to the next, on which angles continue.
 //!
-//! A solver returns an angle in -π ..= π, and an output computed from such an angle jumps where the angle does. A walk unwraps them: it
-//! predicts each angle from the rates at both ends of a step, and takes the turn nearest to the prediction. A step is too long if the
-//! prediction is too coarse to tell turns apart; then the walk halves it. So no angle depends on the number of rows.
+//! A solver returns an angle in -π ..= π, and an output computed from such an angle jumps where the angle does. A walk
+//! unwraps them: it predicts each angle from the rates at both ends of a step, and unwraps it to the prediction. A step
+//! is too long if the prediction is too coarse to distinguish revolutions; then the walk halves it. So no angle depends
+//! on the number of rows.
 
 use alloc::rc::Rc;
 use alloc::vec::Vec;
@@ -10,7 +11,7 @@ use core::mem::take;
 
 use num_traits::Float;
 
-use super::footing::{Footing, LONGEST};
+use super::footing::{Footing, LONGEST_INPUT_STEP};
 use super::untyped::{UntypedSweep, angles};
 use crate::failure::{Failure, InputValues, SolveError};
 use crate::number::NumberRow;
@@ -18,24 +19,24 @@ use crate::quantity::{Name, NameKind};
 use crate::track::{TrackError, track_between};
 
 /// The halvings that one step may take.
-const MOST: usize = 256;
+const MOST_HALVINGS: usize = 256;
 
-/// The end of a circuit of a coupled block, or the place where it was lost.
+/// The end of a circuit of a coupled block, or the point where it was lost.
 pub(crate) struct Gap {
     block: Name,
     inputs: NumberRow,
-    /// The failure of the rows beyond, if the block may close there: the tracker gave up, and its place is no limit.
+    /// The failure of the rows beyond, if the block may close there: the tracker gave up, and its end is no limit.
     lost: Option<Failure>,
 }
 
-/// A place on the way: the last pose, and the end of the circuit if it has been passed.
+/// A point on the way: the last pose, and the end of the circuit if it has been passed.
 #[derive(Clone)]
 pub(crate) struct Walk<'c> {
     pub(crate) last: Option<Footing<'c>>,
-    /// A place behind the last pose at which the mechanism does not close.
-    pub(super) open: Option<f64>,
+    /// A point behind the last pose at which the mechanism does not close.
+    pub(super) unclosed: Option<f64>,
     pub(super) gap: Option<Rc<Gap>>,
-    /// A place with the numbers of its pose, if they are known in the assembly and need not be solved again.
+    /// A point with the numbers of its pose, if they are known in the assembly and need not be solved again.
     pub(super) known: Option<(f64, Vec<f64>)>,
     /// Memory for the numbers of the next pose.
     pub(super) spare: Vec<f64>,
@@ -44,7 +45,7 @@ pub(crate) struct Walk<'c> {
 impl<'c> Walk<'c> {
     pub(crate) const BEGINNING: Self = Self {
         last: None,
-        open: None,
+        unclosed: None,
         gap: None,
         known: None,
         spare: Vec::new(),
@@ -58,9 +59,10 @@ impl<'c> Walk<'c> {
         }
     }
 
-    /// The pose at a value of the variable, whose inputs have the given motions. A place that does not close leaves the walk where it was.
+    /// The pose at a value of the variable, whose inputs have the given motions. A point that does not close leaves the
+    /// walk where it was.
     ///
-    /// Where an input turns far, the walk looks for gaps on the way.
+    /// Where an input moves far, the walk looks for gaps on the way.
     pub(crate) fn step(
         &mut self,
         sweep: &UntypedSweep<'c>,
@@ -85,45 +87,46 @@ impl<'c> Walk<'c> {
             return (walk, result);
         }
         let mut walk = Self {
-            open: self.open,
+            unclosed: self.unclosed,
             gap: self.gap.clone(),
             ..Self::BEGINNING
         };
         let result = match walk.reach(sweep, self.last.as_ref(), at, motions) {
             Ok(reached) => {
-                (walk.last, walk.open) = (Some(reached), None);
+                (walk.last, walk.unclosed) = (Some(reached), None);
                 Ok(())
             }
             Err(error) => {
-                (walk.last, walk.open) = (self.last.clone(), Some(at));
+                (walk.last, walk.unclosed) = (self.last.clone(), Some(at));
                 Err(error)
             }
         };
         (walk, result)
     }
 
-    /// Where the walk has come, whether or not the mechanism closes there, and the number of steps in which no input turns far.
+    /// Where the walk has come, whether or not the mechanism closes there, and the number of steps in which no input
+    /// moves far.
     fn steps(&self, sweep: &UntypedSweep<'c>, motions: &[f64]) -> (f64, f64) {
-        let from = match (self.open, &self.last) {
+        let from = match (self.unclosed, &self.last) {
             (None, None) => return (0.0, 1.0),
             (None, Some(last)) if last.is_near(motions, sweep.orders()) => return (last.at, 1.0),
             (None, Some(last)) => last.at,
-            (Some(open), _) => open,
+            (Some(unclosed), _) => unclosed,
         };
         let way = longest_way(sweep, &sweep.inputs(from), motions);
-        (from, Float::ceil(way / LONGEST))
+        (from, Float::ceil(way / LONGEST_INPUT_STEP))
     }
 
     fn hop(&mut self, sweep: &UntypedSweep<'c>, at: f64, motions: &[f64]) -> Result<&Footing<'c>, SolveError> {
         let last = self.last.take();
         match self.reach(sweep, last.as_ref(), at, motions) {
             Ok(reached) => {
-                self.open = None;
+                self.unclosed = None;
                 self.spare = last.map(|last| last.numbers).unwrap_or_default();
                 Ok(self.last.insert(reached))
             }
             Err(error) => {
-                (self.last, self.open) = (last, Some(at));
+                (self.last, self.unclosed) = (last, Some(at));
                 Err(error)
             }
         }
@@ -139,9 +142,9 @@ impl<'c> Walk<'c> {
         let Some(last) = last else {
             return self.begin(sweep, at, motions);
         };
-        let mut budget = MOST;
-        match self.open {
-            Some(open) if sweep.has_assemblies() => self.across(sweep, last, open, at, motions, &mut budget),
+        let mut budget = MOST_HALVINGS;
+        match self.unclosed {
+            Some(unclosed) if sweep.has_assemblies() => self.across(sweep, last, unclosed, at, motions, &mut budget),
             _ => self.advance(sweep, last, at, motions, &mut budget),
         }
     }
@@ -158,31 +161,31 @@ impl<'c> Walk<'c> {
     /// The first pose. If the mechanism did not close before, its angles follow from those where it begins to close.
     fn begin(&mut self, sweep: &UntypedSweep<'c>, at: f64, motions: &[f64]) -> Result<Footing<'c>, SolveError> {
         let reached = self.solved(sweep, at, motions)?;
-        let Some(open) = self.open.filter(|_| sweep.has_assemblies()) else {
+        let Some(unclosed) = self.unclosed.filter(|_| sweep.has_assemblies()) else {
             return Ok(reached);
         };
-        let first = sweep.edge(at, open);
+        let first = sweep.edge(at, unclosed);
         let beginning = self.solved(sweep, first, &sweep.motions(first))?;
-        let mut budget = MOST;
+        let mut budget = MOST_HALVINGS;
         self.advance(sweep, &beginning, at, motions, &mut budget)
     }
 
-    /// The pose behind a gap. Each angle at the far edge of the gap is on the turn nearest to that at its near edge.
+    /// The pose behind a gap. Each angle at the far edge of the gap is unwrapped to that at its near edge.
     fn across(
         &mut self,
         sweep: &UntypedSweep<'c>,
         from: &Footing<'c>,
-        open: f64,
+        unclosed: f64,
         at: f64,
         motions: &[f64],
         budget: &mut usize,
     ) -> Result<Footing<'c>, SolveError> {
         // the most likely failure first
         self.solved(sweep, at, motions)?;
-        let near = sweep.edge(from.at, open);
+        let near = sweep.edge(from.at, unclosed);
         let near = self.advance(sweep, from, near, &sweep.motions(near), budget);
         let near = near.unwrap_or_else(|_| from.clone()).without_rates();
-        let far = sweep.edge(at, open);
+        let far = sweep.edge(at, unclosed);
         let beyond = sweep.motions(far);
         let far = self.solved(sweep, far, &beyond)?;
         let (far, _) = unwrapped(sweep, far, &beyond, &near);
@@ -252,7 +255,8 @@ impl<'c> Walk<'c> {
     }
 }
 
-/// The same pose with the angles that follow from those of another one, and whether the turns of all of them are certain.
+/// The same pose with the angles that follow from those of another one, and whether the revolutions of all of them are
+/// certain.
 fn unwrapped<'c>(
     sweep: &UntypedSweep<'c>,
     mut reached: Footing<'c>,
@@ -261,21 +265,21 @@ fn unwrapped<'c>(
 ) -> (Footing<'c>, bool) {
     let mut unknowns = reached.unwrap_unknowns(from);
     if unknowns.has_moved {
-        // What depends on an angle itself, as the position of a rack does, depends on its turn.
+        // What depends on an angle itself, as the position of a rack does, depends on its revolution.
         let near = reached.near(from);
         if let Ok(numbers) = sweep.solved_near(motions, &near, Vec::new()) {
-            let mut turned = Footing::new(sweep, reached.at, numbers);
-            let turns = turned.unwrap_unknowns(from);
-            // Where two assemblies meet, the solver may return the other one. Within a loop, a gear of half the speed exchanges their names:
-            // only a short step that both rates predict well tells the two cases apart.
-            let continues = turns.is_sure && turned.inputs_follow(from);
+            let mut again = Footing::new(sweep, reached.at, numbers);
+            let unwrapping = again.unwrap_unknowns(from);
+            // Where two assemblies meet, the solver may return the other one. Within a loop, a gear of half the speed
+            // exchanges their names: only a short step that both rates predict well distinguishes the two cases.
+            let continues = unwrapping.is_sure && again.inputs_follow(from);
             let inputs = sweep.values(motions);
-            let own = sweep
+            let assembly = sweep
                 .mechanism
-                .assembly_at(&sweep.parameters, &inputs, &turned.unknowns());
-            if own == sweep.assembly.index() || (continues && !unknowns.follows) {
-                turned.near = Some(near);
-                (reached, unknowns) = (turned, turns);
+                .assembly_at(&sweep.parameters, &inputs, &again.unknowns());
+            if assembly == sweep.assembly.index() || (continues && !unknowns.follows) {
+                again.near = Some(near);
+                (reached, unknowns) = (again, unwrapping);
             }
         }
     }
@@ -290,7 +294,7 @@ fn longest_way(sweep: &UntypedSweep<'_>, from: &[f64], motions: &[f64]) -> f64 {
     ways.fold(0.0, f64::max)
 }
 
-/// The place where a track has stopped, and the error of the row behind it.
+/// The point where a track has stopped, and the error of the row behind it.
 fn stopped(
     sweep: &UntypedSweep<'_>,
     error: &TrackError<Vec<f64>, Vec<f64>>,
@@ -328,13 +332,13 @@ fn stopped(
             (gap, failure)
         }
         TrackError::Failed(failure) => {
-            let mut place = from;
+            let mut inputs = from;
             for (input, (_, value)) in failure.inputs.iter().enumerate() {
-                place[input] = value;
+                inputs[input] = value;
             }
             let gap = Gap {
                 block: failure.block,
-                inputs: place,
+                inputs,
                 lost: None,
             };
             (gap, *failure)
@@ -342,7 +346,8 @@ fn stopped(
     }
 }
 
-/// The error of a row beyond the end of its circuit. Its margin is the distance of the inputs to that end, unless the end is not known.
+/// The error of a row beyond the end of its circuit. Its margin is the distance of the inputs to that end, unless the
+/// end is not known.
 fn beyond(sweep: &UntypedSweep<'_>, gap: &Gap, inputs: &[f64]) -> SolveError {
     let ways = inputs.iter().zip(gap.inputs.iter());
     let distance = ways.fold(0.0, |distance: f64, (input, end)| distance.max((input - end).abs()));

@@ -32,20 +32,20 @@ impl<'a> Needs<'a> {
     }
 
     fn add(&mut self, value: Value) {
-        let mut open = vec![value];
-        while let Some(value) = open.pop() {
+        let mut pending = vec![value];
+        while let Some(value) = pending.pop() {
             if core::mem::replace(&mut self.is_needed[value.index()], true) {
                 continue;
             }
             let node = self.recorder.nodes[value.index()];
-            node.operands(|operand| open.push(operand));
+            node.operands(|operand| pending.push(operand));
             match node {
-                TapeNode::Root { search, .. } => self.search(search, &mut open),
+                TapeNode::Root { search, .. } => self.search(search, &mut pending),
                 TapeNode::Solution { solution, .. } if !self.solutions[solution] => {
                     self.solutions[solution] = true;
                     let (system, right) = &self.recorder.solutions[solution];
-                    open.extend(right);
-                    self.system(*system, &mut open);
+                    pending.extend(right);
+                    self.system(*system, &mut pending);
                 }
                 _ => {}
             }
@@ -53,28 +53,28 @@ impl<'a> Needs<'a> {
     }
 
     fn condition(&mut self, condition: Condition) {
-        let mut open = Vec::new();
+        let mut pending = Vec::new();
         match condition {
-            Condition::Holds(truth) => open.push(truth),
-            Condition::Found(search) => self.search(search, &mut open),
-            Condition::Regular(system) => self.system(system, &mut open),
+            Condition::Holds(truth) => pending.push(truth),
+            Condition::Found(search) => self.search(search, &mut pending),
+            Condition::Regular(system) => self.system(system, &mut pending),
         }
-        for value in open {
+        for value in pending {
             self.add(value);
         }
     }
 
-    fn search(&mut self, search: usize, open: &mut Vec<Value>) {
+    fn search(&mut self, search: usize, pending: &mut Vec<Value>) {
         if !core::mem::replace(&mut self.searches[search], true) {
             let sought = &self.recorder.searches[search];
-            open.extend(sought.guess.iter().chain(&sought.sizes).chain(&sought.residuals));
-            open.extend(sought.jacobian.iter().flatten());
+            pending.extend(sought.guess.iter().chain(&sought.sizes).chain(&sought.residuals));
+            pending.extend(sought.jacobian.iter().flatten());
         }
     }
 
-    fn system(&mut self, system: usize, open: &mut Vec<Value>) {
+    fn system(&mut self, system: usize, pending: &mut Vec<Value>) {
         if !core::mem::replace(&mut self.systems[system], true) {
-            open.extend(self.recorder.systems[system].iter().flatten());
+            pending.extend(self.recorder.systems[system].iter().flatten());
         }
     }
 }
@@ -91,11 +91,11 @@ fn dependences(recorder: &Recorder, arguments: &[Argument<'_>]) -> (Vec<usize>, 
         node.operands(&mut join);
         match *node {
             TapeNode::Argument(argument) => {
-                if let Role::Input { order: own, .. } = arguments[argument].role {
-                    order = own;
+                if let Role::Input { order: input_order, .. } = arguments[argument].role {
+                    order = input_order;
                 }
             }
-            TapeNode::Unknown { search: own, .. } => search = Some(own),
+            TapeNode::Unknown { search: found, .. } => search = Some(found),
             TapeNode::Solution { solution, .. } => {
                 let (_, right) = &recorder.solutions[solution];
                 right.iter().copied().for_each(join);
@@ -108,7 +108,7 @@ fn dependences(recorder: &Recorder, arguments: &[Argument<'_>]) -> (Vec<usize>, 
     (orders, searches)
 }
 
-/// Whether a node is computed by a step of its own.
+/// Whether a node is computed by a separate step.
 fn is_step(node: TapeNode) -> bool {
     !matches!(
         node,
@@ -145,8 +145,8 @@ pub(super) fn arrange(recorder: &Recorder, tape: &mut Tape<'_>, block: impl Fn(&
             continue;
         };
         let is_there = |value: Value| is_step_of_its_own[value.index()] && value.index() < check.before;
-        let mut open = vec![margin];
-        while let Some(value) = open.pop() {
+        let mut pending = vec![margin];
+        while let Some(value) = pending.pop() {
             let node = recorder.nodes[value.index()];
             if is_there(value) || steps.contains(&value) {
                 continue;
@@ -154,7 +154,7 @@ pub(super) fn arrange(recorder: &Recorder, tape: &mut Tape<'_>, block: impl Fn(&
             if is_step(node) {
                 steps.push(value);
             }
-            node.operands(|operand| open.push(operand));
+            node.operands(|operand| pending.push(operand));
         }
         steps.sort_unstable();
         needs.add(margin);
@@ -164,7 +164,7 @@ pub(super) fn arrange(recorder: &Recorder, tape: &mut Tape<'_>, block: impl Fn(&
     let (new_searches, new_systems) = (numbers(&needs.searches), numbers(&needs.systems));
     let new_solutions = numbers(&needs.solutions);
     let value = |old: Value| Value(u32::try_from(moved[old.index()]).unwrap_or(u32::MAX));
-    let all = |old: &[Value]| -> Vec<Value> { old.iter().map(|own| value(*own)).collect() };
+    let all = |old: &[Value]| -> Vec<Value> { old.iter().map(|moved_value| value(*moved_value)).collect() };
     let rows = |old: &[Vec<Value>]| -> Vec<Vec<Value>> { old.iter().map(|row| all(row)).collect() };
     let is_kept = |(index, _): &(usize, &TapeNode)| needs.is_needed[*index];
     let nodes = recorder.nodes.iter().enumerate().filter(is_kept);
@@ -267,13 +267,13 @@ pub(super) fn arrange(recorder: &Recorder, tape: &mut Tape<'_>, block: impl Fn(&
     }
 }
 
-/// The new number of each kept place.
+/// The new number of each kept node.
 fn numbers(kept: &[bool]) -> Vec<usize> {
     let mut next = 0;
     let number = |is_kept: &bool| {
-        let own = next;
+        let number_of_node = next;
         next += usize::from(*is_kept);
-        own
+        number_of_node
     };
     kept.iter().map(number).collect()
 }

@@ -64,7 +64,7 @@ pub(super) trait Language: Dialect + Sized {
 pub(super) struct FunctionBody<'a, L> {
     pub(super) tape: &'a Tape<'a>,
     pub(super) writer: Writer<'a, L>,
-    /// The longest operand without a name of its own.
+    /// The longest operand without a name.
     limit: Option<usize>,
     /// The sines and cosines that are there, by their angles.
     pairs: BTreeSet<Value>,
@@ -80,7 +80,7 @@ impl<'a, L: Language> FunctionBody<'a, L> {
         argument: impl Fn(usize) -> String,
     ) -> Self {
         let mut writer = Writer::new(tape, language);
-        for (place, node) in tape.nodes.iter().enumerate() {
+        for (index, node) in tape.nodes.iter().enumerate() {
             let name = match *node {
                 TapeNode::Argument(index) => argument(index),
                 TapeNode::Unknown { index, .. } => L::unknown(index),
@@ -88,7 +88,7 @@ impl<'a, L: Language> FunctionBody<'a, L> {
                 TapeNode::Solution { solution, index } => L::solution(solution, index),
                 _ => continue,
             };
-            writer.name(Value(u32::try_from(place).unwrap_or(u32::MAX)), name);
+            writer.name(Value(u32::try_from(index).unwrap_or(u32::MAX)), name);
         }
         Self {
             tape,
@@ -125,7 +125,7 @@ impl<'a, L: Language> FunctionBody<'a, L> {
         self.writer.name(value, if is_sine { sine } else { cosine });
     }
 
-    /// Computes the nodes of a branch or of an inner function, whose sines and cosines are its own.
+    /// Computes the nodes of a branch or of an inner function, whose sines and cosines nothing else uses.
     pub(super) fn within(&mut self, group: &[Value]) {
         let before = self.pairs.clone();
         for value in self.writer.named(group, self.limit) {
@@ -146,12 +146,12 @@ impl<'a, L: Language> FunctionBody<'a, L> {
 
     /// The results, each with its name and its list of numbers. Those of the skeleton are lists of lists.
     pub(super) fn results(&self, signature: &Signature<'_>) -> Vec<(String, String)> {
-        let values = |places: &Vec<usize>| -> Vec<Value> {
-            let results = places.iter().map(|place| &self.tape.results[*place]);
+        let values = |indices: &Vec<usize>| -> Vec<Value> {
+            let results = indices.iter().map(|index| &self.tape.results[*index]);
             results.map(|result| result.value).collect()
         };
         let quantities = signature.results.iter();
-        let quantities = quantities.map(|entry| (entry.name.clone(), self.list(&values(&entry.places))));
+        let quantities = quantities.map(|entry| (entry.name.clone(), self.list(&values(&entry.indices))));
         let picture = signature.picture().map(|(name, list)| {
             let rows: Vec<Vec<Value>> = list.iter().map(values).collect();
             (name.to_string(), self.rows(&rows))

@@ -67,7 +67,7 @@ impl Code {
     }
 
     pub(super) fn call(function: &str, arguments: &[Self]) -> Self {
-        let arguments: std::vec::Vec<&str> = arguments.iter().map(|own| own.text.as_str()).collect();
+        let arguments: std::vec::Vec<&str> = arguments.iter().map(|argument| argument.text.as_str()).collect();
         Self::whole(format!("{function}({})", arguments.join(", ")))
     }
 
@@ -95,7 +95,7 @@ impl Code {
     }
 
     pub(super) fn select(&self, one: &Self, other: &Self) -> Self {
-        let [truth, one, other] = [self, one, other].map(|own| own.within(Binding::Or));
+        let [truth, one, other] = [self, one, other].map(|operand| operand.within(Binding::Or));
         Self::of(Binding::Conditional, format!("{truth} ? {one} : {other}"))
     }
 }
@@ -105,8 +105,8 @@ mod tests {
     use super::Code;
     use crate::tape::{Constant, NumberType};
 
-    fn name(own: &str) -> Code {
-        Code::whole(own)
+    fn name(name: &str) -> Code {
+        Code::whole(name)
     }
 
     #[test]
@@ -136,8 +136,8 @@ mod tests {
             (a.select(&b.select(&a, &c), &c), "a ? (b ? a : c) : c"),
             (Code::call("f", &[a.sum("+", &b), c]), "f(a + b, c)"),
         ];
-        for (own, expected) in cases {
-            assert_eq!(own.text, expected);
+        for (code, expected) in cases {
+            assert_eq!(code.text, expected);
         }
     }
 

@@ -121,12 +121,16 @@ impl Dialect for JavaScript {
         if value.is_nan() {
             return Code::whole("NaN");
         }
-        let own = if size.is_infinite() {
+        let size_in_code = if size.is_infinite() {
             Code::whole("Infinity")
         } else {
             Code::whole(format!("{size:?}").trim_end_matches(".0"))
         };
-        if value.is_sign_negative() { own.negated() } else { own }
+        if value.is_sign_negative() {
+            size_in_code.negated()
+        } else {
+            size_in_code
+        }
     }
 
     fn truth(&self, holds: bool) -> Code {
@@ -232,14 +236,15 @@ impl Tape<'_> {
     /// - `assembly` is `OPEN` or `CROSSED`, an object with one of them for each of several choices, or an object with a
     ///   value near each unknown for a mechanism with coupled blocks.
     ///
-    /// The result is `{ok: true, pose}` with an array for each unknown and output, position first, and with `joints` and
-    /// `slides` if the skeleton was asked for. Where the mechanism has no pose, it is `{ok: false, check, block, margin}`;
-    /// the fields are those of a [`Stop`](crate::tape::Stop). Names are spelled in ASCII letters. A name that is missing or unknown, and
-    /// what is neither `OPEN` nor `CROSSED`, throws a `TypeError` that says what to give.
+    /// The result is `{ok: true, pose}` with an array for each unknown and output, position first, and with `joints`
+    /// and `slides` if the skeleton was asked for. Where the mechanism has no pose, it is
+    /// `{ok: false, check, block, margin}`; the fields are those of a [`Stop`](crate::tape::Stop). Names are spelled in
+    /// ASCII letters. A name that is missing or unknown, and what is neither `OPEN` nor `CROSSED`, throws a `TypeError`
+    /// that says what to give.
     ///
-    /// The numbers are those of `solve` in a build of this crate that does not fuse products, to the last bit, as long as
-    /// angles stay below 10⁵. Inverse sines and cosines, hyperbolic functions, exponentials and logarithms are those of
-    /// the platform. A tape in single precision is run in double precision.
+    /// The numbers are those of `solve` in a build of this crate that does not fuse products, to the last bit, as long
+    /// as angles stay below 10⁵. Inverse sines and cosines, hyperbolic functions, exponentials and logarithms are those
+    /// of the platform. A tape in single precision is run in double precision.
     ///
     /// ```
     /// use kin_core::library::FourBar;
@@ -257,7 +262,8 @@ impl Tape<'_> {
 
 /// The names in the module of [`Tape::java_script`], for programs that call it.
 ///
-/// A quantity keeps its name if it is one of JavaScript, in ASCII letters; the parts of a point `p` are `p_x` and `p_y`.
+/// A quantity keeps its name if it is one of JavaScript, in ASCII letters; the parts of a point `p` are `p_x` and
+/// `p_y`.
 ///
 /// ```
 /// use kin_core::library::FiveBar;
@@ -277,7 +283,8 @@ pub struct JavaScriptNames {
     pub inputs: Vec<String>,
     /// The members of `assembly` that are values near the unknowns, in a mechanism with coupled blocks.
     pub near: Vec<String>,
-    /// The members of `assembly` that choose between open and crossed. If there is only one, `assembly` is the choice itself.
+    /// The members of `assembly` that choose between open and crossed. If there is only one, `assembly` is the choice
+    /// itself.
     pub assemblies: Vec<String>,
     /// The members of `pose`: the unknowns, the outputs, and the partial derivatives if they are recorded.
     pub results: Vec<String>,
@@ -314,15 +321,15 @@ impl<'a> JavaScriptModule<'a> {
         let mut arguments = std::vec![String::new(); tape.arguments.len()];
         // A name with a dollar sign is never that of a quantity.
         for entry in signature.parameters.iter().chain(&signature.inputs) {
-            for (order, place) in entry.places.iter().enumerate() {
-                arguments[*place] = match order {
+            for (order, index) in entry.indices.iter().enumerate() {
+                arguments[*index] = match order {
                     0 => entry.name.clone(),
                     _ => format!("{}${order}", entry.name),
                 };
             }
         }
         for entry in signature.near.iter().chain(&signature.assemblies) {
-            arguments[entry.places[0]] = format!("{}$near", entry.name);
+            arguments[entry.indices[0]] = format!("{}$near", entry.name);
         }
         let body = FunctionBody::new(tape, JavaScript, limit, |index| arguments[index].clone());
         Self { signature, body }
@@ -346,7 +353,7 @@ impl<'a> JavaScriptModule<'a> {
             .signature
             .inputs
             .iter()
-            .map(|entry| (entry.name.clone(), entry.places.len()))
+            .map(|entry| (entry.name.clone(), entry.indices.len()))
             .collect();
         for (name, orders) in &inputs {
             let rates = (1..*orders).map(|order| format!("{name}${order}"));
@@ -364,12 +371,12 @@ impl<'a> JavaScriptModule<'a> {
         }
         let choices = names(&self.signature.assemblies);
         for name in &choices {
-            let place = if choices.len() == 1 {
+            let member = if choices.len() == 1 {
                 String::new()
             } else {
                 format!("?.{name}")
             };
-            self.line(1, &format!("const {name}$near = assembly{place};"));
+            self.line(1, &format!("const {name}$near = assembly{member};"));
             tests.push(format!("({name}$near === OPEN || {name}$near === CROSSED)"));
         }
         let count = |name: &str, count: usize| format!("kinCount({name}) === {count}");
@@ -383,8 +390,8 @@ impl<'a> JavaScriptModule<'a> {
         tests.splice(0..0, numbers.iter().map(|name| format!("typeof {name} === \"number\"")));
         self.line(1, "const isRight =");
         let last = tests.len().saturating_sub(1);
-        for (place, test) in tests.iter().enumerate() {
-            self.line(2, &format!("{test}{}", if place == last { ";" } else { " &&" }));
+        for (index, test) in tests.iter().enumerate() {
+            self.line(2, &format!("{test}{}", if index == last { ";" } else { " &&" }));
         }
         self.line(1, "if (!isRight) throw kinMistake(parameters, inputs, assembly);");
     }
@@ -409,7 +416,10 @@ impl<'a> JavaScriptModule<'a> {
         text.push_str(
             "\n/** The assemblies of a choice between two. */\nexport const OPEN = 1;\nexport const CROSSED = -1;\n",
         );
-        text.push_str("\n/** The checks on the way to a pose: the subject of each, and the unknowns of its block. */\nexport const CHECKS = [\n");
+        text.push_str(
+            "\n/** The checks on the way to a pose: the subject of each, and the unknowns of its block. \
+            */\nexport const CHECKS = [\n",
+        );
         for check in &tape.checks {
             text.extend([format!(
                 "  {{ check: {}, block: {} }},\n",
@@ -427,7 +437,10 @@ impl<'a> JavaScriptModule<'a> {
         text.push_str(&self.body.text);
         text.push_str("}\n\n");
         text.push_str(&self.arguments());
-        text.push_str("\n/**\n * @param {number} index\n * @param {number} margin\n * @returns {Failed}\n */\nfunction failed(index, margin) {\n  return { ok: false, ...CHECKS[index], margin };\n}\n");
+        text.push_str(
+            "\n/**\n * @param {number} index\n * @param {number} margin\n * @returns {Failed}\n */\nfunction \
+            failed(index, margin) {\n  return { ok: false, ...CHECKS[index], margin };\n}\n",
+        );
         if tape
             .nodes
             .iter()
@@ -442,7 +455,7 @@ impl<'a> JavaScriptModule<'a> {
         text
     }
 
-    /// The names of the arguments, and what tells mistakes in them.
+    /// The names of the arguments, and the code that reports mistakes in them.
     fn arguments(&self) -> String {
         let signature = &self.signature;
         let choices = match signature.assemblies.as_slice() {
@@ -511,14 +524,16 @@ impl<'a> JavaScriptModule<'a> {
         if !signature.joints.is_empty() {
             // The last type has two more fields.
             let end = text.trim_end_matches("*/\n\n").len();
-            let rest = " * @property {number[][]} joints the coordinates of the joints of the skeleton\n * @property {number[][]} slides the directions of its slides\n */\n\n";
+            let rest = " * @property {number[][]} joints the coordinates of the joints of the skeleton\n * @property \
+                {number[][]} slides the directions of its slides\n */\n\n";
             text.truncate(end);
             let end = text.trim_end_matches(' ').len();
             text.truncate(end);
             text.push_str(rest);
         }
         let failed = [
-            "The check that failed, its block, and the distance from passing: negative if something is out of reach by that much.",
+            "The check that failed, its block, and the distance from passing: negative if something is out of reach by \
+             that much.",
             "@typedef {{ok: false, check: string, block: string, margin: number}} Failed",
         ];
         text.push_str(&comment(&failed.map(String::from), "*"));
@@ -572,7 +587,8 @@ fn outline(tape: &Tape<'_>) -> String {
         .iter()
         .map(|(name, joint)| format!("{{ name: {}, joint: {joint} }}", quoted(name)));
     let mut text = String::from(
-        "\n/** Which joints belong together, by their places among the joints of a pose. */\nexport const OUTLINE = {\n",
+        "\n/** Which joints belong together, by their indices among the joints of a pose. */\nexport const OUTLINE = \
+         {\n",
     );
     text.push_str(&entry(
         "ground",

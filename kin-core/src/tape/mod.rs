@@ -1,10 +1,10 @@
 //! Solvers as data: recorded once, printed in other languages, run by themselves.
 //!
-//! A [`Tape`] is the solver of a mechanism as straight-line code. It is recorded by solving with a number that writes down what is
-//! done with it, so it does what `solve` does, operation by operation. The choice between assemblies is an argument, and so are the
-//! dimensions, unless they are folded in. A decision of the solver is a [`TapeCheck`] with its margin, a block without a closed form is a
-//! [`NewtonSearch`], and a matrix whose pivots are chosen at run time is a [`System`]. Who prints another language reads the
-//! [`structure`] of a tape.
+//! A [`Tape`] is the solver of a mechanism as straight-line code. It is recorded by solving with a number that writes
+//! down what is done with it, so it does what `solve` does, operation by operation. The choice between assemblies is an
+//! argument, and so are the dimensions, unless they are folded in. A decision of the solver is a [`TapeCheck`] with its
+//! margin, a block without a closed form is a [`NewtonSearch`], and a matrix whose pivots are chosen at run time is a
+//! [`System`]. Who prints another language reads the [`structure`] of a tape.
 //!
 //! ```
 //! use kin_core::library::SliderCrank;

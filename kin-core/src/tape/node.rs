@@ -2,13 +2,13 @@
 
 use core::fmt;
 
-/// The number of a node. A node is told by its place among the [nodes](crate::tape::Tape::nodes), and stands behind its
-/// operands.
+/// The number of a node. A node is named by its index among the [nodes](crate::tape::Tape::nodes), and stands behind
+/// its operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Value(pub u32);
 
 impl Value {
-    /// The place among the nodes.
+    /// The index among the nodes.
     #[must_use]
     pub const fn index(self) -> usize {
         self.0 as usize
@@ -21,7 +21,8 @@ impl fmt::Display for Value {
     }
 }
 
-/// A number that is known beforehand. Constants are equal if their bits are, so that 0 and -0 differ, and NaN equals itself.
+/// A number that is known beforehand. Constants are equal if their bits are, so that 0 and -0 differ, and NaN equals
+/// itself.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Constant(u64);
 
@@ -47,9 +48,9 @@ impl fmt::Debug for Constant {
 
 /// One operation. Its result is a number, or a truth: the answer to a comparison.
 ///
-/// Each operation is rounded once, to the [number type](crate::tape::NumberType) of the tape, and nothing may be merged: `Add` of a
-/// `Multiply` is two roundings. Only [`PlusProduct`](TapeNode::PlusProduct) and [`MinusProduct`](TapeNode::MinusProduct) may be rounded once
-/// instead of twice.
+/// Each operation is rounded once, to the [number type](crate::tape::NumberType) of the tape, and nothing may be
+/// merged: `Add` of a `Multiply` is two roundings. Only [`PlusProduct`](TapeNode::PlusProduct) and
+/// [`MinusProduct`](TapeNode::MinusProduct) may be rounded once instead of twice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum TapeNode {
@@ -79,7 +80,8 @@ pub enum TapeNode {
     Either(Value, Value),
     /// Whether a truth does not hold.
     Not(Value),
-    /// An unknown of a search, inside of its [body](crate::tape::NewtonSearch::body): where residuals and Jacobian are wanted.
+    /// An unknown of a search, inside of its [body](crate::tape::NewtonSearch::body): where residuals and Jacobian are
+    /// wanted.
     Unknown {
         /// The index of the search.
         search: usize,
@@ -112,8 +114,8 @@ impl TapeNode {
         )
     }
 
-    /// Calls `visit` with each operand, from left to right. A root and a solution have none here: they depend on those of their
-    /// search or system.
+    /// Calls `visit` with each operand, from left to right. A root and a solution have none here: they depend on those
+    /// of their search or system.
     pub fn operands(&self, mut visit: impl FnMut(Value)) {
         match *self {
             Self::Call(_, one) | Self::IsFinite(one) | Self::Not(one) => visit(one),

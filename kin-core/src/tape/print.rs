@@ -9,16 +9,16 @@ use crate::tape::{Comparison, Condition, Function, Operator, ResultOf, Role, Tap
 impl Display for Tape<'_> {
     fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
         writeln!(formatter, "{} in {:?} precision", self.description.name, self.precision)?;
-        for (place, node) in self.nodes.iter().enumerate() {
-            let value = Value(u32::try_from(place).unwrap_or(u32::MAX));
+        for (index, node) in self.nodes.iter().enumerate() {
+            let value = Value(u32::try_from(index).unwrap_or(u32::MAX));
             match node {
                 TapeNode::Argument(argument) => {
-                    let own = &self.arguments[*argument];
-                    let order = match own.role {
+                    let named = &self.arguments[*argument];
+                    let order = match named.role {
                         Role::Input { order, .. } => order,
                         _ => 0,
                     };
-                    writeln!(formatter, "{value} = argument {}{}", own.name, "'".repeat(order))?;
+                    writeln!(formatter, "{value} = argument {}{}", named.name, "'".repeat(order))?;
                 }
                 TapeNode::Constant(constant) => writeln!(formatter, "{value} = {constant:?}")?,
                 TapeNode::Unknown { search, index } => {
@@ -131,8 +131,8 @@ struct List<'a>(&'a [Value]);
 
 impl Display for List<'_> {
     fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
-        for (place, value) in self.0.iter().enumerate() {
-            write!(formatter, "{}{value}", if place == 0 { "" } else { ", " })?;
+        for (index, value) in self.0.iter().enumerate() {
+            write!(formatter, "{}{value}", if index == 0 { "" } else { ", " })?;
         }
         Ok(())
     }

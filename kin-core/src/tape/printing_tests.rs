@@ -1,6 +1,6 @@
 //! Random tapes in other languages, beside the tapes run by themselves.
 //!
-//! The tapes are made of every kind of node, of checks, searches and linear systems. Operands have no names of their own, so
+//! The tapes are made of every kind of node, of checks, searches and linear systems. Operands have no names, so
 //! that every operator becomes an operand of every other one.
 
 use std::boxed::Box;
@@ -48,7 +48,7 @@ const EXACT: [Function; 5] = [
     Function::Raise,
 ];
 
-/// The functions that each platform has of its own, and which differ in the last bits.
+/// The functions of each platform, which differ in the last bits.
 const OF_THE_PLATFORM: [Function; 11] = [
     Function::ArcSine,
     Function::ArcCosine,
@@ -84,7 +84,7 @@ struct Maker {
 
 impl Maker {
     fn new(seed: u64) -> Self {
-        let mut own = Self {
+        let mut maker = Self {
             random: Random::new(seed),
             nodes: Vec::new(),
             steps: Vec::new(),
@@ -97,15 +97,15 @@ impl Maker {
             solutions: Vec::new(),
         };
         for index in 0..ARGUMENTS {
-            own.last(TapeNode::Argument(index));
+            maker.last(TapeNode::Argument(index));
         }
         for constant in CONSTANTS {
-            own.last(TapeNode::Constant(Constant::new(constant)));
+            maker.last(TapeNode::Constant(Constant::new(constant)));
         }
         for holds in [true, false] {
-            own.put(TapeNode::Certain(holds));
+            maker.put(TapeNode::Certain(holds));
         }
-        own
+        maker
     }
 
     fn pick(&mut self, count: usize) -> usize {
@@ -247,26 +247,26 @@ impl Maker {
         for row in 0..count {
             let (unknown, next) = (unknowns[row], unknowns[(row + 1) % count]);
             let wanted = self.plain();
-            let mut own = |maker: &mut Self, node: TapeNode| {
+            let mut computed = |maker: &mut Self, node: TapeNode| {
                 let value = maker.put(node);
                 body.push(value);
                 value
             };
             let factor = match truth {
-                Some(truth) => own(self, TapeNode::Select(truth, one, tenth)),
+                Some(truth) => computed(self, TapeNode::Select(truth, one, tenth)),
                 None => tenth,
             };
-            let square = own(self, TapeNode::Binary(Operator::Multiply, unknown, unknown));
-            let cube = own(self, TapeNode::Binary(Operator::Multiply, square, unknown));
-            let sum = own(self, TapeNode::PlusProduct(unknown, factor, cube));
-            let sum = own(self, TapeNode::PlusProduct(sum, tenth, next));
-            residuals.push(own(self, TapeNode::Binary(Operator::Subtract, sum, wanted)));
-            let slope = own(self, TapeNode::Binary(Operator::Multiply, three, factor));
-            let slope = own(self, TapeNode::PlusProduct(one, slope, square));
+            let square = computed(self, TapeNode::Binary(Operator::Multiply, unknown, unknown));
+            let cube = computed(self, TapeNode::Binary(Operator::Multiply, square, unknown));
+            let sum = computed(self, TapeNode::PlusProduct(unknown, factor, cube));
+            let sum = computed(self, TapeNode::PlusProduct(sum, tenth, next));
+            residuals.push(computed(self, TapeNode::Binary(Operator::Subtract, sum, wanted)));
+            let slope = computed(self, TapeNode::Binary(Operator::Multiply, three, factor));
+            let slope = computed(self, TapeNode::PlusProduct(one, slope, square));
             let mut entries = vec![zero; count];
             entries[(row + 1) % count] = tenth;
             entries[row] = if count == 1 {
-                own(self, TapeNode::Binary(Operator::Add, slope, tenth))
+                computed(self, TapeNode::Binary(Operator::Add, slope, tenth))
             } else {
                 slope
             };
@@ -372,7 +372,7 @@ impl Maker {
         values.extend(
             roots
                 .filter(|(_, node)| matches!(node, TapeNode::Root { .. } | TapeNode::Solution { .. }))
-                .map(|(place, _)| Value(u32::try_from(place).unwrap())),
+                .map(|(index, _)| Value(u32::try_from(index).unwrap())),
         );
         let outcome = |(index, value): (usize, &Value)| TapeResult {
             quantity: ResultOf::Output(index),
@@ -494,20 +494,20 @@ impl Folder {
         );
     }
 
-    /// Compares what a program has written: for each tape and pose a code, which is 0 for a pose, otherwise the number of the check from
-    /// 1 on, then the margin, then the results.
+    /// Compares what a program has written: for each tape and pose a code, which is 0 for a pose, otherwise the number
+    /// of the check from 1 on, then the margin, then the results.
     fn compare(&self, tapes: &[Tape<'_>]) {
         let bytes = fs::read(self.0.join("out")).unwrap();
-        let mut numbers = bytes.as_chunks::<8>().0.iter().map(|own| f64::from_le_bytes(*own));
+        let mut numbers = bytes.as_chunks::<8>().0.iter().map(|bytes| f64::from_le_bytes(*bytes));
         for (tape, seed) in tapes.iter().zip(1..) {
             for given in arguments(seed).chunks(ARGUMENTS) {
                 let [code, margin] = [(); 2].map(|()| numbers.next().unwrap());
-                let own: Vec<f64> = numbers.by_ref().take(tape.results.len()).collect();
+                let others: Vec<f64> = numbers.by_ref().take(tape.results.len()).collect();
                 let is_same = |one: f64, other: f64| one.to_bits() == other.to_bits() || one.is_nan() && other.is_nan();
                 match tape.run(given) {
                     Ok(found) => {
                         assert_eq!(code, 0.0, "tape {seed} at {given:?}");
-                        for ((result, one), other) in tape.results.iter().zip(found).zip(own) {
+                        for ((result, one), other) in tape.results.iter().zip(found).zip(others) {
                             let node = tape.nodes[result.value.index()];
                             let is_of_the_platform =
                                 matches!(node, TapeNode::Call(function, _) if OF_THE_PLATFORM.contains(&function));
@@ -551,8 +551,10 @@ fn c_computes_random_tapes() {
         let c = tape.c_without_sharing();
         let name = &c.name;
         let kernel = format!(
-            "\nvoid {name}_kernel(const double *in, double *out);\nvoid {name}_kernel(const double *in, double *out)\n{{\n    \
-             const {name}_outcome outcome = {name}_solve((const {name}_dimensions *)in, ({name}_pose *)(out + 2));\n    \
+            "\nvoid {name}_kernel(const double *in, double *out);\nvoid {name}_kernel(const double *in, double \
+             *out)\n{{\n    \
+             const {name}_outcome outcome = {name}_solve((const {name}_dimensions *)in, ({name}_pose *)(out + \
+             2));\n    \
              out[0] = outcome.code;\n    out[1] = outcome.margin;\n}}\n"
         );
         folder.write(&format!("{name}.h"), &c.header);
@@ -599,8 +601,8 @@ int main(void)
     std::thread::scope(|scope| {
         let folder = &folder;
         for part in &parts {
-            let own = [words.as_slice(), &[format!("{part}.c")]].concat();
-            scope.spawn(move || folder.run("gcc", &own));
+            let command = [words.as_slice(), &[format!("{part}.c")]].concat();
+            scope.spawn(move || folder.run("gcc", &command));
         }
     });
     let objects = parts.iter().map(|part| format!("{part}.o"));
@@ -633,14 +635,14 @@ let start = 0;
 for (const [index, count] of [{}].entries()) {{
   const {{ CHECKS, solve }} = await import(`./tape${{index + 1}}.mjs`);
   for (let pose = 0; pose < {POSES}; pose++) {{
-    const [lambda, theta, theta_2, this_] = [0, 1, 2, 3].map((place) => bytes.readDoubleLE(start + 8 * place));
+    const [lambda, theta, theta_2, this_] = [0, 1, 2, 3].map((index) => bytes.readDoubleLE(start + 8 * index));
     start += 32;
-    const own = solve({{ lambda, theta, theta_2, this_ }}, {{}}, 1);
-    if (own.ok) {{
-      found.push(0, 0, ...Object.values(own.pose).flat());
+    const outcome = solve({{ lambda, theta, theta_2, this_ }}, {{}}, 1);
+    if (outcome.ok) {{
+      found.push(0, 0, ...Object.values(outcome.pose).flat());
     }} else {{
-      const code = 1 + CHECKS.findIndex((check) => check.check === own.check && check.block === own.block);
-      found.push(code, own.margin, ...new Array(count).fill(NaN));
+      const code = 1 + CHECKS.findIndex((check) => check.check === outcome.check && check.block === outcome.block);
+      found.push(code, outcome.margin, ...new Array(count).fill(NaN));
     }}
   }}
 }}
@@ -682,7 +684,7 @@ with open(\"out\", \"wb\") as out:
         pose = module.solve(dict(zip(names, rows.T)), {{}}, 1.0)
         columns = [pose.check + 1.0, pose.margin]
         columns += [getattr(pose, field.name)[0] for field in dataclasses.fields(pose)[3:]]
-        np.array([np.broadcast_to(own, {POSES}) for own in columns]).T.astype(\"<f8\").tofile(out)
+        np.array([np.broadcast_to(column, {POSES}) for column in columns]).T.astype(\"<f8\").tofile(out)
 "
         ),
     );

@@ -91,12 +91,16 @@ impl Dialect for Python {
         if value.is_nan() {
             return Code::whole("np.nan");
         }
-        let own = if size.is_infinite() {
+        let size_in_code = if size.is_infinite() {
             Code::whole("np.inf")
         } else {
             Code::whole(format!("{size:?}"))
         };
-        if value.is_sign_negative() { own.negated() } else { own }
+        if value.is_sign_negative() {
+            size_in_code.negated()
+        } else {
+            size_in_code
+        }
     }
 
     fn truth(&self, holds: bool) -> Code {
@@ -160,8 +164,8 @@ impl Language for Python {
         let search = &body.tape.searches[index];
         let outer = body.tape.given(index);
         let given = body.list(&outer);
-        // Inside, each is a parameter with a name of its own.
-        let inner: Vec<String> = (0..outer.len()).map(|place| format!("_g{place}")).collect();
+        // Inside, each is a parameter with a separate name.
+        let inner: Vec<String> = (0..outer.len()).map(|index| format!("_g{index}")).collect();
         let before = body.writer.names_of(&outer);
         for (value, name) in outer.iter().zip(&inner) {
             body.writer.name(*value, name.clone());
@@ -231,20 +235,21 @@ impl Tape<'_> {
     /// The module has a function `solve(parameters, inputs, assembly)`:
     ///
     /// - `parameters` is a dictionary with the dimensions by name; it may be empty if they are folded in;
-    /// - `inputs` is a dictionary with a sequence for each input: its position, velocity and so on; missing rates are zero;
+    /// - `inputs` is a dictionary with a sequence for each input: its position, velocity and so on; missing rates are
+    ///   zero;
     /// - `assembly` is `OPEN` or `CROSSED`, a dictionary with one of them for each of several choices, or a dictionary
     ///   with a value near each unknown for a mechanism with coupled blocks.
     ///
-    /// Each number may be an array; they are broadcast to one shape. The result is a `Pose` with an array for each unknown
-    /// and output, whose first axis are the orders, and with `reached`, a mask of the poses that exist. Numbers of other
-    /// poses are NaN; `check` is the index among `CHECKS` of the check that failed, and `margin` the distance from
-    /// passing. A name that is missing or unknown, and what is neither `OPEN` nor `CROSSED`, raises a `TypeError` that says what to give.
-    /// With a skeleton it has `joints` and `slides`, whose first axes are the joint and the coordinate. Names are
-    /// spelled in ASCII letters.
+    /// Each number may be an array; they are broadcast to one shape. The result is a `Pose` with an array for each
+    /// unknown and output, whose first axis are the orders, and with `reached`, a mask of the poses that exist. Numbers
+    /// of other poses are NaN; `check` is the index among `CHECKS` of the check that failed, and `margin` the distance
+    /// from passing. A name that is missing or unknown, and what is neither `OPEN` nor `CROSSED`, raises a `TypeError`
+    /// that says what to give. With a skeleton it has `joints` and `slides`, whose first axes are the joint and the
+    /// coordinate. Names are spelled in ASCII letters.
     ///
-    /// The numbers are those of `solve` in a build of this crate that does not fuse products, to the last bit, as long as
-    /// angles stay below 10⁵. Inverse sines and cosines, hyperbolic functions, exponentials and logarithms are those of
-    /// NumPy. A tape in single precision is run in double precision.
+    /// The numbers are those of `solve` in a build of this crate that does not fuse products, to the last bit, as long
+    /// as angles stay below 10⁵. Inverse sines and cosines, hyperbolic functions, exponentials and logarithms are those
+    /// of NumPy. A tape in single precision is run in double precision.
     ///
     /// ```
     /// use kin_core::library::FourBar;
@@ -276,8 +281,8 @@ pub(super) struct PythonModule<'a> {
 }
 
 /// The name of an argument. A name that ends with an underscore and a digit behind two is never that of a quantity.
-fn argument(place: usize) -> String {
-    format!("_a{place}")
+fn argument(index: usize) -> String {
+    format!("_a{index}")
 }
 
 impl<'a> PythonModule<'a> {
@@ -295,21 +300,21 @@ impl<'a> PythonModule<'a> {
     fn opening(&mut self) {
         let mut read = Vec::new();
         for entry in &self.signature.parameters {
-            read.push((entry.places[0], format!("parameters[\"{}\"]", entry.name)));
+            read.push((entry.indices[0], format!("parameters[\"{}\"]", entry.name)));
         }
         for entry in &self.signature.inputs {
-            for (order, place) in entry.places.iter().enumerate() {
-                read.push((*place, format!("_rate(inputs[\"{}\"], {order})", entry.name)));
+            for (order, index) in entry.indices.iter().enumerate() {
+                read.push((*index, format!("_rate(inputs[\"{}\"], {order})", entry.name)));
             }
         }
         for entry in &self.signature.near {
-            read.push((entry.places[0], format!("assembly[\"{}\"]", entry.name)));
+            read.push((entry.indices[0], format!("assembly[\"{}\"]", entry.name)));
         }
         match self.signature.assemblies.as_slice() {
-            [only] => read.push((only.places[0], "assembly".to_string())),
+            [only] => read.push((only.indices[0], "assembly".to_string())),
             several => {
                 for entry in several {
-                    read.push((entry.places[0], format!("assembly[\"{}\"]", entry.name)));
+                    read.push((entry.indices[0], format!("assembly[\"{}\"]", entry.name)));
                 }
             }
         }
@@ -329,12 +334,15 @@ impl<'a> PythonModule<'a> {
         match choices {
             [_] => self.body.line(1, "_chosen(\"assembly\", assembly)"),
             several => {
-                for entries in [near.as_slice(), several].into_iter().filter(|own| !own.is_empty()) {
+                for entries in [near.as_slice(), several]
+                    .into_iter()
+                    .filter(|entries| !entries.is_empty())
+                {
                     self.body.line(1, &named("assembly", entries));
                 }
                 for entry in several {
-                    let place = format!("assembly[{}]", quoted(&entry.name));
-                    self.body.line(1, &format!("_chosen({}, {place})", quoted(&place)));
+                    let member = format!("assembly[{}]", quoted(&entry.name));
+                    self.body.line(1, &format!("_chosen({}, {member})", quoted(&member)));
                 }
             }
         }
@@ -344,9 +352,9 @@ impl<'a> PythonModule<'a> {
         }
         self.line(1, ")");
         self.line(1, "_shape = _given[0].shape");
-        self.line(1, "_given = [np.ravel(own).astype(np.float64) for own in _given]");
+        self.line(1, "_given = [np.ravel(entry).astype(np.float64) for entry in _given]");
         self.line(1, "_poses = len(_given[0])");
-        let names: Vec<String> = read.iter().map(|(place, _)| argument(*place)).collect();
+        let names: Vec<String> = read.iter().map(|(index, _)| argument(*index)).collect();
         self.line(1, &format!("{}, = _given", names.join(", ")));
         self.line(1, "_check = np.full(_poses, -1)");
         self.line(1, "_margin = np.full(_poses, np.nan)");
@@ -378,7 +386,10 @@ impl<'a> PythonModule<'a> {
         text.push_str(
             "from __future__ import annotations\n\nfrom collections.abc import Callable, Mapping, Sequence\n",
         );
-        text.push_str("from dataclasses import dataclass\nfrom typing import TypedDict\n\nimport numpy as np\nimport numpy.typing as npt\n\n");
+        text.push_str(
+            "from dataclasses import dataclass\nfrom typing import TypedDict\n\nimport numpy as np\nimport \
+            numpy.typing as npt\n\n",
+        );
         text.push_str("Array = npt.NDArray[np.float64]\n\n");
         text.push_str("#: The assemblies of a choice between two.\nOPEN, CROSSED = 1.0, -1.0\n\n");
         text.push_str(
@@ -394,7 +405,10 @@ impl<'a> PythonModule<'a> {
         text.push_str(")\n");
         text.push_str(&self.documentation());
         text.push_str("    with np.errstate(all=\"ignore\"):\n        return _solve(parameters, inputs, assembly)\n");
-        text.push_str("\n\ndef _rate(motion: Sequence[npt.ArrayLike], order: int) -> npt.ArrayLike:\n    return motion[order] if order < len(motion) else 0.0\n");
+        text.push_str(
+            "\n\ndef _rate(motion: Sequence[npt.ArrayLike], order: int) -> npt.ArrayLike:\n    return \
+            motion[order] if order < len(motion) else 0.0\n",
+        );
         text.push_str("\n\n");
         text.push_str(&self.signature.argument_checks(runtime::PYTHON_ARGUMENTS));
         text.push_str(STACKED);
@@ -454,13 +468,19 @@ impl<'a> PythonModule<'a> {
         text.push_str(
             "    #: The index among CHECKS of the check that failed, or -1.\n    check: npt.NDArray[np.int_]\n",
         );
-        text.push_str("    #: The distance from passing: negative if something is out of reach by that much.\n    margin: Array\n");
+        text.push_str(
+            "    #: The distance from passing: negative if something is out of reach by that much.\n    \
+            margin: Array\n",
+        );
         for entry in &signature.results {
             text.push_str(&documented("    ", &entry.text()));
             text.extend([format!("    {}: Array\n", entry.name)]);
         }
         for (name, _) in signature.picture() {
-            text.extend([format!("    #: The {name} of the skeleton: the first axes are the number and the coordinate.\n    {name}: Array\n")]);
+            text.extend([format!(
+                "    #: The {name} of the skeleton: the first axes are the number and the \
+                coordinate.\n    {name}: Array\n"
+            )]);
         }
         text.push_str("\n\ndef solve(parameters: Parameters, inputs: Inputs, assembly: Assembly) -> Pose:\n");
         let of = [

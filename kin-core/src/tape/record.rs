@@ -7,7 +7,7 @@ use std::string::{String, ToString as _};
 use std::vec::Vec;
 
 use crate::any::{
-    Described, MotionOver, Of, Pictured, PlacesOver, PositionChoice, PositionOver, assembly, motions, row,
+    Described, MotionOver, Of, Pictured, PositionChoice, PositionOver, SkeletonOver, assembly, motions, row,
 };
 use crate::assembly::Assembly;
 use crate::failure::SolveError;
@@ -72,7 +72,8 @@ impl Options {
         Self::default()
     }
 
-    /// Time derivatives up to this order only: 0 is the position. An order beyond that of the mechanism changes nothing.
+    /// Time derivatives up to this order only: 0 is the position. An order beyond that of the mechanism changes
+    /// nothing.
     pub fn up_to(self, order: usize) -> Self {
         Self {
             order: Some(order),
@@ -121,11 +122,19 @@ impl fmt::Display for RecordError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::DecidedByValue => formatter.write_str(
-                "the solver took a decision that is not one of its named checks, so its record would hold for some numbers only",
+                "the solver took a decision that is not one of its named checks, so its record would hold for some \
+                 numbers only",
             ),
-            Self::NeverSolved { block } => write!(formatter, "the block `{block}` has no solution with these constants"),
+            Self::NeverSolved { block } => write!(
+                formatter,
+                "the block `{block}` has no solution with these \
+                constants"
+            ),
             Self::WrongDimensions { given, wanted } => {
-                write!(formatter, "{given} dimensions are given, and the mechanism has {wanted}")
+                write!(
+                    formatter,
+                    "{given} dimensions are given, and the mechanism has {wanted}"
+                )
             }
         }
     }
@@ -135,11 +144,11 @@ crate::__debug_by_display!(RecordError);
 
 impl Error for RecordError {}
 
-/// The solver of a mechanism as a tape, in the number type of the mechanism: `FourBar` in double precision, `FourBar<f32>` in
-/// single precision.
+/// The solver of a mechanism as a tape, in the number type of the mechanism: `FourBar` in double precision,
+/// `FourBar<f32>` in single precision.
 ///
-/// One tape serves all assemblies: the choice of each block is an argument. The dimensions are arguments, too, unless the
-/// [options](Options::with_dimensions) fold them in.
+/// One tape serves all assemblies: the choice of each block is an argument. The dimensions are arguments, too, unless
+/// the [options](Options::with_dimensions) fold them in.
 ///
 /// # Errors
 /// See [`RecordError`].
@@ -185,8 +194,8 @@ pub fn record_any<'d, F: Plain>(
     F::tape(solver, options, &[])
 }
 
-/// [`record`] at a place: wherever the solver asks for the value of an argument, it is the one given here. The tape is the same at
-/// all places. Its checks do not know their blocks.
+/// [`record`] at one position: wherever the solver asks for the value of an argument, it is the one given here. The
+/// tape is the same at all positions. Its checks do not know their blocks.
 #[doc(hidden)]
 pub fn record_at<M: Mechanism<Scalar: Plain>>(options: &Options, at: &[f64]) -> Result<Tape, RecordError> {
     let solver = Solver {
@@ -231,24 +240,29 @@ where
         let (unknowns, outputs) = (partials.unknown_partials(), partials.output_partials());
         let unknowns = description.unknowns.iter().zip(unknowns.as_ref());
         for (unknown, (quantity, motion)) in unknowns.enumerate() {
-            let own = ResultOf::UnknownPartial { unknown, parameter };
+            let partial = ResultOf::UnknownPartial { unknown, parameter };
             let name = format!("{}.{}", by.name, quantity.name);
-            results.extend(orders(own, &name, quantity, motion.as_ref()));
+            results.extend(orders(partial, &name, quantity, motion.as_ref()));
         }
         let outputs = description.outputs.iter().zip(outputs.as_ref());
         for (output, (quantity, motion)) in outputs.enumerate() {
-            let own = ResultOf::OutputPartial { output, parameter };
+            let partial = ResultOf::OutputPartial { output, parameter };
             let name = format!("{}.{}", by.name, quantity.name);
-            results.extend(orders(own, &name, quantity, motion.as_ref()));
+            results.extend(orders(partial, &name, quantity, motion.as_ref()));
         }
     }
     Ok(results)
 }
 
 /// All orders of a quantity.
-fn orders<'d, F>(own: ResultOf, name: &str, quantity: &Quantity<'d>, motion: &[Recorded<F>]) -> Vec<TapeResult<'d>> {
+fn orders<'d, F>(
+    quantity_of_results: ResultOf,
+    name: &str,
+    quantity: &Quantity<'d>,
+    motion: &[Recorded<F>],
+) -> Vec<TapeResult<'d>> {
     let outcome = |(order, number): (usize, &Recorded<F>)| TapeResult {
-        quantity: own,
+        quantity: quantity_of_results,
         order,
         name: name.to_string(),
         dimension: quantity.dimension,
@@ -276,12 +290,12 @@ struct Run<'d> {
 
 /// The functions of a mechanism from which a tape is recorded.
 pub trait RecordedFunctions<F>:
-    Described + Pictured + PositionOver<Recorded<F>> + MotionOver<Recorded<F>> + PlacesOver<Recorded<F>>
+    Described + Pictured + PositionOver<Recorded<F>> + MotionOver<Recorded<F>> + SkeletonOver<Recorded<F>>
 {
 }
 
 impl<F, S> RecordedFunctions<F> for S where
-    S: Described + Pictured + PositionOver<Recorded<F>> + MotionOver<Recorded<F>> + PlacesOver<Recorded<F>>
+    S: Described + Pictured + PositionOver<Recorded<F>> + MotionOver<Recorded<F>> + SkeletonOver<Recorded<F>>
 {
 }
 
@@ -332,14 +346,14 @@ fn recorded<'d, F: Scalar>(
         .recorder
         .asked
         .iter()
-        .map(|own| AssemblySource::Fixed(*own))
+        .map(|assembly| AssemblySource::Fixed(*assembly))
         .collect();
     let mut follow = |probe: RunOptions, source: &dyn Fn(bool) -> AssemblySource| {
         let crossed = run(&[], probe).recorder.asked;
         let asked = plain.recorder.asked.iter().zip(crossed);
-        for (own, (open, crossed)) in sources.iter_mut().zip(asked) {
+        for (kept, (open, crossed)) in sources.iter_mut().zip(asked) {
             if *open != crossed {
-                *own = source(*open == Assembly::Crossed);
+                *kept = source(*open == Assembly::Crossed);
             }
         }
     };
@@ -428,27 +442,37 @@ fn run<'d, F: Scalar>(
         Recorded::at(with(|recorder| recorder.put(TapeNode::Argument(index))))
     };
     let mut parameters = Vec::new();
-    for (index, own) in description.parameters.iter().enumerate() {
+    for (index, parameter) in description.parameters.iter().enumerate() {
         parameters.push(match &options.folded {
             Some(folded) => Number::constant(folded[index]),
-            None => argument(Role::Parameter(index), own.name, own.dimension, own.description),
+            None => argument(
+                Role::Parameter(index),
+                parameter.name,
+                parameter.dimension,
+                parameter.description,
+            ),
         });
     }
     let mut inputs = Vec::new();
-    for (input, own) in description.inputs.iter().enumerate() {
+    for (input, quantity) in description.inputs.iter().enumerate() {
         for order in 0..=description.order {
             inputs.push(argument(
                 Role::Input { input, order },
-                own.name,
-                own.dimension,
-                own.description,
+                quantity.name,
+                quantity.dimension,
+                quantity.description,
             ));
         }
     }
     let mut near = Vec::new();
     if choices.is_none() {
-        for (index, own) in description.unknowns.iter().enumerate() {
-            near.push(argument(Role::Near(index), own.name, own.dimension, own.description));
+        for (index, unknown) in description.unknowns.iter().enumerate() {
+            near.push(argument(
+                Role::Near(index),
+                unknown.name,
+                unknown.dimension,
+                unknown.description,
+            ));
         }
     }
     let choices = choices.unwrap_or_default();
@@ -480,7 +504,7 @@ fn run<'d, F: Scalar>(
     }
 }
 
-/// The position first, so that its checks are told from those of its rates, then all orders.
+/// The position first, so that its checks are distinguished from those of its rates, then all orders.
 fn solved<'d, F: Scalar>(
     solver: &Solver<'d, F>,
     options: &Options,
@@ -498,8 +522,8 @@ fn solved<'d, F: Scalar>(
     let values = |motions: &[Recorded<F>]| motions.iter().copied().step_by(count).collect::<Vec<_>>();
     let phase = |is_of_position: bool| with(|recorder| recorder.is_of_position = is_of_position);
     phase(true);
-    let places = values(inputs);
-    mechanism.position(parameters, &places, choice, &mut room(description.unknowns.len()))?;
+    let input_values = values(inputs);
+    mechanism.position(parameters, &input_values, choice, &mut room(description.unknowns.len()))?;
     phase(false);
     let [mut unknowns, mut outputs] = [description.unknowns, description.outputs].map(|all| room(all.len() * count));
     mechanism.motion(parameters, inputs, choice, &mut unknowns, &mut outputs)?;
@@ -515,12 +539,12 @@ fn solved<'d, F: Scalar>(
     results.extend((solver.more)(arguments)?);
     if options.has_skeleton {
         let mut all: Vec<Vec<Recorded<F>>> = Vec::new();
-        mechanism.places(parameters, &places, &values(&unknowns), &mut |place| {
-            all.push(place.to_vec());
+        mechanism.skeleton_points(parameters, &input_values, &values(&unknowns), &mut |point| {
+            all.push(point.to_vec());
         });
         let joints = all.len().saturating_sub(mechanism.outline().slides.len());
-        for (index, place) in all.iter().enumerate() {
-            for (axis, (letter, number)) in ["x", "y", "z"].into_iter().zip(place).enumerate() {
+        for (index, point) in all.iter().enumerate() {
+            for (axis, (letter, number)) in ["x", "y", "z"].into_iter().zip(point).enumerate() {
                 let (quantity, name) = match index.checked_sub(joints) {
                     None => (
                         ResultOf::Joint { joint: index, axis },

@@ -14,7 +14,7 @@ use crate::tape::{Comparison, Function, Operator, TapeNode, Value};
 
 /// A number that writes down what is done with it, for a tape in the number type `F`.
 ///
-/// It stands for a node and has no value of its own. It is used inside of [`tape::record`](crate::tape::record()) only.
+/// It stands for a node and has no value. It is used inside of [`tape::record`](crate::tape::record()) only.
 #[derive(Debug)]
 pub struct Recorded<F> {
     value: Value,
@@ -90,7 +90,7 @@ macro_rules! functions {
 
 impl<F: Number> Number for Recorded<F> {
     const EPSILON: f64 = F::EPSILON;
-    const SMALLEST: f64 = F::SMALLEST;
+    const SMALLEST_DIVISOR: f64 = F::SMALLEST_DIVISOR;
 
     fn constant(value: f64) -> Self {
         Self::at(recording::constant(value))
@@ -180,8 +180,8 @@ impl<F: Number> Real for Recorded<F> {
         node(TapeNode::Either(one, other))
     }
 
-    fn not(own: Value) -> Value {
-        node(TapeNode::Not(own))
+    fn not(truth: Value) -> Value {
+        node(TapeNode::Not(truth))
     }
 
     fn choose(truth: Value, one: impl FnOnce() -> Self, other: impl FnOnce() -> Self) -> Self {
@@ -248,7 +248,7 @@ impl<F: Number> Scalar for Recorded<F> {
     }
 
     fn measured_over<M: RowMeasure>(_: M, count: usize, operand: impl Fn(usize) -> Self) -> Self {
-        M::end((0..count).fold(M::start(), |own, index| M::with(own, operand(index))))
+        M::end((0..count).fold(M::start(), |constant, index| M::with(constant, operand(index))))
     }
 
     fn chosen<const N: usize>(choice: impl Choose<Self, N>) -> Result<Assembly, Failure> {
@@ -261,18 +261,18 @@ impl<F: Number> Scalar for Recorded<F> {
         let mut is_first = Self::certainly(true);
         for (number, choice) in choices.iter().enumerate() {
             let (operands, zero) = (choice.operands(), Self::constant(0.0));
-            let own = choice.validity(operands);
+            let validity = choice.validity(operands);
             // The margin of numbers that are not finite is not finite.
             let finite = operands
                 .into_iter()
                 .fold(Self::constant(f64::INFINITY), |sum, operand| sum + operand * zero);
             let checks = [
-                ("finite solutions", own.are_finite, finite),
-                ("a solution in the range", own.has_one, own.margin_of_one),
+                ("finite solutions", validity.are_finite, finite),
+                ("a solution in the range", validity.has_one, validity.margin_of_one),
                 (
                     "only one solution in the range",
-                    Self::not(own.has_two),
-                    own.margin_of_two,
+                    Self::not(validity.has_two),
+                    validity.margin_of_two,
                 ),
             ];
             // Only the last criterion fails if both solutions are valid.
@@ -284,9 +284,9 @@ impl<F: Number> Scalar for Recorded<F> {
                     return Err(Failure::not_finite(choice.name()));
                 }
             }
-            let own_first = Self::both(is_asked, || own.is_first);
-            is_first = <Self as Real>::either(own_first, || Self::both(Self::not(is_asked), || is_first));
-            is_asked = Self::both(is_asked, || own.has_two);
+            let is_first_of_one = Self::both(is_asked, || validity.is_first);
+            is_first = <Self as Real>::either(is_first_of_one, || Self::both(Self::not(is_asked), || is_first));
+            is_asked = Self::both(is_asked, || validity.has_two);
         }
         Ok(recording::side(is_first))
     }

@@ -95,7 +95,7 @@ pub(super) struct Recorder {
     pub(super) crossed_side: Option<usize>,
     /// Whether the solver has read a value, and may have decided by it.
     pub(super) is_read: bool,
-    /// The values of the arguments at the place of the record; empty if there is no such place.
+    /// The values of the arguments at the position of the record; empty if there is no such position.
     at: Vec<f64>,
     /// The value of each node there. Truths are 1 and 0, and a root is its guess.
     values: Vec<f64>,
@@ -143,15 +143,15 @@ impl Recorder {
         }
         let value = Value(u32::try_from(self.nodes.len()).unwrap_or(u32::MAX));
         if !self.at.is_empty() {
-            let own = self.value_of(node);
-            self.values.push(own);
+            let known_value = self.value_of(node);
+            self.values.push(known_value);
         }
         self.nodes.push(node);
         self.known.insert(node, value);
         value
     }
 
-    /// The value of a node at the place of the record, and NaN if there is no such place.
+    /// The value of a node at the position of the record, and NaN if there is no such position.
     pub(super) fn read(&mut self, value: Value) -> f64 {
         self.is_read = true;
         self.values.get(value.index()).copied().unwrap_or(f64::NAN)
@@ -168,7 +168,7 @@ impl Recorder {
             TapeNode::Binary(operator, one, other) => combined(operator, of(one), of(other)),
             TapeNode::PlusProduct(sum, one, other) => of(sum) + of(one) * of(other),
             TapeNode::MinusProduct(sum, one, other) => of(sum) - of(one) * of(other),
-            TapeNode::Select(own, one, other) => of(if of(own) > 0.0 { one } else { other }),
+            TapeNode::Select(truth, one, other) => of(if of(truth) > 0.0 { one } else { other }),
             TapeNode::Compare(comparison, one, other) => truth(comparison.holds(of(one), of(other))),
             TapeNode::IsFinite(one) => truth(of(one).is_finite()),
             TapeNode::Both(one, other) => of(one) * of(other),
@@ -187,8 +187,8 @@ impl Recorder {
         self.put(TapeNode::Constant(Constant::new(value)))
     }
 
-    /// Notes a check, unless the same was made before. The answer is whether it holds: a check holds except for the one that is
-    /// to fail.
+    /// Notes a check, unless the same was made before. The answer is whether it holds: a check holds except for the one
+    /// that is to fail.
     pub(super) fn check(
         &mut self,
         name: &'static str,
@@ -298,19 +298,19 @@ impl Recorder {
                 _ => (one == other).then_some(one),
             },
             TapeNode::Call(Function::Negate, one) => match self.node(one) {
-                TapeNode::Call(Function::Negate, own) => Some(own),
+                TapeNode::Call(Function::Negate, operand) => Some(operand),
                 _ => None,
             },
             TapeNode::Not(one) => match self.node(one) {
-                TapeNode::Not(own) => Some(own),
+                TapeNode::Not(operand) => Some(operand),
                 _ => None,
             },
             _ => None,
         }
     }
 
-    /// The operation on constants carried out, if its result has the same bits everywhere, and operands that may change places in
-    /// one order.
+    /// The operation on constants carried out, if its result has the same bits everywhere, and operands that may be
+    /// exchanged in one order.
     fn simplified(&self, node: TapeNode) -> TapeNode {
         let constant = |value: f64| TapeNode::Constant(Constant::new(self.rounded(value)));
         match node {

@@ -1,6 +1,7 @@
 //! What a number writes to the recorder of its thread.
 //!
-//! These functions know nothing of the number type, so that they are compiled once: a recorded solver has thousands of calls of them.
+//! These functions know nothing of the number type, so that they are compiled once: a recorded solver has thousands of
+//! calls of them.
 
 use std::vec::Vec;
 
@@ -87,12 +88,13 @@ pub(super) fn are_finite(numbers: &[Value]) -> bool {
     })
 }
 
-/// The search for a root. The same search may have been recorded before: then its equations are the same nodes of its unknowns.
+/// The search for a root. The same search may have been recorded before: then its equations are the same nodes of its
+/// unknowns.
 pub(super) fn searched(sought_with: &mut dyn FnMut(usize) -> Sought) -> usize {
     let count = with(|recorder| recorder.searches.len());
     let is_known = |search: &usize| {
-        let own = sought_with(*search);
-        with(|recorder| recorder.searches[*search] == own)
+        let sought = sought_with(*search);
+        with(|recorder| recorder.searches[*search] == sought)
     };
     let known = (0..count).find(is_known);
     known.unwrap_or_else(|| {
@@ -117,7 +119,7 @@ pub(super) fn is_found(search: usize) -> bool {
 pub(super) fn factored(rows: Vec<Vec<Value>>) -> (usize, bool) {
     with(|recorder| {
         let before = recorder.nodes.len();
-        let known = recorder.systems.iter().position(|own| *own == rows);
+        let known = recorder.systems.iter().position(|system| *system == rows);
         let system = known.unwrap_or_else(|| {
             recorder.systems.push(rows);
             recorder
@@ -133,11 +135,11 @@ pub(super) fn factored(rows: Vec<Vec<Value>>) -> (usize, bool) {
 /// The solution of a system for a right-hand side.
 pub(super) fn solved(system: usize, right: Vec<Value>) -> usize {
     with(|recorder| {
-        let own = (system, right);
-        let known = recorder.solutions.iter().position(|solution| *solution == own);
+        let wanted = (system, right);
+        let known = recorder.solutions.iter().position(|solution| *solution == wanted);
         known.unwrap_or_else(|| {
             let solution = recorder.solutions.len();
-            recorder.solutions.push(own);
+            recorder.solutions.push(wanted);
             recorder.events.push((recorder.nodes.len(), Event::Solve(solution)));
             solution
         })

@@ -44,11 +44,11 @@ crate::__debug_by_display!(Stop);
 impl Error for Stop {}
 
 impl Tape<'_> {
-    /// Runs the tape on the [arguments](Self::arguments), in their order, in the number type for which it was recorded. The numbers
-    /// found are in the order of the [results](Self::results).
+    /// Runs the tape on the [arguments](Self::arguments), in their order, in the number type for which it was recorded.
+    /// The numbers found are in the order of the [results](Self::results).
     ///
-    /// The numbers are those of `solve` to the last bit, in double precision. Where this crate's own build fuses products, so does
-    /// the run.
+    /// The numbers are those of `solve` to the last bit, in double precision. Where the build of this crate fuses
+    /// products, so does the run.
     ///
     /// # Errors
     /// The first check that fails. If a number is missing among the arguments, it counts as NaN.
@@ -122,13 +122,13 @@ impl<'a, F: Plain + Float> Run<'a, F> {
             singular: vec![None; tape.systems.len()],
             solutions: vec![Vec::new(); tape.solutions.len()],
         };
-        for (place, node) in tape.nodes.iter().enumerate() {
+        for (index, node) in tape.nodes.iter().enumerate() {
             match *node {
                 TapeNode::Argument(argument) => {
-                    run.numbers[place] = arguments.get(argument).map_or_else(F::nan, |own| F::constant(*own));
+                    run.numbers[index] = arguments.get(argument).map_or_else(F::nan, |given| F::constant(*given));
                 }
-                TapeNode::Constant(constant) => run.numbers[place] = F::constant(constant.value()),
-                TapeNode::Certain(truth) => run.truths[place] = truth,
+                TapeNode::Constant(constant) => run.numbers[index] = F::constant(constant.value()),
+                TapeNode::Certain(truth) => run.truths[index] = truth,
                 _ => {}
             }
         }
@@ -177,25 +177,25 @@ impl<'a, F: Plain + Float> Run<'a, F> {
     }
 
     fn computed(&self, node: TapeNode) -> F {
-        let own = |value: Value| self.number(value);
+        let operand = |value: Value| self.number(value);
         match node {
-            TapeNode::Call(function, one) => called(function, own(one)),
-            TapeNode::Binary(operator, one, other) => combined(operator, own(one), own(other)),
-            TapeNode::PlusProduct(sum, one, other) => own(sum).plus_product(own(one), own(other)),
-            TapeNode::MinusProduct(sum, one, other) => own(sum).minus_product(own(one), own(other)),
-            TapeNode::Select(truth, one, other) => own(if self.truth(truth) { one } else { other }),
+            TapeNode::Call(function, one) => called(function, operand(one)),
+            TapeNode::Binary(operator, one, other) => combined(operator, operand(one), operand(other)),
+            TapeNode::PlusProduct(sum, one, other) => operand(sum).plus_product(operand(one), operand(other)),
+            TapeNode::MinusProduct(sum, one, other) => operand(sum).minus_product(operand(one), operand(other)),
+            TapeNode::Select(truth, one, other) => operand(if self.truth(truth) { one } else { other }),
             _ => F::nan(),
         }
     }
 
     fn check(&mut self, index: usize) -> Result<(), Stop> {
         let check = &self.tape.checks[index];
-        let told = match check.condition {
+        let measure = match check.condition {
             Condition::Holds(truth) => (!self.truth(truth)).then_some(f64::NAN),
             Condition::Found(search) => self.roots[search].as_ref().err().copied(),
             Condition::Regular(system) => self.singular[system],
         };
-        let Some(told) = told else { return Ok(()) };
+        let Some(measure) = measure else { return Ok(()) };
         for value in &check.cold {
             self.compute(*value);
         }
@@ -203,7 +203,7 @@ impl<'a, F: Plain + Float> Run<'a, F> {
             check: index,
             name: check.name,
             block: check.block,
-            margin: check.margin.map_or(told, |margin| self.number(margin).real()),
+            margin: check.margin.map_or(measure, |margin| self.number(margin).real()),
         })
     }
 
@@ -212,8 +212,8 @@ impl<'a, F: Plain + Float> Run<'a, F> {
             let search = &run.tape.searches[index];
             let (guess, sizes) = (run.all(&search.guess), run.all(&search.sizes));
             let unknowns: Vec<(usize, usize)> = (run.tape.nodes.iter().enumerate())
-                .filter_map(|(place, node)| match *node {
-                    TapeNode::Unknown { search, index: unknown } if search == index => Some((place, unknown)),
+                .filter_map(|(index_of_node, node)| match *node {
+                    TapeNode::Unknown { search, index: unknown } if search == index => Some((index_of_node, unknown)),
                     _ => None,
                 })
                 .collect();
@@ -221,8 +221,8 @@ impl<'a, F: Plain + Float> Run<'a, F> {
                 core::array::from_fn(|unknown| guess[unknown]),
                 core::array::from_fn(|unknown| sizes[unknown]),
                 |at| {
-                    for (place, unknown) in &unknowns {
-                        run.numbers[*place] = at[*unknown];
+                    for (index_of_node, unknown) in &unknowns {
+                        run.numbers[*index_of_node] = at[*unknown];
                     }
                     for value in &search.body {
                         run.compute(*value);

@@ -20,7 +20,7 @@ pub(super) struct SignatureEntry<'d> {
     dimension: Dimension,
     description: &'d str,
     /// The index of each order among the arguments or the results of the tape.
-    pub(super) places: Vec<usize>,
+    pub(super) indices: Vec<usize>,
 }
 
 impl SignatureEntry<'_> {
@@ -36,10 +36,10 @@ impl SignatureEntry<'_> {
             Dimension::Scalar => "; a number",
         });
         let rates = ["", "", ", acceleration", ", jerk", ", snap"];
-        if self.places.len() > 1 {
-            let last = self.places.len().min(rates.len());
+        if self.indices.len() > 1 {
+            let last = self.indices.len().min(rates.len());
             text = format!("{text}: position, velocity{}", rates[..last].concat());
-            if self.places.len() > rates.len() {
+            if self.indices.len() > rates.len() {
                 text.push_str(" and higher rates");
             }
         }
@@ -56,7 +56,7 @@ pub(super) struct Signature<'d> {
     pub(super) assemblies: Vec<SignatureEntry<'d>>,
     /// The unknowns, the outputs and the partial derivatives.
     pub(super) results: Vec<SignatureEntry<'d>>,
-    /// The places among the results of the coordinates of each joint.
+    /// The indices among the results of the coordinates of each joint.
     pub(super) joints: Vec<Vec<usize>>,
     /// The same of the direction of each slide.
     pub(super) slides: Vec<Vec<usize>>,
@@ -68,7 +68,7 @@ impl<'d> Signature<'d> {
 
     /// The text that checks arguments, with the largest number of entries of a motion.
     pub(super) fn argument_checks(&self, text: &str) -> String {
-        let entries = self.inputs.iter().map(|input| input.places.len());
+        let entries = self.inputs.iter().map(|input| input.indices.len());
         let most = entries.max().unwrap_or(0).max(Self::ENTRIES);
         text.replace("@ENTRIES@", &most.to_string())
     }
@@ -84,12 +84,12 @@ impl<'d> Signature<'d> {
         let mut names = DistinctNames::new(taken);
         let mut known = BTreeMap::new();
         let mut name = |declared: &str| -> String {
-            let own = known
+            let distinct = known
                 .entry(declared.to_string())
                 .or_insert_with(|| names.name(declared));
-            own.clone()
+            distinct.clone()
         };
-        let mut own = Self {
+        let mut signature = Self {
             parameters: Vec::new(),
             inputs: Vec::new(),
             near: Vec::new(),
@@ -98,60 +98,61 @@ impl<'d> Signature<'d> {
             joints: Vec::new(),
             slides: Vec::new(),
         };
-        for (place, argument) in tape.arguments.iter().enumerate() {
+        for (index, argument) in tape.arguments.iter().enumerate() {
             let (list, order) = match argument.role {
-                Role::Parameter(_) => (&mut own.parameters, 0),
-                Role::Input { order, .. } => (&mut own.inputs, order),
-                Role::Near(_) => (&mut own.near, 0),
-                Role::Assembly(_) => (&mut own.assemblies, 0),
+                Role::Parameter(_) => (&mut signature.parameters, 0),
+                Role::Input { order, .. } => (&mut signature.inputs, order),
+                Role::Near(_) => (&mut signature.near, 0),
+                Role::Assembly(_) => (&mut signature.assemblies, 0),
             };
             match list.last_mut() {
-                Some(last) if order > 0 => last.places.push(place),
+                Some(last) if order > 0 => last.indices.push(index),
                 _ => list.push(SignatureEntry {
                     name: name(&argument.name),
                     declared: argument.name.clone(),
                     dimension: argument.dimension,
                     description: argument.description,
-                    places: vec![place],
+                    indices: vec![index],
                 }),
             }
         }
-        for (place, result) in tape.results.iter().enumerate() {
+        for (index, result) in tape.results.iter().enumerate() {
             let parameter = |parameter: usize| tape.description.parameters[parameter].name;
             let declared = match result.quantity {
                 ResultOf::Joint { joint, .. } => {
-                    own.joints.resize(own.joints.len().max(joint + 1), Vec::new());
-                    own.joints[joint].push(place);
+                    signature
+                        .joints
+                        .resize(signature.joints.len().max(joint + 1), Vec::new());
+                    signature.joints[joint].push(index);
                     continue;
                 }
                 ResultOf::Slide { slide, .. } => {
-                    own.slides.resize(own.slides.len().max(slide + 1), Vec::new());
-                    own.slides[slide].push(place);
+                    signature
+                        .slides
+                        .resize(signature.slides.len().max(slide + 1), Vec::new());
+                    signature.slides[slide].push(index);
                     continue;
                 }
                 ResultOf::Unknown(_) | ResultOf::Output(_) => result.name.clone(),
-                ResultOf::UnknownPartial {
-                    unknown,
-                    parameter: own,
-                } => {
-                    format!("{}_by_{}", tape.description.unknowns[unknown].name, parameter(own))
+                ResultOf::UnknownPartial { unknown, parameter: by } => {
+                    format!("{}_by_{}", tape.description.unknowns[unknown].name, parameter(by))
                 }
-                ResultOf::OutputPartial { output, parameter: own } => {
-                    format!("{}_by_{}", tape.description.outputs[output].name, parameter(own))
+                ResultOf::OutputPartial { output, parameter: by } => {
+                    format!("{}_by_{}", tape.description.outputs[output].name, parameter(by))
                 }
             };
-            match own.results.last_mut() {
-                Some(last) if result.order > 0 => last.places.push(place),
-                _ => own.results.push(SignatureEntry {
+            match signature.results.last_mut() {
+                Some(last) if result.order > 0 => last.indices.push(index),
+                _ => signature.results.push(SignatureEntry {
                     name: name(&declared),
                     declared,
                     dimension: result.dimension,
                     description: result.description,
-                    places: vec![place],
+                    indices: vec![index],
                 }),
             }
         }
-        own
+        signature
     }
 }
 

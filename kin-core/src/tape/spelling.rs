@@ -41,7 +41,7 @@ const fn spellings(node: &TapeNode) -> [&'static str; 3] {
             Operator::Add => ["+"; 3],
             Operator::Subtract => ["-"; 3],
             Operator::Multiply => ["*"; 3],
-            // Python's own numbers, which constants are, refuse to be divided by zero.
+            // The numbers of Python, which constants are, refuse to be divided by zero.
             Operator::Divide => ["/", "/", "np.divide"],
             Operator::ArcTangent => ["kin_atan2", "kinAtan2", "_atan2"],
         },

@@ -6,7 +6,8 @@ use std::vec::Vec;
 use crate::tape::structure::Tape;
 use crate::tape::{Condition, TapeNode, TapeStep, Value};
 
-/// The lowest order that needs each node, search, system and solution; `usize::MAX` for a node that only a margin needs.
+/// The lowest order that needs each node, search, system and solution; `usize::MAX` for a node that only a margin
+/// needs.
 pub(super) struct Stages {
     nodes: Vec<usize>,
     searches: Vec<usize>,
@@ -35,7 +36,7 @@ impl Stages {
 
     pub(super) fn new(tape: &Tape<'_>) -> Self {
         let never = usize::MAX;
-        let mut own = Self {
+        let mut stages = Self {
             nodes: vec![never; tape.nodes.len()],
             searches: vec![never; tape.searches.len()],
             systems: vec![never; tape.systems.len()],
@@ -43,13 +44,13 @@ impl Stages {
             is_one: false,
         };
         for result in &tape.results {
-            own.need(result.value, result.order);
+            stages.need(result.value, result.order);
         }
         for check in &tape.checks {
             match check.condition {
-                Condition::Holds(truth) => own.need(truth, check.order),
-                Condition::Found(search) => own.search(tape, search, check.order),
-                Condition::Regular(system) => own.system(tape, system, check.order),
+                Condition::Holds(truth) => stages.need(truth, check.order),
+                Condition::Found(search) => stages.search(tape, search, check.order),
+                Condition::Regular(system) => stages.system(tape, system, check.order),
             }
             // A margin takes what is there already.
             let mut taken = Vec::new();
@@ -58,41 +59,41 @@ impl Stages {
             }
             taken.extend(check.margin);
             for value in taken.into_iter().filter(|value| !check.cold.contains(value)) {
-                own.need(value, check.order);
+                stages.need(value, check.order);
             }
         }
-        for place in (0..tape.nodes.len()).rev() {
-            let order = own.nodes[place];
+        for index in (0..tape.nodes.len()).rev() {
+            let order = stages.nodes[index];
             if order == never {
                 continue;
             }
-            let node = tape.nodes[place];
-            node.operands(|operand| own.need(operand, order));
+            let node = tape.nodes[index];
+            node.operands(|operand| stages.need(operand, order));
             match node {
-                TapeNode::Root { search, .. } => own.search(tape, search, order),
+                TapeNode::Root { search, .. } => stages.search(tape, search, order),
                 TapeNode::Solution { solution, .. } => {
-                    own.solutions[solution] = own.solutions[solution].min(order);
+                    stages.solutions[solution] = stages.solutions[solution].min(order);
                     for value in &tape.solutions[solution].right {
-                        own.need(*value, order);
+                        stages.need(*value, order);
                     }
-                    own.system(tape, tape.solutions[solution].system, order);
+                    stages.system(tape, tape.solutions[solution].system, order);
                 }
                 _ => {}
             }
         }
-        own
+        stages
     }
 
     fn need(&mut self, value: Value, order: usize) {
-        let own = &mut self.nodes[value.index()];
-        *own = order.min(*own);
+        let known_order = &mut self.nodes[value.index()];
+        *known_order = order.min(*known_order);
     }
 
     fn search(&mut self, tape: &Tape<'_>, search: usize, order: usize) {
         self.searches[search] = self.searches[search].min(order);
-        let own = &tape.searches[search];
-        let values = own.guess.iter().chain(&own.sizes).chain(&own.residuals);
-        for value in values.chain(own.jacobian.iter().flatten()) {
+        let sought = &tape.searches[search];
+        let values = sought.guess.iter().chain(&sought.sizes).chain(&sought.residuals);
+        for value in values.chain(sought.jacobian.iter().flatten()) {
             self.need(*value, order);
         }
     }

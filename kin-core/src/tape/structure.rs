@@ -12,14 +12,16 @@ pub use super::node::{Comparison, Constant, Function, Operator, TapeNode, Value}
 
 /// A solver as straight-line code: arguments, operations, checks, results.
 ///
-/// The [nodes](Self::nodes) stand behind their operands. The [steps](Self::steps) say what is done, one after the other: a node is
-/// computed, a check made, a search run. [`Tape::run`] does just that and is the shortest complete reading of this structure.
+/// The [nodes](Self::nodes) stand behind their operands. The [steps](Self::steps) say what is done, one after the
+/// other: a node is computed, a check made, a search run. [`Tape::run`] does just that and is the shortest complete
+/// reading of this structure.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Tape<'d> {
     /// The description of the mechanism: its name, equations and blocks.
     pub description: Description<'d>,
-    /// Which of the joints among the results belong together. It is [`Outline::NONE`] unless the skeleton was asked for.
+    /// Which of the joints among the results belong together. It is [`Outline::NONE`] unless the skeleton was asked
+    /// for.
     pub outline: Outline<'d>,
     /// The number type for which the tape was recorded. Its ε and its smallest number are in the constants.
     pub precision: NumberType,
@@ -53,21 +55,21 @@ impl Tape<'_> {
 
     /// The nodes outside of a search, and no constants, that its equations need, in ascending order.
     pub(super) fn given(&self, search: usize) -> Vec<Value> {
-        let own = &self.searches[search];
+        let sought = &self.searches[search];
         let mut given = BTreeSet::new();
         let mut need = |value: Value| {
             let is_plain = matches!(
                 self.nodes[value.index()],
                 TapeNode::Constant(_) | TapeNode::Certain(_) | TapeNode::Unknown { .. }
             );
-            if !is_plain && !own.body.contains(&value) {
+            if !is_plain && !sought.body.contains(&value) {
                 given.insert(value);
             }
         };
-        for value in &own.body {
+        for value in &sought.body {
             self.nodes[value.index()].operands(&mut need);
         }
-        let equations = own.residuals.iter().chain(own.jacobian.iter().flatten());
+        let equations = sought.residuals.iter().chain(sought.jacobian.iter().flatten());
         equations.copied().for_each(&mut need);
         given.into_iter().collect()
     }
@@ -88,8 +90,8 @@ pub enum NumberType {
 pub struct Argument<'d> {
     /// The quantity to which it belongs.
     pub role: Role,
-    /// The name of the quantity as declared. The parts of a point `p` are `p.x`, `p.y` and, in space, `p.z`. That of an assembly is
-    /// the field of the assembly structure, or `assembly` if there is only one choice.
+    /// The name of the quantity as declared. The parts of a point `p` are `p.x`, `p.y` and, in space, `p.z`. That of an
+    /// assembly is the field of the assembly structure, or `assembly` if there is only one choice.
     pub name: String,
     /// The dimension of the quantity. An input of order n has this over the n-th power of time.
     pub dimension: Dimension,
@@ -124,11 +126,11 @@ pub struct TapeResult<'d> {
     pub quantity: ResultOf,
     /// The order of its time derivative; 0 is the position.
     pub order: usize,
-    /// The name of the quantity as declared. The coordinates of a joint are `joints.0.x`, `joints.0.y` and so on, the direction of a
-    /// slide is `slides.0.x` and so on.
+    /// The name of the quantity as declared. The coordinates of a joint are `joints.0.x`, `joints.0.y` and so on, the
+    /// direction of a slide is `slides.0.x` and so on.
     pub name: String,
-    /// The dimension of the quantity. One of order n has this over the n-th power of time, and a partial derivative the dimension
-    /// over that of its parameter.
+    /// The dimension of the quantity. One of order n has this over the n-th power of time, and a partial derivative the
+    /// dimension over that of its parameter.
     pub dimension: Dimension,
     /// The first paragraph of its documentation, or an empty string.
     pub description: &'d str,
@@ -204,9 +206,9 @@ pub struct TapeCheck {
     pub condition: Condition,
     /// The steps for the margin, if the check fails. No other step uses their nodes.
     pub cold: Vec<Value>,
-    /// The distance from failing. It is negative if something is out of reach by that much, about zero in a singular position, and
-    /// not finite if a number is not. For a search or a system it is `None`: the run time tells the largest residual of the search
-    /// where it stopped, or the determinant of the system.
+    /// The distance from failing. It is negative if something is out of reach by that much, about zero in a singular
+    /// position, and not finite if a number is not. For a search or a system it is `None`: the run time gives the
+    /// largest residual of the search where it stopped, or the determinant of the system.
     pub margin: Option<Value>,
 }
 
@@ -222,8 +224,8 @@ pub enum Condition {
     Regular(usize),
 }
 
-/// A block of coupled equations, solved by Newton's method from a guess. See [`solve::newton`](crate::solve::newton()) for the
-/// method.
+/// A block of coupled equations, solved by Newton's method from a guess. See [`solve::newton`](crate::solve::newton())
+/// for the method.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct NewtonSearch {
@@ -231,7 +233,8 @@ pub struct NewtonSearch {
     pub guess: Vec<Value>,
     /// The natural size of each unknown.
     pub sizes: Vec<Value>,
-    /// The nodes of residuals and Jacobian that depend on the [unknowns](TapeNode::Unknown), in the order in which they are computed.
+    /// The nodes of residuals and Jacobian that depend on the [unknowns](TapeNode::Unknown), in the order in which they
+    /// are computed.
     pub body: Vec<Value>,
     /// The residual of each equation.
     pub residuals: Vec<Value>,

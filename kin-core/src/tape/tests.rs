@@ -22,9 +22,9 @@ fn a_tape_of_a_four_bar_is_its_solver() {
             let arguments = [r1, r2, r3, r4, crank, velocity, acceleration, jerk, snap, sign];
             match (linkage.solve(motion, assembly), tape.run(&arguments)) {
                 (Ok(pose), Ok(found)) => {
-                    let own = [pose.theta3, pose.theta4].map(|motion| motion.derivatives()).concat();
+                    let expected = [pose.theta3, pose.theta4].map(|motion| motion.derivatives()).concat();
                     let bits = |numbers: &[f64]| numbers.iter().map(|number| number.to_bits()).collect::<Vec<_>>();
-                    assert_eq!(bits(&found), bits(&own), "{crank} {assembly}");
+                    assert_eq!(bits(&found), bits(&expected), "{crank} {assembly}");
                 }
                 (Err(error), Err(stop)) => {
                     assert_eq!(stop.block, error.block);
@@ -34,7 +34,7 @@ fn a_tape_of_a_four_bar_is_its_solver() {
                         "{stop} {margin}"
                     );
                 }
-                (own, found) => panic!("{crank} {assembly}: {own:?} {found:?}"),
+                (expected, found) => panic!("{crank} {assembly}: {expected:?} {found:?}"),
             }
         }
     }
@@ -74,12 +74,12 @@ fn orders_above_the_wanted_one_are_left_out() {
     let all = whole.run(&NUMBERS).unwrap();
     let mut before = 0;
     for order in 0..=4 {
-        let own = record::<FourBar>(&Options::new().up_to(order)).unwrap();
-        let found = own.run(&NUMBERS).unwrap();
+        let tape = record::<FourBar>(&Options::new().up_to(order)).unwrap();
+        let found = tape.run(&NUMBERS).unwrap();
         assert_eq!(bits(&found[..=order]), bits(&all[..=order]));
         assert_eq!(bits(&found[order + 1..]), bits(&all[5..=5 + order]));
-        assert!(own.steps.len() > before);
-        before = own.steps.len();
+        assert!(tape.steps.len() > before);
+        before = tape.steps.len();
     }
     assert_eq!(record::<FourBar>(&Options::new().up_to(9)).unwrap(), whole);
 }
@@ -96,16 +96,16 @@ fn tapes_have_their_number_type() {
     };
     let crank = Motion::from((1.0_f32, -10.0, 2.0, -0.5, 0.3));
     let pose = linkage.solve(crank, Assembly::Open).unwrap();
-    let own = [pose.theta3, pose.theta4]
+    let expected = [pose.theta3, pose.theta4]
         .map(|motion| motion.derivatives().map(f64::from))
         .concat();
-    assert_eq!(bits(&tape.run(&NUMBERS).unwrap()), bits(&own));
+    assert_eq!(bits(&tape.run(&NUMBERS).unwrap()), bits(&expected));
     // Its smallest divisor is that of the type.
     let smallest = 2.0 * f64::from(f32::MIN_POSITIVE);
     let is_there = |wanted: f64| {
         tape.nodes
             .iter()
-            .any(|node| matches!(node, super::TapeNode::Constant(own) if own.value() == wanted))
+            .any(|node| matches!(node, super::TapeNode::Constant(constant) if constant.value() == wanted))
     };
     assert!(is_there(smallest) && !is_there(2.0 * f64::MIN_POSITIVE));
 }
@@ -142,8 +142,8 @@ fn sensitivities_are_recorded() {
     let mut compared = 0;
     for (result, number) in tape.results.iter().zip(found) {
         if let ResultOf::UnknownPartial { unknown, parameter } = result.quantity {
-            let own = partials[parameter].unknown_partials()[unknown].derivatives()[result.order];
-            assert_eq!(number.to_bits(), own.to_bits(), "{}", result.name);
+            let expected = partials[parameter].unknown_partials()[unknown].derivatives()[result.order];
+            assert_eq!(number.to_bits(), expected.to_bits(), "{}", result.name);
             compared += 1;
         }
     }
@@ -155,10 +155,10 @@ fn sensitivities_are_recorded() {
 fn a_tape_is_in_order() {
     let tape = record::<FourBar>(&Options::new().with_skeleton()).unwrap();
     let mut used: Vec<bool> = tape.nodes.iter().map(|_| false).collect();
-    for (place, node) in tape.nodes.iter().enumerate() {
-        assert!(!tape.nodes[..place].contains(node), "{node:?}");
+    for (index, node) in tape.nodes.iter().enumerate() {
+        assert!(!tape.nodes[..index].contains(node), "{node:?}");
         node.operands(|operand| {
-            assert!(operand.index() < place);
+            assert!(operand.index() < index);
             used[operand.index()] = true;
         });
     }
@@ -193,13 +193,19 @@ fn assemblies_beside_coupled_blocks_are_recorded() {
     use coupled_and_named::Delayed;
 
     let tape = record::<Delayed>(&Options::new()).unwrap();
-    assert!(tape.searches.len() == 1 && tape.arguments.iter().all(|own| !matches!(own.role, Role::Assembly(_))));
+    assert!(
+        tape.searches.len() == 1
+            && tape
+                .arguments
+                .iter()
+                .all(|argument| !matches!(argument.role, Role::Assembly(_)))
+    );
     let mechanism = Delayed { r: 0.4, l: 1.1, k: 0.3 };
     let rates = [0.7, 2.0, -0.5, 0.3, 1.0];
     for near in [[0.2, 1.3, 1.0], [3.0, -0.8, 4.0]] {
         let pose = mechanism.solve_near(Motion::from(rates), near).unwrap();
-        let own = [pose.phi.derivatives(), pose.s.derivatives(), pose.e.derivatives()].concat();
+        let expected = [pose.phi.derivatives(), pose.s.derivatives(), pose.e.derivatives()].concat();
         let given = [&[0.4, 1.1, 0.3][..], &rates, &near].concat();
-        assert_eq!(bits(&tape.run(&given).unwrap()), bits(&own));
+        assert_eq!(bits(&tape.run(&given).unwrap()), bits(&expected));
     }
 }

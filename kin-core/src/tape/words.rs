@@ -7,7 +7,7 @@ use std::vec::Vec;
 
 use crate::quantity::{GREEK, RATES, in_small_letters};
 
-/// Names that are told apart, none of which is a word of the language.
+/// Distinct names, none of which is a word of the language.
 pub(crate) struct DistinctNames {
     keywords: &'static [&'static str],
     taken: BTreeSet<String>,
@@ -24,26 +24,26 @@ impl DistinctNames {
     /// An identifier for a name as declared, different from all before.
     pub(crate) fn name(&mut self, declared: &str) -> String {
         let plain = identifier(declared);
-        // Printers name their own variables so.
+        // Printers name their variables so.
         let is_value = |name: &str| {
             let is_number = |rest: &str| rest.parse::<u32>().is_ok();
             let is_array = |(head, rest): (&str, &str)| ARRAYS.contains(&head) && is_number(rest);
             name.strip_prefix('v').is_some_and(is_number) || name.rsplit_once('_').is_some_and(is_array)
         };
-        let mut own = plain.clone();
+        let mut name = plain.clone();
         if self.keywords.contains(&plain.as_str()) || is_value(&plain) {
-            own.push('_');
+            name.push('_');
         }
         let mut number = 2;
-        while !self.taken.insert(own.clone()) {
-            own = format!("{plain}_{number}");
+        while !self.taken.insert(name.clone()) {
+            name = format!("{plain}_{number}");
             number += 1;
         }
-        own
+        name
     }
 }
 
-/// The beginnings of the names of a printer's own variables.
+/// The beginnings of the names of the variables of a printer.
 const ARRAYS: [&str; 10] = [
     "guess", "sizes", "given", "block", "roots", "found", "factors", "regular", "right", "solution",
 ];
@@ -51,29 +51,34 @@ const ARRAYS: [&str; 10] = [
 /// A name in letters, digits and underscores that begins with a letter.
 pub(crate) fn identifier(declared: &str) -> String {
     let declared = declared.strip_prefix("r#").unwrap_or(declared);
-    let mut own = String::new();
+    let mut name = String::new();
     for letter in declared.chars() {
-        let greek = |wanted: char| GREEK.iter().find(|(own, _)| *own == wanted).map(|(_, word)| *word);
+        let greek = |wanted: char| {
+            GREEK
+                .iter()
+                .find(|(letter_of_name, _)| *letter_of_name == wanted)
+                .map(|(_, word)| *word)
+        };
         let lower = letter.to_lowercase().next().unwrap_or(letter);
         if letter.is_ascii_alphanumeric() || letter == '_' {
-            own.push(letter);
+            name.push(letter);
         } else if letter == '.' {
-            own.push('_');
+            name.push('_');
         } else if let Some(word) = greek(letter) {
-            own.push_str(word);
+            name.push_str(word);
         } else if let Some(word) = greek(lower) {
-            own.push_str(&word[..1].to_uppercase());
-            own.push_str(&word[1..]);
+            name.push_str(&word[..1].to_uppercase());
+            name.push_str(&word[1..]);
         } else {
             let code = format!("u{:x}", u32::from(letter));
-            own.push_str(&code);
+            name.push_str(&code);
         }
     }
     // Names that begin with an underscore belong to the language.
-    let own = own.trim_start_matches('_').to_string();
-    match own.chars().next() {
-        Some(first) if first.is_ascii_alphabetic() => own,
-        _ => format!("n{own}"),
+    let name = name.trim_start_matches('_').to_string();
+    match name.chars().next() {
+        Some(first) if first.is_ascii_alphabetic() => name,
+        _ => format!("n{name}"),
     }
 }
 
@@ -87,7 +92,10 @@ pub(crate) fn snake(name: &str) -> String {
 pub(super) fn lines(text: &str, width: usize) -> Vec<String> {
     let is_mark = |letter: char| {
         letter.is_control()
-            || matches!(letter, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}')
+            || matches!(
+                letter,
+                '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}'
+            )
     };
     let text: String = text
         .chars()
@@ -131,23 +139,23 @@ mod tests {
     use super::{DistinctNames, lines, snake};
 
     #[test]
-    fn names_are_told_apart_and_are_no_keywords() {
+    fn names_are_distinct_and_are_no_keywords() {
         let mut names = DistinctNames::new(&["int", "double"]);
         let declared = [
             "p.x", "p_x", "int", "int_", "θ", "theta", "Θ2", "v12", "_a", "__b", "2x", "été", "r#double",
         ];
-        let own = declared.map(|name| names.name(name));
+        let distinct = declared.map(|name| names.name(name));
         let expected = [
             "p_x", "p_x_2", "int_", "int__2", "theta", "theta_2", "Theta2", "v12_", "a", "b", "n2x", "ue9tue9",
             "double_",
         ];
-        assert_eq!(own, expected);
+        assert_eq!(distinct, expected);
     }
 
     #[test]
     fn types_become_small_letters() {
-        let own = ["FourBar", "WattIIByCouplers", "Rssr", "StephensonIII"].map(snake);
-        assert_eq!(own, ["four_bar", "watt_ii_by_couplers", "rssr", "stephenson_iii"]);
+        let snakes = ["FourBar", "WattIIByCouplers", "Rssr", "StephensonIII"].map(snake);
+        assert_eq!(snakes, ["four_bar", "watt_ii_by_couplers", "rssr", "stephenson_iii"]);
     }
 
     #[test]

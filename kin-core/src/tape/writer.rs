@@ -39,8 +39,8 @@ pub(super) struct Writer<'a, D> {
     uses: Vec<usize>,
 }
 
-/// The longest expression that takes the place of a name, in letters.
-const LONGEST: usize = 60;
+/// The longest expression that replaces a name, in letters.
+const LONGEST_EXPRESSION: usize = 60;
 
 impl<'a, D: Dialect> Writer<'a, D> {
     pub(super) fn new(tape: &'a Tape<'a>, dialect: D) -> Self {
@@ -95,11 +95,11 @@ impl<'a, D: Dialect> Writer<'a, D> {
         self.names[value.index()] = name;
     }
 
-    /// The names of a group of nodes that are computed one after the other, each with the expression that it stands for.
-    /// A node that is needed once, by a node of the group, becomes a part of that node, unless it is long. Sines and
-    /// cosines are left to the caller.
+    /// The names of a group of nodes that are computed one after the other, each with the expression that it stands
+    /// for. A node that is needed once, by a node of the group, becomes a part of that node, unless it is long. Sines
+    /// and cosines are left to the caller.
     pub(super) fn named(&self, group: &[Value], limit: Option<usize>) -> Vec<Value> {
-        let limit = limit.unwrap_or(LONGEST);
+        let limit = limit.unwrap_or(LONGEST_EXPRESSION);
         let mut within = vec![0_usize; self.uses.len()];
         for value in group {
             self.tape.nodes[value.index()].operands(|operand| within[operand.index()] += 1);
@@ -108,12 +108,12 @@ impl<'a, D: Dialect> Writer<'a, D> {
         let mut named = Vec::new();
         for value in group {
             let node = self.tape.nodes[value.index()];
-            let mut own = 4;
-            node.operands(|operand| own += length[operand.index()].max(5));
-            let place = value.index();
+            let mut own_length = 4;
+            node.operands(|operand| own_length += length[operand.index()].max(5));
+            let index = value.index();
             let is_pair = matches!(node, TapeNode::Call(Function::Sine | Function::Cosine, _));
-            if self.uses[place] == 1 && within[place] == 1 && own <= limit && !is_pair {
-                length[place] = own;
+            if self.uses[index] == 1 && within[index] == 1 && own_length <= limit && !is_pair {
+                length[index] = own_length;
             } else {
                 named.push(*value);
             }

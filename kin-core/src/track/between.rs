@@ -3,12 +3,12 @@
 use alloc::vec::Vec;
 
 use super::follow::follow;
-use super::line::TrackPlace;
+use super::line::TrackPosition;
 use super::obstacle::TrackError;
 use crate::curve::CurveFunctions;
 use crate::mechanism::HeapMemory;
 
-/// [`track`](crate::track()) between two places.
+/// [`track`](crate::track()) between two points.
 ///
 /// # Errors
 /// As for `track`.
@@ -25,7 +25,7 @@ pub fn track_between(
         mechanism,
         parameters,
         [from, to],
-        TrackPlace {
+        TrackPosition {
             inputs: &mut inputs,
             unknowns: &mut near,
         },
@@ -37,6 +37,6 @@ pub fn track_between(
             mechanism.position_near(parameters, to, &near, &mut unknowns)?;
             Ok(unknowns)
         }
-        Err(error) => Err(error.placed(inputs, near)),
+        Err(error) => Err(error.with_position(inputs, near)),
     }
 }

@@ -1,6 +1,6 @@
 //! The causes that stop a track.
 
-use super::follow::{ANCHOR, BLUR, Ended, FAR, SECANTS, TrackPoint};
+use super::follow::{ANCHOR, BLUR, Ended, GROWTH_TO_POLE, SECANTS, TrackPoint};
 use super::line::TrackLine;
 use super::obstacle::{FIRM, TrackError, TrackLimit, TrackStop};
 use super::steps::Steps;
@@ -92,7 +92,7 @@ pub(super) fn blocked(
     }
 }
 
-/// The place at which an unknown goes to infinity, if it is close.
+/// The point at which an unknown goes to infinity, if it is close.
 fn pole(way: &TrackLine<'_>, here: &TrackPoint<'_>, scratch: &mut LentRows<'_>) -> Option<TrackLimit<(), ()>> {
     let values = here.point.unknowns;
     let grown = |index: &usize| values[*index].abs() / way.sizes[*index];
@@ -103,7 +103,7 @@ fn pole(way: &TrackLine<'_>, here: &TrackPoint<'_>, scratch: &mut LentRows<'_>) 
     }
     // The zero of the reciprocal.
     let distance = values[index] / here.rate(index);
-    if is_angle || grown(&index) < FAR || !(0.0..=BLUR).contains(&distance) {
+    if is_angle || grown(&index) < GROWTH_TO_POLE || !(0.0..=BLUR).contains(&distance) {
         return None;
     }
     // Halfway to a pole an unknown grows to more than 1.6 times its value. At a fold of the same rate, the path has
@@ -130,7 +130,7 @@ fn pole(way: &TrackLine<'_>, here: &TrackPoint<'_>, scratch: &mut LentRows<'_>) 
     })
 }
 
-/// The error of the first place close ahead that lies outside the domain of a function.
+/// The error of the first point close ahead that lies outside the domain of a function.
 fn end_of_domain(way: &Way<'_>, here: &TrackPoint<'_>, scratch: &mut LentRows<'_>) -> Option<SolveError> {
     let is_outside = |error: &SolveError| matches!(error.failure, Failure::OutsideDomain { .. });
     let blocks = 0..way.description.blocks.len();
@@ -147,7 +147,7 @@ fn end_of_domain(way: &Way<'_>, here: &TrackPoint<'_>, scratch: &mut LentRows<'_
     }
 }
 
-/// The first place close ahead at which the solvers fail in a given way, to the last digit of the inputs, and its
+/// The first point close ahead at which the solvers fail in a given way, to the last digit of the inputs, and its
 /// error.
 fn first_failure(
     way: &Way<'_>,
@@ -181,7 +181,7 @@ fn first_failure(
     Some((high, error))
 }
 
-/// Places ahead at growing distances, all of them close.
+/// Points ahead at growing distances, all of them close.
 fn ahead(way: &Way<'_>, here: &TrackPoint<'_>) -> impl Iterator<Item = f64> + use<> {
     let (start, end, shortest) = (here.point.travel, way.length, way.shortest());
     let steps = core::iter::successors(Some(shortest), |step| Some(4.0 * step));
@@ -284,7 +284,7 @@ pub(super) fn obstacle(
     }
 }
 
-/// The place where the track stopped.
+/// The point where the track stopped.
 pub(super) fn stop(
     way: &TrackLine<'_>,
     point: WayPoint<'_>,
@@ -321,9 +321,9 @@ mod tests {
         r4: 60.0,
     };
 
-    /// Tested places lie ahead at growing distances, close, and not beyond the end.
+    /// Tested points lie ahead at growing distances, close, and not beyond the end.
     #[test]
-    fn places_ahead_are_near_by() {
+    fn points_ahead_are_near_by() {
         let start = Mechanism::position(&LINKAGE, [0.5], Assembly::Open).unwrap();
         on_the_way(&LINKAGE, start, [0.5, 1.5], |way, _, scratch| {
             let mut from = |travel: f64| -> Vec<f64> {
@@ -332,36 +332,36 @@ mod tests {
                 let here = station(way, travel, &unknowns, &mut scope);
                 ahead(way, &here.ok().expect("the linkage closes there")).collect()
             };
-            let places = from(0.25);
-            assert_eq!(places[0], 0.25 + way.shortest());
-            assert!(places.windows(2).all(|pair| pair[0] < pair[1]), "{places:?}");
-            let last = places[places.len() - 1] - 0.25;
-            assert!(last > 0.2 * BLUR && last < 1.01 * BLUR, "{places:?}");
+            let points = from(0.25);
+            assert_eq!(points[0], 0.25 + way.shortest());
+            assert!(points.windows(2).all(|pair| pair[0] < pair[1]), "{points:?}");
+            let last = points[points.len() - 1] - 0.25;
+            assert!(last > 0.2 * BLUR && last < 1.01 * BLUR, "{points:?}");
 
-            let places = from(way.length - 1e-9);
-            assert!(places.iter().all(|place| *place <= way.length), "{places:?}");
-            assert_eq!(places[places.len() - 1], way.length);
+            let points = from(way.length - 1e-9);
+            assert!(points.iter().all(|point| *point <= way.length), "{points:?}");
+            assert_eq!(points[points.len() - 1], way.length);
         });
     }
 
-    /// If rounding moves nothing and no obstacle exists, the track returns the solver's own error.
+    /// If rounding moves nothing and no obstacle exists, the track returns the error of the solver.
     #[test]
-    fn an_error_that_nothing_explains_is_told_as_it_is() {
+    fn an_error_that_nothing_explains_is_returned_as_it_is() {
         let start = Mechanism::position(&LINKAGE, [0.5], Assembly::Open).unwrap();
         let failure = Failure::not_finite("something");
         let error = failure.at(
             "theta3, theta4",
             InputValues::new(FourBar::<f64>::DESCRIPTION.inputs, &[0.5]),
         );
-        let [told, none] = [Some(error), None].map(|error| {
+        let [some, none] = [Some(error), None].map(|error| {
             on_the_way(&LINKAGE, start, [0.5, 1.5], |way, point, scratch| {
                 let here = station(way, 0.0, point.unknowns, scratch);
                 let here = here.ok().expect("the linkage closes there");
                 let ended = blocked(way, &here, &here, &here.sides, error, &Steps::NONE, scratch);
-                ended.placed([way.ended_at(0)], start)
+                ended.with_position([way.ended_at(0)], start)
             })
         });
-        assert_eq!(told, TrackError::Failed(error));
+        assert_eq!(some, TrackError::Failed(error));
         assert!(
             matches!(&none, TrackError::Lost(stop) if stop.inputs == [0.5] && stop.rounding < FIRM),
             "{none:?}"

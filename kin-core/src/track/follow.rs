@@ -3,10 +3,10 @@
 use num_traits::Float;
 
 use super::cause::{blocked, crossed_near, obstacle, stop};
-use super::line::{TrackLine, TrackPlace};
+use super::limit::{self, Passage};
+use super::line::{TrackLine, TrackPosition};
 use super::obstacle::TrackError;
 use super::steps::Steps;
-use super::turning::{self, Passage};
 use crate::curve::{
     CurveFunctions, LentRows, Sides, Way, WayPoint, blur, fastest, is_crossed, largest, largest_difference,
 };
@@ -14,7 +14,7 @@ use crate::failure::{Failure, InputValues, SolveError};
 use crate::mechanism::Lent;
 
 /// The longest step of the inputs, in units of their sizes.
-pub(super) const LONGEST: f64 = 0.5;
+pub(super) const LONGEST_INPUT_STEP: f64 = 0.5;
 /// The largest size of the last terms of the Taylor series at the end of a step.
 pub(super) const LAST_TERM: f64 = 0.02;
 /// The largest difference between corrected and predicted unknowns. For their rates it is relative to the largest rate.
@@ -23,27 +23,27 @@ pub(super) const CORRECTION: f64 = 0.02;
 pub(super) const ANCHOR: f64 = 1e-3;
 /// Within this distance of a change point, rounding can mix up the branches that cross there.
 pub(super) const BLUR: f64 = 1e-5;
-/// The length below which steps, by halving or doubling, lead towards or away from a special place. It is also relative
+/// The length below which steps, by halving or doubling, lead towards or away from a special point. It is also relative
 /// to the way, which would otherwise take too many such steps.
 pub(super) const CREEPING: f64 = 1e-6;
 /// The largest number of such short steps in a row. Halving a step down to the shortest, or doubling it from there,
 /// takes about 25 steps, and each length may be tried several times.
 pub(super) const MOST_CREEPING: u32 = 256;
 /// The factor of growth from which an unknown may be going to infinity.
-pub(super) const FAR: f64 = 1e6;
+pub(super) const GROWTH_TO_POLE: f64 = 1e6;
 /// The number of iterations on a smooth function near its zero.
 pub(super) const SECANTS: usize = 30;
 /// The rate of an unknown above which it replaces the inputs as parameter.
 pub(super) const FAST: f64 = 32.0;
 
-/// The error of a track whose place is told beside it.
+/// The error of a track whose position is reported beside it.
 pub(super) type Ended = TrackError<(), ()>;
 
 /// A point of the track and everything known there.
 #[derive(Clone, Copy)]
 pub(super) struct TrackPoint<'s> {
     pub(super) point: WayPoint<'s>,
-    /// The unknowns in all orders, one after the other, with angles on the turns they have reached.
+    /// The unknowns in all orders, one after the other, with angles unwrapped along the track.
     pub(super) motions: &'s [f64],
     /// The sizes of the unknowns at this station.
     sizes: &'s [f64],
@@ -123,8 +123,8 @@ impl<'s> TrackPoint<'s> {
         })
     }
 
-    /// The step after which the last two terms of the series are small. The first order is straight and does not count. For
-    /// a series without other orders, only the comparison with the solution limits the step.
+    /// The step after which the last two terms of the series are small. The first order is straight and does not count.
+    /// For a series without other orders, only the comparison with the solution limits the step.
     fn trusted(&self) -> f64 {
         let mut step = f64::INFINITY;
         for (index, size) in self.sizes.iter().enumerate() {
@@ -152,29 +152,29 @@ pub(super) enum Missing {
     Elsewhere,
 }
 
-/// Moves the mechanism of a place, whose unknowns are close to a position, along a line of inputs.
+/// Moves the mechanism of a position, whose unknowns are close to a position, along a line of inputs.
 pub(super) fn follow(
     mechanism: &dyn CurveFunctions,
     parameters: &[f64],
     [from, to]: [&[f64]; 2],
-    place: TrackPlace<'_>,
+    position: TrackPosition<'_>,
     lent: Lent<'_>,
 ) -> Result<(), Ended> {
     let solved = |inputs: &[f64], near: &[f64], unknowns: &mut [f64]| {
         mechanism.position_near(parameters, inputs, near, unknowns)
     };
     let Lent { numbers, first, second } = lent;
-    let (start, numbers) = numbers.split_at_mut(place.unknowns.len());
-    solved(from, place.unknowns, start)?;
+    let (start, numbers) = numbers.split_at_mut(position.unknowns.len());
+    solved(from, position.unknowns, start)?;
     let start = &*start;
-    place.unknowns.copy_from_slice(start);
+    position.unknowns.copy_from_slice(start);
     let (way, mut scratch) = TrackLine::new(
         mechanism,
         parameters,
         [from, to],
         start,
         Lent { numbers, first, second },
-        place,
+        position,
     );
     if !way.length.is_finite() {
         // The solver reports best which input is wrong.
@@ -197,7 +197,7 @@ pub(super) fn follow(
     start.write(here_memory);
     start.write(anchor_memory);
     let assembly = way.assembly_at(start.point, &mut scratch);
-    let mut longest = LONGEST;
+    let mut longest = LONGEST_INPUT_STEP;
     let mut steps = Steps::NONE;
     // Whether following an unknown as parameter has led nowhere since the unknowns became fast.
     let mut is_lost = false;
@@ -212,13 +212,13 @@ pub(super) fn follow(
             is_lost = false;
         }
         // A fast and straight motion, for example behind a gear, is not near a limit.
-        if rate > FAST && rate * trusted < LONGEST && !is_lost {
+        if rate > FAST && rate * trusted < LONGEST_INPUT_STEP && !is_lost {
             let mut scratch = scratch.scope();
-            match round_the_turn(&way, &here, &anchor, &beginning, &mut steps, &mut scratch)? {
+            match past_the_limit(&way, &here, &anchor, &beginning, &mut steps, &mut scratch)? {
                 Arrival::Station(there) if there.point.travel > here.point.travel => {
                     there.write(here_memory);
                     there.write(anchor_memory);
-                    (longest, creeping) = (LONGEST, 0);
+                    (longest, creeping) = (LONGEST_INPUT_STEP, 0);
                     continue;
                 }
                 Arrival::End => return Ok(()),
@@ -254,12 +254,12 @@ pub(super) fn follow(
             step = 0.5 * step.min(rest);
         };
         let Some(there) = there else {
-            match round_the_turn(&way, &here, &anchor, &beginning, &mut steps, &mut scratch)? {
+            match past_the_limit(&way, &here, &anchor, &beginning, &mut steps, &mut scratch)? {
                 // Do not continue if it only creeps through the neighbourhood of a change point.
                 Arrival::Station(there) if there.point.travel > here.point.travel + BLUR => {
                     there.write(here_memory);
                     there.write(anchor_memory);
-                    (longest, creeping) = (LONGEST, 0);
+                    (longest, creeping) = (LONGEST_INPUT_STEP, 0);
                     continue;
                 }
                 Arrival::End => return Ok(()),
@@ -285,7 +285,7 @@ pub(super) fn follow(
         } else {
             0
         };
-        longest = LONGEST.min(2.0 * step);
+        longest = LONGEST_INPUT_STEP.min(2.0 * step);
         if step > ANCHOR {
             there.write(anchor_memory);
         }
@@ -339,13 +339,13 @@ pub(super) fn attempted<'s>(
     let distance = largest_difference(there.point.unknowns, near, here.sizes);
     let rates = there.rates(here.sizes, scratch);
     let pairs = rates.iter().zip(foreseen);
-    let turn = largest(pairs.map(|(one, other)| one - other));
+    let change = largest(pairs.map(|(one, other)| one - other));
     let scale = largest(rates.iter().copied()).max(1.0);
     // A correction must also be small compared with the step, or it could lead to a neighbouring branch.
     let far = there.point.unknowns.iter().zip(here.sizes);
     let ulps = 64.0 * f64::EPSILON * largest(far.map(|(value, size)| value / size)).max(1.0);
     let allowed = CORRECTION * (step * scale).min(1.0) + ulps;
-    let is_same = turn <= 5.0 * CORRECTION * scale
+    let is_same = change <= 5.0 * CORRECTION * scale
         && there.sides.are_near(&here.sides)
         && (distance <= allowed || {
             // Rounding beyond the limit of a correction would excuse any difference.
@@ -371,7 +371,7 @@ enum Arrival<'s> {
     None,
 }
 
-fn round_the_turn<'s>(
+fn past_the_limit<'s>(
     way: &TrackLine<'_>,
     here: &TrackPoint<'_>,
     anchor: &TrackPoint<'_>,
@@ -380,7 +380,7 @@ fn round_the_turn<'s>(
     scratch: &mut LentRows<'s>,
 ) -> Result<Arrival<'s>, Ended> {
     let rates = here.rates(way.sizes, scratch);
-    match turning::pass(way, here.point, rates, steps, scratch) {
+    match limit::pass(way, here.point, rates, steps, scratch) {
         Passage::Onwards(point) => {
             let there = station(way, point.travel, point.unknowns, scratch);
             Ok(there.map_or(Arrival::None, Arrival::Station))

@@ -4,19 +4,19 @@
 mod between;
 mod cause;
 mod follow;
+mod limit;
 mod line;
 mod obstacle;
 mod steps;
 #[cfg(test)]
 mod tests;
-mod turning;
 
 #[cfg(feature = "alloc")]
 pub use between::track_between;
 pub use obstacle::{TrackError, TrackLimit, TrackStop};
 pub use steps::MOST_TRACK_STEPS;
 
-use line::TrackPlace;
+use line::TrackPosition;
 
 use crate::any::Of;
 use crate::failure::SolveError;
@@ -26,14 +26,14 @@ use crate::number::{Number, Row};
 /// The [`TrackError`] of a mechanism, with its inputs and unknowns in double precision.
 pub type TrackErrorOf<M> = TrackError<<M as Mechanism>::Inputs<f64>, <M as Mechanism>::Unknowns<f64>>;
 
-/// Moves the inputs on a straight line from one place to another, and moves the mechanism with them without leaving its
+/// Moves the inputs on a straight line from one point to another, and moves the mechanism with them without leaving its
 /// assembly.
 ///
 /// `from_unknowns` are the unknowns at `from_inputs`, or values close enough for
 /// [`position_near`](Mechanism::position_near). The result contains the unknowns at `to_inputs`, in radians
-/// or the mechanism's own unit. Angles keep their turns, so a crank that has made a full turn ends 2π further.
+/// or the mechanism's unit. Angles are unwrapped, so a crank ends 2π further after a full revolution.
 ///
-/// This is a continuation method. The Taylor series of the mechanism's own solvers predicts each step, to the order of
+/// This is a continuation method. The Taylor series of the mechanism's solvers predicts each step, to the order of
 /// the mechanism, and [`solve_near`](Mechanism::solve_near) corrects it. A step is accepted if prediction
 /// and correction agree in the unknowns and their rates, and if the determinant of each block's Jacobian keeps its
 /// sign, and its size within a factor of two, at every quarter of the step. Two changes of sign could hide only if a
@@ -57,7 +57,7 @@ pub type TrackErrorOf<M> = TrackError<<M as Mechanism>::Inputs<f64>, <M as Mecha
 /// The track runs in double precision; a number type that carries derivatives gets them at the end.
 ///
 /// # Errors
-/// [`TrackError::TurningPoint`], [`TrackError::ChangePoint`] and [`TrackError::Pole`] with the place.
+/// [`TrackError::TurningPoint`], [`TrackError::ChangePoint`] and [`TrackError::Pole`] with the position.
 /// [`TrackError::Failed`] if there is no position at the start, or if something else ends the track: at the end of the
 /// domain of a function, or of the range of an unknown, its inputs are the first ones beyond, to the last digit.
 /// [`TrackError::TooManySteps`] and [`TrackError::Lost`] with the last position and the reason for stopping there.
@@ -134,7 +134,7 @@ fn end<M: Mechanism>(
             Of::<M>::FUNCTIONS,
             parameters.as_ref(),
             [from.as_ref(), to.as_ref()],
-            TrackPlace {
+            TrackPosition {
                 inputs: inputs.as_mut(),
                 unknowns: unknowns.as_mut(),
             },
@@ -143,6 +143,6 @@ fn end<M: Mechanism>(
     });
     match followed {
         Ok(()) => Ok(Row::from_fn(|index| M::Scalar::constant(unknowns[index]))),
-        Err(error) => Err(error.placed(inputs, unknowns)),
+        Err(error) => Err(error.with_position(inputs, unknowns)),
     }
 }

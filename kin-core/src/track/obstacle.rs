@@ -20,14 +20,14 @@ pub struct TrackLimit<I, U> {
     pub block: Name,
     /// The part of the track that has been covered, from 0 to 1.
     pub fraction: f64,
-    /// The inputs at this position: radians for angles, the mechanism's own unit for lengths.
+    /// The inputs at this position: radians for angles, the mechanism's unit for lengths.
     pub inputs: I,
     /// The unknowns at this position.
     pub unknowns: U,
     pub(super) names: InputNames,
 }
 
-/// The place where tracking stopped without a known obstacle.
+/// The position where tracking stopped without a known obstacle.
 ///
 /// `I` and `U` are rows of the mechanism's inputs and unknowns: arrays of the declared lengths.
 #[derive(Clone, Copy, PartialEq)]
@@ -37,7 +37,7 @@ pub struct TrackStop<I, U> {
     pub steps: u32,
     /// The part of the track that has been covered, from 0 to 1.
     pub fraction: f64,
-    /// The inputs of the last position: radians for angles, the mechanism's own unit for lengths.
+    /// The inputs of the last position: radians for angles, the mechanism's unit for lengths.
     pub inputs: I,
     /// The unknowns of the last position.
     pub unknowns: U,
@@ -51,14 +51,14 @@ pub struct TrackStop<I, U> {
 #[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum TrackError<I, U> {
-    /// A limit position: two assemblies meet, and neither exists beyond it. The inputs can only turn back.
+    /// A limit position: two assemblies meet, and neither exists beyond it. The inputs can only reverse.
     ///
-    /// In a plot of the solution over the inputs, the curve turns back there.
+    /// In a plot of the solution over the inputs, the curve reverses there.
     TurningPoint(TrackLimit<I, U>),
     /// A change point: the assembly meets another one, and both continue. Geometry does not determine which one the
     /// mechanism follows.
     ///
-    /// The place belongs to a mechanism whose dimensions may differ by rounding errors. If the gap between two
+    /// The position belongs to a mechanism whose dimensions may differ by rounding errors. If the gap between two
     /// assemblies is that small, nothing else is known about it.
     ChangePoint(TrackLimit<I, U>),
     /// A length or a number goes to infinity, for example where a slide becomes parallel to its guide.
@@ -71,28 +71,28 @@ pub enum TrackError<I, U> {
     /// No step, however short, certainly stays in the assembly, and no obstacle explains why. Rounding errors may move
     /// the unknowns by more than steps do, for example if the rounding of one link of a loop is as long as another
     /// link. If rounding moves them only a little, an unknown jumps, for example an angle declared by `atan2` that
-    /// jumps by a turn.
+    /// jumps by a revolution.
     Lost(TrackStop<I, U>),
     /// A position could not be found, at the start, or on the way for another reason.
     Failed(SolveError),
 }
 
 impl TrackError<(), ()> {
-    /// The error at a place.
-    pub(super) fn placed<I, U>(self, inputs: I, unknowns: U) -> TrackError<I, U> {
+    /// The error at a position.
+    pub(super) fn with_position<I, U>(self, inputs: I, unknowns: U) -> TrackError<I, U> {
         match self {
-            Self::TurningPoint(limit) => TrackError::TurningPoint(limit.placed(inputs, unknowns)),
-            Self::ChangePoint(point) => TrackError::ChangePoint(point.placed(inputs, unknowns)),
-            Self::Pole(pole) => TrackError::Pole(pole.placed(inputs, unknowns)),
-            Self::TooManySteps(stop) => TrackError::TooManySteps(stop.placed(inputs, unknowns)),
-            Self::Lost(stop) => TrackError::Lost(stop.placed(inputs, unknowns)),
+            Self::TurningPoint(limit) => TrackError::TurningPoint(limit.with_position(inputs, unknowns)),
+            Self::ChangePoint(point) => TrackError::ChangePoint(point.with_position(inputs, unknowns)),
+            Self::Pole(pole) => TrackError::Pole(pole.with_position(inputs, unknowns)),
+            Self::TooManySteps(stop) => TrackError::TooManySteps(stop.with_position(inputs, unknowns)),
+            Self::Lost(stop) => TrackError::Lost(stop.with_position(inputs, unknowns)),
             Self::Failed(error) => TrackError::Failed(error),
         }
     }
 }
 
 impl TrackLimit<(), ()> {
-    fn placed<I, U>(self, inputs: I, unknowns: U) -> TrackLimit<I, U> {
+    fn with_position<I, U>(self, inputs: I, unknowns: U) -> TrackLimit<I, U> {
         TrackLimit {
             block: self.block,
             fraction: self.fraction,
@@ -104,7 +104,7 @@ impl TrackLimit<(), ()> {
 }
 
 impl TrackStop<(), ()> {
-    fn placed<I, U>(self, inputs: I, unknowns: U) -> TrackStop<I, U> {
+    fn with_position<I, U>(self, inputs: I, unknowns: U) -> TrackStop<I, U> {
         TrackStop {
             steps: self.steps,
             fraction: self.fraction,
@@ -117,15 +117,16 @@ impl TrackStop<(), ()> {
 }
 
 impl<I, U> TrackError<I, U> {
-    /// The kind of the limit at which the track has ended, and its place; `None` if it ended for another reason.
+    /// The kind of the limit at which the track has ended, and its position; `None` if it ended for another reason.
     ///
-    /// The end of a domain or of a declared range is [`TrackError::Failed`], with the error of the first place beyond it.
+    /// The end of a domain or of a declared range is [`TrackError::Failed`], with the error of the first point beyond
+    /// it.
     #[must_use]
     pub fn limit(&self) -> Option<(LimitKind, &TrackLimit<I, U>)> {
         match self {
-            Self::TurningPoint(place) => Some((LimitKind::TurningPoint, place)),
-            Self::ChangePoint(place) => Some((LimitKind::ChangePoint, place)),
-            Self::Pole(place) => Some((LimitKind::Pole, place)),
+            Self::TurningPoint(obstacle) => Some((LimitKind::TurningPoint, obstacle)),
+            Self::ChangePoint(obstacle) => Some((LimitKind::ChangePoint, obstacle)),
+            Self::Pole(obstacle) => Some((LimitKind::Pole, obstacle)),
             Self::TooManySteps(_) | Self::Lost(_) | Self::Failed(_) => None,
         }
     }
@@ -137,7 +138,7 @@ impl<I, U> From<SolveError> for TrackError<I, U> {
     }
 }
 
-/// The place of an event, for use after its description.
+/// The position of an event, for use after its description.
 struct Location<'a> {
     names: InputNames,
     inputs: &'a [f64],
@@ -155,7 +156,7 @@ impl fmt::Display for Location<'_> {
 }
 
 impl<I: AsRef<[f64]>, U> TrackLimit<I, U> {
-    fn place(&self) -> Location<'_> {
+    fn location(&self) -> Location<'_> {
         Location {
             names: self.names,
             inputs: self.inputs.as_ref(),
@@ -165,7 +166,7 @@ impl<I: AsRef<[f64]>, U> TrackLimit<I, U> {
 }
 
 impl<I: AsRef<[f64]>, U> TrackStop<I, U> {
-    fn place(&self) -> Location<'_> {
+    fn location(&self) -> Location<'_> {
         Location {
             names: self.names,
             inputs: self.inputs.as_ref(),
@@ -182,39 +183,40 @@ impl<I: AsRef<[f64]>, U> fmt::Display for TrackError<I, U> {
                 "limit position of {}{}: two assemblies meet there and neither continues; stop short of it, or \
                  drive the mechanism by another input",
                 limit.block,
-                limit.place()
+                limit.location()
             ),
             Self::ChangePoint(point) => write!(
                 formatter,
                 "change point of {}{}: two assemblies cross there and geometry does not determine which one the \
                  mechanism follows; stop short of it, change the dimensions a little, or start again on the other side",
                 point.block,
-                point.place()
+                point.location()
             ),
             Self::Pole(pole) => write!(
                 formatter,
                 "an unknown of {} runs to infinity{}; stop short of it, or drive the mechanism by another input",
                 pole.block,
-                pole.place()
+                pole.location()
             ),
             Self::TooManySteps(stop) => write!(
                 formatter,
-                "{} steps were not enough, the last ended{}; continue from there, or divide the motion into shorter ones",
+                "{} steps were not enough, the last ended{}; continue from there, or divide the motion into shorter \
+                 ones",
                 stop.steps,
-                stop.place()
+                stop.location()
             ),
             Self::Lost(stop) if stop.rounding < FIRM => write!(
                 formatter,
-                "no step, however short, is certain to stay in the assembly{} and {} steps: an unknown jumps there, as an \
-                 angle declared by atan2 jumps by a turn; stop short of it, and start again on the other side",
-                stop.place(),
+                "no step, however short, is certain to stay in the assembly{} and {} steps: an unknown jumps there, as \
+                 an angle declared by atan2 jumps by a turn; stop short of it, and start again on the other side",
+                stop.location(),
                 stop.steps
             ),
             Self::Lost(stop) => write!(
                 formatter,
-                "no step, however short, is certain to stay in the assembly{} and {} steps: rounding errors may move the \
-                 unknowns there by {} (radians, or parts of a length); use lengths in each loop that differ less",
-                stop.place(),
+                "no step, however short, is certain to stay in the assembly{} and {} steps: rounding errors may move \
+                 the unknowns there by {} (radians, or parts of a length); use lengths in each loop that differ less",
+                stop.location(),
                 stop.steps,
                 Digits(stop.rounding)
             ),

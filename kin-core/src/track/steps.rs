@@ -2,9 +2,9 @@
 
 /// The largest number of steps of one [`track`](crate::track()), including rejected ones.
 ///
-/// A turn of a crank takes about 15 steps. A path through places that rounding makes difficult takes a thousand at
-/// most. A track that needs more steps than this limit has thousands of turns, and can be divided, or thousands of
-/// waves.
+/// A revolution of a crank takes about 15 steps. A path through positions that rounding makes difficult takes a
+/// thousand at most. A track that needs more steps than this limit makes thousands of revolutions, and can be divided,
+/// or thousands of waves.
 pub const MOST_TRACK_STEPS: u32 = 100_000;
 
 /// The number of steps taken.

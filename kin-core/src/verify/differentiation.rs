@@ -20,8 +20,8 @@ pub struct Differentiated {
 
 /// The motions of unknowns and outputs by automatic differentiation of the position solution.
 ///
-/// With the feature `num-dual`, the numbers are nested dual numbers for mechanisms up to the fourth order. Otherwise they
-/// are truncated Taylor series, up to the sixteenth order.
+/// With the feature `num-dual`, the numbers are nested dual numbers for mechanisms up to the fourth order. Otherwise
+/// they are truncated Taylor series, up to the sixteenth order.
 ///
 /// ```
 /// use kin_core::library::FourBar;

@@ -16,7 +16,8 @@ use crate::mechanism::Mechanism;
 use crate::number::Changing;
 use crate::number::series::Series;
 
-/// The functions of a mechanism from which both oracles judge it. Motions stand one after the other, each with all its orders.
+/// The functions of a mechanism from which both oracles judge it. Motions stand one after the other, each with all its
+/// orders.
 pub trait VerifiedFunctions:
     AnyMechanism
     + MotionOver<f64>
@@ -77,28 +78,28 @@ fn of_type<M: Mechanism, C: Carrier>(
     inputs: &[f64],
     choice: PositionChoice<'_, f64>,
 ) -> Result<Differentiated, SolveError> {
-    let own = Of::<M>::FUNCTIONS;
+    let declared = Of::<M>::FUNCTIONS;
     match choice {
         PositionChoice::Assembly(index) if const { M::ASSEMBLY_COUNT > 0 } => {
             if const { M::DESCRIPTION.outputs.is_empty() } {
-                by_position::<C>(own, parameters, inputs, |parameters, inputs, unknowns| {
-                    own.position_of_assembly(parameters, inputs, index, unknowns)
+                by_position::<C>(declared, parameters, inputs, |parameters, inputs, unknowns| {
+                    declared.position_of_assembly(parameters, inputs, index, unknowns)
                 })
             } else {
-                by_motion::<C>(own, parameters, inputs, |parameters, inputs, unknowns, outputs| {
-                    own.motion_of_assembly(parameters, inputs, index, unknowns, outputs)
+                by_motion::<C>(declared, parameters, inputs, |parameters, inputs, unknowns, outputs| {
+                    declared.motion_of_assembly(parameters, inputs, index, unknowns, outputs)
                 })
             }
         }
         PositionChoice::Near(near) => {
             let near: Vec<C> = near.iter().map(|value| C::constant(*value)).collect();
             if const { M::DESCRIPTION.outputs.is_empty() } {
-                by_position::<C>(own, parameters, inputs, |parameters, inputs, unknowns| {
-                    own.position_near(parameters, inputs, &near, unknowns)
+                by_position::<C>(declared, parameters, inputs, |parameters, inputs, unknowns| {
+                    declared.position_near(parameters, inputs, &near, unknowns)
                 })
             } else {
-                by_motion::<C>(own, parameters, inputs, |parameters, inputs, unknowns, outputs| {
-                    own.motion_near(parameters, inputs, &near, unknowns, outputs)
+                by_motion::<C>(declared, parameters, inputs, |parameters, inputs, unknowns, outputs| {
+                    declared.motion_near(parameters, inputs, &near, unknowns, outputs)
                 })
             }
         }

@@ -114,9 +114,9 @@ impl Gauge {
                 .iter()
                 .chain(&others)
                 .fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
-            for ((rates, forced_rates), own) in rates.into_iter().zip(forced_rates).zip(&sizes) {
-                frequency = frequency.max(fastest_of(rates, shifts / own));
-                forcing = forcing.max(fastest_of(forced_rates, shifts / own));
+            for ((rates, forced_rates), size) in rates.into_iter().zip(forced_rates).zip(&sizes) {
+                frequency = frequency.max(fastest_of(rates, shifts / size));
+                forcing = forcing.max(fastest_of(forced_rates, shifts / size));
             }
             // Terms that cancel count too.
             let size = shifts.max(rounding / allowed(0)).max(bend);
@@ -155,15 +155,15 @@ impl Gauge {
     /// its error is larger by the same factor.
     #[must_use]
     pub fn output(&self, quantity: &Quantity<'_>, motion: &[f64], order: usize) -> f64 {
-        let own_size = motion.first().copied().unwrap_or(0.0).abs();
-        let size = natural(self.length, quantity, motion).max(own_size);
-        let own = frequency(motion, size);
-        let steepness = if own > self.driving && self.driving > 0.0 {
-            own / self.driving
+        let size_of_position = motion.first().copied().unwrap_or(0.0).abs();
+        let size = natural(self.length, quantity, motion).max(size_of_position);
+        let frequency_of_motion = frequency(motion, size);
+        let steepness = if frequency_of_motion > self.driving && self.driving > 0.0 {
+            frequency_of_motion / self.driving
         } else {
             1.0
         };
-        self.unit(order, self.solving().max(own)) * size * steepness
+        self.unit(order, self.solving().max(frequency_of_motion)) * size * steepness
     }
 
     fn solving(&self) -> f64 {

@@ -1,4 +1,5 @@
-//! The partial derivatives of a mechanism's equations, by numbers that carry a change, and the rounding errors of the equations.
+//! The partial derivatives of a mechanism's equations, by numbers that carry a change, and the rounding errors of the
+//! equations.
 
 use std::vec;
 use std::vec::Vec;

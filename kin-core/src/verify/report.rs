@@ -83,7 +83,8 @@ impl fmt::Display for Report {
         if !self.has_enough_poses() {
             write!(
                 formatter,
-                "\n{} poses are needed: give dimensions and input ranges at which the mechanism closes, with `verify::of`",
+                "\n{} poses are needed: give dimensions and input ranges at which the mechanism closes, with \
+                 `verify::of`",
                 self.needed.max(1)
             )?;
         }

@@ -5,8 +5,8 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use crate::number::Number;
 use crate::solve::Scalar;
 
-/// A number with a bound on its rounding error, in units of ε, to first order: running error analysis (N. J. Higham, *Accuracy
-/// and Stability of Numerical Algorithms*, 2nd edition, SIAM 2002, section 3.3).
+/// A number with a bound on its rounding error, in units of ε, to first order: running error analysis (N. J. Higham,
+/// *Accuracy and Stability of Numerical Algorithms*, 2nd edition, SIAM 2002, section 3.3).
 ///
 /// Derivatives show how much an error in the data shifts a result, but not the errors of large terms that cancel on the
 /// way. The bound includes those errors.
@@ -36,7 +36,7 @@ impl Rounded {
         }
     }
 
-    /// The result of a function with a given slope. Its own error is at most one unit in the last place.
+    /// The result of a function with a given slope. The error of the function is at most one unit in the last place.
     fn function(self, value: f64, slope: f64) -> Self {
         Self {
             value,

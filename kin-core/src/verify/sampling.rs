@@ -27,7 +27,7 @@ pub struct Sampling {
     pub poses: usize,
     /// The largest number of draws of dimensions and inputs.
     pub draws: usize,
-    /// The seed of the draws. Each seed gives its own sequence, the same in every run.
+    /// The seed of the draws. Each seed gives another sequence, the same in every run.
     pub seed: u64,
 }
 

@@ -106,7 +106,7 @@ impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Mechanism for Hyperbo
     type Residuals<V: Copy> = [V; 1];
     type Blocks<V: Copy> = [V; 1];
     type Dyads<V: Copy> = [V; 0];
-    type Places = [Plane<T>; 0];
+    type SkeletonPoints = [Plane<T>; 0];
 
     crate::__lent! { 1 1 1 1 LENGTH }
 
@@ -183,7 +183,7 @@ impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Mechanism for Hyperbo
         [y * y - x * x - self.a * self.a]
     }
 
-    fn places(&self, _: [T; 1], _: [T; 1]) -> [Plane<T>; 0] {
+    fn skeleton_points(&self, _: [T; 1], _: [T; 1]) -> [Plane<T>; 0] {
         []
     }
 
@@ -250,7 +250,7 @@ fn a_wrong_output_is_found() {
         let finding = report.worst.finding.expect("there are poses");
         assert_eq!((finding.quantity.as_str(), finding.order), ("product", WRONG));
         assert!(
-            finding.place.contains("x = [") && finding.place.contains("a = "),
+            finding.location.contains("x = [") && finding.location.contains("a = "),
             "{finding}"
         );
     }

@@ -38,7 +38,7 @@ impl fmt::Display for Oracle {
     }
 }
 
-/// The error that was largest compared with the [`allowed`] error at its order, and its place.
+/// The error that was largest compared with the [`allowed`] error at its order, and where it occurred.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
     /// The oracle that found it.
@@ -50,7 +50,7 @@ pub struct Finding {
     /// The error in units of the [`Gauge`].
     pub error: f64,
     /// The parameters, the inputs with their derivatives, and the assembly.
-    pub place: String,
+    pub location: String,
 }
 
 impl fmt::Display for Finding {
@@ -58,7 +58,7 @@ impl fmt::Display for Finding {
         write!(
             formatter,
             "{}, order {}, by {}: {:.3e} units at {}",
-            self.quantity, self.order, self.oracle, self.error, self.place
+            self.quantity, self.order, self.oracle, self.error, self.location
         )
     }
 }
@@ -127,7 +127,7 @@ impl Worst {
             return false;
         }
         self.poses += 1;
-        let place = || place(functions, parameters, inputs, choice);
+        let location = || location(functions, parameters, inputs, choice);
         let gauge = Gauge::at(functions, parameters, inputs, &unknowns);
         for (index, left) in functions
             .left_over(parameters, inputs, &unknowns)
@@ -137,7 +137,7 @@ impl Worst {
             for (order, left) in left.into_iter().enumerate() {
                 let error = units(left.abs(), gauge.equation(index, order));
                 let name = || format!("scalar equation {}", index + 1);
-                self.note(Oracle::Closure, order, error, name, place);
+                self.note(Oracle::Closure, order, error, name, location);
             }
         }
         let expected = match functions.differentiated(parameters, inputs, choice) {
@@ -145,22 +145,22 @@ impl Worst {
             Err(error) => {
                 let error = Named::new(error, description);
                 let name = || format!("{error} (on numbers that carry derivatives)");
-                self.note(Oracle::Differentiation, 0, f64::INFINITY, name, place);
+                self.note(Oracle::Differentiation, 0, f64::INFINITY, name, location);
                 return true;
             }
         };
         let motions = unknowns.chunks_exact(orders).zip(description.unknowns);
         for (index, ((motion, quantity), expected)) in motions.zip(&expected.unknowns).enumerate() {
-            for (order, (own, other)) in motion.iter().zip(expected).enumerate() {
-                let error = units((own - other).abs(), gauge.unknown(index, order));
-                self.note(Oracle::Differentiation, order, error, || quantity.name.into(), place);
+            for (order, (value, other)) in motion.iter().zip(expected).enumerate() {
+                let error = units((value - other).abs(), gauge.unknown(index, order));
+                self.note(Oracle::Differentiation, order, error, || quantity.name.into(), location);
             }
         }
         let motions = outputs.chunks_exact(orders).zip(description.outputs);
         for ((motion, quantity), expected) in motions.zip(&expected.outputs) {
-            for (order, (own, other)) in motion.iter().zip(expected).enumerate() {
-                let error = units((own - other).abs(), gauge.output(quantity, motion, order));
-                self.note(Oracle::Outputs, order, error, || quantity.name.into(), place);
+            for (order, (value, other)) in motion.iter().zip(expected).enumerate() {
+                let error = units((value - other).abs(), gauge.output(quantity, motion, order));
+                self.note(Oracle::Outputs, order, error, || quantity.name.into(), location);
             }
         }
         true
@@ -193,7 +193,7 @@ impl Worst {
         order: usize,
         error: f64,
         quantity: impl Fn() -> String,
-        place: impl Fn() -> String,
+        location: impl Fn() -> String,
     ) {
         let errors = match oracle {
             Oracle::Differentiation => &mut self.differentiation,
@@ -205,8 +205,8 @@ impl Worst {
         }
         errors[order] = larger(errors[order], error);
         let is_worst = self.finding.as_ref().is_none_or(|worst| {
-            let (known, own) = (worst.error / allowed(worst.order), error / allowed(order));
-            !known.is_nan() && (own.is_nan() || own > known)
+            let (known, here) = (worst.error / allowed(worst.order), error / allowed(order));
+            !known.is_nan() && (here.is_nan() || here > known)
         });
         if is_worst {
             self.finding = Some(Finding {
@@ -214,7 +214,7 @@ impl Worst {
                 quantity: quantity(),
                 order,
                 error,
-                place: place(),
+                location: location(),
             });
         }
     }
@@ -249,8 +249,8 @@ impl fmt::Display for Worst {
     }
 }
 
-/// The place of a motion, with every number to the last digit.
-fn place(
+/// The location of a motion, with every number to the last digit.
+fn location(
     functions: &dyn VerifiedFunctions,
     parameters: &[f64],
     inputs: &[f64],

@@ -55,7 +55,7 @@ pub(super) fn check(objective: &Objective, design: &Design) -> Result<Figures, D
     let index = places.branch;
     let branch = &cycle.branches()[index];
     let way = in_order(objective, branch, cycle.period(), &inputs, &places.turns)?;
-    if objective.travel == Travel::Turn && !branch.is_full_turn() {
+    if objective.travel == Travel::Turn && !branch.is_full_revolution() {
         return Err(Defect::Closure {
             input: branch.ends()[1].input,
         });
@@ -160,7 +160,7 @@ fn in_order(
     inputs: &[f64],
     turns: &[f64],
 ) -> Result<Way, Defect> {
-    let is_closed = branch.is_full_turn();
+    let is_closed = branch.is_full_revolution();
     let period = period.unwrap_or(TAU);
     if !is_closed && let Some(target) = (1..turns.len()).find(|target| turns[*target] != turns[target - 1]) {
         // The way between them leaves the branch.

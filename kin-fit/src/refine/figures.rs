@@ -45,7 +45,7 @@ pub struct Figures {
     /// The index of its branch in the cycle.
     pub branch: usize,
     /// Whether the input turns fully.
-    pub is_full_turn: bool,
+    pub is_full_revolution: bool,
     /// The smallest and the largest input of the branch.
     pub limits: [f64; 2],
     /// Where its travel begins and ends, in the order in which it passes its targets.
@@ -76,7 +76,7 @@ pub(super) fn figures(
     let mut figures = Figures {
         circuit: branch.circuit(),
         branch: index,
-        is_full_turn: branch.is_full_turn(),
+        is_full_revolution: branch.is_full_revolution(),
         limits: ends,
         travel,
         transmission: None,

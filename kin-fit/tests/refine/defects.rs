@@ -48,7 +48,7 @@ fn in_two_circuits() {
     assert_eq!(swinging.cycle().expect("finite lengths").circuits().len(), 2);
     let above = judged(&own_path(&swinging, &[0.7, 0.8, 0.9]), &[swinging]);
     assert_eq!((above.results.len(), above.dropped.len()), (1, 0));
-    assert!(!above.results[0].figures.is_full_turn);
+    assert!(!above.results[0].figures.is_full_revolution);
     let both = judged(&own_path(&swinging, &[0.7, 0.8, -0.8]), &[swinging]);
     assert!(both.results.is_empty());
     let Defect::Circuit {

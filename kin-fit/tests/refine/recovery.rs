@@ -74,7 +74,7 @@ fn is_known(refinement: &Refinement) {
             "placed at {found} instead of {known}"
         );
     }
-    assert!(best.figures.is_full_turn);
+    assert!(best.figures.is_full_revolution);
 }
 
 #[test]

@@ -208,6 +208,11 @@ impl Assembler {
 
     fn write(&mut self, value: &Value, parts: &[Held], to: Register, operations: &mut Vec<Operation>) {
         let registers: Vec<Register> = parts.iter().map(|held| held.register).collect();
+        if let Some(operation) = products(value, parts, to, operations.last()) {
+            operations.pop();
+            operations.push(operation);
+            return;
+        }
         operations.push(match (value, registers.as_slice()) {
             (Value::Symbol(symbol), _) => Operation::Copy {
                 to,
@@ -409,15 +414,15 @@ impl Assembler {
                 let call = Call::InRange {
                     unknown: self.register(Symbol::Unknown(range.unknown)),
                     name: Name::by_index(NameKind::Unknown, range.unknown),
-                    turns: range.turns,
+                    is_periodic: range.is_periodic,
                     range: [range.low, range.high],
                     label: labels.name(label),
                 };
                 self.call(call, operations);
             }
-            Statement::OnTurn { unknown } => {
+            Statement::Unwrap { unknown } => {
                 let (index, unknown) = (*unknown, self.register(Symbol::Unknown(*unknown)));
-                self.call(Call::OnTurn { unknown, index }, operations);
+                self.call(Call::Unwrap { unknown, index }, operations);
             }
             Statement::Candidates {
                 body,
@@ -430,7 +435,7 @@ impl Assembler {
                     Some(call::Range {
                         kept: kept.iter().position(|&symbol| symbol == own)?,
                         name: Name::by_index(NameKind::Unknown, range.unknown),
-                        turns: range.turns,
+                        is_periodic: range.is_periodic,
                         bounds: [range.low, range.high],
                     })
                 });
@@ -578,5 +583,32 @@ impl Assembler {
             label: labels.name(label),
         };
         self.call(call, operations);
+    }
+}
+
+/// The operation that adds two products, if the last one has found the first of them, or the rest with it, for this
+/// value alone.
+fn products(value: &Value, parts: &[Held], to: Register, last: Option<&Operation>) -> Option<Operation> {
+    use Operation::{
+        DifferenceOfProducts, MinusProduct, MinusProducts, Multiply, PlusMinusProducts, PlusProduct, PlusProducts,
+        SumOfProducts,
+    };
+    let (&last, &[rest, c, d]) = (last?, parts) else {
+        return None;
+    };
+    let (Multiply { to: found, .. } | PlusProduct { to: found, .. } | MinusProduct { to: found, .. }) = last else {
+        return None;
+    };
+    let [c, d] = [c.register, d.register];
+    if !rest.is_temporary || rest.register != found || [c, d].contains(&found) {
+        return None;
+    }
+    match (last, value) {
+        (Multiply { a, b, .. }, Value::PlusProduct(..)) => Some(SumOfProducts { to, a, b, c, d }),
+        (Multiply { a, b, .. }, Value::MinusProduct(..)) => Some(DifferenceOfProducts { to, a, b, c, d }),
+        (PlusProduct { rest, a, b, .. }, Value::PlusProduct(..)) => Some(PlusProducts { to, rest, a, b, c, d }),
+        (PlusProduct { rest, a, b, .. }, Value::MinusProduct(..)) => Some(PlusMinusProducts { to, rest, a, b, c, d }),
+        (MinusProduct { rest, a, b, .. }, Value::MinusProduct(..)) => Some(MinusProducts { to, rest, a, b, c, d }),
+        _ => None,
     }
 }

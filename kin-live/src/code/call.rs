@@ -57,11 +57,11 @@ pub(crate) enum Call {
     InRange {
         unknown: Register,
         name: Name,
-        turns: bool,
+        is_periodic: bool,
         range: [f64; 2],
         label: Name,
     },
-    OnTurn {
+    Unwrap {
         unknown: Register,
         index: usize,
     },
@@ -162,7 +162,7 @@ pub(crate) struct Range {
     /// The index of the unknown among the values that are kept.
     pub(crate) kept: usize,
     pub(crate) name: Name,
-    pub(crate) turns: bool,
+    pub(crate) is_periodic: bool,
     pub(crate) bounds: [f64; 2],
 }
 

@@ -64,6 +64,49 @@ pub(crate) enum Operation {
         a: Register,
         b: Register,
     },
+    /// a b + c d: two operations at once, between which the number need not be written and read.
+    SumOfProducts {
+        to: Register,
+        a: Register,
+        b: Register,
+        c: Register,
+        d: Register,
+    },
+    /// a b - c d.
+    DifferenceOfProducts {
+        to: Register,
+        a: Register,
+        b: Register,
+        c: Register,
+        d: Register,
+    },
+    /// rest + a b + c d.
+    PlusProducts {
+        to: Register,
+        rest: Register,
+        a: Register,
+        b: Register,
+        c: Register,
+        d: Register,
+    },
+    /// rest + a b - c d.
+    PlusMinusProducts {
+        to: Register,
+        rest: Register,
+        a: Register,
+        b: Register,
+        c: Register,
+        d: Register,
+    },
+    /// rest - a b - c d.
+    MinusProducts {
+        to: Register,
+        rest: Register,
+        a: Register,
+        b: Register,
+        c: Register,
+        d: Register,
+    },
     SineCosine {
         sine: Register,
         cosine: Register,

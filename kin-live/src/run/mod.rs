@@ -7,9 +7,11 @@
 mod closed_form;
 mod newton;
 
+use std::cell::Cell;
+
 use kin_compiler::lowered::Selection;
 use kin_core::__private::live::{
-    SolutionInRange, choose_in, decisive_in, decisive_vector_in, factor_in, nearest_turn, substitute_in,
+    SolutionInRange, choose_in, decisive_in, decisive_vector_in, factor_in, substitute_in, unwrap_near,
 };
 use kin_core::__private::solve::{check_angle, check_value, direction, directions, finite, regular};
 use kin_core::any::Name;
@@ -216,22 +218,22 @@ impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
             Call::InRange {
                 unknown,
                 name,
-                turns,
+                is_periodic,
                 range: [low, high],
                 label,
             } => {
                 let value = self.get(*unknown);
-                let value = if *turns {
+                let value = if *is_periodic {
                     check_angle(*name, value, *low, *high)
                 } else {
                     check_value(*name, value, *low, *high)
                 };
                 self.set(*unknown, value.map_err(at(label))?);
             }
-            Call::OnTurn { unknown, index } => {
+            Call::Unwrap { unknown, index } => {
                 let place = self.chunk * self.choice.unknowns + index;
                 if let Some(guess) = self.choice.near.and_then(|near| near.get(place)) {
-                    let angle = nearest_turn(self.get(*unknown), *guess);
+                    let angle = unwrap_near(self.get(*unknown), *guess);
                     self.set(*unknown, angle);
                 }
             }
@@ -357,7 +359,7 @@ impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
         let range = |range: &Range| {
             let solutions = self.candidates(candidates, range.kept);
             let [low, high] = range.bounds;
-            if range.turns {
+            if range.is_periodic {
                 SolutionInRange::angle(range.name, solutions, low, high)
             } else {
                 SolutionInRange::value(range.name, solutions, low, high)
@@ -380,20 +382,22 @@ pub(crate) fn arithmetic<T: Scalar, const C: usize>(
     constants: &[f64],
     operation: Operation,
 ) {
-    // Each register is looked up once for all chunks.
+    // Each register is looked up once for all chunks. Cells may be read between writes: a copy of all chunks of an operand
+    // would have to pass through memory once more.
     macro_rules! each {
         ($to:ident = |$($operand:ident),*| $value:expr) => {{
+            let cells = Cell::from_mut(&mut *registers).as_slice_of_cells();
+            $(let $operand = numbers(&cells[usize::from($operand)]);)*
+            let to = numbers(&cells[usize::from($to)]);
             if chunks.len() == C {
-                $(let $operand = registers[usize::from($operand)];)*
-                let to = &mut registers[usize::from($to)];
                 for chunk in 0..C {
-                    $(let $operand = $operand[chunk];)*
-                    to[chunk] = $value;
+                    $(let $operand = $operand[chunk].get();)*
+                    to[chunk].set($value);
                 }
             } else {
                 for chunk in chunks {
-                    $(let $operand = registers[usize::from($operand)][chunk];)*
-                    registers[usize::from($to)][chunk] = $value;
+                    $(let $operand = $operand[chunk].get();)*
+                    to[chunk].set($value);
                 }
             }
         }};
@@ -411,6 +415,17 @@ pub(crate) fn arithmetic<T: Scalar, const C: usize>(
         Operation::Negate { to, a } => each!(to = |a| -a),
         Operation::PlusProduct { to, rest, a, b } => each!(to = |rest, a, b| rest.plus_product(a, b)),
         Operation::MinusProduct { to, rest, a, b } => each!(to = |rest, a, b| rest.minus_product(a, b)),
+        Operation::SumOfProducts { to, a, b, c, d } => each!(to = |a, b, c, d| (a * b).plus_product(c, d)),
+        Operation::DifferenceOfProducts { to, a, b, c, d } => each!(to = |a, b, c, d| (a * b).minus_product(c, d)),
+        Operation::PlusProducts { to, rest, a, b, c, d } => {
+            each!(to = |rest, a, b, c, d| rest.plus_product(a, b).plus_product(c, d));
+        }
+        Operation::PlusMinusProducts { to, rest, a, b, c, d } => {
+            each!(to = |rest, a, b, c, d| rest.plus_product(a, b).minus_product(c, d));
+        }
+        Operation::MinusProducts { to, rest, a, b, c, d } => {
+            each!(to = |rest, a, b, c, d| rest.minus_product(a, b).minus_product(c, d));
+        }
         Operation::SineCosine { sine, cosine, angle } => {
             for chunk in chunks {
                 let angle = registers[usize::from(angle)][chunk];
@@ -424,4 +439,11 @@ pub(crate) fn arithmetic<T: Scalar, const C: usize>(
         // calls are taken elsewhere, and terms are not skipped here
         Operation::Call(_) | Operation::Doubt { .. } => {}
     }
+}
+
+/// The numbers of a register.
+#[inline(always)]
+fn numbers<T, const C: usize>(register: &Cell<[T; C]>) -> &[Cell<T>] {
+    let numbers: &Cell<[T]> = register;
+    numbers.as_slice_of_cells()
 }

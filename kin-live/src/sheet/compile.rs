@@ -113,7 +113,7 @@ impl Compiler {
                 Step::LengthAt(_) => (Code::Call(Operation::Polar, Scalar), both, Plane),
                 Step::ComplexTimes(_) => (Code::ComplexTimes, both, Plane),
                 Step::RotationTimes(_) => (Code::RotationTimes, both, Rotation),
-                Step::Turning(_) => (Code::Turn, both, Space),
+                Step::Rotating(_) => (Code::Rotate, both, Space),
             };
             (value, shape) = (self.add(begin, code, &from, becomes), becomes);
         }

@@ -30,7 +30,7 @@ pub(super) enum Code {
     ScaleByInverse(ValueShape),
     ComplexTimes,
     RotationTimes,
-    Turn,
+    Rotate,
     /// Of a vector that is made of scalars, the shape is its own.
     Call(Operation, ValueShape),
 }
@@ -64,7 +64,7 @@ impl Instruction {
             Code::ScaleByInverse(_) => plane(a).scale(one() / scalar(b)).put(registers, to),
             Code::ComplexTimes => plane(a).times(plane(b)).put(registers, to),
             Code::RotationTimes => rotation(a).times(rotation(b)).put(registers, to),
-            Code::Turn => rotation(a).turn(space(b)).put(registers, to),
+            Code::Rotate => rotation(a).rotate(space(b)).put(registers, to),
             Code::Call(operation, shape) => match (operation, shape) {
                 (Operation::Sine, _) => scalar(a).sin_cos().0.put(registers, to),
                 (Operation::Cosine, _) => scalar(a).sin_cos().1.put(registers, to),

@@ -11,7 +11,7 @@ use datafusion::logical_expr::{
     ColumnarValue, DocSection, Documentation, ReturnFieldArgs, ScalarFunctionArgs, ScalarUDFImpl, Signature, Volatility,
 };
 use kin_core::any::Quantity;
-use kin_core::batch::{Column, ColumnChoice, GivenColumns, Outcome, Place, Vectors, WantedColumns};
+use kin_core::batch::{Column, ColumnChoice, GivenColumns, Outcome, Slot, Vectors, WantedColumns};
 use kin_core::{Dimension, in_small_letters};
 
 use super::arguments::{Argument, FEWEST_ROWS, Numbers, Texts, accepted, coerced, signature, valid_rows};
@@ -280,13 +280,13 @@ impl Poses {
         for (index, column) in columns.iter_mut().enumerate() {
             let (quantity, order) = (index / (order + 1), index % (order + 1));
             let place = match quantity.checked_sub(unknowns) {
-                None => Place::Unknown(quantity, order),
-                Some(output) => Place::Output(output, order),
+                None => Slot::Unknown(quantity, order),
+                Some(output) => Slot::Output(output, order),
             };
             places.push((place, column.as_mut_slice()));
         }
         for (unknown, sine) in sines.iter_mut().enumerate().filter(|(unknown, _)| is_angle(*unknown)) {
-            places.push((Place::Sine(unknown), sine.as_mut_slice()));
+            places.push((Slot::Sine(unknown), sine.as_mut_slice()));
         }
         solver
             .solve_batch(given, &mut WantedColumns::new(places), &mut outcomes, vectors)

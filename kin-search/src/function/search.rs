@@ -4,7 +4,7 @@ use datafusion::arrow::buffer::NullBuffer;
 use datafusion::arrow::datatypes::DataType;
 use datafusion::common::{Result, exec_err, plan_err};
 use datafusion::logical_expr::{ColumnarValue, Documentation, ScalarFunctionArgs, Signature, Volatility};
-use kin_core::batch::{Column, ColumnChoice, GivenColumns, Turn, Vectors};
+use kin_core::batch::{Column, ColumnChoice, GivenColumns, InputGrid, Vectors};
 use kin_core::{Dimension, in_small_letters};
 
 use super::arguments::{Argument, Numbers, Texts, accepted, coerced, signature, valid_rows};
@@ -61,7 +61,7 @@ pub(crate) struct Candidate<'s> {
     /// The speed of the input that turns.
     speed: f64,
     /// The poses.
-    pub(crate) turn: Turn,
+    pub(crate) turn: InputGrid,
     /// Whether the poses are a whole turn, so that the first follows the last.
     pub(crate) is_whole: bool,
 }
@@ -203,8 +203,8 @@ impl<'s> Call<'s> {
         )]
         let poses = poses as usize;
         let (turn, is_whole) = match (option(2), option(3)) {
-            (Some(from), Some(to)) => (Turn::between(0, from, to, poses), false),
-            _ => (Turn::whole(0, poses), true),
+            (Some(from), Some(to)) => (InputGrid::between(0, from, to, poses), false),
+            _ => (InputGrid::revolution(0, poses), true),
         };
         let parameters = self.search.mechanism.description().parameters.len();
         let assembly = match self.assembly.at(row) {

@@ -2,7 +2,7 @@
 
 use datafusion::common::{Result, exec_datafusion_err};
 use kin_core::any::Description;
-use kin_core::batch::{Column, Outcome, Place, Vectors, WantedColumns};
+use kin_core::batch::{Column, Outcome, Slot, Vectors, WantedColumns};
 
 use super::arguments::FEWEST_ROWS;
 use super::search::Candidate;
@@ -64,10 +64,10 @@ impl Trace {
         }
         self.outcomes.resize(count, Outcome::Unsolved);
         let mut wanted = WantedColumns::new(vec![
-            (Place::Output(point, 0), x.as_mut_slice()),
-            (Place::Output(point + 1, 0), y.as_mut_slice()),
-            (Place::Output(point, 1), x_velocity.as_mut_slice()),
-            (Place::Output(point + 1, 1), y_velocity.as_mut_slice()),
+            (Slot::Output(point, 0), x.as_mut_slice()),
+            (Slot::Output(point + 1, 0), y.as_mut_slice()),
+            (Slot::Output(point, 1), x_velocity.as_mut_slice()),
+            (Slot::Output(point + 1, 1), y_velocity.as_mut_slice()),
         ]);
         let solved = candidate.given(Column::Each(&self.inputs), |given| {
             solver.solve_batch(given, &mut wanted, &mut self.outcomes, vectors)

@@ -6,7 +6,7 @@ use datafusion::arrow::array::{ArrayRef, BooleanArray, Float64Builder, StructArr
 use datafusion::arrow::datatypes::{DataType, Field, Fields};
 use datafusion::common::{Result, exec_datafusion_err};
 use kin_core::RATES;
-use kin_core::batch::{Column, Fold, FoldedNumber, KeptMemory, Place, Turn};
+use kin_core::batch::{Column, Fold, FoldedNumber, InputGrid, KeptMemory, Slot};
 
 use super::names::plain;
 use super::search::{Call, Search, function_of_a_search};
@@ -58,9 +58,9 @@ impl TurnFunction {
             fields.extend([number("min_transmission"), number("where_min_transmission")]);
         }
         let unknowns = description.unknowns.iter().enumerate();
-        let unknowns = unknowns.map(|(index, quantity)| (quantity, Place::Unknown as fn(usize, usize) -> Place, index));
+        let unknowns = unknowns.map(|(index, quantity)| (quantity, Slot::Unknown as fn(usize, usize) -> Slot, index));
         let outputs = description.outputs.iter().enumerate();
-        let outputs = outputs.map(|(index, quantity)| (quantity, Place::Output as fn(usize, usize) -> Place, index));
+        let outputs = outputs.map(|(index, quantity)| (quantity, Slot::Output as fn(usize, usize) -> Slot, index));
         for (quantity, place, index) in unknowns.chain(outputs) {
             let name = plain(quantity);
             numbers.push((place(index, 0).into(), Summarised::Range));
@@ -149,7 +149,7 @@ impl TurnFunction {
     }
 
     /// The fields of a number, as many as it has.
-    fn values(fold: &Fold, summarised: Summarised, turn: &Turn) -> [Option<f64>; 3] {
+    fn values(fold: &Fold, summarised: Summarised, turn: &InputGrid) -> [Option<f64>; 3] {
         let folded = fold.folded();
         let found = |found: Option<(usize, f64)>| (found.map(|found| found.1), found.map(|found| turn.value(found.0)));
         match summarised {

@@ -4,7 +4,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use kin_core::Mechanism;
-use kin_core::batch::{Batch, Column, Fold, FoldedNumber, Outcome, Place, Turn, Vectors};
+use kin_core::batch::{Batch, Column, Fold, FoldedNumber, InputGrid, Outcome, Slot, Vectors};
 use kin_core::library::{FourBar, FourBarBatch};
 use kin_core::prelude::*;
 use kin_search::candidates::Sequence;
@@ -278,7 +278,7 @@ fn three() -> Sequence {
 /// The same candidates by a batch: every number of every pose is stored.
 fn raw_turns(ids: u32) -> f64 {
     let sequence = three();
-    let turn = Turn::whole(0, ANGLES);
+    let turn = InputGrid::revolution(0, ANGLES);
     let angles: Vec<f64> = (0..ANGLES).map(|pose| turn.value(pose)).collect();
     let mut poses = FourBarBatch::filled(|| vec![0.0; ANGLES]);
     let mut outcomes = vec![Outcome::Unsolved; ANGLES];
@@ -301,13 +301,13 @@ fn raw_turns(ids: u32) -> f64 {
 /// The same candidates by folds, as the function of SQL solves them for one field.
 fn folded_turns(ids: u32) -> f64 {
     let sequence = three();
-    let snap = FoldedNumber::At(Place::Unknown(1, 4));
+    let snap = FoldedNumber::At(Slot::Unknown(1, 4));
     let mut folds = [Fold::of(snap)];
     let mut least = f64::INFINITY;
     let motion = Motion::at_constant_speed(0.0, 1.0).map(Column::Same);
     for id in 0..u64::from(ids) {
         let parameters = linkage(&sequence, id).parameters().map(Column::Same);
-        let turn = Turn::whole(0, ANGLES);
+        let turn = InputGrid::revolution(0, ANGLES);
         let done = Batch::<FourBar, _>::new(parameters, [motion], Assembly::Open).fold(turn, &mut folds);
         if done.is_ok() {
             least = folds[0].folded().peak().map_or(least, |peak| least.min(peak.1));

@@ -97,7 +97,7 @@ impl Scene {
             outline: M::OUTLINE,
             joints: joints.to_vec(),
             directions: directions.to_vec(),
-            is_plane: <M::Places as PointArray>::Point::IS_PLANE,
+            is_plane: <M::SkeletonPoints as PointArray>::Point::IS_PLANE,
             sweep: sweep::sweep(mechanism, inputs, unknowns, range),
             drives: drive::drives(mechanism, inputs, unknowns),
             notes: Vec::new(),

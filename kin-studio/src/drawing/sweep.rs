@@ -59,7 +59,7 @@ pub(super) fn places<M: Mechanism<Scalar = f64>>(
     inputs: M::Inputs<f64>,
     unknowns: M::Unknowns<f64>,
 ) -> Vec<Space> {
-    let places = mechanism.places(inputs, unknowns);
+    let places = mechanism.skeleton_points(inputs, unknowns);
     places.as_slice().iter().map(|place| place.in_space()).collect()
 }
 

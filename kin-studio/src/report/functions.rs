@@ -1,11 +1,11 @@
 //! What a report needs of a mechanism beside its answers.
 
-use kin_core::any::{Pictured, PlacesOver};
+use kin_core::any::{Pictured, SkeletonOver};
 use kin_core::linkage::LinkageFunctions;
 use kin_core::tape::RecordedFunctions;
 
 /// The functions of a mechanism for its report: `Of::<M>::FUNCTIONS` has them for every mechanism that rustc compiled,
 /// and so has `kin_live::Mechanism`. All else is compiled once, in this crate.
-pub trait ReportFunctions: LinkageFunctions + Pictured + PlacesOver<f64> + RecordedFunctions<f64> {}
+pub trait ReportFunctions: LinkageFunctions + Pictured + SkeletonOver<f64> + RecordedFunctions<f64> {}
 
-impl<F: LinkageFunctions + Pictured + PlacesOver<f64> + RecordedFunctions<f64>> ReportFunctions for F {}
+impl<F: LinkageFunctions + Pictured + SkeletonOver<f64> + RecordedFunctions<f64>> ReportFunctions for F {}

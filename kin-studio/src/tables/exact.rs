@@ -109,7 +109,7 @@ impl ExactJson for ExactTable {
                 json!({
                     "name": column.name,
                     "dimension": word(column.dimension),
-                    "turn": column.turn,
+                    "turn": column.increment,
                     "errors": column.errors,
                 })
             })
@@ -162,7 +162,7 @@ impl ExactJson for ExactTable {
                     Ok(ExactColumnParts {
                         name,
                         dimension,
-                        turn: entry(column, "turn", Value::as_f64)?,
+                        increment: entry(column, "turn", Value::as_f64)?,
                         errors: entry(column, "errors", numbers)?,
                     })
                 })

@@ -3,7 +3,7 @@
 use kin_core::Mechanism;
 use kin_core::any::{Described, Of};
 use kin_core::batch::{
-    AnyBatch, AnyFold, Column, ColumnChoice, Fold, FoldedNumber, GivenColumns, KeptMemory, Outcome, Place, Turn,
+    AnyBatch, AnyFold, Column, ColumnChoice, Fold, FoldedNumber, GivenColumns, InputGrid, KeptMemory, Outcome, Slot,
     Vectors, WantedColumns,
 };
 
@@ -22,15 +22,15 @@ struct Columns {
 }
 
 /// The places of all numbers of a mechanism.
-fn places(own: &(impl Described + ?Sized)) -> Vec<Place> {
+fn places(own: &(impl Described + ?Sized)) -> Vec<Slot> {
     let description = own.description();
-    let mut places: Vec<Place> = Vec::new();
+    let mut places: Vec<Slot> = Vec::new();
     for order in 0..=description.order {
-        places.extend((0..description.inputs.len()).map(|index| Place::Input(index, order)));
-        places.extend((0..description.unknowns.len()).map(|index| Place::Unknown(index, order)));
-        places.extend((0..description.outputs.len()).map(|index| Place::Output(index, order)));
+        places.extend((0..description.inputs.len()).map(|index| Slot::Input(index, order)));
+        places.extend((0..description.unknowns.len()).map(|index| Slot::Unknown(index, order)));
+        places.extend((0..description.outputs.len()).map(|index| Slot::Output(index, order)));
     }
-    places.extend((0..description.unknowns.len()).map(Place::Sine));
+    places.extend((0..description.unknowns.len()).map(Slot::Sine));
     places
 }
 
@@ -134,7 +134,7 @@ fn folded(
         inputs: &inputs,
         choice: ColumnChoice::Assembly(assembly),
     };
-    let summary = own.fold_batch(Turn::whole(0, TURN), given, &mut folds, memory, vectors);
+    let summary = own.fold_batch(InputGrid::revolution(0, TURN), given, &mut folds, memory, vectors);
     let told = summary.map(|summary| format!("{} {} {}", summary.solved, summary.alone, summary.failed));
     let bits = |found: Option<(usize, f64)>| found.map(|(pose, value)| (pose, value.to_bits()));
     let all = folds.iter().map(|fold| {

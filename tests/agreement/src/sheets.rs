@@ -2,7 +2,7 @@
 
 use kin_compiler::Declaration;
 use kin_compiler::tree::Sheet;
-use kin_core::any::{ClosureOver, Of, OutputsOver, PlacesOver};
+use kin_core::any::{ClosureOver, Of, OutputsOver, SkeletonOver};
 use kin_core::{Mechanism, Row};
 use kin_live::sheet::SheetCode;
 
@@ -29,13 +29,13 @@ pub(crate) fn agreeing<M: Mechanism<Scalar = f64>, T: Bits>(declaration: &Declar
     };
     assert_agreeing(&sheets.closure, counts, residuals)
         + assert_agreeing(&sheets.outputs, counts, outputs)
-        + assert_agreeing(&sheets.places, counts, places::<M, T>)
+        + assert_agreeing(&sheets.skeleton_points, counts, places::<M, T>)
 }
 
 /// The places of the compiled mechanism, part by part.
 fn places<M: Mechanism<Scalar = f64>, T: Bits>([parameters, inputs, unknowns]: &Numbers<T>, found: &mut [T]) {
     let mut all = Vec::new();
-    Of::<M>::FUNCTIONS.places(parameters, inputs, unknowns, &mut |place| all.extend_from_slice(place));
+    Of::<M>::FUNCTIONS.skeleton_points(parameters, inputs, unknowns, &mut |place| all.extend_from_slice(place));
     found.copy_from_slice(&all);
 }
 

@@ -1,8 +1,8 @@
 //! Counts the instructions of kin's solvers, and refuses more than there were.
 //!
 //! ```text
-//! cargo run --release -p kin-instructions               # counts and compares with `recorded.txt`; fails if there are more
-//! cargo run --release -p kin-instructions -- --record   # counts and writes them down
+//! cargo run --profile bench -p kin-instructions               # counts and compares with `recorded.txt`; fails if there are more
+//! cargo run --profile bench -p kin-instructions -- --record   # counts and writes them down
 //! ```
 //!
 //! Callgrind, of valgrind, counts. Its counts are the same in every run, however busy the machine is, so that they can be asserted

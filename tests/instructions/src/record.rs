@@ -66,7 +66,7 @@ impl Record {
 
     fn text(&self) -> String {
         let mut text = format!(
-            "# Instructions per pose. Renewed by `cargo run --release -p kin-instructions -- --record`.\n\
+            "# Instructions per pose. Renewed by `cargo run --profile bench -p kin-instructions -- --record`.\n\
              compiler {}\narchitecture {}\n",
             self.compiler, self.architecture
         );
@@ -110,7 +110,7 @@ impl Record {
         }
         Err(format!(
             "{}\n(up to {allowance} more of a thousand are allowed, as the record is of rustc {} and this is {COMPILER}; if it has to be so, renew \
-             the record by `cargo run --release -p kin-instructions -- --record`)",
+             the record by `cargo run --profile bench -p kin-instructions -- --record`)",
             faults.join("\n"),
             self.compiler
         ))

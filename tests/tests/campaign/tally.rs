@@ -64,7 +64,7 @@ impl Tally {
             Failure::OutsideDomain { .. } => 3,
             Failure::NotConverged { .. } => 4,
             Failure::NotFinite { .. } => 5,
-            Failure::TooManyTurns { .. } => 6,
+            Failure::TooManyRevolutions { .. } => 6,
             _ => 7,
         };
         self.refused[kind] += 1;

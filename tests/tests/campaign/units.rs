@@ -42,8 +42,8 @@ impl Outline {
         let circuits = cycle.circuits().iter();
         let circuits: Vec<String> = circuits
             .map(|circuit| {
-                let turns = circuit.turns().map(|turns| turns.as_ref().to_vec());
-                format!("{:?} {:?} {turns:?}", circuit.branches(), circuit.input_turns())
+                let turns = circuit.revolutions().map(|turns| turns.as_ref().to_vec());
+                format!("{:?} {:?} {turns:?}", circuit.branches(), circuit.input_revolutions())
             })
             .collect();
         let kinds: Vec<_> = cycle.incomplete().iter().map(core::mem::discriminant).collect();

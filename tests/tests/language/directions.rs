@@ -460,7 +460,7 @@ fn coupled_blocks() {
             );
             for (Near(one), Near(other)) in all.iter().zip(same.iter()) {
                 for (one, other) in one.iter().zip(other) {
-                    assert!((one - solve::nearest_turn(*other, *one)).abs() <= 1e-9, "{one} {other}");
+                    assert!((one - solve::unwrap_near(*other, *one)).abs() <= 1e-9, "{one} {other}");
                 }
             }
         }

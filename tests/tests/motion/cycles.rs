@@ -278,8 +278,8 @@ type Turns = (Option<i32>, Option<i32>);
 /// Turns of the input and of the first unknown, an angle, along each circuit, and whether there is a change point.
 fn told<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>) -> (Vec<Turns>, bool) {
     let turns = cycle.circuits().iter().map(|circuit| {
-        let unknown = circuit.turns().map(|turns| turns[0].abs());
-        (circuit.input_turns(), unknown)
+        let unknown = circuit.revolutions().map(|turns| turns[0].abs());
+        (circuit.input_revolutions(), unknown)
     });
     let mut ends = cycle.branches().iter().flat_map(Branch::ends);
     (

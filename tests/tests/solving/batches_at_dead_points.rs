@@ -6,7 +6,7 @@
 use core::f64::consts::{FRAC_PI_4, FRAC_PI_6, PI, TAU};
 
 use kin_core::Dimension;
-use kin_core::batch::{Batch, Column, Columns, Element, Outcome, Place, Vectors, Visitor};
+use kin_core::batch::{Batch, Column, Columns, Element, Outcome, Slot, Vectors, Visitor};
 use kin_core::prelude::*;
 use kin_tests::mechanisms::multi_loop::TwoDyads;
 use kin_tests::random::Random;
@@ -223,7 +223,7 @@ impl<E> Columns<Vec<E>> for Table<E> {
     {
         for (index, motion) in self.unknowns.iter_mut().enumerate() {
             for (order, column) in motion.iter_mut().enumerate() {
-                visitor.visit(Place::Unknown(index, order), column);
+                visitor.visit(Slot::Unknown(index, order), column);
             }
         }
     }

@@ -276,7 +276,7 @@ fn turns_on_which_angles_tell_no_direction() {
     for (turns, spacing) in [(2e13, 0.015_625), (1e15, 1.0), (1e18, 1024.0)] {
         let far = [near[0], near[1] - turns * TAU];
         let error = LINKAGE.position_near(1.0, far).expect_err("no angle is a solution");
-        let expected = Failure::TooManyTurns {
+        let expected = Failure::TooManyRevolutions {
             unknown: "theta4".into(),
             guess: far[1],
             spacing,
@@ -291,7 +291,7 @@ fn turns_on_which_angles_tell_no_direction() {
     let error = single
         .position_near(1.0, [2e5, 0.0])
         .expect_err("no angle is a solution");
-    let expected = Failure::TooManyTurns {
+    let expected = Failure::TooManyRevolutions {
         unknown: "theta3".into(),
         guess: 2e5,
         spacing: 0.015_625,
@@ -318,7 +318,7 @@ fn turns_on_which_newtons_method_finds_nothing() {
         .position(leg, leg, leg, Near(far))
         .expect_err("no angle is a solution");
     assert!(
-        matches!(error.failure, Failure::TooManyTurns { unknown, .. } if unknown == name),
+        matches!(error.failure, Failure::TooManyRevolutions { unknown, .. } if unknown == name),
         "{error}"
     );
 

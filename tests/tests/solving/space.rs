@@ -509,7 +509,7 @@ fn bennett_closes_in_space() {
             ] {
                 let angle = Series::<5>::from_derivatives(angle.derivatives());
                 turned = turned.times(Rotation::about_z(angle));
-                reached = reached + turned.turn(Space::new(number(length), zero, zero));
+                reached = reached + turned.rotate(Space::new(number(length), zero, zero));
                 turned = turned.times(Rotation::about_x(number(twist)));
             }
             let size = b.abs().max(2.0);

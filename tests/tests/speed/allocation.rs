@@ -7,7 +7,7 @@ use core::any::type_name;
 use core::hint::black_box;
 
 use allocation_counter::measure;
-use kin_core::batch::{Batch, Column, Fold, FoldedNumber, Outcome, Place, Turn, Vectors};
+use kin_core::batch::{Batch, Column, Fold, FoldedNumber, InputGrid, Outcome, Slot, Vectors};
 use kin_core::library::{
     self, ClassThreeTriad, ClassThreeTriadBatch, FourBar, FourBarBatch, StephensonII, WattIByDyad,
 };
@@ -175,11 +175,11 @@ fn batches_do_not_allocate() {
     let summary = summary.expect("the columns are of one length");
     assert!(summary.solved > 50 && summary.failed > 10, "{summary:?}");
     let mut folds = [
-        Fold::of(Place::Unknown(1, 4)),
+        Fold::of(Slot::Unknown(1, 4)),
         Fold::of(FoldedNumber::SmallestTransmissionAngle),
     ];
     let parameters = linkage.parameters().map(Column::Same);
-    let turn = Turn::whole(0, 1000);
+    let turn = InputGrid::revolution(0, 1000);
     let summary = without_allocation::<FourBar, _>("fold", || {
         let vectors = Vectors::widest();
         Batch::<FourBar, _>::new(parameters, [theta2], Assembly::Open)

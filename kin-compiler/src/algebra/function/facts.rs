@@ -99,8 +99,8 @@ pub(super) enum Domain {
 pub(crate) struct Checked {
     /// Its name in `kin_core::solve`.
     pub(crate) name: &'static str,
-    /// Whether the sign of its argument decides. Then only the formula of the argument tells how far a sum is from
-    /// zero, relative to its terms. If the domain ends at about 1, the check itself can tell.
+    /// Whether the sign of its argument decides. Then only the formula of the argument decides how far a sum is from
+    /// zero, relative to its terms. If the domain ends at about 1, the check itself can decide.
     pub(crate) decides_by_sign: bool,
     /// Its cost.
     pub(crate) cost: &'static [WorkUnit],
@@ -109,7 +109,7 @@ pub(crate) struct Checked {
 /// The way to solve an equation f(x) = v for x.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Inverse {
-    /// No inverse: f has two arguments, or closed forms of its own.
+    /// No inverse: f has two arguments, or separate closed forms.
     None,
     /// There is one solution.
     One(InverseFunction),

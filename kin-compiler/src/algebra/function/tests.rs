@@ -254,8 +254,8 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
         .collect()
 }
 
-/// The other rooms name no function except those that vectors consist of: sine and cosine, which turn vectors, and the
-/// square root, which gives their length. So a new function needs no change there, and no default arm handles it.
+/// The other rooms name no function except those that vectors consist of: sine and cosine, which rotate vectors, and
+/// the square root, which gives their length. So a new function needs no change there, and no default arm handles it.
 #[test]
 fn other_rooms_do_not_list_functions() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
@@ -266,9 +266,9 @@ fn other_rooms_do_not_list_functions() {
         }
         let text = fs::read_to_string(&path).expect("it is text");
         let text = text.split("#[cfg(test)]").next().unwrap_or_default();
-        for (place, _) in text.match_indices("Function::") {
-            let before = text[..place].chars().next_back();
-            let name: String = text[place + "Function::".len()..]
+        for (start, _) in text.match_indices("Function::") {
+            let before = text[..start].chars().next_back();
+            let name: String = text[start + "Function::".len()..]
                 .chars()
                 .take_while(|letter| letter.is_alphanumeric())
                 .collect();

@@ -32,7 +32,7 @@ fn all(mechanism: &Compiled<'_>) -> TokenStream {
     let inputs = mechanism.input_names();
     let length = Literal::usize_unsuffixed(mechanism.order() + 1);
     let size = Literal::usize_unsuffixed(1 << count);
-    let index = mechanism.own("index");
+    let index = mechanism.fresh("index");
     let by_number = by_number(mechanism, &quote!(#index));
     quote! {
             /// `solve` in every assembly, in the order of `ASSEMBLIES`.
@@ -173,7 +173,7 @@ fn finder(mechanism: &Compiled<'_>) -> TokenStream {
     let kind = mechanism.assembly_type();
     let inputs = mechanism.input_names();
     let unknown_count = Literal::usize_unsuffixed(mechanism.model.unknowns.len());
-    let near = mechanism.own("near");
+    let near = mechanism.fresh("near");
     let summary = format!(
         " The assembly of a pose with unknowns near `[{}]`: the side of the singular positions on which they lie.",
         mechanism.unknown_order()
@@ -203,7 +203,7 @@ pub(in crate::emit) fn internal(mechanism: &Compiled<'_>) -> Option<Internal> {
     let kind = mechanism.assembly_type();
     let inputs = mechanism.input_names();
     let unknown_count = Literal::usize_unsuffixed(mechanism.model.unknowns.len());
-    let near = mechanism.own("near");
+    let near = mechanism.fresh("near");
     let BlockOrientations {
         way,
         orientations,
@@ -211,8 +211,8 @@ pub(in crate::emit) fn internal(mechanism: &Compiled<'_>) -> Option<Internal> {
     } = BlockOrientations::new(mechanism);
     Some(Internal {
         attributes: quote! {
-            /// The assembly and the guess. If several poses are solved at once, the guess becomes NaN for poses in another
-            /// assembly than the first one.
+            /// The assembly and the guess. If several poses are solved at once, the guess becomes NaN for poses in
+            /// another assembly than the first one.
             #[inline(always)]
         },
         signature: quote! {
@@ -239,7 +239,7 @@ impl BlockOrientations {
         let inputs = mechanism.input_names();
         let program = &mechanism.solvers.orientations;
         let (text, stage) = (ProgramText::of(mechanism, program), &program.stages[0]);
-        let near = mechanism.own("near");
+        let near = mechanism.fresh("near");
         let used: BTreeSet<Symbol> = stage.steps.iter().flat_map(Step::uses).collect();
         let symbols: Vec<Symbol> = (0..mechanism.model.unknowns.len()).map(Symbol::Unknown).collect();
         let unknowns = values::bound(&text, &used, &symbols, &quote!(#near));

@@ -70,7 +70,7 @@ fn methods(mechanism: &Compiled<'_>) -> TokenStream {
     let name = &model.name;
     let inputs = mechanism.input_names();
     let length = Literal::usize_unsuffixed(mechanism.order() + 1);
-    let near = mechanism.own("near");
+    let near = mechanism.fresh("near");
     let value = mechanism.type_parameter("Value");
     let same = quote!(#name<#value::Element>);
     let columns = quote!(#runtime::batch::Column<'a, #value::Element>);
@@ -100,8 +100,8 @@ fn methods(mechanism: &Compiled<'_>) -> TokenStream {
         impl<#value: #runtime::batch::Parameter> #name<#value> {
             #[doc = #summary]
             ///
-            /// Each parameter and input is one number for all poses, or a column with one number for each pose. `solve` of the
-            /// batch stores the motions, `fold` summarises them.
+            /// Each parameter and input is one number for all poses, or a column with one number for each pose. `solve`
+            /// of the batch stores the motions, `fold` summarises them.
             #[inline]
             pub fn batch<'a>(
                 &'a self,
@@ -117,7 +117,7 @@ fn methods(mechanism: &Compiled<'_>) -> TokenStream {
 fn columns(mechanism: &Compiled<'_>) -> TokenStream {
     let (runtime, model) = (mechanism.runtime, mechanism.model);
     let structure = type_name(mechanism);
-    let [fill, visitor] = ["fill", "visitor"].map(|name| mechanism.own(name));
+    let [fill, visitor] = ["fill", "visitor"].map(|name| mechanism.fresh(name));
     let inputs = model.inputs.iter().map(|input| &input.name);
     let unknowns = model.unknowns.iter().map(|unknown| &unknown.name);
     let outputs = model.outputs.iter().map(|output| &output.name);
@@ -150,7 +150,7 @@ fn columns(mechanism: &Compiled<'_>) -> TokenStream {
                 Column: 'a,
             {
                 #(
-                    self.#fields.each(#firsts, #runtime::batch::Place::#kinds, #visitor);
+                    self.#fields.each(#firsts, #runtime::batch::Slot::#kinds, #visitor);
                 )*
             }
         }

@@ -37,7 +37,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
 
 fn written(mechanism: &Compiled<'_>, term: &ClosureMonomial) -> TokenStream {
     let runtime = mechanism.runtime;
-    let place = |symbol: Symbol| {
+    let argument = |symbol: Symbol| {
         Literal::usize_unsuffixed(match symbol {
             Symbol::Input(index) => index,
             Symbol::Unknown(index) => mechanism.model.inputs.len() + index,
@@ -48,21 +48,21 @@ fn written(mechanism: &Compiled<'_>, term: &ClosureMonomial) -> TokenStream {
     let factor = Literal::f64_unsuffixed(term.factor.abs());
     let sign = (term.factor < 0.0).then(|| quote!(-));
     let powers = term.powers.iter().map(|&(symbol, power)| {
-        let (place, power) = (place(symbol), Literal::u8_unsuffixed(power));
-        quote!((#place, #power))
+        let (argument, power) = (argument(symbol), Literal::u8_unsuffixed(power));
+        quote!((#argument, #power))
     });
     let angle = |angle: &Angle| {
         let multiples = angle.0.iter().map(|&(symbol, multiple)| {
-            let (place, size) = (place(symbol), Literal::i32_unsuffixed(multiple.abs()));
+            let (argument, size) = (argument(symbol), Literal::i32_unsuffixed(multiple.abs()));
             let sign = (multiple < 0).then(|| quote!(-));
-            quote!((#place, #sign #size))
+            quote!((#argument, #sign #size))
         });
         quote!(, &[#(#multiples),*])
     };
     let (kind, angle) = match &term.harmonic {
         Harmonic::One => ("__one", None),
-        Harmonic::Cosine(own) => ("__cosine", Some(angle(own))),
-        Harmonic::Sine(own) => ("__sine", Some(angle(own))),
+        Harmonic::Cosine(combination) => ("__cosine", Some(angle(combination))),
+        Harmonic::Sine(combination) => ("__sine", Some(angle(combination))),
     };
     let kind = local(kind);
     quote! {

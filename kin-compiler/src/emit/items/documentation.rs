@@ -104,8 +104,8 @@ impl Compiled<'_> {
         })
     }
 
-    /// Which of two links is turned clockwise from the other in the open assembly, if all lengths are positive. `None` if
-    /// the angles are not simply the directions of the links.
+    /// Which of two links is turned clockwise from the other in the open assembly, if all lengths are positive. `None`
+    /// if the angles are not simply the directions of the links.
     fn turn_of_links(&self, arms: &[Arm; 2], part: usize) -> Option<String> {
         let graph = &self.solvers.graph;
         let orientation = self.solvers.choices[part].orientation?;

@@ -32,9 +32,9 @@ pub(in crate::emit) fn implementation(mechanism: &Compiled<'_>) -> TokenStream {
     let [inputs, found, plain] = ["inputs", "found", "plain"].map(local);
     let [input_count, unknown_count] =
         [mechanism.model.inputs.len(), mechanism.model.unknowns.len()].map(Literal::usize_unsuffixed);
-    let values = (0..mechanism.model.inputs.len()).map(|place| {
-        let place = Literal::usize_unsuffixed(place);
-        quote!(#runtime::Number::real(#inputs[#place]))
+    let values = (0..mechanism.model.inputs.len()).map(|input| {
+        let input = Literal::usize_unsuffixed(input);
+        quote!(#runtime::Number::real(#inputs[#input]))
     });
     quote! {
         fn positions_at(
@@ -60,7 +60,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let capacity = Literal::usize_unsuffixed(paths);
     let blocks = mechanism.blocks.iter().filter_map(|block| block.all.as_ref());
     let room = Literal::usize_unsuffixed(blocks.map(PolynomialSystem::room).sum());
-    let [way, near] = ["choices", "near"].map(|name| mechanism.own(name));
+    let [way, near] = ["choices", "near"].map(|name| mechanism.fresh(name));
     let lines = mechanism
         .blocks
         .iter()
@@ -80,8 +80,8 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
             /// All assemblies at given inputs: every regular position.
             ///
             #[doc = #order]
-            /// The search starts from a system whose solutions are known and follows each of them to a solution of the coupled
-            /// equations. `Assemblies` of the library says what this guarantees.
+            /// The search starts from a system whose solutions are known and follows each of them to a solution of the
+            /// coupled equations. `Assemblies` of the library says what this guarantees.
             ///
             #(#[doc = #lines])*
             ///
@@ -119,7 +119,7 @@ pub(in crate::emit) fn internal(mechanism: &Compiled<'_>) -> Option<Internal> {
     let readings = text.readings(stage, &given);
     let body = text.position_steps(stage);
     let unknowns = (0..mechanism.model.unknowns.len()).map(|index| mechanism.name_of(Symbol::Unknown(index)));
-    let way = mechanism.own("choices");
+    let way = mechanism.fresh("choices");
     Some(Internal {
         attributes: TokenStream::new(),
         signature: quote! {

@@ -44,26 +44,26 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
         let shape = parameter.dimension.shape();
         if let Some(vector) = vector_type(shape) {
             let axes = shape.axes();
-            let places = (next..next + axes.len()).map(size);
+            let indices = (next..next + axes.len()).map(size);
             next += axes.len();
-            from_array.push(quote!(#field: #runtime::#vector::new(#(#parameters[#places]),*)));
+            from_array.push(quote!(#field: #runtime::#vector::new(#(#parameters[#indices]),*)));
             let axes = axes.iter().map(|axis| local(&axis.to_string()));
             converted.push(quote!(#field: #runtime::#vector::new(#(#convert(self.#field.#axes)),*)));
         } else {
-            let place = size(next);
+            let index = size(next);
             next += 1;
-            from_array.push(quote!(#field: #parameters[#place]));
+            from_array.push(quote!(#field: #parameters[#index]));
             converted.push(quote!(#field: #convert(self.#field)));
         }
     }
     let inputs = local("inputs");
-    let places: Vec<TokenStream> = (0..model.inputs.len())
-        .map(|place| {
-            let place = size(place);
-            quote!(#inputs[#place])
+    let inputs_in_order: Vec<TokenStream> = (0..model.inputs.len())
+        .map(|index| {
+            let index = size(index);
+            quote!(#inputs[#index])
         })
         .collect();
-    let (unknowns, wanted, near) = (local("unknowns"), mechanism.own("assembly"), local("near"));
+    let (unknowns, wanted, near) = (local("unknowns"), mechanism.fresh("assembly"), local("near"));
     let (length, block_count) = (size(order + 1), size(mechanism.blocks.len()));
     let is_coupled = mechanism.is_coupled();
     let (assembly_type, value) = if is_coupled {
@@ -84,11 +84,13 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
     } else if value.is_empty() {
         quote!(let _ = (#inputs, #near);)
     } else {
-        quote!(self.assembly_at(#(#places,)* #near))
+        quote!(self.assembly_at(#(#inputs_in_order,)* #near))
     };
     let values_near = is_coupled.then(|| {
         quote! {
-            fn values_near(#wanted: Self::Assembly) -> ::core::option::Option<[::core::primitive::f64; #unknown_count]> {
+            fn values_near(
+                #wanted: Self::Assembly,
+            ) -> ::core::option::Option<[::core::primitive::f64; #unknown_count]> {
                 ::core::option::Option::Some(#wanted.0)
             }
         }
@@ -105,7 +107,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
         }
     });
     let directions = directions(mechanism);
-    let position_near = quote!(self.position_near(#(#places,)* #near));
+    let position_near = quote!(self.position_near(#(#inputs_in_order,)* #near));
     let unknowns_near = if mechanism.has_directions() {
         quote!(#position_near.map(|position| position.unknowns_near(#near)))
     } else {
@@ -131,19 +133,19 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
     let complete = |position: TokenStream| {
         quote! {
             let position = #position?;
-            self.__complete(position, #(#places),*)
+            self.__complete(position, #(#inputs_in_order),*)
         }
     };
     let (solve, solve_near) = if is_coupled {
         (
-            quote!(self.solve(#(#places,)* #value)),
-            complete(quote!(self.position_near(#(#places.position(),)* #near))),
+            quote!(self.solve(#(#inputs_in_order,)* #value)),
+            complete(quote!(self.position_near(#(#inputs_in_order.position(),)* #near))),
         )
     } else {
         let value = if value.is_empty() { quote!() } else { quote!(#value,) };
         (
-            complete(quote!(self.__position(#(#places.position(),)* #value ::core::option::Option::None))),
-            quote!(self.solve_near(#(#places,)* #near)),
+            complete(quote!(self.__position(#(#inputs_in_order.position(),)* #value ::core::option::Option::None))),
+            quote!(self.solve_near(#(#inputs_in_order,)* #near)),
         )
     };
     let (forms, jacobian) = (forms::tokens(mechanism), jacobian::tokens(mechanism));
@@ -220,7 +222,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
                 #wanted: Self::Assembly,
             ) -> ::core::result::Result<[T; #unknown_count], #runtime::SolveError> {
                 #ignore
-                self.position(#(#places,)* #value).map(|position| position.unknowns())
+                self.position(#(#inputs_in_order,)* #value).map(|position| position.unknowns())
             }
 
             fn position_near(
@@ -232,7 +234,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
             }
 
             fn closure(&self, #inputs: [T; #input_count], #unknowns: [T; #unknown_count]) -> [T; #residual_count] {
-                self.closure(#(#places,)* #unknowns)
+                self.closure(#(#inputs_in_order,)* #unknowns)
             }
 
             #forms
@@ -279,9 +281,9 @@ fn directions(mechanism: &Compiled<'_>) -> TokenStream {
     let near = local("near");
     let (mut motions_near, mut columns, mut sines) = (Vec::new(), Vec::new(), Vec::new());
     for (index, unknown) in model.unknowns.iter().enumerate() {
-        let (field, place) = (&unknown.name, Literal::usize_unsuffixed(index));
+        let (field, position) = (&unknown.name, Literal::usize_unsuffixed(index));
         if mechanism.is_direction(index) {
-            let value = mechanism.unknown_value_near(index, &quote!(#near[#place]));
+            let value = mechanism.unknown_value_near(index, &quote!(#near[#position]));
             motions_near.push(quote!(self.#field.motion_from(#value)));
             columns.push(quote!(self.#field.motion_from(self.#field.cosine())));
             sines.push(quote!(::core::option::Option::Some(self.#field.sine())));
@@ -337,9 +339,9 @@ fn description(mechanism: &Compiled<'_>) -> TokenStream {
     let [parameters, inputs, unknowns, outputs] = [parameters, inputs, unknowns, outputs].map(quantities);
     let blocks = blocks.iter().map(|block| {
         let (unknowns, solution) = (&block.unknowns, &block.solution);
-        let [members, equations] = [&block.members, &block.equations].map(|places| {
-            let places = places.iter().map(|&place| Literal::usize_unsuffixed(place));
-            quote!(&[#(#places),*])
+        let [members, equations] = [&block.members, &block.equations].map(|indices| {
+            let indices = indices.iter().map(|&index| Literal::usize_unsuffixed(index));
+            quote!(&[#(#indices),*])
         });
         quote!(#runtime::Block::__new(#unknowns, #solution, #members, #equations))
     });

@@ -1,5 +1,5 @@
-//! The methods that only generated code calls. They are methods of a trait that no one else can name, so that editors do
-//! not offer them beside the solvers.
+//! The methods that only generated code calls. They are methods of a trait that no one else can name, so that editors
+//! do not offer them beside the solvers.
 
 use proc_macro2::TokenStream;
 use quote::quote;

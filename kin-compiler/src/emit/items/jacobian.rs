@@ -9,12 +9,12 @@ use crate::emit::compiled::{Compiled, local};
 pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let (runtime, model) = (mechanism.runtime, mechanism.model);
     let [inputs, columns, column] = ["inputs", "columns", "column"].map(local);
-    let [near, position] = ["near", "position"].map(|name| mechanism.own(name));
+    let [near, position] = ["near", "position"].map(|name| mechanism.fresh(name));
     let input_count = model.inputs.len();
-    let places: Vec<TokenStream> = (0..input_count)
-        .map(|place| {
-            let place = Literal::usize_unsuffixed(place);
-            quote!(#inputs[#place])
+    let inputs_in_order: Vec<TokenStream> = (0..input_count)
+        .map(|index| {
+            let index = Literal::usize_unsuffixed(index);
+            quote!(#inputs[#index])
         })
         .collect();
     let velocities = (0..input_count).map(|unit| {
@@ -47,7 +47,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
         fn jacobian_near(&self, #inputs: [T; #input_count], #near: [T; #unknown_count])
             -> ::core::result::Result<[[T; #input_count]; #row_count], #runtime::SolveError>
         {
-            let #position = self.position_near(#(#places,)* #near)?;
+            let #position = self.position_near(#(#inputs_in_order,)* #near)?;
             let #columns = [#(#velocities),*];
             ::core::result::Result::Ok([#(#columns.map(|#column| #column.#rows)),*])
         }

@@ -5,7 +5,7 @@ use super::every;
 use crate::emit::compiled::Compiled;
 use crate::model::{Quantity, ValueShape};
 
-/// The documentation that follows the user's own.
+/// The documentation that follows the user's.
 pub(in crate::emit) fn lines(mechanism: &Compiled<'_>) -> Vec<String> {
     let has_choices = !mechanism.choices().is_empty();
     let title = if has_choices {

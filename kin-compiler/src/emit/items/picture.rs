@@ -23,20 +23,32 @@ pub(in crate::emit) fn tokens(
     sheets: &Sheets,
     (pose, argument): &(Ident, TokenStream),
 ) -> Picture {
-    let Sheets { outline, places, .. } = sheets;
+    let Sheets {
+        outline,
+        skeleton_points,
+        ..
+    } = sheets;
     let runtime = text.runtime;
     let kind = vector_type(outline.shape);
-    let counts = [text.model.inputs.len(), text.model.unknowns.len(), places.results.len()];
+    let counts = [
+        text.model.inputs.len(),
+        text.model.unknowns.len(),
+        skeleton_points.results.len(),
+    ];
     let [inputs, unknowns, count] = counts.map(Literal::usize_unsuffixed);
-    let (rows, bindings, results) = (text.rows(places), text.bindings(places), text.results(places));
+    let (rows, bindings, results) = (
+        text.rows(skeleton_points),
+        text.bindings(skeleton_points),
+        text.results(skeleton_points),
+    );
     let (joints, directions) = results.split_at(outline.joints);
     let table = table(outline, runtime);
-    let places = quote!([#runtime::#kind<T>; #count]);
+    let points = quote!([#runtime::#kind<T>; #count]);
     let site = Span::mixed_site();
     let items = quote_spanned! {site=>
-        type Places = #places;
+        type SkeletonPoints = #points;
         const OUTLINE: #runtime::Outline = #table;
-        fn places(&self, inputs: [T; #inputs], unknowns: [T; #unknowns]) -> #places {
+        fn skeleton_points(&self, inputs: [T; #inputs], unknowns: [T; #unknowns]) -> #points {
             #rows
             #bindings
             [#(#joints,)* #(#directions),*]
@@ -52,7 +64,7 @@ pub(in crate::emit) fn tokens(
         ///
         #(#[doc = #lines])*
         #[must_use]
-        pub fn skeleton(&self, #argument) -> #runtime::Skeleton<#places> {
+        pub fn skeleton(&self, #argument) -> #runtime::Skeleton<#points> {
             #runtime::Mechanism::skeleton(self, #pose)
         }
     };

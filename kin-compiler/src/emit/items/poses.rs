@@ -38,14 +38,14 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
         .collect()
 }
 
-/// A field's documentation: the user's own, then a generated line.
-fn documented(own: &[Attribute], line: &str) -> TokenStream {
-    let separator = if own.is_empty() {
+/// A field's documentation: that of the user, then a generated line.
+fn documented(users: &[Attribute], line: &str) -> TokenStream {
+    let separator = if users.is_empty() {
         TokenStream::new()
     } else {
         quote!(#[doc = ""])
     };
-    quote!(#(#own)* #separator #[doc = #line])
+    quote!(#(#users)* #separator #[doc = #line])
 }
 
 fn structure(mechanism: &Compiled<'_>, order: usize) -> TokenStream {
@@ -122,7 +122,7 @@ fn structure(mechanism: &Compiled<'_>, order: usize) -> TokenStream {
     }
 }
 
-/// `unknowns_near`: the angles of directions on given turns.
+/// `unknowns_near`: the angles of directions unwrapped to given values.
 fn values_near(mechanism: &Compiled<'_>) -> TokenStream {
     if !mechanism.has_directions() {
         return TokenStream::new();
@@ -131,11 +131,11 @@ fn values_near(mechanism: &Compiled<'_>) -> TokenStream {
     let count = Literal::usize_unsuffixed(model.unknowns.len());
     let near = local("near");
     let values = (0..model.unknowns.len()).map(|index| {
-        let place = Literal::usize_unsuffixed(index);
-        mechanism.unknown_value_near(index, &quote!(#near[#place]))
+        let literal = Literal::usize_unsuffixed(index);
+        mechanism.unknown_value_near(index, &quote!(#near[#literal]))
     });
     quote! {
-        /// Like `unknowns`, but angles calculated from unit vectors are on the turns nearest to given values.
+        /// Like `unknowns`, but angles calculated from unit vectors are unwrapped to given values.
         #[must_use]
         pub fn unknowns_near(&self, #near: [T; #count]) -> [T; #count] {
             [#(#values),*]

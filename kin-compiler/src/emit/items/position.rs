@@ -17,12 +17,12 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let model = mechanism.model;
     let pose = mechanism.pose(0);
     let inputs = mechanism.input_names();
-    let near = mechanism.own("near");
+    let near = mechanism.fresh("near");
     let count = Literal::usize_unsuffixed(model.unknowns.len());
     let (found, near_choice) = if mechanism.assembly_value().is_empty() {
         (TokenStream::new(), TokenStream::new())
     } else if mechanism.is_coupled() {
-        let assembly = mechanism.own("assembly");
+        let assembly = mechanism.fresh("assembly");
         (
             quote!(let (#assembly, #near) = self.__side(#(#inputs,)* #near);),
             quote!(#assembly,),
@@ -39,11 +39,12 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
         mechanism.cost_line(0),
     );
     let near_line = format!(
-        " The position nearest to given values of the unknowns, `[{}]`: in the same assembly, with angles on the same turns.",
+        " The position nearest to given values of the unknowns, `[{}]`: in the same assembly, with angles unwrapped to \
+         them.",
         mechanism.unknown_order()
     );
-    let turns = turns(mechanism);
-    let near_errors = if turns.is_empty() {
+    let guesses = guesses(mechanism);
+    let near_errors = if guesses.is_empty() {
         " As for `position`."
     } else {
         " As for `position`. Also if a given angle has turned so often that it no longer determines a direction."
@@ -91,8 +92,8 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
             #[doc = #cost]
             ///
             /// # Errors
-            /// Returns an error if there is no position, if it is singular, or if a number is not finite. The error reports
-            /// where this happened and by how much.
+            /// Returns an error if there is no position, if it is singular, or if a number is not finite. The error
+            /// reports where this happened and by how much.
             #[inline]
             pub fn position(&self, #(#inputs: T,)* #choice)
                 -> ::core::result::Result<#pose<T>, #runtime::SolveError>
@@ -109,7 +110,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
                 -> ::core::result::Result<#pose<T>, #runtime::SolveError>
             {
                 let #near = #runtime::Guess::values(#near);
-                #turns
+                #guesses
                 #found
                 self.__position(#(#inputs,)* #near_choice #near_value)
             }
@@ -125,7 +126,7 @@ pub(in crate::emit) fn internal(mechanism: &Compiled<'_>) -> Internal {
     let inputs = mechanism.input_names();
     let assembly = mechanism.assembly_argument();
     let assembly = (!assembly.is_empty()).then(|| quote!(#assembly,));
-    let near = mechanism.own("near");
+    let near = mechanism.fresh("near");
     let count = Literal::usize_unsuffixed(model.unknowns.len());
     let near_type = if mechanism.is_coupled() {
         quote!([T; #count])
@@ -152,23 +153,23 @@ pub(in crate::emit) fn internal(mechanism: &Compiled<'_>) -> Internal {
     }
 }
 
-/// The test that guessed angles have not turned so often that they no longer give a direction.
-fn turns(mechanism: &Compiled<'_>) -> TokenStream {
+/// The test that guessed angles have not made so many revolutions that they no longer give a direction.
+fn guesses(mechanism: &Compiled<'_>) -> TokenStream {
     let runtime = mechanism.runtime;
-    let near = mechanism.own("near");
+    let near = mechanism.fresh("near");
     let unknowns = mechanism.model.unknowns.iter().enumerate();
     let angles: Vec<TokenStream> = unknowns
         .filter(|(_, unknown)| matches!(unknown.dimension, Dimension::Angle | Dimension::Direction))
-        .map(|(place, unknown)| {
-            let (label, place) = (unknown.name.to_string(), Literal::usize_unsuffixed(place));
-            quote!((#label, #place))
+        .map(|(unknown_index, unknown)| {
+            let (label, unknown_index) = (unknown.name.to_string(), Literal::usize_unsuffixed(unknown_index));
+            quote!((#label, #unknown_index))
         })
         .collect();
     if angles.is_empty() {
         return TokenStream::new();
     }
     let failed = mechanism.failed_at(&mechanism.unknown_order());
-    quote!(let #near = #runtime::solve::within_turns(#near, [#(#angles),*]) #failed;)
+    quote!(let #near = #runtime::solve::check_guesses(#near, [#(#angles),*]) #failed;)
 }
 
 /// The pose, made of the computed values.

@@ -142,9 +142,9 @@ mod tests {
             }),
             "-> [T ; 3] { let axis = rt :: Space :: scale (rt :: Space :: new (self . a , self . b , e) , \
              T :: constant (1.0) / T :: constant (2.0)) ; \
-             let equation_0 = rt :: Rotation :: turn (rt :: Rotation :: about (axis , t) , \
-             rt :: Rotation :: turn (rt :: Rotation :: times (rt :: Rotation :: about_x (t) , rt :: Rotation :: about_y (t)) , axis)) \
-             - (- rt :: Space :: new (l , m , rt :: Plane :: norm (self . p)) \
+             let equation_0 = rt :: Rotation :: rotate (rt :: Rotation :: about (axis , t) , \
+             rt :: Rotation :: rotate (rt :: Rotation :: times (rt :: Rotation :: about_x (t) , \
+             rt :: Rotation :: about_y (t)) , axis)) - (- rt :: Space :: new (l , m , rt :: Plane :: norm (self . p)) \
              + rt :: Space :: scale (rt :: Space :: cross (axis , axis) , T :: constant (1.0) / e)) ; \
              [equation_0 . x , equation_0 . y , equation_0 . z] }"
         );

@@ -127,7 +127,7 @@ pub(in crate::emit) fn method(mechanism: &Compiled<'_>) -> TokenStream {
     };
     let (runtime, model) = (mechanism.runtime, mechanism.model);
     let whole = whole(mechanism);
-    let (argument, pose) = (mechanism.own("pose"), mechanism.pose(mechanism.order()));
+    let (argument, pose) = (mechanism.fresh("pose"), mechanism.pose(mechanism.order()));
     let text = ProgramText::of(mechanism, &mechanism.solvers.motion);
     let readings = text.readings_from(stage, &quote!(#argument));
     let body = text.plain_steps(stage);
@@ -156,8 +156,8 @@ pub(in crate::emit) fn method(mechanism: &Compiled<'_>) -> TokenStream {
         .collect();
     let cost = cost_line(stage.cost);
     quote! {
-            /// The partial derivatives of unknowns and outputs, and of all their time derivatives, by each parameter, for
-            /// constant inputs and assembly. The pose must be a pose of this mechanism.
+            /// The partial derivatives of unknowns and outputs, and of all their time derivatives, by each parameter,
+            /// for constant inputs and assembly. The pose must be a pose of this mechanism.
             ///
             /// This cannot fail: the derivatives exist where the Jacobian is regular, and elsewhere there is no pose.
             ///
@@ -247,7 +247,8 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
         impl<T: #runtime::Scalar> #runtime::Sensitive for #name<T> {
             type Partials = #partials<T>;
 
-            const SENSITIVITY_OPERATIONS: #runtime::Operations = #name::<::core::primitive::f64>::SENSITIVITY_OPERATIONS;
+            const SENSITIVITY_OPERATIONS: #runtime::Operations =
+                #name::<::core::primitive::f64>::SENSITIVITY_OPERATIONS;
 
             fn sensitivities_of(&self, #argument: &#pose<T>) -> [#partials<T>; #parameter_count] {
                 let #found = self.sensitivities(#argument);

@@ -17,7 +17,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let ((assembly, _), value) = (mechanism.given_assembly(), mechanism.assembly_value());
     let length = Literal::usize_unsuffixed(order + 1);
     let count = Literal::usize_unsuffixed(model.unknowns.len());
-    let [position, near] = ["position", "near"].map(|name| mechanism.own(name));
+    let [position, near] = ["position", "near"].map(|name| mechanism.fresh(name));
     let guess = quote!(#near: impl #runtime::Guess<T, #count, Self>);
     let (assembly, value) = if mechanism.is_coupled() {
         (guess.clone(), quote!(#near))
@@ -37,9 +37,11 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     quote! {
             #[doc = #summary]
             ///
-            /// An input is one argument with its rates: an array, or `Motion::at_constant_speed(1.0, 10.0)`. A number alone is at rest.
+            /// An input is one argument with its rates: an array, or `Motion::at_constant_speed(1.0, 10.0)`. A number
+            /// alone is at rest.
             ///
-            /// Equivalent to `position` followed by the solvers of the derivatives, with a test that all results are finite.
+            /// Equivalent to `position` followed by the solvers of the derivatives, with a test that all results are
+            /// finite.
             ///
             /// # Errors
             /// As for `position`. Also if a rate is not finite.
@@ -74,7 +76,8 @@ pub(in crate::emit) fn internal(mechanism: &Compiled<'_>) -> [Internal; 2] {
     let (pose, first_pose) = (mechanism.pose(order), mechanism.pose(0));
     let inputs = mechanism.input_names();
     let length = Literal::usize_unsuffixed(order + 1);
-    let [position, result, failure, block] = ["position", "result", "failure", "block"].map(|name| mechanism.own(name));
+    let [position, result, failure, block] =
+        ["position", "result", "failure", "block"].map(|name| mechanism.fresh(name));
     let steps: TokenStream = (1..=order)
         .map(|order| {
             let method = local(&order_name(order));

@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 
 use crate::emit::compiled::Compiled;
 
-/// The test, as an item outside the mechanism's own scope: test functions inside other items do not run.
+/// The test, as an item outside the scope of the mechanism: test functions inside other items do not run.
 pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     function(&mechanism.model.name, mechanism.runtime)
 }

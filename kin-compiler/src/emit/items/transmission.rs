@@ -21,9 +21,9 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let runtime = mechanism.runtime;
     let dyads = &mechanism.solvers.transmission.dyads;
     let (pose, argument) = values::argument(mechanism);
-    let lines = dyads.iter().enumerate().map(|(place, (dyad, _))| {
+    let lines = dyads.iter().enumerate().map(|(index, (dyad, _))| {
         format!(
-            " - `[{place}]`: `{}`, {}",
+            " - `[{index}]`: `{}`, {}",
             label(mechanism, dyad),
             dyad.kind.description()
         )

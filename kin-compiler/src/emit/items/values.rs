@@ -42,12 +42,12 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
 /// The argument for a pose of any order, and its name.
 pub(in crate::emit) fn argument(mechanism: &Compiled<'_>) -> (Ident, TokenStream) {
     let runtime = mechanism.runtime;
-    let pose = mechanism.own("pose");
+    let pose = mechanism.fresh("pose");
     let argument = quote!(#pose: &impl #runtime::PoseOf<Self>);
     (pose, argument)
 }
 
-/// `let` for the used values of a row, by their own names.
+/// `let` for the used values of a row, by their names.
 pub(in crate::emit) fn bound(
     text: &ProgramText<'_>,
     used: &BTreeSet<Symbol>,

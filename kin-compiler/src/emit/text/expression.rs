@@ -67,10 +67,10 @@ impl ProgramText<'_> {
         quote!(#a #operator #b)
     }
 
-    /// A value, in parentheses if its operator binds less tightly than its place requires.
-    fn within(&self, value: &Value, place: Precedence) -> TokenStream {
+    /// A value, in parentheses if its operator binds less tightly than the expression around it requires.
+    fn within(&self, value: &Value, outside: Precedence) -> TokenStream {
         let inner = self.value(value);
-        if precedence(value).needs_parentheses(place) {
+        if precedence(value).needs_parentheses(outside) {
             quote!((#inner))
         } else {
             inner

@@ -25,16 +25,16 @@ impl ProgramText<'_> {
             return TokenStream::new();
         };
         let runtime = self.mechanism.runtime;
-        let near = self.mechanism.own("near");
+        let near = self.mechanism.fresh("near");
         let names: Vec<_> = unknowns
             .iter()
             .map(|&unknown| self.name(Symbol::Unknown(unknown)))
             .collect();
         let guesses = unknowns.iter().map(|&unknown| {
-            let place = Literal::usize_unsuffixed(unknown);
-            quote!(#near[#place])
+            let index = Literal::usize_unsuffixed(unknown);
+            quote!(#near[#index])
         });
-        let size = self.mechanism.own("size");
+        let size = self.mechanism.fresh("size");
         let sizes = are_lengths.iter().map(|is_length| {
             if *is_length {
                 quote!(#size)
@@ -95,7 +95,7 @@ impl ProgramText<'_> {
             return TokenStream::new();
         };
         let runtime = self.mechanism.runtime;
-        let way = self.mechanism.own("choices");
+        let way = self.mechanism.fresh("choices");
         let system = local(&format!("SYSTEM_{}", block + 1));
         let (size, paths) = (
             Literal::usize_unsuffixed(results.len()),

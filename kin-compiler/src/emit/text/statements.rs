@@ -83,19 +83,23 @@ impl ProgramText<'_> {
             }
             Statement::InRange { range, label } => {
                 let (name, failed) = (self.name(Symbol::Unknown(range.unknown)), self.failed(label));
-                let check = local(if range.turns { "check_angle" } else { "check_value" });
+                let check = local(if range.is_periodic {
+                    "check_angle"
+                } else {
+                    "check_value"
+                });
                 let (label, low, high) = (self.unknown(range.unknown), number(range.low), number(range.high));
                 quote!(let #name = #runtime::solve::#check(#label, #name, #low, #high) #failed;)
             }
-            Statement::OnTurn { unknown } => {
-                let (near, index) = (self.mechanism.own("near"), Literal::usize_unsuffixed(*unknown));
+            Statement::Unwrap { unknown } => {
+                let (near, index) = (self.mechanism.fresh("near"), Literal::usize_unsuffixed(*unknown));
                 let near = if self.mechanism.is_coupled() {
                     quote!(::core::option::Option::Some(#near))
                 } else {
                     quote!(#near)
                 };
                 let name = self.name(Symbol::Unknown(*unknown));
-                quote!(let #name = #runtime::solve::on_turn(#name, #near, #index);)
+                quote!(let #name = #runtime::solve::unwrap_to_guess(#name, #near, #index);)
             }
             Statement::Candidates {
                 body,
@@ -136,27 +140,29 @@ impl ProgramText<'_> {
         let runtime = self.mechanism.runtime;
         let names: Vec<_> = kept.iter().map(|&symbol| self.name(symbol)).collect();
         let kinds = names.iter().map(|_| quote!(T));
-        let places: Vec<_> = (0..names.len()).map(Literal::usize_unsuffixed).collect();
+        let indices: Vec<_> = (0..names.len()).map(Literal::usize_unsuffixed).collect();
         let (body, failed) = (self.statements(body), self.failed(label));
         let [candidate, assembly, first, second, chosen] =
-            ["candidate", "assembly", "first", "second", "chosen"].map(|name| self.mechanism.own(name));
+            ["candidate", "assembly", "first", "second", "chosen"].map(|name| self.mechanism.fresh(name));
         let ranges = ranges.iter().filter_map(|range| {
-            let kind = local(if range.turns { "angle" } else { "value" });
-            let own = Symbol::Unknown(range.unknown);
-            let place = Literal::usize_unsuffixed(kept.iter().position(|&symbol| symbol == own)?);
+            let kind = local(if range.is_periodic { "angle" } else { "value" });
+            let unknown = Symbol::Unknown(range.unknown);
+            let index = Literal::usize_unsuffixed(kept.iter().position(|&symbol| symbol == unknown)?);
             let (label, low, high) = (self.unknown(range.unknown), number(range.low), number(range.high));
             Some(quote! {
-                #runtime::solve::SolutionInRange::#kind(#label, [#first.#place, #second.#place], #low, #high)
+                #runtime::solve::SolutionInRange::#kind(#label, [#first.#index, #second.#index], #low, #high)
             })
         });
         quote! {
-            let #candidate = |#assembly: #runtime::Assembly| -> ::core::result::Result<(#(#kinds,)*), #runtime::SolveError> {
+            let #candidate = |#assembly: #runtime::Assembly|
+                -> ::core::result::Result<(#(#kinds,)*), #runtime::SolveError>
+            {
                 #body
                 ::core::result::Result::Ok((#(#names,)*))
             };
             let (#first, #second) = #runtime::solve::both(#candidate)?;
             let #chosen = #runtime::solve::choose([#(#ranges),*]) #failed;
-            let [#(#names),*] = T::all_assembled(#chosen, [#(#first.#places),*], [#(#second.#places),*]);
+            let [#(#names),*] = T::all_assembled(#chosen, [#(#first.#indices),*], [#(#second.#indices),*]);
         }
     }
 
@@ -196,7 +202,8 @@ impl ProgramText<'_> {
 
     fn results(&self, shape: Returns, names: &[TokenStream]) -> TokenStream {
         let runtime = self.mechanism.runtime;
-        let root = |value: &TokenStream, square: &TokenStream| quote!(#runtime::solve::Root { value: #value, square: #square });
+        let solve = quote!(#runtime::solve);
+        let root = |value: &TokenStream, square: &TokenStream| quote!(#solve::Root { value: #value, square: #square });
         match (shape, names) {
             (Returns::Scalar, [name]) => name.clone(),
             (Returns::Pair, [first, second]) => quote!((#first, #second)),
@@ -219,12 +226,12 @@ impl ProgramText<'_> {
     /// The choice between a part's solutions.
     fn selection(&self, selection: Selection) -> TokenStream {
         let runtime = self.mechanism.runtime;
-        let assembly = self.mechanism.own("assembly");
+        let assembly = self.mechanism.fresh("assembly");
         match selection {
             Selection::Fixed { is_open: true } => quote!(#runtime::Assembly::Open),
             Selection::Fixed { is_open: false } => quote!(#runtime::Assembly::Crossed),
             Selection::Next => {
-                let choices = self.mechanism.own("choices");
+                let choices = self.mechanism.fresh("choices");
                 quote!(#choices.assembly())
             }
             Selection::Choice(index) if self.mechanism.choices().len() > 1 => {
@@ -250,7 +257,7 @@ impl ProgramText<'_> {
         self.mechanism.model.unknowns[unknown].name.to_string()
     }
 
-    /// The name of the place of a failure.
+    /// The name of the block of a failure.
     fn label(&self, label: &Label) -> String {
         match label {
             Label::Unknowns(unknowns) => self.mechanism.names(unknowns),
@@ -260,7 +267,7 @@ impl ProgramText<'_> {
         }
     }
 
-    /// `.map_err(…)?` with the place and the inputs.
+    /// `.map_err(…)?` with the block and the inputs.
     pub(super) fn failed(&self, label: &Label) -> TokenStream {
         self.mechanism.failed_at(&self.label(label))
     }

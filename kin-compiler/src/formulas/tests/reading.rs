@@ -14,25 +14,25 @@ pub(super) fn text(text: &str) -> Tokens {
     let (_, right) = text.split_once(" = ").expect("an equation");
     let mut tokens = Tokens::new();
     let letters: Vec<char> = right.chars().collect();
-    let mut place = 0;
-    while let Some(&letter) = letters.get(place) {
+    let mut position = 0;
+    while let Some(&letter) = letters.get(position) {
         let is_exponent = |letter: &char| "⁻⁰¹²³⁴⁵⁶⁷⁸⁹".contains(*letter);
         let end = |test: &dyn Fn(&char) -> bool| {
-            letters[place..]
+            letters[position..]
                 .iter()
                 .position(|letter| !test(letter))
-                .map_or(letters.len(), |count| place + count)
+                .map_or(letters.len(), |count| position + count)
         };
         if letter == ' ' {
-            place += 1;
+            position += 1;
         } else if letter.is_ascii_digit() {
             let end = end(&|letter| letter.is_ascii_digit() || *letter == '.');
-            tokens.push(letters[place..end].iter().collect());
-            place = end;
+            tokens.push(letters[position..end].iter().collect());
+            position = end;
         } else if is_exponent(&letter) {
             let end = end(&is_exponent);
             push(&mut tokens, "^");
-            let digits = letters[place..end].iter().map(|letter| match letter {
+            let digits = letters[position..end].iter().map(|letter| match letter {
                 '⁻' => '-',
                 '¹' => '1',
                 '²' => '2',
@@ -40,21 +40,21 @@ pub(super) fn text(text: &str) -> Tokens {
                 other => char::from_digit(u32::from(*other) - u32::from('⁰'), 10).expect("a digit"),
             });
             tokens.push(digits.collect());
-            place = end;
+            position = end;
         } else if letter.is_alphabetic() {
             let end = end(&|letter| letter.is_alphabetic());
-            tokens.push(letters[place..end].iter().collect());
+            tokens.push(letters[position..end].iter().collect());
             // an index belongs to its name
-            place = end + usize::from(letters.get(end) == Some(&'₃'));
+            position = end + usize::from(letters.get(end) == Some(&'₃'));
         } else {
             tokens.push(letter.to_string());
-            place += 1;
+            position += 1;
         }
     }
     tokens
 }
 
-/// The element after a place in MathML: its name, its content, and the place behind it.
+/// The element after a position in MathML: its name, its content, and the position behind it.
 fn element(source: &str) -> (&str, &str, &str) {
     let (tag, mut rest) = source
         .strip_prefix('<')
@@ -62,17 +62,20 @@ fn element(source: &str) -> (&str, &str, &str) {
         .unwrap_or_else(|| panic!("an element begins here: {source}"));
     let name = tag.split(' ').next().unwrap_or_default();
     let content = rest;
-    let (open, close) = (format!("<{name}"), format!("</{name}>"));
+    let (opening, close) = (format!("<{name}"), format!("</{name}>"));
     let mut depth = 1;
     loop {
         let end = rest.find(&close).expect("every element ends");
-        let begin = rest.match_indices(&open).map(|(place, _)| place).find(|&place| {
-            // <m> is no beginning of <mo>
-            rest[place + open.len()..].starts_with([' ', '>'])
-        });
+        let begin = rest
+            .match_indices(&opening)
+            .map(|(position, _)| position)
+            .find(|&position| {
+                // <m> is no beginning of <mo>
+                rest[position + opening.len()..].starts_with([' ', '>'])
+            });
         if let Some(begin) = begin.filter(|begin| *begin < end) {
             depth += 1;
-            rest = &rest[begin + open.len()..];
+            rest = &rest[begin + opening.len()..];
         } else {
             depth -= 1;
             let behind = &rest[end + close.len()..];
@@ -147,14 +150,14 @@ pub(super) fn latex(latex: &str) -> Tokens {
 /// The content of the braces at the beginning, and the rest.
 fn braces(source: &str) -> (&str, &str) {
     let mut depth = 0;
-    for (place, letter) in source.char_indices() {
+    for (position, letter) in source.char_indices() {
         match letter {
             '{' => depth += 1,
             '}' => depth -= 1,
             _ => {}
         }
         if depth == 0 {
-            return (&source[1..place], &source[place + 1..]);
+            return (&source[1..position], &source[position + 1..]);
         }
     }
     panic!("braces are closed: {source}");
@@ -217,33 +220,29 @@ fn latex_row(mut source: &str, tokens: &mut Tokens) {
     }
 }
 
-/// The value of a formula. Factors stand side by side. `/` binds as tightly as a product and takes one factor. The argument of a
-/// function without parentheses is all that follows up to the next function.
+/// The value of a formula. Factors stand side by side. `/` binds as tightly as a product and takes one factor. The
+/// argument of a function without parentheses is all that follows up to the next function.
 pub(super) fn value(tokens: &[String], names: &BTreeMap<&str, f64>) -> f64 {
-    let mut reader = Reader {
-        tokens,
-        place: 0,
-        names,
-    };
+    let mut reader = Reader { tokens, next: 0, names };
     let value = reader.sum();
-    assert_eq!(reader.place, tokens.len(), "all of {tokens:?} is read");
+    assert_eq!(reader.next, tokens.len(), "all of {tokens:?} is read");
     value
 }
 
 struct Reader<'a> {
     tokens: &'a [String],
-    place: usize,
+    next: usize,
     names: &'a BTreeMap<&'a str, f64>,
 }
 
 impl Reader<'_> {
     fn peek(&self) -> Option<&str> {
-        self.tokens.get(self.place).map(String::as_str)
+        self.tokens.get(self.next).map(String::as_str)
     }
 
     fn take(&mut self, token: &str) -> bool {
         let is_next = self.peek() == Some(token);
-        self.place += usize::from(is_next);
+        self.next += usize::from(is_next);
         is_next
     }
 
@@ -283,21 +282,21 @@ impl Reader<'_> {
 
     /// Whether a bar opens an absolute value: an even number of bars is open before it at this depth of parentheses.
     fn opens(&self) -> bool {
-        let mut open = vec![false];
-        for token in &self.tokens[..self.place] {
+        let mut inside_bars = vec![false];
+        for token in &self.tokens[..self.next] {
             match token.as_str() {
-                "(" => open.push(false),
+                "(" => inside_bars.push(false),
                 ")" => {
-                    open.pop();
+                    inside_bars.pop();
                 }
                 "|" => {
-                    let last = open.last_mut().expect("parentheses are closed");
+                    let last = inside_bars.last_mut().expect("parentheses are closed");
                     *last = !*last;
                 }
                 _ => {}
             }
         }
-        !open.last().expect("parentheses are closed")
+        !inside_bars.last().expect("parentheses are closed")
     }
 
     fn power(&mut self) -> f64 {
@@ -310,14 +309,14 @@ impl Reader<'_> {
     }
 
     fn exponent(&mut self) -> i32 {
-        let exponent = self.tokens[self.place].parse().expect("a whole number");
-        self.place += 1;
+        let exponent = self.tokens[self.next].parse().expect("a whole number");
+        self.next += 1;
         exponent
     }
 
     fn atom(&mut self) -> f64 {
         let token = self.peek().expect("a formula goes on").to_owned();
-        self.place += 1;
+        self.next += 1;
         match token.as_str() {
             "(" => {
                 let value = self.sum();
@@ -361,31 +360,31 @@ impl Reader<'_> {
 }
 
 /// Every element of a document is closed in the order of opening, and no letter stands for another.
-pub(super) fn assert_well_formed(mathml: &str, place: &str) {
-    let mut open = Vec::new();
+pub(super) fn assert_well_formed(mathml: &str, context: &str) {
+    let mut unclosed = Vec::new();
     let mut rest = mathml;
     while let Some(begin) = rest.find(['<', '&', '>']) {
-        let end = |end: char| rest[begin..].find(end).unwrap_or_else(|| panic!("{place}: {rest}"));
+        let end = |end: char| rest[begin..].find(end).unwrap_or_else(|| panic!("{context}: {rest}"));
         match &rest[begin..=begin] {
             "&" => {
                 let entity = &rest[begin..=begin + end(';')];
                 assert!(
                     ["&lt;", "&gt;", "&amp;", "&#36;"].contains(&entity),
-                    "{place}: {entity}"
+                    "{context}: {entity}"
                 );
                 rest = &rest[begin + 1..];
             }
             "<" => {
                 let tag = &rest[begin + 1..begin + end('>')];
                 match tag.strip_prefix('/') {
-                    Some(name) => assert_eq!(open.pop(), Some(name), "{place}"),
-                    None => open.push(tag.split(' ').next().unwrap_or_default()),
+                    Some(name) => assert_eq!(unclosed.pop(), Some(name), "{context}"),
+                    None => unclosed.push(tag.split(' ').next().unwrap_or_default()),
                 }
-                assert_eq!(tag.matches('"').count() % 2, 0, "{place}: {tag}");
+                assert_eq!(tag.matches('"').count() % 2, 0, "{context}: {tag}");
                 rest = &rest[begin + end('>') + 1..];
             }
-            _ => panic!("{place}: a stray >"),
+            _ => panic!("{context}: a stray >"),
         }
     }
-    assert!(open.is_empty(), "{place}: {open:?} are open");
+    assert!(unclosed.is_empty(), "{context}: {unclosed:?} are unclosed");
 }

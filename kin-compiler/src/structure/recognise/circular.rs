@@ -4,7 +4,7 @@ use crate::algebra::{Angle, Graph, Harmonic, Node, NodeKind, Symbol, Trigonometr
 use crate::structure::ClosedForm;
 
 pub(super) fn recognise(graph: &mut Graph, equation: &TrigonometricPolynomial, unknown: usize) -> Option<ClosedForm> {
-    let own = Angle(vec![(Symbol::Unknown(unknown), 1)]);
+    let single = Angle(vec![(Symbol::Unknown(unknown), 1)]);
     let zero = graph.zero();
     let (mut a, mut b) = (zero, zero);
     for (monomial, &coefficient) in &equation.0 {
@@ -13,8 +13,8 @@ pub(super) fn recognise(graph: &mut Graph, equation: &TrigonometricPolynomial, u
         }
         match &monomial.harmonic {
             Harmonic::One => {}
-            Harmonic::Cosine(angle) if *angle == own => a = coefficient,
-            Harmonic::Sine(angle) if *angle == own => b = coefficient,
+            Harmonic::Cosine(angle) if *angle == single => a = coefficient,
+            Harmonic::Sine(angle) if *angle == single => b = coefficient,
             _ => return None,
         }
     }

@@ -132,8 +132,8 @@ mod tests {
             (negative, negative),
             (reciprocal, p),
         ] {
-            let turned = graph.multiply(factor, x);
-            let argument = graph.linear(0.0, &[(turned, 2.0), (q, -1.0)]);
+            let product = graph.multiply(factor, x);
+            let argument = graph.linear(0.0, &[(product, 2.0), (q, -1.0)]);
             let cosine = graph.call(Function::Cosh, &[argument]);
             let equation = graph.linear(-3.0, &[(cosine, 1.0)]);
             let Some(ClosedForm::EvenInverse {

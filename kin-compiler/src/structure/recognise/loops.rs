@@ -16,7 +16,7 @@ struct RowPair<'a> {
     scale: Node,
 }
 
-/// A pair of rows read as a loop, with the factor of each place and whether its angle runs clockwise.
+/// A pair of rows read as a loop, with the factor of each term and whether its angle runs clockwise.
 struct Reading<'a> {
     /// The distance from the usual way to write a loop.
     cost: usize,
@@ -24,7 +24,7 @@ struct Reading<'a> {
     rows: RowPair<'a>,
 }
 
-/// cos φ and sin φ times a power product: one place of a rotating vector.
+/// cos φ and sin φ times a power product: one term of a rotating vector.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
 struct TurningTerm {
     powers: Vec<(Node, i32)>,
@@ -52,7 +52,7 @@ pub(super) fn recognise(
     equations: [&TrigonometricPolynomial; 2],
     unknowns: [usize; 2],
 ) -> Option<ClosedForm> {
-    let places: Vec<TurningTerm> = equations
+    let rotating_terms: Vec<TurningTerm> = equations
         .iter()
         .flat_map(|equation| equation.0.keys())
         .filter_map(|monomial| match &monomial.harmonic {
@@ -65,7 +65,7 @@ pub(super) fn recognise(
         .collect::<BTreeSet<_>>()
         .into_iter()
         .collect();
-    let first = places.first()?;
+    let first = rotating_terms.first()?;
     let mut best: Option<Reading<'_>> = None;
     for swapped in [false, true] {
         for mirrored in [false, true] {
@@ -78,9 +78,9 @@ pub(super) fn recognise(
                 continue;
             };
             let rows = RowPair { rows, scale };
-            let Some(factors) = places
+            let Some(factors) = rotating_terms
                 .iter()
-                .map(|place| rows.factor(graph, place))
+                .map(|term| rows.factor(graph, term))
                 .collect::<Option<Vec<_>>>()
             else {
                 continue;
@@ -99,16 +99,16 @@ pub(super) fn recognise(
         }
     }
     let Reading { factors, rows, .. } = best?;
-    let arms: Vec<(TurningTerm, Arm)> = places
+    let arms: Vec<(TurningTerm, Arm)> = rotating_terms
         .into_iter()
         .zip(factors)
-        .map(|(place, (factor, mirrored))| {
+        .map(|(term, (factor, mirrored))| {
             let arm = Arm {
-                angle: place.angle.clone(),
+                angle: term.angle.clone(),
                 mirrored,
                 factor,
             };
-            (place, arm)
+            (term, arm)
         })
         .collect();
     two_angles(graph, &rows, &arms, unknowns)
@@ -116,19 +116,19 @@ pub(super) fn recognise(
         .or_else(|| polar(graph, &rows, &arms, unknowns))
 }
 
-/// The only link of a loop that turns with an unknown, and the rest of the loop: arm + rest = 0. `None` if the unknown
-/// occurs anywhere else in the equations.
+/// The only link of a loop that rotates with an unknown, and the rest of the loop: arm + rest = 0. `None` if the
+/// unknown occurs anywhere else in the equations.
 pub(in crate::structure) fn arm(
     graph: &mut Graph,
     equations: [&TrigonometricPolynomial; 2],
     unknown: usize,
 ) -> Option<(Arm, ComplexNode)> {
     let angle = Angle(vec![(Symbol::Unknown(unknown), 1)]);
-    let place = TurningTerm {
+    let term = TurningTerm {
         powers: Vec::new(),
         angle: angle.clone(),
     };
-    let monomials = place.monomials();
+    let monomials = term.monomials();
     let is_elsewhere = equations.iter().any(|equation| {
         let mut others = (*equation).clone();
         others.0.retain(|monomial, _| !monomials.contains(monomial));
@@ -144,11 +144,11 @@ pub(in crate::structure) fn arm(
             } else {
                 equations
             };
-            let Some(scale) = row_scale(graph, rows, &place, mirrored) else {
+            let Some(scale) = row_scale(graph, rows, &term, mirrored) else {
                 continue;
             };
             let rows = RowPair { rows, scale };
-            let Some((factor, mirrored)) = rows.factor(graph, &place) else {
+            let Some((factor, mirrored)) = rows.factor(graph, &term) else {
                 continue;
             };
             let [mut above, mut below] = rows.rows.map(Clone::clone);
@@ -170,14 +170,14 @@ pub(in crate::structure) fn arm(
     None
 }
 
-/// The factor of the second row with which the first place is a multiplication by a complex number.
+/// The factor of the second row with which the first term is a multiplication by a complex number.
 fn row_scale(
     graph: &mut Graph,
     rows: [&TrigonometricPolynomial; 2],
-    place: &TurningTerm,
+    term: &TurningTerm,
     mirrored: bool,
 ) -> Option<Node> {
-    let [cosine, sine] = place.monomials();
+    let [cosine, sine] = term.monomials();
     let (cosine_above, sine_above) = (rows[0].coefficient(graph, &cosine), rows[0].coefficient(graph, &sine));
     let (cosine_below, sine_below) = (rows[1].coefficient(graph, &cosine), rows[1].coefficient(graph, &sine));
     // [[p, -q σ], [q, p σ]] with σ = ±1
@@ -219,17 +219,17 @@ impl RowPair<'_> {
         ComplexNode::new(self.entry(graph, 0, monomial), self.entry(graph, 1, monomial))
     }
 
-    /// p + i q, and whether the angle runs clockwise, if the place is a rotating vector.
-    fn factor(&self, graph: &mut Graph, place: &TurningTerm) -> Option<(ComplexNode, bool)> {
-        let [cosine, sine] = place.monomials();
+    /// p + i q, and whether the angle runs clockwise, if the term is a rotating vector.
+    fn factor(&self, graph: &mut Graph, term: &TurningTerm) -> Option<(ComplexNode, bool)> {
+        let [cosine, sine] = term.monomials();
         let factor = self.complex(graph, &cosine);
-        let turned = self.complex(graph, &sine);
-        let opposite = graph.negate(turned.re);
-        if graph.same(turned.im, factor.re) && graph.same(opposite, factor.im) {
+        let rotated = self.complex(graph, &sine);
+        let opposite = graph.negate(rotated.re);
+        if graph.same(rotated.im, factor.re) && graph.same(opposite, factor.im) {
             return Some((factor, false));
         }
-        let opposite = graph.negate(turned.im);
-        if graph.same(opposite, factor.re) && graph.same(turned.re, factor.im) {
+        let opposite = graph.negate(rotated.im);
+        if graph.same(opposite, factor.re) && graph.same(rotated.re, factor.im) {
             return Some((factor, true));
         }
         None
@@ -258,13 +258,13 @@ fn two_angles(
     arms: &[(TurningTerm, Arm)],
     unknowns: [usize; 2],
 ) -> Option<ClosedForm> {
-    let [(first_place, first), (second_place, second)] = arms else {
+    let [(first_term, first), (second_term, second)] = arms else {
         return None;
     };
-    if !first_place.powers.is_empty() || !second_place.powers.is_empty() || !rows.straight().is_empty() {
+    if !first_term.powers.is_empty() || !second_term.powers.is_empty() || !rows.straight().is_empty() {
         return None;
     }
-    // the unknowns must follow from the two angles without a choice of whole turns
+    // the unknowns must follow from the two angles without a choice of whole revolutions
     let multiple = |arm: &Arm, unknown: usize| {
         arm.angle
             .0
@@ -301,7 +301,7 @@ fn angle_length(
     arms: &[(TurningTerm, Arm)],
     unknowns: [usize; 2],
 ) -> Option<ClosedForm> {
-    let [(place, arm)] = arms else {
+    let [(term, arm)] = arms else {
         return None;
     };
     let (angle, length) = split_unknowns(arm, unknowns)?;
@@ -310,7 +310,7 @@ fn angle_length(
         powers: [(variable, 1)].into(),
         harmonic: Harmonic::One,
     };
-    if !place.powers.is_empty() || rows.straight() != BTreeSet::from([&slide]) {
+    if !term.powers.is_empty() || rows.straight() != BTreeSet::from([&slide]) {
         return None;
     }
     let direction = rows.complex(graph, &slide);
@@ -340,11 +340,11 @@ fn polar(
     let mut direction = None;
     let zero = graph.zero();
     let mut offset = ComplexNode::new(zero, zero);
-    for (place, other) in arms {
+    for (term, other) in arms {
         if other.angle != arm.angle || other.mirrored != arm.mirrored {
             return None;
         }
-        match place.powers[..] {
+        match term.powers[..] {
             [] => offset = other.factor,
             [(atom, 1)] if atom == variable => direction = Some(other.factor),
             _ => return None,

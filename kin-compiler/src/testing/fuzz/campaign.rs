@@ -35,8 +35,8 @@ struct Tally {
     /// The number of texts that the compiler itself refuses.
     no_tokens: usize,
     defects: usize,
-    /// The largest numbers of look-ups and of turns of other loops for each token read and operation written, each with
-    /// its seed.
+    /// The largest numbers of look-ups and of iterations of other loops for each token read and operation written, each
+    /// with its seed.
     most: [(usize, u64); 2],
 }
 
@@ -89,17 +89,17 @@ impl Campaign {
             }
         });
         let findings = findings.into_inner().expect("nothing panics");
-        assert!(findings.defects.is_empty(), "{findings}\n{}", self.told(&findings));
+        assert!(findings.defects.is_empty(), "{findings}\n{}", self.described(&findings));
         findings
     }
 
     fn kind(&self, seed: u64) -> Kind {
-        let mut place = seed % 25;
+        let mut draw = seed % 25;
         for (kind, share) in shares(self.scale) {
-            if place < share {
+            if draw < share {
                 return kind;
             }
-            place -= share;
+            draw -= share;
         }
         unreachable!("the shares make twenty-five")
     }
@@ -123,7 +123,7 @@ impl Campaign {
         };
         let expansion = expansion(subject)?;
         match &expansion.refusal {
-            // the generator adds numbers to angles without looking at their sum, which may be beyond a turn
+            // the generator adds numbers to angles without looking at their sum, which may be beyond a revolution
             Some(message) if kind == Kind::Sound && !message.contains("angles are in radians") => {
                 Err(format!("it is sound, and refused: {message}"))
             }
@@ -132,8 +132,8 @@ impl Campaign {
     }
 
     /// Every defect with a declaration that shows it.
-    fn told(&self, findings: &Findings) -> String {
-        let told = |(cause, (count, Defect { seed, message })): (&String, &(usize, Defect))| {
+    fn described(&self, findings: &Findings) -> String {
+        let line = |(cause, (count, Defect { seed, message })): (&String, &(usize, Defect))| {
             let text = self.declaration(*seed);
             let has_it = |text: &str| {
                 let verdict = self.verdict(*seed, text);
@@ -145,7 +145,7 @@ impl Campaign {
             let kind = self.kind(*seed).word();
             format!("\n{count} times, first by the {kind} seed {seed}: {message}\n{small}\n")
         };
-        findings.defects.iter().map(told).collect()
+        findings.defects.iter().map(line).collect()
     }
 }
 
@@ -182,8 +182,8 @@ impl Findings {
     }
 }
 
-/// The common part of the messages of one cause: the first line of a panic is its place, and messages differ in quoted
-/// names.
+/// The common part of the messages of one cause: the first line of a panic is its position, and messages differ in
+/// quoted names.
 fn cause(message: &str) -> String {
     let first = message.lines().next().unwrap_or_default();
     first.split('`').step_by(2).collect()
@@ -193,7 +193,7 @@ impl Display for Findings {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
-            "kind        accepted  refused  no tokens  defects  most look-ups  most turns, and their seeds"
+            "kind        accepted  refused  no tokens  defects  most look-ups  most iterations, and their seeds"
         )?;
         for (kind, tally) in &self.kinds {
             let Tally {
@@ -201,11 +201,12 @@ impl Display for Findings {
                 refused,
                 no_tokens,
                 defects,
-                most: [(look_ups, first), (turns, second)],
+                most: [(look_ups, first), (iterations, second)],
             } = tally;
             writeln!(
                 f,
-                "{:11} {accepted:8} {refused:8} {no_tokens:10} {defects:8} {look_ups:14} {turns:11}  {first} {second}",
+                "{:11} {accepted:8} {refused:8} {no_tokens:10} {defects:8} {look_ups:14} {iterations:11}  {first} \
+                 {second}",
                 kind.word()
             )?;
         }

@@ -14,11 +14,11 @@ pub(super) fn shrink(declaration: &str, has_defect: impl Fn(&str) -> bool) -> St
     let mut trials = 0;
     let mut least = tokens;
     for candidates in [without_a_statement, without_a_token] {
-        let mut place = 0;
+        let mut index = 0;
         // start again, because an earlier token may be superfluous after a later one is left out
         let mut has_shrunk = false;
         loop {
-            let smaller = candidates(&least, place);
+            let smaller = candidates(&least, index);
             match smaller {
                 Some(smaller) if trials < TRIALS => {
                     trials += 1;
@@ -26,10 +26,10 @@ pub(super) fn shrink(declaration: &str, has_defect: impl Fn(&str) -> bool) -> St
                         least = smaller;
                         has_shrunk = true;
                     } else {
-                        place += 1;
+                        index += 1;
                     }
                 }
-                None if has_shrunk && trials < TRIALS => (place, has_shrunk) = (0, false),
+                None if has_shrunk && trials < TRIALS => (index, has_shrunk) = (0, false),
                 _ => break,
             }
         }
@@ -71,12 +71,12 @@ fn changed(
     replacement: &dyn Fn(&TokenTree) -> Option<TokenStream>,
 ) -> Option<TokenStream> {
     let tokens: Vec<TokenTree> = tokens.clone().into_iter().collect();
-    for (place, token) in tokens.iter().enumerate() {
-        let own = replacement(token);
-        let instead = if own.is_some() && *countdown == 0 {
-            own
+    for (index, token) in tokens.iter().enumerate() {
+        let other = replacement(token);
+        let instead = if other.is_some() && *countdown == 0 {
+            other
         } else {
-            *countdown -= usize::from(own.is_some());
+            *countdown -= usize::from(other.is_some());
             match token {
                 TokenTree::Group(group) => changed(&group.stream(), countdown, replacement)
                     .map(|inner| TokenTree::Group(Group::new(group.delimiter(), inner)).into()),
@@ -84,9 +84,9 @@ fn changed(
             }
         };
         if let Some(instead) = instead {
-            let mut all: TokenStream = tokens[..place].iter().cloned().collect();
+            let mut all: TokenStream = tokens[..index].iter().cloned().collect();
             all.extend(instead);
-            all.extend(tokens[place + 1..].iter().cloned());
+            all.extend(tokens[index + 1..].iter().cloned());
             return Some(all);
         }
     }

@@ -15,15 +15,15 @@ use super::fragments::{with_fragments, with_operands_as_fragments};
 use crate::expand::expand;
 use crate::work::{self, Work};
 
-/// The size of the stack of rustc's own threads, on which macros run.
+/// The size of the stack of the threads of rustc, on which macros run.
 const STACK: usize = 8 << 20;
 
 /// The time after which an expansion counts as endless. Work that is counted ends long before, by [`work::ENDLESS`].
 const PATIENCE: Duration = Duration::from_mins(10);
 
-/// The bounds of look-ups and of turns of other loops, for each token read and operation written. A refused declaration
-/// may take as much work as an accepted one, but has no operations. It is refused after the derivation of every order at
-/// the latest, so its bounds grow with the orders that it asks for.
+/// The bounds of look-ups and of iterations of other loops, for each token read and operation written. A refused
+/// declaration may take as much work as an accepted one, but has no operations. It is refused after the derivation of
+/// every order at the latest, so its bounds grow with the orders that it asks for.
 fn bounds(is_refused: bool, order: usize) -> [usize; 2] {
     if is_refused {
         [1_000, 2_000].map(|bound| bound * (order.max(SNAP) + 1) / (SNAP + 1))
@@ -81,21 +81,21 @@ pub(super) struct Expansion {
 }
 
 impl Expansion {
-    /// The look-ups, and the turns of other loops, for each token read and each operation written.
+    /// The look-ups, and the iterations of other loops, for each token read and each operation written.
     pub(super) fn rates(&self) -> [usize; 2] {
-        let Work { look_ups, turns } = self.work;
-        [look_ups, turns].map(|work| work / (self.read + self.operations).max(1))
+        let Work { look_ups, iterations } = self.work;
+        [look_ups, iterations].map(|work| work / (self.read + self.operations).max(1))
     }
 }
 
-/// The places of panics, by their messages. A panic that is passed from one thread to another loses its place.
-static PLACES: Mutex<BTreeMap<String, String>> = Mutex::new(BTreeMap::new());
+/// The positions of panics, by their messages. A panic that is passed from one thread to another loses its position.
+static POSITIONS: Mutex<BTreeMap<String, String>> = Mutex::new(BTreeMap::new());
 
 /// The prefixes of the names of two kinds of threads: those that expand declarations, and those on which the macro does
 /// most of its work.
 const THREADS: [&str; 2] = ["declaration", "kin"];
 
-/// Records the place of a panic during an expansion without printing it.
+/// Records the position of a panic during an expansion without printing it.
 fn remember_panics() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
@@ -103,9 +103,9 @@ fn remember_panics() {
         panic::set_hook(Box::new(move |information| {
             let thread = thread::current();
             let name = thread.name().unwrap_or_default();
-            if THREADS.iter().any(|own| name.starts_with(own)) {
+            if THREADS.iter().any(|known| name.starts_with(known)) {
                 let words = words(information.payload());
-                PLACES
+                POSITIONS
                     .lock()
                     .expect("nothing panics")
                     .insert(words, information.to_string());
@@ -121,17 +121,17 @@ fn words(panic: &dyn Any) -> String {
     text.or_else(|| panic.downcast_ref().cloned()).unwrap_or_default()
 }
 
-/// The message of a panic and its place.
-fn told(panic: &dyn Any) -> String {
+/// The message of a panic and its position.
+fn described(panic: &dyn Any) -> String {
     let words = words(panic);
-    let places = PLACES.lock().expect("nothing panics");
-    places.get(&words).cloned().unwrap_or(words)
+    let positions = POSITIONS.lock().expect("nothing panics");
+    positions.get(&words).cloned().unwrap_or(words)
 }
 
 /// The message about a text that the compiler itself refuses.
 pub(super) const NO_TOKENS: &str = "it is no sequence of tokens";
 
-/// Expands a declaration on a thread of its own. An error is a defect of the macro, or [`NO_TOKENS`].
+/// Expands a declaration on a separate thread. An error is a defect of the macro, or [`NO_TOKENS`].
 pub(super) fn expansion(subject: Subject<'_>) -> Result<Expansion, String> {
     remember_panics();
     let (sender, receiver) = mpsc::channel();
@@ -147,7 +147,7 @@ pub(super) fn expansion(subject: Subject<'_>) -> Result<Expansion, String> {
         .stack_size(STACK)
         .spawn(move || {
             let caught = panic::catch_unwind(AssertUnwindSafe(|| expanded(&declaration, fragments, twice)));
-            let verdict = caught.unwrap_or_else(|panic| Err(told(&*panic)));
+            let verdict = caught.unwrap_or_else(|panic| Err(described(&*panic)));
             // the receiver is gone if the expansion took too long
             let _ = sender.send(verdict);
         })
@@ -292,7 +292,7 @@ mod tests {
     }
 
     #[test]
-    fn refusals_are_told() {
+    fn refusals_are_reported() {
         let refusal = of("struct M { a: Length }").map(|expansion| expansion.refusal);
         assert!(matches!(refusal, Ok(Some(message)) if message.contains("nothing is said of")));
         assert_eq!(of("struct M {").map(|_| ()), Err(NO_TOKENS.to_owned()));

@@ -1,9 +1,9 @@
-//! The messages about mistakes, each under the tokens at which the macro tells it.
+//! The messages about mistakes, each under the tokens at which the macro reports it.
 //!
 //! Each file beside this one holds the cases of one kind of mistake, between blank lines: a title, and below it a
 //! declaration, indented by four. Lines of `//  ^^^^ message` from the first column belong to the line above them.
-//! Their marks go from the first to the last token at fault. A message without marks, below the title, is told at the
-//! whole macro call.
+//! Their marks go from the first to the last token at fault. A message without marks, below the title, is reported at
+//! the whole macro call.
 //!
 //! `KIN_RECORD=1 cargo test -p kin-compiler --lib mistakes` writes the messages. Read them before you keep them.
 
@@ -14,7 +14,7 @@ use std::path::Path;
 use crate::text::{Declaration, Mistake};
 
 #[test]
-fn mistakes_are_told_where_they_are_made() {
+fn mistakes_are_reported_where_they_are_made() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/testing/mistakes");
     let entries = fs::read_dir(folder).expect("the folder is there");
     let files = entries.map(|entry| entry.expect("the folder can be read").path());

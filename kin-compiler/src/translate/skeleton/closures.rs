@@ -1,7 +1,8 @@
 //! The outline as it follows from the vector equations.
 //!
-//! Either side of such an equation is a chain from the origin, whose joints are the partial sums of its terms; both sides end in the
-//! same joint. Terms that turn together and share a joint are one body. A term of variable length is a slide.
+//! Either side of such an equation is a chain from the origin, whose joints are the partial sums of its terms; both
+//! sides end in the same joint. Terms that rotate together and share a joint are one body. A term of variable length is
+//! a slide.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -128,15 +129,16 @@ impl<'a, 'b> Chains<'a, 'b> {
         self.joints
     }
 
-    /// The joint of an output. Its last terms may lead on within a body that is there; otherwise the point belongs to none.
+    /// The joint of an output. Its last terms may lead on within a body that is there; otherwise the point belongs to
+    /// none.
     fn point(&mut self, formula: &'a TypedFormula) -> usize {
         let terms = terms(formula, self.names);
         let mut sum = Vec::new();
         let (mut last, mut known) = (ORIGIN, 0);
-        for (place, term) in terms.iter().enumerate() {
+        for (index, term) in terms.iter().enumerate() {
             extend(&mut sum, term);
             if let Some(&joint) = self.sums.get(&sum) {
-                (last, known) = (joint, place + 1);
+                (last, known) = (joint, index + 1);
             }
         }
         let manners: Vec<Manner> = terms
@@ -144,7 +146,7 @@ impl<'a, 'b> Chains<'a, 'b> {
             .map(|term| manner(term.formula, self.shape, self.names))
             .collect();
         let continues = manners.iter().skip(known).all(|manner| match manner {
-            Manner::Rigid(turning) => self.turns_at(turning, last),
+            Manner::Rigid(turning) => self.rotates_at(turning, last),
             Manner::Sliding { .. } | Manner::Free => false,
         });
         let mut sum = Vec::new();
@@ -158,12 +160,14 @@ impl<'a, 'b> Chains<'a, 'b> {
         last
     }
 
-    /// Whether a link that turns like this, or a slide along one, begins or ends at a joint.
-    fn turns_at(&self, turning: &TurningAngles, joint: usize) -> bool {
+    /// Whether a link that rotates like this, or a slide along one, begins or ends at a joint.
+    fn rotates_at(&self, turning: &TurningAngles, joint: usize) -> bool {
         let joint = self.same.of(joint);
         self.links.iter().any(|link| match &link.manner {
-            Manner::Rigid(own) => own == turning && [link.from, link.to].map(|end| self.same.of(end)).contains(&joint),
-            Manner::Sliding { turning: own, .. } => own == turning && self.same.of(link.from) == joint,
+            Manner::Rigid(known) => {
+                known == turning && [link.from, link.to].map(|end| self.same.of(end)).contains(&joint)
+            }
+            Manner::Sliding { turning: known, .. } => known == turning && self.same.of(link.from) == joint,
             Manner::Free => false,
         }) || turning.is_empty() && joint == ORIGIN
     }
@@ -216,16 +220,16 @@ impl<'a, 'b> Chains<'a, 'b> {
             }
         }
         let shown = self.shown(&parts, ground, &slides, &points);
-        let place = |joint: usize| shown.iter().position(|&own| own == self.same.of(joint));
-        let places = |group: usize| -> Vec<usize> {
+        let index_of = |joint: usize| shown.iter().position(|&known| known == self.same.of(joint));
+        let indices_of = |group: usize| -> Vec<usize> {
             let joints: BTreeSet<usize> = parts.joints_of(group).collect();
-            joints.into_iter().filter_map(place).collect()
+            joints.into_iter().filter_map(index_of).collect()
         };
         let mut groups: Vec<usize> = Vec::new();
         for &number in parts.numbers.values() {
             let group = parts.groups.of(number);
             let guides = slides.iter().any(|slide| slide.1 == group);
-            if group != ground && !groups.contains(&group) && (guides || places(group).len() > 1) {
+            if group != ground && !groups.contains(&group) && (guides || indices_of(group).len() > 1) {
                 groups.push(group);
             }
         }
@@ -241,7 +245,7 @@ impl<'a, 'b> Chains<'a, 'b> {
                 return None;
             };
             let slide = Slide {
-                joint: place(joint)?,
+                joint: index_of(joint)?,
                 guide: groups.iter().position(|&group| group == guide),
             };
             Some((slide, direction.clone()))
@@ -249,23 +253,23 @@ impl<'a, 'b> Chains<'a, 'b> {
         let (slides, directions): (Vec<Slide>, Vec<SlideDirection>) = found.unzip();
         let bodies = groups.iter().map(|&group| Body {
             name: self.name(&parts, group),
-            joints: places(group),
+            joints: indices_of(group),
         });
         let points = points
             .into_iter()
-            .filter_map(|(name, joint)| Some((name, place(joint)?)));
+            .filter_map(|(name, joint)| Some((name, index_of(joint)?)));
         let mut outline = Outline {
             shape: self.shape,
             joints: calculated.len(),
-            ground: places(ground),
+            ground: indices_of(ground),
             bodies: bodies.collect(),
             slides,
             points: points.collect(),
             scalar_equations: Vec::new(),
             guess: None,
         };
-        outline.guess = Some(guess::statements(&outline, &directions, |place| {
-            self.written(calculated[place])
+        outline.guess = Some(guess::statements(&outline, &directions, |index| {
+            self.written(calculated[index])
         }));
         Picture {
             outline,
@@ -362,11 +366,11 @@ impl<'a, 'b> Chains<'a, 'b> {
 /// Adds a term to a sum, whose terms stand in order.
 fn extend(sum: &mut Vec<String>, term: &LinkTerm<'_>) {
     let text = term.text();
-    let place = sum.partition_point(|other| *other < text);
-    sum.insert(place, text);
+    let index = sum.partition_point(|other| *other < text);
+    sum.insert(index, text);
 }
 
-/// Joints with what turns there: the parts of bodies.
+/// Joints with what rotates there: the parts of bodies.
 #[derive(Default)]
 struct Parts {
     numbers: BTreeMap<(TurningAngles, usize), usize>,
@@ -374,7 +378,7 @@ struct Parts {
 }
 
 impl Parts {
-    /// The number of what turns like this at a joint.
+    /// The number of what rotates like this at a joint.
     fn at(&mut self, turning: &str, joint: usize) -> usize {
         let groups = &mut self.groups;
         *self
@@ -399,7 +403,7 @@ impl Parts {
     fn groups_at(&self, joint: usize) -> impl Iterator<Item = usize> {
         self.numbers
             .iter()
-            .filter(move |((_, own), _)| *own == joint)
+            .filter(move |((_, known), _)| *known == joint)
             .map(|(_, &number)| self.groups.of(number))
     }
 }

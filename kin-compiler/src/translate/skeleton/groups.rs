@@ -7,7 +7,7 @@ pub(super) struct Groups {
 }
 
 impl Groups {
-    /// A new number, in a set of its own.
+    /// A new number, in a separate set.
     pub(super) fn add(&mut self) -> usize {
         self.parents.push(self.parents.len());
         self.parents.len() - 1

@@ -6,11 +6,11 @@ use super::turning::SlideDirection;
 use crate::model::ValueShape;
 use crate::translate::tree::Outline;
 
-/// One statement in a line. `joint` writes a joint by its place.
+/// One statement in a line. `joint` writes a joint by its index.
 pub(super) fn statements(outline: &Outline, directions: &[SlideDirection], joint: impl Fn(usize) -> String) -> String {
-    let point = |place: &usize| {
-        let mut named = outline.points.iter().filter(|(_, own)| own == place);
-        named.next().map_or_else(|| joint(*place), |(name, _)| name.clone())
+    let point = |index: &usize| {
+        let mut named = outline.points.iter().filter(|(_, known)| known == index);
+        named.next().map_or_else(|| joint(*index), |(name, _)| name.clone())
     };
     let list = |joints: &[usize]| joints.iter().map(point).collect::<Vec<_>>().join(", ");
     let names = names(outline);

@@ -21,13 +21,14 @@ use crate::syntax::{Declaration, EquationStatement, OutputStatement, Statement};
 use names::SkeletonNames;
 use outline::Picture;
 
-/// The outline of a declaration, and the method `places`: its joints, and the directions of its slides behind them.
+/// The outline of a declaration, and the method `skeleton_points`: its joints, and the directions of its slides behind
+/// them.
 pub(super) fn outline(declaration: &Declaration, model: &Model, names: &Names) -> (Outline, Sheet) {
     let mut picture = picture(declaration, model, names);
     let equations = equations(declaration, model);
     let scalar = equations.filter(|(_, shape)| *shape == ValueShape::Scalar);
     picture.outline.scalar_equations = scalar.map(|(equation, _)| equation.to_string()).collect();
-    let sheet = places(&picture, names);
+    let sheet = skeleton_points(&picture, names);
     (picture.outline, sheet)
 }
 
@@ -71,7 +72,7 @@ fn picture<'a>(declaration: &'a Declaration, model: &Model, names: &'a Names) ->
 }
 
 /// The joints that are shown, each built upon those before it, and the directions of the slides.
-fn places(picture: &Picture<'_>, names: &Names) -> Sheet {
+fn skeleton_points(picture: &Picture<'_>, names: &Names) -> Sheet {
     let shape = picture.outline.shape;
     let joint = |joint: usize| Tree::local(shape, Local::Joint(joint));
     let mut needed: BTreeSet<usize> = BTreeSet::new();

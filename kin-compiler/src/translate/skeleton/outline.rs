@@ -8,7 +8,7 @@ pub(super) struct Picture<'a> {
     pub(super) outline: Outline,
     /// The joints, those that only lead to others among them.
     pub(super) joints: Vec<Joint<'a>>,
-    /// The joints of the outline, by their places among the joints.
+    /// The joints of the outline, by their indices among the joints.
     pub(super) shown: Vec<usize>,
     /// The directions of the slides.
     pub(super) directions: Vec<Tree>,

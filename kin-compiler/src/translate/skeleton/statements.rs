@@ -1,4 +1,4 @@
-//! The outline as statements tell it.
+//! The outline as statements give it.
 
 use std::collections::BTreeMap;
 
@@ -42,9 +42,9 @@ pub(super) fn picture<'a>(
     let shape = if spatial { ValueShape::Space } else { ValueShape::Plane };
     let mut chains = Chains::new(shape, names);
     let mut shown: Vec<usize> = Vec::new();
-    let mut place = |formula: &'a TypedFormula| {
+    let mut index_of = |formula: &'a TypedFormula| {
         let joint = chains.chain(terms(formula, names));
-        shown.iter().position(|&own| own == joint).unwrap_or_else(|| {
+        shown.iter().position(|&known| known == joint).unwrap_or_else(|| {
             shown.push(joint);
             shown.len() - 1
         })
@@ -54,13 +54,13 @@ pub(super) fn picture<'a>(
         match statement {
             Statement::Body(body) => bodies.push(Body {
                 name: body.name.to_string(),
-                joints: body.points.iter().map(|point| place(behind(point))).collect(),
+                joints: body.points.iter().map(|point| index_of(behind(point))).collect(),
             }),
             Statement::Ground(statement) => {
-                ground.extend(statement.points.iter().map(|point| place(behind(point))));
+                ground.extend(statement.points.iter().map(|point| index_of(behind(point))));
             }
             Statement::Slide(slide) => {
-                slides.push((place(behind(&slide.point)), slide.guide.as_ref()));
+                slides.push((index_of(behind(&slide.point)), slide.guide.as_ref()));
                 directions.push(in_picture(names.tree(&slide.direction), shape));
             }
             _ => {}
@@ -68,7 +68,7 @@ pub(super) fn picture<'a>(
     }
     let points = points
         .iter()
-        .map(|output| (output.name.to_string(), place(&output.value)))
+        .map(|output| (output.name.to_string(), index_of(&output.value)))
         .collect();
     let number = |name: &proc_macro2::Ident| bodies.iter().position(|body: &Body| *name == body.name);
     let slides = slides.into_iter().map(|(joint, guide)| Slide {

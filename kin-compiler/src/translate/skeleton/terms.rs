@@ -47,7 +47,8 @@ pub(super) fn terms<'a>(formula: &'a TypedFormula, names: &SkeletonNames<'a>) ->
 
 struct Terms<'a, 'b> {
     names: &'b SkeletonNames<'a>,
-    /// How many abbreviations may still be written out: there are as many terms in them as two to the power of their number.
+    /// How many abbreviations may still be written out: there are as many terms in them as two to the power of their
+    /// number.
     left: usize,
     found: Vec<LinkTerm<'a>>,
 }

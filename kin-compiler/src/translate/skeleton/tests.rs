@@ -36,13 +36,19 @@ fn outlined(statements: &TokenStream) -> String {
             counts.sort_unstable();
             counts
         };
-        let own = print(&sheets);
-        assert_eq!(joined(&declared), joined(&own), "{declared}\n{own}\n{guess}");
+        let drawn = print(&sheets);
+        assert_eq!(joined(&declared), joined(&drawn), "{declared}\n{drawn}\n{guess}");
     }
     print(&sheets)
 }
 
-fn print(Sheets { outline, places, .. }: &Sheets) -> String {
+fn print(
+    Sheets {
+        outline,
+        skeleton_points,
+        ..
+    }: &Sheets,
+) -> String {
     let mut parts = vec![format!("ground {:?}", outline.ground)];
     parts.extend(
         outline
@@ -50,7 +56,7 @@ fn print(Sheets { outline, places, .. }: &Sheets) -> String {
             .iter()
             .map(|body| format!("{} {:?}", body.name, body.joints)),
     );
-    let directions = places.results.iter().skip(outline.joints);
+    let directions = skeleton_points.results.iter().skip(outline.joints);
     parts.extend(outline.slides.iter().zip(directions).map(|(slide, direction)| {
         let guide = slide.guide.map_or("ground", |body| &outline.bodies[body].name);
         format!("{} slides on {guide} along {}", slide.joint, printed(direction))

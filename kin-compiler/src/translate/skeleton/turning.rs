@@ -1,4 +1,4 @@
-//! How a term moves: what it turns with, and whether its length changes.
+//! How a term moves: what it rotates with, and whether its length changes.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -10,7 +10,8 @@ use crate::translate::tree::{Operation, Tree};
 
 use super::{SkeletonNames, in_picture};
 
-/// The angles that a term turns with, without constants: equal for terms that keep their angle to each other, empty for those that do not turn.
+/// The angles that a term rotates with, without constants: equal for terms that keep their angle to each other, empty
+/// for those that do not rotate.
 pub(super) type TurningAngles = String;
 
 /// How a term moves.
@@ -65,7 +66,7 @@ pub(super) fn manner(formula: &TypedFormula, shape: ValueShape, names: &Skeleton
 /// A factor of a term.
 #[derive(Default)]
 struct Factor {
-    /// The angles in a plane that it turns with, and how many times.
+    /// The angles in a plane that it rotates with, and how many times.
     angles: BTreeMap<String, f64>,
     /// The rotations of space in it, and whether they vary.
     rotations: Vec<(String, bool)>,
@@ -75,7 +76,7 @@ struct Factor {
     direction: Option<SlideDirection>,
 }
 
-/// `None` if it varies in another way than by turning or by a scalar factor.
+/// `None` if it varies in another way than by rotating or by a scalar factor.
 fn factor(formula: &TypedFormula, names: &SkeletonNames<'_>) -> Option<Factor> {
     let vector = names.tree(formula);
     let shape = vector.shape;
@@ -185,7 +186,7 @@ impl Factor {
 
 /// The unit vector along an axis.
 fn axis(along: Axis, shape: ValueShape) -> SlideDirection {
-    let parts = || shape.axes().iter().map(|own| if *own == along { 1.0 } else { 0.0 });
+    let parts = || shape.axes().iter().map(|known| if *known == along { 1.0 } else { 0.0 });
     let texts: Vec<String> = parts().map(|part: f64| part.to_string()).collect();
     SlideDirection {
         tree: Tree::call(shape, Operation::Vector, parts().map(Tree::number).collect()),

@@ -6,9 +6,9 @@
 //!
 //! 4 c y·y + 2 u·(y x̄) + 2 v·(x̄ y) + Σ wᵢⱼ |x|² Rᵢⱼ(x) + k |x|² = 0,
 //!
-//! of second degree. The seven equations have 40 solutions with x ≠ 0 if their coefficients are general, whatever u, v and
-//! w are (M. Husty, *An algorithm for solving the direct kinematics of general Stewart-Gough platforms*, Mechanism and
-//! Machine Theory 31 (1996) 365-380; C. W. Wampler, *Forward displacement analysis of general six-in-parallel SPS
+//! of second degree. The seven equations have 40 solutions with x ≠ 0 if their coefficients are general, whatever u, v
+//! and w are (M. Husty, *An algorithm for solving the direct kinematics of general Stewart-Gough platforms*, Mechanism
+//! and Machine Theory 31 (1996) 365-380; C. W. Wampler, *Forward displacement analysis of general six-in-parallel SPS
 //! (Stewart) platform manipulators using soma coordinates*, the same 31 (1996) 331-337). So the start system is a known
 //! member of this family with its 40 solutions, and no path leads to the other solutions, x = 0.
 
@@ -38,21 +38,21 @@ const COORDINATES: usize = 8;
 const MONOMIALS: usize = 17;
 /// The number of coefficients in the table for one equation: six occur with both signs.
 const TABLED: u16 = 23;
-/// The place of the [constants](CONSTANTS), after the coefficients of all equations.
+/// The index of the [constants](CONSTANTS), after the coefficients of all equations.
 const CONSTANT: u16 = STUDY * TABLED;
 /// The part of an equation that is rounding if the other equations leave no more of it.
-const SAME: f64 = 1e-10;
+const DEPENDENT: f64 = 1e-10;
 /// The number of the pseudorandom coefficients of the known body. Of the first eleven it is the one whose poses are
 /// determined best.
 const KNOWN: u64 = 8;
 /// The numbers of its equations among those coefficients.
 const KNOWN_FORMS: [u8; EQUATIONS] = [0, 1, 2, 3, 4, 5];
-/// The coefficients of the form of x that is equal to one. A rotation orthogonal to it would count as infinite, so they are
-/// none of the numbers that rotations have in use.
+/// The coefficients of the form of x that is equal to one. A rotation orthogonal to it would count as infinite, so they
+/// are none of the numbers that rotations have in use.
 const PATCH: [f64; 4] = [0.743_1, 0.376_4, -0.478_9, 0.281_7];
 
-/// The terms of an equation, with the places of their coefficients. The last six coefficients are those of the places 1 to
-/// 6 with the other sign.
+/// The terms of an equation, with the indices of their coefficients. The last six coefficients are those of the indices
+/// 1 to 6 with the other sign.
 const OF_EQUATION: [Term; 26] = [
     Term::new(0, 0, &[(4, 2)]),
     Term::new(0, 0, &[(5, 2)]),
@@ -100,35 +100,35 @@ const CONSTANTS: [f64; 6] = [1.0, PATCH[0], PATCH[1], PATCH[2], PATCH[3], -1.0];
 /// The terms of all equations.
 const TERMS: [Term; EQUATIONS * OF_EQUATION.len() + FURTHER.len()] = {
     let mut terms = [FURTHER[0]; EQUATIONS * OF_EQUATION.len() + FURTHER.len()];
-    let (mut place, mut equation) = (0, 0);
+    let (mut index, mut equation) = (0, 0);
     while equation < STUDY {
-        let mut own = 0;
-        while own < OF_EQUATION.len() {
+        let mut term = 0;
+        while term < OF_EQUATION.len() {
             let Term {
                 coefficient, powers, ..
-            } = OF_EQUATION[own];
-            terms[place] = Term::new(equation, equation * TABLED + coefficient, powers);
-            (place, own) = (place + 1, own + 1);
+            } = OF_EQUATION[term];
+            terms[index] = Term::new(equation, equation * TABLED + coefficient, powers);
+            (index, term) = (index + 1, term + 1);
         }
         equation += 1;
     }
     let mut further = 0;
     while further < FURTHER.len() {
-        terms[place] = FURTHER[further];
-        (place, further) = (place + 1, further + 1);
+        terms[index] = FURTHER[further];
+        (index, further) = (index + 1, further + 1);
     }
     terms
 };
 const SYSTEM: PolynomialSystem<COORDINATES> = PolynomialSystem::new(&TERMS);
 
-/// The equations of a body in space, whose unknowns are three coordinates and the three angles of a product of elementary
-/// rotations.
+/// The equations of a body in space, whose unknowns are three coordinates and the three angles of a product of
+/// elementary rotations.
 ///
-/// Six equations c p·p + u·p + v·Rᵀp + Σ wᵢⱼ Rᵢⱼ + k = 0 determine the position p and the rotation R. Their coefficients
-/// are given one equation after another, in the order c, u, v, w row by row, k.
+/// Six equations c p·p + u·p + v·Rᵀp + Σ wᵢⱼ Rᵢⱼ + k = 0 determine the position p and the rotation R. Their
+/// coefficients are given one equation after another, in the order c, u, v, w row by row, k.
 ///
-/// The variables of a solution are p, and then cosine and sine of each angle in the order of the product. Each of up to 40
-/// poses is passed on with both of its triples of angles.
+/// The variables of a solution are p, and then cosine and sine of each angle in the order of the product. Each of up to
+/// 40 poses is passed on with both of its triples of angles.
 #[derive(Clone, Copy, Debug)]
 pub struct BodySystem {
     axes: [usize; 3],
@@ -146,10 +146,10 @@ impl BodySystem {
     fn angles(&self, rotation: &[[f64; 3]; 3]) -> [[[f64; 2]; 3]; 2] {
         let [first, middle, last] = self.axes;
         let (beside_first, beside_last) = (3 - first - middle, 3 - middle - last);
-        let [turn, last_turn] =
+        let [orientation, last_orientation] =
             [[first, middle], [middle, last]].map(|[before, after]| if (before + 1) % 3 == after { 1.0 } else { -1.0 });
         // The rotation about the first axis brings the last axis into the plane that is normal to the middle axis.
-        let across = [turn * rotation[beside_first][last], -rotation[middle][last]];
+        let across = [orientation * rotation[beside_first][last], -rotation[middle][last]];
         let length = Float::hypot(across[0], across[1]);
         [1.0, -1.0].map(|side: f64| {
             // If the last axis is along the first, any first angle will do.
@@ -162,21 +162,21 @@ impl BodySystem {
             let mut rest = *rotation;
             for column in 0..3 {
                 let [along, beside] = [middle, beside_first].map(|row| rotation[row][column]);
-                rest[middle][column] = cosine * along + turn * sine * beside;
-                rest[beside_first][column] = cosine * beside - turn * sine * along;
+                rest[middle][column] = cosine * along + orientation * sine * beside;
+                rest[beside_first][column] = cosine * beside - orientation * sine * along;
             }
             [
                 [cosine, sine],
-                [rest[last][last], last_turn * rest[beside_last][last]],
-                [rest[middle][middle], last_turn * rest[middle][beside_last]],
+                [rest[last][last], last_orientation * rest[beside_last][last]],
+                [rest[middle][middle], last_orientation * rest[middle][beside_last]],
             ]
         })
     }
 }
 
 impl AllSolutions<9> for BodySystem {
-    /// Passes on each of up to 40 poses with both of its triples of angles. The 40 paths take about 0.05 s. There is always
-    /// room for them: they need about 40 kB of the stack, whatever `PATHS` is.
+    /// Passes on each of up to 40 poses with both of its triples of angles. The 40 paths take about 0.05 s. There is
+    /// always room for them: they need about 40 kB of the stack, whatever `PATHS` is.
     fn real_solutions<const PATHS: usize>(
         &self,
         coefficients: &[f64],
@@ -194,16 +194,16 @@ impl AllSolutions<9> for BodySystem {
         }
         let unit = unit(given);
         let mut equations = [[0.0; MONOMIALS]; EQUATIONS];
-        for (equation, (own, given)) in equations.iter_mut().zip(given).enumerate() {
-            *own = scaled(given, unit).ok_or(Unsuitable::NoVariable { equation })?;
+        for (equation, (equation_in_unit, given)) in equations.iter_mut().zip(given).enumerate() {
+            *equation_in_unit = scaled(given, unit).ok_or(Unsuitable::NoVariable { equation })?;
         }
         separate(&mut equations);
         let known_equations: [[Complex; MONOMIALS]; EQUATIONS] =
-            KNOWN_FORMS.map(|form| core::array::from_fn(|place| sequence::entry(KNOWN, form, place)));
+            KNOWN_FORMS.map(|form| core::array::from_fn(|entry| sequence::entry(KNOWN, form, entry)));
         let known = KnownSystem {
             coefficients: &tabled(&known_equations, Complex::real),
             points: &POSES.map(|pose| {
-                let entry = |place: usize| Complex::new(f64::from(pose[2 * place]), f64::from(pose[2 * place + 1]));
+                let entry = |index: usize| Complex::new(f64::from(pose[2 * index]), f64::from(pose[2 * index + 1]));
                 let x: [Complex; COORDINATES] = core::array::from_fn(entry);
                 let parts = PATCH.iter().zip(&x);
                 (x, parts.fold(Complex::ZERO, |sum, (share, x)| sum + x.scale(*share)))
@@ -308,7 +308,7 @@ fn scaled(
     unit: f64,
 ) -> Option<[f64; MONOMIALS]> {
     let length = 2.0 * unit;
-    let own = [
+    let coefficients = [
         length * length * c,
         length * (u0 + v0),
         length * (u1 + v1),
@@ -327,18 +327,18 @@ fn scaled(
         2.0 * (w12 + w21),
         k - w00 - w11 + w22,
     ];
-    let largest = own.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
-    (largest > 0.0).then(|| own.map(|value| value / largest))
+    let largest = coefficients.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    (largest > 0.0).then(|| coefficients.map(|value| value / largest))
 }
 
-/// Replaces equations by their differences with multiples of those before: the equations of long legs are nearly the same,
-/// their differences are not. Equations that follow from others stay as they are.
+/// Replaces equations by their differences with multiples of those before: the equations of long legs are nearly the
+/// same, their differences are not. Equations that follow from others stay as they are.
 fn separate(equations: &mut [[f64; MONOMIALS]; EQUATIONS]) {
-    for place in 0..EQUATIONS {
-        let (before, own) = equations.split_at_mut(place);
-        let own = &mut own[0];
+    for index in 0..EQUATIONS {
+        let (before, equation) = equations.split_at_mut(index);
+        let equation = &mut equation[0];
         let dot = |a: &[f64; MONOMIALS], b: &[f64; MONOMIALS]| a.iter().zip(b).fold(0.0, |sum, (a, b)| sum + a * b);
-        let mut rest = *own;
+        let mut rest = *equation;
         // Once loses digits.
         for _ in 0..2 {
             for unit in &*before {
@@ -348,9 +348,9 @@ fn separate(equations: &mut [[f64; MONOMIALS]; EQUATIONS]) {
                     .for_each(|(value, unit)| *value -= along * unit);
             }
         }
-        let (length, whole) = (Float::sqrt(dot(&rest, &rest)), Float::sqrt(dot(own, own)));
-        if length > SAME * whole {
-            *own = rest.map(|value| value / length);
+        let (length, whole) = (Float::sqrt(dot(&rest, &rest)), Float::sqrt(dot(equation, equation)));
+        if length > DEPENDENT * whole {
+            *equation = rest.map(|value| value / length);
         }
     }
 }
@@ -360,13 +360,13 @@ fn tabled<C: Copy + Neg<Output = C>>(
     equations: &[[C; MONOMIALS]; EQUATIONS],
     constant: impl Fn(f64) -> C,
 ) -> [C; CONSTANT as usize + CONSTANTS.len()] {
-    core::array::from_fn(|place| {
-        let (equation, coefficient) = (place / usize::from(TABLED), place % usize::from(TABLED));
-        let Some(own) = equations.get(equation) else {
-            return constant(CONSTANTS[place - usize::from(CONSTANT)]);
+    core::array::from_fn(|index| {
+        let (equation, coefficient) = (index / usize::from(TABLED), index % usize::from(TABLED));
+        let Some(coefficients) = equations.get(equation) else {
+            return constant(CONSTANTS[index - usize::from(CONSTANT)]);
         };
-        let other_sign = || -own[coefficient + 1 - MONOMIALS];
-        own.get(coefficient).copied().unwrap_or_else(other_sign)
+        let other_sign = || -coefficients[coefficient + 1 - MONOMIALS];
+        coefficients.get(coefficient).copied().unwrap_or_else(other_sign)
     })
 }
 
@@ -408,12 +408,12 @@ mod tests {
 
     /// The value of an equation of a pose, and the sum of the moduli of its terms.
     fn value(equation: &[f64; COEFFICIENTS], position: [f64; 3], rotation: &Matrix) -> [f64; 2] {
-        let turned = |column: usize| (0..3).map(|row| rotation[row][column] * position[row]).sum::<f64>();
+        let rotated = |column: usize| (0..3).map(|row| rotation[row][column] * position[row]).sum::<f64>();
         let square = position.iter().map(|part| part * part).sum();
         let factors = [square]
             .into_iter()
             .chain(position)
-            .chain((0..3).map(turned))
+            .chain((0..3).map(rotated))
             .chain(rotation.iter().flatten().copied())
             .chain([1.0]);
         let terms = equation
@@ -431,7 +431,7 @@ mod tests {
         let scaled = equations.map(|equation| scaled(&equation, unit).expect("it is not zero"));
         let mut real = 0;
         let every = real_solutions::<8, 128>(&SYSTEM, &tabled(&scaled, |value| value), |_| real += 1);
-        let own = BodySystem::new([2, 1, 0]).real_solutions::<80>(equations.as_flattened(), |_| {});
+        let solutions = BodySystem::new([2, 1, 0]).real_solutions::<80>(equations.as_flattened(), |_| {});
         let expected = PathCounts {
             paths: 128,
             regular: 40,
@@ -443,7 +443,7 @@ mod tests {
         assert!(real > 0);
         let (paths, at_infinity) = (40, 0);
         assert_eq!(
-            own,
+            solutions,
             Ok(PathCounts {
                 paths,
                 at_infinity,
@@ -481,11 +481,11 @@ mod tests {
                 all += 1;
             }
         }
-        assert!(all > 8, "{all} are too few to tell");
+        assert!(all > 8, "{all} are too few to decide");
     }
 
-    /// Both triples give the rotation for every sequence of axes, also where only the sum or the difference of the first
-    /// and the last angle is determined.
+    /// Both triples give the rotation for every sequence of axes, also where only the sum or the difference of the
+    /// first and the last angle is determined.
     #[test]
     fn a_rotation_has_two_triples_of_angles() {
         let mut random = FixedSequence::new(3);
@@ -498,15 +498,15 @@ mod tests {
                 let expected = rotation(axes, &given);
                 let triples = BodySystem::new(axes).angles(&expected);
                 for triple in &triples {
-                    let own = rotation(axes, triple);
-                    for (own, expected) in own.as_flattened().iter().zip(expected.as_flattened()) {
-                        assert!((own - expected).abs() <= 8.0 * f64::EPSILON, "{axes:?}: {angles:?}");
+                    let found = rotation(axes, triple);
+                    for (found, expected) in found.as_flattened().iter().zip(expected.as_flattened()) {
+                        assert!((found - expected).abs() <= 8.0 * f64::EPSILON, "{axes:?}: {angles:?}");
                     }
                 }
                 if middle.is_none() {
                     let is_given = |triple: &[[f64; 2]; 3]| {
                         let parts = triple.as_flattened().iter().zip(given.as_flattened());
-                        parts.map(|(own, given)| (own - given).abs()).fold(0.0, f64::max)
+                        parts.map(|(found, given)| (found - given).abs()).fold(0.0, f64::max)
                     };
                     let distances = triples.each_ref().map(is_given);
                     // The middle angle is far from where the triples meet.

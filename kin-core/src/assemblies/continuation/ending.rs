@@ -5,7 +5,7 @@ use super::homotopy::{Homotopy, Linearised};
 use super::traveller::{Advance, Care, Pinned, Traveller};
 
 /// The distance from the end at which a path is checked for a singular end.
-const NEAR: f64 = 0.1;
+const NEAR_END: f64 = 0.1;
 /// The distance within which a path that has not arrived is assumed to wind around a singular end.
 const NEARER: f64 = 1e-3;
 /// The distance below which rounding dominates.
@@ -23,7 +23,7 @@ const TOGETHER: f64 = 1e-4;
 /// A bound on what rounding leaves of the imaginary part of a singular end, or of X₀ of an end at infinity.
 const NOTHING: f64 = 1e-6;
 /// The shortest allowed last step to a regular solution that has another solution close to it.
-const SHORTEST: f64 = 1e-16;
+const SHORTEST_LAST_STEP: f64 = 1e-16;
 /// The number of points on a loop around the end.
 const POINTS: u8 = 8;
 /// The largest number of loops after which a path closes.
@@ -70,7 +70,7 @@ impl<const M: usize> PathEnd<M> {
 
     /// Whether two paths end at the same point, within their errors.
     pub(super) fn meets(&self, other: &Self) -> bool {
-        let [first, second] = [0, 1].map(|place| (self.marks[place] - other.marks[place]).norm());
+        let [first, second] = [0, 1].map(|mark| (self.marks[mark] - other.marks[mark]).norm());
         let size = self.marks.iter().fold(1.0_f64, |most, mark| most.max(mark.norm()));
         first.max(second) <= (self.error + other.error) * size * size
     }
@@ -95,7 +95,7 @@ pub(super) fn follow<const M: usize>(
 }
 
 fn travel<const M: usize>(mut traveller: Traveller<'_, M>, care: Care, at: &mut Linearised<M>) -> PathEnd<M> {
-    if traveller.advance(Complex::real(NEAR), 1e-10, true, care, at) != Advance::Arrived {
+    if traveller.advance(Complex::real(NEAR_END), 1e-10, true, care, at) != Advance::Arrived {
         return PathEnd::LOST;
     }
     // Most ends are regular and can be reached directly.
@@ -167,7 +167,9 @@ fn limit<const M: usize>(traveller: &mut Traveller<'_, M>, care: Care, at: &mut 
     match end {
         Some(end) if end.kind != PathEndKind::Singular => end,
         // Two solutions can be so close that their mean is nearly a solution. Then the path leads to one of the two.
-        _ => walk(traveller, SHORTEST, care, at).or(end).unwrap_or(PathEnd::LOST),
+        _ => walk(traveller, SHORTEST_LAST_STEP, care, at)
+            .or(end)
+            .unwrap_or(PathEnd::LOST),
     }
 }
 

@@ -18,8 +18,8 @@ use super::system::BorrowedSystem;
 /// - For an equation of second degree without squares whose variables can be divided into two sets, such that no
 ///   product has two variables of the same set, one form takes the first set and 1, the other the second set and 1,
 ///   with random coefficients.
-/// - For an equation that has half of its degree in the coordinates c + i s of circles, and half in c - i s, half of the forms take the
-///   first and half the second, each with 1 and random coefficients.
+/// - For an equation that has half of its degree in the coordinates c + i s of circles, and half in c - i s, half of
+///   the forms take the first and half the second, each with 1 and random coefficients.
 /// - For any other equation of degree d, there are d forms of all its variables and 1, with random coefficients.
 ///
 /// If a [known](KnownSystem) system of the same family is given, G is that system instead.
@@ -37,8 +37,8 @@ pub(super) struct Homotopy<'a, const M: usize> {
     known: Option<KnownSystem<'a, M>>,
 }
 
-/// A system with the same terms as the one to be solved, and general coefficients, whose solutions are known. All terms of
-/// the equations that are not of first degree are of second degree.
+/// A system with the same terms as the one to be solved, and general coefficients, whose solutions are known. All terms
+/// of the equations that are not of first degree are of second degree.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct KnownSystem<'a, const M: usize> {
     pub(super) coefficients: &'a [Complex],
@@ -70,7 +70,7 @@ struct NonlinearEquation<const M: usize> {
     support: [usize; M],
     occurring: usize,
     /// The number γ.
-    turn: Complex,
+    gamma: Complex,
     start: Start<M>,
 }
 
@@ -92,7 +92,8 @@ enum Start<const M: usize> {
         /// The inverse units of the variables of the equation.
         inverse_units: [f64; M],
     },
-    /// Random coefficients of isotropic coordinates: of the first kind in the forms with an even index, of the second kind in the others.
+    /// Random coefficients of isotropic coordinates: of the first kind in the forms with an even index, of the second
+    /// kind in the others.
     Isotropic {
         number: u64,
         /// The circle of each variable of the equation, and whether it is the second variable there.
@@ -145,13 +146,13 @@ impl<const M: usize> Slopes<M> {
     fn add_term(&mut self, powers: &[(u16, u8)], coefficient: f64, x: &[Complex; M], lift: Complex) -> Complex {
         // The products of the factors before each one.
         let mut before = [Complex::real(coefficient); FACTORS + 1];
-        for (place, &(variable, power)) in powers.iter().enumerate() {
-            before[place + 1] = before[place] * x[usize::from(variable)].power(power);
+        for (index, &(variable, power)) in powers.iter().enumerate() {
+            before[index + 1] = before[index] * x[usize::from(variable)].power(power);
         }
         let mut after = lift;
-        for (place, &(variable, power)) in powers.iter().enumerate().rev() {
+        for (index, &(variable, power)) in powers.iter().enumerate().rev() {
             let value = x[usize::from(variable)];
-            let mut slope = before[place] * after;
+            let mut slope = before[index] * after;
             if power > 1 {
                 slope = slope * value.power(power - 1).scale(f64::from(power));
             }
@@ -165,9 +166,9 @@ impl<const M: usize> Slopes<M> {
     #[cold]
     fn add_long_term(&mut self, powers: &[(u16, u8)], coefficient: f64, x: &[Complex; M], lift: Complex) -> Complex {
         let value = |(variable, power): (u16, u8)| x[usize::from(variable)].power(power);
-        for (place, &(variable, power)) in powers.iter().enumerate() {
+        for (index, &(variable, power)) in powers.iter().enumerate() {
             let less = x[usize::from(variable)].power(power - 1);
-            let others = powers.iter().enumerate().filter(|(other, _)| *other != place);
+            let others = powers.iter().enumerate().filter(|(other, _)| *other != index);
             let slope = others.fold(lift.scale(coefficient) * less, |slope, (_, &factor)| {
                 slope * value(factor)
             });
@@ -180,11 +181,11 @@ impl<const M: usize> Slopes<M> {
 }
 
 impl<const M: usize> Start<M> {
-    /// The coefficient of a variable in one of the factors. `place` counts the variables of the equation.
+    /// The coefficient of a variable in one of the factors. `index` counts the variables of the equation.
     #[inline]
-    fn coefficient(&self, factor: u8, place: usize) -> Complex {
+    fn coefficient(&self, factor: u8, index: usize) -> Complex {
         match self {
-            Self::Circle { unit, .. } => match (place, factor) {
+            Self::Circle { unit, .. } => match (index, factor) {
                 (0, _) => Complex::real(1.0 / unit),
                 (_, 0) => Complex::new(0.0, 1.0 / unit),
                 _ => Complex::new(0.0, -1.0 / unit),
@@ -194,8 +195,8 @@ impl<const M: usize> Start<M> {
                 members,
                 inverse_units,
             } => {
-                if members[place].get(usize::from(factor)).is_none_or(|member| *member) {
-                    sequence::entry(*number, factor, place).scale(inverse_units[place])
+                if members[index].get(usize::from(factor)).is_none_or(|member| *member) {
+                    sequence::entry(*number, factor, index).scale(inverse_units[index])
                 } else {
                     Complex::ZERO
                 }
@@ -205,12 +206,12 @@ impl<const M: usize> Start<M> {
                 roles,
                 inverse_unit,
             } => {
-                let (circle, is_second) = roles[place];
-                let own = sequence::entry(*number, factor, circle).scale(*inverse_unit);
+                let (circle, is_second) = roles[index];
+                let entry = sequence::entry(*number, factor, circle).scale(*inverse_unit);
                 match (is_second, factor % 2) {
-                    (false, _) => own,
-                    (true, 0) => own * Complex::new(0.0, 1.0),
-                    (true, _) => own * Complex::new(0.0, -1.0),
+                    (false, _) => entry,
+                    (true, 0) => entry * Complex::new(0.0, 1.0),
+                    (true, _) => entry * Complex::new(0.0, -1.0),
                 }
             }
         }
@@ -233,7 +234,7 @@ impl<const M: usize> NonlinearEquation<M> {
         scale: 0.0,
         support: [0; M],
         occurring: 0,
-        turn: Complex::ZERO,
+        gamma: Complex::ZERO,
         start: Start::Circle {
             unit: 1.0,
             constants: [Complex::ZERO; 2],
@@ -246,8 +247,8 @@ impl<const M: usize> NonlinearEquation<M> {
         self.support[..self.occurring]
             .iter()
             .enumerate()
-            .fold(self.start.constant(factor) * infinity, |sum, (place, &variable)| {
-                sum + self.start.coefficient(factor, place) * x[variable]
+            .fold(self.start.constant(factor) * infinity, |sum, (index, &variable)| {
+                sum + self.start.coefficient(factor, index) * x[variable]
             })
     }
 
@@ -267,8 +268,8 @@ impl<const M: usize> NonlinearEquation<M> {
             }
             let others = others * times;
             slopes.infinity += others * self.start.constant(factor);
-            for (place, &variable) in self.support[..self.occurring].iter().enumerate() {
-                slopes.along[variable] += others * self.start.coefficient(factor, place);
+            for (index, &variable) in self.support[..self.occurring].iter().enumerate() {
+                slopes.along[variable] += others * self.start.coefficient(factor, index);
             }
         }
         slopes.value += product * times;
@@ -289,8 +290,8 @@ impl<const M: usize> NonlinearEquation<M> {
         let mut values = [Complex::ONE; FACTORS];
         let mut before = [Complex::ONE; FACTORS + 1];
         for (factor, (along, constant)) in forms.iter().enumerate() {
-            let places = support.iter().zip(along);
-            values[factor] = places.fold(*constant * infinity, |sum, (&variable, slope)| {
+            let slopes_of_factor = support.iter().zip(along);
+            values[factor] = slopes_of_factor.fold(*constant * infinity, |sum, (&variable, slope)| {
                 sum + *slope * x[variable]
             });
             before[factor + 1] = before[factor] * values[factor];
@@ -327,14 +328,14 @@ impl<'a, const M: usize> Homotopy<'a, M> {
             if degree > 1 {
                 let terms = system.range(equation);
                 let (support, occurring) = system.support(terms, coefficients);
-                let inverse_units = core::array::from_fn(|place| 1.0 / scales.variables[support[place]]);
+                let inverse_units = core::array::from_fn(|index| 1.0 / scales.variables[support[index]]);
                 equations[row] = NonlinearEquation {
                     terms,
                     degree,
                     scale: scales.equations[equation],
                     support,
                     occurring,
-                    turn: random.unit(),
+                    gamma: random.unit(),
                     start: if system.is_circle(terms, coefficients) {
                         Start::Circle {
                             unit: scales.variables[support[0]],
@@ -370,8 +371,8 @@ impl<'a, const M: usize> Homotopy<'a, M> {
             drawn.row = row;
             for (factor, (along, constant)) in (0..equation.degree).zip(&mut drawn.forms) {
                 *constant = equation.start.constant(factor);
-                for (place, entry) in along[..equation.occurring].iter_mut().enumerate() {
-                    *entry = equation.start.coefficient(factor, place);
+                for (index, entry) in along[..equation.occurring].iter_mut().enumerate() {
+                    *entry = equation.start.coefficient(factor, index);
                 }
             }
         }
@@ -402,8 +403,8 @@ impl<'a, const M: usize> Homotopy<'a, M> {
         })
     }
 
-    /// The known solution with a number. Without a known system, it is the one at which one chosen factor of each equation
-    /// is zero, if it exists and is finite.
+    /// The known solution with a number. Without a known system, it is the one at which one chosen factor of each
+    /// equation is zero, if it exists and is finite.
     pub(super) fn start(&mut self, choice: usize, at: &mut Linearised<M>) -> Option<[Complex; M]> {
         let free = self.free();
         if let Some(known) = &self.known {
@@ -416,8 +417,8 @@ impl<'a, const M: usize> Homotopy<'a, M> {
             rest /= degree;
             let mut slopes = Slopes::ZERO;
             slopes.infinity = equation.start.constant(factor);
-            for (place, &variable) in equation.support[..equation.occurring].iter().enumerate() {
-                slopes.along[variable] = equation.start.coefficient(factor, place);
+            for (index, &variable) in equation.support[..equation.occurring].iter().enumerate() {
+                slopes.along[variable] = equation.start.coefficient(factor, index);
             }
             at.value[row] = -self.coordinates.restrict(
                 &equation.support[..equation.occurring],
@@ -452,21 +453,21 @@ impl<'a, const M: usize> Homotopy<'a, M> {
     /// Pins the largest coordinate if it is much larger than the pinned one, and returns whether it did.
     pub(super) fn pin_largest(&mut self, point: &mut [Complex; M]) -> bool {
         let free = self.free();
-        let (mut place, mut most) = (free, 4.0);
+        let (mut index, mut most) = (free, 4.0);
         for (candidate, value) in point[..free].iter().enumerate() {
             if value.norm_squared() > most {
-                (place, most) = (candidate, value.norm_squared());
+                (index, most) = (candidate, value.norm_squared());
             }
         }
-        if place == free {
+        if index == free {
             return false;
         }
-        let inverse = point[place].inverse();
+        let inverse = point[index].inverse();
         for value in &mut point[..free] {
             *value = *value * inverse;
         }
-        point[place] = inverse;
-        self.coordinates.exchange(place);
+        point[index] = inverse;
+        self.coordinates.exchange(index);
         true
     }
 
@@ -510,7 +511,7 @@ impl<'a, const M: usize> Homotopy<'a, M> {
         for (row, equation) in self.equations[..self.free()].iter().enumerate() {
             let mut slopes = Slopes::ZERO;
             let support = &equation.support[..equation.occurring];
-            let times = t * equation.turn;
+            let times = t * equation.gamma;
             let [target, start] = if let Some(known) = &self.known {
                 self.add_quadrics(known, equation, &x, [rest, times], &mut slopes)
             } else {
@@ -530,7 +531,7 @@ impl<'a, const M: usize> Homotopy<'a, M> {
                 [target, start]
             };
             at.value[row] = slopes.value;
-            at.rate[row] = equation.turn * start - target;
+            at.rate[row] = equation.gamma * start - target;
             self.coordinates
                 .restrict(support, &slopes.along, slopes.infinity, &mut at.factors.rows[row]);
         }
@@ -552,12 +553,12 @@ impl<'a, const M: usize> Homotopy<'a, M> {
             let (Some(&(one, _)), Some(&(other, _))) = (term.powers.first(), term.powers.last()) else {
                 continue;
             };
-            let [one, other, place] = [one, other, term.coefficient].map(usize::from);
-            let (own, of_known) = (self.coefficients[place] * equation.scale, known.coefficients[place]);
+            let [one, other, index] = [one, other, term.coefficient].map(usize::from);
+            let (coefficient_here, of_known) = (self.coefficients[index] * equation.scale, known.coefficients[index]);
             let product = x[one] * x[other];
-            target += product.scale(own);
+            target += product.scale(coefficient_here);
             start += product * of_known;
-            let coefficient = rest.scale(own) + times * of_known;
+            let coefficient = rest.scale(coefficient_here) + times * of_known;
             slopes.along[one] += coefficient * x[other];
             slopes.along[other] += coefficient * x[one];
         }

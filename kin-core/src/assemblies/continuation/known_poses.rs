@@ -1,7 +1,8 @@
 //! The solutions of the known body, from which those of all other bodies are continued.
 
 /// All poses of the [known body](super::body): real and imaginary parts of x₀ ... x₃ and y₀ ... y₃, up to a factor.
-/// They were found by Newton's method from random starts and along random loops of bodies, which led to no further pose.
+/// They were found by Newton's method from random starts and along random loops of bodies, which led to no further
+/// pose.
 #[rustfmt::skip]
 pub(super) const POSES: [[i16; 16]; 40] = [
     [-7764, 3804, 4651, 5537, 634, -1225, 454, -3391, 10000, 0, -443, -9141, 1279, -2493, -1702, 9467],

@@ -25,8 +25,8 @@
 //! So n / 2 loops with n angles have at most n! / (n/2)!² paths: 2 for a four-bar linkage, 6 for the class III triad,
 //! 20 for three loops. In general these are the numbers of real and complex solutions, and no path leads to infinity.
 //!
-//! A body in space that six equations hold, such as a platform on six legs, has [a system of its own](BodySystem). It starts
-//! from the 40 poses of a known body, so that no path leads to infinity unless the body is special.
+//! A body in space that six equations hold, such as a platform on six legs, has [a separate system](BodySystem). It
+//! starts from the 40 poses of a known body, so that no path leads to infinity unless the body is special.
 //!
 //! # Guarantees
 //!
@@ -180,7 +180,7 @@ impl<const M: usize> AllSolutions<M> for BorrowedSystem<'_, M> {
     }
 }
 
-/// The real solutions of a system in units of its own, from those of a known system if one is given.
+/// The real solutions of a system in units that the search chooses, from those of a known system if one is given.
 fn solutions<const M: usize, const PATHS: usize>(
     system: &BorrowedSystem<'_, M>,
     coefficients: &[f64],
@@ -217,7 +217,7 @@ fn solutions<const M: usize, const PATHS: usize>(
         paths: paths.len(),
         ..PathCounts::default()
     };
-    for (place, FollowedPath { end, .. }) in paths.iter().enumerate() {
+    for (index, FollowedPath { end, .. }) in paths.iter().enumerate() {
         match end.kind {
             PathEndKind::Lost => outcome.lost += 1,
             PathEndKind::AtInfinity | PathEndKind::RegularAtInfinity => outcome.at_infinity += 1,
@@ -229,7 +229,7 @@ fn solutions<const M: usize, const PATHS: usize>(
         };
         let multiplicity = if end.kind == PathEndKind::Singular {
             let same = |other: &&FollowedPath<M>| other.end.kind == PathEndKind::Singular && other.end.meets(end);
-            if paths[..place]
+            if paths[..index]
                 .iter()
                 .any(|other| other.end.values.is_some() && same(&other))
             {

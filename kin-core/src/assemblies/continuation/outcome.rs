@@ -17,7 +17,7 @@ pub struct Solution<const M: usize> {
 }
 
 impl<const M: usize> Solution<M> {
-    /// Whether the Jacobian is regular at the solution, as far as double precision can tell: no other solution is so
+    /// Whether the Jacobian is regular at the solution, as far as double precision can decide: no other solution is so
     /// close that rounding could lead from one to the other.
     #[must_use]
     pub const fn is_regular(&self) -> bool {
@@ -30,7 +30,7 @@ impl<const M: usize> Solution<M> {
 pub struct PathCounts {
     /// The number of paths, which is at least the number of isolated solutions, real and complex.
     pub paths: usize,
-    /// The number of paths that end at regular solutions, real and complex. Each such solution has its own path, so
+    /// The number of paths that end at regular solutions, real and complex. Each such solution has a separate path, so
     /// this is also the number of regular solutions.
     pub regular: usize,
     /// The number of real regular solutions.

@@ -29,11 +29,11 @@ pub(super) fn follow_all<const M: usize, const PATHS: usize>(
     }
     for care in &CARE[1..] {
         let mut repeated = false;
-        for place in 0..paths.len() {
-            if suspect(&paths, place) {
+        for index in 0..paths.len() {
+            if suspect(&paths, index) {
                 repeated = true;
-                let path = &mut paths[place];
-                // If other paths share this end and it does not change, they are suspect in their turn.
+                let path = &mut paths[index];
+                // If other paths share this end and it does not change, they are suspect as well.
                 path.end = follow(homotopy, path.choice, *care, &mut at).unwrap_or(PathEnd::LOST);
             }
         }
@@ -42,9 +42,9 @@ pub(super) fn follow_all<const M: usize, const PATHS: usize>(
         }
     }
     join_singular(&mut paths);
-    for place in 0..paths.len() {
-        if suspect(&paths, place) {
-            paths[place].end = PathEnd::LOST;
+    for index in 0..paths.len() {
+        if suspect(&paths, index) {
+            paths[index].end = PathEnd::LOST;
         }
     }
     paths
@@ -53,11 +53,11 @@ pub(super) fn follow_all<const M: usize, const PATHS: usize>(
 /// Makes regular ends singular that meet a singular one: the two are so close that rounding decides whether they
 /// differ.
 fn join_singular<const M: usize>(paths: &mut [FollowedPath<M>]) {
-    for place in 0..paths.len() {
-        let end = paths[place].end;
+    for index in 0..paths.len() {
+        let end = paths[index].end;
         let near = |path: &FollowedPath<M>| path.end.kind == PathEndKind::Singular && path.end.meets(&end);
         if end.kind == PathEndKind::Regular && paths.iter().any(near) {
-            let end = &mut paths[place].end;
+            let end = &mut paths[index].end;
             end.kind = PathEndKind::Singular;
             end.condition = f64::INFINITY;
         }
@@ -65,14 +65,14 @@ fn join_singular<const M: usize>(paths: &mut [FollowedPath<M>]) {
 }
 
 /// Whether a path was lost, or ends where another one ends although only one can.
-fn suspect<const M: usize>(paths: &[FollowedPath<M>], place: usize) -> bool {
-    let end = &paths[place].end;
+fn suspect<const M: usize>(paths: &[FollowedPath<M>], index: usize) -> bool {
+    let end = &paths[index].end;
     match end.kind {
         PathEndKind::Lost => true,
         PathEndKind::Regular | PathEndKind::RegularAtInfinity => paths
             .iter()
             .enumerate()
-            .any(|(other, path)| other != place && path.end.kind == end.kind && path.end.meets(end)),
+            .any(|(other, path)| other != index && path.end.kind == end.kind && path.end.meets(end)),
         PathEndKind::Singular | PathEndKind::AtInfinity => false,
     }
 }

@@ -31,12 +31,12 @@ pub(super) struct Coordinates<const M: usize> {
 }
 
 impl<const M: usize> Coordinates<M> {
-    /// Pins the coordinate at `place`. The coordinate that was pinned becomes free at that place.
-    pub(super) fn exchange(&mut self, place: usize) {
+    /// Pins the coordinate at `index`. The coordinate that was pinned takes its index among the free ones.
+    pub(super) fn exchange(&mut self, index: usize) {
         for (row, pinned) in self.basis.iter_mut().zip(&mut self.pinned) {
-            core::mem::swap(&mut row[place], pinned);
+            core::mem::swap(&mut row[index], pinned);
         }
-        core::mem::swap(&mut self.infinity[place], &mut self.infinity_pinned);
+        core::mem::swap(&mut self.infinity[index], &mut self.infinity_pinned);
     }
 
     /// The free coordinates of a point X₁ ... and X₀ that fulfils the equations of degree one, for units of one.
@@ -49,7 +49,7 @@ impl<const M: usize> Coordinates<M> {
                 })
         };
         let inverse = sum(&|variable| self.pinned[variable], self.infinity_pinned).inverse();
-        core::array::from_fn(|place| sum(&|variable| self.basis[variable][place], self.infinity[place]) * inverse)
+        core::array::from_fn(|index| sum(&|variable| self.basis[variable][index], self.infinity[index]) * inverse)
     }
 
     /// Converts a linear form of X₀ and some of X₁ ... into a form of the free coordinates and the pinned one. Returns
@@ -112,8 +112,8 @@ impl<const M: usize> Vector<M> {
         self.1 -= along * unit.1;
     }
 
-    fn entry(&mut self, place: usize) -> &mut f64 {
-        self.0.get_mut(place).unwrap_or(&mut self.1)
+    fn entry(&mut self, index: usize) -> &mut f64 {
+        self.0.get_mut(index).unwrap_or(&mut self.1)
     }
 }
 
@@ -154,7 +154,7 @@ pub(super) fn reduce<const M: usize>(
         }
     }
     let mut order = [0; M];
-    for place in 0..linear {
+    for index in 0..linear {
         let mut best = (0, -1.0);
         for (equation, &degree) in degrees.iter().enumerate() {
             if degree == 1 && !used[equation] {
@@ -170,10 +170,10 @@ pub(super) fn reduce<const M: usize>(
             return Err(equation);
         }
         used[equation] = true;
-        order[place] = equation;
+        order[index] = equation;
         let mut unit = normals[equation];
         unit.scale(1.0 / norm);
-        for &earlier in &order[..place] {
+        for &earlier in &order[..index] {
             unit.remove(&normals[earlier]);
         }
         unit.scale(1.0 / unit.norm());
@@ -205,7 +205,7 @@ pub(super) fn reduce<const M: usize>(
         exclude(&mut left, &normals[equation]);
     }
     let mut found = [Vector::<M>::ZERO; M];
-    for place in 0..=free {
+    for index in 0..=free {
         let (mut axis, mut most) = (M, left.1);
         for (candidate, &left) in left.0.iter().enumerate() {
             if left > most {
@@ -218,7 +218,7 @@ pub(super) fn reduce<const M: usize>(
             for &equation in &order[..linear] {
                 unit.remove(&normals[equation]);
             }
-            for earlier in &found[..place] {
+            for earlier in &found[..index] {
                 unit.remove(earlier);
             }
             unit.scale(1.0 / unit.norm());
@@ -227,15 +227,15 @@ pub(super) fn reduce<const M: usize>(
         *left.entry(axis) = -1.0;
         for variable in 0..M {
             let entry = unit.0[variable] * scales.variables[variable];
-            if place < free {
-                coordinates.basis[variable][place] = entry;
+            if index < free {
+                coordinates.basis[variable][index] = entry;
             } else {
                 coordinates.pinned[variable] = entry;
             }
         }
-        if place < free {
-            found[place] = unit;
-            coordinates.infinity[place] = unit.1;
+        if index < free {
+            found[index] = unit;
+            coordinates.infinity[index] = unit.1;
         } else {
             coordinates.infinity_pinned = unit.1;
         }

@@ -44,10 +44,10 @@ impl FixedSequence {
 
 /// A complex coefficient of one of several forms, with parts between -1 and 1.
 #[inline]
-pub(super) fn entry(number: u64, form: u8, place: usize) -> Complex {
+pub(super) fn entry(number: u64, form: u8, index: usize) -> Complex {
     // A usize has at most 64 bits.
-    let place = (place as u64).wrapping_mul(256).wrapping_add(u64::from(form));
-    let at = number.wrapping_add(place.wrapping_mul(2).wrapping_mul(INCREMENT));
+    let index = (index as u64).wrapping_mul(256).wrapping_add(u64::from(form));
+    let at = number.wrapping_add(index.wrapping_mul(2).wrapping_mul(INCREMENT));
     Complex::new(
         2.0 * fraction(at) - 1.0,
         2.0 * fraction(at.wrapping_add(INCREMENT)) - 1.0,

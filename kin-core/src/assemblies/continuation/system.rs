@@ -30,10 +30,10 @@ impl<'a> BorrowedTerm<'a> {
 
     /// The sum of the powers.
     pub(super) const fn degree(&self) -> u32 {
-        let (mut degree, mut place) = (0, 0);
-        while place < self.powers.len() {
-            degree += self.powers[place].1 as u32;
-            place += 1;
+        let (mut degree, mut index) = (0, 0);
+        while index < self.powers.len() {
+            degree += self.powers[index].1 as u32;
+            index += 1;
         }
         degree
     }
@@ -75,8 +75,8 @@ impl<'a, const M: usize> BorrowedSystem<'a, M> {
 
     /// The same system, with pairs of variables that are the coordinates of a vector in the plane.
     ///
-    /// Like the cosine and the sine of an angle, x and y are then replaced by x + i y and x - i y where an equation of high degree has half
-    /// of its degree in each kind.
+    /// Like the cosine and the sine of an angle, x and y are then replaced by x + i y and x - i y where an equation of
+    /// high degree has half of its degree in each kind.
     #[must_use]
     pub const fn with_pairs(self, pairs: &'a [[u16; 2]]) -> Self {
         Self { pairs, ..self }
@@ -95,13 +95,13 @@ impl<'a, const M: usize> BorrowedSystem<'a, M> {
     pub const fn paths(&self) -> usize {
         let (mut paths, mut equation) = (1_usize, 0);
         while equation < M {
-            let (mut degree, mut place) = (0, 0);
-            while place < self.terms.len() {
-                let term = &self.terms[place];
+            let (mut degree, mut index) = (0, 0);
+            while index < self.terms.len() {
+                let term = &self.terms[index];
                 if term.equation as usize == equation && term.degree() > degree {
                     degree = term.degree();
                 }
-                place += 1;
+                index += 1;
             }
             paths = paths.saturating_mul(degree as usize);
             equation += 1;
@@ -192,11 +192,11 @@ impl<'a, const M: usize> BorrowedSystem<'a, M> {
         if degree != 2 {
             return both;
         }
-        let place = |variable: u16| support.iter().position(|&known| known == usize::from(variable));
+        let position = |variable: u16| support.iter().position(|&known| known == usize::from(variable));
         let products = || {
             self.present(range, coefficients)
                 .filter_map(|(_, powers)| match *powers {
-                    [(first, 1), (second, 1)] => Some([place(first)?, place(second)?]),
+                    [(first, 1), (second, 1)] => Some([position(first)?, position(second)?]),
                     _ => None,
                 })
         };
@@ -234,10 +234,11 @@ impl<'a, const M: usize> BorrowedSystem<'a, M> {
 
     /// The isotropic coordinates of an equation, if they bound it better than its degree does.
     ///
-    /// Variables c and s that lie on a common circle have the isotropic coordinates c + i s and c - i s. The determinant of the Jacobian of
-    /// plane loops has half of its degree in the coordinates of the first kind, and half in those of the second. For each variable of the
-    /// equation, the result is the number of its circle, and whether it is the second variable there. It is `None` if a variable lies on
-    /// no circle, or if the degree is not divided in this way.
+    /// Variables c and s that lie on a common circle have the isotropic coordinates c + i s and c - i s. The
+    /// determinant of the Jacobian of plane loops has half of its degree in the coordinates of the first kind, and half
+    /// in those of the second. For each variable of the equation, the result is the number of its circle, and whether
+    /// it is the second variable there. It is `None` if a variable lies on no circle, or if the degree is not divided
+    /// in this way.
     pub(super) fn isotropic(
         &self,
         range: [usize; 2],
@@ -254,16 +255,16 @@ impl<'a, const M: usize> BorrowedSystem<'a, M> {
             if circle != range && self.is_circle(circle, coefficients) {
                 let (pair, _) = self.support(circle, coefficients);
                 for (side, variable) in pair[..2].iter().enumerate() {
-                    if let Some(place) = support.iter().position(|known| known == variable) {
-                        roles[place] = Some((equation, side == 1));
+                    if let Some(position) = support.iter().position(|known| known == variable) {
+                        roles[position] = Some((equation, side == 1));
                     }
                 }
             }
         }
         for (number, pair) in self.pairs.iter().enumerate() {
             for (side, variable) in pair.iter().enumerate() {
-                if let Some(place) = support.iter().position(|known| *known == usize::from(*variable)) {
-                    roles[place] = Some((M + number, side == 1));
+                if let Some(position) = support.iter().position(|known| *known == usize::from(*variable)) {
+                    roles[position] = Some((M + number, side == 1));
                 }
             }
         }
@@ -271,13 +272,14 @@ impl<'a, const M: usize> BorrowedSystem<'a, M> {
         for (known, role) in known.iter_mut().zip(&roles[..support.len()]) {
             *known = (*role)?;
         }
-        // The coefficients of the powers of λ, if all coordinates of the first kind are multiplied by λ: the sums over its roots of unity.
+        // The coefficients of the powers of λ, if all coordinates of the first kind are multiplied by λ: the sums over
+        // its roots of unity.
         let points = f64::from(degree) + 1.0;
-        let turn = |count: f64| Complex::unit(core::f64::consts::TAU * count / points);
+        let root_of_unity = |count: f64| Complex::unit(core::f64::consts::TAU * count / points);
         let value = |factor: Complex| {
             let variable = |variable: u16| {
-                let place = support.iter().position(|known| *known == usize::from(variable));
-                let (circle, is_second) = place.map_or((0, false), |place| known[place]);
+                let position = support.iter().position(|known| *known == usize::from(variable));
+                let (circle, is_second) = position.map_or((0, false), |position| known[position]);
                 let [first, second] = [0, 1].map(|form| sequence::entry(1, form, circle));
                 let first = factor * first;
                 if is_second {
@@ -290,8 +292,8 @@ impl<'a, const M: usize> BorrowedSystem<'a, M> {
                 .fold(Complex::ZERO, |sum, (coefficient, powers)| {
                     let product = powers
                         .iter()
-                        .fold(Complex::real(coefficient), |product, &(own, power)| {
-                            product * variable(own).power(power)
+                        .fold(Complex::real(coefficient), |product, &(factor, power)| {
+                            product * variable(factor).power(power)
                         });
                     sum + product
                 })
@@ -299,7 +301,7 @@ impl<'a, const M: usize> BorrowedSystem<'a, M> {
         let (mut largest, mut beyond) = (0.0_f64, 0.0_f64);
         for power in 0..=degree {
             let sum = (0..=degree).map(f64::from).fold(Complex::ZERO, |sum, point| {
-                sum + value(turn(point)) * turn(-point * f64::from(power))
+                sum + value(root_of_unity(point)) * root_of_unity(-point * f64::from(power))
             });
             largest = largest.max(sum.norm());
             if power > degree / 2 {

@@ -2,8 +2,8 @@
 
 /// The summary of one number over the poses in which it exists.
 ///
-/// A pose that fails has no number, and is left out. The least and the greatest value carry the index of their pose, the
-/// first such pose if there are several.
+/// A pose that fails has no number, and is left out. The least and the greatest value carry the index of their pose,
+/// the first such pose if there are several.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 #[non_exhaustive]
 pub struct Folded {
@@ -53,8 +53,8 @@ impl Folded {
         })
     }
 
-    /// The summary of these poses and of others that follow them. The others count from zero; `before` is added to their
-    /// indices.
+    /// The summary of these poses and of others that follow them. The others count from zero; `before` is added to
+    /// their indices.
     ///
     /// The sums of the two are added. A sum therefore depends, in its last digits, on where poses are divided.
     #[must_use]

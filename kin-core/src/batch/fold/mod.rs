@@ -14,7 +14,7 @@ mod tests;
 
 pub use folded::Folded;
 pub use number::{FoldError, FoldedNumber};
-pub use poses::{Poses, Turn};
+pub use poses::{InputGrid, Poses};
 pub use reduce::Fold;
 #[cfg(feature = "alloc")]
 pub(super) use run::{Piece, check_numbers, entries, fold_pieces};

@@ -4,7 +4,7 @@ use core::error::Error;
 use core::fmt;
 
 use crate::batch::outcome::LengthMismatch;
-use crate::batch::target::Place;
+use crate::batch::target::Slot;
 use crate::mechanism::Description;
 use crate::quantity::Quantity;
 
@@ -12,19 +12,19 @@ use crate::quantity::Quantity;
 ///
 /// ```
 /// use kin_core::Mechanism;
-/// use kin_core::batch::{FoldedNumber, Place};
+/// use kin_core::batch::{FoldedNumber, Slot};
 /// use kin_core::library::FourBar;
 ///
 /// let description = FourBar::<f64>::DESCRIPTION;
 /// let snap = FoldedNumber::named(&description, "theta4", 4);
-/// assert_eq!(snap, Some(FoldedNumber::At(Place::Unknown(1, 4))));
+/// assert_eq!(snap, Some(FoldedNumber::At(Slot::Unknown(1, 4))));
 /// assert_eq!(FoldedNumber::named(&description, "theta5", 4), None);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FoldedNumber {
-    /// An input, an unknown or an output, or a derivative of one. The sine of an unknown that is not a direction exists in
-    /// no pose.
-    At(Place),
+    /// An input, an unknown or an output, or a derivative of one. The sine of an unknown that is not a direction exists
+    /// in no pose.
+    At(Slot),
     /// The transmission angle of a dyad, folded to at most a right angle, by the index of the dyad in the order of
     /// [`Mechanism::transmission_angles`](crate::Mechanism::transmission_angles).
     TransmissionAngle(usize),
@@ -32,37 +32,37 @@ pub enum FoldedNumber {
     SmallestTransmissionAngle,
 }
 
-impl From<Place> for FoldedNumber {
-    fn from(place: Place) -> Self {
-        Self::At(place)
+impl From<Slot> for FoldedNumber {
+    fn from(slot: Slot) -> Self {
+        Self::At(slot)
     }
 }
 
 impl FoldedNumber {
-    /// The derivative of this order of the input, the unknown or the output with this name, if the mechanism has it. Order
-    /// 0 is the position.
+    /// The derivative of this order of the input, the unknown or the output with this name, if the mechanism has it.
+    /// Order 0 is the position.
     #[must_use]
     pub fn named(description: &Description<'_>, name: &str, order: usize) -> Option<Self> {
         let index_in = |quantities: &[Quantity<'_>]| quantities.iter().position(|quantity| quantity.name == name);
-        let place = if let Some(input) = index_in(description.inputs) {
-            Place::Input(input, order)
+        let slot = if let Some(input) = index_in(description.inputs) {
+            Slot::Input(input, order)
         } else if let Some(unknown) = index_in(description.unknowns) {
-            Place::Unknown(unknown, order)
+            Slot::Unknown(unknown, order)
         } else {
-            Place::Output(index_in(description.outputs)?, order)
+            Slot::Output(index_in(description.outputs)?, order)
         };
-        (order <= description.order).then_some(Self::At(place))
+        (order <= description.order).then_some(Self::At(slot))
     }
 
     /// Whether a mechanism with so many dyads has this number.
     pub(super) fn is_of(self, description: &Description<'_>, dyads: usize) -> bool {
         match self {
-            Self::At(place) => {
-                let (quantities, index, order) = match place {
-                    Place::Input(index, order) => (description.inputs, index, order),
-                    Place::Unknown(index, order) => (description.unknowns, index, order),
-                    Place::Sine(index) => (description.unknowns, index, 0),
-                    Place::Output(index, order) => (description.outputs, index, order),
+            Self::At(slot) => {
+                let (quantities, index, order) = match slot {
+                    Slot::Input(index, order) => (description.inputs, index, order),
+                    Slot::Unknown(index, order) => (description.unknowns, index, order),
+                    Slot::Sine(index) => (description.unknowns, index, 0),
+                    Slot::Output(index, order) => (description.outputs, index, order),
                 };
                 index < quantities.len() && order <= description.order
             }
@@ -83,7 +83,7 @@ pub enum FoldError {
         /// The number.
         number: FoldedNumber,
     },
-    /// The mechanism does not have the input that turns.
+    /// The mechanism does not have the input of the grid.
     NoSuchInput {
         /// The index of the input.
         input: usize,
@@ -105,7 +105,8 @@ impl fmt::Display for FoldError {
                 length,
             }) => write!(
                 formatter,
-                "a column of `{quantity}` has {length} entries, but {poses} poses are folded: give one entry for each pose"
+                "a column of `{quantity}` has {length} entries, but {poses} poses are folded: give one entry for each \
+                 pose"
             ),
             Self::NoSuchNumber { number } => write!(
                 formatter,
@@ -113,7 +114,7 @@ impl fmt::Display for FoldError {
             ),
             Self::NoSuchInput { input } => write!(
                 formatter,
-                "the mechanism has no input {input} that could turn: inputs count from 0, as in its description"
+                "the mechanism has no input {input} that could vary: inputs count from 0, as in its description"
             ),
         }
     }

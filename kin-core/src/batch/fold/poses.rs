@@ -7,14 +7,14 @@ use super::folded::count;
 pub enum Poses {
     /// As many poses, all given by the columns.
     Columns(usize),
-    /// Evenly spaced values of an input. The columns give all other numbers. What they give for the position of this input
-    /// is not read.
-    Turn(Turn),
+    /// Evenly spaced values of an input. The columns give all other numbers. What they give for the position of this
+    /// input is not read.
+    Grid(InputGrid),
 }
 
 /// Evenly spaced values of an input: of the angle of a crank, or of the length of a cylinder.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Turn {
+pub struct InputGrid {
     /// The index of the input.
     pub input: usize,
     /// The number of poses.
@@ -25,17 +25,17 @@ pub struct Turn {
     pub step: f64,
 }
 
-impl Turn {
-    /// A whole turn of an input that is an angle, from 0. The last pose lies a step before 2π.
+impl InputGrid {
+    /// A revolution of an input that is an angle, from 0. The last pose lies a step before 2π.
     ///
     /// ```
-    /// use kin_core::batch::Turn;
+    /// use kin_core::batch::InputGrid;
     ///
-    /// let turn = Turn::whole(0, 360);
-    /// assert!((turn.value(90) - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
+    /// let grid = InputGrid::revolution(0, 360);
+    /// assert!((grid.value(90) - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
     /// ```
     #[must_use]
-    pub fn whole(input: usize, poses: usize) -> Self {
+    pub fn revolution(input: usize, poses: usize) -> Self {
         Self {
             input,
             poses,
@@ -77,7 +77,7 @@ impl Poses {
     pub(super) const fn count(&self) -> usize {
         match self {
             Self::Columns(count) => *count,
-            Self::Turn(turn) => turn.poses,
+            Self::Grid(grid) => grid.poses,
         }
     }
 }
@@ -88,8 +88,8 @@ impl From<usize> for Poses {
     }
 }
 
-impl From<Turn> for Poses {
-    fn from(turn: Turn) -> Self {
-        Self::Turn(turn)
+impl From<InputGrid> for Poses {
+    fn from(grid: InputGrid) -> Self {
+        Self::Grid(grid)
     }
 }

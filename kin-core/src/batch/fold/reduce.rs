@@ -4,26 +4,26 @@
 use super::folded::{Folded, count};
 use super::number::FoldedNumber;
 use crate::batch::dispatch::{Kernel, MOST_LANES};
-use crate::batch::target::Place;
+use crate::batch::target::Slot;
 
 /// The number of poses of a piece, whose values are added up together. The order of additions depends on nothing else.
 pub(super) const PIECE: usize = 512;
 
-/// The number of values that are summarised side by side, whatever the vectors of the machine. A sum is therefore the same
-/// in all vectors if its terms are.
+/// The number of values that are summarised side by side, whatever the vectors of the machine. A sum is therefore the
+/// same in all vectors if its terms are.
 const ABREAST: usize = 16;
 
-/// Room for the poses of a piece. The last one takes up to 15 more: poses that are fewer than lanes would be solved one by
-/// one.
+/// Room for the poses of a piece. The last one takes up to 15 more: poses that are fewer than lanes would be solved one
+/// by one.
 pub(super) const ROOM: usize = PIECE + MOST_LANES;
 
-/// Room for the values of a piece, on cache lines of its own.
+/// Room for the values of a piece, on separate cache lines.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub(super) struct Room(pub(super) [f64; ROOM]);
 
-/// A number to be folded over many poses, with its summary and with room for the values of a few hundred poses: about four
-/// kilobytes.
+/// A number to be folded over many poses, with its summary and with room for the values of a few hundred poses: about
+/// four kilobytes.
 ///
 /// Use it again for the next batch: [`fold`](crate::batch::Batch::fold) starts the summary anew.
 #[derive(Clone, Copy, Debug)]
@@ -77,7 +77,7 @@ impl Kernel for Reduction<'_> {
         for fold in self.folds {
             let values = &fold.room.0[..self.count];
             // The sine of an unknown that is not a direction is missing in every pose.
-            let can_be_missing = matches!(fold.number, FoldedNumber::At(Place::Sine(_)));
+            let can_be_missing = matches!(fold.number, FoldedNumber::At(Slot::Sine(_)));
             if self.is_complete && !can_be_missing {
                 reduce::<true>(values, self.first, &mut fold.folded);
             } else {
@@ -87,7 +87,8 @@ impl Kernel for Reduction<'_> {
     }
 }
 
-/// Adds the values of a piece to a summary. If they are `COMPLETE`, none is NaN. The index of the first pose is `first`.
+/// Adds the values of a piece to a summary. If they are `COMPLETE`, none is NaN. The index of the first pose is
+/// `first`.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn reduce<const COMPLETE: bool>(values: &[f64], first: usize, folded: &mut Folded) {
     let (rows, rest) = values.as_chunks::<ABREAST>();
@@ -121,8 +122,9 @@ fn reduce<const COMPLETE: bool>(values: &[f64], first: usize, folded: &mut Folde
 
 /// What is known of some rows, and how many values each lane lacks.
 ///
-/// The running values stay here, and the caller gets copies. If another function were given the address of the running values,
-/// the compiler would store them in every row. A store across two pages takes longer than all the rest of the row.
+/// The running values stay here, and the caller gets copies. If another function were given the address of the running
+/// values, the compiler would store them in every row. A store across two pages takes longer than all the rest of the
+/// row.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn of_rows<const COMPLETE: bool>(rows: &[[f64; ABREAST]]) -> (Running, [u64; ABREAST]) {
     let mut running = Running::NONE;
@@ -143,7 +145,7 @@ fn of_rows<const COMPLETE: bool>(rows: &[[f64; ABREAST]]) -> (Running, [u64; ABR
     (running.clone(), missing)
 }
 
-/// What is known of the values so far: one set for each place of a row, or one for all of them.
+/// What is known of the values so far: one set for each lane of a row, or one for all of them.
 #[derive(Clone)]
 struct RunningRow<V> {
     least: V,
@@ -184,10 +186,10 @@ impl Running {
         }
     }
 
-    /// One set for all places.
+    /// One set for all lanes.
     ///
-    /// This is a separate function: a compiler that sees how the places are joined arranges everything before in vectors of
-    /// two.
+    /// This is a separate function: a compiler that sees how the lanes are joined arranges everything before in vectors
+    /// of two.
     #[inline(never)]
     fn joined(&self) -> RunningRow<f64> {
         RunningRow {
@@ -199,7 +201,7 @@ impl Running {
     }
 }
 
-/// A row with zero in the place of NaN.
+/// A row with zero instead of NaN.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn without_nan(row: &[f64; ABREAST]) -> [f64; ABREAST] {
     let mut numbers = [0.0; ABREAST];
@@ -237,21 +239,21 @@ fn in_halves(mut lanes: [f64; ABREAST], combine: impl Fn(f64, f64) -> f64) -> f6
     lanes[0]
 }
 
-/// The first place with this value, and the value there, which may be another zero.
+/// The first index of this value, and the value there, which may be another zero.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn first_of(values: &[f64], wanted: f64) -> Option<(usize, f64)> {
     let (rows, rest) = values.as_chunks::<ABREAST>();
     let found = first_rows(rows, wanted);
-    let index = first_place(&found).unwrap_or_else(|| {
+    let index = first_index(&found).unwrap_or_else(|| {
         #[expect(clippy::float_cmp, reason = "it is one of these values")]
-        let place = rest.iter().position(|value| *value == wanted);
-        values.len() - rest.len() + place.unwrap_or(rest.len())
+        let offset = rest.iter().position(|value| *value == wanted);
+        values.len() - rest.len() + offset.unwrap_or(rest.len())
     });
     values.get(index).map(|value| (index, *value))
 }
 
-/// The start of the first row in which each lane has this value, infinity if none has it. The caller gets a copy, as from
-/// [`of_rows`].
+/// The start of the first row in which each lane has this value, infinity if none has it. The caller gets a copy, as
+/// from [`of_rows`].
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn first_rows(rows: &[[f64; ABREAST]], wanted: f64) -> [f64; ABREAST] {
     // From the last row to the first, so that the first of equal values remains. A loop that stops at it takes longer.
@@ -274,10 +276,10 @@ fn first_rows(rows: &[[f64; ABREAST]], wanted: f64) -> [f64; ABREAST] {
     found
 }
 
-/// The first place that was found, from the start of the row in which each lane found it. A separate function, as
+/// The first index that was found, from the start of the row in which each lane found it. A separate function, as
 /// [`Running::joined`] is.
 #[inline(never)]
-fn first_place(found: &[f64; ABREAST]) -> Option<usize> {
+fn first_index(found: &[f64; ABREAST]) -> Option<usize> {
     let mut first = f64::INFINITY;
     for (lane, start) in found.iter().enumerate() {
         first = lesser(start + count(lane), first);
@@ -285,8 +287,8 @@ fn first_place(found: &[f64; ABREAST]) -> Option<usize> {
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
-        reason = "a place among a few hundred"
+        reason = "an index among a few hundred"
     )]
-    let place = first as usize;
-    first.is_finite().then_some(place)
+    let index = first as usize;
+    first.is_finite().then_some(index)
 }

@@ -3,12 +3,12 @@
 use std::vec;
 use std::vec::Vec;
 
-use super::{Fold, FoldError, Folded, FoldedNumber, Turn};
-use crate::batch::{Batch, Column, LengthMismatch, Outcome, Place, Vectors};
+use super::{Fold, FoldError, Folded, FoldedNumber, InputGrid};
+use crate::batch::{Batch, Column, LengthMismatch, Outcome, Slot, Vectors};
 use crate::library::{FourBar, FourBarBatch};
 use crate::prelude::*;
 
-/// It does not close over the whole turn.
+/// It does not close over the whole revolution.
 const LINKAGE: FourBar = FourBar {
     r1: 90.0,
     r2: 30.0,
@@ -16,7 +16,7 @@ const LINKAGE: FourBar = FourBar {
     r4: 45.0,
 };
 
-/// It closes over the whole turn.
+/// It closes over the whole revolution.
 const CRANK_ROCKER: FourBar = FourBar {
     r1: 90.0,
     r2: 30.0,
@@ -24,8 +24,8 @@ const CRANK_ROCKER: FourBar = FourBar {
     r4: 60.0,
 };
 
-const SNAP: Place = Place::Unknown(1, 4);
-const POSITION: Place = Place::Unknown(1, 0);
+const SNAP: Slot = Slot::Unknown(1, 4);
+const POSITION: Slot = Slot::Unknown(1, 0);
 
 fn vectors() -> impl Iterator<Item = Vectors> {
     [Vectors::Compiled, Vectors::Avx2, Vectors::Avx512]
@@ -100,7 +100,7 @@ fn folds_find_what_a_loop_over_a_batch_finds() {
                 .vectors(vectors)
                 .solve(&mut poses, &mut outcomes)
                 .unwrap();
-            let numbers = [Place::Input(0, 0), POSITION, Place::Unknown(0, 2), SNAP, POSITION];
+            let numbers = [Slot::Input(0, 0), POSITION, Slot::Unknown(0, 2), SNAP, POSITION];
             let mut folds = numbers.map(Fold::of);
             let summary = Batch::<FourBar, _>::new(parameters, inputs, assembly)
                 .vectors(vectors)
@@ -133,11 +133,11 @@ fn folds_find_what_a_loop_over_a_batch_finds() {
     }
 }
 
-/// The angles of a turn are made on the way. The transmission angle is that of single poses.
+/// The angles of a revolution are made on the way. The transmission angle is that of single poses.
 #[test]
-fn a_turn_needs_no_column() {
-    let turn = Turn::whole(0, 720);
-    let angles: Vec<f64> = (0..720).map(|index| turn.value(index)).collect();
+fn a_grid_needs_no_column() {
+    let grid = InputGrid::revolution(0, 720);
+    let angles: Vec<f64> = (0..720).map(|index| grid.value(index)).collect();
     for (vectors, linkage) in vectors().flat_map(|vectors| [(vectors, LINKAGE), (vectors, CRANK_ROCKER)]) {
         for assembly in Assembly::BOTH {
             let numbers = [
@@ -150,7 +150,7 @@ fn a_turn_needs_no_column() {
             let inputs = crank(Column::Same(f64::NAN));
             let summary = Batch::<FourBar, _>::new(same(linkage), inputs, assembly)
                 .vectors(vectors)
-                .fold(turn, &mut folds)
+                .fold(grid, &mut folds)
                 .unwrap();
             let inputs = crank(Column::Each(&angles));
             let expected = Batch::<FourBar, _>::new(same(linkage), inputs, assembly)
@@ -223,7 +223,7 @@ fn ties_go_to_the_first_pose() {
         angles[index] = 0.9;
     }
     for vectors in vectors() {
-        let mut folds = [Fold::of(Place::Input(0, 0)), Fold::of(Place::Input(0, 1))];
+        let mut folds = [Fold::of(Slot::Input(0, 0)), Fold::of(Slot::Input(0, 1))];
         let inputs = crank(Column::Each(&angles));
         Batch::<FourBar, _>::new(same(LINKAGE), inputs, Assembly::Open)
             .vectors(vectors)
@@ -244,10 +244,10 @@ fn nothing_is_the_summary_of_no_pose() {
         let inputs = crank(Column::Same(3.0));
         let mut folds = [Fold::of(SNAP), Fold::of(FoldedNumber::SmallestTransmissionAngle)];
         // What was there before is forgotten.
-        let turn = Turn::whole(0, 20);
+        let grid = InputGrid::revolution(0, 20);
         Batch::<FourBar, _>::new(same(CRANK_ROCKER), inputs, Assembly::Open)
             .vectors(vectors)
-            .fold(turn, &mut folds)
+            .fold(grid, &mut folds)
             .unwrap();
         assert!(folds[0].folded().count == 20);
         let summary = Batch::<FourBar, _>::new(same(LINKAGE), inputs, Assembly::Open)
@@ -270,9 +270,9 @@ fn a_number_that_is_not_there_is_named() {
     let vectors = Vectors::Compiled;
     let inputs = crank(Column::Same(0.1));
     for number in [
-        FoldedNumber::At(Place::Unknown(2, 0)),
-        FoldedNumber::At(Place::Unknown(1, 5)),
-        FoldedNumber::At(Place::Output(0, 0)),
+        FoldedNumber::At(Slot::Unknown(2, 0)),
+        FoldedNumber::At(Slot::Unknown(1, 5)),
+        FoldedNumber::At(Slot::Output(0, 0)),
         FoldedNumber::TransmissionAngle(1),
     ] {
         let mut folds = [Fold::of(SNAP), Fold::of(number)];
@@ -281,10 +281,10 @@ fn a_number_that_is_not_there_is_named() {
             .fold(5, &mut folds);
         assert_eq!(result, Err(FoldError::NoSuchNumber { number }));
     }
-    let turn = Turn::whole(1, 5);
+    let grid = InputGrid::revolution(1, 5);
     let result = Batch::<FourBar, _>::new(same(LINKAGE), inputs, Assembly::Open)
         .vectors(vectors)
-        .fold(turn, &mut []);
+        .fold(grid, &mut []);
     assert_eq!(result, Err(FoldError::NoSuchInput { input: 1 }));
     let inputs = crank(Column::Each(&[0.1; 4]));
     let result = Batch::<FourBar, _>::new(same(LINKAGE), inputs, Assembly::Open)
@@ -296,19 +296,19 @@ fn a_number_that_is_not_there_is_named() {
         length: 4,
     };
     assert_eq!(result, Err(FoldError::Length(mismatch)));
-    // The column of the input that turns is not read.
-    let turn = Turn::between(0, 0.1, 0.5, 5);
+    // The column of the input of the grid is not read.
+    let grid = InputGrid::between(0, 0.1, 0.5, 5);
     let result = Batch::<FourBar, _>::new(same(LINKAGE), inputs, Assembly::Open)
         .vectors(vectors)
-        .fold(turn, &mut []);
+        .fold(grid, &mut []);
     assert_eq!(result.map(|summary| summary.solved), Ok(5));
     // An unknown that is an angle has no sine, in short batches or long ones.
     for poses in [5, 1000] {
-        let mut folds = [Fold::of(Place::Sine(0))];
-        let turn = Turn::whole(0, poses);
+        let mut folds = [Fold::of(Slot::Sine(0))];
+        let grid = InputGrid::revolution(0, poses);
         Batch::<FourBar, _>::new(same(LINKAGE), inputs, Assembly::Open)
             .vectors(vectors)
-            .fold(turn, &mut folds)
+            .fold(grid, &mut folds)
             .unwrap();
         assert_eq!(*folds[0].folded(), Folded::default());
     }

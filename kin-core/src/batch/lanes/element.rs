@@ -13,9 +13,10 @@ pub trait Element: Scalar + Real<Truth = bool> + Elementary + Judged + Send + Sy
     #[doc(hidden)]
     const DOUBT_IN_LANES: f64;
 
-    /// The largest length whose margin lanes measure. Its square, and the square of its reciprocal, have full precision.
+    /// The largest length whose margin lanes measure. Its square, and the square of its reciprocal, have full
+    /// precision.
     #[doc(hidden)]
-    const LARGEST: Self;
+    const LARGEST_MEASURED: Self;
 
     /// Runs a kernel in `DOUBLES` lanes of double precision, or in `SINGLES` lanes of single precision.
     #[doc(hidden)]
@@ -25,7 +26,7 @@ pub trait Element: Scalar + Real<Truth = bool> + Elementary + Judged + Send + Sy
 impl Element for f64 {
     const DOUBT_IN_LANES: f64 = 1e-12;
     /// 2⁴⁸⁰.
-    const LARGEST: Self = f64::from_bits((1023 + 480) << 52);
+    const LARGEST_MEASURED: Self = f64::from_bits((1023 + 480) << 52);
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<K: Kernel, const DOUBLES: usize, const SINGLES: usize, const FUSED: bool>(kernel: K) -> K::Result {
@@ -36,7 +37,7 @@ impl Element for f64 {
 impl Element for f32 {
     const DOUBT_IN_LANES: f64 = 4500.0 * f32::EPSILON as f64;
     /// 2⁶⁰.
-    const LARGEST: Self = f32::from_bits((127 + 60) << 23);
+    const LARGEST_MEASURED: Self = f32::from_bits((127 + 60) << 23);
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<K: Kernel, const DOUBLES: usize, const SINGLES: usize, const FUSED: bool>(kernel: K) -> K::Result {

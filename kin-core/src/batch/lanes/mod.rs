@@ -1,6 +1,6 @@
 //! A number type that holds several numbers, for several poses at once.
 //!
-//! Every operation is a short loop over an array, without a branch. A compiler turns it into the widest vector
+//! Every operation is a short loop over an array, without a branch. A compiler converts it into the widest vector
 //! instructions that the calling function may use. There are no intrinsics.
 //!
 //! Each lane decides for itself: where a solver would stop for one of the numbers, that lane becomes NaN and stays NaN,
@@ -9,8 +9,8 @@
 //! would decide. The caller must then ask the ordinary solver about these poses, except those for which the check that
 //! failed has left a [verdict](verdicts).
 
-/// Runs a block for each lane. A kernel has thousands of these loops. Iterators and closures take a compiler several times as long, and
-/// `for` loops take it longer, because it moves their tests to the end, where this one stands.
+/// Runs a block for each lane. A kernel has thousands of these loops. Iterators and closures take a compiler several
+/// times as long, and `for` loops take it longer, because it moves their tests to the end, where this one stands.
 macro_rules! for_each_lane {
     ($lane:ident in $first:literal..$count:ident $block:block) => {
         let mut $lane = $first;
@@ -38,7 +38,7 @@ use num_traits::Float;
 
 use crate::assembly::Assembly;
 use crate::failure::Failure;
-use crate::number::elementary::{is_near, near_sine_cosine, ordinary_arc_tangent, turned_round};
+use crate::number::elementary::{is_near, near_sine_cosine, ordinary_arc_tangent, sign_flipped};
 use crate::number::{Number, real_parts};
 use crate::solve::{Check, Choose, Measure, NewtonMemory, RowMeasure, Scalar};
 
@@ -96,11 +96,12 @@ impl<const W: usize, const FUSED: bool, E: Element> Lanes<W, FUSED, E> {
         self.0.iter().map(|count| count.real()).sum::<f64>() as usize
     }
 
-    /// The numbers themselves, NaN in lanes where a sum of squares exceeds that of the [largest length](LARGEST).
+    /// The numbers themselves, NaN in lanes where a sum of squares exceeds that of the [largest
+    /// length](LARGEST_MEASURED).
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(in crate::batch) fn within(self, squares: Self) -> Self {
         self.with(squares, |number, squares| {
-            if squares < E::LARGEST * E::LARGEST {
+            if squares < E::LARGEST_MEASURED * E::LARGEST_MEASURED {
                 number
             } else {
                 E::nan()
@@ -108,8 +109,8 @@ impl<const W: usize, const FUSED: bool, E: Element> Lanes<W, FUSED, E> {
         })
     }
 
-    /// The number with NaN in the lanes that fail a check, NaN in these lanes and zero in the others, and whether a lane
-    /// fails.
+    /// The number with NaN in the lanes that fail a check, NaN in these lanes and zero in the others, and whether a
+    /// lane fails.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn checked<const N: usize, const K: usize>(self, check: impl Check<Self, N, K>) -> (Self, Self, bool) {
         let operands = check.operands();
@@ -204,7 +205,7 @@ impl<const W: usize, const FUSED: bool, E: Element> Neg for Lanes<W, FUSED, E> {
 
 impl<const W: usize, const FUSED: bool, E: Element> Number for Lanes<W, FUSED, E> {
     const EPSILON: f64 = E::EPSILON;
-    const SMALLEST: f64 = E::SMALLEST;
+    const SMALLEST_DIVISOR: f64 = E::SMALLEST_DIVISOR;
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn constant(value: f64) -> Self {
@@ -342,7 +343,7 @@ impl<const W: usize, const FUSED: bool, E: Element> Scalar for Lanes<W, FUSED, E
         Some(kept)
     }
 
-    /// A lane that fails does not need its own root, so it gets the one by which its shortfall is measured: a root takes
+    /// A lane that fails does not need its root, so it gets the root by which its shortfall is measured: a root takes
     /// longer than twenty other operations.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn rooted<const N: usize, const K: usize>(self, check: impl Check<Self, N, K>) -> Option<(Self, Self)> {
@@ -384,7 +385,7 @@ impl<const W: usize, const FUSED: bool, E: Element> Scalar for Lanes<W, FUSED, E
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn times_sign_of(self, other: Self) -> Self {
-        self.with(other, |a, b| turned_round(a, b.bits()))
+        self.with(other, |a, b| sign_flipped(a, b.bits()))
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -395,11 +396,11 @@ impl<const W: usize, const FUSED: bool, E: Element> Scalar for Lanes<W, FUSED, E
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn measured_over<M: RowMeasure>(_: M, count: usize, operand: impl Fn(usize) -> Self) -> Self {
-        let mut own = Self([M::start(); W]);
+        let mut measured = Self([M::start(); W]);
         for index in 0..count {
-            own = own.with(operand(index), M::with);
+            measured = measured.with(operand(index), M::with);
         }
-        own.map(M::end)
+        measured.map(M::end)
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -463,18 +464,18 @@ fn judge<const W: usize, const FUSED: bool, const N: usize, const K: usize, E: E
     kept.0.iter().any(|number| !Float::is_nan(*number)).then_some(())
 }
 
-/// The verdict about a lane: zero if it does not fail, the margin if it is negative beyond doubt, and NaN otherwise. NaN
-/// also stands for lengths whose squares lose digits or overflow.
+/// The verdict about a lane: zero if it does not fail, the margin if it is negative beyond doubt, and NaN otherwise.
+/// NaN also stands for lengths whose squares lose digits or overflow.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn verdict<E: Element>(failing: E, margin: E, scale: E) -> E {
     let doubt = -E::of(E::DOUBT_IN_LANES);
     let margin = if margin < doubt * scale { margin } else { E::nan() };
-    let margin = if scale > E::one() / E::LARGEST {
+    let margin = if scale > E::one() / E::LARGEST_MEASURED {
         margin
     } else {
         E::nan()
     };
-    let margin = if scale < E::LARGEST { margin } else { E::nan() };
+    let margin = if scale < E::LARGEST_MEASURED { margin } else { E::nan() };
     if failing == E::zero() { failing } else { margin }
 }
 

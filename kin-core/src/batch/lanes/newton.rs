@@ -40,7 +40,7 @@ pub(super) fn root<const W: usize, const FUSED: bool, E: Element>(
     let mut rate = [E::zero(); W];
     let mut last: Option<NewtonStep<W, FUSED, E>> = None;
     for _ in 0..ITERATIONS {
-        // Called in one place only: with two calls it would not be inlined into this function, and so not compiled for
+        // Called at one site only: with two calls it would not be inlined into this function, and so not compiled for
         // the machine's vectors.
         evaluate(point, residuals, factors);
         for row in factors.chunks_exact_mut(sizes.len().max(1)) {
@@ -128,8 +128,8 @@ pub(super) fn root<const W: usize, const FUSED: bool, E: Element>(
 /// Whether rounding errors change the determinant too little for a second root. The ordinary method allows a change of
 /// a quarter. Its last step differs from the one here, so an eighth of that would already be in doubt.
 ///
-/// The last step shows the change by its `ratio`. Where this step is itself a rounding error, the ratio may be close to one
-/// by chance, so the fastest change of all steps over the length of the last one counts as well.
+/// The last step shows the change by its `ratio`. Where this step is itself a rounding error, the ratio may be close to
+/// one by chance, so the fastest change of all steps over the length of the last one counts as well.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn is_distinct<E: Element>(ratio: E, change: E) -> bool {
     let allowed = E::of(0.03);
@@ -139,11 +139,11 @@ fn is_distinct<E: Element>(ratio: E, change: E) -> bool {
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn arrive<const W: usize, const FUSED: bool, E: Element>(
     root: &mut [Lanes<W, FUSED, E>],
-    place: &[Lanes<W, FUSED, E>],
+    position: &[Lanes<W, FUSED, E>],
     lane: usize,
 ) {
-    for (root, place) in root.iter_mut().zip(place) {
-        root.0[lane] = place.0[lane];
+    for (root, position) in root.iter_mut().zip(position) {
+        root.0[lane] = position.0[lane];
     }
 }
 

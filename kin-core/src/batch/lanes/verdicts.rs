@@ -1,9 +1,9 @@
 //! The verdicts about lanes that fail a check.
 //!
 //! A lane that fails becomes NaN, which does not say by how much it fails. The first check that a lane fails therefore
-//! leaves a verdict here. The driver of a batch reads it when the chunk is solved, in place of the ordinary solver. Each
-//! thread solves one chunk at a time, so it has one place for verdicts. Without the standard library there are no
-//! threads to tell apart, and all verdicts are left to the ordinary solver.
+//! leaves a verdict here. The driver of a batch reads it when the chunk is solved, instead of the ordinary solver. Each
+//! thread solves one chunk at a time, so it has one store of verdicts. Without the standard library there are no
+//! threads to distinguish, and all verdicts are left to the ordinary solver.
 
 #[cfg(feature = "std")]
 use core::cell::Cell;
@@ -12,10 +12,10 @@ use super::{Element, Lanes};
 #[cfg(feature = "std")]
 use crate::batch::dispatch::{MOST_LANES, MOST_SINGLES};
 
-/// A number with a place for the verdicts about lanes of it.
+/// A number with a store of the verdicts about lanes of it.
 pub trait Judged: Sized {
-    /// One number for each lane: zero if the lane has passed all checks, a margin if it is clearly out of reach, and NaN if
-    /// the ordinary solver must decide.
+    /// One number for each lane: zero if the lane has passed all checks, a margin if it is clearly out of reach, and
+    /// NaN if the ordinary solver must decide.
     #[cfg(feature = "std")]
     type Verdicts: Copy + AsRef<[Self]> + AsMut<[Self]>;
 
@@ -32,7 +32,7 @@ pub trait Judged: Sized {
     fn judge(verdicts: Self::Verdicts);
 }
 
-/// Numbers on cache lines of their own.
+/// Numbers on separate cache lines.
 #[cfg(feature = "std")]
 #[derive(Clone, Copy)]
 #[repr(align(64))]

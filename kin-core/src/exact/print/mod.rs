@@ -1,24 +1,24 @@
 //! Exact tables in other languages, with what reads them.
 //!
-//! Every program does the operations of [`piece`](super::piece) in the same order, so it finds the same numbers to the last bit, where the
-//! compiler does not fuse products and sums.
+//! Every program does the operations of [`piece`](super::piece) in the same order, so it finds the same numbers to the
+//! last bit, where the compiler does not fuse products and sums.
 
 use std::format;
 use std::string::{String, ToString as _};
 use std::vec::Vec;
 
 use super::owned::{ExactParts, ExactTable};
-use super::read::MOST_TURNS;
+use super::read::MOST_PERIODS;
 use crate::quantity::Dimension;
 use crate::tape::C;
 use crate::tape::words::{DistinctNames, identifier, quoted, snake};
 
 impl ExactTable {
-    /// The table as C99: a header, a source and an example. The code needs `floor` of `<math.h>` alone, and has no static state but the
-    /// constant table.
+    /// The table as C99: a header, a source and an example. The code needs `floor` of `<math.h>` alone, and has no
+    /// static state but the constant table.
     ///
-    /// `cc -O2 -std=c99 -ffp-contract=off main.c four_bar_table.c -lm -o four_bar_table` builds the example. The code finds the numbers of
-    /// [`fill_at_speed`](Self::fill_at_speed) to the last bit.
+    /// `cc -O2 -std=c99 -ffp-contract=off main.c four_bar_table.c -lm -o four_bar_table` builds the example. The code
+    /// finds the numbers of [`fill_at_speed`](Self::fill_at_speed) to the last bit.
     ///
     /// ```
     /// use std::f64::consts::TAU;
@@ -28,7 +28,7 @@ impl ExactTable {
     /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
     /// let table = linkage.sweep(Assembly::Open).over(0.0..=TAU, 13).exact_table(1e-6)?;
     /// let c = table.c();
-    /// assert!(c.header.contains("int four_bar_table_at(double place, double speed,"));
+    /// assert!(c.header.contains("int four_bar_table_at(double parameter, double speed,"));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
@@ -45,7 +45,7 @@ impl ExactTable {
                 let name = names.name(&identifier(&column.name).to_uppercase());
                 format!(
                     "    /* {} */\n    {upper}_COLUMN_{name} = {index},\n",
-                    told(&parts, index)
+                    description(&parts, index)
                 )
             })
             .collect();
@@ -56,9 +56,11 @@ impl ExactTable {
              /* The numbers of columns, and of the value and the derivatives of each. */\n\
              enum {{ {upper}_COLUMNS = {count}, {upper}_ORDERS = {orders} }};\n\n\
              enum {{\n{columns}}};\n\n\
-             /* All columns at a place: the value and its derivatives by time, while the parameter changes at a speed. At the speed 1 they are the\n   \
-             derivatives by the parameter. Returns 0, or 1 if the place is not in the table, from {low:?} to {high:?}{again}. */\n\
-             int {prefix}_at(double place, double speed, double result[{upper}_COLUMNS][{upper}_ORDERS]);\n\n\
+             /* All columns at a parameter: the value and its derivatives by time, while the parameter changes at a \
+             speed. At the speed 1 they are the\n   \
+             derivatives by the parameter. Returns 0, or 1 if the parameter is not in the table, from {low:?} to \
+             {high:?}{again}. */\n\
+             int {prefix}_at(double parameter, double speed, double result[{upper}_COLUMNS][{upper}_ORDERS]);\n\n\
              #ifdef __cplusplus\n}}\n#endif\n\n#endif\n",
             low = self.range().start(),
             high = self.range().end(),
@@ -68,14 +70,14 @@ impl ExactTable {
                 ", or not finite"
             },
         );
-        let code = with_most_turns(include_str!("table.c"))
+        let code = with_most_periods(include_str!("table.c"))
             .replace("PREFIX", &prefix)
             .replace("UPPER", &upper);
         let source = format!(
             "/* {head} */\n\n#include \"{prefix}.h\"\n\n#include <math.h>\n\n\
              enum {{ COLUMNS = {count}, ORDERS = {orders}, ROWS = {rows}, IS_CLOSED = {closed} }};\n\n\
              /* The change of each column over a period. */\nstatic const double changes[COLUMNS] = {{{changes}}};\n\n\
-             /* For each row the place, and for each column the value and its derivatives by the parameter. */\n\
+             /* For each row the parameter, and for each column the value and its derivatives by the parameter. */\n\
              static const double table[ROWS][1 + COLUMNS * ORDERS] = {{\n{table}}};\n\n{code}",
             rows = parts.rows.len(),
             closed = i32::from(parts.is_closed),
@@ -93,12 +95,12 @@ impl ExactTable {
         }
     }
 
-    /// The table as an ES module without dependencies: the function `at(place, speed)`, the constants `COLUMNS`, `ERRORS`, `ORDERS`,
-    /// `RANGE` and `IS_CLOSED`.
+    /// The table as an ES module without dependencies: the function `at(parameter, speed)`, the constants `COLUMNS`,
+    /// `ERRORS`, `ORDERS`, `RANGE` and `IS_CLOSED`.
     #[must_use]
     pub fn java_script(&self) -> String {
         let parts = self.parts();
-        let code = with_most_turns(include_str!("table.js"));
+        let code = with_most_periods(include_str!("table.js"));
         format!(
             "// {head}\n\n{constants}\n{code}",
             head = head(&parts).join("\n// "),
@@ -112,12 +114,12 @@ impl ExactTable {
         )
     }
 
-    /// The table as a Python module without dependencies: the function `at(place, speed)`, the constants `COLUMNS`, `ERRORS`, `ORDERS`,
-    /// `RANGE` and `IS_CLOSED`.
+    /// The table as a Python module without dependencies: the function `at(parameter, speed)`, the constants `COLUMNS`,
+    /// `ERRORS`, `ORDERS`, `RANGE` and `IS_CLOSED`.
     #[must_use]
     pub fn python(&self) -> String {
         let parts = self.parts();
-        let code = with_most_turns(include_str!("table.py"));
+        let code = with_most_periods(include_str!("table.py"));
         format!(
             "# {head}\n\nimport math\n\n{constants}\n\n{code}",
             head = head(&parts).join("\n# "),
@@ -126,9 +128,9 @@ impl ExactTable {
     }
 }
 
-/// The code with the largest number of periods between the table and a place.
-fn with_most_turns(code: &str) -> String {
-    code.replace("MOST_TURNS", &format!("{MOST_TURNS:?}"))
+/// The code with the largest number of periods between the table and a parameter.
+fn with_most_periods(code: &str) -> String {
+    code.replace("MOST_PERIODS", &format!("{MOST_PERIODS:?}"))
 }
 
 /// The constants of a module in JavaScript or Python, which write lists alike.
@@ -189,7 +191,7 @@ fn head(parts: &ExactParts) -> Vec<String> {
 }
 
 /// What a column is, and how exact.
-fn told(parts: &ExactParts, index: usize) -> String {
+fn description(parts: &ExactParts, index: usize) -> String {
     let column = &parts.columns[index];
     let unit = match column.dimension {
         Dimension::Angle => "an angle in radians",
@@ -205,7 +207,7 @@ fn told(parts: &ExactParts, index: usize) -> String {
 }
 
 fn changes(parts: &ExactParts) -> String {
-    let changes: Vec<f64> = parts.columns.iter().map(|column| column.turn).collect();
+    let changes: Vec<f64> = parts.columns.iter().map(|column| column.increment).collect();
     numbers(&changes)
 }
 

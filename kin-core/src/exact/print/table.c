@@ -1,4 +1,4 @@
-/* The coefficients of a polynomial about another place, by Horner's scheme. */
+/* The coefficients of a polynomial about another point, by Horner's scheme. */
 static void shifted(double *coefficients, int length, double way, int count)
 {
     for (int first = 0; first < count; first++) {
@@ -40,39 +40,39 @@ static void piece(const double *left, const double *right, double length, double
     }
 }
 
-int PREFIX_at(double place, double speed, double result[UPPER_COLUMNS][UPPER_ORDERS])
+int PREFIX_at(double parameter, double speed, double result[UPPER_COLUMNS][UPPER_ORDERS])
 {
     const double low = table[0][0], high = table[ROWS - 1][0];
-    double turns = 0.0;
+    double periods = 0.0;
     int left = 0, right = ROWS - 1;
-    if (!(place - place == 0.0 && speed - speed == 0.0)) {
+    if (!(parameter - parameter == 0.0 && speed - speed == 0.0)) {
         return 1;
     }
     if (IS_CLOSED) {
-        turns = floor((place - low) / (high - low));
-        if (!(-MOST_TURNS <= turns && turns <= MOST_TURNS)) {
+        periods = floor((parameter - low) / (high - low));
+        if (!(-MOST_PERIODS <= periods && periods <= MOST_PERIODS)) {
             return 1;
         }
-        place -= turns * (high - low);
-        place = place < low ? low : place > high ? high : place;
+        parameter -= periods * (high - low);
+        parameter = parameter < low ? low : parameter > high ? high : parameter;
     }
-    if (!(low <= place && place <= high)) {
+    if (!(low <= parameter && parameter <= high)) {
         return 1;
     }
     while (right - left > 1) {
         const int middle = (left + right) / 2;
-        if (table[middle][0] <= place) {
+        if (table[middle][0] <= parameter) {
             left = middle;
         } else {
             right = middle;
         }
     }
-    const double length = table[right][0] - table[left][0], part = (place - table[left][0]) / length;
+    const double length = table[right][0] - table[left][0], part = (parameter - table[left][0]) / length;
     for (int column = 0; column < COLUMNS; column++) {
         const int first = 1 + column * ORDERS;
         double factor = 1.0;
         piece(&table[left][first], &table[right][first], length, part, result[column]);
-        result[column][0] += turns * changes[column];
+        result[column][0] += periods * changes[column];
         for (int order = 0; order < ORDERS; order++) {
             result[column][order] *= factor;
             factor *= speed;

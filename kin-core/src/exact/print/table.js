@@ -1,4 +1,4 @@
-/** The coefficients of a polynomial about another place, by Horner's scheme. */
+/** The coefficients of a polynomial about another point, by Horner's scheme. */
 function shifted(coefficients, way) {
     for (let first = 0; first < ORDERS; first++) {
         for (let index = coefficients.length - 2; index >= first; index--) {
@@ -32,35 +32,35 @@ function piece(left, right, length, part) {
 }
 
 /**
- * All columns at a place: for each of COLUMNS the value and its derivatives by time, while the parameter changes at a speed.
+ * All columns at a parameter: for each of COLUMNS the value and its derivatives by time, while the parameter changes at a speed.
  * At the speed 1 they are the derivatives by the parameter.
- * @param {number} place
+ * @param {number} parameter
  * @param {number} [speed]
  * @returns {number[][]}
  */
-export function at(place, speed = 1) {
+export function at(parameter, speed = 1) {
     const rows = TABLE.length, low = TABLE[0][0], high = TABLE[rows - 1][0];
-    let turns = 0, left = 0, right = rows - 1;
+    let periods = 0, left = 0, right = rows - 1;
     if (IS_CLOSED) {
-        turns = Math.floor((place - low) / (high - low));
-        if (Math.abs(turns) > MOST_TURNS) {
-            throw new RangeError(`${place} is too many periods of ${high - low} away to tell its part of one`);
+        periods = Math.floor((parameter - low) / (high - low));
+        if (Math.abs(periods) > MOST_PERIODS) {
+            throw new RangeError(`${parameter} is too many periods of ${high - low} away to tell its part of one`);
         }
-        place = Math.min(Math.max(place - turns * (high - low), low), high);
+        parameter = Math.min(Math.max(parameter - periods * (high - low), low), high);
     }
-    if (!(low <= place && place <= high && Number.isFinite(speed))) {
-        throw new RangeError(`the table runs from ${low} to ${high}; the place is ${place}, the speed ${speed}`);
+    if (!(low <= parameter && parameter <= high && Number.isFinite(speed))) {
+        throw new RangeError(`the table runs from ${low} to ${high}; the parameter is ${parameter}, the speed ${speed}`);
     }
     while (right - left > 1) {
         const middle = (left + right) >> 1;
-        if (TABLE[middle][0] <= place) left = middle;
+        if (TABLE[middle][0] <= parameter) left = middle;
         else right = middle;
     }
-    const start = TABLE[left][0], length = TABLE[right][0] - start, part = (place - start) / length;
+    const start = TABLE[left][0], length = TABLE[right][0] - start, part = (parameter - start) / length;
     return CHANGES.map((change, column) => {
         const own = [left, right].map((row) => TABLE[row].slice(1 + column * ORDERS, 1 + (column + 1) * ORDERS));
         const found = piece(own[0], own[1], length, part);
-        found[0] += turns * change;
+        found[0] += periods * change;
         let factor = 1;
         for (let order = 0; order < ORDERS; order++) {
             found[order] *= factor;

@@ -1,5 +1,5 @@
 def _shifted(coefficients, way):
-    """The coefficients of a polynomial about another place, by Horner's scheme."""
+    """The coefficients of a polynomial about another point, by Horner's scheme."""
     for first in range(ORDERS):
         for index in range(len(coefficients) - 2, first - 1, -1):
             coefficients[index] += way * coefficients[index + 1]
@@ -26,32 +26,32 @@ def _piece(left, right, length, part):
     return powers[:ORDERS]
 
 
-def at(place: float, speed: float = 1.0) -> list[list[float]]:
-    """All columns at a place: for each of COLUMNS the value and its derivatives by time, while the parameter changes at a speed.
+def at(parameter: float, speed: float = 1.0) -> list[list[float]]:
+    """All columns at a parameter: for each of COLUMNS the value and its derivatives by time, while the parameter changes at a speed.
 
-    At the speed 1 they are the derivatives by the parameter. Raises ValueError for a place that is not in the table.
+    At the speed 1 they are the derivatives by the parameter. Raises ValueError for a parameter that is not in the table.
     """
-    low, high, turns, left, right = _TABLE[0][0], _TABLE[-1][0], 0.0, 0, len(_TABLE) - 1
-    if IS_CLOSED and math.isfinite(place):
-        turns = (place - low) / (high - low)
-        turns = float(math.floor(turns)) if math.isfinite(turns) else turns
-        if abs(turns) > MOST_TURNS:
-            raise ValueError(f"{place} is too many periods of {high - low} away to tell its part of one")
-        place = min(max(place - turns * (high - low), low), high)
-    if not (low <= place <= high and math.isfinite(speed)):
-        raise ValueError(f"the table runs from {low} to {high}; the place is {place}, the speed {speed}")
+    low, high, periods, left, right = _TABLE[0][0], _TABLE[-1][0], 0.0, 0, len(_TABLE) - 1
+    if IS_CLOSED and math.isfinite(parameter):
+        periods = (parameter - low) / (high - low)
+        periods = float(math.floor(periods)) if math.isfinite(periods) else periods
+        if abs(periods) > MOST_PERIODS:
+            raise ValueError(f"{parameter} is too many periods of {high - low} away to tell its part of one")
+        parameter = min(max(parameter - periods * (high - low), low), high)
+    if not (low <= parameter <= high and math.isfinite(speed)):
+        raise ValueError(f"the table runs from {low} to {high}; the parameter is {parameter}, the speed {speed}")
     while right - left > 1:
         middle = (left + right) // 2
-        if _TABLE[middle][0] <= place:
+        if _TABLE[middle][0] <= parameter:
             left = middle
         else:
             right = middle
     start, length = _TABLE[left][0], _TABLE[right][0] - _TABLE[left][0]
     result = []
     for column, change in enumerate(_CHANGES):
-        own = slice(1 + column * ORDERS, 1 + (column + 1) * ORDERS)
-        found = _piece(_TABLE[left][own], _TABLE[right][own], length, (place - start) / length)
-        found[0] += turns * change
+        numbers = slice(1 + column * ORDERS, 1 + (column + 1) * ORDERS)
+        found = _piece(_TABLE[left][numbers], _TABLE[right][numbers], length, (parameter - start) / length)
+        found[0] += periods * change
         factor = 1.0
         for order in range(ORDERS):
             found[order] *= factor

@@ -88,10 +88,10 @@ fn a_law_that_repeats_meets_itself() {
     let cam = Sequence::new([&up, &down]).expect("it is one").repeated();
     assert_eq!(cam.joints::<4>().count(), 2);
     assert!(cam.joints::<4>().all(|joint| joint.first_jump().is_none()));
-    let [first, second] = [0, 1].map(|place| cam.joints::<5>().nth(place).expect("there are two"));
+    let [first, second] = [0, 1].map(|index| cam.joints::<5>().nth(index).expect("there are two"));
     assert_eq!((first.first_jump(), second.first_jump()), (Some(4), Some(4)));
-    for turns in [-3.0, 1.0, 7.0] {
-        let (here, there): (Motion, Motion) = (cam.at(0.3), cam.at(0.3 + turns));
+    for periods in [-3.0, 1.0, 7.0] {
+        let (here, there): (Motion, Motion) = (cam.at(0.3), cam.at(0.3 + periods));
         for order in 0..5 {
             assert!((here[order] - there[order]).abs() <= 1e-10 * (1.0 + here[order].abs()));
         }
@@ -101,7 +101,7 @@ fn a_law_that_repeats_meets_itself() {
     assert!(wave.repeated().repeats());
 }
 
-/// A driving angle that turns back moves into the earlier piece.
+/// A driving angle that reverses moves into the earlier piece.
 #[test]
 fn the_direction_of_the_drive_selects_the_side() {
     let dwell = Dwell::new(1.0, 1.0).expect("it is one");

@@ -17,9 +17,9 @@ fn numbers_that_are_not_positive_or_finite_are_refused() {
         assert!(is_refused(Fourier::new(0.0, [[1.0, 0.0]], wrong).err()));
         let still = Motion::from([0.0]);
         assert!(is_refused(Polynomial::<f64, 2>::between(still, still, wrong).err()));
-        for place in 0..4 {
+        for index in 0..4 {
             let mut numbers = [1.0; 4];
-            numbers[place] = wrong;
+            numbers[index] = wrong;
             let [velocity, acceleration, jerk, snap] = numbers;
             let limits = Limits {
                 velocity,
@@ -58,8 +58,8 @@ fn messages_have_numbers() {
     );
     assert_eq!(
         message(Scca::new(0.5, 0.5, 0.25).err()),
-        "the least share of the duration is 0.25 and the sum of the shares is 1.25; no share may be negative, and the sum may \
-         be 1 at most"
+        "the least share of the duration is 0.25 and the sum of the shares is 1.25; no share may be negative, and the \
+         sum may be 1 at most"
     );
     assert_eq!(
         Scca::new(-0.5, 0.5, 0.25).err(),

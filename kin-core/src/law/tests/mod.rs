@@ -72,7 +72,8 @@ fn of_piece<const N: usize>(law: &dyn Piecewise<f64>, piece: usize, time: f64) -
     derivatives
 }
 
-/// The largest absolute value of a derivative, among the ends of the pieces and the places where the next derivative vanishes.
+/// The largest absolute value of a derivative, among the ends of the pieces and the points where the next derivative
+/// vanishes.
 fn peak<const ORDER: usize, const N: usize>(law: &dyn Piecewise<f64>) -> f64 {
     assert_eq!(N, ORDER + 2);
     let mut most = 0.0_f64;

@@ -41,11 +41,11 @@ fn limits_hold_and_one_is_always_reached() {
         assert_eq!(at_rest(duration), [to, 0.0, 0.0]);
 
         let orders = if with_snap { 4 } else { 3 };
-        let own = pieces(&law);
-        phases[own.len()] += 1;
-        for &(piece, start, end) in &own {
-            for place in 0..=6_u8 {
-                let time = start + (end - start) * f64::from(place) / 6.0;
+        let found = pieces(&law);
+        phases[found.len()] += 1;
+        for &(piece, start, end) in &found {
+            for sample in 0..=6_u8 {
+                let time = start + (end - start) * f64::from(sample) / 6.0;
                 let motion: [f64; 5] = of_piece(&law, piece, time);
                 let parts: std::vec::Vec<f64> = (1..=orders)
                     .map(|order| motion[order].abs() / limits[order - 1])
@@ -55,11 +55,12 @@ fn limits_hold_and_one_is_always_reached() {
             }
         }
 
-        // the two halves, each computed from its own end, meet: distance and velocity are exact to rounding, their own and that of time
+        // the two halves, each computed from another end, meet: distance and velocity are exact to rounding, that of
+        // theirs and that of time
         let mut sizes = [0.0; 5];
         sizes[0] = (to - from).abs() + from.abs();
         sizes[1..].copy_from_slice(&limits);
-        for meeting in own.windows(2) {
+        for meeting in found.windows(2) {
             let [left, right]: [[f64; 5]; 2] = [
                 of_piece(&law, meeting[0].0, meeting[0].2),
                 of_piece(&law, meeting[1].0, meeting[1].1),

@@ -6,7 +6,7 @@ use super::{Scca, Shape, peaks, shapes};
 use crate::law::{Law as _, Piecewise as _, Rise};
 
 fn assert_near(name: &str, found: f64, expected: f64) {
-    // the peaks are places where the next derivative vanishes, so that only rounding remains
+    // the peaks are points where the next derivative vanishes, so that only rounding remains
     assert!(
         (found - expected).abs() <= 1e-12 * expected.abs(),
         "{name}: {found}, not {expected}"
@@ -130,7 +130,7 @@ fn the_family_holds_the_other_laws() {
     assert_eq!(parabola.at::<4>(0.75).derivatives(), [0.875, 1.0, -4.0, 0.0]);
 }
 
-/// Rest to rest, exactly, and the second half is the first one turned about the middle.
+/// Rest to rest, exactly, and the second half is the first one rotated about the middle.
 #[test]
 fn rises_are_exact_at_their_ends_and_symmetrical() {
     for shape in shapes() {

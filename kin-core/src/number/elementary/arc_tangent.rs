@@ -1,7 +1,7 @@
 //! The angle of a point, by one division.
 //!
 //! The lesser and the greater magnitude of the two coordinates give a fraction of at most one half. If lesser / greater
-//! is at most one half, that is the fraction. Otherwise the point is turned back by π/4 and the fraction is (lesser -
+//! is at most one half, that is the fraction. Otherwise the point is rotated back by π/4 and the fraction is (lesser -
 //! greater) / (lesser + greater), where the difference is exact. The angle is the corresponding multiple of π/4 plus
 //! the arctangent of the fraction.
 
@@ -9,7 +9,7 @@ use core::f64::consts::FRAC_PI_4;
 
 use num_traits::Float;
 
-use super::bits::{Binary, turned_round};
+use super::bits::{Binary, sign_flipped};
 use super::polynomial::{FUSED, multiply_add, polynomial};
 use super::precision::Elementary;
 use crate::number::single;
@@ -93,33 +93,33 @@ fn singles_one_by_one(first: (f32, f32), second: (f32, f32)) -> (f32, f32) {
 #[expect(clippy::eq_op, reason = "infinity minus itself is NaN")]
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn ordinary_arc_tangent<const FUSED: bool, const SELECT: bool, E: Elementary>(y: E, x: E) -> (E, bool) {
-    let turned = Turned::<SELECT, E>::of(y, x);
-    let fraction = turned.across / turned.along;
-    let ordinary = turned.has(fraction);
+    let folded = Folded::<SELECT, E>::of(y, x);
+    let fraction = folded.across / folded.along;
+    let ordinary = folded.has(fraction);
     let z = fraction * fraction;
-    let fraction = turned.sense.on(fraction);
+    let fraction = folded.sense.on(fraction);
     let low = if SELECT {
         // The last operand is zero, or NaN if a coordinate is too large.
-        multiply_add::<FUSED, E>(turned.multiple, E::HALF_RIGHT_ANGLE[1], turned.along - turned.along)
+        multiply_add::<FUSED, E>(folded.multiple, E::HALF_RIGHT_ANGLE[1], folded.along - folded.along)
     } else {
-        turned.multiple * E::HALF_RIGHT_ANGLE[1]
+        folded.multiple * E::HALF_RIGHT_ANGLE[1]
     };
     let rest = multiply_add::<FUSED, E>(-(fraction * z), E::arc_tangent_series::<FUSED>(z), low);
-    let angle = multiply_add::<FUSED, E>(turned.multiple, E::HALF_RIGHT_ANGLE[0], fraction + rest);
+    let angle = multiply_add::<FUSED, E>(folded.multiple, E::HALF_RIGHT_ANGLE[0], fraction + rest);
     (angle.signed_as(y), ordinary)
 }
 
 /// [`arc_tangent`] in single precision, computed in double precision.
 #[inline]
 pub(crate) fn arc_tangent_single(y: f32, x: f32) -> f32 {
-    let turned = Turned::<false, f64>::of(f64::from(y), f64::from(x));
-    let fraction = turned.across / turned.along;
-    if !turned.has(fraction) {
+    let folded = Folded::<false, f64>::of(f64::from(y), f64::from(x));
+    let fraction = folded.across / folded.along;
+    if !folded.has(fraction) {
         return beyond(y, x);
     }
     let z = fraction * fraction;
     let angle = fraction - fraction * (z * polynomial::<FUSED, 6, f64>(ARC_TANGENT_SINGLE, z));
-    let wide = turned.multiple * FRAC_PI_4 + turned.sense.on(angle);
+    let wide = folded.multiple * FRAC_PI_4 + folded.sense.on(angle);
     single(wide).copysign(y)
 }
 
@@ -145,9 +145,9 @@ fn beyond<T: Float>(y: T, x: T) -> T {
     y.atan2(x)
 }
 
-/// A point that has been turned and mirrored close to the positive x axis. Its distance from the origin changes by a
+/// A point that has been rotated and mirrored close to the positive x axis. Its distance from the origin changes by a
 /// factor that does not matter.
-struct Turned<const SELECT: bool, E> {
+struct Folded<const SELECT: bool, E> {
     across: E,
     along: E,
     /// Whether the angle counts forwards or backwards.
@@ -156,7 +156,7 @@ struct Turned<const SELECT: bool, E> {
     multiple: E,
 }
 
-impl<const SELECT: bool, E: Binary> Turned<SELECT, E> {
+impl<const SELECT: bool, E: Binary> Folded<SELECT, E> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn of(y: E, x: E) -> Self {
         let (one, two) = (E::one(), E::from_single(2.0));
@@ -249,7 +249,7 @@ impl<const SELECT: bool, E: Binary> Sign<SELECT, E> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn on(self, number: E) -> E {
         if SELECT {
-            turned_round(number, self.0.bits())
+            sign_flipped(number, self.0.bits())
         } else {
             self.0 * number
         }
@@ -275,7 +275,7 @@ mod tests {
         })
     }
 
-    /// Points next to the axes, to the diagonals, and to the places where the fraction changes.
+    /// Points next to the axes, to the diagonals, and to the points where the fraction changes.
     fn near_the_axes() -> impl Iterator<Item = (f64, f64)> {
         (0..16).flat_map(|eighth| {
             fractions(5_000).flat_map(move |f| {
@@ -348,7 +348,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_ordinary_is_told_and_is_nan_in_lanes() {
+    fn what_is_not_ordinary_is_reported_and_is_nan_in_lanes() {
         let max = f64::MAX;
         let infinite = f64::INFINITY;
         for (y, x) in [

@@ -73,6 +73,6 @@ binary!(f32, u32);
 
 /// The number, with its sign flipped if the highest bit of `bits` is set.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(crate) fn turned_round<E: Binary>(number: E, bits: E::Bits) -> E {
+pub(crate) fn sign_flipped<E: Binary>(number: E, bits: E::Bits) -> E {
     E::of_bits(number.bits() ^ (bits & E::SIGN))
 }

@@ -37,13 +37,13 @@ mod sse2;
 #[cfg(feature = "tape")]
 pub(crate) mod constants {
     pub(crate) use super::arc_tangent::{ARC_TANGENT, ARC_TANGENT_SINGLE, HALF_RIGHT_ANGLE};
-    pub(crate) use super::sine_cosine::{COSINE, COSINE_SINGLE, LIMIT, QUARTER_TURN, ROUNDING, SINE, SINE_SINGLE};
+    pub(crate) use super::sine_cosine::{COSINE, COSINE_SINGLE, LIMIT, RIGHT_ANGLE, ROUNDING, SINE, SINE_SINGLE};
 }
 
 pub(crate) use arc_tangent::{
     arc_tangent, arc_tangent_single, arc_tangents, arc_tangents_single, ordinary_arc_tangent,
 };
-pub(crate) use bits::turned_round;
+pub(crate) use bits::sign_flipped;
 pub(crate) use polynomial::FUSED;
 pub(crate) use precision::Elementary;
 pub(crate) use sine_cosine::{is_near, near_sine_cosine, sine_cosine, sine_cosine_single};

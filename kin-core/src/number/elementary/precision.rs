@@ -3,9 +3,9 @@
 use super::arc_tangent::{ARC_TANGENT, HALF_RIGHT_ANGLE};
 use super::bits::Binary;
 use super::polynomial::polynomial;
-use super::sine_cosine::{COSINE, LIMIT, QUARTER_TURN, ROUNDING, SINE};
+use super::sine_cosine::{COSINE, LIMIT, RIGHT_ANGLE, ROUNDING, SINE};
 
-/// A plain number with sine, cosine and arctangent as straight-line code, calculated in its own precision.
+/// A plain number with sine, cosine and arctangent as straight-line code, calculated in its precision.
 pub trait Elementary: Binary {
     /// The largest angle that is reduced.
     const LIMIT: Self;
@@ -13,8 +13,8 @@ pub trait Elementary: Binary {
     /// 2/π.
     const QUARTERS_PER_RADIAN: Self;
 
-    /// π/2 as a sum. The products of the first two parts with the number of quarter turns are exact.
-    const QUARTER_TURN: [Self; 3];
+    /// π/2 as a sum. The products of the first two parts with the number of right angles are exact.
+    const RIGHT_ANGLE: [Self; 3];
 
     /// A number whose addition rounds to an integer and leaves that integer in the lowest bits.
     const ROUNDING: Self;
@@ -35,7 +35,7 @@ pub trait Elementary: Binary {
 impl Elementary for f64 {
     const LIMIT: Self = LIMIT;
     const QUARTERS_PER_RADIAN: Self = core::f64::consts::FRAC_2_PI;
-    const QUARTER_TURN: [Self; 3] = QUARTER_TURN;
+    const RIGHT_ANGLE: [Self; 3] = RIGHT_ANGLE;
     const ROUNDING: Self = ROUNDING;
     const HALF_RIGHT_ANGLE: [Self; 2] = HALF_RIGHT_ANGLE;
 
@@ -62,9 +62,9 @@ impl Elementary for f32 {
     const LIMIT: Self = 1000.0;
     const QUARTERS_PER_RADIAN: Self = core::f32::consts::FRAC_2_PI;
 
-    /// π/2 as a sum of 14, 14 and 24 bits. The number up to [`LIMIT`](Self::LIMIT) that is closest to a multiple of π/2 is
-    /// 4·10⁻⁹ away from it. At that distance the reduced angle has a relative error of 2⁻²².
-    const QUARTER_TURN: [Self; 3] = [1.570_800_8, -4.454_516e-6, 6.077_100_6e-11];
+    /// π/2 as a sum of 14, 14 and 24 bits. The number up to [`LIMIT`](Self::LIMIT) that is closest to a multiple of π/2
+    /// is 4·10⁻⁹ away from it. At that distance the reduced angle has a relative error of 2⁻²².
+    const RIGHT_ANGLE: [Self; 3] = [1.570_800_8, -4.454_516e-6, 6.077_100_6e-11];
     const ROUNDING: Self = 12_582_912.0;
 
     /// π/4 as a multiple of 2⁻²², and the rest.
@@ -102,7 +102,7 @@ mod tests {
     /// The literals stand for the numbers that were fitted: parts of few bits, whose sum is π/2 or π/4.
     #[test]
     fn parts_of_an_angle_have_few_bits_in_single_precision() {
-        let [first, second, third] = f32::QUARTER_TURN;
+        let [first, second, third] = f32::RIGHT_ANGLE;
         assert_eq!(first * 8192.0, (first * 8192.0).round());
         assert_eq!(second * 2.0_f32.powi(31), (second * 2.0_f32.powi(31)).round());
         assert_eq!(f64::from(first) + f64::from(second) + f64::from(third), FRAC_PI_2);
@@ -111,7 +111,8 @@ mod tests {
         assert!((f64::from(first) + f64::from(second) - FRAC_PI_4).abs() < 1e-14);
     }
 
-    /// The error in units in the last place of single precision. The expected value has an error of about 1e-9 of these.
+    /// The error in units in the last place of single precision. The expected value has an error of about 1e-9 of
+    /// these.
     fn units(found: f32, expected: f64) -> f64 {
         let size = expected.abs().max(f64::from(f32::MIN_POSITIVE));
         // The bits of a double that say which power of two it lies above.
@@ -128,7 +129,7 @@ mod tests {
     }
 
     /// The largest errors of sine and cosine.
-    fn turned(angles: impl Iterator<Item = f32>, sine_cosine: impl Fn(f32) -> (f32, f32)) -> [f64; 2] {
+    fn worst_of(angles: impl Iterator<Item = f32>, sine_cosine: impl Fn(f32) -> (f32, f32)) -> [f64; 2] {
         angles.fold([0.0; 2], |[sine, cosine], angle| {
             let (found, expected) = (sine_cosine(angle), f64::from(angle).sin_cos());
             assert_eq!(sine_cosine(-angle), (-found.0, found.1));
@@ -164,8 +165,8 @@ mod tests {
         worst
     }
 
-    /// Every 997th number, or every 9973rd, and all numbers next to multiples of π/2. With `KIN_ALL_SINGLES` every number is
-    /// tested, which takes half an hour in a release build.
+    /// Every 997th number, or every 9973rd, and all numbers next to multiples of π/2. With `KIN_ALL_SINGLES` every
+    /// number is tested, which takes half an hour in a release build.
     #[test]
     fn errors_in_single_precision() {
         let step = if std::env::var_os("KIN_ALL_SINGLES").is_some() {
@@ -179,10 +180,10 @@ mod tests {
         let fused = near_sine_cosine::<true, true, f32>;
         let unfused = near_sine_cosine::<false, false, f32>;
         let range = || numbers(f32::from_bits(1)..=1000.0, step);
-        let (axes, unfused_axes) = (turned(near_the_axes(), fused), turned(near_the_axes(), unfused));
-        let (all, unfused_all) = (turned(range(), fused), turned(range(), unfused));
-        for (name, place) in [("sine", 0), ("cosine", 1)] {
-            let [fused, unfused] = [all[place].max(axes[place]), unfused_all[place].max(unfused_axes[place])];
+        let (axes, unfused_axes) = (worst_of(near_the_axes(), fused), worst_of(near_the_axes(), unfused));
+        let (all, unfused_all) = (worst_of(range(), fused), worst_of(range(), unfused));
+        for (name, index) in [("sine", 0), ("cosine", 1)] {
+            let [fused, unfused] = [all[index].max(axes[index]), unfused_all[index].max(unfused_axes[index])];
             std::println!("{name}, up to 1000 rad | {fused:.2} | {unfused:.2}");
             assert!(fused <= 2.0 && unfused <= 2.0, "{name}: {fused} {unfused}");
         }
@@ -192,9 +193,9 @@ mod tests {
         assert!(fused <= 2.0 && unfused <= 2.0, "arctangent: {fused} {unfused}");
     }
 
-    /// What the polynomials do not cover is told, and is NaN in lanes.
+    /// What the polynomials do not cover is reported, and is NaN in lanes.
     #[test]
-    fn what_is_out_of_range_is_told_in_single_precision() {
+    fn what_is_out_of_range_is_reported_in_single_precision() {
         for angle in [1000.1, f32::MAX, f32::INFINITY, f32::NAN] {
             assert!(!is_near(angle) && !is_near(-angle));
         }

@@ -2,12 +2,12 @@
 
 use num_traits::{Float, One, WrappingAdd, WrappingNeg, Zero};
 
-use super::bits::{Binary, turned_round};
+use super::bits::{Binary, sign_flipped};
 use super::polynomial::{FUSED, multiply_add, polynomial};
 use super::precision::Elementary;
 use crate::number::single;
 
-/// The largest angle reduced here. Up to it, the multiple of π/2 has 16 bits and its products with [`QUARTER_TURN`] are
+/// The largest angle reduced here. Up to it, the multiple of π/2 has 16 bits and its products with [`RIGHT_ANGLE`] are
 /// exact: 2¹⁶ π/2 = 102943.
 pub(crate) const LIMIT: f64 = 1e5;
 
@@ -16,7 +16,7 @@ pub(crate) const LIMIT: f64 = 1e5;
 ///
 /// No double up to [`LIMIT`] is closer to a multiple of π/2 than 6·10⁻¹⁹. At that distance the reduced angle has a
 /// relative error of 2⁻⁶³.
-pub(crate) const QUARTER_TURN: [f64; 3] = [
+pub(crate) const RIGHT_ANGLE: [f64; 3] = [
     1.570_796_326_792_333_3,
     2.563_344_151_583_955_8e-12,
     1.056_299_906_698_742_8e-23,
@@ -124,12 +124,12 @@ pub(crate) fn near_sine_cosine<const FUSED: bool, const SELECT: bool, E: Element
     }
 }
 
-/// An angle minus the nearest whole number of quarter turns.
+/// An angle minus the nearest whole number of right angles.
 pub(super) struct Reduced<E> {
     pub(super) r: E,
     /// The amount by which r is too large.
     pub(super) tail: E,
-    /// The number of quarter turns, in the lowest bits.
+    /// The number of right angles, in the lowest bits.
     pub(super) shifted: E,
 }
 
@@ -137,12 +137,12 @@ impl<E: Elementary> Reduced<E> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn new<const FUSED: bool>(angle: E) -> Self {
         let shifted = multiply_add::<FUSED, E>(angle, E::QUARTERS_PER_RADIAN, E::ROUNDING);
-        let turns = shifted - E::ROUNDING;
+        let right_angles = shifted - E::ROUNDING;
         // The first difference is exact. The tail receives what the second one loses.
-        let first = multiply_add::<FUSED, E>(-turns, E::QUARTER_TURN[0], angle);
-        let second = turns * E::QUARTER_TURN[1];
+        let first = multiply_add::<FUSED, E>(-right_angles, E::RIGHT_ANGLE[0], angle);
+        let second = right_angles * E::RIGHT_ANGLE[1];
         let r = first - second;
-        let tail = multiply_add::<FUSED, E>(turns, E::QUARTER_TURN[2], second - (first - r));
+        let tail = multiply_add::<FUSED, E>(right_angles, E::RIGHT_ANGLE[2], second - (first - r));
         Self { r, tail, shifted }
     }
 }
@@ -150,7 +150,7 @@ impl<E: Elementary> Reduced<E> {
 /// [`Reduced`] for an angle of single precision, which needs no tail.
 pub(super) struct ReducedSingle {
     pub(super) r: f64,
-    /// The number of quarter turns, in the lowest bits.
+    /// The number of right angles, in the lowest bits.
     pub(super) shifted: f64,
 }
 
@@ -158,8 +158,8 @@ impl ReducedSingle {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn new<const FUSED: bool>(angle: f64) -> Self {
         let shifted = multiply_add::<FUSED, f64>(angle, core::f64::consts::FRAC_2_PI, ROUNDING);
-        let turns = shifted - ROUNDING;
-        let r = (angle - turns * QUARTER_TURN[0]) - turns * QUARTER_TURN[1];
+        let right_angles = shifted - ROUNDING;
+        let r = (angle - right_angles * RIGHT_ANGLE[0]) - right_angles * RIGHT_ANGLE[1];
         Self { r, shifted }
     }
 }
@@ -173,9 +173,9 @@ fn near_single(angle: f64) -> (f64, f64) {
     in_quadrant::<FUSED, f64>(shifted, sine, cosine)
 }
 
-/// The sine and cosine of the reduced angle, turned by the number of quarter turns in the lowest bits of `shifted`.
+/// The sine and cosine of the reduced angle, rotated by the number of right angles in the lowest bits of `shifted`.
 ///
-/// The turn is a product with the sine and cosine of these quarter turns, which are 0 or ±1, so nothing is rounded.
+/// The rotation is a product with the sine and cosine of these right angles, which are 0 or ±1, so nothing is rounded.
 /// Exchanging the two numbers would move them out of the floating-point registers and back.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn in_quadrant<const FUSED: bool, E: Binary>(shifted: E, sine: E, cosine: E) -> (E, E) {
@@ -183,7 +183,7 @@ fn in_quadrant<const FUSED: bool, E: Binary>(shifted: E, sine: E, cosine: E) -> 
     let (lowest, highest) = (quarters & E::Bits::one(), E::FROM_SECOND_TO_SIGN);
     let odd = lowest.wrapping_neg();
     let along = E::of_bits((!odd & E::ONE) | (quarters << highest & E::SIGN));
-    // A negative zero if there is no turn, because that keeps the sign of a sine that is zero.
+    // A negative zero if there is no rotation, because that keeps the sign of a sine that is zero.
     let before = quarters.wrapping_add(&!E::Bits::zero());
     let across = E::of_bits((odd & E::ONE) | (before << highest & E::SIGN));
     (
@@ -199,8 +199,8 @@ fn in_quadrant_by_selection<E: Binary>(shifted: E, sine: E, cosine: E) -> (E, E)
     let (one, highest) = (E::Bits::one(), E::FROM_SECOND_TO_SIGN);
     let odd = quarters & one != E::Bits::zero();
     (
-        turned_round(if odd { cosine } else { sine }, quarters << highest),
-        turned_round(if odd { sine } else { cosine }, quarters.wrapping_add(&one) << highest),
+        sign_flipped(if odd { cosine } else { sine }, quarters << highest),
+        sign_flipped(if odd { sine } else { cosine }, quarters.wrapping_add(&one) << highest),
     )
 }
 
@@ -253,18 +253,18 @@ mod tests {
     #[test]
     fn errors_are_within_one_and_a_third_units_in_the_last_place() {
         const COUNT: u32 = 50_000;
-        let turn = || fractions(COUNT).map(|f| (2.0 * f - 1.0) * PI);
+        let angles = || fractions(COUNT).map(|f| (2.0 * f - 1.0) * PI);
         let quarter = || fractions(COUNT).map(|f| (2.0 * f - 1.0) * PI / 4.0);
         let range = || fractions(COUNT).map(|f| (2.0 * f - 1.0) * LIMIT);
         let tiny = || fractions(10_000).map(|f| f64::exp2(-1074.0 * f));
         let fused = near_sine_cosine::<true, true, f64>;
         for [sine, cosine] in [
-            worst(turn(), sine_cosine),
+            worst(angles(), sine_cosine),
             worst(quarter(), sine_cosine),
             worst(range(), sine_cosine),
             worst(tiny(), sine_cosine),
             worst(near_the_axes(1), sine_cosine),
-            worst(turn(), fused),
+            worst(angles(), fused),
             worst(range(), fused),
             worst(tiny(), fused),
             worst(near_the_axes(7), fused),
@@ -289,11 +289,11 @@ mod tests {
     #[test]
     fn single_precision_is_rounded_from_more() {
         const COUNT: u32 = 50_000;
-        let turn = fractions(COUNT).map(|f| (2.0 * f - 1.0) * PI);
+        let angles = fractions(COUNT).map(|f| (2.0 * f - 1.0) * PI);
         let range = fractions(COUNT).map(|f| (2.0 * f - 1.0) * LIMIT);
         let tiny = fractions(10_000).map(|f| f64::exp2(-149.0 * f));
         for error in [
-            worst_single(turn),
+            worst_single(angles),
             worst_single(range),
             worst_single(tiny),
             worst_single(near_the_axes(1)),

@@ -5,7 +5,8 @@
 //! finds only some of the pairs, and it joins and splits them along the way.
 #![expect(
     unsafe_code,
-    reason = "a function that uses these instructions is safe only for callers that declare them; every machine of this module has them"
+    reason = "a function that uses these instructions is safe only for callers that declare them; every machine of \
+              this module has them"
 )]
 
 use core::arch::x86_64::{
@@ -38,14 +39,16 @@ pub(super) fn arc_tangents(y: [f64; 2], x: [f64; 2]) -> ([f64; 2], bool) {
     unsafe { arc_tangents_side_by_side(y, x) }
 }
 
-/// The sine and the cosine of an angle of single precision that [is near](super::is_near), computed in double precision.
+/// The sine and the cosine of an angle of single precision that [is near](super::is_near), computed in double
+/// precision.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn sine_cosine_single(angle: f64) -> (f32, f32) {
     // SAFETY: as above, `single_sine_beside_cosine` takes and returns numbers and needs SSE2.
     unsafe { single_sine_beside_cosine(ReducedSingle::new::<false>(angle)) }
 }
 
-/// The arctangents of two points of single precision, and whether both points are ordinary, computed in double precision.
+/// The arctangents of two points of single precision, and whether both points are ordinary, computed in double
+/// precision.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn arc_tangents_single(y: [f32; 2], x: [f32; 2]) -> ([f32; 2], bool) {
     // SAFETY: as above, `single_arc_tangents_side_by_side` takes and returns numbers and needs SSE2.
@@ -92,28 +95,28 @@ fn single_sine_beside_cosine(ReducedSingle { r, shifted }: ReducedSingle) -> (f3
     (sine, cosine)
 }
 
-/// A sine and a cosine, turned by the number of quarter turns in the lowest bits of `shifted`.
+/// A sine and a cosine, rotated by the number of right angles in the lowest bits of `shifted`.
 #[inline]
 #[target_feature(enable = "sse2")]
 fn in_quadrant(shifted: f64, reduced: __m128d) -> __m128d {
-    // An odd number of quarter turns exchanges the sine and the cosine.
+    // An odd number of right angles exchanges the sine and the cosine.
     let quarters = _mm_castpd_si128(_mm_set1_pd(shifted));
     let odd = _mm_sub_epi64(_mm_setzero_si128(), _mm_and_si128(quarters, _mm_set1_epi64x(1)));
-    let places = selected(_mm_castsi128_pd(odd), _mm_shuffle_pd::<1>(reduced, reduced), reduced);
+    let exchanged = selected(_mm_castsi128_pd(odd), _mm_shuffle_pd::<1>(reduced, reduced), reduced);
     let signs = _mm_slli_epi64::<62>(_mm_add_epi64(quarters, _mm_set_epi64x(1, 0)));
-    _mm_xor_pd(places, sign(_mm_castsi128_pd(signs)))
+    _mm_xor_pd(exchanged, sign(_mm_castsi128_pd(signs)))
 }
 
 #[inline]
 #[target_feature(enable = "sse2")]
 fn arc_tangents_side_by_side(y: [f64; 2], x: [f64; 2]) -> ([f64; 2], bool) {
     let (y, x) = (_mm_set_pd(y[1], y[0]), _mm_set_pd(x[1], x[0]));
-    let Turned {
+    let Folded {
         fraction,
         z,
         multiple,
         ordinary,
-    } = turned(y, x);
+    } = folded(y, x);
     let coefficient = |k: usize| _mm_set1_pd(ARC_TANGENT[k]);
     let term = |k: usize| _mm_add_pd(coefficient(k), _mm_mul_pd(coefficient(k + 1), z));
     let z2 = _mm_mul_pd(z, z);
@@ -132,12 +135,12 @@ fn arc_tangents_side_by_side(y: [f64; 2], x: [f64; 2]) -> ([f64; 2], bool) {
 fn single_arc_tangents_side_by_side(y: [f32; 2], x: [f32; 2]) -> ([f32; 2], bool) {
     let wide = |[one, other]: [f32; 2]| _mm_cvtps_pd(_mm_set_ps(0.0, 0.0, other, one));
     let (y, x) = (wide(y), wide(x));
-    let Turned {
+    let Folded {
         fraction,
         z,
         multiple,
         ordinary,
-    } = turned(y, x);
+    } = folded(y, x);
     let coefficient = |k: usize| _mm_set1_pd(ARC_TANGENT_SINGLE[k]);
     let term = |k: usize| _mm_add_pd(coefficient(k), _mm_mul_pd(coefficient(k + 1), z));
     let z2 = _mm_mul_pd(z, z);
@@ -148,8 +151,8 @@ fn single_arc_tangents_side_by_side(y: [f32; 2], x: [f32; 2]) -> ([f32; 2], bool
     (single_parts(_mm_cvtpd_ps(angle)), ordinary)
 }
 
-/// Two points that have been turned and mirrored close to the positive x axis.
-struct Turned {
+/// Two points that have been rotated and mirrored close to the positive x axis.
+struct Folded {
     /// The fraction of the coordinates, with the sense in which the angle counts.
     fraction: __m128d,
     /// The square of the fraction.
@@ -162,7 +165,7 @@ struct Turned {
 
 #[inline]
 #[target_feature(enable = "sse2")]
-fn turned(y: __m128d, x: __m128d) -> Turned {
+fn folded(y: __m128d, x: __m128d) -> Folded {
     let (height, width) = (magnitude(y), magnitude(x));
     let (greater, lesser) = (_mm_max_pd(height, width), _mm_min_pd(width, height));
     let slanting = _mm_cmpgt_pd(lesser, _mm_sub_pd(greater, lesser));
@@ -179,7 +182,7 @@ fn turned(y: __m128d, x: __m128d) -> Turned {
 
     let fraction = _mm_div_pd(across, along);
     let check = _mm_mul_pd(along, fraction);
-    Turned {
+    Folded {
         fraction: _mm_xor_pd(fraction, sense),
         z: _mm_mul_pd(fraction, fraction),
         multiple,
@@ -238,9 +241,9 @@ mod tests {
     fn it_is_the_same_to_the_last_bit() {
         let bits = |(sine, cosine): (f64, f64)| [sine.to_bits(), cosine.to_bits()];
         let wide = fractions(100_000).map(|f| (2.0 * f - 1.0) * 1e5);
-        let turn = fractions(100_000).map(|f| (2.0 * f - 1.0) * 3.2);
+        let narrow = fractions(100_000).map(|f| (2.0 * f - 1.0) * 3.2);
         let slight = fractions(10_000).flat_map(|f| [f64::exp2(-1074.0 * f), -f64::exp2(-1074.0 * f)]);
-        for angle in wide.chain(turn).chain(slight).chain([0.0, -0.0]) {
+        for angle in wide.chain(narrow).chain(slight).chain([0.0, -0.0]) {
             assert_eq!(
                 bits(sine_cosine(angle)),
                 bits(near_sine_cosine::<false, false, f64>(angle)),
@@ -292,7 +295,8 @@ mod tests {
         }
     }
 
-    /// The accuracy of single precision is tested where it is declared. Here, each point has the angle that it has alone.
+    /// The accuracy of single precision is tested where it is declared. Here, each point has the angle that it has
+    /// alone.
     #[test]
     fn points_of_single_precision_have_their_own_angles() {
         let sizes = [

@@ -7,7 +7,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use crate::failure::Failure;
 use crate::solve::Scalar;
-use crate::solve::check::doubt::{is_told_from, size};
+use crate::solve::check::doubt::{is_distinct_from, size};
 use crate::solve::check::{Check, Real};
 
 /// The square root √x for x ≥ 0.
@@ -86,7 +86,7 @@ pub fn sine_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub fn cosine_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
-    within(Ends::HalfTurn, v, v.sin_cos().1, "the inverse of acos")
+    within(Ends::HalfRevolution, v, v.sin_cos().1, "the inverse of acos")
 }
 
 /// The solution x of atan(x) = v, which is tan v, for |v| < π/2.
@@ -163,7 +163,7 @@ enum Ends {
     /// Angles from -π/2 to π/2, up to rounding.
     RightAngles,
     /// Angles from 0 to π, up to rounding.
-    HalfTurn,
+    HalfRevolution,
     /// Angles between -π/2 and π/2, without the ends.
     WithinRightAngles,
 }
@@ -188,7 +188,7 @@ impl<T: Scalar> InDomain<T> {
             Ends::WithinUnit => x.magnitude().is_below(R::of(1.0)),
             Ends::FromOne => x.is_at_least(R::of(1.0)),
             Ends::RightAngles => x.magnitude().is_at_most(R::of(FRAC_PI_2 * (1.0 + 4.0 * T::EPSILON))),
-            Ends::HalfTurn => {
+            Ends::HalfRevolution => {
                 let rounding = 4.0 * PI * T::EPSILON;
                 R::both(x.is_at_least(R::of(-rounding)), || x.is_at_most(R::of(PI + rounding)))
             }
@@ -198,15 +198,19 @@ impl<T: Scalar> InDomain<T> {
 
     /// Whether an argument is clearly inside or outside the ends whose size is about 1.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn is_told<R: Real>(&self, x: R) -> R::Truth {
+    fn is_decided<R: Real>(&self, x: R) -> R::Truth {
         let one = R::of(1.0);
-        let told = |low, high| R::both(is_told_from::<T, R>(low, x, one), || is_told_from::<T, R>(high, x, one));
+        let decided = |low, high| {
+            R::both(is_distinct_from::<T, R>(low, x, one), || {
+                is_distinct_from::<T, R>(high, x, one)
+            })
+        };
         match self.ends {
             Ends::NotNegative | Ends::Positive => R::certainly(true),
-            Ends::Unit | Ends::WithinUnit => told(-1.0, 1.0),
-            Ends::FromOne => is_told_from::<T, R>(1.0, x, one),
-            Ends::RightAngles | Ends::WithinRightAngles => told(-FRAC_PI_2, FRAC_PI_2),
-            Ends::HalfTurn => told(0.0, PI),
+            Ends::Unit | Ends::WithinUnit => decided(-1.0, 1.0),
+            Ends::FromOne => is_distinct_from::<T, R>(1.0, x, one),
+            Ends::RightAngles | Ends::WithinRightAngles => decided(-FRAC_PI_2, FRAC_PI_2),
+            Ends::HalfRevolution => decided(0.0, PI),
         }
     }
 }
@@ -225,7 +229,7 @@ impl<T: Scalar> Check<T, 2, 3> for InDomain<T> {
     fn holds<R: Real>(&self, [argument, result]: [R; 2]) -> [R::Truth; 3] {
         // Each of several poses needs the test for a finite value here, because a later division by an infinite value
         // hides it.
-        [self.is_inside(argument), self.is_told(argument), result.is_finite()]
+        [self.is_inside(argument), self.is_decided(argument), result.is_finite()]
     }
 
     fn margin(&self) -> T {
@@ -234,7 +238,7 @@ impl<T: Scalar> Check<T, 2, 3> for InDomain<T> {
             Ends::Unit | Ends::WithinUnit => T::constant(1.0) - size(self.argument),
             Ends::FromOne => self.argument - T::constant(1.0),
             Ends::RightAngles | Ends::WithinRightAngles => T::constant(FRAC_PI_2) - size(self.argument),
-            Ends::HalfTurn => T::constant(FRAC_PI_2) - size(self.argument - T::constant(FRAC_PI_2)),
+            Ends::HalfRevolution => T::constant(FRAC_PI_2) - size(self.argument - T::constant(FRAC_PI_2)),
         }
     }
 }

@@ -47,15 +47,15 @@ pub fn decisive_vector_in<T: Scalar>(vector: Plane<T>, terms: &[T]) -> Plane<T> 
     if T::DOUBT == 0.0 {
         return vector;
     }
-    let (size, own) = (sum_of_sizes(terms), sum_of_sizes(&[vector.x, vector.y]));
-    Plane::new(kept(vector.x, own, size), kept(vector.y, own, size))
+    let (size, length) = (sum_of_sizes(terms), sum_of_sizes(&[vector.x, vector.y]));
+    Plane::new(kept(vector.x, length, size), kept(vector.y, length, size))
 }
 
 /// The smallest positive number that decides, if it is a sum of terms of the given size. For one pose this is [the
-/// smallest](Number::SMALLEST) divisor.
+/// smallest](Number::SMALLEST_DIVISOR) divisor.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(in crate::solve) fn least<T: Scalar>(size: impl FnOnce() -> T) -> T {
-    least_from(T::SMALLEST, size)
+    least_from(T::SMALLEST_DIVISOR, size)
 }
 
 /// The smallest number above `smallest` that decides, if it is a sum of terms of the given size.
@@ -70,7 +70,7 @@ pub(in crate::solve) fn least_from<T: Scalar>(smallest: f64, size: impl FnOnce()
 
 /// Whether a number differs clearly from one end of its range, where `size` is the size of the rounded numbers.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(in crate::solve) fn is_told_from<T: Scalar, R: Real>(end: f64, number: R, size: R) -> R::Truth {
+pub(in crate::solve) fn is_distinct_from<T: Scalar, R: Real>(end: f64, number: R, size: R) -> R::Truth {
     if T::DOUBT == 0.0 || end.is_infinite() {
         return R::certainly(true);
     }
@@ -82,10 +82,10 @@ fn kept<T: Scalar>(number: T, judge: T, size: T) -> T {
     number.provided(BeyondDoubt { number: judge, size }).unwrap_or(number)
 }
 
-/// A number that is at least the [smallest](Number::SMALLEST) divisor, otherwise NaN.
+/// A number that is at least the [smallest](Number::SMALLEST_DIVISOR) divisor, otherwise NaN.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(in crate::solve) fn divisor<T: Scalar>(number: T) -> T {
-    let short = Negative(number - T::constant(T::SMALLEST));
+    let short = Negative(number - T::constant(T::SMALLEST_DIVISOR));
     T::either(short, || T::constant(f64::NAN), || number)
 }
 
@@ -306,7 +306,7 @@ mod tests {
     /// A number close to an end of a range, relative to the size of the range, is left to the solver for one pose;
     /// other numbers are not.
     #[test]
-    fn an_end_of_a_range_is_told_beyond_a_part_of_its_size() {
+    fn an_end_of_a_range_is_distinct_beyond_a_part_of_its_size() {
         let nearer = |part: f64| 1.0 + part * 3.0 * Four::DOUBT;
         let values = Lanes([2.0, nearer(0.9), nearer(1.1), nearer(20.0)]);
         let Lanes(found) = check_value::<Four>("x", values, 1.0, 3.0).unwrap();

@@ -9,7 +9,7 @@ pub(in crate::solve) mod doubt;
 mod range;
 mod real;
 pub(in crate::solve) mod regular;
-mod turns;
+mod unwrap;
 
 #[cfg(test)]
 mod tests;
@@ -22,8 +22,8 @@ pub use doubt::{decisive, decisive_in, decisive_vector, decisive_vector_in};
 pub use range::{SolutionInRange, check_angle, check_value, choose, choose_in};
 pub use real::Real;
 pub use regular::{finite, regular};
-pub(super) use turns::SameSide;
-pub use turns::{agreeing, agreeing_in, nearest_turn, on_turn, within_turns, within_turns_in};
+pub(super) use unwrap::SameSide;
+pub use unwrap::{agreeing, agreeing_in, check_guesses, check_guesses_in, unwrap_near, unwrap_to_guess};
 
 use crate::assembly::Assembly;
 use crate::failure::Failure;
@@ -44,7 +44,7 @@ pub trait Check<T, const N: usize, const K: usize>: Copy {
     /// The distance of the check from failing, in the unit of its operands. It is positive while the check holds, and
     /// negative if the check fails because the operands miss its limit.
     ///
-    /// The margin is calculated in the number type, so that each of several poses has its own. Solvers do not ask for
+    /// The margin is calculated in the number type, so that each of several poses has one. Solvers do not ask for
     /// it.
     fn margin(&self) -> T;
 
@@ -57,9 +57,9 @@ pub trait Check<T, const N: usize, const K: usize>: Copy {
         T::constant(0.0)
     }
 
-    /// The margin of [`Failure::OutOfReach`] and the size of the lengths whose difference it is, if a pose that fails the
-    /// check fails for this reason wherever the margin is clearly negative. Otherwise only the solver for one pose knows
-    /// the reason. NaN leaves the pose to that solver, too. `root` is the root of the [square](Self::square).
+    /// The margin of [`Failure::OutOfReach`] and the size of the lengths whose difference it is, if a pose that fails
+    /// the check fails for this reason wherever the margin is clearly negative. Otherwise only the solver for one pose
+    /// knows the reason. NaN leaves the pose to that solver, too. `root` is the root of the [square](Self::square).
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn shortfall(&self, root: T) -> Option<[T; 2]> {
         let _ = root;
@@ -75,8 +75,8 @@ pub trait Choose<T, const N: usize>: Copy {
     /// The numbers that the choice compares.
     fn operands(&self) -> [T; N];
 
-    /// Which of the solutions are valid for these operands. It agrees with [`choose`](Self::choose), which finds more quickly that one
-    /// of them is.
+    /// Which of the solutions are valid for these operands. It agrees with [`choose`](Self::choose), which finds more
+    /// quickly that one of them is.
     fn validity<R: Real>(&self, operands: [R; N]) -> Validity<R>;
 
     /// The solution for one pose with these operands: open for the first solution, crossed for the second.
@@ -106,7 +106,7 @@ pub struct Validity<R: Real> {
     pub margin_of_two: R,
 }
 
-/// A constant that depends on the real parts of numbers, for example a count of whole turns.
+/// A constant that depends on the real parts of numbers, for example a count of whole revolutions.
 pub trait Measure<T, const N: usize>: Copy {
     /// The numbers on which the constant depends.
     fn operands(&self) -> [T; N];
@@ -121,17 +121,20 @@ pub trait RowMeasure: Copy {
     fn start<R: Real>() -> R;
 
     /// The constant with one more number.
-    fn with<R: Real>(own: R, next: R) -> R;
+    fn with<R: Real>(constant: R, next: R) -> R;
 
     /// The constant when all numbers are taken.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn end<R: Real>(own: R) -> R {
-        own
+    fn end<R: Real>(constant: R) -> R {
+        constant
     }
 }
 
 macro_rules! sign {
-    ($(#[doc = $doc:literal] $visibility:vis $name:ident, $words:literal: |$number:ident| $holds:expr, $margin:expr;)+) => {
+    ($(
+        #[doc = $doc:literal]
+        $visibility:vis $name:ident, $words:literal: |$number:ident| $holds:expr, $margin:expr;
+    )+) => {
         $(
             #[doc = $doc]
             #[derive(Clone, Copy, Debug)]

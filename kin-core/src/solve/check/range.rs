@@ -6,8 +6,8 @@ use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::quantity::Name;
 use crate::solve::Scalar;
-use crate::solve::check::doubt::{is_told_from, size, smaller};
-use crate::solve::check::turns::turned;
+use crate::solve::check::doubt::{is_distinct_from, size, smaller};
+use crate::solve::check::unwrap::plus_revolutions;
 use crate::solve::check::{Check, Choose, Measure, Real, Validity};
 
 /// The tolerance for solutions outside the range, in units of ε times the size of the numbers.
@@ -22,7 +22,7 @@ const IN_DOUBT: Failure = Failure::NotFinite {
 /// [`Assembly::Crossed`] for the second. The first range that does not contain both solutions decides.
 ///
 /// A range without an end has an infinite end. Solutions may lie beyond an end by no more than rounding. Two solutions
-/// that coincide count as one, the first. An angle lies in its range if whole turns can bring it there.
+/// that coincide count as one, the first. An angle lies in its range if whole revolutions can bring it there.
 ///
 /// # Errors
 /// [`Failure::OutOfRange`] with the solution closest to the range that decides if neither lies in it,
@@ -83,7 +83,8 @@ pub fn check_value<T: Scalar>(unknown: impl Into<Name>, value: T, low: f64, high
     })
 }
 
-/// The angle that lies in `low..=high`, up to rounding, and differs from `value` by as few whole turns as possible.
+/// The angle that lies in `low..=high`, up to rounding, and differs from `value` by as few whole revolutions as
+/// possible.
 ///
 /// # Errors
 /// [`Failure::OutOfRange`] with the representative closest to the range, [`Failure::NotFinite`].
@@ -106,7 +107,7 @@ pub fn check_angle<T: Scalar>(unknown: impl Into<Name>, value: T, low: f64, high
             Failure::not_finite(unknown)
         });
     };
-    Ok(turned(value, range(value).turns()))
+    Ok(plus_revolutions(value, range(value).revolutions()))
 }
 
 /// A range. It contains its ends, and also values that lie beyond them by no more than rounding.
@@ -134,11 +135,11 @@ impl<R: Real> Span<R> {
     fn new(low: f64, high: f64, value: R, epsilon: f64) -> Self {
         let finite = |end: f64| if end.is_finite() { end.abs() } else { 0.0 };
         let ends = R::of(finite(low).max(finite(high)));
-        let own = R::choose(value.is_finite(), || value.magnitude(), || R::of(0.0));
+        let size = R::choose(value.is_finite(), || value.magnitude(), || R::of(0.0));
         Self {
             low,
             high,
-            tolerance: R::of(TOLERANCE * epsilon) * larger(ends, own),
+            tolerance: R::of(TOLERANCE * epsilon) * larger(ends, size),
         }
     }
 
@@ -153,19 +154,19 @@ impl<R: Real> Span<R> {
 
     /// Whether a value is clearly on one side of each end. Several poses need a distance of more than their
     /// [doubt](Scalar::DOUBT).
-    fn tells<T: Scalar>(self, value: R) -> R::Truth {
+    fn decides<T: Scalar>(self, value: R) -> R::Truth {
         let size = self.tolerance / R::of(TOLERANCE) / R::of(T::EPSILON);
-        R::both(is_told_from::<T, R>(self.low, value, size), || {
-            is_told_from::<T, R>(self.high, value, size)
+        R::both(is_distinct_from::<T, R>(self.low, value, size), || {
+            is_distinct_from::<T, R>(self.high, value, size)
         })
     }
 
-    /// [`tells`](Self::tells) for an angle that whole turns may have brought into the range.
-    fn tells_angle<T: Scalar>(self, angle: R) -> R::Truth {
+    /// [`decides`](Self::decides) for an angle that whole revolutions may have brought into the range.
+    fn decides_angle<T: Scalar>(self, angle: R) -> R::Truth {
         let size = larger(angle.magnitude(), R::of(TAU));
         let ends = [self.low, self.low + TAU, self.high, self.high - TAU];
-        ends.iter().fold(R::certainly(true), |told, end| {
-            R::both(told, || is_told_from::<T, R>(*end, angle, size))
+        ends.iter().fold(R::certainly(true), |decided, end| {
+            R::both(decided, || is_distinct_from::<T, R>(*end, angle, size))
         })
     }
 
@@ -180,11 +181,11 @@ impl<R: Real> Span<R> {
         larger(outside, R::of(0.0))
     }
 
-    /// The smallest number of turns that brings an angle into the range, or next to it.
+    /// The smallest number of revolutions that brings an angle into the range, or next to it.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn turns(self, angle: R) -> R {
+    fn revolutions(self, angle: R) -> R {
         let (low, high, zero) = (R::of(self.low), R::of(self.high), R::of(0.0));
-        let turns = R::choose(
+        let revolutions = R::choose(
             angle.is_below(low),
             || ((low - self.tolerance - angle) / R::of(TAU)).raised(),
             || {
@@ -196,13 +197,13 @@ impl<R: Real> Span<R> {
             },
         );
         // Zero has no sign.
-        R::choose(turns.equals(zero), || zero, || turns)
+        R::choose(revolutions.equals(zero), || zero, || revolutions)
     }
 
     /// The representative of an angle that lies in the range, or comes closest to it.
     fn representative(self, angle: R) -> R {
-        let inside = angle + R::of(TAU) * self.turns(angle);
-        // An angle can miss a range of less than a turn on either side.
+        let inside = angle + R::of(TAU) * self.revolutions(angle);
+        // An angle can miss a range of less than a revolution on either side.
         let nearest = || {
             let others = [inside - R::of(TAU), inside + R::of(TAU)];
             others.into_iter().fold(inside, |nearest, other| {
@@ -241,7 +242,7 @@ impl<T: Scalar> Check<T, 1, 2> for ValueInRange<T> {
             if T::DOUBT == 0.0 {
                 R::certainly(true)
             } else {
-                span().tells::<T>(value)
+                span().decides::<T>(value)
             },
         ]
     }
@@ -251,7 +252,7 @@ impl<T: Scalar> Check<T, 1, 2> for ValueInRange<T> {
     }
 }
 
-/// Whether an angle lies in its range after whole turns, up to rounding.
+/// Whether an angle lies in its range after whole revolutions, up to rounding.
 #[derive(Clone, Copy)]
 struct AngleInRange<T> {
     angle: T,
@@ -284,17 +285,17 @@ impl<T: Scalar> Check<T, 1, 2> for AngleInRange<T> {
                 R::certainly(true)
             } else {
                 let span = span();
-                span.tells_angle::<T>(span.representative(angle))
+                span.decides_angle::<T>(span.representative(angle))
             },
         ]
     }
 
-    /// An angle can miss a range of less than a turn on either side. The nearer side counts.
+    /// An angle can miss a range of less than a revolution on either side. The nearer side counts.
     fn margin(&self) -> T {
-        let (angle, turn) = (self.angle + self.turns(), T::constant(TAU));
+        let (angle, revolution) = (self.angle + self.revolutions(), T::constant(TAU));
         let margin = |angle| inside(angle, self.low, self.high);
         let larger = |one: T, other: T| -smaller(-one, -other);
-        [angle - turn, angle + turn]
+        [angle - revolution, angle + revolution]
             .map(margin)
             .into_iter()
             .fold(margin(angle), larger)
@@ -302,10 +303,10 @@ impl<T: Scalar> Check<T, 1, 2> for AngleInRange<T> {
 }
 
 impl<T: Scalar> AngleInRange<T> {
-    /// The turns that bring the angle into the range, in radians.
+    /// The revolutions that bring the angle into the range, in radians.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn turns(&self) -> T {
-        T::measured(TurnsInto {
+    fn revolutions(&self) -> T {
+        T::measured(RevolutionsInto {
             angle: self.angle,
             low: self.low,
             high: self.high,
@@ -325,7 +326,7 @@ pub struct SolutionInRange<T, N = &'static str> {
     solutions: [T; 2],
     low: f64,
     high: f64,
-    /// Whether the solutions are angles, which whole turns do not change.
+    /// Whether the solutions are angles, which whole revolutions do not change.
     is_angle: bool,
 }
 
@@ -342,7 +343,7 @@ impl<T, N> SolutionInRange<T, N> {
         }
     }
 
-    /// Two angles in radians, and their range. An angle lies in it if whole turns can bring it there.
+    /// Two angles in radians, and their range. An angle lies in it if whole revolutions can bring it there.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub const fn angle(unknown: N, solutions: [T; 2], low: f64, high: f64) -> Self {
         Self {
@@ -411,12 +412,12 @@ impl<T: Scalar, N: Copy + Into<Name>> Choose<T, 2> for SolutionInRange<T, N> {
         let span = Span::new(low, high, first.abs().max(second.abs()), T::EPSILON);
         if self.is_angle {
             let (first, second) = (span.representative(first), span.representative(second));
-            if !(span.tells_angle::<T>(first) && span.tells_angle::<T>(second)) {
+            if !(span.decides_angle::<T>(first) && span.decides_angle::<T>(second)) {
                 return Err(IN_DOUBT);
             }
             return chosen(self.unknown, first, second, span, self.is_angle);
         }
-        if !(span.tells::<T>(first) && span.tells::<T>(second)) {
+        if !(span.decides::<T>(first) && span.decides::<T>(second)) {
             return Err(IN_DOUBT);
         }
         // An infinite solution lies in no range.
@@ -437,8 +438,12 @@ impl<T: Scalar, N: Copy + Into<Name>> Choose<T, 2> for SolutionInRange<T, N> {
                 low,
                 high,
             };
-            let turns = if self.is_angle { angle.turns() } else { T::constant(0.0) };
-            size(inside(solution + turns, low, high))
+            let revolutions = if self.is_angle {
+                angle.revolutions()
+            } else {
+                T::constant(0.0)
+            };
+            size(inside(solution + revolutions, low, high))
         });
         smaller(first, second)
     }
@@ -494,15 +499,15 @@ fn out_of_range(unknown: Name, value: f64, low: f64, high: f64, is_angle: bool) 
     }
 }
 
-/// The turns that bring an angle into a range, in radians.
+/// The revolutions that bring an angle into a range, in radians.
 #[derive(Clone, Copy)]
-struct TurnsInto<T> {
+struct RevolutionsInto<T> {
     angle: T,
     low: f64,
     high: f64,
 }
 
-impl<T: Scalar> Measure<T, 1> for TurnsInto<T> {
+impl<T: Scalar> Measure<T, 1> for RevolutionsInto<T> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 1] {
         [self.angle]
@@ -511,12 +516,12 @@ impl<T: Scalar> Measure<T, 1> for TurnsInto<T> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn measure<R: Real>(&self, [angle]: [R; 1]) -> R {
         // The tolerance is calculated outside of the range only.
-        let turns = R::choose(
+        let revolutions = R::choose(
             within(angle, self.low, self.high),
             || R::of(0.0),
-            || Span::new(self.low, self.high, angle, T::EPSILON).turns(angle),
+            || Span::new(self.low, self.high, angle, T::EPSILON).revolutions(angle),
         );
-        turns * R::of(TAU)
+        revolutions * R::of(TAU)
     }
 }
 
@@ -567,7 +572,7 @@ mod tests {
     }
 
     #[test]
-    fn angles_are_chosen_modulo_whole_turns() {
+    fn angles_are_chosen_modulo_whole_revolutions() {
         let choose_in =
             |low, high, first, second| choose::<f64, 1>([SolutionInRange::angle("gamma", [first, second], low, high)]);
         let choose = |first, second| choose_in(0.0, PI, first, second);
@@ -648,8 +653,8 @@ mod tests {
             match check_angle::<f64>("x", angle, low, high) {
                 Ok(inside) => {
                     prop_assert!(inside >= low - 1e-12 && inside <= high + 1e-12);
-                    let turns = (inside - angle) / TAU;
-                    prop_assert!((turns - turns.round()).abs() < 1e-12);
+                    let revolutions = (inside - angle) / TAU;
+                    prop_assert!((revolutions - revolutions.round()).abs() < 1e-12);
                 }
                 Err(Failure::OutOfRange { value, .. }) => {
                     prop_assert!(width < TAU);

@@ -8,8 +8,8 @@ use crate::number::single;
 
 /// A real number on which a check decides: `f64` or `f32`, or a number that records what is compared.
 ///
-/// A check states its conditions with these methods. So one text serves the solvers, which ask whether a condition holds,
-/// and a record of the solver, which writes the condition down.
+/// A check states its conditions with these methods. So one text serves the solvers, which ask whether a condition
+/// holds, and a record of the solver, which writes the condition down.
 pub trait Real:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {

@@ -75,7 +75,7 @@ impl<T: Scalar> Check<T, 1, 2> for Regular<T> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [determinant]: [R; 1]) -> [R::Truth; 2] {
-        ordinary(determinant.magnitude(), T::SMALLEST)
+        ordinary(determinant.magnitude(), T::SMALLEST_DIVISOR)
     }
 
     fn margin(&self) -> T {

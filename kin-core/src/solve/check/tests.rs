@@ -203,7 +203,7 @@ fn margins_are_positive_where_checks_hold() {
     }
 }
 
-/// Each of several poses has its own margin.
+/// Each of several poses has a separate margin.
 #[test]
 fn lanes_have_margins() {
     let determinants = Lanes::<4, false>([0.5, -2.0, 0.0, f64::NAN]);
@@ -216,7 +216,7 @@ fn lanes_have_margins() {
 fn about(low: f64, high: f64) -> impl Strategy<Value = f64> {
     let end = prop_oneof![Just(low), Just(high), Just(low.midpoint(high))];
     let beside = (end, -40..=40_i32, -2..=2_i32)
-        .prop_map(|(end, units, turns)| end + f64::from(units) * f64::EPSILON + f64::from(turns) * TAU);
+        .prop_map(|(end, units, revolutions)| end + f64::from(units) * f64::EPSILON + f64::from(revolutions) * TAU);
     prop_oneof![8 => -20.0..20.0, 8 => beside, 1 => Just(f64::NAN), 1 => Just(f64::INFINITY)]
 }
 
@@ -250,22 +250,22 @@ proptest! {
         } else {
             SolutionInRange::value("x", solutions, low, high)
         };
-        let own = choice.validity(solutions);
+        let validity = choice.validity(solutions);
         let inside = |value: f64| (value - low).min(high - value);
         match choice.choose(solutions) {
-            Err(Failure::NotFinite { .. }) => prop_assert!(!own.are_finite),
+            Err(Failure::NotFinite { .. }) => prop_assert!(!validity.are_finite),
             Err(Failure::OutOfRange { value, .. }) => {
-                prop_assert!(own.are_finite && !own.has_one);
-                prop_assert_eq!(own.margin_of_one.to_bits(), inside(value).to_bits());
-                prop_assert!(own.margin_of_one < 0.0);
+                prop_assert!(validity.are_finite && !validity.has_one);
+                prop_assert_eq!(validity.margin_of_one.to_bits(), inside(value).to_bits());
+                prop_assert!(validity.margin_of_one < 0.0);
             }
             Err(Failure::Ambiguous { first, second, .. }) => {
-                prop_assert!(own.are_finite && own.has_one && own.has_two);
-                prop_assert_eq!(own.margin_of_two, -inside(first).min(inside(second)));
+                prop_assert!(validity.are_finite && validity.has_one && validity.has_two);
+                prop_assert_eq!(validity.margin_of_two, -inside(first).min(inside(second)));
             }
             Ok(assembly) => {
-                prop_assert!(own.are_finite && own.has_one && !own.has_two);
-                prop_assert_eq!(own.is_first, assembly == Assembly::Open);
+                prop_assert!(validity.are_finite && validity.has_one && !validity.has_two);
+                prop_assert_eq!(validity.is_first, assembly == Assembly::Open);
             }
             Err(other) => prop_assert!(false, "{:?}", other),
         }

@@ -15,7 +15,7 @@ const QUANTITY: &str = "link lengths or the distance they span";
 /// The first of two vectors with known lengths and a known sum: `v₁ + v₂ = c`, `|v₁| = |a|`, `|v₂| = |b|`.
 ///
 /// This is the dyad with three revolute joints. The lengths and `c` share one unit; a negative length stands for its
-/// magnitude. [`Assembly::Open`] is the solution with v₁ × v₂ < 0, in which the second vector turns clockwise from the
+/// magnitude. [`Assembly::Open`] is the solution with v₁ × v₂ < 0, in which the second vector is clockwise from the
 /// first. The second vector is `c - v₁`; the caller forms it if needed, with the sign it needs.
 ///
 /// With d = |c|, the foot of the joint on the line of `c` lies at p = (d² + (a + b)(a - b)) / 2d². The joint lies
@@ -49,7 +49,7 @@ pub fn circle_circle<T: Scalar>(a: T, b: T, c: Plane<T>, assembly: Assembly) -> 
     let sum = a + b;
     let difference = a - b;
     let twice_p = d2 + sum * difference;
-    // The product stays the same if one length is negative, because sum and difference then change places.
+    // The product stays the same if one length is negative, because sum and difference are then exchanged.
     let four_q2 = (sum * sum - d2) * (d2 - difference * difference);
     // One of the two squares belongs to the sum of both lengths, whatever their signs.
     let reach2 = || sum * sum + difference * difference;
@@ -125,7 +125,7 @@ impl<T: Scalar> Check<T, 4, 3> for Reach<T> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [q2, least_q2, d2, least_d2]: [R; 4]) -> [R::Truth; 3] {
-        let [low, high] = ordinary_from(q2, least_q2, T::SMALLEST);
+        let [low, high] = ordinary_from(q2, least_q2, T::SMALLEST_DIVISOR);
         [low, high, d2.is_at_least(least_d2)]
     }
 
@@ -167,7 +167,7 @@ impl<T: Scalar> Check<T, 4, 3> for ReachOfSquares<T> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [q2, least_q2, d2, least_d2]: [R; 4]) -> [R::Truth; 3] {
-        let [low, high] = ordinary_from(q2, least_q2, T::SMALLEST);
+        let [low, high] = ordinary_from(q2, least_q2, T::SMALLEST_DIVISOR);
         [low, high, d2.is_at_least(least_d2)]
     }
 
@@ -270,8 +270,8 @@ mod tests {
                     prop_assert!((2.0 * c.cross(first) - four_areas.value).abs() <= 4.0 * tolerance * d);
                     prop_assert!((norm(first) - a.abs()).abs() <= tolerance);
                     prop_assert!((norm(second) - b.abs()).abs() <= tolerance);
-                    let open = first.cross(second) < 0.0;
-                    prop_assert_eq!(open, assembly == Assembly::Open);
+                    let is_open = first.cross(second) < 0.0;
+                    prop_assert_eq!(is_open, assembly == Assembly::Open);
                 }
                 let original = if u.cross(v) < 0.0 { Assembly::Open } else { Assembly::Crossed };
                 if assembly == original {
@@ -282,7 +282,9 @@ mod tests {
         }
 
         #[test]
-        fn what_is_out_of_reach_says_by_how_much(a in dimension(), b in dimension(), t in angle(), excess in 1e-6..1.0) {
+        fn what_is_out_of_reach_says_by_how_much(
+            a in dimension(), b in dimension(), t in angle(), excess in 1e-6..1.0,
+        ) {
             let scale: f64 = a + b;
             for d in [scale * (1.0_f64 + excess), (a - b).abs() * (1.0 - excess)] {
                 let expected = f64::min(scale - d, d - (a - b).abs());
@@ -362,9 +364,9 @@ mod tests {
             5e-324,
         ];
         for value in odd {
-            for place in 0..4 {
+            for index in 0..4 {
                 let mut arguments = [1.0, 1.0, 1.0, 0.5];
-                arguments[place] = value;
+                arguments[index] = value;
                 let [a, b, x, y] = arguments;
                 for assembly in Assembly::BOTH {
                     for result in [

@@ -126,8 +126,8 @@ impl<T: Scalar> Check<T, 3, 3> for Reach<T> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [q2, least, u2]: [R; 3]) -> [R::Truth; 3] {
-        let [low, high] = ordinary_from(q2, least, T::SMALLEST);
-        [low, high, u2.is_at_least(R::of(T::SMALLEST))]
+        let [low, high] = ordinary_from(q2, least, T::SMALLEST_DIVISOR);
+        [low, high, u2.is_at_least(R::of(T::SMALLEST_DIVISOR))]
     }
 
     fn margin(&self) -> T {
@@ -167,7 +167,7 @@ impl<T: Scalar> Check<T, 3, 3> for ReachAlongX<T> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [q2, least, x]: [R; 3]) -> [R::Truth; 3] {
-        let [low, high] = ordinary_from(q2, least, T::SMALLEST);
+        let [low, high] = ordinary_from(q2, least, T::SMALLEST_DIVISOR);
         [low, high, x.is_finite()]
     }
 
@@ -244,10 +244,11 @@ mod tests {
     proptest! {
         #[test]
         fn both_assemblies_close(
-            a in dimension(), turn in angle(), heading in angle(), stretch in dimension(), travel in coordinate(),
+            a in dimension(), inclination in angle(), heading in angle(), stretch in dimension(),
+            travel in coordinate(),
         ) {
             let unit = direction(heading);
-            let link = direction(turn).scale(a);
+            let link = direction(inclination).scale(a);
             let c = link + unit.scale(travel);
             let scale = a + norm(c);
             let condition = scale * scale / (link.dot(unit).abs() * a);
@@ -327,9 +328,9 @@ mod tests {
             f64::MAX,
             5e-324,
         ] {
-            for place in 0..5 {
+            for index in 0..5 {
                 let mut arguments = [4.0, 1.0, 0.0, 1.0, 0.5];
-                arguments[place] = value;
+                arguments[index] = value;
                 let [a2, u, v, x, y] = arguments;
                 let (direction, c) = (Plane::new(u, v), Plane::new(x, y));
                 for result in [

@@ -16,9 +16,9 @@ const ROUNDING: f64 = 8.0;
 
 /// The unit vector `u` = (cos x, sin x) with `a cos x + b sin x = c`.
 ///
-/// The coefficients share one unit. `size` is that of the terms whose sums `a` and `b` are, or zero where nothing is known of it: rounding
-/// leaves coefficients of a part of it that stand for zeros. [`Assembly::Open`] is x = atan2(b, a) + acos(c / ρ), with ρ² = a² + b²; the crossed
-/// solution has the minus sign.
+/// The coefficients share one unit. `size` is that of the terms whose sums `a` and `b` are, or zero where nothing is
+/// known of it: rounding leaves coefficients of a part of it that stand for zeros. [`Assembly::Open`] is x = atan2(b,
+/// a) + acos(c / ρ), with ρ² = a² + b²; the crossed solution has the minus sign.
 ///
 /// It takes 15 operations: 4 additions, 9 multiplications, 1 division, 1 square root.
 ///
@@ -42,7 +42,7 @@ pub fn cosine_sine<T: Scalar>(a: T, b: T, c: T, size: f64, assembly: Assembly) -
     let noise = ROUNDING * T::EPSILON * size;
     let reach = Reach {
         q2,
-        least: least_from((noise * noise).max(T::SMALLEST), || rho2),
+        least: least_from((noise * noise).max(T::SMALLEST_DIVISOR), || rho2),
         rho2,
         c,
     };
@@ -82,7 +82,7 @@ impl<T: Scalar> Check<T, 2, 2> for Reach<T> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [q2, least]: [R; 2]) -> [R::Truth; 2] {
-        ordinary_from(q2, least, T::SMALLEST)
+        ordinary_from(q2, least, T::SMALLEST_DIVISOR)
     }
 
     fn margin(&self) -> T {
@@ -158,7 +158,8 @@ mod tests {
         }
     }
 
-    /// Coefficients that are zero up to the rounding of their terms determine no angle. Those that are small by themselves do.
+    /// Coefficients that are zero up to the rounding of their terms determine no angle. Those that are small by
+    /// themselves do.
     #[test]
     fn what_rounding_leaves_determines_no_angle() {
         let solve = |a: f64, b, c, size| cosine_sine(a, b, c, size, Assembly::Open);

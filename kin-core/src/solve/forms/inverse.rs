@@ -89,7 +89,7 @@ impl<T: Scalar> Check<T, 2, 2> for Reach<T> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [square, least]: [R; 2]) -> [R::Truth; 2] {
-        ordinary_from(square, least, T::SMALLEST)
+        ordinary_from(square, least, T::SMALLEST_DIVISOR)
     }
 
     fn margin(&self) -> T {

@@ -4,7 +4,7 @@ use super::refusal::refusal;
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::solve::Scalar;
-use crate::solve::check::doubt::{is_told_from, size};
+use crate::solve::check::doubt::{is_distinct_from, size};
 use crate::solve::check::{Check, Real};
 
 /// The number a with cosh a = `value`. In [`Assembly::Open`] it has the sign of `growth`, in the crossed assembly the
@@ -57,7 +57,7 @@ impl<T: Scalar> Check<T, 1, 3> for AboveOne<T> {
         [
             value.exceeds(one),
             value.is_below(R::of(f64::INFINITY)),
-            is_told_from::<T, R>(1.0, value, one),
+            is_distinct_from::<T, R>(1.0, value, one),
         ]
     }
 

@@ -126,7 +126,8 @@ mod tests {
     proptest! {
         #[test]
         fn pairs_satisfy_their_equations(
-            p in coordinate(), q in coordinate(), r in coordinate(), s in coordinate(), x in coordinate(), y in coordinate(),
+            p in coordinate(), q in coordinate(), r in coordinate(), s in coordinate(),
+            x in coordinate(), y in coordinate(),
         ) {
             let determinant = p * s - q * r;
             let condition = ((p * s).abs() + (q * r).abs()) / determinant.abs();
@@ -153,7 +154,7 @@ mod tests {
 
     #[test]
     fn parallel_lines_do_not_meet_far_away() {
-        // The products 0.1 * 0.6 and 0.2 * 0.3 differ in the last place.
+        // The products 0.1 * 0.6 and 0.2 * 0.3 differ in the last digit.
         let a = [[0.1, 0.2], [0.3, 0.6]];
         for b in [[1.0, 1.0], [0.0, 0.0]] {
             assert!(matches!(linear_pair(a, b), Err(Failure::Singular { .. })));
@@ -168,9 +169,9 @@ mod tests {
             for result in [linear(value, 1.0), linear(1.0, value)] {
                 assert!(matches!(result, Err(Failure::NotFinite { .. })));
             }
-            for place in 0..6 {
+            for index in 0..6 {
                 let mut entries = [1.0, 2.0, 3.0, 5.0, 1.0, 1.0];
-                entries[place] = value;
+                entries[index] = value;
                 let [p, q, r, s, x, y] = entries;
                 assert!(matches!(
                     linear_pair([[p, q], [r, s]], [x, y]),

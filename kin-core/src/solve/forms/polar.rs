@@ -1,4 +1,4 @@
-//! A length along an unknown direction: a slide on a link that turns.
+//! A length along an unknown direction: a slide on a link that rotates.
 
 use super::refusal::{length, refusal};
 use super::root::Root;
@@ -43,7 +43,7 @@ pub fn polar<T: Scalar>(c: Plane<T>, assembly: Assembly) -> Result<Root<T>, Fail
 /// The length and direction of [`polar`] with an offset slide, which passes beside the joint: `(s + offset) u = c` as
 /// complex numbers, `|u| = 1`.
 ///
-/// The offset is fixed to the turning link: its x component lies along the slide, its y component across. s + offset.x
+/// The offset is fixed to the rotating link: its x component lies along the slide, its y component across. s + offset.x
 /// = ± √(|c|² - offset.y²), with the plus sign in [`Assembly::Open`].
 ///
 /// It takes 16 operations: 5 additions, 9 multiplications, 1 division, 1 square root; and one change of sign in the
@@ -99,7 +99,7 @@ impl<T: Scalar> Check<T, 1, 2> for Apart<T> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [d2]: [R; 1]) -> [R::Truth; 2] {
-        ordinary(d2, T::SMALLEST)
+        ordinary(d2, T::SMALLEST_DIVISOR)
     }
 
     fn margin(&self) -> T {
@@ -129,7 +129,7 @@ impl<T: Scalar> Check<T, 3, 3> for Reach<T> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [q2, least, shift]: [R; 3]) -> [R::Truth; 3] {
-        let [low, high] = ordinary_from(q2, least, T::SMALLEST);
+        let [low, high] = ordinary_from(q2, least, T::SMALLEST_DIVISOR);
         [low, high, shift.is_finite()]
     }
 
@@ -252,9 +252,9 @@ mod tests {
             f64::MAX,
             5e-324,
         ] {
-            for place in 0..4 {
+            for index in 0..4 {
                 let mut arguments = [1.0, 0.5, 2.0, 3.0];
-                arguments[place] = value;
+                arguments[index] = value;
                 let [p, q, x, y] = arguments;
                 let (offset, c) = (Plane::new(p, q), Plane::new(x, y));
                 for (s, u) in [

@@ -80,7 +80,7 @@ impl<T: Scalar> Check<T, 3, 3> for Reach<T> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [q2, least, a]: [R; 3]) -> [R::Truth; 3] {
-        let [low, high] = ordinary_from(q2, least, T::SMALLEST);
+        let [low, high] = ordinary_from(q2, least, T::SMALLEST_DIVISOR);
         [low, high, R::not(a.equals(R::of(0.0)))]
     }
 
@@ -90,8 +90,8 @@ impl<T: Scalar> Check<T, 3, 3> for Reach<T> {
     }
 }
 
-/// Whether the larger root is the sum g ± q divided by the leading coefficient; otherwise the smaller root is. The other
-/// root is the last coefficient divided by that sum.
+/// Whether the larger root is the sum g ± q divided by the leading coefficient; otherwise the smaller root is. The
+/// other root is the last coefficient divided by that sum.
 #[derive(Clone, Copy)]
 struct IsSum<T> {
     a: T,
@@ -204,9 +204,10 @@ mod tests {
         let beyond = |rounding: f64| 1.0 + rounding;
         for factor in [1.0, 2.0_f64.powi(-60), 2.0_f64.powi(60)] {
             let solve = |c: f64| quadratic::<f64>(factor, -2.0 * factor, c * factor, Assembly::Open);
-            assert!(
-                matches!(solve(beyond(1e-9)), Err(Failure::OutOfReach { margin }) if (margin + 1e-9_f64.sqrt()).abs() < 1e-10)
-            );
+            assert!(matches!(
+                solve(beyond(1e-9)),
+                Err(Failure::OutOfReach { margin }) if (margin + 1e-9_f64.sqrt()).abs() < 1e-10
+            ));
             // The tolerance is 8 ε of g² and of a c.
             assert_eq!(
                 solve(beyond(12.0 * f64::EPSILON)),

@@ -13,7 +13,7 @@ use crate::tape::structure::Tape;
 use crate::tape::words::{DistinctNames, lines, of_order, snake};
 use crate::tape::{Condition, NumberType, ResultOf, Role};
 
-/// The words of C and C++, the names of `<math.h>` that the code calls, and the names of the code's own arguments.
+/// The words of C and C++, the names of `<math.h>` that the code calls, and the names of the arguments of the code.
 const KEYWORDS: &[&str] = &[
     "alignas",
     "alignof",
@@ -177,12 +177,12 @@ pub struct C {
 }
 
 impl Tape<'_> {
-    /// The tape as C99: a header, a source and an example. The code needs `<math.h>` and `<float.h>` alone, allocates nothing and has
-    /// no static state.
+    /// The tape as C99: a header, a source and an example. The code needs `<math.h>` and `<float.h>` alone, allocates
+    /// nothing and has no static state.
     ///
-    /// `cc -O2 -std=c99 -ffp-contract=off main.c four_bar.c -lm -o four_bar` builds the example. It finds the numbers of `solve` to the
-    /// last bit where this crate is built without fused products, for angles up to 10⁵ and closures of sums, products, quotients,
-    /// square roots, sines, cosines and angles of vectors.
+    /// `cc -O2 -std=c99 -ffp-contract=off main.c four_bar.c -lm -o four_bar` builds the example. It finds the numbers
+    /// of `solve` to the last bit where this crate is built without fused products, for angles up to 10⁵ and closures
+    /// of sums, products, quotients, square roots, sines, cosines and angles of vectors.
     ///
     /// ```
     /// use kin_core::library::FourBar;
@@ -240,12 +240,12 @@ impl<'a> Text<'a> {
         let upper = name.to_uppercase();
         let mut names = DistinctNames::new(KEYWORDS);
         let arguments = tape.arguments.iter().map(|argument| {
-            let own = match argument.role {
+            let plain = match argument.role {
                 Role::Input { order, .. } => of_order(&argument.name, order),
                 Role::Assembly(_) if argument.name == "assembly" => "sign".to_string(),
                 Role::Near(_) | Role::Assembly(_) | Role::Parameter(_) => argument.name.clone(),
             };
-            names.name(&own)
+            names.name(&plain)
         });
         let arguments = arguments.collect();
         let mut names = DistinctNames::new(KEYWORDS);
@@ -253,7 +253,7 @@ impl<'a> Text<'a> {
             let by = |parameter: usize| tape.description.parameters[parameter].name;
             let quantity =
                 |name: &str, parameter: usize| format!("{}_by_{}", of_order(name, result.order), by(parameter));
-            let own = match result.quantity {
+            let plain = match result.quantity {
                 ResultOf::UnknownPartial { unknown, parameter } => {
                     quantity(tape.description.unknowns[unknown].name, parameter)
                 }
@@ -262,7 +262,7 @@ impl<'a> Text<'a> {
                 }
                 _ => of_order(&result.name, result.order),
             };
-            names.name(&own)
+            names.name(&plain)
         });
         let results = results.collect();
         let mut names = DistinctNames::new(&[]);
@@ -271,8 +271,8 @@ impl<'a> Text<'a> {
                 .chars()
                 .map(|letter| if letter == ' ' || letter == ',' { '_' } else { letter })
                 .collect();
-            let own = snake(&words).replace("__", "_");
-            names.name(&format!("{upper}_{}", own.trim_end_matches('_').to_uppercase()))
+            let plain = snake(&words).replace("__", "_");
+            names.name(&format!("{upper}_{}", plain.trim_end_matches('_').to_uppercase()))
         });
         let codes = codes.collect();
         Self {
@@ -299,8 +299,8 @@ impl<'a> Text<'a> {
         }
     }
 
-    /// The structures of the arguments: the suffix of the type's name and the variable, and which arguments are in it. A structure
-    /// without arguments is left out.
+    /// The structures of the arguments: the suffix of the type's name and the variable, and which arguments are in it.
+    /// A structure without arguments is left out.
     fn structures(&self) -> Vec<(&'static str, Vec<usize>)> {
         type IsIn = fn(&Role) -> bool;
         let all: [(&str, IsIn); 4] = [
@@ -328,8 +328,8 @@ impl<'a> Text<'a> {
             .map(|(index, _)| index)
     }
 
-    /// The structure in which an argument stands.
-    fn place(&self, argument: usize) -> String {
+    /// The structure member that holds an argument.
+    fn member_of(&self, argument: usize) -> String {
         let structure = match self.tape.arguments[argument].role {
             Role::Parameter(_) => "dimensions",
             Role::Input { .. } => "inputs",
@@ -339,8 +339,8 @@ impl<'a> Text<'a> {
         format!("{structure}->{}", self.arguments[argument])
     }
 
-    /// The head of a function without its end: its name, and its arguments with their types, each on a line of its own. The last one
-    /// is what it writes to.
+    /// The head of a function without its end: its name, and its arguments with their types, each on a separate line.
+    /// The last one is what it writes to.
     fn signature(&self, function: &str, target: &str) -> String {
         let name = &self.name;
         let mut arguments: Vec<String> = self
@@ -363,10 +363,10 @@ impl<'a> Text<'a> {
             words.push_str("The dimensions are arguments. ");
         } else {
             let parameters = self.tape.description.parameters.iter().zip(&self.tape.folded);
-            let own: Vec<String> = parameters
-                .map(|(own, value)| format!("{} = {value:?}", own.name))
+            let dimensions: Vec<String> = parameters
+                .map(|(parameter, value)| format!("{} = {value:?}", parameter.name))
                 .collect();
-            words.push_str(&format!("The dimensions are {}. ", own.join(", ")));
+            words.push_str(&format!("The dimensions are {}. ", dimensions.join(", ")));
         }
         let licence = env!("CARGO_PKG_LICENSE");
         words.push_str(&format!(
@@ -376,8 +376,8 @@ impl<'a> Text<'a> {
     }
 }
 
-/// What a check says if it fails.
-fn told(condition: Condition) -> &'static str {
+/// The meaning of the margin of a check that fails.
+fn meaning_of_margin(condition: Condition) -> &'static str {
     match condition {
         Condition::Holds(_) => "the distance from passing, negative if something is out of reach",
         Condition::Found(_) => "the largest residual where the search stopped, or the determinant there",
@@ -388,35 +388,35 @@ fn told(condition: Condition) -> &'static str {
 /// A comment of C. It does not end early, and continues no line.
 fn comment(indent: &str, text: &str) -> String {
     let text = text.replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?");
-    let mut own = String::new();
+    let mut printed = String::new();
     let lines = lines(&text, 100 - indent.len());
-    for (place, line) in lines.iter().enumerate() {
-        let start = if place == 0 { "/* " } else { "   " };
+    for (index, line) in lines.iter().enumerate() {
+        let start = if index == 0 { "/* " } else { "   " };
         let line = line
             .strip_suffix('\\')
             .map_or_else(|| line.clone(), |line| format!("{line}\\."));
-        own.push_str(&format!("{indent}{start}{line}"));
-        own.push_str(if place + 1 == lines.len() { " */\n" } else { "\n" });
+        printed.push_str(&format!("{indent}{start}{line}"));
+        printed.push_str(if index + 1 == lines.len() { " */\n" } else { "\n" });
     }
-    own
+    printed
 }
 
 /// A text of C between quotes.
 fn quoted(text: &str) -> String {
-    let mut own = String::from("\"");
+    let mut printed = String::from("\"");
     for letter in text.chars() {
         match letter {
             '"' | '\\' => {
-                own.push('\\');
-                own.push(letter);
+                printed.push('\\');
+                printed.push(letter);
             }
-            '?' => own.push_str("\\?"),
-            _ if letter.is_ascii_graphic() || letter == ' ' => own.push(letter),
-            _ => own.push('.'),
+            '?' => printed.push_str("\\?"),
+            _ if letter.is_ascii_graphic() || letter == ' ' => printed.push(letter),
+            _ => printed.push('.'),
         }
     }
-    own.push('"');
-    own
+    printed.push('"');
+    printed
 }
 
 #[cfg(test)]

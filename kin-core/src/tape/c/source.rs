@@ -34,8 +34,8 @@ impl Inherited {
         }
     }
 
-    /// The place of a value in the chain.
-    pub(super) fn place(&self, value: Value) -> Option<usize> {
+    /// The index of a value in the chain.
+    pub(super) fn index_of(&self, value: Value) -> Option<usize> {
         self.values.binary_search(&value).ok()
     }
 }
@@ -48,10 +48,10 @@ fn is_carried(tape: &Tape<'_>, value: Value) -> bool {
     )
 }
 
-/// The values that the steps of an order take, its own ones included.
+/// The values that the steps of an order take, those of the order included.
 pub(super) fn taken(tape: &Tape<'_>, stages: &Stages, order: usize) -> Vec<Value> {
-    let mut own = Vec::new();
-    let mut take = |value: Value| own.push(value);
+    let mut values = Vec::new();
+    let mut take = |value: Value| values.push(value);
     for step in tape.steps.iter().filter(|step| stages.of_step(tape, **step) == order) {
         match *step {
             TapeStep::Compute(value) => tape.nodes[value.index()].operands(&mut take),
@@ -86,15 +86,16 @@ pub(super) fn taken(tape: &Tape<'_>, stages: &Stages, order: usize) -> Vec<Value
     {
         take(result.value);
     }
-    own
+    values
 }
 
 /// The values that a search takes from outside: guess, sizes, and what its body needs.
 fn given(tape: &Tape<'_>, search: usize) -> Vec<Value> {
-    let own = &tape.searches[search];
-    own.guess
+    let sought = &tape.searches[search];
+    sought
+        .guess
         .iter()
-        .chain(&own.sizes)
+        .chain(&sought.sizes)
         .copied()
         .chain(tape.given(search))
         .collect()
@@ -102,54 +103,54 @@ fn given(tape: &Tape<'_>, search: usize) -> Vec<Value> {
 
 pub(super) fn source(text: &Text<'_>) -> String {
     let (name, tape) = (&text.name, text.tape);
-    let mut own = text.head(&format!("{name}.c"));
-    own.push_str(&format!("#include \"{name}.h\"\n\n"));
-    own.push_str(&runtime::c(RuntimeParts::of(tape), tape.precision));
+    let mut printed = text.head(&format!("{name}.c"));
+    printed.push_str(&format!("#include \"{name}.h\"\n\n"));
+    printed.push_str(&runtime::c(RuntimeParts::of(tape), tape.precision));
     let stages = Stages::new(tape);
     let carried = Inherited::new(tape);
     for search in 0..tape.searches.len() {
-        own.push('\n');
-        own.push_str(&equations(text, search));
+        printed.push('\n');
+        printed.push_str(&equations(text, search));
     }
     if tape.order > 0 {
         for order in 0..=tape.order {
-            own.push('\n');
-            own.push_str(&format!(
+            printed.push('\n');
+            printed.push_str(&format!(
                 "{}\n{{\n{}}}\n",
                 text.signature(&order_name(order), "chain"),
                 CWriter::of_order(text, &stages, &carried, order).order("chain->pose.")
             ));
         }
     }
-    own.push('\n');
+    printed.push('\n');
     let (stages, carried) = (Stages::one(tape), Inherited { values: Vec::new() });
-    own.push_str(&format!(
+    printed.push_str(&format!(
         "{}\n{{\n{}}}\n",
         text.signature("solve", "pose"),
         CWriter::of_order(text, &stages, &carried, 0).order("pose->")
     ));
-    own.push('\n');
-    own.push_str(&message(text));
-    own
+    printed.push('\n');
+    printed.push_str(&message(text));
+    printed
 }
 
 fn message(text: &Text<'_>) -> String {
     let (name, upper) = (&text.name, &text.upper);
-    let mut own = format!("const char *{name}_message(int code)\n{{\n    switch (code) {{\n");
-    own.push_str(&format!(
+    let mut printed = format!("const char *{name}_message(int code)\n{{\n    switch (code) {{\n");
+    printed.push_str(&format!(
         "    case {upper}_CLOSED:\n        return \"the mechanism closes\";\n"
     ));
     if text.choices().next().is_some() {
-        own.push_str(&format!(
+        printed.push_str(&format!(
             "    case {upper}_NO_ASSEMBLY:\n        return \"an assembly is neither 1 nor -1\";\n"
         ));
     }
     for (check, code) in text.tape.checks.iter().zip(&text.codes) {
         let words = quoted(&format!("{} ({})", check.name, text.tape.block_of(check)));
-        own.push_str(&format!("    case {code}:\n        return {words};\n"));
+        printed.push_str(&format!("    case {code}:\n        return {words};\n"));
     }
-    own.push_str("    default:\n        return \"no such code\";\n    }\n}\n");
-    own
+    printed.push_str("    default:\n        return \"no such code\";\n    }\n}\n");
+    printed
 }
 
 /// The residuals and the Jacobian of a search.

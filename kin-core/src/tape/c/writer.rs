@@ -33,9 +33,9 @@ pub(super) struct CWriter<'a> {
 
 impl<'a> CWriter<'a> {
     pub(super) fn of_order(text: &'a Text<'a>, stages: &'a Stages, carried: &'a Inherited, order: usize) -> Self {
-        let mut own = Self::new(text, Some((order, stages, carried)));
+        let mut writer = Self::new(text, Some((order, stages, carried)));
         for value in taken(text.tape, stages, order) {
-            own.uses[value.index()] += 1;
+            writer.uses[value.index()] += 1;
         }
         // What is used in a branch, or later, has a name.
         for check in text
@@ -45,28 +45,28 @@ impl<'a> CWriter<'a> {
             .filter(|check| stages.of_order(check.order) == order)
         {
             for value in &check.cold {
-                text.tape.nodes[value.index()].operands(|operand| own.uses[operand.index()] += 2);
+                text.tape.nodes[value.index()].operands(|operand| writer.uses[operand.index()] += 2);
             }
             if let Some(margin) = check.margin {
-                own.uses[margin.index()] += 2;
+                writer.uses[margin.index()] += 2;
             }
         }
         for value in &carried.values {
-            own.uses[value.index()] += 2;
+            writer.uses[value.index()] += 2;
         }
-        own
+        writer
     }
 
     pub(super) fn of_search(text: &'a Text<'a>, search: usize) -> Self {
-        let mut own = Self::new(text, None);
+        let mut writer = Self::new(text, None);
         let sought = &text.tape.searches[search];
         for value in &sought.body {
-            text.tape.nodes[value.index()].operands(|operand| own.uses[operand.index()] += 1);
+            text.tape.nodes[value.index()].operands(|operand| writer.uses[operand.index()] += 1);
         }
         for value in sought.residuals.iter().chain(sought.jacobian.iter().flatten()) {
-            own.uses[value.index()] += 1;
+            writer.uses[value.index()] += 1;
         }
-        own
+        writer
     }
 
     fn new(text: &'a Text<'a>, order: Option<(usize, &'a Stages, &'a Inherited)>) -> Self {
@@ -112,15 +112,15 @@ impl<'a> CWriter<'a> {
                 self.line(&format!("{target}{field} = {value};"));
             }
         }
-        for (place, value) in carried.values.iter().enumerate() {
+        for (index, value) in carried.values.iter().enumerate() {
             if stages.of(*value) == order {
-                let own = self.expression(*value);
-                let own = if tape.nodes[value.index()].is_truth() {
-                    own.select(&self.constant(1.0), &self.constant(0.0))
+                let code = self.expression(*value);
+                let code = if tape.nodes[value.index()].is_truth() {
+                    code.select(&self.constant(1.0), &self.constant(0.0))
                 } else {
-                    own
+                    code
                 };
-                self.line(&format!("chain->carried[{place}] = {};", own.text));
+                self.line(&format!("chain->carried[{index}] = {};", code.text));
             }
         }
         let closed = format!("{}_CLOSED", text.upper);
@@ -131,16 +131,16 @@ impl<'a> CWriter<'a> {
             start.push_str(&format!(
                 "    const {number} {} = {};\n",
                 text.arguments[*argument],
-                text.place(*argument)
+                text.member_of(*argument)
             ));
         }
         for value in &self.loaded {
-            let place = carried.place(*value).unwrap_or_default();
+            let index = carried.index_of(*value).unwrap_or_default();
             if tape.nodes[value.index()].is_truth() {
                 let half = self.constant(0.5).text;
-                start.push_str(&format!("    const int {value} = chain->carried[{place}] > {half};\n"));
+                start.push_str(&format!("    const int {value} = chain->carried[{index}] > {half};\n"));
             } else {
-                start.push_str(&format!("    const {number} {value} = chain->carried[{place}];\n"));
+                start.push_str(&format!("    const {number} {value} = chain->carried[{index}];\n"));
             }
         }
         for (structure, members) in text.structures() {
@@ -176,12 +176,12 @@ impl<'a> CWriter<'a> {
         } else {
             self.line(&format!("const {number} *const values = (const {number} *)given;"));
         }
-        for (place, value) in given.into_iter().enumerate() {
+        for (index, value) in given.into_iter().enumerate() {
             if tape.nodes[value.index()].is_truth() {
                 let half = self.constant(0.5).text;
-                self.line(&format!("const int {value} = values[{place}] > {half};"));
+                self.line(&format!("const int {value} = values[{index}] > {half};"));
             } else {
-                self.line(&format!("const {number} {value} = values[{place}];"));
+                self.line(&format!("const {number} {value} = values[{index}];"));
             }
             self.there.insert(value, Code::whole(value.to_string()));
         }
@@ -189,13 +189,13 @@ impl<'a> CWriter<'a> {
             self.compute(*value);
         }
         for (row, value) in sought.residuals.iter().enumerate() {
-            let own = self.expression(*value).text;
-            self.line(&format!("residuals[{row}] = {own};"));
+            let code = self.expression(*value).text;
+            self.line(&format!("residuals[{row}] = {code};"));
         }
         for (row, entries) in sought.jacobian.iter().enumerate() {
             for (column, value) in entries.iter().enumerate() {
-                let own = self.expression(*value).text;
-                self.line(&format!("jacobian[{row}][{column}] = {own};"));
+                let code = self.expression(*value).text;
+                self.line(&format!("jacobian[{row}][{column}] = {code};"));
             }
         }
         self.body
@@ -221,13 +221,13 @@ impl<'a> CWriter<'a> {
             self.sine_cosine(value, angle);
             return;
         }
-        let own = self.written(node);
-        if self.uses[value.index()] == 1 && own.text.len() <= self.text.width {
-            self.there.insert(value, own);
+        let code = self.written(node);
+        if self.uses[value.index()] == 1 && code.text.len() <= self.text.width {
+            self.there.insert(value, code);
             return;
         }
         let kind = if node.is_truth() { "int" } else { self.text.number };
-        self.line(&format!("const {kind} {value} = {};", own.text));
+        self.line(&format!("const {kind} {value} = {};", code.text));
         self.there.insert(value, Code::whole(value.to_string()));
     }
 
@@ -241,7 +241,7 @@ impl<'a> CWriter<'a> {
             .nodes
             .iter()
             .position(is_other)
-            .and_then(|place| u32::try_from(place).ok())
+            .and_then(|index| u32::try_from(index).ok())
             .map(Value);
         // A partner that another function finds has its name there.
         let partner = other.filter(|other| !self.there.contains_key(other) && !self.is_left(*other));
@@ -250,8 +250,8 @@ impl<'a> CWriter<'a> {
         self.line(&format!("{number} {value};"));
         self.line(&format!("{number} {other};"));
         let angle = self.expression(angle).text;
-        let own = value.to_string();
-        let (sine, cosine) = if is_sine { (&own, &other) } else { (&other, &own) };
+        let name = value.to_string();
+        let (sine, cosine) = if is_sine { (&name, &other) } else { (&other, &name) };
         self.line(&format!("kin_sine_cosine({angle}, &{sine}, &{cosine});"));
         for value in [Some(value), partner].into_iter().flatten() {
             self.there.insert(value, Code::whole(value.to_string()));
@@ -265,8 +265,8 @@ impl<'a> CWriter<'a> {
 
     /// A value as it is written where it is used.
     fn expression(&mut self, value: Value) -> Code {
-        if let Some(own) = self.there.get(&value) {
-            return own.clone();
+        if let Some(code) = self.there.get(&value) {
+            return code.clone();
         }
         match self.text.tape.nodes[value.index()] {
             TapeNode::Argument(argument) => {
@@ -314,7 +314,7 @@ impl<'a> CWriter<'a> {
         };
         self.line(&format!("if ({fails}) {{"));
         self.indent = 8;
-        // The names of the branch are its own, and what it uses once is written there.
+        // The names of the branch are used there only, and what it uses once is written there.
         let (before, uses) = (self.there.clone(), self.uses.clone());
         for value in &check.cold {
             self.uses[value.index()] = 0;
@@ -351,11 +351,11 @@ impl<'a> CWriter<'a> {
         let entries: Vec<String> = values
             .iter()
             .map(|value| {
-                let own = self.expression(*value);
+                let code = self.expression(*value);
                 if self.text.tape.nodes[value.index()].is_truth() {
-                    own.select(&self.constant(1.0), &self.constant(0.0)).text
+                    code.select(&self.constant(1.0), &self.constant(0.0)).text
                 } else {
-                    own.text
+                    code.text
                 }
             })
             .collect();
@@ -370,15 +370,19 @@ impl<'a> CWriter<'a> {
         let (guess, sizes) = (self.array(&sought.guess), self.array(&sought.sizes));
         self.line(&format!("const {number} guess_{index}[{count}] = {{{guess}}};"));
         self.line(&format!("const {number} sizes_{index}[{count}] = {{{sizes}}};"));
-        let mut place = "0".to_string();
+        let mut given_array = "0".to_string();
         if !given.is_empty() {
-            place = format!("given_{index}");
+            given_array = format!("given_{index}");
             let values = self.array(&given);
-            self.line(&format!("const {number} {place}[{}] = {{{values}}};", given.len()));
+            self.line(&format!(
+                "const {number} {given_array}[{}] = {{{values}}};",
+                given.len()
+            ));
         }
         let name = &self.text.name;
-        let block =
-            format!("const kin_block block_{index} = {{{count}, {name}_equations_{index}, {place}, sizes_{index}}};");
+        let block = format!(
+            "const kin_block block_{index} = {{{count}, {name}_equations_{index}, {given_array}, sizes_{index}}};"
+        );
         self.line(&block);
         self.line(&format!("{number} roots_{index}[{count}];"));
         self.line(&format!("{number} detail_of_search_{index};"));
@@ -396,8 +400,8 @@ impl<'a> CWriter<'a> {
         self.line(&format!("{number} detail_of_system_{index};"));
         for (row, entries) in rows.iter().enumerate() {
             for (column, value) in entries.iter().enumerate() {
-                let own = self.expression(*value).text;
-                self.line(&format!("factors_{index}.entries[{row}][{column}] = {own};"));
+                let code = self.expression(*value).text;
+                self.line(&format!("factors_{index}.entries[{row}][{column}] = {code};"));
             }
         }
         let call = format!(

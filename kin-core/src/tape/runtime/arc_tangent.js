@@ -52,8 +52,8 @@ function kinAtan2(y, x) {
     return Math.atan2(y, x);
   }
   const z = fraction * fraction;
-  const turned = sense * fraction;
-  const rest = multiple * KIN_HALF_RIGHT_ANGLE[1] - turned * z * kinTwelve(KIN_ARC_TANGENT, z);
-  const angle = multiple * KIN_HALF_RIGHT_ANGLE[0] + (turned + rest);
+  const oriented = sense * fraction;
+  const rest = multiple * KIN_HALF_RIGHT_ANGLE[1] - oriented * z * kinTwelve(KIN_ARC_TANGENT, z);
+  const angle = multiple * KIN_HALF_RIGHT_ANGLE[0] + (oriented + rest);
   return kinSign(y) * Math.abs(angle);
 }

@@ -32,9 +32,9 @@ def _atan2(y: Array, x: Array) -> Array:
     fraction = across / along
     ordinary = np.isfinite(along * fraction)
     z = fraction * fraction
-    turned = sense * fraction
-    rest = multiple * _HALF_RIGHT_ANGLE[1] - (turned * z) * _twelve(_ARC_TANGENT, z)
-    angle = np.copysign(multiple * _HALF_RIGHT_ANGLE[0] + (turned + rest), y)
+    oriented = sense * fraction
+    rest = multiple * _HALF_RIGHT_ANGLE[1] - (oriented * z) * _twelve(_ARC_TANGENT, z)
+    angle = np.copysign(multiple * _HALF_RIGHT_ANGLE[0] + (oriented + rest), y)
     if not np.all(ordinary):
         angle = np.where(ordinary, angle, np.arctan2(y, x))
     return angle

@@ -34,10 +34,10 @@ static float kin_atan2(float y, float x)
         const float *c = kin_arc_tangent;
         const float z = fraction * fraction;
         const float square = z * z;
-        const float turned = sense * fraction;
+        const float oriented = sense * fraction;
         const float series = ((c[0] + c[1] * z) + (c[2] + c[3] * z) * square) + (c[4] + c[5] * z) * (square * square);
-        const float rest = multiple * kin_half_right_angle[1] - (turned * z) * series;
-        return copysignf(multiple * kin_half_right_angle[0] + (turned + rest), y);
+        const float rest = multiple * kin_half_right_angle[1] - (oriented * z) * series;
+        return copysignf(multiple * kin_half_right_angle[0] + (oriented + rest), y);
     }
     return atan2f(y, x);
 }

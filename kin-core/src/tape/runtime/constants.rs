@@ -20,13 +20,13 @@ impl ConstantTexts {
         };
         let one = |number: f64| literal(number, precision);
         let (right_angle, half_right_angle) = (
-            elementary::QUARTER_TURN.iter().rev().sum::<f64>(),
+            elementary::RIGHT_ANGLE.iter().rev().sum::<f64>(),
             elementary::HALF_RIGHT_ANGLE.iter().rev().sum::<f64>(),
         );
         debug_assert!(right_angle == 2.0 * half_right_angle);
         let entries = match precision {
             NumberType::Double => [
-                ("QUARTER_TURN", list(&elementary::QUARTER_TURN)),
+                ("RIGHT_ANGLE", list(&elementary::RIGHT_ANGLE)),
                 ("SINE", list(&elementary::SINE)),
                 ("COSINE", list(&elementary::COSINE)),
                 ("ROUNDING", one(elementary::ROUNDING)),
@@ -35,8 +35,8 @@ impl ConstantTexts {
                 ("RANGE", solve::range::<f64>().to_string()),
             ],
             NumberType::Single => [
-                // Turns have at most 16 bits, so eight more are exact. The middle of π/2 has 37 bits.
-                ("QUARTER_TURN", list(&parts::<5>(elementary::QUARTER_TURN, 8))),
+                // Numbers of right angles have at most 16 bits, so eight more are exact. The middle of π/2 has 37 bits.
+                ("RIGHT_ANGLE", list(&parts::<5>(elementary::RIGHT_ANGLE, 8))),
                 ("SINE", list(&elementary::SINE_SINGLE)),
                 ("COSINE", list(&elementary::COSINE_SINGLE)),
                 // Half of the distance between two of these numbers is 1/2.
@@ -70,8 +70,8 @@ impl ConstantTexts {
     }
 }
 
-/// A finite number that is read as itself: the shortest decimal fraction that is nearest to it. C, JavaScript and Python
-/// write it the same way; a number of single precision has the suffix of C.
+/// A finite number that is read as itself: the shortest decimal fraction that is nearest to it. C, JavaScript and
+/// Python write it the same way; a number of single precision has the suffix of C.
 fn literal(number: f64, precision: NumberType) -> String {
     match precision {
         NumberType::Double => format!("{number:?}"),

@@ -1,11 +1,11 @@
-//! The functions that programs in other languages carry along: kin's sine, cosine and arctangent, its triangular factors
-//! and its Newton's method.
+//! The functions that programs in other languages carry along: kin's sine, cosine and arctangent, its triangular
+//! factors and its Newton's method.
 //!
-//! The texts are files of their language with names such as `@SINE@` in place of constants. The constants come from the
+//! The texts are files of their language with names such as `@SINE@` instead of constants. The constants come from the
 //! code of this crate, and are printed so that they are read as the same numbers. C, JavaScript and NumPy find the same
 //! numbers as this crate does where it does not fuse products, to the last bit: sines and cosines of angles up to 10⁵,
-//! angles of points, factors and roots. Single precision in C has its own short polynomials and its own reduction of
-//! the angle, because it contains no `double`.
+//! angles of points, factors and roots. Single precision in C has separate short polynomials and a separate reduction
+//! of the angle, because it contains no `double`.
 
 mod constants;
 #[cfg(test)]
@@ -76,7 +76,7 @@ impl RuntimeParts {
 /// - `kin_newton(&block, guess, found, &detail)`.
 ///
 /// The outcomes are `KIN_FOUND`, which is zero, `KIN_NOT_CONVERGED`, `KIN_SINGULAR` and `KIN_NOT_FINITE`. Arrays of
-/// unknowns have `KIN_UNKNOWNS` places.
+/// unknowns have room for `KIN_UNKNOWNS`.
 pub(super) fn c(parts: RuntimeParts, precision: NumberType) -> String {
     let table = ConstantTexts::new(precision);
     let mut text = include_str!("head.c").to_string();
@@ -114,14 +114,14 @@ pub(super) fn c(parts: RuntimeParts, precision: NumberType) -> String {
     text
 }
 
-/// What tells mistakes in the arguments of a solver in JavaScript: `kinCount` and `kinMistake`.
+/// The code that reports mistakes in the arguments of a solver in JavaScript: `kinCount` and `kinMistake`.
 pub(super) const JAVA_SCRIPT_ARGUMENTS: &str = include_str!("arguments.js");
 
 /// What refuses mistakes in the arguments of a solver in Python: `_named`, `_moving` and `_chosen`.
 pub(super) const PYTHON_ARGUMENTS: &str = include_str!("arguments.py");
 
-/// The run time in JavaScript, as functions of one module: `kinSineCosine`, `kinAtan2`, `kinFactor`, `kinSubstitute` and
-/// `kinNewton`.
+/// The run time in JavaScript, as functions of one module: `kinSineCosine`, `kinAtan2`, `kinFactor`, `kinSubstitute`
+/// and `kinNewton`.
 pub(super) fn java_script(parts: RuntimeParts) -> String {
     parts.text(
         &ConstantTexts::new(NumberType::Double),

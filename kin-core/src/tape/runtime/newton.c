@@ -97,8 +97,8 @@ static int kin_is_rounding(const kin_block *block, double length, const kin_poin
         return 1;
     }
     for (int index = 0; index < block->count; index++) {
-        const double turns = fabs(point->unknowns[index]) / block->sizes[index];
-        size = turns > size ? turns : size;
+        const double ratio = fabs(point->unknowns[index]) / block->sizes[index];
+        size = ratio > size ? ratio : size;
     }
     for (int column = 0; column < block->count; column++) {
         double unit[KIN_UNKNOWNS] = {0.0};

@@ -15,8 +15,8 @@ static void kin_sine_cosine(double angle, double *sine, double *cosine)
 /* A number whose addition rounds to an integer. */
 #define KIN_ROUNDING @ROUNDING@
 
-/* pi/2 as a sum. The products of the first two parts with a number of quarter turns are exact. */
-static const double kin_quarter_turn[3] = {@QUARTER_TURN@};
+/* pi/2 as a sum. The products of the first two parts with a number of right angles are exact. */
+static const double kin_right_angle[3] = {@RIGHT_ANGLE@};
 
 /* (r - sin r) / r^3 and (cos r - 1 + r^2/2) / r^4 in powers of r^2, for |r| <= pi/4. */
 static const double kin_sine[6] = {@SINE@};
@@ -35,16 +35,16 @@ static void kin_sine_cosine(double angle, double *sine, double *cosine)
 {
     if (fabs(angle) <= KIN_NEAR) {
         const double shifted = angle * @TWO_OVER_PI@ + KIN_ROUNDING;
-        const double turns = shifted - KIN_ROUNDING;
-        const double first = angle - turns * kin_quarter_turn[0];
-        const double second = turns * kin_quarter_turn[1];
+        const double right_angles = shifted - KIN_ROUNDING;
+        const double first = angle - right_angles * kin_right_angle[0];
+        const double second = right_angles * kin_right_angle[1];
         const double r = first - second;
         /* The amount by which r is too large. */
-        const double tail = turns * kin_quarter_turn[2] + (second - (first - r));
+        const double tail = right_angles * kin_right_angle[2] + (second - (first - r));
         const double z = r * r;
         const double s = r - ((r * z) * kin_six(kin_sine, z) + tail);
         const double c = 1.0 - (0.5 * z - (z * z) * kin_six(kin_cosine, z));
-        switch ((unsigned long)(long)turns & 3UL) {
+        switch ((unsigned long)(long)right_angles & 3UL) {
         case 0:
             *sine = s;
             *cosine = c;

@@ -4,8 +4,8 @@ const KIN_NEAR = @LIMIT@;
 /** A number whose addition rounds to an integer. */
 const KIN_ROUNDING = @ROUNDING@;
 
-/** π/2 as a sum. The products of the first two parts with a number of quarter turns are exact. */
-const KIN_QUARTER_TURN = [@QUARTER_TURN@];
+/** π/2 as a sum. The products of the first two parts with a number of right angles are exact. */
+const KIN_RIGHT_ANGLE = [@RIGHT_ANGLE@];
 
 /** (r - sin r) / r³ and (cos r - 1 + r²/2) / r⁴ in powers of r², for |r| ≤ π/4. */
 const KIN_SINE = [@SINE@];
@@ -33,16 +33,16 @@ function kinSineCosine(angle) {
     return [Math.sin(angle), Math.cos(angle)];
   }
   const shifted = angle * @TWO_OVER_PI@ + KIN_ROUNDING;
-  const turns = shifted - KIN_ROUNDING;
-  const first = angle - turns * KIN_QUARTER_TURN[0];
-  const second = turns * KIN_QUARTER_TURN[1];
+  const right_angles = shifted - KIN_ROUNDING;
+  const first = angle - right_angles * KIN_RIGHT_ANGLE[0];
+  const second = right_angles * KIN_RIGHT_ANGLE[1];
   const r = first - second;
   // The amount by which r is too large.
-  const tail = turns * KIN_QUARTER_TURN[2] + (second - (first - r));
+  const tail = right_angles * KIN_RIGHT_ANGLE[2] + (second - (first - r));
   const z = r * r;
   const s = r - (r * z * kinSix(KIN_SINE, z) + tail);
   const c = 1 - (0.5 * z - z * z * kinSix(KIN_COSINE, z));
-  switch (turns & 3) {
+  switch (right_angles & 3) {
     case 0:
       return [s, c];
     case 1:

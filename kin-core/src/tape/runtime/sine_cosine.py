@@ -4,8 +4,8 @@ _NEAR = @LIMIT@
 #: A number whose addition rounds to an integer.
 _ROUNDING = @ROUNDING@
 
-#: π/2 as a sum. The products of the first two parts with a number of quarter turns are exact.
-_QUARTER_TURN = (@QUARTER_TURN@)
+#: π/2 as a sum. The products of the first two parts with a number of right angles are exact.
+_RIGHT_ANGLE = (@RIGHT_ANGLE@)
 
 #: (r - sin r) / r³ and (cos r - 1 + r²/2) / r⁴ in powers of r², for |r| ≤ π/4.
 _SINE = (@SINE@)
@@ -25,16 +25,16 @@ def _sine_cosine(angle: Array) -> tuple[Array, Array]:
     near = np.abs(angle) <= _NEAR
     inside = np.where(near, angle, 0.0)
     shifted = inside * @TWO_OVER_PI@ + _ROUNDING
-    turns = shifted - _ROUNDING
-    first = inside - turns * _QUARTER_TURN[0]
-    second = turns * _QUARTER_TURN[1]
+    right_angles = shifted - _ROUNDING
+    first = inside - right_angles * _RIGHT_ANGLE[0]
+    second = right_angles * _RIGHT_ANGLE[1]
     r = first - second
     # The amount by which r is too large.
-    tail = turns * _QUARTER_TURN[2] + (second - (first - r))
+    tail = right_angles * _RIGHT_ANGLE[2] + (second - (first - r))
     z = r * r
     s = r - ((r * z) * _six(_SINE, z) + tail)
     c = 1.0 - (0.5 * z - (z * z) * _six(_COSINE, z))
-    quarters = turns.astype(np.int64)
+    quarters = right_angles.astype(np.int64)
     odd = (quarters & 1) != 0
     sine, cosine = np.where(odd, c, s), np.where(odd, s, c)
     sine = np.where((quarters & 2) != 0, -sine, sine)

@@ -15,8 +15,8 @@ static void kin_sine_cosine(float angle, float *sine, float *cosine)
 /* A number whose addition rounds to an integer. */
 #define KIN_ROUNDING @ROUNDING@
 
-/* pi/2 as a sum. The products of the first four parts with a number of quarter turns are exact. */
-static const float kin_quarter_turn[5] = {@QUARTER_TURN@};
+/* pi/2 as a sum. The products of the first four parts with a number of right angles are exact. */
+static const float kin_right_angle[5] = {@RIGHT_ANGLE@};
 
 /* (r - sin r) / r^3 and (cos r - 1 + r^2/2) / r^4 in powers of r^2, for |r| <= pi/4. */
 static const float kin_sine[4] = {@SINE@};
@@ -28,19 +28,19 @@ static void kin_sine_cosine(float angle, float *sine, float *cosine)
 {
     if (fabsf(angle) <= KIN_NEAR) {
         const float shifted = angle * @TWO_OVER_PI@ + KIN_ROUNDING;
-        const float turns = shifted - KIN_ROUNDING;
-        const float first = ((angle - turns * kin_quarter_turn[0]) - turns * kin_quarter_turn[1])
-            - turns * kin_quarter_turn[2];
-        const float second = turns * kin_quarter_turn[3];
+        const float right_angles = shifted - KIN_ROUNDING;
+        const float first = ((angle - right_angles * kin_right_angle[0]) - right_angles * kin_right_angle[1])
+            - right_angles * kin_right_angle[2];
+        const float second = right_angles * kin_right_angle[3];
         const float r = first - second;
         /* The amount by which r is too large. */
-        const float tail = turns * kin_quarter_turn[4] + (second - (first - r));
+        const float tail = right_angles * kin_right_angle[4] + (second - (first - r));
         const float z = r * r;
         const float cubic = (kin_sine[0] + kin_sine[1] * z) + (kin_sine[2] + kin_sine[3] * z) * (z * z);
         const float quartic = (kin_cosine[0] + kin_cosine[1] * z) + kin_cosine[2] * (z * z);
         const float s = r - ((r * z) * cubic + tail);
         const float c = 1.0f - (0.5f * z - (z * z) * quartic);
-        switch ((unsigned long)(long)turns & 3UL) {
+        switch ((unsigned long)(long)right_angles & 3UL) {
         case 0:
             *sine = s;
             *cosine = c;

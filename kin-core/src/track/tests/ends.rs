@@ -1,5 +1,5 @@
-//! Other ends: the domain of a function, the range of an unknown, a pole, a dead point beside which it starts. Each is named for what it is, at
-//! its place.
+//! Other ends: the domain of a function, the range of an unknown, a pole, a dead point beside which it starts. Each is
+//! named for what it is, at its position.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 use std::string::ToString;
@@ -72,12 +72,12 @@ fn is_end_of(error: &SolveError, function: &str, block: &str, expected: f64, tol
     };
     assert_eq!(actual, function);
     assert_eq!(error.block, block);
-    let (_, place) = error.inputs.iter().next().unwrap();
+    let (_, expected_input) = error.inputs.iter().next().unwrap();
     assert!(
-        (place - expected).abs() <= tolerance,
+        (expected_input - expected).abs() <= tolerance,
         "{error:?} {expected} {tolerance}"
     );
-    // The argument is what it is at that place.
+    // The argument is what it is at that input.
     match function {
         "sqrt" | "ln" => assert!(argument <= 0.0, "{error:?}"),
         _ => assert!(argument.abs() > 1.0, "{error:?}"),
@@ -179,7 +179,8 @@ crate::mechanism! {
     y + sin(y) / 10 == asin(q - slope * y);
 }
 
-/// There the solvers cannot tell which function it is, nor the place to the last digit; but they do not name another cause.
+/// There the solvers cannot distinguish which function it is, nor the input to the last digit; but they do not name
+/// another cause.
 #[test]
 fn domain_in_a_coupled_block() {
     let mut random = Random::new(44);
@@ -196,8 +197,8 @@ fn domain_in_a_coupled_block() {
             matches!(error.failure, Failure::NotFinite { quantity } if quantity.to_string().contains("domain")),
             "{error:?}"
         );
-        let (_, place) = error.inputs.iter().next().unwrap();
-        worst = worst.max((place - (1.0 + slope * last)).abs());
+        let (_, expected_input) = error.inputs.iter().next().unwrap();
+        worst = worst.max((expected_input - (1.0 + slope * last)).abs());
     }
     std::println!("{worst:e}");
     assert!(worst < 1e-7, "{worst:e}");
@@ -218,18 +219,18 @@ fn range_of_an_unknown() {
             matches!(error.failure, Failure::OutOfRange { unknown, .. } if unknown == "x"),
             "{error:?}"
         );
-        let (_, place) = error.inputs.iter().next().unwrap();
+        let (_, expected_input) = error.inputs.iter().next().unwrap();
         let expected = (1.0_f64 / l).asin();
         // A range has an allowance of eight units of rounding.
         assert!(
-            (place - expected).abs() <= 32.0 * f64::EPSILON / expected.cos(),
+            (expected_input - expected).abs() <= 32.0 * f64::EPSILON / expected.cos(),
             "{error:?} {expected}"
         );
     }
 }
 
 crate::mechanism! {
-    /// A slide on a line that turns, against a line that does not.
+    /// A slide on a line that rotates, against a line that does not.
     struct Guide { pivot: Point, other: Point, inclination: Angle }
     input q: Angle;
     unknown s: Length, t: Length;
@@ -258,28 +259,31 @@ fn poles() {
         };
         let from = inclination + random.between(0.2, 2.9);
         let start = guide.position(from).unwrap().unknowns();
-        // Parallel lines; at once in the other direction it would be the same line turned by half a turn.
-        for (to, place) in [(inclination - 1.0, inclination), (from + PI, inclination + PI)] {
+        // Parallel lines; at once in the other direction it would be the same line rotated by half a revolution.
+        for (to, expected_input) in [(inclination - 1.0, inclination), (from + PI, inclination + PI)] {
             let Err(TrackError::Pole(pole)) = track(&guide, [from], start, [to]) else {
                 panic!("{guide:?}");
             };
             assert_eq!(pole.block, "s, t");
-            assert!((pole.inputs[0] - place).abs() <= 1e-12, "{pole:?} {place}");
+            assert!(
+                (pole.inputs[0] - expected_input).abs() <= 1e-12,
+                "{pole:?} {expected_input}"
+            );
         }
         let tangent = Tangent { l: unit };
-        for (to, place) in [(2.0, FRAC_PI_2), (-4.0, -FRAC_PI_2)] {
+        for (to, expected_input) in [(2.0, FRAC_PI_2), (-4.0, -FRAC_PI_2)] {
             let Err(TrackError::Pole(pole)) = track(&tangent, [0.3], [unit * 0.3_f64.tan()], [to]) else {
                 panic!("{tangent:?}");
             };
-            assert!((pole.inputs[0] - place).abs() <= 1e-12, "{pole:?}");
-            assert!(pole.unknowns[0] * place.signum() > 1e6 * unit);
+            assert!((pole.inputs[0] - expected_input).abs() <= 1e-12, "{pole:?}");
+            assert!(pole.unknowns[0] * expected_input.signum() > 1e6 * unit);
         }
     }
     let error = track(&Tangent { l: 1.0 }, [0.0], [0.0], [2.0]).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "an unknown of y runs to infinity at q = 1.570796 rad (90.0°), after 0.7853982 of the way; stop short of it, or drive the \
-         mechanism by another input"
+        "an unknown of y runs to infinity at q = 1.570796 rad (90.0°), after 0.7853982 of the way; stop short of it, \
+         or drive the mechanism by another input"
     );
 }
 
@@ -332,8 +336,8 @@ fn start_beside_a_limit() {
     assert!(nearest < 1e-7, "{nearest}");
 }
 
-/// At a change point a determinant of δ means that the crank is away from it by about δ; rounding of the unknowns grows with
-/// 1 / δ. Where it reaches δ, nothing tells the assemblies apart, on the way back neither.
+/// At a change point a determinant of δ means that the crank is away from it by about δ; rounding of the unknowns grows
+/// with 1 / δ. Where it reaches δ, nothing distinguishes the assemblies, on the way back neither.
 #[test]
 fn start_beside_a_change_point() {
     let mut random = Random::new(47);
@@ -359,21 +363,24 @@ fn start_beside_a_change_point() {
         };
         for exponent in 2..16 {
             let gap = 10.0_f64.powi(-exponent);
-            for (place, side) in [(0.0, 1.0), (0.0, -1.0), (PI, -1.0)] {
-                if is_kite && place == PI {
+            for (expected_input, side) in [(0.0, 1.0), (0.0, -1.0), (PI, -1.0)] {
+                if is_kite && expected_input == PI {
                     continue;
                 }
                 for assembly in Assembly::BOTH {
-                    let from = place + side * gap;
-                    let Some(result) = from_beside(&linkage, assembly, from, place - side) else {
+                    let from = expected_input + side * gap;
+                    let Some(result) = from_beside(&linkage, assembly, from, expected_input - side) else {
                         continue;
                     };
                     let Err(TrackError::ChangePoint(point)) = result else {
                         panic!("{linkage:?} {assembly:?} {from}: {result:?}");
                     };
                     assert_eq!(point.block, "theta3, theta4");
-                    assert!((point.inputs[0] - place).abs() <= 1e-7, "{linkage:?} {from} {point:?}");
-                    match from_beside(&linkage, assembly, from, place + 0.3 * side).unwrap() {
+                    assert!(
+                        (point.inputs[0] - expected_input).abs() <= 1e-7,
+                        "{linkage:?} {from} {point:?}"
+                    );
+                    match from_beside(&linkage, assembly, from, expected_input + 0.3 * side).unwrap() {
                         Ok(_) => {}
                         Err(TrackError::ChangePoint(_)) if gap < 2e-7 => {}
                         result => panic!("{linkage:?} {assembly:?} {from}: {result:?}"),

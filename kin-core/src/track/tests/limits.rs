@@ -4,7 +4,7 @@ use core::f64::consts::{PI, TAU};
 use std::format;
 use std::string::ToString;
 
-use super::turns::go_round;
+use super::revolutions::go_round;
 use super::{DOUBLE_ROCKER, TrackError, from_to, track, turned_alike};
 use crate::Name;
 use crate::library::{FourBar, OffsetSliderCrank, PeaucellierLinkage, SliderCrank};
@@ -71,7 +71,7 @@ fn four_bars_stop_at_their_limits() {
                 if end == 0.0 || end == PI {
                     continue;
                 }
-                // Both at once: the neighbourhood of a change point has its own test.
+                // Both at once: the neighbourhood of a change point has a separate test.
                 if end < 1e-3 || PI - end < 1e-3 {
                     continue;
                 }
@@ -166,17 +166,17 @@ fn branches_that_cross_are_change_points() {
         let [r1, r2, r3, r4] = links;
         let linkage = FourBar { r1, r2, r3, r4 };
         for assembly in Assembly::BOTH {
-            for (to, place) in [(-2.0, 0.0), (4.0, PI)] {
+            for (to, input) in [(-2.0, 0.0), (4.0, PI)] {
                 let result = from_to(&linkage, assembly, 1.0, to);
                 // The kite's coupler and rocker are in line only where the diagonal is as long as both.
-                if is_kite && place == PI {
+                if is_kite && input == PI {
                     assert!(matches!(result, Err(TrackError::TurningPoint(_))), "{result:?}");
                     continue;
                 }
                 let Err(TrackError::ChangePoint(point)) = result else {
                     panic!("{assembly:?} to {to}: {result:?}");
                 };
-                assert!((point.inputs[0] - place).abs() < 1e-10, "{point:?}");
+                assert!((point.inputs[0] - input).abs() < 1e-10, "{point:?}");
                 assert_eq!(point.block, "theta3, theta4");
             }
         }
@@ -186,7 +186,7 @@ fn branches_that_cross_are_change_points() {
 /// Three links of a parallelogram as they should be, and the fourth off by a little.
 #[test]
 fn near_a_change_point() {
-    let (mut turned, mut stopped) = (0, 0);
+    let (mut reversed, mut stopped) = (0, 0);
     for exponent in 1..=9 {
         for sign in [1.0, -1.0] {
             let off = sign * 10.0_f64.powi(-exponent);
@@ -199,11 +199,11 @@ fn near_a_change_point() {
                 let linkage = FourBar { r1, r2, r3, r4 };
                 let range = linkage.crank_range().unwrap();
                 for assembly in Assembly::BOTH {
-                    if range.is_full_turn() {
+                    if range.is_full_revolution() {
                         // The angles are as sensitive as the gap is small.
                         let tolerance = 64.0 * f64::EPSILON / off.abs();
                         go_round(&linkage, assembly, &[1.0, 1.0 + TAU, 2.0], tolerance);
-                        turned += 1;
+                        reversed += 1;
                     } else {
                         for (end, diagonal, beyond) in [(range.low, r3 - r4, -PI), (range.high, r3 + r4, PI + 1.0)] {
                             if end == 0.0 || end == PI {
@@ -222,7 +222,7 @@ fn near_a_change_point() {
             }
         }
     }
-    assert!(turned > 20 && stopped > 20, "{turned} {stopped}");
+    assert!(reversed > 20 && stopped > 20, "{reversed} {stopped}");
 }
 
 /// If the links of a parallelogram are nearly equal, rounding separates its branches early. Sometimes a change point is
@@ -308,8 +308,8 @@ fn messages_say_where_it_is() {
     let error = from_to(&DOUBLE_ROCKER, Assembly::Open, 0.5, 3.0).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "limit position of theta3, theta4 at theta2 = 1.955193 rad (112.0°), after 0.5820772 of the way: two assemblies meet there \
-         and neither continues; stop short of it, or drive the mechanism by another input"
+        "limit position of theta3, theta4 at theta2 = 1.955193 rad (112.0°), after 0.5820772 of the way: two \
+         assemblies meet there and neither continues; stop short of it, or drive the mechanism by another input"
     );
     assert_eq!(
         format!("{error:?}"),

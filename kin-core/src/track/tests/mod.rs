@@ -1,9 +1,10 @@
-//! A track ends where it should, and reports its obstacles. The package of tests tracks mechanisms of several loops, and coupled ones.
+//! A track ends where it should, and reports its obstacles. The package of tests tracks mechanisms of several loops,
+//! and coupled ones.
 
 mod ends;
 mod limits;
+mod revolutions;
 mod steps;
-mod turns;
 
 use core::f64::consts::TAU;
 

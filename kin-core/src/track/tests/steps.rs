@@ -3,7 +3,7 @@
 use std::vec;
 
 use super::super::follow::{CORRECTION, attempted, station};
-use super::super::line::{TrackLine, TrackPlace};
+use super::super::line::{TrackLine, TrackPosition};
 use super::{CRANK_ROCKER, DOUBLE_ROCKER};
 use crate::any::Of;
 use crate::assembly::Assembly;
@@ -37,14 +37,14 @@ pub(in crate::track) fn on_the_way<R>(
     ask: impl FnOnce(&TrackLine<'_>, WayPoint<'_>, &mut LentRows<'_>) -> R,
 ) -> R {
     let (mut inputs, mut end) = ([from], unknowns);
-    let place = TrackPlace {
+    let position = TrackPosition {
         inputs: &mut inputs,
         unknowns: &mut end,
     };
     let (parameters, from, to) = (linkage.parameters(), [from], [to]);
     FourBar::<f64>::lend(|lent| {
         let functions = Of::<FourBar>::FUNCTIONS;
-        let (way, mut scratch) = TrackLine::new(functions, &parameters, [&from, &to], &unknowns, lent, place);
+        let (way, mut scratch) = TrackLine::new(functions, &parameters, [&from, &to], &unknowns, lent, position);
         let point = WayPoint {
             unknowns: &unknowns,
             travel: 0.0,
@@ -103,14 +103,14 @@ fn sides_are_those_of_the_assembly() {
             ask(&Sides::of(way, &linear, scratch));
         });
     };
-    let places = vec![-1.9, -1.0, 0.5, 1.9];
-    for &one in &places {
-        for &other in &places {
-            with_sides(Assembly::Open, one, &mut |open| {
+    let sines = vec![-1.9, -1.0, 0.5, 1.9];
+    for &one in &sines {
+        for &other in &sines {
+            with_sides(Assembly::Open, one, &mut |one_side| {
                 with_sides(Assembly::Crossed, other, &mut |crossed| {
-                    assert!(!open.are_same(crossed) && !open.are_near(crossed));
+                    assert!(!one_side.are_same(crossed) && !one_side.are_near(crossed));
                 });
-                with_sides(Assembly::Open, other, &mut |same| assert!(open.are_same(same)));
+                with_sides(Assembly::Open, other, &mut |same| assert!(one_side.are_same(same)));
             });
         }
     }

@@ -53,7 +53,7 @@ pub(super) fn run(subject: &Subject, setup: &Setup, told: &Told) -> Result<(), F
             .iter()
             .map(|branch| &found.branches()[*branch])
             .collect();
-        let full = branches.iter().all(|branch| branch.is_full_turn());
+        let full = branches.iter().all(|branch| branch.is_full_revolution());
         let word = if full {
             "the input goes round"
         } else {
@@ -103,14 +103,14 @@ fn branch_columns(branches: &[&Branch], assemblies: &[String], at: &impl Fn(f64)
     let cells = |cell: &dyn Fn(&Branch) -> String| branches.iter().map(|branch| cell(branch)).collect::<Vec<_>>();
     // a full turn begins anywhere
     let place = |branch: &Branch, side: usize| {
-        if branch.is_full_turn() {
+        if branch.is_full_revolution() {
             "-".to_owned()
         } else {
             at(branch.ends()[side].input)
         }
     };
     let kind = |branch: &Branch, side: usize| {
-        if branch.is_full_turn() && side == 0 {
+        if branch.is_full_revolution() && side == 0 {
             String::new()
         } else {
             end(branch.ends()[side].kind)
@@ -145,7 +145,7 @@ fn end(kind: EndKind) -> String {
     match kind {
         EndKind::Limit(kind) => kind.to_string(),
         EndKind::Range => "end of the range".to_owned(),
-        EndKind::FullTurn => "full turn".to_owned(),
+        EndKind::FullRevolution => "full turn".to_owned(),
         _ => "lost".to_owned(),
     }
 }

@@ -124,7 +124,7 @@ impl Own {
     pub(super) fn range(&self, cycle: &AnyCycle<'_>, place: f64) -> Result<[f64; 2], ReportError> {
         let of = |branch: &usize| &cycle.branches()[*branch];
         let own = self.branches.iter().map(of);
-        if let (true, Some(period)) = (own.clone().any(Branch::is_full_turn), cycle.period()) {
+        if let (true, Some(period)) = (own.clone().any(Branch::is_full_revolution), cycle.period()) {
             return Ok([0.0, period]);
         }
         let ends = own.flat_map(Branch::ends);
@@ -170,7 +170,7 @@ pub(super) fn part_in(cycle: &AnyCycle<'_>, branch: &Branch, range: [f64; 2]) ->
     let part = |shift: f64| ([range[0].max(low + shift), range[1].min(high + shift)], shift);
     let length = |([from, to], _): &([f64; 2], f64)| to - from;
     let parts: Vec<_> = match cycle.period() {
-        Some(_) if branch.is_full_turn() => vec![(range, 0.0)],
+        Some(_) if branch.is_full_revolution() => vec![(range, 0.0)],
         Some(period) => {
             let first = ((range[0] - high) / period).floor();
             (0..4).map(|turn| part(period * (first + f64::from(turn)))).collect()

@@ -66,7 +66,7 @@ pub(super) fn frames(wishes: &Wishes<'_>, poses: &[At]) -> Vec<Frame> {
             };
         };
         let mut points: Vec<Vec<f64>> = Vec::new();
-        functions.places(parameters, pose.inputs(), pose.unknowns(), &mut |place| {
+        functions.skeleton_points(parameters, pose.inputs(), pose.unknowns(), &mut |place| {
             points.push(shortened(place));
         });
         let (joints, slides) = points.split_at(points.len().saturating_sub(slides));

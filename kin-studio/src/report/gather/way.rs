@@ -42,7 +42,7 @@ impl<'m> Way<'m, StraightLine> {
     ) -> Result<Self, ReportError> {
         let [low, high] = range;
         let branch = own.branches.first().map(|index| &cycle.branches()[*index]);
-        let is_turning = branch.is_some_and(kin_core::cycle::Branch::is_full_turn);
+        let is_turning = branch.is_some_and(kin_core::cycle::Branch::is_full_revolution);
         let inside = |[from, to]: [f64; 2]| [from.max(low), to.min(high)];
         let closes = match branch {
             Some(_) if is_turning => vec![range],

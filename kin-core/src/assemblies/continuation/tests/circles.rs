@@ -81,8 +81,8 @@ proptest! {
 
     #[test]
     fn four_bars_as_in_closed_form(
-        ground in 0.1_f64..3.0, crank in 0.1_f64..3.0, coupler in 0.1_f64..3.0, rocker in 0.1_f64..3.0, input in -3.0_f64..3.0,
-        exponent in -6_i32..=6,
+        ground in 0.1_f64..3.0, crank in 0.1_f64..3.0, coupler in 0.1_f64..3.0, rocker in 0.1_f64..3.0,
+        input in -3.0_f64..3.0, exponent in -6_i32..=6,
     ) {
         // The closure is r2 cis(θ2) + r3 cis(θ3) = r1 + r4 cis(θ4).
         let unit = 10.0_f64.powi(exponent);

@@ -7,7 +7,7 @@ use super::super::{PathCounts, Unsuitable, real_solutions};
 use super::table::Table;
 use crate::number::samples;
 
-/// Three general loops of six angles, where every angle turns a vector in every loop.
+/// Three general loops of six angles, where every angle rotates a vector in every loop.
 ///
 /// With z = cis(θ) and its conjugate as variables, there are two groups of six variables, and three of each are free.
 /// By Bézout's theorem for two groups, the equations z w = 1 have at most 6! / (3! 3!) = 20 solutions.
@@ -122,7 +122,7 @@ fn what_cannot_be_solved_is_refused() {
     ));
 }
 
-/// A slide on a turning link, coupled to another loop: most paths lead to infinity, in several ways.
+/// A slide on a rotating link, coupled to another loop: most paths lead to infinity, in several ways.
 #[test]
 fn a_length_in_coupled_loops() {
     let mut random = FixedSequence::new(11);

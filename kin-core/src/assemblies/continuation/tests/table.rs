@@ -5,7 +5,7 @@ use std::vec::Vec;
 
 use super::super::{PolynomialSystem, Term};
 
-/// Terms, each with its own coefficient.
+/// Terms, each with a separate coefficient.
 #[derive(Default)]
 pub(super) struct Table {
     terms: Vec<Term>,
@@ -29,7 +29,7 @@ impl Table {
         self.add(equation, -1.0, &[]);
     }
 
-    /// Adds a vector (x, y), turned by the angle k, to two equations.
+    /// Adds a vector (x, y), rotated by the angle k, to two equations.
     pub(super) fn add_vector(&mut self, equation: usize, angle: u16, [x, y]: [f64; 2]) {
         self.add(equation, x, &[(2 * angle, 1)]);
         self.add(equation + 1, x, &[(2 * angle + 1, 1)]);

@@ -59,12 +59,12 @@ fn scanned(platform: &Platform) -> Vec<f64> {
     angles
 }
 
-fn turned(solution: &Solution<8>) -> f64 {
+fn platform_angle(solution: &Solution<8>) -> f64 {
     let [.., cosine, sine] = solution.values;
     sine.atan2(cosine).rem_euclid(core::f64::consts::TAU)
 }
 
-/// The smallest difference between two angles, across whole turns.
+/// The smallest difference between two angles, across whole revolutions.
 fn apart(first: f64, second: f64) -> f64 {
     let difference = (first - second).rem_euclid(core::f64::consts::TAU);
     difference.min(core::f64::consts::TAU - difference)
@@ -77,7 +77,7 @@ fn misfit(platform: &Platform, solution: &Solution<8>) -> f64 {
     [0, 1, 2]
         .map(|leg| {
             let [c, s] = [solution.values[2 * leg], solution.values[2 * leg + 1]];
-            let [x, y] = platform.point(leg, first, turned(solution));
+            let [x, y] = platform.point(leg, first, platform_angle(solution));
             let base = platform.bases[leg];
             (base[0] + platform.legs[leg] * c - x).hypot(base[1] + platform.legs[leg] * s - y)
         })
@@ -99,7 +99,7 @@ proptest! {
         for angle in &scanned {
             let near = found.iter().any(|solution| {
                 // The sign is reliable down to the rounding of fourth powers.
-                apart(turned(solution), *angle) <= (1e4 * f64::EPSILON * solution.condition.powi(2)).min(1e-3)
+                apart(platform_angle(solution), *angle) <= (1e4 * f64::EPSILON * solution.condition.powi(2)).min(1e-3)
             });
             prop_assert!(near, "{} {:?} {:?}", angle, scanned, found);
         }
@@ -111,7 +111,7 @@ proptest! {
         let close = found
             .iter()
             .enumerate()
-            .any(|(k, one)| found[..k].iter().any(|other| apart(turned(one), turned(other)) < 1e-3));
+            .any(|(k, one)| found[..k].iter().any(|other| apart(platform_angle(one), platform_angle(other)) < 1e-3));
         prop_assert!(found.len() == scanned.len() || close, "{:?} {:?}", scanned, found);
     }
 }
@@ -144,7 +144,7 @@ fn six_positions_in_any_unit() {
         assert_eq!((outcome.real, outcome.lost), (6, 0));
         for solution in &found {
             assert!(scaled.iter().any(|other| {
-                let distance = apart(turned(solution), turned(other));
+                let distance = apart(platform_angle(solution), platform_angle(other));
                 distance <= 64.0 * f64::EPSILON * solution.condition
             }));
         }
@@ -190,7 +190,7 @@ fn a_limit_position_is_found_as_a_double_one() {
         };
         assert_eq!(solution.multiplicity, 2);
         // The angle changes by the square root of the rounding of the dimensions.
-        assert!(apart(turned(solution), angle) < 64.0 * f64::EPSILON.sqrt());
+        assert!(apart(platform_angle(solution), angle) < 64.0 * f64::EPSILON.sqrt());
     }
 }
 

@@ -1,4 +1,4 @@
-//! The choice among angles that differ by whole turns.
+//! The choice among angles that differ by whole revolutions.
 
 use core::f64::consts::TAU;
 
@@ -11,33 +11,33 @@ use crate::solve::check::{Check, Measure, Real, Zero};
 /// The largest useful spacing of numbers, about a degree. Angles with a larger spacing define no direction.
 const COARSEST: f64 = 1.0 / 64.0;
 
-/// The angle closest to `guess` that differs from `angle` by whole turns.
+/// The angle closest to `guess` that differs from `angle` by whole revolutions.
 ///
 /// ```
 /// use core::f64::consts::TAU;
 /// use kin_core::solve;
 ///
-/// assert_eq!(solve::nearest_turn(0.5, 13.0), 0.5 + 2.0 * TAU);
+/// assert_eq!(solve::unwrap_near(0.5, 13.0), 0.5 + 2.0 * TAU);
 /// ```
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub fn nearest_turn<T: Scalar>(angle: T, guess: T) -> T {
-    turned(angle, T::measured(NearestTurns { angle, guess }))
+pub fn unwrap_near<T: Scalar>(angle: T, guess: T) -> T {
+    plus_revolutions(angle, T::measured(NearestRevolutions { angle, guess }))
 }
 
-/// [`nearest_turn`] to the guess with the given index. Without guesses, or without a guess of that index, the angle
+/// [`unwrap_near`] to the guess with the given index. Without guesses, or without a guess of that index, the angle
 /// stays unchanged.
 ///
 /// ```
 /// use core::f64::consts::TAU;
 /// use kin_core::solve;
 ///
-/// assert_eq!(solve::on_turn(0.5, Some([3.0, 13.0]), 1), 0.5 + 2.0 * TAU);
-/// assert_eq!(solve::on_turn(0.5, None::<[f64; 2]>, 1), 0.5);
+/// assert_eq!(solve::unwrap_to_guess(0.5, Some([3.0, 13.0]), 1), 0.5 + 2.0 * TAU);
+/// assert_eq!(solve::unwrap_to_guess(0.5, None::<[f64; 2]>, 1), 0.5);
 /// ```
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub fn on_turn<T: Scalar, const N: usize>(angle: T, near: Option<[T; N]>, index: usize) -> T {
+pub fn unwrap_to_guess<T: Scalar, const N: usize>(angle: T, near: Option<[T; N]>, index: usize) -> T {
     match near.as_ref().and_then(|guesses| guesses.get(index)) {
-        Some(guess) => nearest_turn(angle, *guess),
+        Some(guess) => unwrap_near(angle, *guess),
         None => angle,
     }
 }
@@ -47,40 +47,40 @@ pub fn on_turn<T: Scalar, const N: usize>(angle: T, near: Option<[T; N]>, index:
 /// that is not finite is not a guess, and it passes.
 ///
 /// # Errors
-/// [`Failure::TooManyTurns`].
+/// [`Failure::TooManyRevolutions`].
 ///
 /// ```
 /// use kin_core::{Failure, solve};
 ///
 /// let crank = [("theta", 0)];
-/// assert_eq!(solve::within_turns([1e9, 1e20], crank), Ok([1e9, 1e20]));
-/// let failure = solve::within_turns([1e15, 0.0], crank).unwrap_err();
-/// assert_eq!(failure, Failure::TooManyTurns { unknown: "theta".into(), guess: 1e15, spacing: 0.125 });
+/// assert_eq!(solve::check_guesses([1e9, 1e20], crank), Ok([1e9, 1e20]));
+/// let failure = solve::check_guesses([1e15, 0.0], crank).unwrap_err();
+/// assert_eq!(failure, Failure::TooManyRevolutions { unknown: "theta".into(), guess: 1e15, spacing: 0.125 });
 /// ```
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub fn within_turns<T: Scalar, const N: usize, const K: usize>(
+pub fn check_guesses<T: Scalar, const N: usize, const K: usize>(
     near: [T; N],
     angles: [(&'static str, usize); K],
 ) -> Result<[T; N], Failure> {
     let mut kept = near;
-    within_turns_in(&mut kept, &angles)?;
+    check_guesses_in(&mut kept, &angles)?;
     Ok(kept)
 }
 
-/// [`within_turns`] of any number of unknowns. The values stay where they are.
+/// [`check_guesses`] of any number of unknowns. The values stay where they are.
 ///
 /// # Errors
-/// [`Failure::TooManyTurns`].
+/// [`Failure::TooManyRevolutions`].
 #[doc(hidden)]
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub fn within_turns_in<T: Scalar>(near: &mut [T], angles: &[(impl Into<Name> + Copy, usize)]) -> Result<(), Failure> {
+pub fn check_guesses_in<T: Scalar>(near: &mut [T], angles: &[(impl Into<Name> + Copy, usize)]) -> Result<(), Failure> {
     let limit = COARSEST / T::EPSILON;
     let size = T::measured_over(SumOfSizes, angles.len(), |index| {
         near.get(angles[index].1).copied().unwrap_or_else(|| T::constant(0.0))
     });
     for index in 0..near.len() {
-        match near[index].provided(TellsDirection { size, limit }) {
-            Some(own) => near[index] = own,
+        match near[index].provided(DefinesDirection { size, limit }) {
+            Some(guess) => near[index] = guess,
             // the check is the same for each value, so none has changed
             None => return each_within(near, angles, limit),
         }
@@ -91,11 +91,11 @@ pub fn within_turns_in<T: Scalar>(near: &mut [T], angles: &[(impl Into<Name> + C
 #[cold]
 #[inline(never)]
 fn each_within<T: Scalar>(near: &[T], angles: &[(impl Into<Name> + Copy, usize)], limit: f64) -> Result<(), Failure> {
-    for (unknown, place) in angles {
-        let guess = near.get(*place).map_or(0.0, |value| value.real());
+    for (unknown, index) in angles {
+        let guess = near.get(*index).map_or(0.0, |value| value.real());
         if guess.is_finite() && guess.abs() > limit {
             let spacing = guess.abs().next_up() - guess.abs();
-            return Err(Failure::TooManyTurns {
+            return Err(Failure::TooManyRevolutions {
                 unknown: (*unknown).into(),
                 guess,
                 spacing: spacing * (T::EPSILON / f64::EPSILON),
@@ -122,21 +122,21 @@ pub fn agreeing_in<T: Scalar>(near: &mut [T], orientations: &[T]) {
     T::agree(near, orientations);
 }
 
-/// An angle plus whole turns, given in radians.
+/// An angle plus whole revolutions, given in radians.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn turned<T: Scalar>(angle: T, turns: T) -> T {
+pub(super) fn plus_revolutions<T: Scalar>(angle: T, revolutions: T) -> T {
     // Adding zero would remove the sign of a negative zero.
-    T::either(Zero(turns), || angle, || angle + turns)
+    T::either(Zero(revolutions), || angle, || angle + revolutions)
 }
 
-/// The turns that bring an angle closest to a guess, in radians.
+/// The revolutions that bring an angle closest to a guess, in radians.
 #[derive(Clone, Copy)]
-struct NearestTurns<T> {
+struct NearestRevolutions<T> {
     angle: T,
     guess: T,
 }
 
-impl<T: Scalar> Measure<T, 2> for NearestTurns<T> {
+impl<T: Scalar> Measure<T, 2> for NearestRevolutions<T> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 2] {
         [self.angle, self.guess]
@@ -144,24 +144,24 @@ impl<T: Scalar> Measure<T, 2> for NearestTurns<T> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn measure<R: Real>(&self, [angle, guess]: [R; 2]) -> R {
-        let turns = ((guess - angle) / R::of(TAU)).rounded();
+        let revolutions = ((guess - angle) / R::of(TAU)).rounded();
         // A guess that is not finite does not move the angle.
-        let turns = R::choose(turns.is_finite(), || turns, || R::of(0.0));
-        turns * R::of(TAU)
+        let revolutions = R::choose(revolutions.is_finite(), || revolutions, || R::of(0.0));
+        revolutions * R::of(TAU)
     }
 }
 
 /// Whether angles of this size are spaced closely enough to define a direction. NaN passes.
 #[derive(Clone, Copy)]
-struct TellsDirection<T> {
+struct DefinesDirection<T> {
     /// The sum of the magnitudes of the angles.
     size: T,
     limit: f64,
 }
 
-impl<T: Scalar> Check<T, 1, 1> for TellsDirection<T> {
+impl<T: Scalar> Check<T, 1, 1> for DefinesDirection<T> {
     fn name(&self) -> &'static str {
-        "turns that tell a direction"
+        "angle that defines a direction"
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -202,11 +202,11 @@ impl<T: Scalar> Check<T, 1, 2> for SameSide<T> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [orientation]: [R; 1]) -> [R::Truth; 2] {
-        let own = orientation.is_at_least(R::of(0.0));
+        let side = orientation.is_at_least(R::of(0.0));
         // NaN does not equal itself.
         [
             orientation.equals(orientation),
-            if self.leading { own } else { R::not(own) },
+            if self.leading { side } else { R::not(side) },
         ]
     }
 
@@ -225,35 +225,35 @@ mod tests {
 
     use proptest::prelude::*;
 
-    use super::{agreeing, nearest_turn, on_turn, within_turns, within_turns_in};
+    use super::{agreeing, check_guesses, check_guesses_in, unwrap_near, unwrap_to_guess};
     use crate::batch::lanes::Lanes;
     use crate::failure::Failure;
     use crate::quantity::{Name, NameKind};
 
     proptest! {
         #[test]
-        fn the_nearest_turn_is_within_half_a_turn(angle in -100.0..100.0, guess in -100.0..100.0) {
-            let nearest = nearest_turn::<f64>(angle, guess);
+        fn the_unwrapped_angle_is_within_half_a_revolution(angle in -100.0..100.0, guess in -100.0..100.0) {
+            let nearest = unwrap_near::<f64>(angle, guess);
             prop_assert!((nearest - guess).abs() <= PI + 1e-12);
         }
     }
 
     #[test]
     fn an_angle_near_enough_is_left_alone() {
-        assert_eq!(nearest_turn(1.0, f64::NAN), 1.0);
-        assert_eq!(nearest_turn(1.0, 2.0), 1.0);
+        assert_eq!(unwrap_near(1.0, f64::NAN), 1.0);
+        assert_eq!(unwrap_near(1.0, 2.0), 1.0);
     }
 
     #[test]
     fn a_guess_that_is_not_there_changes_nothing() {
-        assert_eq!(on_turn(1.0, Some([7.0]), 0), 1.0 + TAU);
-        assert_eq!(on_turn(1.0, Some([7.0]), 1), 1.0);
-        assert_eq!(on_turn(1.0, Some([]), 0), 1.0);
-        assert_eq!(on_turn::<f64, 1>(1.0, None, 0), 1.0);
+        assert_eq!(unwrap_to_guess(1.0, Some([7.0]), 0), 1.0 + TAU);
+        assert_eq!(unwrap_to_guess(1.0, Some([7.0]), 1), 1.0);
+        assert_eq!(unwrap_to_guess(1.0, Some([]), 0), 1.0);
+        assert_eq!(unwrap_to_guess::<f64, 1>(1.0, None, 0), 1.0);
     }
 
     #[test]
-    fn of_several_poses_those_whose_orientation_is_not_told_are_left_to_others() {
+    fn of_several_poses_those_whose_orientation_is_uncertain_are_left_to_others() {
         let orientations = [Lanes::<4, false>([-1.0, f64::NAN, -2.0, 3.0]), Lanes([1.0; 4])];
         let [Lanes(kept)] = agreeing([Lanes([0.1, 0.2, 0.3, 0.4])], orientations);
         assert_eq!([kept[0], kept[2]], [0.1, 0.3]);
@@ -267,37 +267,37 @@ mod tests {
     fn a_guess_where_numbers_are_a_degree_apart_is_refused() {
         let angles = [("first", 2), ("second", 0)];
         let near = [1e9, 1e200, -1e13];
-        assert_eq!(within_turns(near, angles), Ok(near));
-        let refused = |unknown, guess, spacing| Failure::TooManyTurns {
+        assert_eq!(check_guesses(near, angles), Ok(near));
+        let refused = |unknown, guess, spacing| Failure::TooManyRevolutions {
             unknown,
             guess,
             spacing,
         };
         assert_eq!(
-            within_turns([1e15, 0.0, 1.0], angles),
+            check_guesses([1e15, 0.0, 1.0], angles),
             Err(refused("second".into(), 1e15, 0.125))
         );
         assert_eq!(
-            within_turns([1.0, 0.0, -1e16], angles),
+            check_guesses([1.0, 0.0, -1e16], angles),
             Err(refused("first".into(), -1e16, 2.0))
         );
         assert_eq!(
-            within_turns([1e15, 0.0, 1e16], angles),
+            check_guesses([1e15, 0.0, 1e16], angles),
             Err(refused("first".into(), 1e16, 2.0))
         );
         let third = Name::by_index(NameKind::Unknown, 2);
         let mut near = [1.0, 0.0, -1e16];
         assert_eq!(
-            within_turns_in(&mut near, &[(third, 2)]),
+            check_guesses_in(&mut near, &[(third, 2)]),
             Err(refused(third, -1e16, 2.0))
         );
-        assert_eq!(within_turns_in(&mut near, &[(third, 0)]), Ok(()));
-        let [kept, ..] = within_turns([1.0, 0.0, f64::NAN], angles).unwrap();
+        assert_eq!(check_guesses_in(&mut near, &[(third, 0)]), Ok(()));
+        let [kept, ..] = check_guesses([1.0, 0.0, f64::NAN], angles).unwrap();
         assert_eq!(kept, 1.0);
         // Numbers in single precision reach this spacing much earlier.
         let spacing = f64::from(1e6_f32.next_up() - 1e6);
         assert_eq!(
-            within_turns([1e6_f32], [("x", 0)]),
+            check_guesses([1e6_f32], [("x", 0)]),
             Err(refused("x".into(), 1e6, spacing))
         );
     }

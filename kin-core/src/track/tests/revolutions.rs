@@ -9,19 +9,19 @@ use crate::number::samples;
 use crate::prelude::*;
 use crate::series::Series;
 
-/// Tracks a mechanism of one input from place to place, and compares the result with the direct solution in the same
-/// assembly. Back at the first place, no angle has gained a turn.
+/// Tracks a mechanism of one input from input to input, and compares the result with the direct solution in the same
+/// assembly. Back at the first input, no angle has gained a revolution.
 pub(super) fn go_round<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
     assembly: M::Assembly,
-    places: &[f64],
+    stops: &[f64],
     tolerance: f64,
 ) {
     let inputs = |value| M::Inputs::from_fn(|_| value);
-    let mut at = places[0];
+    let mut at = stops[0];
     let start = mechanism.position(inputs(at), assembly).unwrap();
     let mut unknowns = start;
-    for &next in &places[1..] {
+    for &next in &stops[1..] {
         let there = track(mechanism, inputs(at), unknowns, inputs(next))
             .unwrap_or_else(|error| panic!("{} {assembly:?} from {at} to {next}: {error:?}", M::DESCRIPTION.name));
         let direct = mechanism.position(inputs(next), assembly).unwrap();
@@ -39,7 +39,7 @@ pub(super) fn go_round<M: Mechanism<Scalar = f64>>(
         }
         (at, unknowns) = (next, there);
     }
-    if places.first() == places.last() {
+    if stops.first() == stops.last() {
         for (one, other) in unknowns.as_ref().iter().zip(start.as_ref()) {
             assert!((one - other).abs() <= tolerance * other.abs().max(1.0), "{one} {other}");
         }
@@ -48,19 +48,19 @@ pub(super) fn go_round<M: Mechanism<Scalar = f64>>(
 
 #[test]
 fn every_crank_goes_round() {
-    let turns = f64::from(if samples::are_all() { 100_u8 } else { 10 });
-    let places = [0.3, 0.3 + TAU, 2.0, -4.0 * PI + 0.1, turns * TAU + 1.0, 0.3];
+    let revolutions = f64::from(if samples::are_all() { 100_u8 } else { 10 });
+    let stops = [0.3, 0.3 + TAU, 2.0, -4.0 * PI + 0.1, revolutions * TAU + 1.0, 0.3];
     for assembly in Assembly::BOTH {
-        go_round(&CRANK_ROCKER, assembly, &places, 1e-12);
-        go_round(&SliderCrank { r: 1.0, l: 2.5 }, assembly, &places, 1e-12);
-        go_round(&OffsetSliderCrank { r: 1.0, l: 2.5, h: 0.4 }, assembly, &places, 1e-12);
+        go_round(&CRANK_ROCKER, assembly, &stops, 1e-12);
+        go_round(&SliderCrank { r: 1.0, l: 2.5 }, assembly, &stops, 1e-12);
+        go_round(&OffsetSliderCrank { r: 1.0, l: 2.5, h: 0.4 }, assembly, &stops, 1e-12);
         // solved triangle by triangle
         let FourBar { r1, r2, r3, r4 } = CRANK_ROCKER;
         let linkage = GeometricFourBar { r1, r2, r3, r4 };
-        go_round(&linkage, linkage.assembly(0.3, assembly), &places, 1e-12);
+        go_round(&linkage, linkage.assembly(0.3, assembly), &stops, 1e-12);
     }
-    go_round(&InvertedSliderCrank { r1: 2.0, r2: 1.0 }, (), &places, 1e-12);
-    go_round(&InvertedSliderCrank { r1: 1.0, r2: 2.0 }, (), &places, 1e-12);
+    go_round(&InvertedSliderCrank { r1: 2.0, r2: 1.0 }, (), &stops, 1e-12);
+    go_round(&InvertedSliderCrank { r1: 1.0, r2: 2.0 }, (), &stops, 1e-12);
 }
 
 #[test]
@@ -69,9 +69,9 @@ fn levers_turn_with_a_long_crank() {
         let lever = InvertedSliderCrank { r1, r2 };
         let start = lever.position(0.3).unwrap().unknowns();
         let end = track(&lever, [0.3], start, [0.3 + TAU]).unwrap();
-        // The lever makes full turns if the crank is longer than the ground link.
-        let turns = if r2 > r1 { TAU } else { 0.0 };
-        assert!((end[0] - start[0]).abs() <= 1e-12 && (end[1] - start[1] - turns).abs() <= 1e-12);
+        // The lever makes full revolutions if the crank is longer than the ground link.
+        let gained = if r2 > r1 { TAU } else { 0.0 };
+        assert!((end[0] - start[0]).abs() <= 1e-12 && (end[1] - start[1] - gained).abs() <= 1e-12);
     }
 }
 
@@ -167,7 +167,7 @@ fn both_cranks<M: Mechanism<Scalar = f64, Assembly = Assembly>>(mechanism: &M) {
         for legs in corners.windows(2) {
             let [from, to] = [legs[0], legs[1]];
             unknowns = track(mechanism, inputs(from.0, from.1), unknowns, inputs(to.0, to.1)).unwrap();
-            // The wheel turns a hundred times as far as the coupler, and comes back as well.
+            // The wheel rotates a hundred times as far as the coupler, and comes back as well.
             for (one, other) in unknowns.as_ref().iter().zip(start.as_ref()) {
                 assert!(
                     (one - other).abs() <= 1e-11,

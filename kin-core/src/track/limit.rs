@@ -2,7 +2,7 @@
 //!
 //! There the fastest unknown is the parameter, and the travel of the inputs is unknown instead.
 
-use super::follow::{BLUR, CREEPING, FAR, MOST_CREEPING};
+use super::follow::{BLUR, CREEPING, GROWTH_TO_POLE, MOST_CREEPING};
 use super::steps::Steps;
 use crate::curve::{
     LentRows, Sides, Way, WayPoint, bordered, corrected, expanded, fastest, is_crossed, largest, largest_difference,
@@ -11,9 +11,9 @@ use crate::curve::{
 use crate::solve::Orientation;
 
 /// The longest step, in sizes of the parameter.
-const LONGEST: f64 = 0.05;
+const LONGEST_STEP: f64 = 0.05;
 /// The shortest step.
-pub(super) const SHORTEST: f64 = 1e-13;
+pub(super) const SHORTEST_STEP: f64 = 1e-13;
 /// The rate below which unknowns are left to steps of the inputs.
 const SLOW: f64 = 16.0;
 /// The largest number of iterations that converge quadratically or halve an interval. It exceeds the number of digits.
@@ -26,9 +26,9 @@ pub(super) enum Passage<'s> {
     Onwards(WayPoint<'s>),
     /// The inputs have reached their target, the unknowns nearly.
     Target(&'s [f64]),
-    /// The curve turns back before the target.
+    /// The curve reverses before the target.
     Limit(WayPoint<'s>, Sides<'s>),
-    /// Ever shorter steps lead to this place, where the curve has no single direction.
+    /// Ever shorter steps lead to this point, where the curve has no single direction.
     ChangePoint(WayPoint<'s>, Sides<'s>),
     /// The curve cannot be followed further, for another reason.
     Lost,
@@ -180,34 +180,34 @@ pub(super) fn pass<'s>(
         None => return Passage::Lost,
     }
     let entry = LocalCurve::read(way, here).orientation.logarithm;
-    let mut longest = LONGEST;
+    let mut longest = LONGEST_STEP;
     let (mut still, mut creeping) = (0, 0);
     // what is found is kept where it outlives the steps
     let (unknowns, sides) = outcome.split_at_mut(way.count());
     let (travel, kind) = loop {
         let mut scope = scratch.scope();
-        let own = LocalCurve::read(way, here);
-        let best = own.fastest();
-        let own = if best == parameter {
-            own
+        let start = LocalCurve::read(way, here);
+        let best = start.fastest();
+        let start = if best == parameter {
+            start
         } else {
-            let Some(again) = LocalCurve::new(way, own.point, best, &mut scope) else {
+            let Some(again) = LocalCurve::new(way, start.point, best, &mut scope) else {
                 return Passage::Lost;
             };
             parameter = best;
             again
         };
-        let mut found = |point: WayPoint<'_>, own: &Sides<'_>, kind: Kind| {
+        let mut found = |point: WayPoint<'_>, from: &Sides<'_>, kind: Kind| {
             unknowns.copy_from_slice(point.unknowns);
-            own.write(sides);
+            from.write(sides);
             (point.travel, kind)
         };
         // The rates may change by a third of the largest.
-        let bend = largest(own.bends.iter().copied().chain([own.travel_bend]));
+        let bend = largest(start.bends.iter().copied().chain([start.travel_bend]));
         let mut size = longest.min(0.15 / bend);
         let next = loop {
-            if size < SHORTEST || creeping > MOST_CREEPING {
-                let has_vanished = own.orientation.logarithm < entry - 10.0;
+            if size < SHORTEST_STEP || creeping > MOST_CREEPING {
+                let has_vanished = start.orientation.logarithm < entry - 10.0;
                 if has_vanished {
                     break None;
                 }
@@ -217,53 +217,53 @@ pub(super) fn pass<'s>(
                 break None;
             }
             let mut scope = scope.scope();
-            if let Some(next) = attempted(way, &own, parameter, size, &mut scope) {
+            if let Some(next) = attempted(way, &start, parameter, size, &mut scope) {
                 next.write(there);
                 break Some(LocalCurve::read(way, there));
             }
             size *= 0.5;
         };
         let Some(next) = next else {
-            let kind = if size < SHORTEST || creeping > MOST_CREEPING {
+            let kind = if size < SHORTEST_STEP || creeping > MOST_CREEPING {
                 Kind::ChangePoint
             } else {
                 Kind::Spent
             };
-            break found(own.point, &own.sides, kind);
+            break found(start.point, &start.sides, kind);
         };
         creeping = if size < CREEPING { creeping + 1 } else { 0 };
         let growth = way.size_at(next.point.unknowns, parameter) / way.sizes[parameter];
-        if growth > FAR {
+        if growth > GROWTH_TO_POLE {
             return Passage::Lost;
         }
-        longest = (LONGEST * growth).min(2.0 * size);
-        let step = size.copysign(own.travel_rate);
+        longest = (LONGEST_STEP * growth).min(2.0 * size);
+        let step = size.copysign(start.travel_rate);
         // Rounding errors separate the branches that cross here, so there seems to be a way around the crossing.
         if size < BLUR && is_crossed(way, next.point, parameter, &mut scope) {
             break found(next.point, &next.sides, Kind::ChangePoint);
         }
-        if next.travel_rate * own.travel_rate <= 0.0 {
-            let Some((turn, reach)) = turned(way, &own, parameter, step, &mut scope) else {
+        if next.travel_rate * start.travel_rate <= 0.0 {
+            let Some((limit, reach)) = limit_within(way, &start, parameter, step, &mut scope) else {
                 return Passage::Lost;
             };
             let rounding = 16.0 * f64::EPSILON * way.length.max(1.0);
-            break if turn.point.travel > way.length + rounding {
-                let unknowns = arrived(way, &own, parameter, reach, &mut scope);
+            break if limit.point.travel > way.length + rounding {
+                let unknowns = arrived(way, &start, parameter, reach, &mut scope);
                 let travel = way.length;
-                found(WayPoint { unknowns, travel }, &own.sides, Kind::Target)
-            } else if is_crossed(way, turn.point, parameter, &mut scope) {
-                // Rounding errors turn a change point into limits, as errors of the dimensions do.
-                found(turn.point, &turn.sides, Kind::ChangePoint)
+                found(WayPoint { unknowns, travel }, &start.sides, Kind::Target)
+            } else if is_crossed(way, limit.point, parameter, &mut scope) {
+                // Rounding errors divide a change point into limits, as errors of the dimensions do.
+                found(limit.point, &limit.sides, Kind::ChangePoint)
             } else {
-                found(turn.point, &turn.sides, Kind::Limit)
+                found(limit.point, &limit.sides, Kind::Limit)
             };
         }
         if next.point.travel >= way.length {
-            let unknowns = arrived(way, &own, parameter, step, &mut scope);
+            let unknowns = arrived(way, &start, parameter, step, &mut scope);
             let travel = way.length;
-            break found(WayPoint { unknowns, travel }, &own.sides, Kind::Target);
+            break found(WayPoint { unknowns, travel }, &start.sides, Kind::Target);
         }
-        still = if way.are_same(own.point.travel, next.point.travel) {
+        still = if way.are_same(start.point.travel, next.point.travel) {
             still + 1
         } else {
             0
@@ -288,7 +288,7 @@ pub(super) fn pass<'s>(
     }
 }
 
-/// The kinds of a [`Passage`] with a place.
+/// The kinds of a [`Passage`] with a position.
 #[derive(Clone, Copy)]
 enum Kind {
     Onwards,
@@ -328,8 +328,8 @@ fn attempted<'s>(
     for (local, part) in [(&middle, 0.5), (&there, 1.0)] {
         let foreseen = |rate: f64, bend: f64| rate + 2.0 * bend * part * step;
         let changes = (0..way.count()).map(|index| local.rates[index] - foreseen(here.rates[index], here.bends[index]));
-        let turn = local.travel_rate - foreseen(here.travel_rate, here.travel_bend);
-        if largest(changes.chain([turn])) > 0.15 || !local.orientation.is_near(here.orientation) {
+        let rotation = local.travel_rate - foreseen(here.travel_rate, here.travel_bend);
+        if largest(changes.chain([rotation])) > 0.15 || !local.orientation.is_near(here.orientation) {
             return None;
         }
         // As long as the inputs advance, every block stays on its side.
@@ -338,13 +338,13 @@ fn attempted<'s>(
             return None;
         }
     }
-    let turns = [here.travel_rate, middle.travel_rate, there.travel_rate].map(|rate| rate > 0.0);
-    // After the curve has turned once, it may not turn again.
-    (turns[1] == turns[0] || turns[1] == turns[2]).then_some(there)
+    let advances = [here.travel_rate, middle.travel_rate, there.travel_rate].map(|rate| rate > 0.0);
+    // After the curve has reversed once, it may not reverse again.
+    (advances[1] == advances[0] || advances[1] == advances[2]).then_some(there)
 }
 
 /// The limit position within a step, and the step to it. It is the zero of the travel's rate.
-fn turned<'s>(
+fn limit_within<'s>(
     way: &Way<'_>,
     here: &LocalCurve<'_>,
     parameter: usize,
@@ -436,8 +436,8 @@ mod tests {
         r4: 45.0,
     };
 
-    /// The unknowns between two crank angles, both before a limit: those that `arrived` finds after a step, which a function
-    /// gives from the step that is needed.
+    /// The unknowns between two crank angles, both before a limit: those that `arrived` finds after a step, which a
+    /// function gives from the step that is needed.
     fn found(assembly: Assembly, [from, to]: [f64; 2], expected: [f64; 2], step: impl Fn(f64) -> f64) -> [f64; 2] {
         let unknowns = Mechanism::position(&LINKAGE, [from], assembly).unwrap();
         on_the_way(&LINKAGE, unknowns, [from, to], |way, point, scratch| {
@@ -458,7 +458,7 @@ mod tests {
                 for (from, to) in [(end - far, end - near), (end - near, end - far)] {
                     let expected = Mechanism::position(&LINKAGE, [to], assembly).unwrap();
                     for part in [1.0, 1.1, 1.5] {
-                        // The target is not beyond the limit, where the inputs turn back.
+                        // The target is not beyond the limit, where the inputs reverse.
                         let is_towards = to > from;
                         let part = if is_towards { 1.0 } else { part };
                         let found = found(assembly, [from, to], expected, |reach| reach * part * (1.0 + 1e-9));
