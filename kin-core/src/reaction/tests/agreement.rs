@@ -4,7 +4,7 @@ use std::string::ToString;
 use std::vec::Vec;
 
 use super::{FOUR_BAR, FourBar, heavy};
-use crate::any::{AssemblyChoice, Of, PlacesOver};
+use crate::any::{AssemblyChoice, Of, SkeletonOver};
 use crate::assembly::Assembly;
 use crate::geometry::Plane;
 use crate::law::{Law as _, Piecewise, Rise, Shape};
@@ -66,7 +66,7 @@ fn compare<M: Mechanism<Scalar = f64>>(mechanism: &M, range: [f64; 2]) {
         let mut places = Vec::new();
         let functions = Of::<M>::FUNCTIONS;
         let mut add = |place: &[f64]| places.push(Plane::new(place[0], place[1]));
-        PlacesOver::<f64>::places(functions, linkage.parameters(), &inputs, &unknowns, &mut add);
+        SkeletonOver::<f64>::skeleton_points(functions, linkage.parameters(), &inputs, &unknowns, &mut add);
         in_equilibrium(&reactions, row, &places);
         in_equilibrium(&reactions, found.as_ref().expect("it is determined"), &places);
     }
