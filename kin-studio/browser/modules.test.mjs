@@ -7,6 +7,9 @@ import { anatomyOf, followedAt, placeOf } from "../src/page/kinematics/anatomy.m
 import { isMathematics, seemsMathematics, withClasses } from "../src/page/formulas.mjs";
 import { createRoom, keepLines, placeName } from "../src/page/labels.mjs";
 import { isBroken, motionOf, pieceAt, placesOf } from "../src/page/kinematics/drive.mjs";
+import { curvesOf } from "../src/page/curves.mjs";
+import { allForces, forcesOn } from "../src/page/freebody.mjs";
+import { forcesAt, scalesOfForces, sizeOf } from "../src/page/kinematics/forces.mjs";
 import { kindText, marksOf, stopText } from "../src/page/kinematics/marks.mjs";
 import { cautionOf } from "../src/page/dimensions.mjs";
 import { createModel, FORMAT, givenDesign, movedOn, reasonToRefuse, solveAt } from "../src/page/kinematics/model.mjs";
@@ -23,7 +26,7 @@ import { poorTransmission } from "../src/page/kinematics/transmission.mjs";
 import { createView, fitView, flat, onPage, orbitView, zoomView } from "../src/page/view.mjs";
 import { poseText } from "../src/page/words.mjs";
 import { bundle } from "./bundle.mjs";
-import { LAW, reportOf, solver } from "./testing/slider_crank.mjs";
+import { forcesOf, LAW, reportOf, solver } from "./testing/slider_crank.mjs";
 
 function prepared(changes) {
   const model = createModel(reportOf(changes), solver);
@@ -653,4 +656,72 @@ test("several inputs move along one line, and those that stand have values", () 
       ["0", "10", "0"],
     ],
   );
+});
+
+/** Places of a range, its ends among them. */
+function placesIn([from, to], count) {
+  return [...Array(count).keys()].map((index) => from + ((to - from) * index) / (count - 1));
+}
+
+test("forces between the samples are those of the formula, with their rates", () => {
+  const { model, sweep } = prepared({ forces: forcesOf(placesIn([0, 2 * Math.PI], 181), 10) });
+  for (const x of [0, 0.0123, 1, 3.3333, 2 * Math.PI]) {
+    const { forces, curves, loads } = forcesAt(model, rowAt(sweep, x));
+    const [pin] = forces;
+    const expected = [50 * Math.cos(2 * x), 20 * Math.sin(x), -1000 * Math.sin(2 * x), 200 * Math.cos(x)];
+    expected.forEach((value, index) => assert.ok(Math.abs(pin[index] - value) < 1e-2 * 10 ** (index > 1 ? 0 : -2)));
+    assert.ok(Math.abs(curves[0][0] - 2 * Math.sin(x)) < 1e-6);
+    assert.ok(Math.abs(loads[0][2] - 10 - x) < 1e-9 && Math.abs(loads[1][0] - x) < 1e-9);
+    const [size, rate] = sizeOf(pin);
+    assert.ok(Math.abs(size - Math.hypot(expected[0], expected[1])) < 1e-4);
+    const slope = (expected[0] * expected[2] + expected[1] * expected[3]) / Math.hypot(expected[0], expected[1]);
+    assert.ok(Math.abs(rate - slope) < 0.05);
+  }
+  assert.deepEqual(scalesOfForces(model, 100), { force: Math.hypot(50, 20), couple: 2 * Math.PI });
+  // beside forces of this size at this distance, the couples are small
+  assert.equal(scalesOfForces(model, 1e4).couple, 0.05 * Math.hypot(50, 20) * 1e4 * 0.001);
+});
+
+test("where the acceleration jumps, a force is that of its own side", () => {
+  const forces = forcesOf([0, 0.08, 0.12, 0.6], 1);
+  forces.samples.forEach(({ input, forces: [pin] }) => pin.splice(0, 4, input < 0.1 ? 5 : 80, 0, 0, 0));
+  const { model } = prepared({ ...LAW, forces });
+  const at = (x, piece) => forcesAt(model, { x, piece }).forces[0][0];
+  assert.deepEqual([at(0.099, 0), at(0.1, 0), at(0.1, 1), at(0.11, 1)], [5, 5, 80, 80]);
+});
+
+test("what is not known of a force is left out", () => {
+  const forces = forcesOf(placesIn([0, 2 * Math.PI], 19), 10);
+  forces.samples.slice(4).forEach((sample) => (sample.forces[0] = null));
+  const { model, sweep } = prepared({ forces });
+  assert.deepEqual(
+    allForces(model, rowAt(sweep, 4)).map(({ key }) => key),
+    ["guide"],
+  );
+  const group = curvesOf(model).find(({ name }) => name === "force");
+  assert.ok(Number.isNaN(group.curves[0].value(rowAt(sweep, 4), 0)));
+  assert.ok(group.curves[0].scale(sweep, 0) > 0);
+});
+
+test("a body alone has the opposite of the force that it exerts, and its loads", () => {
+  const { model, sweep } = prepared({ forces: forcesOf(placesIn([0, 2 * Math.PI], 181), 10) });
+  const row = rowAt(sweep, 0.5);
+  const [onRod, onCrank] = [1, 0].map((body) => forcesOn(model, row, body));
+  assert.deepEqual(
+    onRod.map(({ kind }) => kind),
+    ["joint", "joint", "mass"],
+  );
+  assert.deepEqual(
+    onCrank.map(({ kind }) => kind),
+    ["joint", "drive"],
+  );
+  assert.deepEqual(
+    onCrank[0].force,
+    onRod[0].force.map((part) => -part),
+  );
+  assert.deepEqual(onRod[0].at, row.pose.joints[1]);
+  // a couple stands at the joint on the ground
+  assert.deepEqual(onCrank[1].at, [0, 0]);
+  assert.equal(onCrank[1].text, "drive 0.5 N m");
+  assert.match(allForces(model, row)[1].title, /^guide: 3\.479 N on l, by ground$/);
 });

@@ -14,7 +14,7 @@ import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
 
 import { FORMAT } from "../src/page/kinematics/model.mjs";
-import { LAW } from "./testing/slider_crank.mjs";
+import { forcesOf, LAW } from "./testing/slider_crank.mjs";
 
 const folder = resolve(process.env.KIN_PAGES ?? "../../target/pages");
 const files = readdirSync(folder)
@@ -570,6 +570,69 @@ test("a newer form of report is refused with both numbers", () =>
       assert.ok(text.includes(`up to ${FORMAT}.`));
     },
   ));
+
+/** The four-bar with forces: that of its knee on the coupler, and one of the ground. */
+function withForces(report) {
+  const places = [...Array(181).keys()].map((index) => (report.range[1] * index) / 180);
+  const forces = forcesOf(places, report.speed);
+  Object.assign(forces.joints[0], { name: "knee", joint: 1 });
+  Object.assign(forces.joints[1], { name: "pivot", on: 2, joint: report.outline.ground.at(-1), is_slide: false });
+  Object.assign(report, { forces });
+}
+
+test("forces are arrows that a box hides, and a click shows those on one link", () =>
+  withPage(addressOf("four_bar", withForces), async (page) => {
+    const shown = () =>
+      page.$$eval(".forces .arrow-head", (all) => all.filter((one) => !one.getAttribute("display")).length);
+    const faded = () => page.$$eval(".bodies .bar.faded", (all) => all.length);
+    // two forces, and the scale
+    assert.equal(await shown(), 3);
+    assert.match(await page.textContent(".forces"), /knee: [\d.]+ N on .*\d N/);
+    const at = await page.evaluate(() => {
+      const [x1, y1, x2, y2] = document
+        .querySelectorAll(".hit")[1]
+        .getAttribute("d")
+        .match(/-?[\d.]+/g)
+        .map(Number);
+      const box = document.getElementById("picture").getBoundingClientRect();
+      return [box.left + 0.4 * x1 + 0.6 * x2, box.top + 0.4 * y1 + 0.6 * y2];
+    });
+    await page.mouse.click(...at);
+    await settle(page);
+    assert.equal(await faded(), 2);
+    assert.equal(await page.inputValue("#free-body"), "1");
+    assert.match(await page.textContent(".names"), /weight and inertia 7\.071 N/);
+    await page.keyboard.press("Escape");
+    await settle(page);
+    assert.equal(await faded(), 0);
+    await page.uncheck("#show-forces");
+    await settle(page);
+    assert.equal(await shown(), 0);
+  }));
+
+test("forces are plotted with their peaks and paths, and known for the given dimensions alone", () =>
+  withPage(addressOf("four_bar", withForces), async (page) => {
+    await page.selectOption('[aria-label="Quantities"]', "force");
+    await settle(page);
+    assert.equal(await page.$$eval(".plot-peak", (all) => all.length), 1);
+    assert.equal(await page.$$eval(".hodographs .curve", (all) => all.length), 2);
+    const path = () => page.getAttribute(".hodographs .curve", "d");
+    const fixed = await path();
+    await page.selectOption('[aria-label="Axes of the directions"]', "turning");
+    await settle(page);
+    assert.notEqual(await path(), fixed);
+    assert.equal(await page.textContent("#forces-note"), "");
+    assert.match(await page.textContent("#paper"), /ForcesForceonby.*kneer3r253\.8516 N90°/);
+    await page.click("#open-dimensions");
+    await page.fill("#dimensions input[type=number]", "95");
+    await page.keyboard.press("Enter");
+    await settle(page);
+    assert.equal(
+      await page.textContent("#forces-note"),
+      "The forces are known for the given dimensions, speed and assembly.",
+    );
+    assert.equal(await page.$$eval(".hodographs .curve", (all) => all.length), 0);
+  }));
 
 test("axe finds no serious fault in light, dark and on a phone", async (t) => {
   const looks = [

@@ -18,7 +18,7 @@ use crate::any::Of;
 use crate::load::{EFFORT_ENTRIES, LoadError, NamedLoads};
 use crate::mechanism::{JacobianError, JacobianMeasure, Mechanism, rows_of};
 use crate::number::Number;
-use crate::reaction::{NamedReactions, ReactionError, ReactionQuantity};
+use crate::reaction::{NamedReactions, ReactionError, ReactionQuantity, Reactions};
 use crate::sweep::{Local, SmoothDrive, Sweep, UntypedSweep};
 
 /// A sweep whose quantities can be asked for. A new version may add items.
@@ -276,6 +276,20 @@ impl<S: QuantitySource> AskedQuantity<S> for ByEffort<'_> {
     }
 }
 
+/// The power of the drive of an input.
+#[derive(Clone, Copy, Debug)]
+pub struct ByPower<'q>(ByEffort<'q>);
+
+impl<S: QuantitySource> AskedQuantity<S> for ByPower<'_> {
+    fn check(&self, sweep: &S, highest: usize) -> Result<(), ExtremesError> {
+        self.0.check(sweep, highest)
+    }
+
+    fn at(&self, sweep: &S, station: &SweepStation<'_>) -> Result<Local, ExtremesError> {
+        Ok(self.0.at(sweep, station)? * station.input(self.0.input, 1))
+    }
+}
+
 /// A force in a joint, an effort or a power, or one of its rates.
 #[derive(Clone, Debug)]
 pub struct ByReaction<'q> {
@@ -422,6 +436,31 @@ impl<'c, 'q, S: QuantitySource> QuantityAlong<'c, S, ByEffort<'q>> {
     pub(crate) fn by_effort(sweep: &'c S, loads: &'q NamedLoads, input: usize, order: usize) -> Self {
         Self::new(sweep, ByEffort { loads, input, order })
     }
+}
+
+impl<'c, 'q, S: QuantitySource> QuantityAlong<'c, S, ByPower<'q>> {
+    pub(crate) fn by_power(sweep: &'c S, loads: &'q NamedLoads, input: usize) -> Self {
+        let order = 0;
+        Self::new(sweep, ByPower(ByEffort { loads, input, order }))
+    }
+}
+
+/// The forces in all joints in each row of a sweep; a [gap](ExtremesError::Gap) where the mechanism does not close.
+pub(crate) fn reactions_in_rows<S: QuantitySource>(
+    sweep: &S,
+    reactions: &NamedReactions<'_>,
+) -> Result<Vec<Result<Reactions, ExtremesError>>, ExtremesError> {
+    let nothing = |_: &SweepStation<'_>| Ok(Local::constant(0.0));
+    let swept = QuantityOfSweep {
+        sweep: sweep.untyped(),
+        drive: sweep.drive(),
+        quantity: &nothing,
+        rate: None,
+        known: None,
+        jumps: None,
+        progress: None,
+    };
+    swept.rows(|station| station.reactions(sweep.changed(), reactions))
 }
 
 impl<'c, 'q, S: QuantitySource> QuantityAlong<'c, S, ByReaction<'q>> {

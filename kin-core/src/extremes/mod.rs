@@ -66,11 +66,12 @@ mod swept;
 mod tests;
 
 pub use along::QuantityAlong;
-pub(crate) use along::pose_quantity;
 #[doc(hidden)]
 pub use along::{
-    AskedQuantity, ByDyad, ByEffort, ByExpression, ByJacobian, ByName, ByReaction, QuantitySource, SensitiveQuantity,
+    AskedQuantity, ByDyad, ByEffort, ByExpression, ByJacobian, ByName, ByPower, ByReaction, QuantitySource,
+    SensitiveQuantity,
 };
+pub(crate) use along::{pose_quantity, reactions_in_rows};
 pub use answer::Answer;
 pub use at::At;
 pub(crate) use branch::{KnownStretch, KnownSweep, StationQuantity, named_quantity};

@@ -13,7 +13,7 @@ use crate::mechanism::{Description, Jacobian, Mechanism};
 use crate::number::series::Series;
 use crate::number::{Changing, Number, NumberRow};
 use crate::quantity::{Dimension, Quantity};
-use crate::reaction::{NamedReactions, ReactionFunctions, ReactionPlace, ReactionQuantity};
+use crate::reaction::{NamedReactions, ReactionFunctions, ReactionPlace, ReactionQuantity, Reactions};
 use crate::solve::{Scalar, unwrap_near};
 use crate::sweep::{Local, READ, TERMS, by_time, composed};
 
@@ -277,6 +277,28 @@ impl SweepStation<'_> {
         effort.map_err(|error| ExtremesError::of_loads(at, error))
     }
 
+    fn reaction_place<'p>(&'p self, functions: &'p dyn ChangedFunctions) -> ReactionPlace<'p> {
+        ReactionPlace {
+            functions,
+            parameters: &self.parameters,
+            inputs: self.inputs.chunks_exact(READ).map(Series::from_motion).collect(),
+            unknowns: &self.unknowns,
+            outputs: &self.outputs,
+            rate: self.rate,
+            side: self.side,
+        }
+    }
+
+    /// The forces in all joints.
+    pub(super) fn reactions(
+        &self,
+        functions: &dyn ChangedFunctions,
+        reactions: &NamedReactions<'_>,
+    ) -> Result<Reactions, ExtremesError> {
+        let found = reactions.found(&self.reaction_place(functions));
+        found.map_err(|error| ExtremesError::of_reaction(self.variable.real(), error))
+    }
+
     /// A force in a joint, an effort or a power, or one of its rates.
     pub(super) fn reaction(
         &self,
@@ -285,16 +307,7 @@ impl SweepStation<'_> {
         quantity: ReactionQuantity,
         order: usize,
     ) -> Result<Local, ExtremesError> {
-        let here = ReactionPlace {
-            functions,
-            parameters: &self.parameters,
-            inputs: self.inputs.chunks_exact(READ).map(Series::from_motion).collect(),
-            unknowns: &self.unknowns,
-            outputs: &self.outputs,
-            rate: self.rate,
-            side: self.side,
-        };
-        let found = reactions.quantity(&here, quantity);
+        let found = reactions.quantity(&self.reaction_place(functions), quantity);
         let found = found.map_err(|error| ExtremesError::of_reaction(self.variable.real(), error))?;
         Ok(self.by_time(&found.derivatives(), order))
     }

@@ -113,16 +113,31 @@ impl QuantityOfSweep<'_> {
         self.ask(|curve| curve.dwells(level, tolerance))
     }
 
-    /// The values in the rows.
+    /// The values in the rows, which are not numbers where the mechanism does not close.
     pub(super) fn column(&self) -> Result<Vec<f64>, ExtremesError> {
+        let rows = self.rows(|station| (self.quantity)(station))?;
+        let values = rows.into_iter().map(|row| match row {
+            Ok(value) => Ok(value.real()),
+            // at a limit, too, whose rates have no series
+            Err(ExtremesError::Gap { .. }) => Ok(f64::NAN),
+            Err(error) => Err(error),
+        });
+        values.collect()
+    }
+
+    /// The answer in each row; a [gap](ExtremesError::Gap) where the mechanism does not close.
+    pub(super) fn rows<T>(
+        &self,
+        answer: impl Fn(&SweepStation<'_>) -> Result<T, ExtremesError>,
+    ) -> Result<Vec<Result<T, ExtremesError>>, ExtremesError> {
         self.check()?;
         let mut mark = Mark::new(Walk::BEGINNING);
-        let mut value = |row: usize| {
+        let row = |row: usize| {
             let at = self.row(row);
             let result;
             (mark, result) = self.step(&mark, at);
             if result.is_err() {
-                return Ok(f64::NAN);
+                return Err(ExtremesError::Gap { at });
             }
             let side = if at == self.sweep.to.max(self.sweep.from) {
                 Side::Left
@@ -130,17 +145,10 @@ impl QuantityOfSweep<'_> {
                 Side::Right
             };
             let variable = Local::from_coefficients([at, 1.0, 0.0, 0.0, 0.0]);
-            let found = self
-                .station(&mark, variable, side)
-                .and_then(|(station, _)| (self.quantity)(&station));
-            match found {
-                Ok(value) => Ok(value.real()),
-                // at a limit, whose rates have no series
-                Err(ExtremesError::Gap { .. }) => Ok(f64::NAN),
-                Err(error) => Err(error),
-            }
+            let (station, _) = self.station(&mark, variable, side)?;
+            answer(&station)
         };
-        (0..self.sweep.count).map(&mut value).collect()
+        Ok((0..self.sweep.count).map(row).collect())
     }
 
     /// The mean of a power of the quantity.

@@ -8,15 +8,15 @@ use super::AnyLinkage;
 use crate::any::AssemblyChoice;
 use crate::exact::{ExactTable, ExactTableError, Precision, exact_table};
 use crate::extremes::{
-    ByDyad, ByEffort, ByJacobian, ByName, ByReaction, ChangedFunctions, ExtremesError, NamedFunctions, Over,
-    QuantityAlong, QuantitySource,
+    ByDyad, ByEffort, ByJacobian, ByName, ByPower, ByReaction, ChangedFunctions, ExtremesError, NamedFunctions, Over,
+    QuantityAlong, QuantitySource, reactions_in_rows,
 };
 use crate::failure::SolveError;
 use crate::law::{Piecewise, Side};
 use crate::load::NamedLoads;
 use crate::mechanism::JacobianMeasure;
 use crate::number::{ClosedRange, NumberRow};
-use crate::reaction::{Efficiency, NamedReactions, ReactionPart, ReactionQuantity};
+use crate::reaction::{Efficiency, NamedReactions, ReactionPart, ReactionQuantity, Reactions};
 use crate::sweep::{
     Footing, Laws, READ, SmoothDrive, StraightLine, SweepError, Table, TabledMechanism, UntypedSweep, Walk,
 };
@@ -174,6 +174,11 @@ impl<D: SmoothDrive> AnySweep<'_, D> {
         QuantityAlong::by_effort(self, loads, input, order)
     }
 
+    /// The power of the drive of an input under loads, by the index of the input: its effort times its velocity.
+    pub fn of_power<'q>(&self, loads: &'q NamedLoads, input: usize) -> QuantityAlong<'_, Self, ByPower<'q>> {
+        QuantityAlong::by_power(self, loads, input)
+    }
+
     /// A part of the force in a joint, by the name of the joint: order 0 is the force or moment, 1 and 2 are its rates by time. See
     /// [`NamedReactions`].
     pub fn of_reaction<'q>(
@@ -197,6 +202,16 @@ impl<D: SmoothDrive> AnySweep<'_, D> {
         order: usize,
     ) -> QuantityAlong<'_, Self, ByReaction<'q>> {
         QuantityAlong::by_reaction(self, reactions, reactions.effort_of(input), order)
+    }
+
+    /// The power of the drive of an input with the friction of joints.
+    pub fn of_power_with_friction<'q>(
+        &self,
+        reactions: &'q NamedReactions<'q>,
+        input: usize,
+    ) -> QuantityAlong<'_, Self, ByReaction<'q>> {
+        let power = reactions.effort_of(input).map(|_| ReactionQuantity::Power(input));
+        QuantityAlong::by_reaction(self, reactions, power, 0)
     }
 
     /// The power that friction turns into heat, in the same orders.
@@ -251,6 +266,18 @@ impl<D: SmoothDrive> AnySweep<'_, D> {
             input: mean(ReactionQuantity::Input)?,
             heat: mean(ReactionQuantity::Heat)?,
         })
+    }
+
+    /// The forces in all joints in each row, found by one solution for each. At a joint of laws they are those behind it.
+    ///
+    /// # Errors
+    /// [`ExtremesError::Sweep`] if the inputs cannot move so. A row in which the mechanism does not close has the error
+    /// [`ExtremesError::Gap`], and one in which the joints do not hold the bodies has [`ExtremesError::Reaction`].
+    pub fn reactions(
+        &self,
+        reactions: &NamedReactions<'_>,
+    ) -> Result<Vec<Result<Reactions, ExtremesError>>, ExtremesError> {
+        reactions_in_rows(self, reactions)
     }
 
     /// A measure of the Jacobian of results, by their names: see [`of_jacobian`](crate::sweep::Sweep::of_jacobian).

@@ -181,14 +181,24 @@ impl<M: LoadedSystem, P: VaryingVector<Change<M::Scalar>>, F: Fn(M::Moving) -> [
     }
 }
 
+/// By so many roundings of its size the scalar product of two vectors may change: its factors come from places that are rounded.
+const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
+
 /// Whether the scalar product of two vectors is constant up to half of the digits, otherwise its rate.
 pub(super) fn rigid<M: LoadedSystem>(one: &[Coordinate<M>; 3], two: &[Coordinate<M>; 3]) -> Result<(), f64> {
     let product = dot(one, two);
+    let size = |vector: &[Coordinate<M>; 3]| {
+        let square = |coordinate: &Coordinate<M>| coordinate.motion[0].real() * coordinate.motion[0].real();
+        Number::sqrt(vector.iter().map(square).sum::<f64>())
+    };
+    // where the vectors stand for a moment, their rates are rounding alone
+    let size = size(one) * size(two);
+    let rounding = ROUNDINGS * (size + Number::sqrt(size));
     for (input, influence) in product.influence.as_ref().iter().enumerate() {
         let part = |a: &Coordinate<M>, b: &Coordinate<M>| (a.motion[0] * b.influence[input][0]).real().abs();
         let terms = one.iter().zip(two).map(|(a, b)| part(a, b) + part(b, a));
         let rate = influence[0].real();
-        if rate.abs() > Number::sqrt(f64::EPSILON) * terms.sum::<f64>() {
+        if rate.abs() > Number::sqrt(f64::EPSILON) * terms.sum::<f64>() + rounding {
             return Err(rate);
         }
     }

@@ -50,6 +50,8 @@ enum ActionKind {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Wrench<T> {
     pub(super) force: Plane<T>,
+    /// Where the force acts; none for a couple and for a sum.
+    pub(super) at: Option<Plane<T>>,
     pub(super) moment: T,
 }
 
@@ -57,13 +59,14 @@ impl<const N: usize> Wrench<Series<N>> {
     /// A force at a place on a body.
     pub(super) fn of_force(frame: &MovedFrame<N>, force: Plane<Series<N>>, at: Plane<Series<N>>) -> Self {
         let moment = (at - frame.origin).cross(force);
-        Self { force, moment }
+        let at = Some(at);
+        Self { force, at, moment }
     }
 
     /// A couple.
     pub(super) fn of_moment(moment: Series<N>) -> Self {
-        let force = Plane::zero();
-        Self { force, moment }
+        let (force, at) = (Plane::zero(), None);
+        Self { force, at, moment }
     }
 }
 

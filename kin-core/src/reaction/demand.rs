@@ -6,6 +6,7 @@ use alloc::vec::Vec;
 
 use super::ReactionError;
 use super::action::{Action, Influences, Wrench, both};
+use super::body_load::{Acting, BodyLoadKind};
 use super::connection::{Member, loaded, member_name};
 use super::frames::{MovedFrame, MovedMechanism, left, slope, slope_of};
 use crate::geometry::{Plane, Space};
@@ -25,6 +26,8 @@ pub(super) struct Demand<'d, const N: usize> {
     /// The change of the variable of the series for each unit of time.
     pub(super) rate: f64,
     pub(super) bodies: Vec<Wrench<Series<N>>>,
+    /// All that acts on the bodies, one after the other.
+    pub(super) acting: Vec<Acting<N>>,
     /// The place of the load that is being added, from 1 on.
     pub(super) load: usize,
 }
@@ -46,8 +49,9 @@ impl<const N: usize> Demand<'_, N> {
         slope_of(slope_of(point)).scale(Series::constant(self.rate * self.rate))
     }
 
-    fn subtract(&mut self, wrenches: Vec<(usize, Wrench<Series<N>>)>) {
+    fn subtract(&mut self, kind: BodyLoadKind, wrenches: Vec<(usize, Wrench<Series<N>>)>) {
         for (body, wrench) in wrenches {
+            self.acting.push((kind, body, wrench));
             let sum = &mut self.bodies[body];
             sum.force = sum.force - wrench.force;
             sum.moment = sum.moment - wrench.moment;
@@ -91,7 +95,8 @@ impl<const N: usize> Demand<'_, N> {
             NamedLoad::Force(force, point) => {
                 let held = self.held(point)?;
                 let force = Plane::new(Series::constant(force.x), Series::constant(force.y));
-                self.subtract(both([held.by, None], self.frames, force, [held.at; 2]));
+                let wrenches = both([held.by, None], self.frames, force, [held.at; 2]);
+                self.subtract(BodyLoadKind::Applied, wrenches);
             }
             NamedLoad::Torque(torque, quantity) => self.act(quantity, Series::constant(torque))?,
             NamedLoad::TorsionSpring(spring, quantity) => {
@@ -127,7 +132,8 @@ impl<const N: usize> Demand<'_, N> {
 
     /// A force on the first end towards the second one, and the opposite one there.
     fn pull(&mut self, [from, to]: [Held<N>; 2], force: Plane<Series<N>>) {
-        self.subtract(both([from.by, to.by], self.frames, force, [from.at, to.at]));
+        let wrenches = both([from.by, to.by], self.frames, force, [from.at, to.at]);
+        self.subtract(BodyLoadKind::Applied, wrenches);
     }
 
     fn length(&self, line: Plane<Series<N>>) -> Result<Series<N>, LoadError> {
@@ -144,7 +150,8 @@ impl<const N: usize> Demand<'_, N> {
         let gravity = self.loads.gravity_in_plane();
         let gravity = Plane::new(Series::constant(gravity.x), Series::constant(gravity.y));
         let lacking = (gravity - self.acceleration(held.at)).scale(Series::constant(mass));
-        self.subtract(both([held.by, None], self.frames, lacking, [held.at; 2]));
+        let wrenches = both([held.by, None], self.frames, lacking, [held.at; 2]);
+        self.subtract(BodyLoadKind::Mass, wrenches);
         Ok(())
     }
 
@@ -152,7 +159,7 @@ impl<const N: usize> Demand<'_, N> {
         not_negative(self.load, "moment of inertia", inertia)?;
         let acceleration = slope(self.frames[body].turn) * Series::constant(self.rate * self.rate);
         let lacking = -acceleration * Series::constant(inertia);
-        self.subtract([(body, Wrench::of_moment(lacking))].into());
+        self.subtract(BodyLoadKind::Mass, [(body, Wrench::of_moment(lacking))].into());
         Ok(())
     }
 
@@ -162,7 +169,7 @@ impl<const N: usize> Demand<'_, N> {
         let dimension = self.dimension(quantity);
         let found = |influences: &Influences<'_, '_, N>| influences.actions(quantity, dimension);
         let action = self.influences.action(what, found, |_| true)?;
-        self.subtract(action.wrenches(self.moved, self.frames, size));
+        self.subtract(BodyLoadKind::Applied, action.wrenches(self.moved, self.frames, size));
         Ok(())
     }
 

@@ -64,6 +64,27 @@ pub(super) struct Solution<const N: usize> {
     pub(super) begun_heat: f64,
     /// The factor by which forces and friction contract.
     pub(super) contraction: f64,
+    /// The couples with which guides keep bodies from turning, which need not be those on which the forces of the slides act.
+    pub(super) turned: Vec<(usize, Wrench<Series<N>>)>,
+}
+
+impl<const N: usize> Solution<N> {
+    /// The same, where each series becomes another one.
+    pub(super) fn map(self, change: impl Fn(Series<N>) -> Series<N>) -> Self {
+        let all = |series: Vec<Determined<N>>| series.into_iter().map(|own| own.map(&change)).collect();
+        let forces = self.forces.into_iter();
+        Self {
+            forces: forces
+                .map(|force| force.map(|Plane { x, y }| Plane::new(change(x), change(y))))
+                .collect(),
+            moments: all(self.moments),
+            efforts: all(self.efforts),
+            frictions: self.frictions.into_iter().map(&change).collect(),
+            heat: change(self.heat),
+            turned: self.turned,
+            ..self
+        }
+    }
 }
 
 /// The unknowns, and the forces of a unit of each.
@@ -274,6 +295,7 @@ impl<const N: usize> Equations<'_, N> {
             heat: Series::ZERO,
             begun_heat: 0.0,
             contraction: 0.0,
+            turned: Vec::new(),
         };
         for ((unknown, value), is_open) in unknowns.iter().zip(values).zip(is_open) {
             let known = (!is_open).then_some(*value);
@@ -299,6 +321,9 @@ impl<const N: usize> Equations<'_, N> {
                     let is_turned = own.on == guide && on != guide;
                     let sign = Series::constant(if is_turned { -1.0 } else { 1.0 });
                     solution.moments[connection] = known.map(|known| sign * known);
+                    solution
+                        .turned
+                        .extend(both_turned([on, guide], known.unwrap_or(Series::ZERO)));
                 }
                 Unknown::Effort { input } => solution.efforts[input] = known,
             }
@@ -311,7 +336,7 @@ impl<const N: usize> Equations<'_, N> {
 const NO_PART: f64 = 1e-9;
 
 fn flat<const N: usize>(wrench: &Wrench<Series<N>>, length: f64) -> [Series<N>; OF_BODY] {
-    let Wrench { force, moment } = *wrench;
+    let Wrench { force, moment, .. } = *wrench;
     [force.x, force.y, moment / Series::constant(length)]
 }
 

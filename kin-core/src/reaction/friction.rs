@@ -105,7 +105,7 @@ pub(super) struct ActingFriction<const N: usize> {
 /// The motion by which all inputs leave a place where they stand.
 pub(super) struct Beginning {
     pub(super) inputs: Vec<MovedNumber>,
-    by_time: f64,
+    pub(super) by_time: f64,
     side: Side,
 }
 

@@ -51,6 +51,7 @@
 //! solved: see [`contraction`](Reactions::contraction).
 
 mod action;
+mod body_load;
 mod connection;
 mod contact;
 mod coulomb;
@@ -64,13 +65,16 @@ mod rank;
 #[cfg(test)]
 mod tests;
 
+pub use body_load::{BodyLoad, BodyLoadKind};
 pub use efficiency::Efficiency;
 pub use error::ReactionError;
 pub use friction::{Friction, FrictionMistake};
 
+use alloc::collections::BTreeMap;
 use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
+use core::cell::RefCell;
 use core::fmt;
 
 use crate::any::{AnyMechanism, NearOver, OutputsOver, Pictured, PositionChoice, SkeletonOver};
@@ -85,7 +89,7 @@ use crate::number::{Number, NumberRow, singular_values};
 use crate::picture::Outline;
 use crate::quantity::Dimension;
 use crate::solve::unwrap_near;
-use action::{Action, Influence, Influences, Wrench};
+use action::{Action, Influence, Influences, Wrench, both_turned};
 use connection::{Connection, Member, connections, member_name};
 use demand::Demand;
 use equations::{Equations, Solution};
@@ -131,6 +135,8 @@ pub(crate) enum ReactionQuantity {
     Part(usize, ReactionPart),
     /// The effort of the drive of an input.
     Effort(usize),
+    /// The power of the drive of an input.
+    Power(usize),
     /// The power of all drives.
     Input,
     /// The power of friction.
@@ -159,7 +165,12 @@ pub struct NamedReactions<'m> {
     frictions: Vec<(usize, Friction)>,
     /// The rates of the inputs that friction opposes while all of them rest.
     about_to_move: Option<Vec<f64>>,
+    /// The solutions at the last places, by all that they depend on.
+    known: RefCell<BTreeMap<Vec<u64>, Solution<REACH>>>,
 }
+
+/// So many solutions are remembered, more than a search for the extremes of all forces asks for.
+const REMEMBERED: usize = 1 << 14;
 
 impl fmt::Debug for NamedReactions<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -212,6 +223,7 @@ impl<'m> NamedReactions<'m> {
             driven: vec![None; functions.description().inputs.len()],
             frictions: Vec::new(),
             about_to_move: None,
+            known: RefCell::default(),
         })
     }
 
@@ -226,6 +238,7 @@ impl<'m> NamedReactions<'m> {
         let body_index = bodies.iter().position(|own| own.name == body);
         if let (Some(input), Some(_)) = (input_index, body_index) {
             self.driven[input] = body_index;
+            self.known.take();
             return Ok(self);
         }
         Err(ReactionError::Place {
@@ -257,6 +270,14 @@ impl<'m> NamedReactions<'m> {
         Ok(self.connections[self.index(name)?].slide.is_some())
     }
 
+    /// The joint of the [picture](Outline) in which a reaction acts, by its index.
+    ///
+    /// # Errors
+    /// [`ReactionError::NoSuchReaction`].
+    pub fn joint_of(&self, name: &str) -> Result<usize, ReactionError> {
+        Ok(self.connections[self.index(name)?].joint)
+    }
+
     pub(crate) fn index(&self, name: &str) -> Result<usize, ReactionError> {
         index_of(name, || self.names())
     }
@@ -275,7 +296,7 @@ impl<'m> NamedReactions<'m> {
         let series = |motion: &Motion| {
             Series::from_derivatives(core::array::from_fn(|order| motion.derivative(order).unwrap_or(0.0)))
         };
-        let place = ReactionPlace {
+        self.found(&ReactionPlace {
             functions: self.functions,
             parameters: &self.parameters,
             inputs: inputs.iter().map(series).collect(),
@@ -283,22 +304,36 @@ impl<'m> NamedReactions<'m> {
             outputs: &[],
             rate: 1.0,
             side: Side::Right,
-        };
-        let solution = self.solution(&place)?;
-        let speeds = match self.beginning(&place) {
-            Ok(Some(begun)) => begun.inputs,
-            _ => place.inputs,
-        };
-        let efforts = solution.efforts.iter().zip(&speeds);
-        let input = efforts.map(|(effort, speed)| Some(effort.as_ref()?.real() * speed.coefficients()[1]));
+        })
+    }
+
+    /// The reactions at a place, by time.
+    pub(crate) fn found(&self, place: &ReactionPlace<'_>) -> Result<Reactions, ReactionError> {
+        let (solution, body_loads) = self.solved(place)?;
+        let input = self.input_of(place, &solution);
+        let mut solution = solution.map(|series| by_time(series, place.rate));
+        solution.heat = solution.heat * Series::constant(place.rate);
         Ok(Reactions {
             names: self.names().map(ToString::to_string).collect(),
-            efficiency: input.sum::<Option<f64>>().map(|input| Efficiency {
+            efficiency: input.map(|input| Efficiency {
                 input,
                 heat: solution.begun_heat,
             }),
             solution,
+            body_loads,
         })
+    }
+
+    /// The power of all drives, by time; at rest, in the motion that is about to begin.
+    fn input_of(&self, place: &ReactionPlace<'_>, solution: &Solution<REACH>) -> Option<f64> {
+        let beginning = self.beginning(place).ok().flatten();
+        let (speeds, by_time) = match &beginning {
+            Some(beginning) => (&beginning.inputs, beginning.by_time),
+            None => (&place.inputs, place.rate),
+        };
+        let efforts = solution.efforts.iter().zip(speeds);
+        let powers = efforts.map(|(effort, speed)| Some(effort.as_ref()?.real() * speed.coefficients()[1] * by_time));
+        powers.sum()
     }
 
     /// The effort of the drive of an input, as a quantity along a sweep.
@@ -318,24 +353,32 @@ impl<'m> NamedReactions<'m> {
         if let ReactionQuantity::JointSpeed(index) = quantity {
             return self.joint_speed(place, index);
         }
-        let solution = self.solution(place)?;
+        self.read(place, |solution| self.quantity_of(solution, place, quantity))?
+    }
+
+    fn quantity_of(
+        &self,
+        solution: &Solution<REACH>,
+        place: &ReactionPlace<'_>,
+        quantity: ReactionQuantity,
+    ) -> Result<MovedNumber, ReactionError> {
         let by_time = Series::constant(place.rate);
-        let names: Vec<String> = self.names().map(ToString::to_string).collect();
+        let names = || self.names().map(ToString::to_string).collect::<Vec<String>>();
         let effort = |input: usize| {
             let effort = solution.efforts[input];
             effort.ok_or_else(|| {
                 let drive = drive_of(self.functions.description().inputs[input].name);
-                undetermined(&solution, &names, drive)
+                undetermined(solution, &names(), drive)
             })
         };
+        let power = |input: usize| Ok(effort(input)? * slope(place.inputs[input]) * by_time);
         let (index, part) = match quantity {
             ReactionQuantity::Part(index, part) => (index, part),
             ReactionQuantity::Effort(input) => return effort(input),
+            ReactionQuantity::Power(input) => return power(input),
             ReactionQuantity::Input => {
-                let mut inputs = place.inputs.iter().enumerate();
-                return inputs.try_fold(Series::ZERO, |sum, (input, value)| {
-                    Ok(sum + effort(input)? * slope(*value) * by_time)
-                });
+                let mut inputs = 0..place.inputs.len();
+                return inputs.try_fold(Series::ZERO, |sum, input| Ok(sum + power(input)?));
             }
             ReactionQuantity::Heat | ReactionQuantity::JointSpeed(_) => return Ok(solution.heat * by_time),
         };
@@ -346,10 +389,28 @@ impl<'m> NamedReactions<'m> {
             ReactionPart::Force => force.map(size),
             ReactionPart::Moment => solution.moments[index],
         };
-        found.ok_or_else(|| undetermined(&solution, &names, names[index].clone()))
+        found.ok_or_else(|| {
+            let names = names();
+            undetermined(solution, &names, names[index].clone())
+        })
     }
 
-    fn solution(&self, place: &ReactionPlace<'_>) -> Result<Solution<REACH>, ReactionError> {
+    /// Reads the solution at a place, for which other questions ask too.
+    fn read<R>(&self, place: &ReactionPlace<'_>, read: impl FnOnce(&Solution<REACH>) -> R) -> Result<R, ReactionError> {
+        let key = place.key();
+        if let Some(known) = self.known.borrow().get(&key) {
+            return Ok(read(known));
+        }
+        let (solution, _) = self.solved(place)?;
+        let mut known = self.known.borrow_mut();
+        if known.len() == REMEMBERED {
+            known.clear();
+        }
+        Ok(read(known.entry(key).or_insert(solution)))
+    }
+
+    /// The solution in series of the variable, and what acts on the bodies beside it.
+    fn solved(&self, place: &ReactionPlace<'_>) -> Result<(Solution<REACH>, Vec<BodyLoad>), ReactionError> {
         let description = place.functions.description();
         let outline = place.functions.outline();
         let moved = place.moved(place.parameters, &place.inputs)?;
@@ -363,6 +424,7 @@ impl<'m> NamedReactions<'m> {
         };
         let nothing = Wrench {
             force: Plane::zero(),
+            at: None,
             moment: Series::ZERO,
         };
         let mut demand = Demand {
@@ -373,6 +435,7 @@ impl<'m> NamedReactions<'m> {
             frames: &frames,
             rate: place.rate,
             bodies: vec![nothing; frames.len()],
+            acting: Vec::new(),
             load: 0,
         };
         demand.add_all()?;
@@ -394,7 +457,36 @@ impl<'m> NamedReactions<'m> {
             frictions: &frictions,
             parity: if place.side == Side::Left { -1.0 } else { 1.0 },
         };
-        equations.solve(&demand.bodies)
+        let solution = equations.solve(&demand.bodies)?;
+        let mut acting = demand.acting;
+        for (input, (drive, effort)) in drives.iter().zip(&solution.efforts).enumerate() {
+            let wrenches = drive.wrenches(&moved, &frames, effort.unwrap_or(Series::ZERO));
+            acting.extend(
+                wrenches
+                    .into_iter()
+                    .map(|(body, wrench)| (BodyLoadKind::Drive(input), body, wrench)),
+            );
+        }
+        // the friction of a slide is a part of its force
+        for (index, _) in &self.frictions {
+            let Connection { on, by, slide, .. } = self.connections[*index];
+            if slide.is_none() {
+                let couples = both_turned([on, by], solution.frictions[*index]);
+                acting.extend(
+                    couples
+                        .into_iter()
+                        .map(|(body, couple)| (BodyLoadKind::Friction, body, couple)),
+                );
+            }
+        }
+        let turned = solution.turned.iter();
+        acting.extend(turned.map(|(body, couple)| (BodyLoadKind::Guide, *body, *couple)));
+        let body_loads = acting.iter().map(|acting| {
+            let (_, body, _) = *acting;
+            BodyLoad::new(acting, &frames[body], outline.bodies[body].name)
+        });
+        let body_loads = body_loads.collect();
+        Ok((solution, body_loads))
     }
 }
 
@@ -429,6 +521,15 @@ fn undetermined(solution: &Solution<REACH>, names: &[String], reaction: String) 
 }
 
 impl ReactionPlace<'_> {
+    /// All numbers of the place.
+    fn key(&self) -> Vec<u64> {
+        let inputs = self.inputs.iter().flat_map(Series::coefficients);
+        let side = if self.side == Side::Left { -1.0 } else { 1.0 };
+        let still = [self.parameters, self.unknowns, self.outputs, &[self.rate, side]];
+        let still = still.into_iter().flatten().copied();
+        inputs.chain(still).map(f64::to_bits).collect()
+    }
+
     /// The mechanism near the place, with inputs that move.
     fn moved(&self, parameters: &[f64], inputs: &[MovedNumber]) -> Result<MovedMechanism<REACH>, SolveError> {
         let description = self.functions.description();
@@ -509,6 +610,17 @@ impl Reaction {
         orders(size(self.force))
     }
 
+    /// One part with its rates.
+    #[must_use]
+    pub fn part(&self, part: ReactionPart) -> [f64; ORDERS] {
+        match part {
+            ReactionPart::X => self.x,
+            ReactionPart::Y => self.y,
+            ReactionPart::Force => self.magnitude(),
+            ReactionPart::Moment => self.moment,
+        }
+    }
+
     /// The angle of the force with its rates, -π ..= π; none if the force is zero.
     #[must_use]
     pub fn direction(&self) -> Option<[f64; ORDERS]> {
@@ -516,6 +628,16 @@ impl Reaction {
         let is_zero = x.real() == 0.0 && y.real() == 0.0;
         (!is_zero).then(|| orders(y.atan2(x)))
     }
+}
+
+/// A series in the time, from one in a variable that changes so fast.
+fn by_time(series: MovedNumber, rate: f64) -> MovedNumber {
+    let mut power = 1.0;
+    Series::from_coefficients(series.coefficients().map(|coefficient| {
+        let own = coefficient * power;
+        power *= rate;
+        own
+    }))
 }
 
 fn orders(series: MovedNumber) -> [f64; ORDERS] {
@@ -529,6 +651,7 @@ pub struct Reactions {
     names: Vec<String>,
     efficiency: Option<Efficiency>,
     solution: Solution<REACH>,
+    body_loads: Vec<BodyLoad>,
 }
 
 impl Reactions {
@@ -553,6 +676,13 @@ impl Reactions {
     /// All reactions with their names.
     pub fn all(&self) -> impl Iterator<Item = (&str, Result<Reaction, ReactionError>)> {
         self.names.iter().map(|name| (name.as_str(), self.of(name)))
+    }
+
+    /// What acts on the bodies beside the forces in joints: masses, other loads, drives, and the moments of guides. An effort or a moment
+    /// that equilibrium does not determine is zero among them.
+    #[must_use]
+    pub fn body_loads(&self) -> &[BodyLoad] {
+        &self.body_loads
     }
 
     /// The effort of the drive of an input, with its rates; none if equilibrium does not determine it.

@@ -143,3 +143,31 @@ export const LAW = {
     ],
   },
 };
+
+/** Forces by formulas of the variable at some places: one on the rod by the crank, one of the guide, and an effort. */
+export function forcesOf(places, speed) {
+  const sample = (x) => ({
+    input: x,
+    forces: [
+      [50 * Math.cos(2 * x), 20 * Math.sin(x), -100 * speed * Math.sin(2 * x), 20 * speed * Math.cos(x)],
+      [0, 3 + Math.sin(x), 0, speed * Math.cos(x)],
+    ],
+    curves: [[2 * Math.sin(x), 2 * speed * Math.cos(x)]],
+    loads: [[7, -1, 10 + x, 4], [x]],
+  });
+  const peak = { value: Math.hypot(50, 20), at: Math.PI / 2, rms: 40, rate: 100 * speed };
+  return {
+    metres: 0.001,
+    joints: [
+      { name: "pin", on: 1, by: 0, joint: 1, is_slide: false, peak },
+      { name: "guide", on: 1, by: null, joint: 2, is_slide: true, peak: null },
+    ],
+    curves: [{ name: "theta_effort", text: "effort of θ", kind: "moment", peak: null }],
+    body_loads: [
+      { body: 1, kind: "mass", is_couple: false },
+      { body: 0, kind: "drive", is_couple: true },
+    ],
+    samples: places.map(sample),
+    unknown: null,
+  };
+}

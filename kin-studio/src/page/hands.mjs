@@ -68,6 +68,9 @@ export function handlePicture(svg, model, actions) {
       };
       follow(svg, event, move, () => {
         svg.classList.remove("dragging");
+        if (!moved) {
+          actions.pick(Number(body));
+        }
         actions.end();
       });
       return;

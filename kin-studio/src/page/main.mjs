@@ -1,9 +1,13 @@
 /** The page: what is shown, and what happens when a reader acts. */
+import { curvesOf } from "./curves.mjs";
 import { createSliders } from "./dimensions.mjs";
 import { button, change, choice, made, part, tell, tick } from "./elements.mjs";
+import { allForces, forcesOn } from "./freebody.mjs";
 import { handlePicture, handlePlots, handleScrubber } from "./hands.mjs";
+import { createHodographs } from "./hodographs.mjs";
 import { anatomyOf, placeOf } from "./kinematics/anatomy.mjs";
 import { motionOf } from "./kinematics/drive.mjs";
+import { scalesOfForces } from "./kinematics/forces.mjs";
 import { inputText, marksOf, stopText } from "./kinematics/marks.mjs";
 import { blockText, createModel, givenDesign, reasonToRefuse } from "./kinematics/model.mjs";
 import { nearestInput } from "./kinematics/nearest.mjs";
@@ -17,12 +21,13 @@ import {
   isAtLimit,
   movedInput,
   rowAt,
+  sizeOf,
   spanAt,
   valueAt,
 } from "./kinematics/sweep.mjs";
 import { BESIDE_LIMIT, PARTS } from "./kinematics/tolerances.mjs";
 import { poorTransmission, worstTransmission } from "./kinematics/transmission.mjs";
-import { numberText, unitFactor, withUnit } from "./numbers.mjs";
+import { numberText, ticks, unitFactor, withUnit } from "./numbers.mjs";
 import { paceText, pacesAround, secondsOf, watchablePace } from "./pace.mjs";
 import { createPaper } from "./paper.mjs";
 import { createPicture } from "./picture.mjs";
@@ -30,13 +35,14 @@ import { createPlots } from "./plots.mjs";
 import { gapText } from "./reasons.mjs";
 import { handOver, pictureFile, pictureOfPixels, sweepTable } from "./saving.mjs";
 import { createScrubber } from "./scrubber.mjs";
-import { createView, fitView, flat } from "./view.mjs";
+import { createView, fitView, flat, onPage } from "./view.mjs";
 import { poseText } from "./words.mjs";
 
 /** What can be shown in the picture, with its words and whether it is at first. */
 const OPTIONS = [
   ["names", "Names", true],
   ["paths", "Paths", true],
+  ["forces", "Forces", true],
   ["ghosts", "Other assemblies", true],
   ["velocity", "Velocity", false],
   ["acceleration", "Acceleration", false],
@@ -50,6 +56,10 @@ const PRINTED = [
   [269, 453],
 ];
 const ARROWS = ["velocity", "acceleration", "jerk"];
+/** The length of the arrow of the largest force, as a part of the picture. */
+const LONGEST_FORCE = 0.24;
+/** The part of the plots that the paths of force vectors take. */
+const HODOGRAPHS = 0.52;
 
 /** Starts the page. */
 function start(report, solver) {
@@ -72,6 +82,8 @@ function start(report, solver) {
     zoom: [model.from, model.to],
     group: "",
     hidden: new Set(),
+    turning: false,
+    free: null,
     shows: Object.fromEntries(OPTIONS.map(([name, , first]) => [name, first])),
     playing: false,
     hovering: false,
@@ -101,6 +113,10 @@ function start(report, solver) {
   let framed = false;
   const picture = createPicture(part("picture"), model);
   const plots = createPlots(part("plots"), model);
+  const hodographs = createHodographs(part("plots"), model);
+  const groups = curvesOf(model);
+  const first = allRows(sweep)[0];
+  const forceScales = report.forces && first ? scalesOfForces(model, sizeOf(first.pose)) : null;
   const scrubber = createScrubber(part("scrubber"), model);
   const paper = createPaper(part("paper"), model, (x) => goTo(x));
   const sliders = createSliders(part("sliders"), model, given, (group, name, value) => {
@@ -301,36 +317,31 @@ function start(report, solver) {
     ask();
   }
 
-  function groups() {
-    return [...new Set(model.quantities.map(({ dimension }) => dimension))];
+  function groupNow() {
+    return groups.find(({ name }) => name === state.group) ?? groups[0];
   }
 
-  function shownNow() {
-    const all = model.quantities
-      .map((_, index) => index)
-      .filter((index) => model.quantities[index].dimension === state.group);
-    const seen = all.filter((index) => !state.hidden.has(model.quantities[index].name));
+  function curvesNow() {
+    const all = groupNow()?.curves ?? [];
+    const seen = all.filter(({ name }) => !state.hidden.has(name));
     return seen.length > 0 ? seen : all.slice(0, 1);
+  }
+
+  /** The indices of the quantities that are plotted. */
+  function shownNow() {
+    const names = curvesNow().map(({ name }) => name);
+    return model.quantities.flatMap(({ name }, index) => (names.includes(name) ? [index] : []));
+  }
+
+  /** Whether the forces are those of what is seen: the report has them for its own dimensions, speed and assembly. */
+  function knowsForces() {
+    return forceScales !== null && (sweep.reported || (model.frames !== null && sweep.given));
   }
 
   function drawStill() {
     measure();
     marks = marksOf(sweep);
-    const shown = shownNow();
-    const { reference } = state;
-    plots.draw({
-      width: state.plotSize[0],
-      height: state.plotSize[1],
-      shown,
-      degrees: state.degrees,
-      time: state.time,
-      zoom: state.zoom,
-      sweep,
-      reference,
-      marks,
-      speed: state.design.speed,
-      orders: model.orders,
-    });
+    drawPlots();
     const poor = poorTransmission(sweep);
     scrubber.draw({ width: state.scrubWidth, sweep, marks, poor, degrees: state.degrees, amount });
     const keys = [
@@ -345,6 +356,37 @@ function start(report, solver) {
     sliders.show(state.design, state.degrees);
     [...part("assembly").options].forEach((option, index) => tell(option, nameOfAssembly(report.assemblies[index])));
     part("swap").disabled = part("drop").disabled = state.reference === null;
+  }
+
+  function drawPlots() {
+    const [width, height] = state.plotSize;
+    const isOfForces = ["force", "moment"].includes(state.group);
+    const shown = isOfForces && !knowsForces() ? [] : curvesNow();
+    const vectors = shown.filter(({ joint }) => joint !== undefined);
+    const top = vectors.length > 0 ? Math.round((1 - HODOGRAPHS) * height) : height;
+    plots.draw({
+      width,
+      height: top,
+      shown,
+      titles: groupNow()?.titles ?? [],
+      degrees: state.degrees,
+      time: state.time,
+      zoom: state.zoom,
+      sweep,
+      reference: isOfForces ? null : state.reference,
+      marks,
+      speed: state.design.speed,
+    });
+    hodographs.draw({ width, top: top + 6, height: height - top - 6, shown: vectors, turning: state.turning, sweep });
+    tell(part("forces-note"), isOfForces ? noteOfForces() : "");
+  }
+
+  /** Why forces are not shown, if some are not. */
+  function noteOfForces() {
+    if (!knowsForces()) {
+      return "The forces are known for the given dimensions, speed and assembly.";
+    }
+    return report.forces.unknown ? `Not all forces are known: ${report.forces.unknown}` : "";
   }
 
   function measure() {
@@ -363,8 +405,12 @@ function start(report, solver) {
     }
   }
 
+  function someRows() {
+    return allRows(sweep).filter((_, index) => index % 3 === 0);
+  }
+
   function fit() {
-    const rows = allRows(sweep).filter((_, index) => index % 3 === 0);
+    const rows = someRows();
     const places = rows.flatMap(({ pose }) => [
       ...pose.joints,
       ...state.followed.map((followed) => placeOf(model, followed, pose.joints)),
@@ -380,7 +426,45 @@ function start(report, solver) {
     }
     const [width, height] = state.size;
     const side = Math.min(54, 0.09 * width);
-    fitView(view, places, { left: side, right: width - side, top: 34, bottom: height - 58 });
+    const room = { left: side, right: width - side, top: 34, bottom: height - (forceScales ? 76 : 58) };
+    fitView(view, places, room);
+    if (seesForces()) {
+      fitArrows(rows, places, room);
+    }
+  }
+
+  /** The ends of the arrows of forces at some rows, by their places and their ways in pixels. */
+  function tipsOf(rows) {
+    return rows.flatMap((each) => {
+      const forces = state.free === null ? allForces(model, each) : forcesOn(model, each, state.free);
+      return arrowsOf(forces).map(({ at, by }) => ({ at, by }));
+    });
+  }
+
+  /** How far some arrows go beyond the picture, to the left, right, up and down. */
+  function overhang(tips) {
+    const [width, height] = state.size;
+    const seen = tips.map(({ at, by }) => onPage(view, at).map((value, axis) => value + by[axis]));
+    const over = (measure) => seen.reduce((most, place) => Math.max(most, measure(place)), 0);
+    return [
+      over(([x]) => 10 - x),
+      over(([x]) => x - width + 10),
+      over(([, y]) => 10 - y),
+      over(([, y]) => y - height + 50),
+    ];
+  }
+
+  /** Leaves room for the arrows of forces, which keep their lengths whatever the scale is. */
+  function fitArrows(rows, places, room) {
+    const tips = tipsOf(rows);
+    for (let round = 0; round < 4; round += 1) {
+      const [left, right, up, down] = overhang(tips);
+      room.left += left;
+      room.right -= right;
+      room.top += up;
+      room.bottom -= down;
+      fitView(view, places, room);
+    }
   }
 
   /** The other assemblies, each with its sweep, solved when they are first looked at. */
@@ -443,6 +527,9 @@ function start(report, solver) {
       shows: state.shows,
       followed: state.followed,
       senses: anatomy.drivers.map(senseOf),
+      forces: [],
+      newton: null,
+      free: row !== null && seesForces() ? state.free : null,
       still: [
         Object.values(view),
         state.size,
@@ -473,11 +560,14 @@ function start(report, solver) {
     }
     if (row !== null) {
       addRates(scene);
+      addForces(scene);
       plots.point(row);
+      hodographs.point(row);
       scrubber.point(state.x, poseText(model, row, state.degrees, "", shownNow().slice(0, 2)));
     } else {
       scrubber.point(state.x, "does not close");
     }
+    part("picture").classList.toggle("free", scene.free !== null);
     picture.draw(scene);
   }
 
@@ -527,6 +617,56 @@ function start(report, solver) {
         }
       });
     }
+  }
+
+  /** Forces with the lengths of their arrows in pixels, and couples as parts of the largest one. */
+  function arrowsOf(forces) {
+    const long = LONGEST_FORCE * Math.min(...state.size);
+    return forces.map((one) => {
+      const size = Math.hypot(...one.force);
+      const part = forceScales.force > 0 ? Math.min(1.3, size / forceScales.force) / (size || 1) : 0;
+      return {
+        ...one,
+        by: [one.force[0] * part * long, -one.force[1] * part * long],
+        part: forceScales.couple > 0 ? one.couple / forceScales.couple : 0,
+      };
+    });
+  }
+
+  function addForces(scene) {
+    if (!seesForces()) {
+      return;
+    }
+    scene.forces = arrowsOf(state.free === null ? allForces(model, row) : forcesOn(model, row, state.free));
+    const newtons = ticks(0, forceScales.force, 2)[1] ?? ticks(0, forceScales.force, 4)[1];
+    if (newtons !== undefined) {
+      const long = (newtons / forceScales.force) * LONGEST_FORCE * Math.min(...state.size);
+      scene.newton = { long, text: `${numberText(newtons)} N` };
+    }
+  }
+
+  /** Shows the forces on one body alone, or on all for null. */
+  function seeAlone(body) {
+    state.free = body;
+    if (forceScales !== null && report.forces.joints.length > 0) {
+      part("free-body").value = body === null ? "" : String(body);
+    }
+    if (seesForces() && overhang(tipsOf(someRows())).some((pixels) => pixels > 0)) {
+      fit();
+    }
+    ask();
+  }
+
+  /** A click on a body shows it alone, and the next one shows all again. */
+  function pick(body) {
+    if (seesForces()) {
+      seeAlone(body === state.free ? null : body);
+    }
+  }
+
+  /** Whether the picture has forces in joints. */
+  function seesForces() {
+    return state.shows.forces && knowsForces() && report.forces.joints.length > 0;
   }
 
   function isFixed(joint) {
@@ -579,10 +719,9 @@ function start(report, solver) {
 
   /** The choices above the plots. */
   function listQuantities() {
-    const words = { angle: "Angles", length: "Lengths", number: "Numbers" };
-    const entries = groups().map((name) => [name, words[name] ?? name]);
+    const entries = groups.map(({ name, words }) => [name, words]);
     const group = entries.length > 1 ? [choice("Quantities", entries, state.group, setGroup)] : [];
-    const own = model.quantities.filter(({ dimension }) => dimension === state.group);
+    const own = groupNow()?.curves ?? [];
     const boxes = own.map(({ name, text, documentation, colour, dashed }) => {
       const box = tick({ checked: !state.hidden.has(name) }, (shown) => {
         state.hidden[shown ? "delete" : "add"](name);
@@ -600,8 +739,17 @@ function start(report, solver) {
       redraw();
     });
     over.hidden = model.drive.overTime;
+    const frames = [
+      ["fixed", "fixed axes"],
+      ["turning", "axes of the body"],
+    ];
+    const frame = choice("Axes of the directions", frames, state.turning ? "turning" : "fixed", (axes) => {
+      state.turning = axes === "turning";
+      redraw();
+    });
+    frame.hidden = !own.some(({ joint }) => joint !== undefined);
     const whole = button("Whole range", { id: "whole", hidden: isWhole() }, () => zoomTo([model.from, model.to]));
-    part("plot-options").replaceChildren(...group, ...boxes, made("span", { className: "pushed" }, over), whole);
+    part("plot-options").replaceChildren(...group, ...boxes, made("span", { className: "pushed" }, frame, over), whole);
   }
 
   function isWhole() {
@@ -617,20 +765,34 @@ function start(report, solver) {
 
   function listOptions() {
     const impossible = [
+      ...(report.forces?.joints.length > 0 ? [] : ["forces"]),
       ...(report.assemblies.length < 2 ? ["ghosts"] : []),
       ...(model.space ? ["curvature", "centres"] : []),
     ];
     const boxes = OPTIONS.filter(([name]) => !impossible.includes(name)).map(([name, words]) => {
       const box = tick({ checked: state.shows[name], id: `show-${name}` }, (shown) => {
         state.shows[name] = shown;
-        if (name === "ghosts" && shown) {
+        if ((name === "ghosts" && shown) || name === "forces") {
           fit();
+        }
+        if (name === "forces" && !shown) {
+          seeAlone(null);
         }
         ask();
       });
       const order = ARROWS.indexOf(name);
-      return made("label", {}, box, ...(order < 0 ? [] : [made("span", { className: `legend o${order} own` })]), words);
+      const style = name === "forces" ? "force joint" : `o${order}`;
+      const legend = order < 0 && name !== "forces" ? [] : [made("span", { className: `legend ${style} own` })];
+      return made("label", {}, box, ...legend, words);
     });
+    if (!impossible.includes("forces")) {
+      const bodies = model.outline.bodies.map(({ name }, body) => [String(body), `${name} alone`]);
+      const free = choice("Free body", [["", "on all bodies"], ...bodies], "", (body) => {
+        seeAlone(body === "" ? null : Number(body));
+      });
+      free.id = "free-body";
+      boxes.splice(boxes.findIndex((box) => box.firstChild.id === "show-forces") + 1, 0, free);
+    }
     const show = button("Fit", { className: "pushed" }, () => {
       fit();
       ask();
@@ -702,12 +864,15 @@ function start(report, solver) {
     const [first] = sweep.spans;
     // not at a limit, where rates are unbounded
     state.x = spanAt(sweep, model.from) || !first ? model.from : 0.5 * (first.from + first.to);
-    const plotted = model.quantities.filter(({ declared }) => report.plots?.includes(declared));
-    state.group = plotted[0]?.dimension ?? groups()[0] ?? "number";
-    if (plotted.length > 0) {
-      model.quantities
-        .filter(({ dimension }) => dimension === state.group)
-        .forEach((one) => !plotted.includes(one) && state.hidden.add(one.name));
+    const plots = report.plots ?? [];
+    const isPlotted = ({ column }) => plots.includes(column);
+    const hasAny = ({ curves }) => curves.some(({ column }) => column === plots[0]);
+    state.group = (groups.find(hasAny) ?? groups[0])?.name ?? "number";
+    if (plots.length > 0) {
+      const others = groups.flatMap(({ curves }) =>
+        curves.some(isPlotted) ? curves.filter((one) => !isPlotted(one)) : [],
+      );
+      others.forEach(({ name }) => state.hidden.add(name));
     }
     part("open-dimensions").hidden = model.frames !== null;
     listOptions();
@@ -762,6 +927,7 @@ function start(report, solver) {
       end: later,
       changed: ask,
       assembly: changeAssembly,
+      pick,
       trace,
     });
     handlePlots(part("plots"), {
@@ -858,6 +1024,7 @@ function start(report, solver) {
       ArrowLeft: () => stepBy(-small * (event.shiftKey ? 10 : 1)),
       Home: () => span && goTo(span.from),
       End: () => span && goTo(span.to),
+      ...(state.free === null ? {} : { Escape: () => seeAlone(null) }),
     };
     if (target === part("scrubber") || target === part("picture")) {
       actions.ArrowUp = actions.ArrowRight;

@@ -1,4 +1,5 @@
 /** What stands below the fold: peaks, sensitivities, equations, how it was solved, the declaration. */
+import { memberText } from "./curves.mjs";
 import { inputAt } from "./kinematics/drive.mjs";
 import { button, choice, definitions, drawn, made, table } from "./elements.mjs";
 import { formulaOf } from "./formulas.mjs";
@@ -37,6 +38,7 @@ export function createPaper(place, model, go) {
     });
   });
   add("Peaks", peakTable, made("p", { className: "row" }, copy, note));
+  const showForces = forces(add, model, go);
   const showSensitivities = sensitivities(add, model);
   equations(add, model);
   howSolved(add, model);
@@ -45,6 +47,7 @@ export function createPaper(place, model, go) {
 
   return {
     showPeaks(peaks, degrees, source) {
+      showForces(degrees);
       showSensitivities(degrees);
       const reasons = new Set((report.unanswered ?? []).map(({ text }) => text));
       note.textContent = reasons.size > 0 ? `${source} Not found: ${[...reasons].join("; ")}.` : source;
@@ -83,9 +86,7 @@ function textsOf(model, { highest, lowest, rms }, quantity, degrees, go) {
     if (!peak) {
       return ["–", ""];
     }
-    const place = inputText(model, peak.at, degrees);
-    const there = button(place, { "aria-label": `Go to ${model.variable.text} = ${place}` }, () => go(peak.at));
-    there.dataset.at = String(peak.at);
+    const there = placeButton(model, peak.at, degrees, go);
     return [peak.value === null ? "unbounded" : text(rounded(peak.value)), there];
   };
   return [...both(highest), ...both(lowest), rms === null ? "–" : text(rms)];
@@ -103,6 +104,52 @@ async function copyText(text) {
     area.remove();
     return done;
   }
+}
+
+/** What the joints and the drives bear: what a catalogue of bearings asks for. */
+function forces(add, model, go) {
+  const { forces: own } = model.report;
+  if (!own) {
+    return () => {};
+  }
+  const place = made("div", { className: "scroll" });
+  const remarks = [
+    "At the given dimensions, speed and assembly. The mean is the root of the mean square over time.",
+    own.unknown && `Not all forces are known: ${own.unknown}`,
+  ];
+  add("Forces", place, ...remarks.filter(Boolean).map((text) => made("p", { className: "quiet-text" }, text)));
+  const joints = own.joints.map(({ name, on, by, peak }) => [
+    name,
+    memberText(model, on),
+    memberText(model, by),
+    "N",
+    peak,
+  ]);
+  const curves = own.curves.map(({ text, kind, peak }) => [text, "", "", kind === "force" ? "N" : "N m", peak]);
+  return (degrees) => {
+    const rows = [...joints, ...curves].map(([name, on, by, unit, peak]) => {
+      const text = (value, end = "") => (typeof value === "number" ? `${numberText(value, 6)} ${unit}${end}` : "–");
+      const words = [
+        made("th", { scope: "row" }, name),
+        ...[on, by].map((body) => made("td", { className: "words" }, body)),
+      ];
+      if (!peak) {
+        return [...words, "–", "", "–", "–"];
+      }
+      const largest = peak.value === null ? "unbounded" : text(peak.value);
+      const rate = text(peak.rate, `/${model.units.time}`);
+      return [...words, largest, placeButton(model, peak.at, degrees, go), text(peak.rms), rate];
+    });
+    place.replaceChildren(table(["Force", "on", "by", "Peak", "at", "RMS", "Largest rate"], rows));
+  };
+}
+
+/** A button that goes to a place of the range. */
+function placeButton(model, at, degrees, go) {
+  const place = inputText(model, at, degrees);
+  const there = button(place, { "aria-label": `Go to ${model.variable.text} = ${place}` }, () => go(at));
+  there.dataset.at = String(at);
+  return there;
 }
 
 /** Which dimension moves the peak: bars for the same part of each dimension, and the change for each unit of it. */
@@ -200,6 +247,14 @@ function manual(add, model) {
   const deeds = definitions([
     ["Drag a link", dragText(model)],
     ["Double click on a link", "draws the path of that point"],
+    ...(model.report.forces?.joints.length > 0
+      ? [
+          [
+            "Click on a link",
+            "shows all forces on it, and what else acts on it, without the other links; Escape ends it",
+          ],
+        ]
+      : []),
     beside,
     ["Click into a picture, then the wheel", "enlarges it; with Ctrl at once"],
     ["Point at a plot", "moves the mechanism; a drag enlarges that part, a double click shows all again"],

@@ -20,6 +20,7 @@ const LAYERS = [
   "pins",
   "marks",
   "arrows",
+  "forces",
   "names",
   "hits",
 ];
@@ -41,6 +42,10 @@ const LAYERS = [
  * @property {{from: number[], by: number[], order: number}[]} arrows by, in pixels
  * @property {{centre: number[], radius: number, at: number[]}[]} circles
  * @property {{at: number[], name: string}[]} centres
+ * @property {{key: string, at: number[], by: number[], part: number, kind: string, title: string,
+ *   text: string}[]} forces by, in pixels; or a couple as a part of the largest one
+ * @property {{long: number, text: string} | null} newton how long the arrow of a force is, in pixels
+ * @property {number | null} free the body that is seen alone
  * @property {number[]} senses for each body the sense in which its input turns it: 1, -1, or 0 if none does
  * @property {boolean} moves whether names should keep their places
  */
@@ -70,6 +75,7 @@ export function createPicture(svg, model) {
       pins(layers.pins, model, scene, joints, room);
       marks(layers.marks, model, scene, joints, room);
       arrows(layers.arrows, scene, room);
+      forces(layers.forces, scene, room);
       names(layers.names, model, scene, joints, room, choices);
     },
   };
@@ -314,19 +320,20 @@ function bodies(layer, hits, model, scene, joints, room) {
     );
     const colour = driven[body] || shifted ? "driven" : colours[body] === null ? "plain" : `c${colours[body]}`;
     const d = line(outer, outer.length > 2);
+    const faded = scene.free === null || scene.free === body ? "" : " faded";
     if (cylinder && outer.length === 2) {
       const [from, to] = [corners[0], corners[corners.length - 1]];
       const middle = [0, 1].map((axis) => from[axis] + 0.6 * (to[axis] - from[axis]));
-      layer.add("path", { d: line([from, to]), class: "rod" });
-      layer.add("path", { d: line([from, middle]), class: "bar-edge" });
-      layer.add("path", { d: line([from, middle]), class: `bar ${colour}` });
+      layer.add("path", { d: line([from, to]), class: `rod${faded}` });
+      layer.add("path", { d: line([from, middle]), class: `bar-edge${faded}` });
+      layer.add("path", { d: line([from, middle]), class: `bar ${colour}${faded}` });
     } else if (outer.length > 2 && model.space) {
-      layer.add("path", { d, class: `pane ${colour}` });
+      layer.add("path", { d, class: `pane ${colour}${faded}` });
       layer.add("path", { d: "", class: "bar" });
     } else if (outer.length > 1) {
       const plate = outer.length > 2 ? " plate" : "";
-      layer.add("path", { d, class: `bar-edge${plate}` });
-      layer.add("path", { d, class: `bar${plate} ${colour}` });
+      layer.add("path", { d, class: `bar-edge${plate}${faded}` });
+      layer.add("path", { d, class: `bar${plate} ${colour}${faded}` });
     }
     if (outer.length > 0) {
       const own = driven[body] || shifted ? "hit hit-driven" : "hit";
@@ -336,6 +343,11 @@ function bodies(layer, hits, model, scene, joints, room) {
   });
   layer.end();
   hits.end();
+}
+
+/** The class of a joint that is none of the body that is seen alone. */
+function fadedJoint(model, { free }, joint) {
+  return free === null || model.outline.bodies[free].joints.includes(joint) ? "" : " faded";
 }
 
 function sliders(layer, model, scene, joints, room) {
@@ -349,7 +361,8 @@ function sliders(layer, model, scene, joints, room) {
       joints[joint][0] + along * BLOCK[0] * x - across * BLOCK[1] * y,
       joints[joint][1] + along * BLOCK[0] * y + across * BLOCK[1] * x,
     ];
-    layer.add("path", { d: line([corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)], true), class: "block" });
+    const d = line([corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)], true);
+    layer.add("path", { d, class: `block${fadedJoint(model, scene, joint)}` });
     keepSquare(room, joints[joint], 12);
   });
   layer.end();
@@ -359,7 +372,8 @@ function pins(layer, model, scene, joints, room) {
   layer.begin();
   joints.forEach(([x, y], joint) => {
     if (scene.anatomy.pins[joint]) {
-      layer.add("circle", { cx: tenth(x), cy: tenth(y), r: scene.anatomy.fixed[joint] ? 5 : 4.2, class: "pin" });
+      const r = scene.anatomy.fixed[joint] ? 5 : 4.2;
+      layer.add("circle", { cx: tenth(x), cy: tenth(y), r, class: `pin${fadedJoint(model, scene, joint)}` });
       keepSquare(room, [x, y], 6);
     }
   });
@@ -381,7 +395,7 @@ function marks(layer, model, scene, joints, room) {
     const centre = own.find((joint) => scene.anatomy.fixed[joint]);
     const arm = own.find((joint) => joint !== centre);
     const sign = scene.senses[body];
-    if (!driven || sign === 0 || model.space || centre === undefined || arm === undefined) {
+    if (!driven || sign === 0 || scene.free !== null || model.space || centre === undefined || arm === undefined) {
       return;
     }
     const from = -Math.atan2(joints[arm][1] - joints[centre][1], joints[arm][0] - joints[centre][0]);
@@ -415,7 +429,8 @@ function marks(layer, model, scene, joints, room) {
   layer.end();
 }
 
-function arrowHead(tip, from) {
+/** The head of an arrow whose shaft ends at a place. */
+export function arrowHead(tip, from) {
   const [x, y] = unitOf(from, tip);
   const end = [tip[0] + 4 * x, tip[1] + 4 * y];
   const back = [end[0] - 9 * x, end[1] - 9 * y];
@@ -442,6 +457,63 @@ function arrows(layer, scene, room) {
   layer.end();
 }
 
+/** Forces and couples, and how long the arrow of a force is. */
+function forces(layer, scene, room) {
+  layer.begin();
+  const titled = (attributes, title) => {
+    const element = layer.add("path", attributes);
+    tell(element.firstChild ?? drawn("title", {}, element), title);
+  };
+  for (const { at, by, part, kind, title } of scene.forces) {
+    const start = onPage(scene.view, at);
+    if (part !== 0) {
+      const arc = arcOf(start, part);
+      if (arc.length > 0) {
+        titled({ d: line(arc), class: `arrow force ${kind}` }, title);
+        const last = arc.length - 1;
+        titled({ d: arrowHead(arc[last], arc[last - 1]), class: `arrow-head force ${kind}` }, title);
+        keepLines(room, arc, 2);
+      }
+      continue;
+    }
+    if (Math.hypot(...by) > 6) {
+      const end = [start[0] + by[0], start[1] + by[1]];
+      const [x, y] = unitOf(start, end);
+      const back = [end[0] - 4 * x, end[1] - 4 * y];
+      titled({ d: line([start, back]), class: `arrow force ${kind}` }, title);
+      titled({ d: arrowHead(back, start), class: `arrow-head force ${kind}` }, title);
+      keepLines(room, [start, end], 4);
+    }
+  }
+  if (scene.newton !== null) {
+    const { long, text } = scene.newton;
+    const [left, foot] = [12, scene.height - 36];
+    layer.add("path", {
+      d: line([
+        [left, foot],
+        [left + long - 4, foot],
+      ]),
+      class: "arrow force joint",
+    });
+    layer.add("path", { d: arrowHead([left + long - 4, foot], [left, foot]), class: "arrow-head force joint" });
+    tell(layer.add("text", { x: tenth(left + long + 7), y: foot + 4, class: "quiet" }), text);
+    room.boxes.push([left, foot - 8, left + long + 7 + 8 * text.length, foot + 8]);
+  }
+  layer.end();
+}
+
+/** The arc of a couple around a place: the larger the part, the longer. */
+function arcOf([x, y], part) {
+  const way = 0.35 + 4.4 * Math.min(1, Math.abs(part));
+  if (Math.abs(part) < 0.02) {
+    return [];
+  }
+  return [...Array(17).keys()].map((step) => {
+    const angle = -Math.PI / 2 - Math.sign(part) * way * (step / 16 - 0.5);
+    return [x + 25 * Math.cos(angle), y + 25 * Math.sin(angle)];
+  });
+}
+
 function names(layer, model, scene, joints, room, choices) {
   layer.begin();
   const write = (key, around, text, style) => {
@@ -452,11 +524,25 @@ function names(layer, model, scene, joints, room, choices) {
     }
   };
   if (scene.shows.names) {
+    scene.forces.forEach(({ key, at, by, part, kind, text }) => {
+      const [x, y] = onPage(scene.view, at);
+      if (text !== "" && (part !== 0 || Math.hypot(...by) > 6)) {
+        const around = part === 0 ? [1, 0.8, 0.6].map((way) => [x + way * by[0], y + way * by[1]]) : [[x, y - 25]];
+        write(`f${key}`, [...around, [x, y]], text, `of-force force ${kind}`);
+      }
+    });
+    const isSeen = (joint) => scene.free === null || model.outline.bodies[scene.free].joints.includes(joint);
     scene.followed.forEach((followed, index) => {
+      if (!isSeen(followed.joint)) {
+        return;
+      }
       write(`p${index}`, [onPage(scene.view, placeOf(model, followed, scene.pose.joints))], followed.name, "of-point");
     });
     scene.centres.forEach(({ at, name }, index) => write(`i${index}`, [onPage(scene.view, at)], name, "of-centre"));
     model.outline.bodies.forEach(({ name, joints: own }, body) => {
+      if (scene.free !== null && scene.free !== body) {
+        return;
+      }
       const corners = cornersOf(model, scene, body, joints, scene.pose);
       // a plate has the name of the line from its first joint to the second
       const outer = own.length > 2 ? corners.slice(0, 2) : hull(corners);

@@ -2,8 +2,8 @@
 import { isBroken } from "./kinematics/drive.mjs";
 import { change, drawn, line, tell, tenth } from "./elements.mjs";
 import { inputText } from "./kinematics/marks.mjs";
-import { capital, numberText, ORDERS, steadyText, ticks, unitFactor, unitText, withUnit } from "./numbers.mjs";
-import { innerRows, isUnbounded, rowBefore, valueAt } from "./kinematics/sweep.mjs";
+import { numberText, steadyText, ticks, unitFactor, withUnit } from "./numbers.mjs";
+import { innerRows, rowBefore } from "./kinematics/sweep.mjs";
 
 const LEFT = 58;
 const RIGHT = 16;
@@ -16,7 +16,8 @@ const FOOT = 34;
  * @typedef {object} Plotted
  * @property {number} width
  * @property {number} height
- * @property {number[]} shown indices of the quantities
+ * @property {import("./curves.mjs").Curve[]} shown
+ * @property {string[]} titles of the orders, one for each row
  * @property {boolean} degrees
  * @property {boolean} time
  * @property {[number, number]} zoom the part of the range that is seen
@@ -24,7 +25,6 @@ const FOOT = 34;
  * @property {import("./kinematics/sweep.mjs").Sweep | null} reference
  * @property {import("./kinematics/marks.mjs").Mark[]} marks
  * @property {number} speed
- * @property {number} orders how many derivatives
  */
 
 export function createPlots(svg, model) {
@@ -34,8 +34,7 @@ export function createPlots(svg, model) {
   const moving = drawn("g", {}, svg);
   const selection = drawn("rect", { class: "selection", display: "none" }, svg);
   const across = (x) => LEFT + ((x - now.zoom[0]) / (now.zoom[1] - now.zoom[0])) * (now.width - LEFT - RIGHT);
-  const factorOf = (index) => unitFactor(model.quantities[index].dimension, now.degrees);
-  const valueOf = (row, index, order) => valueAt(model, row, index, order) * factorOf(index);
+  const valueOf = (row, curve, order) => curve.value(row, order) * curve.factor(now.degrees);
 
   /** Everything but the cursor. */
   function draw(plotted) {
@@ -43,7 +42,7 @@ export function createPlots(svg, model) {
     still.replaceChildren();
     moving.replaceChildren();
     rows = [];
-    const count = now.orders + 1;
+    const count = now.titles.length;
     const high = (now.height - FOOT) / count;
     for (let order = 0; order < count; order += 1) {
       rows.push(drawRow(order, order * high, high));
@@ -53,14 +52,15 @@ export function createPlots(svg, model) {
   }
 
   function drawRow(order, top, high) {
-    const dimension = model.quantities[now.shown[0]]?.dimension ?? "number";
-    const unit = unitText(dimension, order, model.units, now.degrees);
+    const [first] = now.shown;
+    const unit = first?.unit(order, now.degrees) ?? "";
+    const inTurns = order === 0 && now.degrees && first?.factor(true) !== 1;
     const [low, most] = boundsOf(order);
     const upper = top + HEAD;
     const lower = top + high - 6;
     const down = (value) => lower - ((value - low) / (most - low)) * (lower - upper);
     const title = drawn("text", { x: LEFT, y: top + 14, class: "plot-title" }, still);
-    title.textContent = capital(ORDERS[order]);
+    title.textContent = now.titles[order];
     drawn("tspan", { class: "quiet", dx: 6 }, title).textContent = unit;
     const clip = `clip-${order}`;
     const frame = {
@@ -70,7 +70,7 @@ export function createPlots(svg, model) {
       height: Math.max(1, lower - upper + 6),
     };
     drawn("rect", frame, drawn("clipPath", { id: clip }, still));
-    for (const value of ticks(low, most, (lower - upper) / 20, dimension === "angle" && order === 0 && now.degrees)) {
+    for (const value of ticks(low, most, (lower - upper) / 20, inTurns)) {
       const y = tenth(down(value));
       drawn("path", { d: `M${LEFT} ${y}H${now.width - RIGHT}`, class: value === 0 ? "zero-line" : "grid-line" }, still);
       drawn("text", { x: LEFT - 7, y: y + 4, class: "quiet end" }, still).textContent = numberText(value, 4);
@@ -94,25 +94,24 @@ export function createPlots(svg, model) {
       curvesOf(now.reference, order, held, curves, " reference");
     }
     curvesOf(now.sweep, order, held, curves, "");
-    const dot = (index) => drawn("circle", { r: 3.2, class: `plot-dot c${model.quantities[index].colour}` }, moving);
+    if (order === 0) {
+      drawPeaks(held);
+    }
+    const dot = ({ colour }) => drawn("circle", { r: 3.2, class: `plot-dot c${colour}` }, moving);
     const [dots, dotsBefore] = [now.shown.map(dot), now.shown.map(dot)];
-    const wide = now.shown.reduce((sum, index) => sum + DIGIT * (model.quantities[index].text.length + 9) + 14, 0);
+    const wide = now.shown.reduce((sum, { text }) => sum + DIGIT * (text.length + 9) + 14, 0);
     const named = wide < now.width - LEFT - RIGHT - 120;
     const own = now.shown.slice(
       0,
       named ? 99 : Math.max(1, Math.floor((now.width - LEFT - RIGHT - 118) / (DIGIT * 8))),
     );
     const values = drawn("text", { x: now.width - RIGHT, y: top + 14, class: "plot-values end" }, moving);
-    const texts = own.map((index, place) => {
-      const swatch = drawn(
-        "tspan",
-        { class: `swatch c${model.quantities[index].colour}`, ...(place > 0 ? { dx: 7 } : {}) },
-        values,
-      );
+    const texts = own.map(({ colour, text }, place) => {
+      const swatch = drawn("tspan", { class: `swatch c${colour}`, ...(place > 0 ? { dx: 7 } : {}) }, values);
       swatch.textContent = "●";
-      return { element: drawn("tspan", { dx: 3 }, values), name: named ? `${model.quantities[index].text} ` : "" };
+      return { element: drawn("tspan", { dx: 3 }, values), name: named ? `${text} ` : "" };
     });
-    const scales = now.shown.map((index) => now.sweep.scales[index][order] * factorOf(index));
+    const scales = now.shown.map((curve) => scaleOf(curve, order));
     return {
       upper,
       lower,
@@ -125,17 +124,42 @@ export function createPlots(svg, model) {
     };
   }
 
+  const scaleOf = (curve, order) => curve.scale(now.sweep, order) * curve.factor(now.degrees);
+
+  /** Marks the peaks that are known, and says how large the largest one is. */
+  function drawPeaks(down) {
+    const seen = now.shown.filter(({ peak }) => peak && peak.at >= now.zoom[0] && peak.at <= now.zoom[1]);
+    const largest = seen.reduce((best, one) => (best && best.peak.value >= one.peak.value ? best : one), null);
+    for (const curve of seen) {
+      const [x, y] = [across(curve.peak.at), down(curve.peak.value * curve.factor(now.degrees))];
+      const ring = drawn("circle", { cx: tenth(x), cy: tenth(y), r: 4.4, class: `plot-peak c${curve.colour}` }, still);
+      const text = withUnit(numberText(curve.peak.value), curve.unit(0, now.degrees));
+      drawn("title", {}, ring).textContent =
+        `${curve.text}: ${text} at ${inputText(model, curve.peak.at, now.degrees)}`;
+      if (curve === largest) {
+        const right = x < 0.5 * (LEFT + now.width - RIGHT);
+        const at = { x: tenth(x + (right ? 9 : -9)), y: tenth(y + 1), class: `plot-values halo${right ? "" : " end"}` };
+        drawn("text", at, still).textContent = text;
+      }
+    }
+  }
+
   function curvesOf(sweep, order, down, parent, style) {
-    for (const index of now.shown) {
-      const { colour, dashed } = model.quantities[index];
+    for (const curve of now.shown) {
+      const { colour, dashed } = curve;
       for (const span of sweep.spans) {
         // where a derivative jumps, the curve has a gap
         const pieces = [[]];
         span.rows.forEach((row, place) => {
-          if (place > 0 && isBroken(model.drive, span.rows[place - 1], row, order)) {
+          if (place > 0 && isBroken(model.drive, span.rows[place - 1], row, order + curve.above)) {
             pieces.push([]);
           }
-          pieces[pieces.length - 1].push([across(row.x), down(valueOf(row, index, order))]);
+          const value = valueOf(row, curve, order);
+          if (Number.isNaN(value)) {
+            pieces.push([]);
+          } else {
+            pieces[pieces.length - 1].push([across(row.x), down(value)]);
+          }
         });
         drawn(
           "path",
@@ -156,8 +180,7 @@ export function createPlots(svg, model) {
         if (row.x < now.zoom[0] || row.x > now.zoom[1]) {
           continue;
         }
-        for (const index of now.shown) {
-          const value = valueOf(row, index, order);
+        for (const value of now.shown.map((curve) => valueOf(row, curve, order)).filter((one) => !Number.isNaN(one))) {
           low = Math.min(low, value);
           high = Math.max(high, value);
         }
@@ -166,7 +189,7 @@ export function createPlots(svg, model) {
     if (!(high >= low)) {
       return [-1, 1];
     }
-    const scale = Math.max(...now.shown.map((index) => now.sweep.scales[index][order] * factorOf(index)), 1e-300);
+    const scale = Math.max(...now.shown.map((curve) => scaleOf(curve, order)), 1e-300);
     // what does not change but for rounding is a straight line
     const least =
       high - low < 1e-9 * Math.max(Math.abs(high), Math.abs(low), scale) ? Math.max(0.1 * Math.abs(high), 1e-3) : 0;
@@ -211,19 +234,21 @@ export function createPlots(svg, model) {
     // at a joint there is a value before it and one behind it
     const before = rowBefore(now.sweep, row);
     rows.forEach(({ down, dots, dotsBefore, texts, scales, visible }, order) => {
-      const jumps = before !== null && isBroken(model.drive, before, row, order);
-      now.shown.forEach((index, place) => {
+      now.shown.forEach((curve, place) => {
+        const jumps = before !== null && isBroken(model.drive, before, row, order + curve.above);
         const put = (element, own, shown) => {
-          const y = down(valueOf(own, index, order));
-          change(element, { cx: tenth(x), cy: tenth(y), display: shown && inside && visible(y) ? "inline" : "none" });
+          const value = valueOf(own, curve, order);
+          const y = Number.isNaN(value) ? Infinity : down(value);
+          const isSeen = shown && inside && visible(y);
+          change(element, { cx: tenth(x), ...(isSeen ? { cy: tenth(y) } : {}), display: isSeen ? "inline" : "none" });
         };
         put(dots[place], row, true);
         put(dotsBefore[place], before ?? row, jumps);
         if (texts[place]) {
           const text = (own) =>
-            isUnbounded(now.sweep, own, index, order)
+            curve.isUnbounded(now.sweep, own, order)
               ? "unbounded"
-              : steadyText(valueOf(own, index, order), scales[place]);
+              : steadyText(valueOf(own, curve, order), scales[place]);
           const both = jumps && 2 * texts.length * DIGIT * 11 < now.width - LEFT - RIGHT;
           tell(texts[place].element, `${texts[place].name}${both ? `${text(before)} → ` : ""}${text(row)}`);
         }

@@ -90,12 +90,9 @@ export function createScrubber(svg, model) {
       for (const place of ticks(model.from * factor, model.to * factor, (width - 2 * SIDE) / 90, factor !== 1)) {
         const x = across(place / factor);
         drawn("path", { d: `M${tenth(x)} ${TRACK + 8}v4`, class: "axis-line" }, still);
-        drawn("text", { x: tenth(x), y: TRACK + 25, class: "quiet middle" }, still).textContent = inputText(
-          model,
-          place / factor,
-          degrees,
-          4,
-        );
+        const text = inputText(model, place / factor, degrees, 4);
+        const at = { x: tenth(withinWidth(x, text)), y: TRACK + 25, class: "quiet middle" };
+        drawn("text", at, still).textContent = text;
       }
       drawMarks(still, marks, degrees);
     },
@@ -107,6 +104,12 @@ export function createScrubber(svg, model) {
     /** The variable at a place of the picture. */
     inputAt: (x) => model.from + Math.min(1, Math.max(0, (x - SIDE) / (width - 2 * SIDE))) * model.width,
   };
+
+  /** The middle of a text as near to a place as it can stand without being cut. */
+  function withinWidth(x, text) {
+    const half = 3.6 * text.length;
+    return Math.min(width - half - 2, Math.max(half + 2, x));
+  }
 
   function drawMarks(parent, marks, degrees) {
     let last = -Infinity;
@@ -122,8 +125,8 @@ export function createScrubber(svg, model) {
         mark.kind === "Joint"
           ? `${text}, where two pieces of a law meet`
           : `${text}${mark.text ? `: ${mark.text}` : ""}${mark.own ? " (found by the page)" : ""}`;
-      const half = 3.4 * text.length;
-      const at = Math.min(width - half - 2, Math.max(half + 2, x));
+      const half = 3.6 * text.length;
+      const at = withinWidth(x, text);
       if (at - half > last + 8) {
         last = at + half;
         const label = drawn("text", { x: tenth(at), y: 14, class: "mark-text middle" }, parent);

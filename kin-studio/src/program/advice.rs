@@ -3,7 +3,7 @@
 use std::ffi::OsString;
 use std::path::Path;
 
-use super::command::Task;
+use super::command::{FORCES, Task};
 
 /// The languages of `code`.
 const LANGUAGES: [&str; 6] = ["c", "js", "javascript", "python", "py", "numpy"];
@@ -25,7 +25,10 @@ pub(super) fn advice(arguments: &[OsString], has_library: bool) -> Option<String
     if !Task::NAMES.contains(&first) {
         return None;
     }
-    if has_library && let Some(file) = second.filter(|word| is_file(word)) {
+    if has_library
+        && first != FORCES
+        && let Some(file) = second.filter(|word| is_file(word))
+    {
         return Some(format!("a file is run: write `kin run {file} {first}`"));
     }
     if let ("code", true, Some(language), Some(mechanism)) = (first, has_library, second, third)

@@ -10,6 +10,7 @@ use super::fault::{Fault, listed, similar};
 use super::loads::{ForceColumns, Loads};
 use super::motion::{InputMotion, LawName, Step, checked};
 use super::subject::{Subject, Wanted};
+use super::text::Units;
 use super::value::{self, Lengths};
 
 /// What was typed, before it is compared with the mechanism.
@@ -430,6 +431,14 @@ impl Case {
         self.loads
             .as_ref()
             .map_or_else(ForceColumns::default, |_| subject.forces(!self.frictions.is_empty()))
+    }
+
+    /// The units in which values are shown.
+    pub(crate) fn units(&self) -> Units {
+        Units {
+            in_degrees: self.in_degrees,
+            length: self.length,
+        }
     }
 
     /// The metres of the unit of length.

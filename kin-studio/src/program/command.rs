@@ -7,6 +7,9 @@ use clap::{Args, Subcommand, ValueEnum};
 use super::case::Typed;
 use super::file::Told;
 
+/// The command that takes a file in the place of a mechanism of the library, which has no loads.
+pub(crate) const FORCES: &str = "forces";
+
 /// What is to be done with a mechanism.
 #[derive(Clone, Debug, Subcommand)]
 pub(crate) enum Task {
@@ -18,6 +21,8 @@ pub(crate) enum Task {
     Cycle(Setup),
     /// Find the extremes of every quantity and its rates, between the rows and to rounding
     Peaks(Peaks),
+    /// Find the forces in the joints of a .kin file, and the efforts of its drives
+    Forces(Forces),
     /// Compare the solver with two independent oracles
     Verify(Setup),
     /// Write the solver in C, JavaScript or Python
@@ -34,8 +39,8 @@ pub(crate) enum Task {
 
 impl Task {
     /// The names of the commands that take a mechanism.
-    pub(crate) const NAMES: [&'static str; 10] = [
-        "show", "sweep", "cycle", "peaks", "verify", "code", "fit", "table", "report", "serve",
+    pub(crate) const NAMES: [&'static str; 11] = [
+        "show", "sweep", "cycle", "peaks", FORCES, "verify", "code", "fit", "table", "report", "serve",
     ];
 
     /// The dimensions, the motion and the assembly, where they are asked for.
@@ -44,6 +49,7 @@ impl Task {
             Self::Show | Self::Code(_) => None,
             Self::Sweep(Sweep { setup, .. })
             | Self::Peaks(Peaks { setup, .. })
+            | Self::Forces(Forces { setup, .. })
             | Self::Fit(Fit { setup, .. })
             | Self::Table(ExactTable { setup, .. })
             | Self::Report(Report { setup, .. })
@@ -130,6 +136,16 @@ pub(crate) struct Peaks {
     /// The quantities, such as `theta4` or `theta4_jerk`, or `all` [default: the file's columns, or all]
     #[arg(long, value_delimiter = ',', value_name = "NAMES")]
     pub(crate) of: Vec<String>,
+}
+
+/// Options of `forces`.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct Forces {
+    #[command(flatten)]
+    pub(crate) setup: Setup,
+    /// Write CSV, to a file or to the output
+    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-")]
+    pub(crate) csv: Option<PathBuf>,
 }
 
 /// A language.
@@ -272,6 +288,7 @@ pub(crate) fn with_examples(command: clap::Command, program: &str, mechanism: &s
                 "peaks {m} --speed 1500rpm",
                 "peaks {m} --of theta4_jerk --over 0..180deg",
             ],
+            FORCES => &["forces {m}", "forces {m} --speed 300rpm --csv forces.csv"],
             "verify" => &["verify {m}", "verify {m} --over -100..100deg"],
             "code" => &[
                 "code {m} c -o firmware",
@@ -292,6 +309,10 @@ pub(crate) fn with_examples(command: clap::Command, program: &str, mechanism: &s
         let examples: Vec<String> = lines
             .iter()
             .map(|line| {
+                let mechanism = match (name, mechanism) {
+                    (FORCES, own) if !own.is_empty() => "press.kin",
+                    (_, own) => own,
+                };
                 let line = if mechanism.is_empty() {
                     line.replace(" {m}", "")
                 } else {

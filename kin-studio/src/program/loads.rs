@@ -3,7 +3,7 @@
 use kin_core::any::{Description, Outline};
 use kin_core::linkage::{AnyLinkage, LinkageFunctions};
 use kin_core::load::{NamedLoads, NoSuchPlace, PointPlace};
-use kin_core::reaction::{Friction, ReactionError, ReactionPart};
+use kin_core::reaction::{Friction, NamedReactions, ReactionError, ReactionPart};
 use kin_core::{Dimension, Plane, Space};
 
 use super::fault::Fault;
@@ -210,6 +210,8 @@ pub(crate) struct ForceColumn {
 pub(crate) enum Force {
     /// The effort of the drive of an input.
     Effort(usize),
+    /// The power of the drive of an input.
+    Power(usize),
     /// A part of the force in a joint.
     Reaction(String, ReactionPart),
     /// The power that friction turns into heat.
@@ -221,38 +223,45 @@ pub(crate) enum Force {
 pub(crate) struct ForceColumns {
     /// All of them.
     pub(crate) all: Vec<ForceColumn>,
-    joints: Option<Box<ReactionError>>,
+    /// Why there are none of joints, and the names of those that there would be if the bodies were as guessed.
+    joints: Option<(ReactionError, Vec<String>)>,
 }
 
 impl ForceColumns {
     /// Those of a mechanism under loads.
     pub(crate) fn of(functions: &dyn LinkageFunctions, has_friction: bool) -> Self {
-        let mut forces: Vec<Force> = (0..functions.description().inputs.len()).map(Force::Effort).collect();
-        let joints = joints(functions);
-        for Joint { name, is_slide } in joints.iter().flatten() {
-            let parts = [
-                ReactionPart::X,
-                ReactionPart::Y,
-                ReactionPart::Force,
-                ReactionPart::Moment,
-            ];
-            let own = parts
-                .into_iter()
-                .filter(|part| *is_slide || *part != ReactionPart::Moment);
-            forces.extend(own.map(|part| Force::Reaction(name.clone(), part)));
+        let description = functions.description();
+        let mut all: Vec<ForceColumn> = Vec::new();
+        for input in 0..description.inputs.len() {
+            all.extend(with_rates(Force::Effort(input)));
+            let (force, order) = (Force::Power(input), 0);
+            all.push(ForceColumn { force, order });
         }
-        forces.extend(has_friction.then_some(Force::Heat));
-        let column = |force: &Force, order| ForceColumn {
-            force: force.clone(),
-            order,
+        // the names depend on no dimension
+        let linkage = AnyLinkage::new(functions, &vec![1.0; description.parameters.len()]);
+        let joints = match linkage.reactions(&linkage.loads()) {
+            Ok(reactions) => {
+                all.extend(of_joints(&reactions));
+                None
+            }
+            Err(error) => {
+                let guessed = linkage.reactions_as_guessed(&linkage.loads());
+                let names = guessed
+                    .iter()
+                    .flat_map(of_joints)
+                    .map(|column| column.name(description));
+                Some((error, names.collect()))
+            }
         };
-        let all = forces
-            .iter()
-            .flat_map(|force| (0..RATES.len()).map(move |order| column(force, order)));
-        Self {
-            all: all.collect(),
-            joints: joints.err(),
+        if has_friction {
+            all.extend(with_rates(Force::Heat));
         }
+        Self { all, joints }
+    }
+
+    /// Why there are no forces in joints.
+    pub(crate) fn no_joints(&self) -> Option<&ReactionError> {
+        self.joints.as_ref().map(|(error, _)| error)
     }
 
     /// The efforts of drives alone.
@@ -263,10 +272,41 @@ impl ForceColumns {
 
     /// Why a name is that of no column, if it is meant to be a force in a joint.
     pub(crate) fn advice(&self, name: &str) -> Option<String> {
-        let is_force = ["_force", "_moment"].iter().any(|part| name.contains(part));
-        let error = self.joints.as_ref().filter(|_| is_force)?;
-        Some(format!("there is no column `{name}`: {error}"))
+        let (error, guessed) = self.joints.as_ref()?;
+        let is_force = guessed.iter().any(|own| own == name) || looks_like_a_force(name, &["_force", "_moment"]);
+        is_force.then(|| format!("there is no column `{name}`: {error}"))
     }
+
+    /// Whether a name could be that of a force in a joint of a body that is not declared.
+    pub(crate) fn could_be_of_a_joint(name: &str) -> bool {
+        looks_like_a_force(name, &["_x", "_y", "_force", "_moment"])
+    }
+}
+
+fn looks_like_a_force(name: &str, parts: &[&str]) -> bool {
+    let mut rates = RATES.iter().rev();
+    let whole = rates.find_map(|(rate, _)| name.strip_suffix(rate)).unwrap_or(name);
+    parts.iter().any(|part| whole.ends_with(part))
+}
+
+fn with_rates(force: Force) -> impl Iterator<Item = ForceColumn> {
+    (0..RATES.len()).map(move |order| ForceColumn {
+        force: force.clone(),
+        order,
+    })
+}
+
+/// The columns of the forces in joints.
+fn of_joints(reactions: &NamedReactions<'_>) -> Vec<ForceColumn> {
+    let columns = reactions.names().flat_map(|name| {
+        let is_slide = reactions.is_slide(name) == Ok(true);
+        let moment = is_slide.then_some(ReactionPart::Moment);
+        let parts = [ReactionPart::X, ReactionPart::Y, ReactionPart::Force]
+            .into_iter()
+            .chain(moment);
+        parts.map(|part| Force::Reaction(name.to_owned(), part))
+    });
+    columns.flat_map(with_rates).collect()
 }
 
 impl ForceColumn {
@@ -275,6 +315,7 @@ impl ForceColumn {
         let rate = RATES[self.order].0;
         match &self.force {
             Force::Effort(input) => format!("{}_effort{rate}", description.inputs[*input].name),
+            Force::Power(input) => format!("{}_power", description.inputs[*input].name),
             Force::Reaction(name, part) => {
                 let part = match part {
                     ReactionPart::X => "x",
@@ -288,32 +329,33 @@ impl ForceColumn {
         }
     }
 
-    /// Whether it is a torque, a moment or a power, which have the same power of lengths.
-    fn is_torque(&self, description: &Description<'_>) -> bool {
+    /// The name by which a page plots it, where every page has it.
+    pub(crate) fn plot(&self, description: &Description<'_>) -> Option<String> {
         match &self.force {
+            Force::Effort(input) => Some(format!("{}_effort", description.inputs[*input].name)),
+            Force::Reaction(_, ReactionPart::Moment) | Force::Power(_) | Force::Heat => None,
+            Force::Reaction(name, _) => Some(format!("{name}_force")),
+        }
+    }
+
+    /// Its unit without that of its rate, and the power of the unit of lengths in it.
+    fn base(&self, description: &Description<'_>) -> (&'static str, i32) {
+        let is_torque = match &self.force {
+            Force::Power(_) | Force::Heat => return ("W", 2),
             Force::Effort(input) => description.inputs[*input].dimension != Dimension::Length,
             Force::Reaction(_, part) => *part == ReactionPart::Moment,
-            Force::Heat => true,
-        }
+        };
+        if is_torque { ("N m", 2) } else { ("N", 1) }
     }
 
     /// Its unit.
     pub(crate) fn unit(&self, description: &Description<'_>) -> String {
-        let unit = match self.force {
-            Force::Heat => "W",
-            _ if self.is_torque(description) => "N m",
-            _ => "N",
-        };
-        format!("{unit}{}", RATES[self.order].1)
+        format!("{}{}", self.base(description).0, RATES[self.order].1)
     }
 
     /// What one of it is in its unit, if the unit of lengths has so many metres.
     pub(crate) fn size(&self, description: &Description<'_>, metres: f64) -> f64 {
-        if self.is_torque(description) {
-            metres * metres
-        } else {
-            metres
-        }
+        metres.powi(self.base(description).1)
     }
 }
 

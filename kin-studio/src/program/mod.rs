@@ -32,7 +32,7 @@ use clap::{Arg, ArgAction, Command, FromArgMatches, Subcommand};
 use clap_complete::Shell;
 use kin_core::{Mechanism, in_small_letters};
 
-use command::Task;
+use command::{FORCES, Task};
 use fault::{Fault, similar};
 use file::Told;
 
@@ -185,6 +185,12 @@ fn run_library(arguments: &[OsString]) -> Result<(), Fault> {
             let path = own.get_one::<PathBuf>("file").cloned().unwrap_or_default();
             tasks::fmt(&path, own.get_flag("check"))
         }
+        Some((FORCES, own)) => {
+            let path = own.get_one::<PathBuf>("file").cloned().unwrap_or_default();
+            let task = Task::from_arg_matches(&matches).map_err(Fault::wrong)?;
+            let (subject, told) = file::read(&path)?;
+            tasks::run(&subject, &task, &told)
+        }
         Some((_, own)) => {
             let wanted = own.get_one::<String>("mechanism").map_or("", String::as_str);
             let subject = match (find(wanted), advice::advice(arguments, true)) {
@@ -208,6 +214,9 @@ fn library_command() -> Command {
     let mut command = completed(of_files(Task::augment_subcommands(command).about(about)), "kin");
     for name in Task::NAMES {
         command = command.mut_subcommand(name, |own| {
+            if name == FORCES {
+                return own.arg(file_argument().index(1).help("The file"));
+            }
             let own = own.arg(
                 Arg::new("mechanism")
                     .required(true)
@@ -224,22 +233,24 @@ fn library_command() -> Command {
     command::with_examples(command, "kin", "four_bar")
 }
 
+/// The name of a `.kin` file.
+fn file_argument() -> Arg {
+    Arg::new("file")
+        .required(true)
+        .value_name("FILE.kin")
+        .value_parser(clap::value_parser!(PathBuf))
+}
+
 /// The commands that build `.kin` files.
 fn of_files(command: Command) -> Command {
     command
         .subcommand(
             Command::new("run")
                 .about("Do any of this with a mechanism of one's own, from a .kin file")
-                .arg(
-                    Arg::new("file")
-                        .required(true)
-                        .value_name("FILE.kin")
-                        .value_parser(clap::value_parser!(PathBuf))
-                        .help(
-                            "The file: `kin 1`, the declaration, `dimensions { .. }`, `motion { .. }`, \
+                .arg(file_argument().help(
+                    "The file: `kin 1`, the declaration, `dimensions { .. }`, `motion { .. }`, \
                              `loads { .. }`, `assembly = ..;`, `columns ..;`",
-                        ),
-                )
+                ))
                 .arg(
                     Arg::new("command")
                         .required(true)
@@ -271,13 +282,7 @@ fn of_files(command: Command) -> Command {
                         .conflicts_with("steps")
                         .help("Print the mistakes, or an outline, as one JSON object for editors"),
                 )
-                .arg(
-                    Arg::new("file")
-                        .required(true)
-                        .value_name("FILE.kin")
-                        .value_parser(clap::value_parser!(PathBuf))
-                        .help("The file, `-` for the input"),
-                )
+                .arg(file_argument().help("The file, `-` for the input"))
                 .after_help(
                     "Examples:\n  kin check pump.kin\n  kin check pump.kin --steps\n  kin check - --json < pump.kin",
                 ),
@@ -291,13 +296,7 @@ fn of_files(command: Command) -> Command {
                         .action(ArgAction::SetTrue)
                         .help("Change nothing, and end with code 1 if the file is in another form"),
                 )
-                .arg(
-                    Arg::new("file")
-                        .required(true)
-                        .value_name("FILE.kin")
-                        .value_parser(clap::value_parser!(PathBuf))
-                        .help("The file, or `-` for the input, which is formatted to the output"),
-                )
+                .arg(file_argument().help("The file, or `-` for the input, which is formatted to the output"))
                 .after_help("Examples:\n  kin fmt pump.kin\n  kin fmt --check pump.kin"),
         )
 }

@@ -9,7 +9,7 @@ use kin_core::batch::LengthMismatch;
 use kin_core::cycle::BlockClass;
 use kin_core::exact::{ExactTable, ExactTableError, Precision};
 use kin_core::extremes::{
-    AskedQuantity, ByReaction, Extreme, ExtremeKind, ExtremesError, Mean, Over, QuantityAlong, QuantitySource,
+    AskedQuantity, Extreme, ExtremeKind, ExtremesError, Mean, Over, QuantityAlong, QuantitySource,
 };
 use kin_core::law::{Piecewise, Side};
 use kin_core::linkage::{AnyCycle, AnyLinkage, AnySweep, TabledMechanism};
@@ -28,7 +28,7 @@ use super::loads::{Force, ForceColumn, ForceColumns};
 use super::motion::InputMotion;
 use super::text;
 use crate::library::{Design, DesignAssembly};
-use crate::report::{ReportError, ReportFunctions, WayWished, Wishes};
+use crate::report::{ReportError, ReportFunctions, WayWished, WishedLoads, Wishes};
 
 /// The assembly that is wanted.
 #[derive(Clone, Debug, PartialEq)]
@@ -157,20 +157,6 @@ fn of_exact_table(error: ExactTableError) -> Fault {
 
 /// The rows of a sweep whose extremes are sought.
 const ROWS_OF_PEAKS: usize = 181;
-
-/// A force or a power that depends on the joints, along a sweep.
-fn of_joints<'s, 'm, D: SmoothDrive>(
-    sweep: &'s AnySweep<'m, D>,
-    reactions: &'s NamedReactions<'s>,
-    force: &Force,
-    order: usize,
-) -> QuantityAlong<'s, AnySweep<'m, D>, ByReaction<'s>> {
-    match force {
-        Force::Effort(input) => sweep.of_effort_with_friction(reactions, *input, order),
-        Force::Reaction(name, part) => sweep.of_reaction(reactions, name, *part, order),
-        Force::Heat => sweep.of_heat(reactions, order),
-    }
-}
 
 /// The lowest and the highest value, and the root of the mean square.
 fn extent_of<S: QuantitySource, Q: AskedQuantity<S>>(quantity: &QuantityAlong<'_, S, Q>) -> Result<Extent, Fault> {
@@ -381,61 +367,16 @@ impl Subject {
         ForceColumns::of(&*self.functions, has_friction)
     }
 
-    /// The extremes of a force over a sweep, in units of the mechanism.
-    pub(crate) fn extent_of_force(
-        &self,
-        case: &Case,
-        loads: &NamedLoads,
-        force: &ForceColumn,
-    ) -> Result<Extent, Fault> {
-        match case.time_of_laws() {
-            None => self.extent_along(case, loads, force, &self.line(case, ROWS_OF_PEAKS)?),
-            Some(duration) => self.under_laws(case, duration, ROWS_OF_PEAKS, |sweep| {
-                self.extent_along(case, loads, force, &sweep)
-            })?,
-        }
-    }
-
-    fn extent_along<D: SmoothDrive>(
-        &self,
-        case: &Case,
-        loads: &NamedLoads,
-        ForceColumn { force, order }: &ForceColumn,
-        sweep: &AnySweep<'_, D>,
-    ) -> Result<Extent, Fault> {
-        match force {
-            Force::Effort(input) if case.frictions.is_empty() => extent_of(&sweep.of_effort(loads, *input, *order)),
-            _ => extent_of(&of_joints(sweep, &self.reactions(case, loads)?, force, *order)),
-        }
-    }
-
-    /// A force in the rows of a sweep, in its unit.
-    pub(crate) fn column_of_force(&self, case: &Case, rows: usize, force: &ForceColumn) -> Result<Vec<f64>, Fault> {
-        let Some(loads) = &case.loads else {
-            return Ok(Vec::new());
-        };
-        let column = match case.time_of_laws() {
-            None => self.column_along(case, loads, force, &self.line(case, rows)?),
-            Some(duration) => self.under_laws(case, duration, rows, |sweep| {
-                self.column_along(case, loads, force, &sweep)
-            })?,
-        };
-        let size = force.size(self.description(), case.metres());
-        Ok(column?.into_iter().map(|value| value * size).collect())
-    }
-
-    fn column_along<D: SmoothDrive>(
-        &self,
-        case: &Case,
-        loads: &NamedLoads,
-        ForceColumn { force, order }: &ForceColumn,
-        sweep: &AnySweep<'_, D>,
-    ) -> Result<Vec<f64>, Fault> {
-        let column = match force {
-            Force::Effort(input) if case.frictions.is_empty() => sweep.of_effort(loads, *input, *order).column(),
-            _ => of_joints(sweep, &self.reactions(case, loads)?, force, *order).column(),
-        };
-        column.map_err(of_extremes)
+    /// The forces of a case, if it has loads. Questions about several of them are answered faster by one of these.
+    pub(crate) fn forces_of<'c>(&'c self, case: &'c Case) -> Option<CaseForces<'c>> {
+        let loads = case.loads.as_ref()?;
+        let reactions = self.reactions(case, loads);
+        Some(CaseForces {
+            subject: self,
+            case,
+            loads,
+            reactions,
+        })
     }
 
     fn reactions(&self, case: &Case, loads: &NamedLoads) -> Result<NamedReactions<'_>, Fault> {
@@ -503,6 +444,11 @@ impl Subject {
             declaration: wishes.declaration.clone(),
             length: case.length.to_owned(),
             degrees: case.in_degrees,
+            loads: case.loads.clone().map(|loads| WishedLoads {
+                loads,
+                frictions: case.frictions.clone(),
+                metres: case.metres(),
+            }),
             ..Wishes::new(&*self.functions, &case.parameters)
         };
         let several = case.motions.iter().filter(|motion| motion.moves()).count() > 1;
@@ -563,6 +509,140 @@ impl Subject {
                 let found = assembly_at(wanted, &self.linkage(&case.parameters), start)?;
                 Ok(found.index().map_or_else(|| from(start, &[]), Choice::Assembly))
             }
+        }
+    }
+}
+
+/// The forces that the loads of a case cause.
+pub(crate) struct CaseForces<'c> {
+    subject: &'c Subject,
+    case: &'c Case,
+    loads: &'c NamedLoads,
+    reactions: Result<NamedReactions<'c>, Fault>,
+}
+
+/// A question to a force along a sweep.
+trait ForceQuestion {
+    type Answer;
+
+    fn ask<S: QuantitySource, Q: AskedQuantity<S>>(
+        &self,
+        quantity: &QuantityAlong<'_, S, Q>,
+    ) -> Result<Self::Answer, Fault>;
+}
+
+/// What are the extremes and the mean?
+struct OfExtent;
+
+impl ForceQuestion for OfExtent {
+    type Answer = Extent;
+
+    fn ask<S: QuantitySource, Q: AskedQuantity<S>>(&self, quantity: &QuantityAlong<'_, S, Q>) -> Result<Extent, Fault> {
+        extent_of(quantity)
+    }
+}
+
+/// What is the value that is largest in size?
+struct OfPeak;
+
+impl ForceQuestion for OfPeak {
+    type Answer = Reached;
+
+    fn ask<S: QuantitySource, Q: AskedQuantity<S>>(
+        &self,
+        quantity: &QuantityAlong<'_, S, Q>,
+    ) -> Result<Reached, Fault> {
+        let (value, at, is_limit) = match quantity.peak() {
+            Ok(peak) => (Some(peak.value), peak.at, peak.kind == ExtremeKind::Limit),
+            Err(ExtremesError::Unbounded { at }) => (None, at, false),
+            Err(error) => return Err(of_extremes(error)),
+        };
+        Ok(Reached { value, at, is_limit })
+    }
+}
+
+/// What are the values in the rows?
+struct OfRows;
+
+impl ForceQuestion for OfRows {
+    type Answer = Vec<f64>;
+
+    fn ask<S: QuantitySource, Q: AskedQuantity<S>>(
+        &self,
+        quantity: &QuantityAlong<'_, S, Q>,
+    ) -> Result<Vec<f64>, Fault> {
+        quantity.column().map_err(of_extremes)
+    }
+}
+
+impl CaseForces<'_> {
+    /// The extremes of a force and its mean, in units of the mechanism.
+    pub(crate) fn extent(&self, force: &ForceColumn) -> Result<Extent, Fault> {
+        self.ask(force, &OfExtent)
+    }
+
+    /// The value of a force that is largest in size, in units of the mechanism.
+    pub(crate) fn peak(&self, force: &ForceColumn) -> Result<Reached, Fault> {
+        self.ask(force, &OfPeak)
+    }
+
+    fn ask<A: ForceQuestion>(&self, force: &ForceColumn, question: &A) -> Result<A::Answer, Fault> {
+        let Self { subject, case, .. } = self;
+        match case.time_of_laws() {
+            None => self.along(force, question, &subject.line(case, ROWS_OF_PEAKS)?),
+            Some(duration) => subject.under_laws(case, duration, ROWS_OF_PEAKS, |sweep| {
+                self.along(force, question, &sweep)
+            })?,
+        }
+    }
+
+    fn along<A: ForceQuestion, D: SmoothDrive>(
+        &self,
+        ForceColumn { force, order }: &ForceColumn,
+        question: &A,
+        sweep: &AnySweep<'_, D>,
+    ) -> Result<A::Answer, Fault> {
+        let reactions = || self.reactions.as_ref().map_err(Fault::clone);
+        let has_friction = !self.case.frictions.is_empty();
+        match force {
+            Force::Effort(input) if has_friction => {
+                question.ask(&sweep.of_effort_with_friction(reactions()?, *input, *order))
+            }
+            Force::Effort(input) => question.ask(&sweep.of_effort(self.loads, *input, *order)),
+            Force::Power(input) if has_friction => question.ask(&sweep.of_power_with_friction(reactions()?, *input)),
+            Force::Power(input) => question.ask(&sweep.of_power(self.loads, *input)),
+            Force::Reaction(name, part) => question.ask(&sweep.of_reaction(reactions()?, name, *part, *order)),
+            Force::Heat => question.ask(&sweep.of_heat(reactions()?, *order)),
+        }
+    }
+
+    /// Forces in the rows of a sweep, in their units.
+    pub(crate) fn columns(&self, rows: usize, forces: &[ForceColumn]) -> Result<Vec<Vec<f64>>, Fault> {
+        let Self { subject, case, .. } = self;
+        match case.time_of_laws() {
+            None => self.columns_along(forces, &subject.line(case, rows)?),
+            Some(duration) => subject.under_laws(case, duration, rows, |sweep| self.columns_along(forces, &sweep))?,
+        }
+    }
+
+    fn columns_along<D: SmoothDrive>(
+        &self,
+        forces: &[ForceColumn],
+        sweep: &AnySweep<'_, D>,
+    ) -> Result<Vec<Vec<f64>>, Fault> {
+        let columns = forces.iter().map(|column| {
+            let values = self.along(column, &OfRows, sweep)?;
+            let size = column.size(self.subject.description(), self.case.metres());
+            Ok(values.into_iter().map(|value| value * size).collect())
+        });
+        columns.collect()
+    }
+
+    /// The bodies of a force in a joint: the one on which it acts, and the one that exerts it. A drive has none.
+    pub(crate) fn bodies_of(&self, force: &Force) -> [String; 2] {
+        match (force, &self.reactions) {
+            (Force::Reaction(name, _), Ok(reactions)) => reactions.bodies_of(name).unwrap_or_default(),
+            _ => Default::default(),
         }
     }
 }

@@ -8,6 +8,8 @@ use std::path::Path;
 use kin_core::any::{AssemblyChoice, Named, Of};
 use kin_core::law::Piecewise;
 use kin_core::linkage::AnyLinkage;
+use kin_core::load::NamedLoads;
+use kin_core::reaction::Friction;
 use kin_core::{ClosedRange, Mechanism};
 
 use super::functions::ReportFunctions;
@@ -46,6 +48,16 @@ pub(crate) struct Wishes<'l> {
     pub(crate) length: String,
     pub(crate) time: String,
     pub(crate) degrees: bool,
+    pub(crate) loads: Option<WishedLoads>,
+}
+
+/// Loads, and the metres of the unit of lengths.
+#[derive(Clone, Debug)]
+pub(crate) struct WishedLoads {
+    pub(crate) loads: NamedLoads,
+    /// The friction of joints, by the names of their forces.
+    pub(crate) frictions: Vec<(String, Friction)>,
+    pub(crate) metres: f64,
 }
 
 /// Which inputs move.
@@ -90,6 +102,7 @@ impl<'l> Wishes<'l> {
             length: String::new(),
             time: "s".to_owned(),
             degrees: true,
+            loads: None,
         }
     }
 
@@ -233,6 +246,48 @@ impl<M> Draft<'_, M> {
     /// The names of the units of length and time; otherwise a length without a name, and seconds.
     pub fn units(mut self, length: impl Into<String>, time: impl Into<String>) -> Self {
         (self.wishes.length, self.wishes.time) = (length.into(), time.into());
+        self
+    }
+
+    /// The loads whose forces are shown: in the joints, if the declaration states its bodies, and of the drives. Masses
+    /// are in kilograms, the time is in seconds, and the unit of lengths has so many metres. Forces are shown in
+    /// newtons.
+    ///
+    /// ```
+    /// use kin_core::linkage::AnyLinkage;
+    /// use kin_core::prelude::*;
+    ///
+    /// mechanism! {
+    ///     /// Slider-crank in millimetres.
+    ///     pub struct Pump { pub r: Length, pub l: Length }
+    ///     input theta: Angle;
+    ///     unknown phi: Angle, s: Length;
+    ///     r * cis(theta) + l * cis(phi) == vec2(s, 0);
+    ///     output pin: Point = r * cis(theta);
+    ///     output piston: Point = vec2(s, 0);
+    ///     ground 0;
+    ///     body crank: 0, pin;
+    ///     body rod: pin, piston;
+    ///     slide piston along vec2(1, 0);
+    /// }
+    ///
+    /// let pump = Pump { r: 50.0, l: 150.0 };
+    /// let loads = AnyLinkage::of(&pump).loads().mass(0.8, "piston")?;
+    /// let page = kin_studio::report(&pump).speed(rpm(900.0)).units("mm", "s").loads(&loads, 0.001).report()?;
+    /// let forces = page.forces.ok_or("no forces")?;
+    /// // the piston is slowed down and sped up by r ω² (1 + r / l) at most
+    /// let peak = forces.joints.iter().find(|joint| joint.name == "pin").and_then(|pin| pin.peak);
+    /// let expected = 0.8 * 0.05 * rpm(900.0).powi(2) * (1.0 + 50.0 / 150.0);
+    /// assert!((peak.and_then(|peak| peak.value).ok_or("no peak")? - expected).abs() < 1e-9 * expected);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn loads(mut self, loads: &NamedLoads, metres: f64) -> Self {
+        let loads = loads.clone();
+        self.wishes.loads = Some(WishedLoads {
+            loads,
+            frictions: Vec::new(),
+            metres,
+        });
         self
     }
 

@@ -23,7 +23,7 @@ mod read;
 
 pub use draft::{Draft, Untyped};
 #[cfg(feature = "program")]
-pub(crate) use draft::{WayWished, Wishes};
+pub(crate) use draft::{WayWished, WishedLoads, Wishes};
 pub use error::ReportError;
 pub use functions::ReportFunctions;
 pub use model::*;

@@ -90,6 +90,9 @@ pub struct Report {
     pub not_closed: Option<NotClosed>,
     /// Which joints belong together.
     pub outline: Outline,
+    /// The forces that loads cause, if there are loads.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub forces: Option<Forces>,
     /// The poses of the range, for a mechanism whose solver cannot be recorded.
     pub frames: Option<Vec<Frame>>,
     /// The solver as a JavaScript module, if it can be recorded. The page has it as a script, and not among its data.
@@ -452,6 +455,119 @@ pub struct Point {
     pub name: String,
     /// Its joint.
     pub joint: usize,
+}
+
+/// The forces in joints, and the efforts of drives, in N and N m.
+///
+/// They hold for the dimensions, the speed and the assembly of the report.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Forces {
+    /// The metres of the unit of lengths.
+    pub metres: f64,
+    /// The forces in joints; none if the declaration does not state its bodies.
+    pub joints: Vec<JointForce>,
+    /// The efforts of drives and the moments of guides.
+    pub curves: Vec<ForceCurve>,
+    /// What acts on the bodies beside the joints.
+    pub body_loads: Vec<BodyLoad>,
+    /// All of them over the range, in the order of the variable.
+    pub samples: Vec<ForceSample>,
+    /// Why some or all forces in joints are not known.
+    pub unknown: Option<String>,
+}
+
+/// The force in a joint.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct JointForce {
+    /// Its name.
+    pub name: String,
+    /// The index of the body on which it acts; nothing for the ground.
+    pub on: Option<usize>,
+    /// The index of the body that exerts it; nothing for the ground.
+    pub by: Option<usize>,
+    /// The index of the joint.
+    pub joint: usize,
+    /// Whether it is the force of a guide.
+    pub is_slide: bool,
+    /// The size of the force over the range, if it is known.
+    pub peak: Option<ForcePeak>,
+}
+
+/// The effort of a drive or the moment of a guide.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ForceCurve {
+    /// Its name as a column.
+    pub name: String,
+    /// Its name in words.
+    pub text: String,
+    /// What it is.
+    pub kind: CurveKind,
+    /// Its values over the range, if they are known.
+    pub peak: Option<ForcePeak>,
+}
+
+/// A force or a moment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum CurveKind {
+    /// A force in N.
+    Force,
+    /// A moment in N m.
+    Moment,
+}
+
+/// A force over the range.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ForcePeak {
+    /// The value that is largest in size, or nothing if it grows beyond all bounds.
+    pub value: Option<f64>,
+    /// The value of the variable there.
+    pub at: f64,
+    /// The root of the mean square over time.
+    pub rms: Option<f64>,
+    /// The rate by time that is largest in size.
+    pub rate: Option<f64>,
+}
+
+/// A force or a couple on a body beside its joints.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct BodyLoad {
+    /// The index of the body.
+    pub body: usize,
+    /// What exerts it.
+    pub kind: ActingLoad,
+    /// Whether it is a couple.
+    pub is_couple: bool,
+}
+
+/// What exerts a force on a body beside its joints.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum ActingLoad {
+    /// A mass, by its weight and its resistance to acceleration.
+    Mass,
+    /// A force, a torque, a spring or a damper.
+    Load,
+    /// A drive.
+    Drive,
+    /// The friction in a pin.
+    Friction,
+    /// A guide, which keeps the body from turning.
+    Guide,
+}
+
+/// The forces at one place of the range, to six figures.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ForceSample {
+    /// The variable.
+    pub input: f64,
+    /// For each joint the components of the force and their rates by time; nothing where it is not known.
+    pub forces: Vec<Option<[f64; 4]>>,
+    /// For each curve its value and its rate.
+    pub curves: Vec<Option<[f64; 2]>>,
+    /// For each load on a body the moment of the couple, or the force and the place where it acts. Empty where they are
+    /// not known.
+    pub loads: Vec<Vec<f64>>,
 }
 
 /// A pose, as the solver would find it.

@@ -14,6 +14,7 @@ const ROBOT: &str = include_str!("robot.kin");
 const PLATFORM: &str = include_str!("platform.kin");
 const PRESS: &str = include_str!("press.kin");
 const PUMP: &str = include_str!("pump.kin");
+const CRANK_PRESS: &str = include_str!("../../examples/crank_press.kin");
 
 /// Waits until the page of a server says something.
 fn wait(server: &Server, is_there: impl Fn(&str) -> bool) -> String {
@@ -176,6 +177,7 @@ fn forces_in_joints() {
     folder.write("guessed.kin", &guessed);
     let loads = guessed.replace("mass of coupler", "//").replace("mass of rocker", "//");
     folder.write("light.kin", &loads);
+    folder.write("lacking.kin", &PRESS.replacen("body rocker: pivot, knee;", "", 1));
     let all = [
         "run press.kin sweep --rows 5",
         "run press.kin sweep --rows 3 --columns ground_crank_force_second_rate,pivot_x --csv",
@@ -184,6 +186,7 @@ fn forces_in_joints() {
         "run press.kin peaks --of pin_force,theta_effort",
         "run guessed.kin sweep",
         "run light.kin sweep",
+        "run lacking.kin sweep",
     ]
     .map(|words| typed_in(&folder, &format!("kin {words}")));
     assert_snapshot!("forces in joints", all.join("\n"));
@@ -226,6 +229,82 @@ fn forces_are_in_si() {
     });
     assert!(forces[0].len() > 6, "{forces:?}");
     assert_eq!(forces[0], forces[1]);
+}
+
+/// What a catalogue of bearings asks for: of pins, of a guide with a moment, and of drives.
+#[test]
+fn forces_of_a_press() {
+    let folder = Folder::new("catalogue");
+    folder.write("crank_press.kin", CRANK_PRESS);
+    let declaration = CRANK_PRESS.split_once("loads {").unwrap().0;
+    let free = [
+        "ground 0;",
+        "body shaft: 0, pin;",
+        "body conrod: pin, wrist;",
+        "body ram: wrist;",
+    ];
+    let free = free
+        .iter()
+        .fold(declaration.to_owned(), |text, body| text.replacen(body, "", 1));
+    folder.write(
+        "bare.kin",
+        &(free.replacen("slide wrist along vec2(0, -1);", "", 1) + "assembly = crossed;"),
+    );
+    let law = CRANK_PRESS.replacen("0..360deg at 500rpm", "0..180deg by 4-5-6-7 in 60ms", 1);
+    folder.write("law.kin", &law);
+    // three guides hold a ram in more than one way, and the forces in the pins do not depend on it
+    let guides = "body ram: wrist, middle, foot;\nslide middle along vec2(0, -1);\nslide foot along vec2(0, -1);\n";
+    let points = "output middle: Point = vec2(0, -s - rod / 2);\noutput foot: Point = vec2(0, -s - rod);\n";
+    let guided = CRANK_PRESS.replacen("body ram: wrist;", &format!("{points}{guides}"), 1);
+    folder.write("wrong.kin", &guided);
+    folder.write("guided.kin", &guided.replacen("force wrist", "force middle", 1));
+    let all = [
+        "forces crank_press.kin",
+        "forces law.kin",
+        "forces guided.kin --speed 250rpm --assembly all --csv",
+        "forces wrong.kin",
+        "run bare.kin forces",
+        "forces four_bar",
+    ]
+    .map(|words| typed_in(&folder, &format!("kin {words}")));
+    assert_snapshot!("forces of a press", all.join("\n"));
+    // the book shows the file and its forces
+    let book = include_str!("../../../docs/laws-and-loads.md");
+    let (line, rest) = all[0].split_once('\n').unwrap();
+    let shown = rest.strip_suffix("-- code 0\n").unwrap();
+    assert!(
+        book.contains(CRANK_PRESS),
+        "docs/laws-and-loads.md should show\n{CRANK_PRESS}"
+    );
+    assert!(
+        book.contains(&format!("{line}\n{shown}```")),
+        "docs/laws-and-loads.md should show\n{line}\n{shown}"
+    );
+}
+
+/// The power of a drive is its effort times its speed, and inertia forces grow with the square of the speed.
+#[test]
+fn forces_follow_the_speed() {
+    let folder = Folder::new("speeds");
+    let light = CRANK_PRESS.replacen("gravity = (0, -9.81m/s2);", "", 1);
+    folder.write("light.kin", &light.replacen("force wrist = (0, 800N);", "", 1));
+    let peaks = ["200rpm", "600rpm"].map(|speed| {
+        let told = typed_in(&folder, &format!("kin forces light.kin --speed {speed} --csv"));
+        let cells = |name: &str| -> f64 {
+            let line = told.lines().find(|line| line.starts_with(name)).unwrap();
+            line.split(',').nth(4).unwrap().parse().unwrap()
+        };
+        ["pin_force", "wrist_slide_moment", "theta_effort", "theta_power"].map(cells)
+    });
+    let speed = std::f64::consts::TAU * 200.0 / 60.0;
+    assert!(
+        (peaks[0][3] / peaks[0][2].abs() / speed).abs() - 1.0 < 1e-9,
+        "{peaks:?}"
+    );
+    for (part, factor) in [9.0, 9.0, 9.0, 27.0].into_iter().enumerate() {
+        let ratio = (peaks[1][part] / peaks[0][part]).abs();
+        assert!((ratio / factor - 1.0).abs() < 1e-9, "{peaks:?}");
+    }
 }
 
 /// An editor checks what it has not saved, and makes an outline of it.

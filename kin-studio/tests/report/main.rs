@@ -1,5 +1,6 @@
 //! Reports tell what kin-core finds, and pages are single files that nothing can break out of.
 
+mod forces;
 mod motions;
 
 use std::f64::consts::TAU;

@@ -4,7 +4,7 @@ use std::string::ToString;
 use std::vec::Vec;
 
 use super::{FOUR_BAR, FourBar, heavy};
-use crate::any::AssemblyChoice;
+use crate::any::{AssemblyChoice, Of, SkeletonOver};
 use crate::assembly::Assembly;
 use crate::geometry::Plane;
 use crate::law::{Law as _, Piecewise, Rise, Shape};
@@ -12,10 +12,36 @@ use crate::library;
 use crate::linkage::AnyLinkage;
 use crate::load::{Loaded, Loads};
 use crate::mechanism::Mechanism;
-use crate::reaction::ReactionPart;
+use crate::reaction::{NamedReactions, Reaction, ReactionPart, Reactions};
 use crate::verify::Random;
 
-/// Efforts by equilibrium and by virtual work, with both rates, and the forces along a sweep beside those of single poses.
+/// Whether all forces on each body add up to nothing, and their moments.
+fn in_equilibrium(reactions: &NamedReactions<'_>, found: &Reactions, places: &[Plane]) {
+    for (index, body) in reactions.functions.outline().bodies.iter().enumerate() {
+        let mut all: Vec<[f64; 3]> = Vec::new();
+        for connection in &reactions.connections {
+            let Reaction { x, y, .. } = found.of(&connection.name).expect("it is determined");
+            let (force, at) = (Plane::new(x[0], y[0]), places[connection.joint]);
+            for (member, sign) in [(connection.on, 1.0), (connection.by, -1.0)] {
+                if member == Some(index) {
+                    all.push([force.x, force.y, at.cross(force)].map(|part| sign * part));
+                }
+            }
+        }
+        for load in found.body_loads().iter().filter(|load| load.body == body.name) {
+            let [at, force] = [load.at, load.force].map(|[x, y]| Plane::new(x, y));
+            all.push([force.x, force.y, at.cross(force) + load.moment]);
+        }
+        for part in 0..3 {
+            let size = all.iter().fold(0.0, |size: f64, own| size.max(own[part].abs()));
+            let sum: f64 = all.iter().map(|own| own[part]).sum();
+            assert!(size > 0.0 && sum.abs() <= 1e-10 * size, "{}: {all:?}", body.name);
+        }
+    }
+}
+
+/// Efforts by equilibrium and by virtual work, with both rates, the forces along a sweep beside those of single poses, and the equilibrium
+/// of each body.
 fn compare<M: Mechanism<Scalar = f64>>(mechanism: &M, range: [f64; 2]) {
     let assembly = AssemblyChoice::Index(0);
     let law = Rise::new(Shape::Polynomial56789, range[0], range[1], 0.7).expect("a law");
@@ -33,6 +59,17 @@ fn compare<M: Mechanism<Scalar = f64>>(mechanism: &M, range: [f64; 2]) {
             reactions.at(&[motion], assembly.position()).expect("it is determined")
         })
         .collect();
+    let solved = sweep.reactions(&reactions).expect("it moves");
+    for ((row, found), at) in rows.iter().zip(&solved).zip(0..) {
+        let inputs = [law.at::<1>(sweep.at(at)).value()];
+        let unknowns = linkage.position(&inputs, assembly.position()).expect("it closes");
+        let mut places = Vec::new();
+        let functions = Of::<M>::FUNCTIONS;
+        let mut add = |place: &[f64]| places.push(Plane::new(place[0], place[1]));
+        SkeletonOver::<f64>::skeleton_points(functions, linkage.parameters(), &inputs, &unknowns, &mut add);
+        in_equilibrium(&reactions, row, &places);
+        in_equilibrium(&reactions, found.as_ref().expect("it is determined"), &places);
+    }
     let close = |one: f64, other: f64, size: f64| assert!((one - other).abs() <= 1e-10 * size, "{one} {other} {size}");
     for (order, column) in efforts.iter().enumerate() {
         let size = column.iter().fold(0.0, |size: f64, value| size.max(value.abs()));
@@ -46,8 +83,10 @@ fn compare<M: Mechanism<Scalar = f64>>(mechanism: &M, range: [f64; 2]) {
             let column = sweep.of_reaction(&reactions, name, ReactionPart::Force, order).column();
             let column = column.expect("it is determined");
             let size = column.iter().fold(0.0, |size: f64, value| size.max(value.abs()));
-            for (row, force) in rows.iter().zip(column) {
+            for ((row, found), force) in rows.iter().zip(&solved).zip(column) {
                 close(row.of(name).expect("it is determined").magnitude()[order], force, size);
+                let found = found.as_ref().expect("it is determined").of(name);
+                close(found.expect("it is determined").magnitude()[order], force, size);
             }
         }
     }

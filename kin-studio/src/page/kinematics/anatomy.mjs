@@ -104,13 +104,15 @@ function parallel(one, other) {
 }
 
 /** The direction of a plane body: from its first joint to the second, or that of its slide. */
-function angleOf(model, pose, body) {
+export function angleOf(model, pose, body) {
   const [first, second] = model.outline.bodies[body].joints;
   if (second !== undefined) {
     const [one, other] = [pose.joints[first], pose.joints[second]];
     return Math.atan2(other[1] - one[1], other[0] - one[0]);
   }
-  const slide = model.outline.slides.findIndex(({ guide }) => guide === body);
+  const { slides } = model.outline;
+  const carried = slides.findIndex(({ guide }) => guide === body);
+  const slide = carried < 0 ? slides.findIndex(({ joint }) => joint === first) : carried;
   return slide < 0 ? NaN : Math.atan2(pose.slides[slide][1], pose.slides[slide][0]);
 }
 

@@ -191,7 +191,7 @@ function isNextTo(model, design, one, other, size) {
 }
 
 /** The largest distance of two joints. */
-function sizeOf({ joints }) {
+export function sizeOf({ joints }) {
   return Math.max(
     1e-300,
     ...joints.flatMap((one) => joints.map((other) => Math.hypot(...one.map((value, axis) => value - other[axis])))),

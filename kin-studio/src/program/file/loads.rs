@@ -80,6 +80,17 @@ pub(super) fn is_friction(entry: &Entry) -> bool {
     is_ident(entry.words.first(), "friction")
 }
 
+/// Whether a mass is that of a body which there is not.
+pub(super) fn lack_a_body(entries: &[Entry], bodies: &[String]) -> bool {
+    let is_one = |entry: &Entry| match entry.words.as_slice() {
+        [mass, of, TokenTree::Ident(body)] => {
+            is_ident(Some(mass), "mass") && is_ident(Some(of), "of") && !bodies.contains(&body.to_string())
+        }
+        _ => false,
+    };
+    entries.iter().any(is_one)
+}
+
 /// What an entry says.
 enum Read {
     Gravity([InSi; 3]),

@@ -62,6 +62,8 @@ impl KinFile {
             places = places.with_bodies(&mechanism.outline());
         }
         let place = sections.place_of("loads");
+        let bodies = mechanism.outline().bodies.iter().map(|body| body.name.to_owned());
+        let lacks_a_body = loads::lack_a_body(&sections.loads, &bodies.collect::<Vec<_>>());
         let has_friction = sections.loads.iter().any(loads::is_friction);
         let joints = if has_friction {
             joints(&mechanism)
@@ -83,7 +85,13 @@ impl KinFile {
                 && let Err(message) = columns::named(&column.text, &names)
             {
                 let advice = forces.advice(&column.text);
-                if advice.is_some() && advised {
+                // the body that is missing is told, or how all bodies are declared
+                let is_known = if advice.is_some() {
+                    advised
+                } else {
+                    lacks_a_body && ForceColumns::could_be_of_a_joint(&column.text)
+                };
+                if is_known {
                     continue;
                 }
                 advised |= advice.is_some();

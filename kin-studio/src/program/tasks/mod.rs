@@ -4,6 +4,7 @@ mod code;
 mod cycle;
 mod fit;
 mod fmt;
+mod forces;
 mod list;
 mod peaks;
 mod report;
@@ -35,6 +36,7 @@ pub(super) fn run(subject: &Subject, task: &Task, told: &Told) -> Result<(), Fau
         Task::Sweep(options) => sweep::run(subject, options, told),
         Task::Cycle(setup) => cycle::run(subject, setup, told),
         Task::Peaks(options) => peaks::run(subject, options, told),
+        Task::Forces(options) => forces::run(subject, options, told),
         Task::Verify(setup) => verify::run(subject, setup, told),
         Task::Code(options) => code::run(subject, options, told),
         Task::Fit(options) => fit::run(subject, options, told),

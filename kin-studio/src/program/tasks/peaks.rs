@@ -1,7 +1,6 @@
 //! `kin peaks`: the extremes of every quantity and its rates.
 
-use std::fmt::Write as _;
-
+use kin_core::Dimension;
 use kin_core::any::Quantity;
 
 use super::super::case::Case;
@@ -38,12 +37,13 @@ pub(super) fn run(subject: &Subject, options: &Peaks, told: &Told) -> Result<(),
             tell_jolts(subject, &case)?;
         }
         let wanted = sought(subject, &case, options, told)?;
+        let forces = subject.forces_of(&case);
         let found: Result<Vec<Extent>, Fault> = watched("searching extremes", wanted.len(), |step| {
             wanted
                 .iter()
                 .map(|one| {
-                    let extent = match (&one.force, &case.loads) {
-                        (Some(force), Some(loads)) => subject.extent_of_force(&case, loads, force),
+                    let extent = match (&one.force, &forces) {
+                        (Some(force), Some(forces)) => forces.extent(force),
                         _ => subject.extent(&case, &one.name),
                     };
                     step();
@@ -61,10 +61,7 @@ pub(super) fn run(subject: &Subject, options: &Peaks, told: &Told) -> Result<(),
 /// What is sought: the columns of the file, or what was typed, where the name of a quantity stands for all its rates.
 fn sought(subject: &Subject, case: &Case, options: &Peaks, told: &Told) -> Result<Vec<Sought>, Fault> {
     let description = subject.description();
-    let units = Units {
-        in_degrees: case.in_degrees,
-        length: case.length,
-    };
+    let units = case.units();
     let highest = description.order.min(HIGHEST);
     let rates = |quantity: &Quantity<'_>| -> Vec<Sought> {
         let one = |order| Sought {
@@ -124,31 +121,48 @@ fn sought(subject: &Subject, case: &Case, options: &Peaks, told: &Told) -> Resul
     Ok(some)
 }
 
-fn shown(subject: &Subject, case: &Case, wanted: &[Sought], found: &[Extent]) -> String {
-    let units = Units {
-        in_degrees: case.in_degrees,
-        length: case.length,
-    };
-    let input = subject.description().inputs[case.lead];
-    let is_over_time = case.time_of_laws().is_some();
-    let place = |at: f64| {
-        if is_over_time {
-            format!("at {} s", text::digits(at))
-        } else {
-            format!("at {}", units.text(input.dimension, 0, at))
+/// How a place of the motion is shown: an input, or the time.
+pub(super) struct Place {
+    units: Units,
+    /// The dimension of the input; none for the time.
+    input: Option<Dimension>,
+}
+
+impl Place {
+    pub(super) fn new(subject: &Subject, case: &Case) -> Self {
+        let input = subject.description().inputs[case.lead].dimension;
+        Self {
+            units: case.units(),
+            input: case.time_of_laws().is_none().then_some(input),
         }
-    };
+    }
+
+    pub(super) fn unit(&self) -> String {
+        self.input.map_or("s".to_owned(), |input| self.units.unit(input, 0))
+    }
+
+    /// A place in its unit.
+    pub(super) fn value(&self, at: f64) -> f64 {
+        self.input.map_or(at, |input| self.units.value(input, at))
+    }
+
+    /// A place in words.
+    pub(super) fn text(&self, at: f64, is_limit: bool) -> String {
+        let place = match self.input {
+            None => format!("{} s", text::digits(at)),
+            Some(input) => self.units.text(input, 0, at),
+        };
+        format!("at {place}{}", if is_limit { ", a limit" } else { "" })
+    }
+}
+
+fn shown(subject: &Subject, case: &Case, wanted: &[Sought], found: &[Extent]) -> String {
+    let place = Place::new(subject, case);
     let value = |reached: &Reached, one: &Sought| match reached.value {
         None => "unbounded".to_owned(),
         Some(value) => text::digits(value * one.size),
     };
-    let where_ = |reached: &Reached| {
-        format!(
-            "{}{}",
-            place(reached.at),
-            if reached.is_limit { ", a limit" } else { "" }
-        )
-    };
+    let where_ = |reached: &Reached| place.text(reached.at, reached.is_limit);
     let all = || wanted.iter().zip(found);
     let rms = all().map(|(one, extent)| match &extent.rms {
         Ok(mean) => text::digits(mean.value * one.size),
@@ -170,15 +184,16 @@ fn shown(subject: &Subject, case: &Case, wanted: &[Sought], found: &[Extent]) ->
         Column::numbers("rms", rms.collect()),
     ];
     columns.truncate(text::fitting(&columns, text::width()));
-    let mut out = text::table(&columns);
-    if !is_over_time {
-        let speed = units.text(input.dimension, 1, case.speed());
-        let sign = if case.motions[case.lead].end() < case.motions[case.lead].start() {
-            "-"
-        } else {
-            ""
-        };
-        let _ = writeln!(out, "{} moves at {sign}{speed}", input.name);
+    text::table(&columns) + &moves_at(subject, case)
+}
+
+/// The speed of the input, in a line of its own; nothing under laws.
+pub(super) fn moves_at(subject: &Subject, case: &Case) -> String {
+    if case.time_of_laws().is_some() {
+        return String::new();
     }
-    out
+    let input = subject.description().inputs[case.lead];
+    let speed = case.units().text(input.dimension, 1, case.speed());
+    let is_back = case.motions[case.lead].end() < case.motions[case.lead].start();
+    format!("{} moves at {}{speed}\n", input.name, if is_back { "-" } else { "" })
 }

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use kin_core::any::Quantity;
 use kin_core::in_small_letters;
 
 use super::super::columns::label;
@@ -54,10 +55,10 @@ fn is_page(path: &Path) -> Result<(), Fault> {
 pub(super) fn page(subject: &Subject, options: &Report, told: &Told) -> Result<String, Fault> {
     // the page lists all assemblies, and begins with this one
     let typed = options.setup.typed(told).first_assembly(subject);
-    if !told.loads.is_empty() {
-        eprintln!("note: the page shows no efforts: `sweep` and `peaks` do");
-    }
     let case = typed.case(subject)?;
+    if let Some(error) = case.forces(subject).no_joints() {
+        eprintln!("note: the page shows no forces in joints: {error}");
+    }
     let wishes = PageWishes {
         title: options.title.clone(),
         plots: plots(subject, options, told)?,
@@ -75,8 +76,20 @@ fn plots(subject: &Subject, options: &Report, told: &Told) -> Result<Vec<String>
     }
     let columns = columns_of(subject, &[], told)?;
     let description = subject.description();
-    let results = description.unknowns.iter().chain(description.outputs);
-    let is_shown = |name: &str| (0..=description.order).any(|order| columns.contains(&label(name, order)));
-    let shown = results.filter(|quantity| is_shown(quantity.name));
-    Ok(shown.map(|quantity| quantity.name.to_owned()).collect())
+    let results = || description.unknowns.iter().chain(description.outputs);
+    let forces = subject.forces(false).all;
+    let shown = columns.iter().filter_map(|name| {
+        let is_own =
+            |quantity: &&Quantity<'_>| (0..=description.order).any(|order| label(quantity.name, order) == *name);
+        let force = || forces.iter().find(|force| force.name(description) == *name);
+        let quantity = results().find(is_own).map(|quantity| quantity.name.to_owned());
+        quantity.or_else(|| force()?.plot(description))
+    });
+    let mut plots: Vec<String> = Vec::new();
+    for name in shown {
+        if !plots.contains(&name) {
+            plots.push(name);
+        }
+    }
+    Ok(plots)
 }

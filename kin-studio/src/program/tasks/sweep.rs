@@ -10,7 +10,7 @@ use super::super::columns;
 use super::super::command::Sweep;
 use super::super::fault::Fault;
 use super::super::file::Told;
-use super::super::loads::{Force, ForceColumns};
+use super::super::loads::{Force, ForceColumn, ForceColumns};
 use super::super::progress::watched;
 use super::super::subject::Subject;
 use super::super::text::{self, Column};
@@ -95,12 +95,16 @@ pub(super) fn headed(assembly: &str, count: usize, text: String) -> String {
 fn table(subject: &Subject, case: &Case, rows: usize, wanted: &[String]) -> Result<Table, Fault> {
     let mut table = in_units(subject.table(case, rows)?, case);
     let description = subject.description();
-    for force in &case.forces(subject).all {
-        let name = force.name(description);
-        if wanted.is_empty() && matches!(force.force, Force::Effort(_)) || wanted.contains(&name) {
-            let values = subject.column_of_force(case, rows, force)?;
-            table = table.with_column(&name, &force.unit(description), values);
-        }
+    let is_wanted = |force: &ForceColumn| {
+        wanted.is_empty() && matches!(force.force, Force::Effort(_)) || wanted.contains(&force.name(description))
+    };
+    let mut forces = case.forces(subject).all;
+    forces.retain(is_wanted);
+    let columns = subject
+        .forces_of(case)
+        .map_or(Ok(Vec::new()), |own| own.columns(rows, &forces))?;
+    for (force, values) in forces.iter().zip(columns) {
+        table = table.with_column(&force.name(description), &force.unit(description), values);
     }
     Ok(table)
 }

@@ -4,6 +4,7 @@ mod assemblies;
 mod circuits;
 mod describe;
 mod drive;
+mod forces;
 mod line;
 mod peaks;
 mod place;
@@ -24,7 +25,7 @@ use self::solver::Solver;
 use self::way::Way;
 use super::ReportError;
 use super::draft::{WayWished, Wishes};
-use super::model::{Assembly, Cycle, Drive, FORMAT, NotClosed, Report, Units, Variable};
+use super::model::{Assembly, Cycle, Drive, FORMAT, Forces, NotClosed, Report, Units, Variable};
 
 /// The report that is wished for.
 pub(super) fn report(wishes: &Wishes<'_>) -> Result<Report, ReportError> {
@@ -122,6 +123,7 @@ fn moved<D: SmoothDrive>(
     let quantities = quantities(description, known.drive.variable, &standing);
     let found = peaks::find(wishes, way, &quantities, drive::dwells(&known.drive));
     let (assemblies, assembly) = known.assemblies;
+    let forces = forces::of(wishes, way);
     Ok(Report {
         format: FORMAT,
         kin: env!("CARGO_PKG_VERSION").to_owned(),
@@ -143,7 +145,7 @@ fn moved<D: SmoothDrive>(
         inputs: describe::quantities(description.inputs, &solver.inputs, |input| standing[input]),
         unknowns: describe::quantities(description.unknowns, &solver.unknowns, |_| None),
         outputs: describe::quantities(description.outputs, &solver.outputs, |_| None),
-        plots: plots(wishes, &quantities)?,
+        plots: plots(wishes, &quantities, forces.as_ref())?,
         moving: standing.iter().position(Option::is_none).unwrap_or(0),
         drive: known.drive,
         range: known.range,
@@ -166,6 +168,7 @@ fn moved<D: SmoothDrive>(
         operations: describe::operations(description),
         not_closed: not_closed(wishes, &poses),
         outline: describe::outline(&functions.outline()),
+        forces,
         frames: solver.text.is_none().then(|| solver::frames(wishes, &poses)),
         solver: solver.text,
         unrecorded: solver.unrecorded,
@@ -232,13 +235,19 @@ fn quantities<'d>(description: &Description<'d>, variable: Variable, standing: &
     own.chain(moving.map(|(input, _)| input)).copied().collect()
 }
 
-/// The names of the quantities that are plotted at first.
-fn plots(wishes: &Wishes<'_>, quantities: &[Quantity<'_>]) -> Result<Vec<String>, ReportError> {
+/// The names of the quantities that are plotted at first. Forces are plotted at first only if they are named.
+fn plots(
+    wishes: &Wishes<'_>,
+    quantities: &[Quantity<'_>],
+    forces: Option<&Forces>,
+) -> Result<Vec<String>, ReportError> {
     let names: Vec<String> = quantities.iter().map(|quantity| quantity.name.to_owned()).collect();
-    match wishes.plots.iter().find(|wanted| !names.contains(wanted)) {
+    let of_forces: Vec<String> = forces.iter().flat_map(|forces| forces.names()).collect();
+    let is_there = |wanted: &String| names.contains(wanted) || of_forces.contains(wanted);
+    match wishes.plots.iter().find(|wanted| !is_there(wanted)) {
         Some(name) => Err(ReportError::NoSuchQuantity {
             name: name.clone(),
-            quantities: names,
+            quantities: [names, of_forces].concat(),
         }),
         None if wishes.plots.is_empty() => Ok(names),
         None => Ok(wishes.plots.clone()),

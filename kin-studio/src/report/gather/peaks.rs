@@ -3,6 +3,7 @@
 use kin_core::RATES;
 use kin_core::any::Quantity;
 use kin_core::extremes::{self, ExtremeKind, ExtremesError, Over};
+use kin_core::linkage::AnySweep;
 use kin_core::sweep::{Label, SmoothDrive};
 
 use super::way::Way;
@@ -97,7 +98,7 @@ impl Question<'_> {
             }
             Err(error) => found.unanswered.push(self.unanswered(&error)),
         }
-        match rms(way, &self.column) {
+        match over_all(way, |sweep| Ok(sweep.of(&self.column).rms(Over::Time)?.value)) {
             Ok(value) => found.rms.push(RootMeanSquare {
                 quantity: self.name.to_owned(),
                 order: self.order,
@@ -198,12 +199,15 @@ fn flat<D: SmoothDrive>(way: &Way<'_, D>, column: &str, side: Side) -> Option<(f
     Some((best.value, best.at, place(best.kind)))
 }
 
-/// The root mean square over time, or nothing if it grows beyond all bounds.
-fn rms<D: SmoothDrive>(way: &Way<'_, D>, column: &str) -> Result<Option<f64>, ExtremesError> {
+/// The root mean square over time from that of each sweep, or nothing if it grows beyond all bounds.
+pub(super) fn over_all<D: SmoothDrive>(
+    way: &Way<'_, D>,
+    rms: impl Fn(&AnySweep<'_, D>) -> Result<f64, ExtremesError>,
+) -> Result<Option<f64>, ExtremesError> {
     let mut own = Vec::new();
     for sweep in &way.sweeps {
-        match sweep.of(column).rms(Over::Time) {
-            Ok(mean) => own.push(mean.value),
+        match rms(sweep) {
+            Ok(value) => own.push(value),
             Err(ExtremesError::Diverges { .. } | ExtremesError::Unbounded { .. }) => return Ok(None),
             Err(error) => return Err(error),
         }

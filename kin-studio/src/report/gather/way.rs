@@ -100,17 +100,26 @@ impl<D: SmoothDrive> Way<'_, D> {
     }
 
     /// The poses of the range in ascending order.
+    #[expect(
+        clippy::redundant_closure_for_method_calls,
+        reason = "the method by its path has a lifetime of its own"
+    )]
     pub(super) fn poses(&self) -> Vec<At> {
+        self.ascending(|sweep| sweep.rows())
+    }
+
+    /// What each row of the sweeps has, in the order of [`poses`](Self::poses).
+    pub(super) fn ascending<T>(&self, of: impl Fn(&AnySweep<'_, D>) -> Vec<T>) -> Vec<T> {
         let mut all = Vec::new();
         for (number, sweep) in self.sweeps.iter().enumerate() {
-            let mut poses = sweep.rows();
+            let mut rows = of(sweep);
             if sweep.at(0) > sweep.at(sweep.count() - 1) {
-                poses.reverse();
+                rows.reverse();
             } else if number > 0 {
                 // the place where both begin is there already
-                poses.drain(..1);
+                rows.drain(..1);
             }
-            all.append(&mut poses);
+            all.append(&mut rows);
         }
         all
     }

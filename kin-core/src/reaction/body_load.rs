@@ -1,0 +1,55 @@
+//! What acts on a body beside the reactions of its joints.
+
+use alloc::string::String;
+
+use super::action::Wrench;
+use super::frames::MovedFrame;
+use crate::number::Number;
+use crate::number::series::Series;
+
+/// What exerts a force on a body beside its joints.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BodyLoadKind {
+    /// A mass: its weight and its resistance to acceleration, m (g - a), at its centre; or the couple -I α.
+    Mass,
+    /// A force, a torque, a spring or a damper.
+    Applied,
+    /// The drive of an input, by the index of the input.
+    Drive(usize),
+    /// The friction in a pin.
+    Friction,
+    /// A guide, which keeps the body from turning.
+    Guide,
+}
+
+/// A force at a place of a body, or a couple. All of a body and the forces in its joints are in equilibrium.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BodyLoad {
+    /// What exerts it.
+    pub kind: BodyLoadKind,
+    /// The body.
+    pub body: String,
+    /// Where the force acts; for a couple alone, the origin of the body's frame.
+    pub at: [f64; 2],
+    /// The force.
+    pub force: [f64; 2],
+    /// The couple.
+    pub moment: f64,
+}
+
+/// A force or a couple on a body, by its index.
+pub(super) type Acting<const N: usize> = (BodyLoadKind, usize, Wrench<Series<N>>);
+
+impl BodyLoad {
+    pub(super) fn new<const N: usize>((kind, _, wrench): &Acting<N>, frame: &MovedFrame<N>, body: &str) -> Self {
+        let force = [wrench.force.x, wrench.force.y].map(Number::real);
+        let at = wrench.at.unwrap_or(frame.origin);
+        Self {
+            kind: *kind,
+            body: body.into(),
+            at: [at.x.real(), at.y.real()],
+            force,
+            moment: if wrench.at.is_some() { 0.0 } else { wrench.moment.real() },
+        }
+    }
+}

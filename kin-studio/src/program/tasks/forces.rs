@@ -1,0 +1,241 @@
+//! `kin forces`: what the joints and the drives of a motion bear.
+
+use kin_core::reaction::ReactionPart;
+
+use super::super::case::Case;
+use super::super::command::Forces;
+use super::super::fault::Fault;
+use super::super::file::Told;
+use super::super::loads::{Force, ForceColumn};
+use super::super::progress::watched;
+use super::super::subject::{Extent, Reached, Subject};
+use super::super::text::{self, Column};
+use super::peaks::{Place, moves_at};
+use super::sweep::{headed, tell_jolts};
+use super::{print, write};
+use crate::tables::quoted;
+
+/// A force over the motion, in its unit. What is not determined is not a number, and what has no bound is infinite.
+struct Borne {
+    name: String,
+    /// The bodies on which it acts, and that exert it; none of a drive.
+    bodies: [String; 2],
+    unit: String,
+    /// The value that is largest in size, and where.
+    peak: f64,
+    at: f64,
+    is_limit: bool,
+    rms: f64,
+    lowest: f64,
+    /// The size of the largest rate.
+    rate: f64,
+}
+
+pub(super) fn run(subject: &Subject, options: &Forces, told: &Told) -> Result<(), Fault> {
+    check(subject, told)?;
+    let all = options.setup.typed(told).each_assembly(subject);
+    let (mut texts, mut cases) = (Vec::new(), Vec::new());
+    for (assembly, typed) in &all {
+        let case = typed.case(subject)?;
+        if cases.is_empty() {
+            tell_jolts(subject, &case)?;
+        }
+        let borne = borne(subject, &case)?;
+        texts.push(if options.csv.is_some() {
+            let assembly = (all.len() > 1).then_some(assembly.as_str());
+            csv(subject, &case, &borne, assembly, cases.is_empty())
+        } else {
+            headed(assembly, all.len(), shown(subject, &case, &borne))
+        });
+        cases.push(case);
+    }
+    match &options.csv {
+        Some(path) => write(path, &texts.concat())?,
+        None => print(&texts.join("\n"))?,
+    }
+    cases.iter().try_for_each(|case| subject.closes(case))
+}
+
+/// Whether there are loads and bodies. What is missing is told at once.
+fn check(subject: &Subject, told: &Told) -> Result<(), Fault> {
+    let mut missing = Vec::new();
+    if told.loads.is_empty() {
+        missing.push(
+            "forces come from loads, and there are none: write a `.kin` file with `loads { mass of crank = 2kg at \
+             (30mm, 0), inertia 0.02kgm2; }`, or with forces, as in `force tip = (0, -10N);`"
+                .to_owned(),
+        );
+    }
+    missing.extend(subject.forces(false).no_joints().map(ToString::to_string));
+    if missing.is_empty() {
+        return Ok(());
+    }
+    Err(Fault::Wrong(missing.join("\n\n")))
+}
+
+/// The force of each joint, the moment of each slide, and the effort and the power of each drive.
+fn borne(subject: &Subject, case: &Case) -> Result<Vec<Borne>, Fault> {
+    let Some(forces) = subject.forces_of(case) else {
+        return Ok(Vec::new());
+    };
+    let columns = case.forces(subject).all;
+    let is_of_joint = |column: &&ForceColumn| matches!(column.force, Force::Reaction(..));
+    let is_coordinate =
+        |column: &&ForceColumn| matches!(column.force, Force::Reaction(_, ReactionPart::X | ReactionPart::Y));
+    let values = columns.iter().filter(|column| column.order == 0);
+    let own = values.filter(|column| !is_coordinate(column));
+    let (joints, drives): (Vec<_>, Vec<_>) = own.partition(is_of_joint);
+    let own = [joints, drives].concat();
+    let (mut all, mut faults) = (Vec::new(), Vec::new());
+    watched("searching forces", own.len(), |step| {
+        for column in &own {
+            let rates = |other: &&ForceColumn| other.force == column.force && other.order == 1;
+            let found = forces.extent(column).map_err(|fault| faults.push(fault)).ok();
+            let rates = columns.iter().find(rates).filter(|_| found.is_some());
+            let rate = match &found {
+                Some(found) if is_steady(found) => rates.map(|_| NOTHING),
+                _ => rates.and_then(|rates| forces.peak(rates).ok()),
+            };
+            step();
+            let is_moment = matches!(column.force, Force::Reaction(_, ReactionPart::Moment));
+            // a guide need not hold a moment
+            if !is_moment || !found.as_ref().is_some_and(|found| peak(found).value == Some(0.0)) {
+                let name = column.name(subject.description());
+                let unit = column.unit(subject.description());
+                let size = column.size(subject.description(), case.metres());
+                let bodies = forces.bodies_of(&column.force);
+                all.push(Borne::new([name, unit], bodies, size, found.as_ref(), rate));
+            }
+        }
+    });
+    let is_known = all.iter().any(|one| !one.bodies[0].is_empty() && !one.peak.is_nan());
+    match faults.into_iter().next() {
+        Some(fault) if !is_known => return Err(fault),
+        Some(fault) => eprintln!("note: {fault}"),
+        None => {}
+    }
+    Ok(all)
+}
+
+/// The value that is largest in size; of two that differ by rounding, the positive one.
+fn peak(extent: &Extent) -> Reached {
+    let Extent { lowest, highest, .. } = *extent;
+    let size = |reached: Reached| reached.value.map_or(f64::INFINITY, f64::abs);
+    if size(lowest) > size(highest) * (1.0 + STEADY) {
+        lowest
+    } else {
+        highest
+    }
+}
+
+/// The rate of what does not change.
+const NOTHING: Reached = Reached {
+    value: Some(0.0),
+    at: 0.0,
+    is_limit: false,
+};
+
+/// Whether a force does not change but for rounding, in which nothing is to be sought.
+fn is_steady(extent: &Extent) -> bool {
+    let [lowest, highest] = [extent.lowest, extent.highest].map(|reached| reached.value);
+    let change = lowest.zip(highest).map(|(lowest, highest)| highest - lowest);
+    change.is_some_and(|change| change <= STEADY * peak(extent).value.map_or(0.0, f64::abs))
+}
+
+/// A change or a difference by this part of a force is rounding.
+const STEADY: f64 = 1e-10;
+
+/// Below this part of the peak, what is left of a zero is rounding.
+const ROUNDING: f64 = 1e-12;
+
+impl Borne {
+    /// What was found of a force, of which one has this size in its unit.
+    fn new(
+        [name, unit]: [String; 2],
+        bodies: [String; 2],
+        size: f64,
+        found: Option<&Extent>,
+        rate: Option<Reached>,
+    ) -> Self {
+        let value = |reached: Reached| reached.value.map_or(f64::INFINITY, |value| value * size);
+        let highest = found.map(peak);
+        let own = highest.map_or(f64::NAN, value);
+        let lowest = found.map_or(f64::NAN, |extent| value(extent.lowest));
+        let rms = found.and_then(|extent| extent.rms.as_ref().ok());
+        Self {
+            name,
+            bodies,
+            unit,
+            peak: own,
+            at: highest.map_or(f64::NAN, |highest| highest.at),
+            is_limit: highest.is_some_and(|highest| highest.is_limit),
+            rms: rms.map_or(f64::NAN, |rms| rms.value * size),
+            lowest: if lowest.abs() < ROUNDING * own.abs() {
+                0.0
+            } else {
+                lowest
+            },
+            rate: rate.map_or(f64::NAN, |rate| value(rate).abs()),
+        }
+    }
+}
+
+fn shown(subject: &Subject, case: &Case, all: &[Borne]) -> String {
+    let place = Place::new(subject, case);
+    let words =
+        |head, of: &dyn Fn(&Borne) -> &str| Column::words(head, all.iter().map(|one| of(one).to_owned()).collect());
+    let numbers = |head, of: &dyn Fn(&Borne) -> f64| {
+        let text = |one: &Borne| match of(one) {
+            value if value.is_infinite() => "unbounded".to_owned(),
+            value => text::digits(value),
+        };
+        Column::numbers(head, all.iter().map(text).collect())
+    };
+    let at = |one: &Borne| {
+        if one.at.is_nan() {
+            String::new()
+        } else {
+            place.text(one.at, one.is_limit)
+        }
+    };
+    let columns = [
+        words("force", &|one| &one.name),
+        words("on", &|one| &one.bodies[0]),
+        words("by", &|one| &one.bodies[1]),
+        words("unit", &|one| &one.unit),
+        numbers("peak", &|one| one.peak),
+        Column::words("", all.iter().map(at).collect()),
+        numbers("rms", &|one| one.rms),
+        numbers("lowest", &|one| one.lowest),
+        numbers("rate", &|one| one.rate),
+    ];
+    text::table(&columns) + &moves_at(subject, case)
+}
+
+/// The rows of a file, behind their head if they come first, each behind its assembly if there are several.
+fn csv(subject: &Subject, case: &Case, all: &[Borne], assembly: Option<&str>, is_first: bool) -> String {
+    let place = Place::new(subject, case);
+    let number = |value: f64| {
+        if value.is_nan() {
+            String::new()
+        } else {
+            value.to_string()
+        }
+    };
+    let at = format!("at [{}]", place.unit());
+    let head = ["force", "on", "by", "unit", "peak", &at, "rms", "lowest", "rate"].map(str::to_owned);
+    let head = assembly
+        .map(|_| "assembly".to_owned())
+        .into_iter()
+        .chain(head)
+        .collect();
+    let row = |one: &Borne| -> Vec<String> {
+        let [on, by] = &one.bodies;
+        let words = [&one.name, on, by, &one.unit].map(String::as_str);
+        let numbers = [one.peak, place.value(one.at), one.rms, one.lowest, one.rate];
+        let words = assembly.into_iter().chain(words).map(quoted);
+        words.chain(numbers.map(number)).collect()
+    };
+    let lines = is_first.then_some(head).into_iter().chain(all.iter().map(row));
+    lines.map(|cells: Vec<String>| cells.join(",") + "\n").collect()
+}
