@@ -537,8 +537,8 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
         let mut one_by_one = 0;
         // If there are fewer poses than lanes, they are solved one by one.
         while next < count && count >= W {
-            // The last chunks overlap those before them. The overlapped poses are solved twice, with the same result. None
-            // of them has failed, since what is stored of a failed pose would not be found again.
+            // The last chunks overlap those before them. The overlapped poses are solved twice, with the same result.
+            // None of them has failed, since what is stored of a failed pose would not be found again.
             let wide_start = next.min(count.saturating_sub(CHUNKS * W));
             let is_wide =
                 alone.assembly.is_some() && wide_start >= one_by_one && next + W < count && count >= CHUNKS * W;

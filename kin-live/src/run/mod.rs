@@ -382,8 +382,8 @@ pub(crate) fn arithmetic<T: Scalar, const C: usize>(
     constants: &[f64],
     operation: Operation,
 ) {
-    // Each register is looked up once for all chunks. Cells may be read between writes: a copy of all chunks of an operand
-    // would have to pass through memory once more.
+    // Each register is looked up once for all chunks. Cells may be read between writes: a copy of all chunks of an
+    // operand would have to pass through memory once more.
     macro_rules! each {
         ($to:ident = |$($operand:ident),*| $value:expr) => {{
             let cells = Cell::from_mut(&mut *registers).as_slice_of_cells();
