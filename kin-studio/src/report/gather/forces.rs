@@ -38,7 +38,7 @@ pub(super) fn of<D: SmoothDrive>(wishes: &Wishes<'_>, way: &Way<'_, D>) -> Optio
     })
 }
 
-fn reactions_of<'w>(wishes: &'w Wishes<'_>, wished: &WishedLoads) -> Result<NamedReactions<'w>, ReactionError> {
+fn reactions_of<'w>(wishes: &'w Wishes<'_>, wished: &WishedLoads) -> Result<NamedReactions<'w>, Box<ReactionError>> {
     let mut reactions = wishes.linkage.reactions(&wished.loads)?;
     for (name, friction) in &wished.frictions {
         reactions = reactions.friction(name, *friction)?;
