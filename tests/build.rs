@@ -3,8 +3,8 @@
 
 use std::{env, fs};
 
-/// The first that are such, but for 40 and 42, whose findings are open: another root in single precision at right angles
-/// (40), and a jerk that is off by more than the unit where a coefficient is exactly zero (42).
+/// The first that are such, but for 40 and 42, whose findings are open: another root in single precision at right
+/// angles (40), and a jerk that is off by more than the unit where a coefficient is exactly zero (42).
 const SEEDS: [u64; 4] = [37, 44, 47, 52];
 
 fn main() {

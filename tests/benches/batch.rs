@@ -1,5 +1,5 @@
-//! Many poses in one call: the four-bar linkage through snap in every kind of vectors that the machine has, against the notes'
-//! formulas one pose after the other; other mechanisms against their own solver of one pose.
+//! Many poses in one call: the four-bar linkage through snap in every kind of vectors that the machine has, against the
+//! notes' formulas one pose after the other; other mechanisms against their own solver of one pose.
 //!
 //! `cargo bench -p kin-tests --bench batch` prints lines `ratio NAME VALUE`, from times taken in one run.
 #![allow(missing_docs, reason = "a program")]
@@ -320,8 +320,8 @@ fn coupled() {
     times.ratio("triad.batch", "triad.generated");
 }
 
-/// Turns of a crank-rocker that are folded, against the same turns stored in slices: one number, three numbers, and one with
-/// the transmission angle. Of many poses, and of one for each degree.
+/// Turns of a crank-rocker that are folded, against the same turns stored in slices: one number, three numbers, and one
+/// with the transmission angle. Of many poses, and of one for each degree.
 fn folds() {
     let linkage = FourBar {
         r1: 90.0,

@@ -1,12 +1,13 @@
-//! The compile time that the macro costs its user: crates with 0, 1, 10 and 50 four-bar linkages, with chains of 1 to 16 loops, and
-//! with serial arms of 7 to 30 joints, are built as a user would build them. What each question to a six-bar linkage adds to a release
-//! build comes first.
+//! The compile time that the macro costs its user: crates with 0, 1, 10 and 50 four-bar linkages, with chains of 1 to
+//! 16 loops, and with serial arms of 7 to 30 joints, are built as a user would build them. What each question to a
+//! six-bar linkage adds to a release build comes first.
 //!
-//! `cargo bench -p kin-tests --bench compile_time` prints the time of a cold build, of each crate's own build, and of the expansion
-//! of its macros within it, as the compiler reports them; and lines `ratio NAME VALUE`. Nothing is asserted.
+//! `cargo bench -p kin-tests --bench compile_time` prints the time of a cold build, of each crate's own build, and of
+//! the expansion of its macros within it, as the compiler reports them; and lines `ratio NAME VALUE`. Nothing is
+//! asserted.
 //!
-//! Macros are built without optimisation by default, in release builds as well; `[profile.dev.build-override]` changes that. Both are
-//! measured.
+//! Macros are built without optimisation by default, in release builds as well; `[profile.dev.build-override]` changes
+//! that. Both are measured.
 #![allow(missing_docs, reason = "a program")]
 
 use std::fmt::Write;
@@ -82,8 +83,8 @@ impl User {
         start.elapsed().as_secs_f64()
     }
 
-    /// The compiler's times for each of some crates, the dependencies of which are built. They take turns, and the shortest of
-    /// each counts.
+    /// The compiler's times for each of some crates, the dependencies of which are built. They take turns, and the
+    /// shortest of each counts.
     fn times(&self, sources: &[String]) -> Vec<Times> {
         let mut least = vec![
             Times {
@@ -266,8 +267,8 @@ fn six_bar(question: &str) -> String {
     )
 }
 
-/// What each question to a mechanism costs a release build, whose dependencies are built: in one codegen unit, so that the time is that of
-/// one processor.
+/// What each question to a mechanism costs a release build, whose dependencies are built: in one codegen unit, so that
+/// the time is that of one processor.
 fn questions() {
     let user = User::new(
         "user-questions",

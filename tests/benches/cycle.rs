@@ -1,6 +1,7 @@
 //! The time of the full cycle, as a multiple of the time of one solution through snap.
 //!
-//! `cargo bench -p kin-tests --bench cycle` prints lines `ratio NAME VALUE`, from times taken in one run. Nothing is asserted.
+//! `cargo bench -p kin-tests --bench cycle` prints lines `ratio NAME VALUE`, from times taken in one run. Nothing is
+//! asserted.
 #![allow(missing_docs, reason = "a program")]
 
 use core::hint::black_box;

@@ -1,8 +1,9 @@
-//! The growth of time with the order and with the number of loops, beside automatic differentiation of the position solution.
+//! The growth of time with the order and with the number of loops, beside automatic differentiation of the position
+//! solution.
 //!
-//! `cargo bench -p kin-tests --bench growth` prints lines `ratio NAME VALUE`, from times taken in one run, and the counts of
-//! operations. Nothing is asserted: the counts are, in the test of the same name. With `-- --plot` it draws the figures of the book
-//! from what it has measured.
+//! `cargo bench -p kin-tests --bench growth` prints lines `ratio NAME VALUE`, from times taken in one run, and the
+//! counts of operations. Nothing is asserted: the counts are, in the test of the same name. With `-- --plot` it draws
+//! the figures of the book from what it has measured.
 #![allow(missing_docs, reason = "a program")]
 
 mod measure;

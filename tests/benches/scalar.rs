@@ -1,7 +1,8 @@
-//! One pose at a time: the generated solvers against the notes' formulas, automatic differentiation, and a kernel written by hand.
+//! One pose at a time: the generated solvers against the notes' formulas, automatic differentiation, and a kernel
+//! written by hand.
 //!
-//! `cargo bench -p kin-tests --bench scalar` prints lines `ratio NAME VALUE`, from times taken in one run. None is asserted: what is
-//! asserted, before anything is timed, is that the contenders find the same.
+//! `cargo bench -p kin-tests --bench scalar` prints lines `ratio NAME VALUE`, from times taken in one run. None is
+//! asserted: what is asserted, before anything is timed, is that the contenders find the same.
 #![allow(missing_docs, reason = "a program")]
 #![allow(
     clippy::cast_possible_truncation,
@@ -26,8 +27,8 @@ use num_dual::{Dual, Dual3, HyperDual};
 /// Poses in each turn.
 const POSES: usize = 256;
 
-/// Motions about angles all over a range, one after the other as in a sweep or a control loop, so that branches within arctangents
-/// are as foreseeable as they are there; the rates are random.
+/// Motions about angles all over a range, one after the other as in a sweep or a control loop, so that branches within
+/// arctangents are as foreseeable as they are there; the rates are random.
 fn motions(low: f64, high: f64) -> Vec<[f64; 5]> {
     let mut random = Random::new(1);
     let step = (high - low) / POSES as f64;
@@ -36,8 +37,8 @@ fn motions(low: f64, high: f64) -> Vec<[f64; 5]> {
         .collect()
 }
 
-/// Asserts that two ways agree: to a part in 10⁸ of the largest value of each order, as these poses are well conditioned and the
-/// snap loses no more than that.
+/// Asserts that two ways agree: to a part in 10⁸ of the largest value of each order, as these poses are well
+/// conditioned and the snap loses no more than that.
 fn assert_same(name: &str, own: &[[f64; 5]], other: &[[f64; 5]]) {
     for order in 0..5 {
         let size = other.iter().map(|motion| motion[order].abs()).fold(1.0, f64::max);
@@ -52,8 +53,8 @@ fn assert_same(name: &str, own: &[[f64; 5]], other: &[[f64; 5]]) {
 }
 
 mechanism! {
-    /// The library's four-bar linkage once more, for a program that solves it in one place only: there the position solver is
-    /// compiled into its caller, where with many callers it is one function for all.
+    /// The library's four-bar linkage once more, for a program that solves it in one place only: there the position
+    /// solver is compiled into its caller, where with many callers it is one function for all.
     pub struct SolvedInOnePlace { pub r1: Length, pub r2: Length, pub r3: Length, pub r4: Length }
     input theta2: Angle;
     unknown theta3: Angle, theta4: Angle;

@@ -1,8 +1,9 @@
 //! A cam that moves a four-bar linkage: its profile, pressure angle and radius of curvature.
 //!
-//! A motion law says how the rocker shall move while the cam turns. The linkage is solved the other way round, from the rocker to the
-//! lever that carries the roller, and the roller's path as seen from the turning cam is the pitch curve. Its curvature needs the
-//! second derivatives only, which are exact, so that nothing is fitted. The picture is written into the book.
+//! A motion law says how the rocker shall move while the cam turns. The linkage is solved the other way round, from the
+//! rocker to the lever that carries the roller, and the roller's path as seen from the turning cam is the pitch curve.
+//! Its curvature needs the second derivatives only, which are exact, so that nothing is fitted. The picture is written
+//! into the book.
 //!
 //! ```sh
 //! cargo run -p kin-tests --example cam

@@ -1,8 +1,9 @@
 //! The torque that a servo must give to a four-bar linkage, and the free fall of the same linkage without a drive.
 //!
-//! The torque and its rates are exact, since the accelerations come with their own derivatives. The free fall follows from q'' = (Q - J'
-//! q'²/2)/J, which `Loads::accelerations` solves, and the crate `differential-equations` integrates it. The energy drifts by the error of the
-//! integration alone, which falls with its tolerance, as the program prints. The picture is written into the book.
+//! The torque and its rates are exact, since the accelerations come with their own derivatives. The free fall follows
+//! from q'' = (Q - J' q'²/2)/J, which `Loads::accelerations` solves, and the crate `differential-equations` integrates
+//! it. The energy drifts by the error of the integration alone, which falls with its tolerance, as the program prints.
+//! The picture is written into the book.
 //!
 //! ```sh
 //! cargo run -p kin-tests --features other-crates --example loads
@@ -98,7 +99,8 @@ pub(crate) struct Instant {
     potential: f64,
 }
 
-/// The fall from rest after every step of the method of order 8 of Dormand and Prince. Its steps are not longer than `longest`.
+/// The fall from rest after every step of the method of order 8 of Dormand and Prince. Its steps are not longer than
+/// `longest`.
 pub(crate) fn fall(
     loads: &Loads<Linkage, impl Load<Linkage>>,
     tolerance: f64,

@@ -1,8 +1,9 @@
-//! Numbers of every mechanism of the tests and the library, to the last bit: what a change of structure must not change.
+//! Numbers of every mechanism of the tests and the library, to the last bit: what a change of structure must not
+//! change.
 //!
-//! Each mechanism is solved through snap at 200 scattered poses in each assembly, where it closes and where it does not. A line
-//! tells how many solves succeeded and how many were refused, and a hash of all results and errors. Record before a change, and
-//! compare after it:
+//! Each mechanism is solved through snap at 200 scattered poses in each assembly, where it closes and where it does
+//! not. A line tells how many solves succeeded and how many were refused, and a hash of all results and errors. Record
+//! before a change, and compare after it:
 //!
 //! ```text
 //! cargo run -p kin-tests --features record --example record > before

@@ -26,8 +26,8 @@ pub struct Table<E = f64> {
 const UNTOUCHED: f64 = -1.0;
 
 impl<E: Element> Table<E> {
-    /// Whether a pose has no numbers except its inputs, as one that failed. Places for the sines of what is no direction may
-    /// be left untouched.
+    /// Whether a pose has no numbers except its inputs, as one that failed. Places for the sines of what is no
+    /// direction may be left untouched.
     #[must_use]
     pub fn is_cleared(&self, index: usize) -> bool {
         let mut columns = self.unknowns.iter().chain(&self.outputs).flatten();
@@ -258,8 +258,8 @@ pub fn vectors() -> impl Iterator<Item = Vectors> {
 }
 
 impl<M: ThroughSnap> Poses<M> {
-    /// Asserts that the outcome of a pose is that of the error of `solve`: the same kind, and the same margin up to rounding.
-    /// Returns the difference of the margins, in units of rounding.
+    /// Asserts that the outcome of a pose is that of the error of `solve`: the same kind, and the same margin up to
+    /// rounding. Returns the difference of the margins, in units of rounding.
     ///
     /// # Panics
     /// If it is not.
@@ -288,7 +288,8 @@ impl<M: ThroughSnap> Poses<M> {
         }
     }
 
-    /// The size of rounding in a margin: the sum of its changes as each dimension and each input changes by ε of its size.
+    /// The size of rounding in a margin: the sum of its changes as each dimension and each input changes by ε of its
+    /// size.
     #[must_use]
     pub fn margin_unit(&self, index: usize, assembly: Option<M::Assembly>, margin: f64) -> f64 {
         let parameters = self.mechanisms[index].parameters();

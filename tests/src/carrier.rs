@@ -43,8 +43,8 @@ impl<T: Carrier> Carrier for Nested<T> {
     }
 }
 
-/// The additions, multiplications, divisions and changes of sign by which a position solver carries derivatives of the only input
-/// along, in the first assembly.
+/// The additions, multiplications, divisions and changes of sign by which a position solver carries derivatives of the
+/// only input along, in the first assembly.
 ///
 /// # Panics
 /// Where the mechanism does not close.

@@ -14,8 +14,8 @@ pub fn turned_back(difference: f64) -> f64 {
 
 /// Asserts that two motions agree at every order, within as many units of error as the oracles allow.
 ///
-/// `gauges` are those of the solvers with the number of the unknown in each; the errors of both add up. Angles are compared
-/// modulo whole turns.
+/// `gauges` are those of the solvers with the number of the unknown in each; the errors of both add up. Angles are
+/// compared modulo whole turns.
 ///
 /// # Panics
 /// If they do not agree.

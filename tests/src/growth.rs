@@ -1,4 +1,5 @@
-//! Growth with the order and with the number of loops: operations of the generated solvers, and of nested differentiation.
+//! Growth with the order and with the number of loops: operations of the generated solvers, and of nested
+//! differentiation.
 #![allow(missing_docs, reason = "the mechanisms are numbered")]
 
 use kin_core::count::Counted;

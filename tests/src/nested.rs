@@ -1,11 +1,12 @@
-//! Dual numbers nested in each other, as nested differentiation is done by hand and by most libraries: of any number, so that what
-//! they cost can be counted.
+//! Dual numbers nested in each other, as nested differentiation is done by hand and by most libraries: of any number,
+//! so that what they cost can be counted.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use kin_core::{Number, Scalar};
 
-/// A number and its time derivative. Nested n times it carries the derivatives through the n-th, most of them several times.
+/// A number and its time derivative. Nested n times it carries the derivatives through the n-th, most of them several
+/// times.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nested<T> {
     /// The number.

@@ -1,15 +1,15 @@
 //! Two oracles for the partial derivatives by the parameters, and the tolerance that they are held to.
 //!
 //! (a) The whole solution, position to snap, is run on dual numbers, one parameter at a time as their variable: the
-//! sensitivities are the dual parts. (b) Unknowns and sensitivities are put into the equations as they were declared, as
-//! truncated Taylor series in time whose coefficients are dual numbers in the parameter: what is left must vanish at every
-//! order. The two share no code with each other, and none with the sensitivities.
+//! sensitivities are the dual parts. (b) Unknowns and sensitivities are put into the equations as they were declared,
+//! as truncated Taylor series in time whose coefficients are dual numbers in the parameter: what is left must vanish at
+//! every order. The two share no code with each other, and none with the sensitivities.
 //!
 //! # Tolerance
-//! A sensitivity S of order n is the solution of a linear system with the Jacobian, whose right-hand side is made of motions
-//! and of sensitivities of lower order. Let σ be the largest of all |p S⁽ᵏ⁾| / (size wᵏ) for a parameter p, and no less than
-//! one: how many times the relative error of the parameter becomes that of the motion. Then S⁽ⁿ⁾ is known to σ / p times
-//! the unit ε κ² wⁿ of the motion itself (see [`Gauge`]).
+//! A sensitivity S of order n is the solution of a linear system with the Jacobian, whose right-hand side is made of
+//! motions and of sensitivities of lower order. Let σ be the largest of all |p S⁽ᵏ⁾| / (size wᵏ) for a parameter p, and
+//! no less than one: how many times the relative error of the parameter becomes that of the motion. Then S⁽ⁿ⁾ is known
+//! to σ / p times the unit ε κ² wⁿ of the motion itself (see [`Gauge`]).
 
 use kin_core::prelude::*;
 use kin_core::verify::Inputs;
@@ -141,8 +141,8 @@ pub struct Worst {
 }
 
 impl Worst {
-    /// Solves at one motion and holds the sensitivities of the pose against both oracles. Motions at which the mechanism does not close
-    /// are passed over.
+    /// Solves at one motion and holds the sensitivities of the pose against both oracles. Motions at which the
+    /// mechanism does not close are passed over.
     ///
     /// # Panics
     /// If the mechanism closes, but not on dual numbers.

@@ -1,7 +1,7 @@
 //! A mechanism with its dimensions, without its type: all answers for slices.
 //!
-//! What a declared mechanism answers in its own types, an [`AnyLinkage`] answers in slices of numbers. A program that holds many mechanisms,
-//! or does not know which one it holds, is written for it once.
+//! What a declared mechanism answers in its own types, an [`AnyLinkage`] answers in slices of numbers. A program that
+//! holds many mechanisms, or does not know which one it holds, is written for it once.
 //!
 //! ```
 //! use std::f64::consts::TAU;

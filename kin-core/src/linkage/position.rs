@@ -16,8 +16,8 @@ use crate::picture::TransmissionAngle;
 use crate::sweep::SweptMechanism;
 use crate::track::{TrackError, track_between};
 
-/// The functions of a mechanism from which its answers are found: [`Of::<M>::FUNCTIONS`](Of::FUNCTIONS) has them for every declared
-/// mechanism.
+/// The functions of a mechanism from which its answers are found: [`Of::<M>::FUNCTIONS`](Of::FUNCTIONS) has them for
+/// every declared mechanism.
 pub trait LinkageFunctions:
     Send
     + Sync
@@ -36,7 +36,8 @@ impl<M: Mechanism<Scalar = f64>> LinkageFunctions for Of<M> {}
 
 /// A mechanism with its dimensions, without its type.
 ///
-/// All slices have the lengths that the [`Description`] tells. A shorter slice is an error of the program, which panics.
+/// All slices have the lengths that the [`Description`] tells. A shorter slice is an error of the program, which
+/// panics.
 #[derive(Clone)]
 pub struct AnyLinkage<'m> {
     pub(super) functions: &'m dyn LinkageFunctions,

@@ -27,8 +27,9 @@ impl<'m> AnyLinkage<'m> {
         NamedReactions::new(self.functions, &self.parameters, loads, false)
     }
 
-    /// The forces in its joints, as [`reactions`](Self::reactions) finds them, where its bodies may be guessed from the equations. Look at
-    /// the [guess](Outline::guess): a body that the guess divides, or a joint that it does not see, changes the forces.
+    /// The forces in its joints, as [`reactions`](Self::reactions) finds them, where its bodies may be guessed from the
+    /// equations. Look at the [guess](Outline::guess): a body that the guess divides, or a joint that it does not see,
+    /// changes the forces.
     ///
     /// # Errors
     /// [`ReactionError::Space`] and [`ReactionError::NoBodies`].

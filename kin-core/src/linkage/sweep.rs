@@ -61,7 +61,8 @@ impl<'m> AnyAssembled<'m> {
         }
     }
 
-    /// Over the straight line between two places in the space of the inputs: see [`between`](crate::sweep::Assembled::between).
+    /// Over the straight line between two places in the space of the inputs: see
+    /// [`between`](crate::sweep::Assembled::between).
     pub fn between(self, from: &[f64], to: &[f64], rows: usize) -> AnySweep<'m, StraightLine> {
         let line = StraightLine::new(from, to);
         let range = line.range();
@@ -81,7 +82,8 @@ impl<'m> AnyAssembled<'m> {
 }
 
 impl AnySweep<'_, StraightLine> {
-    /// The speed of the first input that moves, in the direction of the range: see [`speed`](crate::sweep::Sweep::speed).
+    /// The speed of the first input that moves, in the direction of the range: see
+    /// [`speed`](crate::sweep::Sweep::speed).
     pub fn speed(mut self, speed: f64) -> Self {
         self.drive = self.drive.at_speed(speed);
         self
@@ -115,8 +117,8 @@ impl<D: SmoothDrive> AnySweep<'_, D> {
         self.drive.next_joint(after)
     }
 
-    /// The inputs at a value of the variable, each with its derivatives with respect to the variable, the value first. Where two pieces of
-    /// a law meet, `side` selects one.
+    /// The inputs at a value of the variable, each with its derivatives with respect to the variable, the value first.
+    /// Where two pieces of a law meet, `side` selects one.
     #[must_use]
     pub fn inputs(&self, at: f64, side: Side) -> Vec<Vec<f64>> {
         let mut derivatives = vec![0.0; self.linkage.description().inputs.len() * READ];
@@ -153,18 +155,20 @@ impl<D: SmoothDrive> AnySweep<'_, D> {
         exact_table(self.untyped(), &self.drive, precision.into())
     }
 
-    /// A quantity by the name of its column, to ask for its peak, its extremes or its mean: see [`of`](crate::sweep::Sweep::of).
+    /// A quantity by the name of its column, to ask for its peak, its extremes or its mean: see
+    /// [`of`](crate::sweep::Sweep::of).
     pub fn of<'q>(&self, name: &'q str) -> QuantityAlong<'_, Self, ByName<'q>> {
         QuantityAlong::by_name(self, name)
     }
 
-    /// The transmission angle of a dyad, by its index in the order in which the dyads are solved, or its supplement if this is smaller.
+    /// The transmission angle of a dyad, by its index in the order in which the dyads are solved, or its supplement if
+    /// this is smaller.
     pub fn of_transmission_angle(&self, dyad: usize) -> QuantityAlong<'_, Self, ByDyad> {
         QuantityAlong::new(self, ByDyad(dyad))
     }
 
-    /// The effort of the drive of an input under loads, by the index of the input: order 0 is the torque or force, 1 and 2 are its rates by
-    /// time. See [`NamedLoads`].
+    /// The effort of the drive of an input under loads, by the index of the input: order 0 is the torque or force, 1
+    /// and 2 are its rates by time. See [`NamedLoads`].
     pub fn of_effort<'q>(
         &self,
         loads: &'q NamedLoads,
@@ -179,8 +183,8 @@ impl<D: SmoothDrive> AnySweep<'_, D> {
         QuantityAlong::by_power(self, loads, input)
     }
 
-    /// A part of the force in a joint, by the name of the joint: order 0 is the force or moment, 1 and 2 are its rates by time. See
-    /// [`NamedReactions`].
+    /// A part of the force in a joint, by the name of the joint: order 0 is the force or moment, 1 and 2 are its rates
+    /// by time. See [`NamedReactions`].
     pub fn of_reaction<'q>(
         &self,
         reactions: &'q NamedReactions<'q>,
@@ -193,8 +197,8 @@ impl<D: SmoothDrive> AnySweep<'_, D> {
         QuantityAlong::by_reaction(self, reactions, quantity, order)
     }
 
-    /// The effort of the drive of an input with the friction of joints, in the same orders. Without friction it is that of
-    /// [`of_effort`](Self::of_effort).
+    /// The effort of the drive of an input with the friction of joints, in the same orders. Without friction it is that
+    /// of [`of_effort`](Self::of_effort).
     pub fn of_effort_with_friction<'q>(
         &self,
         reactions: &'q NamedReactions<'q>,
@@ -268,7 +272,8 @@ impl<D: SmoothDrive> AnySweep<'_, D> {
         })
     }
 
-    /// The forces in all joints in each row, found by one solution for each. At a joint of laws they are those behind it.
+    /// The forces in all joints in each row, found by one solution for each. At a joint of laws they are those behind
+    /// it.
     ///
     /// # Errors
     /// [`ExtremesError::Sweep`] if the inputs cannot move so. A row in which the mechanism does not close has the error

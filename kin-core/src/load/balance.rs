@@ -11,9 +11,9 @@ use crate::number::{Number, Row};
 
 /// A quantity of dynamics with its derivatives by time.
 ///
-/// It has at least two derivatives fewer than the motions of its mechanism, because forces follow from accelerations: a mechanism
-/// through snap gives the value, the rate and the second rate. One that is declared to a higher order gives more by
-/// [`derivative`](Rates::derivative).
+/// It has at least two derivatives fewer than the motions of its mechanism, because forces follow from accelerations: a
+/// mechanism through snap gives the value, the rate and the second rate. One that is declared to a higher order gives
+/// more by [`derivative`](Rates::derivative).
 #[derive(Clone, Copy)]
 pub struct Rates<M: Mechanism, V: Copy> {
     row: M::Motion<V>,
@@ -73,8 +73,8 @@ impl<M: Mechanism, V: Copy + fmt::Debug> fmt::Debug for Rates<M, V> {
 
 /// The balance of loads and drives in one pose, as [`Loaded::balance`](crate::load::Loaded::balance) returns it.
 ///
-/// Units follow from those of the loads: with metres, kilograms and seconds, efforts are newtons at inputs that are lengths and
-/// newton metres at inputs that are angles, energies are joules, powers watts.
+/// Units follow from those of the loads: with metres, kilograms and seconds, efforts are newtons at inputs that are
+/// lengths and newton metres at inputs that are angles, energies are joules, powers watts.
 #[derive(Clone, Copy)]
 pub struct Balance<M: Mechanism> {
     inputs: M::Inputs<M::Motion<M::Scalar>>,
@@ -103,8 +103,8 @@ impl<M: Mechanism> Balance<M> {
         }
     }
 
-    /// The effort of the drive of each input, with its rates: the torque on an input that is an angle, the force on one that is a
-    /// length. It is positive where it drives the input in its positive direction.
+    /// The effort of the drive of each input, with its rates: the torque on an input that is an angle, the force on one
+    /// that is a length. It is positive where it drives the input in its positive direction.
     #[must_use]
     pub fn efforts(&self) -> M::Inputs<Rates<M, M::Scalar>> {
         M::Inputs::from_fn(|input| Rates::new(self.effort[input], Totals::<M>::effort_entries()))
@@ -131,9 +131,9 @@ impl<M: Mechanism> Balance<M> {
         })
     }
 
-    /// The matrix of equivalent inertias: the kinetic energy is half the sum of its entries times the velocities of both inputs. For
-    /// one input, it is the inertia that this input feels. Rates are those along the motion; for the derivatives by the inputs, see
-    /// [`Loaded::equivalent_inertia`](crate::load::Loaded::equivalent_inertia).
+    /// The matrix of equivalent inertias: the kinetic energy is half the sum of its entries times the velocities of
+    /// both inputs. For one input, it is the inertia that this input feels. Rates are those along the motion; for the
+    /// derivatives by the inputs, see [`Loaded::equivalent_inertia`](crate::load::Loaded::equivalent_inertia).
     #[must_use]
     pub fn inertias(&self) -> M::Inputs<M::Inputs<Rates<M, M::Scalar>>> {
         M::Inputs::from_fn(|row| {
@@ -166,15 +166,15 @@ impl<M: Mechanism> Balance<M> {
         Rates::new(self.damped, Totals::<M>::effort_entries())
     }
 
-    /// The shaking force: the sum of the inertia forces -m a of the moving masses, which the mechanism exerts on its ground. Weights and
-    /// other loads are not in it.
+    /// The shaking force: the sum of the inertia forces -m a of the moving masses, which the mechanism exerts on its
+    /// ground. Weights and other loads are not in it.
     #[must_use]
     pub fn shaking_force(&self) -> Rates<M, Space<M::Scalar>> {
         Self::vector(&self.shaking_force)
     }
 
-    /// The shaking moment about the origin: the sum of -r × m a and of the inertia moments of the links. In the plane it is about z.
-    /// About another point c it is greater by -c × the shaking force.
+    /// The shaking moment about the origin: the sum of -r × m a and of the inertia moments of the links. In the plane
+    /// it is about z. About another point c it is greater by -c × the shaking force.
     #[must_use]
     pub fn shaking_moment(&self) -> Rates<M, Space<M::Scalar>> {
         Self::vector(&self.shaking_moment)

@@ -13,8 +13,8 @@ pub(super) const fn entries<M: LoadedSystem>() -> usize {
 
 /// A coordinate of a point, an angle or a distance: its motion, and its influence coefficients as motions.
 ///
-/// The influence coefficient of an input is the partial derivative of the coordinate with respect to that input. Entry n of its
-/// motion is its n-th derivative by time. Sums and products follow the product rule.
+/// The influence coefficient of an input is the partial derivative of the coordinate with respect to that input. Entry
+/// n of its motion is its n-th derivative by time. Sums and products follow the product rule.
 #[derive(Clone, Copy)]
 pub(super) struct Coordinate<M: LoadedSystem> {
     pub(super) motion: M::Motion<M::Scalar>,

@@ -14,8 +14,8 @@ use crate::quantity::Digits;
 pub enum LoadError {
     /// The mechanism has no pose there.
     Solve(SolveError),
-    /// The two ends of a spring or damper coincide, so that its force has no direction. Or the first two joints of a body do, so that its
-    /// frame has none.
+    /// The two ends of a spring or damper coincide, so that its force has no direction. Or the first two joints of a
+    /// body do, so that its frame has none.
     NoDirection {
         /// The place of the spring, damper or body.
         load: usize,
@@ -37,7 +37,8 @@ pub enum LoadError {
         /// The place of the first input that is concerned, from 0 on.
         input: usize,
     },
-    /// The drive has no effort: there is no such input, or the mechanism is declared to the first order, without accelerations.
+    /// The drive has no effort: there is no such input, or the mechanism is declared to the first order, without
+    /// accelerations.
     NoEffort {
         /// The place of the input, from 0 on.
         input: usize,
@@ -56,7 +57,8 @@ pub enum LoadError {
         /// The place of the body.
         load: usize,
     },
-    /// A result is not finite: a mass, a force, the effort of a drive or another number of a load is not, or is too large.
+    /// A result is not finite: a mass, a force, the effort of a drive or another number of a load is not, or is too
+    /// large.
     NotFinite,
 }
 
@@ -80,27 +82,29 @@ impl fmt::Display for LoadError {
             ),
             Self::NotRigid { load, rate } => write!(
                 formatter,
-                "load {load}: the points do not belong to one rigid body: the scalar product of two lines between them changes \
-                 by {rate} per unit of an input"
+                "load {load}: the points do not belong to one rigid body: the scalar product of two lines between \
+                 them changes by {rate} per unit of an input"
             ),
             Self::NoInertia { input } => write!(
                 formatter,
-                "no mass or inertia resists a motion of input {input}, counted from 0, so that its acceleration is not determined"
+                "no mass or inertia resists a motion of input {input}, counted from 0, so that its acceleration is \
+                 not determined"
             ),
             Self::NoEffort { input } => write!(
                 formatter,
-                "the drive of input {input}, counted from 0, has no effort: there is no such input, or the mechanism is declared \
-                 without accelerations"
+                "the drive of input {input}, counted from 0, has no effort: there is no such input, or the mechanism \
+                 is declared without accelerations"
             ),
             Self::Negative { load, quantity, value } => write!(
                 formatter,
-                "load {load}: the {quantity} is {}: give one that is not negative; a hole is part of its link, whose mass and centre \
-                 are those of the whole",
+                "load {load}: the {quantity} is {}: give one that is not negative; a hole is part of its link, whose \
+                 mass and centre are those of the whole",
                 Digits(*value)
             ),
             Self::BodyInSpace { load } => write!(
                 formatter,
-                "load {load}: bodies have masses by their names in the plane alone; in space give the mass at a point, or `Loads::body`"
+                "load {load}: bodies have masses by their names in the plane alone; in space give the mass at a \
+                 point, or `Loads::body`"
             ),
             Self::NotFinite => write!(
                 formatter,

@@ -8,8 +8,8 @@ use crate::number::Number;
 
 /// A load of the mechanism `M`, or a list of loads.
 ///
-/// Functions that take any loads name it: `fn peak(loads: &Loads<FourBar, impl Load<FourBar>>)`. Do not implement it: a new version may
-/// add items.
+/// Functions that take any loads name it: `fn peak(loads: &Loads<FourBar, impl Load<FourBar>>)`. Do not implement it: a
+/// new version may add items.
 pub trait Load<M: LoadedSystem>: Copy {
     /// The number of loads.
     #[doc(hidden)]
@@ -107,16 +107,18 @@ impl<M: LoadedSystem, P: VaryingNumber<Change<M::Scalar>>, F: Fn(M::Moving) -> P
 
 /// The mass properties of a rigid body in space.
 ///
-/// They are given in a frame that is fixed to the body by three of its points a, b and c: the origin is a, the first axis points to b, the
-/// second lies in the plane of the points, on the side of c, and the third is at right angles to both.
+/// They are given in a frame that is fixed to the body by three of its points a, b and c: the origin is a, the first
+/// axis points to b, the second lies in the plane of the points, on the side of c, and the third is at right angles to
+/// both.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solid {
     /// The mass.
     pub mass: f64,
     /// The centre of mass, in the frame of the three points.
     pub centre: Space<f64>,
-    /// The tensor of inertia about the centre of mass, along the axes of that frame: moments of inertia on the diagonal, negative
-    /// products of inertia beside it. It is symmetric; the mean of both sides of the diagonal counts.
+    /// The tensor of inertia about the centre of mass, along the axes of that frame: moments of inertia on the
+    /// diagonal, negative products of inertia beside it. It is symmetric; the mean of both sides of the diagonal
+    /// counts.
     pub inertia: [[f64; 3]; 3],
 }
 
@@ -130,9 +132,9 @@ pub struct SpaceBody<F> {
 impl<M: LoadedSystem, P: VaryingVector<Change<M::Scalar>>, F: Fn(M::Moving) -> [P; 3] + Copy> Load<M> for SpaceBody<F> {
     const COUNT: usize = 1;
 
-    // With the arms ξ from the centre of mass along unit vectors e fixed to the body, the velocity of a mass element is that of the
-    // centre plus the sum of ξ e'. So the kinetic energy is that of the centre plus half the sum of P e' · e', with the second moments
-    // P = ∫ ξ ξ dm. They follow from the moments of inertia: P = tr(I) / 2 - I.
+    // With the arms ξ from the centre of mass along unit vectors e fixed to the body, the velocity of a mass element is
+    // that of the centre plus the sum of ξ e'. So the kinetic energy is that of the centre plus half the sum of P e' ·
+    // e', with the second moments P = ∫ ξ ξ dm. They follow from the moments of inertia: P = tr(I) / 2 - I.
     fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {
         let load = totals.load;
         let [a, b, c] = [0, 1, 2].map(|corner| Coordinate::of_point(&totals.poses, |pose| (self.points)(pose)[corner]));
@@ -181,7 +183,8 @@ impl<M: LoadedSystem, P: VaryingVector<Change<M::Scalar>>, F: Fn(M::Moving) -> [
     }
 }
 
-/// By so many roundings of its size the scalar product of two vectors may change: its factors come from places that are rounded.
+/// By so many roundings of its size the scalar product of two vectors may change: its factors come from places that are
+/// rounded.
 const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
 
 /// Whether the scalar product of two vectors is constant up to half of the digits, otherwise its rate.

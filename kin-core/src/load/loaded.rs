@@ -11,8 +11,8 @@ use crate::number::{Number, Row};
 #[diagnostic::on_unimplemented(
     message = "the loads are not those of `{M}`",
     label = "declare the loads for this mechanism and its number type, as in `Loads::<Press>::new()`",
-    note = "along a sweep the number type is `Local`: `Loads::<Press<Local>>::new()`, or a function of any number type, \
-            `fn loads<T: Scalar>() -> Loads<Press<T>, impl Load<Press<T>>>`"
+    note = "along a sweep the number type is `Local`: `Loads::<Press<Local>>::new()`, or a function of any number \
+    type, `fn loads<T: Scalar>() -> Loads<Press<T>, impl Load<Press<T>>>`"
 )]
 pub trait LoadsOf<M: Mechanism> {
     /// The balance in the pose that `solve` finds, for numbers with their change along one input each.
@@ -29,11 +29,12 @@ pub trait LoadsOf<M: Mechanism> {
 pub trait Loaded: Mechanism {
     /// The balance of loads and drives in the pose at given motions of the inputs.
     ///
-    /// The mechanism is solved once for each input, over numbers with their change. Where it has a single position, there is no assembly
-    /// to give: `lift.balance(&loads, [motion])`.
+    /// The mechanism is solved once for each input, over numbers with their change. Where it has a single position,
+    /// there is no assembly to give: `lift.balance(&loads, [motion])`.
     ///
     /// # Errors
-    /// Returns [`LoadError::Solve`] where the mechanism has no pose, and the other errors for loads without a result there.
+    /// Returns [`LoadError::Solve`] where the mechanism has no pose, and the other errors for loads without a result
+    /// there.
     fn balance(
         &self,
         loads: &impl LoadsOf<Self>,
@@ -61,7 +62,8 @@ pub trait Loaded: Mechanism {
 
     /// The matrix of equivalent inertias with its derivatives by the inputs, at given values of the inputs.
     ///
-    /// The derivatives are those along a motion of one input at unit speed, for each in turn. So no speed is divided by.
+    /// The derivatives are those along a motion of one input at unit speed, for each in turn. So no speed is divided
+    /// by.
     ///
     /// # Errors
     /// Returns the errors of [`balance`](Self::balance).
@@ -93,16 +95,16 @@ pub trait Loaded: Mechanism {
         dynamics::equivalent_inertia(inputs, |moving| self.balance(loads, moving, assembly))
     }
 
-    /// The accelerations of the inputs under given efforts of their drives, from their values and velocities: forward dynamics. Without
-    /// drives, the efforts are zero.
+    /// The accelerations of the inputs under given efforts of their drives, from their values and velocities: forward
+    /// dynamics. Without drives, the efforts are zero.
     ///
-    /// The equations of motion are J q'' = Q - R, with the matrix J of equivalent inertias, the efforts Q, and the efforts R that the same
-    /// velocities would need without acceleration. A solver of ordinary differential equations turns them into a motion. The mechanism's
-    /// order must be 2 or higher.
+    /// The equations of motion are J q'' = Q - R, with the matrix J of equivalent inertias, the efforts Q, and the
+    /// efforts R that the same velocities would need without acceleration. A solver of ordinary differential equations
+    /// turns them into a motion. The mechanism's order must be 2 or higher.
     ///
     /// # Errors
-    /// Returns the errors of [`balance`](Self::balance), [`LoadError::NoInertia`] if the matrix is not positive definite up to rounding, and
-    /// [`LoadError::NotFinite`] if an effort or an acceleration is not finite.
+    /// Returns the errors of [`balance`](Self::balance), [`LoadError::NoInertia`] if the matrix is not positive
+    /// definite up to rounding, and [`LoadError::NotFinite`] if an effort or an acceleration is not finite.
     ///
     /// ```
     /// use kin_core::library::SliderCrank;

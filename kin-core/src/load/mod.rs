@@ -1,8 +1,9 @@
 //! Loads: the efforts of drives, equivalent inertia, energies and shaking forces, by virtual work.
 //!
-//! [`Loads`] lists masses, moments of inertia, gravity, forces, torques, springs and dampers. Each is tied to a point or an angle of the
-//! mechanism by a function of the pose. [`balance`](Loaded::balance) of a mechanism returns the [`Balance`] of a pose: what the drive of each input must give, with the
-//! first and second rates that a servo has to follow, and more.
+//! [`Loads`] lists masses, moments of inertia, gravity, forces, torques, springs and dampers. Each is tied to a point
+//! or an angle of the mechanism by a function of the pose. [`balance`](Loaded::balance) of a mechanism returns the
+//! [`Balance`] of a pose: what the drive of each input must give, with the first and second rates that a servo has to
+//! follow, and more.
 //!
 //! ```
 //! use kin_core::load::Loads;
@@ -42,24 +43,25 @@
 //!
 //! # Method
 //!
-//! By d'Alembert's principle, the virtual work of drives, loads and inertia forces vanishes: the drive of the input q has the effort
-//! Q = Σ m a · ∂r/∂q + Σ I α ∂θ/∂q - Σ F · ∂r/∂q - Σ M ∂θ/∂q + ∂V/∂q. (H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd
-//! edition, Addison-Wesley 2002, section 1.4.)
+//! By d'Alembert's principle, the virtual work of drives, loads and inertia forces vanishes: the drive of the input q
+//! has the effort Q = Σ m a · ∂r/∂q + Σ I α ∂θ/∂q - Σ F · ∂r/∂q - Σ M ∂θ/∂q + ∂V/∂q. (H. Goldstein, C. Poole & J.
+//! Safko, *Classical Mechanics*, 3rd edition, Addison-Wesley 2002, section 1.4.)
 //!
-//! The influence coefficients ∂r/∂q come from the solvers themselves, run once for each input over numbers that carry the change with
-//! that input. Because partial derivatives by q and by time commute, this gives all their derivatives by time, too. Nothing is divided by
-//! a speed, so that a start from rest and a dwell are like other poses, and closed forms and Newton's method serve alike.
+//! The influence coefficients ∂r/∂q come from the solvers themselves, run once for each input over numbers that carry
+//! the change with that input. Because partial derivatives by q and by time commute, this gives all their derivatives
+//! by time, too. Nothing is divided by a speed, so that a start from rest and a dwell are like other poses, and closed
+//! forms and Newton's method serve alike.
 //!
 //! # Other numbers
 //!
-//! Loads take the number type of the mechanism. `Loads::<Press<Local>>` balances along a [sweep](crate::sweep), where an effort carries its
-//! derivatives, so that its peaks, means and sensitivities are found like those of any quantity. A function of any number type serves
-//! both: `fn loads<T: Scalar>() -> Loads<Press<T>, impl Load<Press<T>>>`.
+//! Loads take the number type of the mechanism. `Loads::<Press<Local>>` balances along a [sweep](crate::sweep), where
+//! an effort carries its derivatives, so that its peaks, means and sensitivities are found like those of any quantity.
+//! A function of any number type serves both: `fn loads<T: Scalar>() -> Loads<Press<T>, impl Load<Press<T>>>`.
 //!
 //! # Names
 //!
-//! [`NamedLoads`] acts on points and angles by their names. A program that does not know the type of its mechanism asks an
-//! [`AnySweep`](crate::linkage::AnySweep) for their efforts.
+//! [`NamedLoads`] acts on points and angles by their names. A program that does not know the type of its mechanism asks
+//! an [`AnySweep`](crate::linkage::AnySweep) for their efforts.
 //!
 //! The forces in the joints, with friction, are those of [`reaction`](crate::reaction).
 
@@ -109,18 +111,20 @@ use crate::number::Changing;
 /// A number with its change along one input.
 pub type Change<T = f64> = Changing<T>;
 
-/// The pose that the functions of loads receive: that of the mechanism `M`, over numbers with their change along one input. It has the
-/// fields of any pose.
+/// The pose that the functions of loads receive: that of the mechanism `M`, over numbers with their change along one
+/// input. It has the fields of any pose.
 pub type Moving<M> = <<M as Mechanism>::With<Change<<M as Mechanism>::Scalar>> as Mechanism>::Pose;
 
 /// Masses, moments of inertia, gravity, forces, torques, springs and dampers on the mechanism `M`.
 ///
-/// Points and angles are chosen by functions of the pose: `|pose| pose.tool`. Declare the points as outputs of the mechanism. A fixed point
-/// is a `Plane` or a `Space`: `|_| Plane::new(0.3, 0.0)`. Forces and torques are constant, or a [`Motion`](crate::Motion) in time.
+/// Points and angles are chosen by functions of the pose: `|pose| pose.tool`. Declare the points as outputs of the
+/// mechanism. A fixed point is a `Plane` or a `Space`: `|_| Plane::new(0.3, 0.0)`. Forces and torques are constant, or
+/// a [`Motion`](crate::Motion) in time.
 ///
 /// Units are free, but must fit together: metres, kilograms, seconds and newtons, for example. Angles are in radians.
 ///
-/// The list does not allocate. It depends on no dimension of the mechanism, so that one list serves all variants of a design.
+/// The list does not allocate. It depends on no dimension of the mechanism, so that one list serves all variants of a
+/// design.
 #[derive(Clone, Copy)]
 pub struct Loads<M: Mechanism, L = ()> {
     list: L,
@@ -172,7 +176,8 @@ impl<M: Mechanism, L> Loads<M, L> {
         self
     }
 
-    /// A mass at a point: the centre of mass of a link or of a slider. A negative mass is an error of the [balance](Loaded::balance).
+    /// A mass at a point: the centre of mass of a link or of a slider. A negative mass is an error of the
+    /// [balance](Loaded::balance).
     #[must_use]
     pub fn mass<P, F>(self, mass: f64, point: F) -> Loads<M, (L, Mass<F>)>
     where
@@ -182,8 +187,8 @@ impl<M: Mechanism, L> Loads<M, L> {
         self.and(Mass { mass, point })
     }
 
-    /// The moment of inertia of a link of the plane about its centre of mass, or of a rotor about its axis, with the angle by which it
-    /// turns. Its axis is z; the direction matters for the shaking moment alone.
+    /// The moment of inertia of a link of the plane about its centre of mass, or of a rotor about its axis, with the
+    /// angle by which it turns. Its axis is z; the direction matters for the shaking moment alone.
     #[must_use]
     pub fn inertia<P, F>(self, inertia: f64, angle: F) -> Loads<M, (L, Inertia<F>)>
     where
@@ -246,7 +251,8 @@ impl<M: Mechanism, L> Loads<M, L> {
         self.and(SpaceBody { solid, points })
     }
 
-    /// A force at a point. A force that changes in time is a `Motion` with at least two derivatives fewer than the mechanism.
+    /// A force at a point. A force that changes in time is a `Motion` with at least two derivatives fewer than the
+    /// mechanism.
     #[must_use]
     pub fn force<V, P, F>(self, force: V, point: F) -> Loads<M, (L, Force<V, F>)>
     where
@@ -258,7 +264,8 @@ impl<M: Mechanism, L> Loads<M, L> {
         self.and(Force { force, point })
     }
 
-    /// A torque on a link, positive in the direction of its angle, or a force on a slider, positive in the direction of its distance.
+    /// A torque on a link, positive in the direction of its angle, or a force on a slider, positive in the direction of
+    /// its distance.
     #[must_use]
     pub fn torque<V, P, F>(self, torque: V, angle: F) -> Loads<M, (L, Torque<V, F>)>
     where

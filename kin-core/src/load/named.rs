@@ -51,11 +51,11 @@ impl From<Space<f64>> for PointPlace<'_> {
     }
 }
 
-/// Masses, moments of inertia, gravity, forces, torques, springs and dampers on a mechanism without its type. Points, angles and distances
-/// are called by their names.
+/// Masses, moments of inertia, gravity, forces, torques, springs and dampers on a mechanism without its type. Points,
+/// angles and distances are called by their names.
 ///
-/// The loads and their units are those of [`Loads`](crate::load::Loads). A sweep tells the effort of a drive with its two rates:
-/// [`of_effort`](crate::linkage::AnySweep::of_effort).
+/// The loads and their units are those of [`Loads`](crate::load::Loads). A sweep tells the effort of a drive with its
+/// two rates: [`of_effort`](crate::linkage::AnySweep::of_effort).
 ///
 /// ```
 /// use std::f64::consts::TAU;
@@ -80,7 +80,8 @@ impl From<Space<f64>> for PointPlace<'_> {
 ///     .mass(0.8, "piston")?
 ///     .inertia(0.01, "phi")?;
 /// let turn = linkage.sweep(AssemblyChoice::Index(0)).between(&[0.0], &[TAU], 361).speed(rpm(900.0));
-/// println!("{} N m, with a rate of {} N m/s", turn.of_effort(&loads, 0, 0).peak()?, turn.of_effort(&loads, 0, 1).peak()?);
+/// let [torque, rate] = [0, 1].map(|order| turn.of_effort(&loads, 0, order).peak());
+/// println!("{} N m, with a rate of {} N m/s", torque?, rate?);
 /// assert!(loads.mass(0.1, "pistn").is_err());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -99,8 +100,8 @@ pub struct NamedLoads {
 /// A load with the indices of its quantities.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum NamedLoad {
-    /// A mass and a moment of inertia about its centre, and the body. A centre that is no point of the mechanism lies in the frame of the
-    /// body.
+    /// A mass and a moment of inertia about its centre, and the body. A centre that is no point of the mechanism lies
+    /// in the frame of the body.
     Body(f64, f64, PointIndex, usize, BodyFrame),
     Mass(f64, PointIndex),
     Inertia(f64, usize),
@@ -235,9 +236,9 @@ impl NamedLoads {
 
     /// The mass of a body of the plane, its centre, and its moment of inertia about this centre.
     ///
-    /// The centre is a point of the mechanism that moves with the body, or a [`Plane`] in the frame of the body: the first axis leads from
-    /// its first joint to its second one, and the second lies to the left of it. The frame of a body with one joint lies along the slide
-    /// that it carries, or along which it moves.
+    /// The centre is a point of the mechanism that moves with the body, or a [`Plane`] in the frame of the body: the
+    /// first axis leads from its first joint to its second one, and the second lies to the left of it. The frame of a
+    /// body with one joint lies along the slide that it carries, or along which it moves.
     ///
     /// ```
     /// use kin_core::any::{Of, Pictured};
@@ -268,7 +269,8 @@ impl NamedLoads {
         Ok(self.and(NamedLoad::Body(mass, inertia, centre, index, frame)))
     }
 
-    /// The moment of inertia of a link about its centre of mass, in the plane: see [`inertia`](crate::load::Loads::inertia).
+    /// The moment of inertia of a link about its centre of mass, in the plane: see
+    /// [`inertia`](crate::load::Loads::inertia).
     ///
     /// # Errors
     /// [`NoSuchPlace`] if no angle has the name, as for all loads on angles.
@@ -414,9 +416,9 @@ impl NamedLoads {
         self.loads.iter().any(|load| matches!(load, NamedLoad::Body(..)))
     }
 
-    /// The effort of the drive of one input with its rates, from the motions of parameters, inputs, unknowns and outputs, and of the places of
-    /// a picture in the plane, with their changes along this input. The directions of slides are unit vectors. Nothing needs the places if
-    /// no [body](Self::has_bodies) has a mass.
+    /// The effort of the drive of one input with its rates, from the motions of parameters, inputs, unknowns and
+    /// outputs, and of the places of a picture in the plane, with their changes along this input. The directions of
+    /// slides are unit vectors. Nothing needs the places if no [body](Self::has_bodies) has a mass.
     pub(crate) fn effort<T: Scalar>(
         &self,
         quantities: &[NamedMotion<T>],

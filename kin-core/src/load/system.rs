@@ -5,7 +5,8 @@ use crate::mechanism::Mechanism;
 use crate::number::Row;
 use crate::solve::Scalar;
 
-/// What loads act on: a mechanism by its type, or the quantities of one by their names. Do not implement it: a new version may add items.
+/// What loads act on: a mechanism by its type, or the quantities of one by their names. Do not implement it: a new
+/// version may add items.
 pub trait LoadedSystem: Copy {
     /// The number type.
     type Scalar: Scalar;

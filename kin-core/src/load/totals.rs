@@ -10,8 +10,8 @@ use crate::number::{Number, Row};
 
 /// The sums over all loads, to which each load adds its own part.
 ///
-/// With a coordinate s of the weight w, and its influence coefficient g of an input, the virtual work of inertia gives the input the
-/// effort w s'' g. Each rate of the effort follows by Leibniz's rule from the derivatives of s and g.
+/// With a coordinate s of the weight w, and its influence coefficient g of an input, the virtual work of inertia gives
+/// the input the effort w s'' g. Each rate of the effort follows by Leibniz's rule from the derivatives of s and g.
 pub struct Totals<M: LoadedSystem> {
     /// The pose, with the change along one input each.
     pub(super) poses: M::Inputs<M::Moving>,

@@ -5,7 +5,8 @@ use crate::motion::{Direction, Motion};
 use crate::number::Number;
 use crate::solve::Scalar;
 
-/// A vector that is constant, or that is given with its derivatives by time: a point, a force, or the acceleration of gravity.
+/// A vector that is constant, or that is given with its derivatives by time: a point, a force, or the acceleration of
+/// gravity.
 ///
 /// | for | accepted |
 /// |---|---|
@@ -17,8 +18,9 @@ use crate::solve::Scalar;
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a vector: points, forces and gravity are",
     label = "write a vector: `Plane::new(0.0, -9.81)`, or `Space::new(..)` in space",
-    note = "points are motions of a pose, as in `|pose| pose.tool`, or a `Plane` or `Space` of numbers with a decimal point for a point \
-            of the ground; the force on a slider along its own distance is a number: `torque(force, |pose| pose.s)`"
+    note = "points are motions of a pose, as in `|pose| pose.tool`, or a `Plane` or `Space` of numbers with a decimal \
+    point for a point of the ground; the force on a slider along its own distance is a number: `torque(force, |pose| \
+    pose.s)`"
 )]
 pub trait VaryingVector<T>: Copy {
     /// The number of entries that are known: the value, and the derivatives in ascending order.

@@ -146,7 +146,8 @@ impl Action {
     }
 }
 
-/// So many terms of two rates must agree, and to this part of their sizes: a body that turns at another rate does not agree in all of them.
+/// So many terms of two rates must agree, and to this part of their sizes: a body that turns at another rate does not
+/// agree in all of them.
 pub(super) const TERMS: usize = 3;
 pub(super) const AGREEMENT: f64 = 1e-7;
 
@@ -165,7 +166,8 @@ fn sign_of<const N: usize>(rates: &[[Series<N>; 2]]) -> Option<f64> {
 pub(super) struct Influences<'i, 'o, const N: usize> {
     pub(super) outline: &'i Outline<'o>,
     pub(super) all: &'i [Influence<N>],
-    /// The same with other dimensions, in which bodies of the same length no longer move alike. It is only asked for if several bodies do.
+    /// The same with other dimensions, in which bodies of the same length no longer move alike. It is only asked for if
+    /// several bodies do.
     pub(super) otherwise: &'i dyn Fn() -> Vec<Influence<N>>,
 }
 

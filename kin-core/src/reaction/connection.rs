@@ -29,7 +29,8 @@ pub(super) fn member_name(outline: &Outline<'_>, member: Member) -> String {
     member.map_or("ground", |body| outline.bodies[body].name).to_string()
 }
 
-/// The bodies that hold a joint, the ground among them. A body that carries the line on which the joint slides is none of them.
+/// The bodies that hold a joint, the ground among them. A body that carries the line on which the joint slides is none
+/// of them.
 pub(super) fn holders(outline: &Outline<'_>, joint: usize) -> Vec<Member> {
     let carries = |body: usize| {
         let mut slides = outline.slides.iter();
@@ -49,7 +50,8 @@ fn certain(outline: &Outline<'_>, joint: usize, holders: &[Member]) -> Option<Me
     ground.or_else(|| holders.iter().find(is_slider)).copied()
 }
 
-/// The body to which all others of a joint are pinned, and on which a slide acts: the one that holds it for certain, or the first.
+/// The body to which all others of a joint are pinned, and on which a slide acts: the one that holds it for certain, or
+/// the first.
 pub(super) fn hub(outline: &Outline<'_>, joint: usize) -> Option<Member> {
     let holders = holders(outline, joint);
     certain(outline, joint, &holders).or_else(|| holders.first().copied())

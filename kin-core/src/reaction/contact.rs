@@ -12,7 +12,8 @@ use crate::number::Number;
 use crate::number::series::Series;
 
 impl<const N: usize> Equations<'_, N> {
-    /// The forces with friction, from those without it and from what a unit of the friction of each joint changes in them.
+    /// The forces with friction, from those without it and from what a unit of the friction of each joint changes in
+    /// them.
     pub(super) fn with_friction(
         &self,
         unknowns: &[Unknown],

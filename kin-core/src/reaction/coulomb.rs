@@ -1,10 +1,11 @@
 //! The loads of Coulomb friction, which depend on forces that they change.
 //!
-//! With the friction f of all contacts, the force in one of them has parts that are linear in f, and its own friction is a measure of them:
-//! f = |b + C f|. Two facts make this solvable with certainty. The measures change by no more than their parts, so the matrix of the sizes
-//! of C bounds the whole right side: if its spectral radius is below one, the right side is a contraction, and there is one solution. (The
-//! bound is that of Collatz and Wielandt: R. S. Varga, *Matrix Iterative Analysis*, 2nd edition, Springer 2000, section 2.1.) And measures
-//! are homogeneous, so that Newton's method is a linear system in which the direction of each force stands.
+//! With the friction f of all contacts, the force in one of them has parts that are linear in f, and its own friction
+//! is a measure of them: f = |b + C f|. Two facts make this solvable with certainty. The measures change by no more
+//! than their parts, so the matrix of the sizes of C bounds the whole right side: if its spectral radius is below one,
+//! the right side is a contraction, and there is one solution. (The bound is that of Collatz and Wielandt: R. S. Varga,
+//! *Matrix Iterative Analysis*, 2nd edition, Springer 2000, section 2.1.) And measures are homogeneous, so that
+//! Newton's method is a linear system in which the direction of each force stands.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -43,7 +44,8 @@ pub(super) struct FrictionLoads<const N: usize> {
 /// Why there is no friction that belongs to the forces without it.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Unsolved {
-    /// As friction grows from nothing, its solution ends at this share of it, and these contacts have the largest loads there.
+    /// As friction grows from nothing, its solution ends at this share of it, and these contacts have the largest loads
+    /// there.
     Locked { share: f64, contacts: Vec<usize> },
     /// The iteration has not converged.
     Slow { steps: usize, contraction: f64 },
@@ -61,7 +63,8 @@ const SHORTEST: f64 = 1e-10;
 /// The rounding of a measure, as a part of the sum of the sizes of its terms.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// The friction of contacts. On the left side of a place, `parity` is -1: odd powers of the variable are negative there.
+/// The friction of contacts. On the left side of a place, `parity` is -1: odd powers of the variable are negative
+/// there.
 pub(super) fn solve<const N: usize>(
     contacts: &[Contact<Series<N>>],
     parity: f64,
@@ -249,7 +252,8 @@ impl System<'_> {
         linear(self.contacts, &directions.collect::<Vec<_>>(), share)
     }
 
-    /// The only solution of a contraction. Each step is the better one of Newton's method and of the iteration, which contracts.
+    /// The only solution of a contraction. Each step is the better one of Newton's method and of the iteration, which
+    /// contracts.
     fn contracted(&self, contraction: f64) -> Result<Vec<f64>, Unsolved> {
         let mut loads = self.image(&vec![0.0; self.contacts.len()]);
         for _ in 0..STEPS {
@@ -322,7 +326,8 @@ impl System<'_> {
     }
 }
 
-/// The slope of a measure along its parts as series, and whether the parts pass through zero. There, the slope is that beside the zero.
+/// The slope of a measure along its parts as series, and whether the parts pass through zero. There, the slope is that
+/// beside the zero.
 fn direction<const N: usize>(contact: &Contact<Series<N>>, loads: &[Series<N>], parity: f64) -> (Vec<Series<N>>, bool) {
     let parts = contact.parts(loads);
     let values: Vec<f64> = loads.iter().map(|load| load.real()).collect();
@@ -404,8 +409,9 @@ mod tests {
         }
     }
 
-    /// f = |n - c f| has one solution for |c| < 1. From there on it has a second one or none, and the one that grows with friction is
-    /// n/(1 + c). (P. Painlevé, Sur les lois du frottement de glissement, Comptes rendus 121, 1895, 112-115.)
+    /// f = |n - c f| has one solution for |c| < 1. From there on it has a second one or none, and the one that grows
+    /// with friction is n/(1 + c). (P. Painlevé, Sur les lois du frottement de glissement, Comptes rendus 121, 1895,
+    /// 112-115.)
     #[test]
     fn one_slide_has_one_two_or_no_solutions() {
         let bare = Fifth::from_coefficients([3.0, -1.0, 0.5, 0.2, 0.1]);

@@ -32,8 +32,9 @@ impl Efficiency {
         self.input - self.heat
     }
 
-    /// The part of the power that passes the joints: from drives to loads, or from loads to drives where these drive. It is zero or less if
-    /// drives and loads both feed friction, as where it [locks](Self::is_locked). None if nothing has power.
+    /// The part of the power that passes the joints: from drives to loads, or from loads to drives where these drive.
+    /// It is zero or less if drives and loads both feed friction, as where it [locks](Self::is_locked). None if nothing
+    /// has power.
     #[must_use]
     pub fn ratio(&self) -> Option<f64> {
         let output = self.output();
@@ -46,7 +47,8 @@ impl Efficiency {
         ratio.is_finite().then_some(ratio)
     }
 
-    /// Whether the loads push in the sense of the motion, and the drives must push too: without them, friction holds the mechanism.
+    /// Whether the loads push in the sense of the motion, and the drives must push too: without them, friction holds
+    /// the mechanism.
     #[must_use]
     pub fn is_locked(&self) -> bool {
         self.input >= 0.0 && self.output() < -NO_POWER * (self.input + self.heat)

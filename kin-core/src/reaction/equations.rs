@@ -64,7 +64,8 @@ pub(super) struct Solution<const N: usize> {
     pub(super) begun_heat: f64,
     /// The factor by which forces and friction contract.
     pub(super) contraction: f64,
-    /// The couples with which guides keep bodies from turning, which need not be those on which the forces of the slides act.
+    /// The couples with which guides keep bodies from turning, which need not be those on which the forces of the
+    /// slides act.
     pub(super) turned: Vec<(usize, Wrench<Series<N>>)>,
 }
 
@@ -347,7 +348,8 @@ fn reals<const N: usize>(column: &[Series<N>]) -> Vec<f64> {
 /// So many terms of a combination tell whether an unknown takes part in it: the value and both rates.
 const TERMS: usize = 3;
 
-/// Which unknowns of the basis take part in a combination that is zero, by the sizes of their forces beside that of the column itself.
+/// Which unknowns of the basis take part in a combination that is zero, by the sizes of their forces beside that of the
+/// column itself.
 fn open<const N: usize>(
     parts: &[Series<N>],
     basis: &[usize],

@@ -144,12 +144,13 @@ impl fmt::Display for ReactionError {
             Self::Load(error) => write!(formatter, "{error}"),
             Self::Guessed { statements } => write!(
                 formatter,
-                "the declaration does not state its bodies, on which the forces in joints depend; if this is how they are joined, add\n{statements}"
+                "the declaration does not state its bodies, on which the forces in joints depend; if this is how they \
+                 are joined, add\n{statements}"
             ),
             Self::Space => write!(
                 formatter,
-                "the mechanism is one of space: the forces in its joints need their axes, which nothing declares; forces in joints are \
-                 found in the plane"
+                "the mechanism is one of space: the forces in its joints need their axes, which nothing declares; \
+                 forces in joints are found in the plane"
             ),
             Self::NoBodies => write!(
                 formatter,
@@ -157,7 +158,8 @@ impl fmt::Display for ReactionError {
             ),
             Self::NotRigid { body, rate } => write!(
                 formatter,
-                "the points of the body `{body}` do not keep their distances: one moves against the others by {} per unit of an input",
+                "the points of the body `{body}` do not keep their distances: one moves against the others by {} per \
+                 unit of an input",
                 Digits(*rate)
             ),
             Self::NoFrame { body } => write!(
@@ -166,7 +168,8 @@ impl fmt::Display for ReactionError {
             ),
             Self::Place { what, places } if places.is_empty() => write!(
                 formatter,
-                "no body holds the place of {what}: list the point among those of its body, or let a body turn like the angle"
+                "no body holds the place of {what}: list the point among those of its body, or let a body turn like \
+                 the angle"
             ),
             Self::Place { what, places } => write!(
                 formatter,
@@ -194,15 +197,16 @@ impl fmt::Display for ReactionError {
                 } else {
                     write!(
                         formatter,
-                        "declare the joint that is missing, or no joint stands for {}, and the force of a gear or a rack is not found",
+                        "declare the joint that is missing, or no joint stands for {}, and the force of a gear or a \
+                         rack is not found",
                         Listed(equations)
                     )
                 }
             }
             Self::Singular { pivot, grows } => write!(
                 formatter,
-                "the position is singular: towards it the forces {} grow beyond all bounds; the smallest pivot of their equations is {} of \
-                 the largest",
+                "the position is singular: towards it the forces {} grow beyond all bounds; the smallest pivot of \
+                 their equations is {} of the largest",
                 Listed(grows),
                 Digits(*pivot)
             ),
@@ -215,27 +219,31 @@ impl fmt::Display for ReactionError {
             }
             Self::Undetermined { reaction, all } => write!(
                 formatter,
-                "the force `{reaction}` is not determined: the joints hold the bodies in more than one way, and equilibrium leaves open {}",
+                "the force `{reaction}` is not determined: the joints hold the bodies in more than one way, and \
+                 equilibrium leaves open {}",
                 Listed(all)
             ),
             Self::Friction { reaction, mistake } => write!(formatter, "the friction of `{reaction}`: {mistake}"),
             Self::AtRest => formatter.write_str(
-                "all inputs rest, where friction takes any sense: say by `about_to_move` which motion is about to begin, or leave out the rest",
+                "all inputs rest, where friction takes any sense: say by `about_to_move` which motion is about to \
+                 begin, or leave out the rest",
             ),
             Self::NoSense { reaction } => write!(
                 formatter,
-                "the bodies of `{reaction}` do not move against each other, so that its friction has no sense: leave it out"
+                "the bodies of `{reaction}` do not move against each other, so that its friction has no sense: leave \
+                 it out"
             ),
             Self::Locked { share, reactions } => write!(
                 formatter,
-                "friction locks the mechanism, and no drive moves it in this sense: forces are in balance up to {} of the friction \
-                 that is stated, most of it at {}",
+                "friction locks the mechanism, and no drive moves it in this sense: forces are in balance up to {} of \
+                 the friction that is stated, most of it at {}",
                 Digits(*share),
                 Listed(reactions)
             ),
             Self::FrictionUnsolved { steps, contraction } => write!(
                 formatter,
-                "friction and the forces that cause it are not found within {steps} steps, each of which contracts by {}",
+                "friction and the forces that cause it are not found within {steps} steps, each of which contracts by \
+                 {}",
                 Digits(*contraction)
             ),
             Self::NotFinite => write!(

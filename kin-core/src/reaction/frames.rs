@@ -55,7 +55,8 @@ impl<const N: usize> MovedFrame<N> {
     }
 }
 
-/// Distances may change by this part of the largest speed, by the rounding of a position that is known to half of its digits.
+/// Distances may change by this part of the largest speed, by the rounding of a position that is known to half of its
+/// digits.
 const RIGID: f64 = 1e-7;
 
 impl<const N: usize> MovedMechanism<N> {

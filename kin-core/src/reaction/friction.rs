@@ -24,7 +24,8 @@ pub enum Friction {
     },
     /// On a slide: the force μ |N| of a normal force N.
     ///
-    /// A bushing of length L that has a moment M carries it by two forces N/2 ± M/L at its ends, and the friction is that of both.
+    /// A bushing of length L that has a moment M carries it by two forces N/2 ± M/L at its ends, and the friction is
+    /// that of both.
     Slide {
         /// The coefficient μ.
         coefficient: f64,
@@ -109,8 +110,8 @@ pub(super) struct Beginning {
     side: Side,
 }
 
-/// A rate below this part of the largest is zero up to rounding, and the next term of the motion counts. It is no more than rounding, as
-/// places next to the end of a stretch, where its side counts, are 16 ε of the variable away from it.
+/// A rate below this part of the largest is zero up to rounding, and the next term of the motion counts. It is no more
+/// than rounding, as places next to the end of a stretch, where its side counts, are 16 ε of the variable away from it.
 const NO_RATE: f64 = 8.0 * f64::EPSILON;
 /// The same for terms of rates, which are less precise.
 const NO_TERM: f64 = 1e-9;
@@ -141,9 +142,10 @@ impl NamedReactions<'_> {
     /// let weight = linkage.loads().force(Plane::new(0.0, -50.0), "block")?;
     /// let friction = Friction::Slide { coefficient: 0.3, length: None };
     /// let reactions = linkage.reactions(&weight)?.friction("block", friction)?;
-    /// // the force with which the load breaks away upwards, and downwards, for which it must be pushed: 0.2 < arctan 0.3
     /// let rest = [Motion::at_constant_speed(0.1, 0.0)];
-    /// for (sense, force) in [(1.0, 50.0 * (0.2_f64.sin() + 0.3 * 0.2_f64.cos())), (-1.0, 50.0 * (0.2_f64.sin() - 0.3 * 0.2_f64.cos()))] {
+    /// // the load breaks away upwards, and must be pushed downwards: 0.2 < arctan 0.3
+    /// for sense in [1.0, -1.0] {
+    ///     let force = 50.0 * (0.2_f64.sin() + sense * 0.3 * 0.2_f64.cos());
     ///     let about_to_move = reactions.clone().about_to_move(&[sense]);
     ///     let found = about_to_move.at(&rest, PositionChoice::Assembly(0))?;
     ///     let [effort, ..] = found.effort(0).ok_or("no effort")?;
@@ -171,8 +173,9 @@ impl NamedReactions<'_> {
         Ok(self)
     }
 
-    /// The same, where friction opposes a motion with these rates of the inputs wherever all of them rest: the efforts are those at which
-    /// this motion is about to begin. Missing rates are zero. Inputs that stand for a moment, as where a law begins, have a motion.
+    /// The same, where friction opposes a motion with these rates of the inputs wherever all of them rest: the efforts
+    /// are those at which this motion is about to begin. Missing rates are zero. Inputs that stand for a moment, as
+    /// where a law begins, have a motion.
     #[must_use]
     pub fn about_to_move(mut self, rates: &[f64]) -> Self {
         self.about_to_move = Some(rates.to_vec());
@@ -264,7 +267,8 @@ impl NamedReactions<'_> {
     }
 }
 
-/// The rate by the variable at which one body of a connection moves against the other: it turns in a pin, and slides on a slide.
+/// The rate by the variable at which one body of a connection moves against the other: it turns in a pin, and slides on
+/// a slide.
 fn relative_rate<const N: usize>(own: &Connection, moved: &MovedMechanism<N>, frames: &[MovedFrame<N>]) -> Series<N> {
     let Some(slide) = own.slide else {
         let turn = |member: Member| member.map_or(Series::ZERO, |body| frames[body].turn);

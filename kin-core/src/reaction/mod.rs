@@ -1,8 +1,9 @@
 //! Joint reactions: the forces in pins and slides, with their rates.
 //!
 //! [`NamedReactions`] are those of a mechanism of the plane under [loads](NamedLoads), without its type:
-//! [`AnyLinkage::reactions`](crate::linkage::AnyLinkage::reactions) makes them. In a pose they tell each force with two rates by time,
-//! and a sweep tells its peak, its extremes and its mean: [`of_reaction`](crate::linkage::AnySweep::of_reaction).
+//! [`AnyLinkage::reactions`](crate::linkage::AnyLinkage::reactions) makes them. In a pose they tell each force with two
+//! rates by time, and a sweep tells its peak, its extremes and its mean:
+//! [`of_reaction`](crate::linkage::AnySweep::of_reaction).
 //!
 //! ```
 //! use kin_core::any::PositionChoice;
@@ -41,14 +42,15 @@
 //!
 //! # Method
 //!
-//! Newton's and Euler's equations of each body, three in the plane, are linear in the forces: two components for each pin, a normal force
-//! for each slide, a moment where nothing but the slide keeps its slider from turning, and the efforts of the drives. (J. Wittenburg,
-//! *Dynamics of Multibody Systems*, 2nd edition, Springer 2008, chapter 5.) Their matrix and the loads are series in time, and so are the
-//! solutions, from the triangular factors of one matrix: rates are exact, and nothing is divided by a speed.
+//! Newton's and Euler's equations of each body, three in the plane, are linear in the forces: two components for each
+//! pin, a normal force for each slide, a moment where nothing but the slide keeps its slider from turning, and the
+//! efforts of the drives. (J. Wittenburg, *Dynamics of Multibody Systems*, 2nd edition, Springer 2008, chapter 5.)
+//! Their matrix and the loads are series in time, and so are the solutions, from the triangular factors of one matrix:
+//! rates are exact, and nothing is divided by a speed.
 //!
-//! [Friction](Friction) opposes the motion in a pin with the moment μ r |F| and on a slide with the force μ |N|, which change F and N in turn.
-//! The same factors tell by how much, and a system with one equation for each joint with friction remains. Its size is bounded before it is
-//! solved: see [`contraction`](Reactions::contraction).
+//! [Friction](Friction) opposes the motion in a pin with the moment μ r |F| and on a slide with the force μ |N|, which
+//! change F and N in turn. The same factors tell by how much, and a system with one equation for each joint with
+//! friction remains. Its size is bounded before it is solved: see [`contraction`](Reactions::contraction).
 
 mod action;
 mod body_load;
@@ -147,12 +149,14 @@ pub(crate) enum ReactionQuantity {
 
 /// The reactions of a mechanism of the plane under loads.
 ///
-/// A reaction is called by the point of its joint, which is an output, as in `"knee"`: it acts on the body that is declared later, and the
-/// earlier one exerts it; of the ground and of guides it acts on the body that they hold. Where more than two bodies meet, one of them
-/// holds the others, and each of these has its own: `"knee_rod"`. A joint without a name is called by its bodies: `"crank_rod"`.
-/// If bodies are pinned to a slider, the reaction of its guide is `"piston_slide"`.
+/// A reaction is called by the point of its joint, which is an output, as in `"knee"`: it acts on the body that is
+/// declared later, and the earlier one exerts it; of the ground and of guides it acts on the body that they hold. Where
+/// more than two bodies meet, one of them holds the others, and each of these has its own: `"knee_rod"`. A joint
+/// without a name is called by its bodies: `"crank_rod"`. If bodies are pinned to a slider, the reaction of its guide
+/// is `"piston_slide"`.
 ///
-/// The body that holds the others is the ground; or the slider, which is a body with this joint alone; or the first body.
+/// The body that holds the others is the ground; or the slider, which is a body with this joint alone; or the first
+/// body.
 #[derive(Clone)]
 pub struct NamedReactions<'m> {
     functions: &'m dyn ReactionFunctions,
@@ -227,7 +231,8 @@ impl<'m> NamedReactions<'m> {
         })
     }
 
-    /// The same, where the drive of an input turns or pushes this body. It need only be said if several bodies move like the input.
+    /// The same, where the drive of an input turns or pushes this body. It need only be said if several bodies move
+    /// like the input.
     ///
     /// # Errors
     /// [`ReactionError::Place`] if there is no such input or body.
@@ -285,8 +290,8 @@ impl<'m> NamedReactions<'m> {
     /// The reactions in the pose at given motions of the inputs, through snap.
     ///
     /// # Errors
-    /// [`ReactionError`] where the mechanism has no pose, where loads or drives have no certain place, and where the joints do not hold the
-    /// bodies.
+    /// [`ReactionError`] where the mechanism has no pose, where loads or drives have no certain place, and where the
+    /// joints do not hold the bodies.
     pub fn at(&self, inputs: &[Motion], choice: PositionChoice<'_, f64>) -> Result<Reactions, ReactionError> {
         let values: Vec<f64> = inputs.iter().map(Motion::value).collect();
         let description = self.functions.description();
@@ -658,7 +663,8 @@ impl Reactions {
     /// A reaction by its name.
     ///
     /// # Errors
-    /// [`ReactionError::Undetermined`] if equilibrium alone does not determine it, and [`ReactionError::NoSuchReaction`].
+    /// [`ReactionError::Undetermined`] if equilibrium alone does not determine it, and
+    /// [`ReactionError::NoSuchReaction`].
     pub fn of(&self, name: &str) -> Result<Reaction, ReactionError> {
         let index = index_of(name, || self.names.iter().map(String::as_str))?;
         match (self.solution.forces[index], self.solution.moments[index]) {
@@ -678,8 +684,8 @@ impl Reactions {
         self.names.iter().map(|name| (name.as_str(), self.of(name)))
     }
 
-    /// What acts on the bodies beside the forces in joints: masses, other loads, drives, and the moments of guides. An effort or a moment
-    /// that equilibrium does not determine is zero among them.
+    /// What acts on the bodies beside the forces in joints: masses, other loads, drives, and the moments of guides. An
+    /// effort or a moment that equilibrium does not determine is zero among them.
     #[must_use]
     pub fn body_loads(&self) -> &[BodyLoad] {
         &self.body_loads
@@ -698,14 +704,15 @@ impl Reactions {
     }
 
     /// The power of the drives and what friction takes of it; at rest, for the motion that is [about to
-    /// begin](NamedReactions::about_to_move). What is left also moves masses. None if equilibrium does not determine an effort.
+    /// begin](NamedReactions::about_to_move). What is left also moves masses. None if equilibrium does not determine an
+    /// effort.
     #[must_use]
     pub fn efficiency(&self) -> Option<Efficiency> {
         self.efficiency
     }
 
-    /// A bound of the factor by which forces change friction and friction the forces. Below 1 there is no other solution; from 1 on, this is
-    /// the one that grows with friction from the forces without it.
+    /// A bound of the factor by which forces change friction and friction the forces. Below 1 there is no other
+    /// solution; from 1 on, this is the one that grows with friction from the forces without it.
     #[must_use]
     pub fn contraction(&self) -> f64 {
         self.solution.contraction

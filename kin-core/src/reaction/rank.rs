@@ -3,8 +3,8 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// A pivot is zero if it is at most this part of the largest entry: entries are known to a relative error of about the rounding times the
-/// condition of the position.
+/// A pivot is zero if it is at most this part of the largest entry: entries are known to a relative error of about the
+/// rounding times the condition of the position.
 const SMALLEST_PIVOT: f64 = 1e-12;
 
 /// What an elimination with full pivoting tells of a matrix.

@@ -151,8 +151,8 @@ fn folded(
     [format!("{told:?}")].into_iter().chain(all).collect()
 }
 
-/// Compares folds over a turn in all assemblies, with memory that is kept from one to the next. Returns how many numbers
-/// were summarised.
+/// Compares folds over a turn in all assemblies, with memory that is kept from one to the next. Returns how many
+/// numbers were summarised.
 pub(crate) fn agreeing_folds<M: Mechanism<Scalar = f64>>(live: &kin_live::Mechanism, memory: &mut KeptMemory) -> usize {
     let description = live.description();
     let mut random = Random::new(6);

@@ -1,8 +1,9 @@
 //! The notes' geometric method for the four-bar linkage, written with care.
 //!
-//! The equations are the notes', the diagonal's length, and the sines of the angles beside it, and they are differentiated as there. But each
-//! function is evaluated once, sine and cosine of an angle that is found by one of them are not evaluated again, powers are products that
-//! are shared, and what is divided by repeatedly is inverted once. The functions are the library's.
+//! The equations are the notes', the diagonal's length, and the sines of the angles beside it, and they are
+//! differentiated as there. But each function is evaluated once, sine and cosine of an angle that is found by one of
+//! them are not evaluated again, powers are products that are shared, and what is divided by repeatedly is inverted
+//! once. The functions are the library's.
 
 use kin_tests::notes::Assembly;
 use kin_tests::notes::four_bar_geometric::{Branch, Dimensions};
@@ -15,7 +16,8 @@ struct Angle {
 }
 
 impl Angle {
-    /// The parts of the derivatives of the sine of an order, as factors of the cosine and of the sine, without the highest rate.
+    /// The parts of the derivatives of the sine of an order, as factors of the cosine and of the sine, without the
+    /// highest rate.
     #[inline]
     fn parts(&self, order: usize) -> (f64, f64) {
         let [w, a, j, _] = self.rates;

@@ -1,11 +1,11 @@
 //! Linkages through snap as one would write them by hand who has a day for it: what generated code is measured by.
 //!
 //! One sine-cosine, the closed form of the position, the Bell polynomials P and Q of each link's rates shared by both
-//! coordinates, one reciprocal of the determinant, one arctangent for each angle: the functions that kin has. No NaN comes out of a
-//! position that is out of reach; beyond that nothing is asked and nothing is explained.
+//! coordinates, one reciprocal of the determinant, one arctangent for each angle: the functions that kin has. No NaN
+//! comes out of a position that is out of reach; beyond that nothing is asked and nothing is explained.
 //!
-//! `BESIDE` are the same kernels after a look at the generated code: a root is inverted beside it and not after it, and two arctangents are
-//! found at once.
+//! `BESIDE` are the same kernels after a look at the generated code: a root is inverted beside it and not after it, and
+//! two arctangents are found at once.
 
 use kin_core::Number;
 
@@ -66,7 +66,8 @@ impl FourBar {
             1.0 / (y3 * x4 - x3 * y4)
         };
 
-        // z₂ (P₂ + i Q₂) + z₃ (P₃ + i Q₃) = z₄ (P₄ + i Q₄), where only Q₃ and Q₄ hold the rates that are sought: multiplied by z₄ and by z₃
+        // z₂ (P₂ + i Q₂) + z₃ (P₃ + i Q₃) = z₄ (P₄ + i Q₄), where only Q₃ and Q₄ hold the rates that are sought:
+        // multiplied by z₄ and by z₃
         let (x, y) = (x2 * inverse, y2 * inverse);
         let (along3, across3) = (x3 * x + y3 * y, x3 * y - y3 * x);
         let (along4, across4) = (x4 * x + y4 * y, x4 * y - y4 * x);

@@ -8,8 +8,8 @@ const ROUNDS: usize = 600;
 
 /// A race: contenders that each do the same number of poses in a turn.
 ///
-/// They take turns, so that whatever else the machine does meets them all, and of each the shortest turn counts, which is the one
-/// that was disturbed least.
+/// They take turns, so that whatever else the machine does meets them all, and of each the shortest turn counts, which
+/// is the one that was disturbed least.
 pub(crate) struct Race<'a> {
     poses: usize,
     contenders: Vec<(String, Box<dyn FnMut() + 'a>)>,
@@ -24,8 +24,8 @@ impl<'a> Race<'a> {
         }
     }
 
-    /// Enters a contender: a function of one of the inputs, for each of which it is called once in a turn. There must be as many
-    /// as there are poses.
+    /// Enters a contender: a function of one of the inputs, for each of which it is called once in a turn. There must
+    /// be as many as there are poses.
     #[allow(dead_code, reason = "the benchmarks of sweeps and cycles enter whole turns")]
     pub(crate) fn enter<I: Copy + 'a, R>(
         &mut self,

@@ -13,7 +13,8 @@ pub struct Linearised {
     pub jacobian: Vec<Vec<f64>>,
 }
 
-/// Values at which equations hold, as near to given ones as steps of least norm lead; none where they do not lead there.
+/// Values at which equations hold, as near to given ones as steps of least norm lead; none where they do not lead
+/// there.
 ///
 /// Each value changes in proportion to its size, but for an angle, the size of which is a radian.
 pub fn closed(
@@ -75,7 +76,8 @@ fn least_norm(matrix: &[Vec<f64>], right: Vec<f64>) -> Vec<f64> {
         .collect()
 }
 
-/// The solution by Gauss's and Jordan's elimination, rows exchanged for the largest pivot; it is not finite where there is none.
+/// The solution by Gauss's and Jordan's elimination, rows exchanged for the largest pivot; it is not finite where there
+/// is none.
 fn solved(mut matrix: Vec<Vec<f64>>, mut right: Vec<f64>) -> Vec<f64> {
     for step in 0..right.len() {
         let magnitude = |row: &usize| matrix[*row][step].abs();

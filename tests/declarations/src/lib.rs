@@ -1,7 +1,7 @@
 //! Random declarations of mechanisms, for the tests of `mechanism!`.
 //!
-//! A declaration is text, as it would stand between the braces of the macro. Each kind and seed give the same one in every run.
-//! A [`Sample`] is a sound one, as data too: its quantities, its residuals, and poses at which it closes.
+//! A declaration is text, as it would stand between the braces of the macro. Each kind and seed give the same one in
+//! every run. A [`Sample`] is a sound one, as data too: its quantities, its residuals, and poses at which it closes.
 
 mod adversarial;
 mod closing;

@@ -159,8 +159,8 @@ impl Writer<'_> {
         self.unless_constant(operation(&left, &right), left)
     }
 
-    /// The formula, or a part of it if it is made of numbers alone: two numbers together may be more than a turn, and that is no angle in
-    /// radians.
+    /// The formula, or a part of it if it is made of numbers alone: two numbers together may be more than a turn, and
+    /// that is no angle in radians.
     fn unless_constant(&self, formula: Formula, part: Formula) -> Formula {
         if self.temper == Temper::Tame && formula.is_constant() {
             part

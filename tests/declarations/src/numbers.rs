@@ -10,7 +10,8 @@ pub(crate) fn ordinary(random: &mut Random) -> String {
     (*random.pick(&numbers)).to_owned()
 }
 
-/// A number at an end of what can be written: zeros, the least, the largest, whole ones beyond all integers, with signs and types.
+/// A number at an end of what can be written: zeros, the least, the largest, whole ones beyond all integers, with signs
+/// and types.
 pub(crate) fn extreme(random: &mut Random) -> String {
     let numbers = [
         "0",

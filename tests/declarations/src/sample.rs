@@ -41,8 +41,8 @@ pub struct Pose {
     pub unknowns: Vec<f64>,
 }
 
-/// A mechanism that the macro must accept, small enough to be compiled and solved with many others: its declaration as text, and its closure
-/// as data.
+/// A mechanism that the macro must accept, small enough to be compiled and solved with many others: its declaration as
+/// text, and its closure as data.
 ///
 /// ```
 /// use kin_declarations::Sample;
@@ -149,7 +149,8 @@ impl Sample {
         residuals
     }
 
-    /// Numbers that close, of ordinary sizes: lengths within a decade, angles within a turn. Whether unknowns are in their ranges is left open.
+    /// Numbers that close, of ordinary sizes: lengths within a decade, angles within a turn. Whether unknowns are in
+    /// their ranges is left open.
     ///
     /// There may be none for a seed, as they are sought by an iteration.
     #[must_use]
@@ -258,8 +259,8 @@ fn linearised(values: &[f64], is_angle: impl Fn(usize) -> bool, equations: impl 
     }
 }
 
-/// Rust code with the samples of these seeds: a module for each, and `SAMPLE`, a list of pairs of a function and the seed. The function's type is
-/// `Find`, which returns what the macro `of!` makes of the mechanism, a `Found`.
+/// Rust code with the samples of these seeds: a module for each, and `SAMPLE`, a list of pairs of a function and the
+/// seed. The function's type is `Find`, which returns what the macro `of!` makes of the mechanism, a `Found`.
 #[must_use]
 pub fn code(seeds: impl IntoIterator<Item = u64>) -> String {
     let (mut modules, mut entries) = (String::new(), String::new());

@@ -1,4 +1,5 @@
-//! Declarations without mistakes: mechanisms that are built block by block, each block driven by what is known before it.
+//! Declarations without mistakes: mechanisms that are built block by block, each block driven by what is known before
+//! it.
 
 mod blocks;
 mod space;

@@ -1,4 +1,5 @@
-//! The sample in C, JavaScript and NumPy: `KIN_COUNT=1000 cargo test -p kin-fuzzed --features languages --test languages`.
+//! The sample in C, JavaScript and NumPy: `KIN_COUNT=1000 cargo test -p kin-fuzzed --features languages --test
+//! languages`.
 #![allow(dead_code, missing_docs, reason = "nobody has written them")]
 
 #[allow(unreachable_pub, reason = "the file is public in kin-tests")]
@@ -25,8 +26,8 @@ const POSES: usize = 40;
 /// Whether this build rounds a product and a sum once, which no other language does.
 const FUSED: bool = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
 
-/// The largest difference where functions of the platform take part: a few units of the last place, magnified by the conditions of poses that
-/// nobody has chosen, as a part of the largest number of the pose.
+/// The largest difference where functions of the platform take part: a few units of the last place, magnified by the
+/// conditions of poses that nobody has chosen, as a part of the largest number of the pose.
 const OF_THE_PLATFORM: f64 = 1e-6;
 
 /// A mechanism of the sample.
@@ -144,8 +145,8 @@ impl Folder {
         );
     }
 
-    /// Compares what a program has written for each mechanism: for each pose 0, or the number of the check that failed from 1 on, then the
-    /// results.
+    /// Compares what a program has written for each mechanism: for each pose 0, or the number of the check that failed
+    /// from 1 on, then the results.
     fn compare(&self, mechanisms: &[Solved]) {
         let (mut found, mut refused) = (0, 0);
         for (place, mechanism) in mechanisms.iter().enumerate() {

@@ -1,4 +1,5 @@
-//! The sample, held against both oracles: `KIN_COUNT=200 cargo test -p kin-fuzzed -- --nocapture` compiles and solves two hundred.
+//! The sample, held against both oracles: `KIN_COUNT=200 cargo test -p kin-fuzzed -- --nocapture` compiles and solves
+//! two hundred.
 #![allow(dead_code, missing_docs, reason = "nobody has written them")]
 
 use std::fmt::Write;
@@ -54,8 +55,8 @@ fn samples_agree_with_both_oracles() {
     assert!(verified * 10 >= SAMPLE.len() * 9, "only {verified} of {}", SAMPLE.len());
 }
 
-/// The closure, which is an oracle of the solvers, is the declaration: its residuals are those of the formulas from which the text was written,
-/// at poses and beside them.
+/// The closure, which is an oracle of the solvers, is the declaration: its residuals are those of the formulas from
+/// which the text was written, at poses and beside them.
 #[test]
 fn closures_are_those_of_the_text() {
     /// Roundings of residuals, relative to what a change of each number by a thousandth makes of them.

@@ -1,5 +1,5 @@
-//! The units of error of `verify`: right mechanisms near double roots, poles and branch cuts pass, and a derivative that
-//! is wrong in its seventh digit does not.
+//! The units of error of `verify`: right mechanisms near double roots, poles and branch cuts pass, and a derivative
+//! that is wrong in its seventh digit does not.
 #![allow(missing_docs)]
 
 use std::f64::consts::PI;
@@ -32,7 +32,8 @@ macro_rules! one_equation {
     };
 }
 
-// The closed form finds a root of the polynomial that is multiplied out, whose discriminant is small where two roots are near.
+// The closed form finds a root of the polynomial that is multiplied out, whose discriminant is small where two roots
+// are near.
 one_equation! { near_a_double_root:
     TwoLengths(a b) Scalar -> Length, |t, x| (x - a * t) * (x - b), 0;
     TwoAngles(a b) Angle -> Angle, |t, x| (x - t) * (x - a / b), 0;

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::process::Command;
 use std::{env, fs};
 
-/// Runs this program again within callgrind, with the given argument, and returns the instructions within each function the name
-/// of which begins by `module`, summed over all calls and with all that it called.
+/// Runs this program again within callgrind, with the given argument, and returns the instructions within each function
+/// the name of which begins by `module`, summed over all calls and with all that it called.
 pub(crate) fn of_this_program(argument: &str, module: &str) -> Result<BTreeMap<String, u64>, String> {
     let program = env::current_exe().map_err(|error| format!("this program cannot be found: {error}"))?;
     let file = program.with_extension("callgrind");
@@ -30,8 +30,8 @@ pub(crate) fn of_this_program(argument: &str, module: &str) -> Result<BTreeMap<S
 
 /// The costs of all calls of the functions of a module, by the functions' names.
 ///
-/// A call is written as three lines, the last of which gives the line of the source and the inclusive cost (valgrind's manual,
-/// "Callgrind Format Specification"):
+/// A call is written as three lines, the last of which gives the line of the source and the inclusive cost (valgrind's
+/// manual, "Callgrind Format Specification"):
 ///
 /// ```text
 /// cfn=kin_instructions::counted::four_bar_position

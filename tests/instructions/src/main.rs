@@ -5,8 +5,9 @@
 //! cargo run --profile bench -p kin-instructions -- --record   # counts and writes them down
 //! ```
 //!
-//! Callgrind, of valgrind, counts. Its counts are the same in every run, however busy the machine is, so that they can be asserted
-//! where times cannot. They are no times: they tell that a solver has become longer, and not how fast it is.
+//! Callgrind, of valgrind, counts. Its counts are the same in every run, however busy the machine is, so that they can
+//! be asserted where times cannot. They are no times: they tell that a solver has become longer, and not how fast it
+//! is.
 //!
 //! The counts depend on these sources, the locked version of libm, and the compiler. The counts are recorded with the
 //! compiler's version: the allowance is small for that one, and larger for another.

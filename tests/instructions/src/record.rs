@@ -11,8 +11,8 @@ const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/recorded.txt");
 /// The compiler that built this program.
 const COMPILER: &str = env!("KIN_COMPILER");
 
-/// Of a thousand, how many instructions may be added if the compiler is the one of the record. The C library's copying of memory is
-/// all that may then differ from one machine to another.
+/// Of a thousand, how many instructions may be added if the compiler is the one of the record. The C library's copying
+/// of memory is all that may then differ from one machine to another.
 const ALLOWANCE: u64 = 5;
 
 /// The same if it is another one, which may compile better or worse.

@@ -1,7 +1,7 @@
 //! Numbers of 77 digits, for the reference that kin is held against.
 //!
-//! A crate of its own, as the arithmetic underneath is generic: it is compiled here, once, with optimisation even where the
-//! tests are compiled without.
+//! A crate of its own, as the arithmetic underneath is generic: it is compiled here, once, with optimisation even where
+//! the tests are compiled without.
 
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -224,8 +224,8 @@ mod tests {
         assert!(difference.abs() < 1e-74, "{one:?} {other:?}");
     }
 
-    /// Fifty digits of constants, from the On-Line Encyclopedia of Integer Sequences: A000796, A049469, A049470, A002193,
-    /// A001113, A002162, A073742, A073743, A073744, A091648.
+    /// Fifty digits of constants, from the On-Line Encyclopedia of Integer Sequences: A000796, A049469, A049470,
+    /// A002193, A001113, A002162, A073742, A073743, A073744, A091648.
     #[test]
     fn constants() {
         let one = Number::exactly(1.0);

@@ -41,7 +41,8 @@ impl Case {
         }))
     }
 
-    /// Inputs a fraction of their ranges from the start, each fraction the next multiple of the first, with random rates.
+    /// Inputs a fraction of their ranges from the start, each fraction the next multiple of the first, with random
+    /// rates.
     #[must_use]
     pub fn inputs<M: ThroughSnap>(&self, fraction: f64, random: &mut Random) -> Inputs<M> {
         let mut own = 0.0;
@@ -69,9 +70,9 @@ macro_rules! dimensions {
     };
 }
 
-/// A function for each group of mechanisms, that leads a visitor through it. The mechanisms after `besides` are solved as
-/// others of their group are, and are visited only with the feature `every-case`: each of them is compiled again for each
-/// visitor.
+/// A function for each group of mechanisms, that leads a visitor through it. The mechanisms after `besides` are solved
+/// as others of their group are, and are visited only with the feature `every-case`: each of them is compiled again for
+/// each visitor.
 macro_rules! groups {
     ($(
         $(#[$documentation:meta])*
@@ -107,8 +108,8 @@ macro_rules! groups {
     };
 }
 
-/// All whose assemblies have names, whatever the features: for visitors that only read descriptions, which cost nothing to
-/// compile.
+/// All whose assemblies have names, whatever the features: for visitors that only read descriptions, which cost nothing
+/// to compile.
 pub fn described(visitor: &mut impl Visitor) {
     macro_rules! whole {
         ($($group:ident)+) => {
@@ -165,7 +166,8 @@ pub fn all(visitor: &mut impl Visitor) {
     library(visitor);
 }
 
-/// All with the feature `every-case`, and one of each form without it: for visitors that instantiate much code for each.
+/// All with the feature `every-case`, and one of each form without it: for visitors that instantiate much code for
+/// each.
 pub fn of_each_form(visitor: &mut impl Visitor) {
     if cfg!(feature = "every-case") {
         all(visitor);

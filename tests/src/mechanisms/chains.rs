@@ -59,8 +59,8 @@ chain! {
 /// The first crank.
 pub const CRANK: f64 = 1.0;
 
-/// Ground, coupler and rocker of a loop: first a crank and a rocker that swings by less than a turn; then rockers that drive
-/// rockers, turn about a little ahead and behind.
+/// Ground, coupler and rocker of a loop: first a crank and a rocker that swings by less than a turn; then rockers that
+/// drive rockers, turn about a little ahead and behind.
 #[must_use]
 pub const fn dimensions(index: usize) -> [f64; 3] {
     match index {

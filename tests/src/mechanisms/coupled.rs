@@ -248,8 +248,8 @@ impl GearedPair {
 }
 
 impl SixCoupled {
-    /// A position near the one that looks the same from all three sides, which it has where the input is zero: side and tie
-    /// close there as two sides of a triangle do, and two more such triangles are this one turned by a third.
+    /// A position near the one that looks the same from all three sides, which it has where the input is zero: side and
+    /// tie close there as two sides of a triangle do, and two more such triangles are this one turned by a third.
     pub fn built(random: &mut Random) -> Built<Self, 6> {
         let third = 2.0 * std::f64::consts::FRAC_PI_3;
         let [radius, leg, ratio] = [(); 3].map(|()| random.between(0.5, 2.0));

@@ -1,4 +1,5 @@
-//! Unknowns that are found as unit vectors: in every closed form, beside angles, and where the angle is asked for all the same.
+//! Unknowns that are found as unit vectors: in every closed form, beside angles, and where the angle is asked for all
+//! the same.
 
 use kin_core::mechanism;
 

@@ -1,6 +1,7 @@
 //! One and the same four-bar linkage, typed in many ways.
 //!
-//! The recognised form must follow from the algebra, and so must the assembly: open is the same geometry in all of them.
+//! The recognised form must follow from the algebra, and so must the assembly: open is the same geometry in all of
+//! them.
 
 use kin_core::mechanism;
 

@@ -1,7 +1,7 @@
 //! Mechanisms of every closed form that know the partial derivatives of their motion by their parameters.
 //!
-//! Declared here are those that have no twin elsewhere, and those whose twin is solved in fewer operations: what the partial derivatives
-//! need as well is kept where a solver alone would not keep it.
+//! Declared here are those that have no twin elsewhere, and those whose twin is solved in fewer operations: what the
+//! partial derivatives need as well is kept where a solver alone would not keep it.
 
 use kin_core::mechanism;
 use kin_core::prelude::*;

@@ -20,7 +20,8 @@ mechanism! {
 }
 
 mechanism! {
-    /// The equation multiplied by a length, and the ball on the rocker as unknown coordinates that follow from the angle.
+    /// The equation multiplied by a length, and the ball on the rocker as unknown coordinates that follow from the
+    /// angle.
     pub struct RssrWithBall {
         crank: Length,
         pivot: Point3,
@@ -148,8 +149,8 @@ mechanism! {
 }
 
 mechanism! {
-    /// Links 2 and 3 lie in one plane with the second axis and the diagonal: an equation with a second solution, half a turn
-    /// away, in which the loop does not close.
+    /// Links 2 and 3 lie in one plane with the second axis and the diagonal: an equation with a second solution, half a
+    /// turn away, in which the loop does not close.
     pub struct BennettByTripleProduct {
         a: Length,
         alpha: Angle,

@@ -1,18 +1,19 @@
 //! The effect of rounding on a motion: the unit of error.
 //!
-//! An engine that is given rounded numbers and rounds what it finds cannot do better than their exact solution does. So the
-//! condition of q⁽ⁿ⁾ is the sum, over everything that is rounded, of the change that this makes of q⁽ⁿ⁾ by itself, divided by the
-//! relative error of rounding. What is rounded, each once:
+//! An engine that is given rounded numbers and rounds what it finds cannot do better than their exact solution does. So
+//! the condition of q⁽ⁿ⁾ is the sum, over everything that is rounded, of the change that this makes of q⁽ⁿ⁾ by itself,
+//! divided by the relative error of rounding. What is rounded, each once:
 //!
 //! - every parameter, and every derivative of every input: |p ∂q⁽ⁿ⁾/∂p|;
 //! - every term of every equation, and of its derivatives, by itself: in the n-th derivative the terms J⁽ᵏ⁾ q⁽ⁿ⁻ᵏ⁾ of
-//!   Leibniz's sum, where an angle's own term is that of a radian, as its direction is rounded. For the linear equations of one
-//!   order this is the condition |J⁻¹| |J| |q⁽ⁿ⁾| of R. D. Skeel, *Scaling for numerical stability in Gaussian elimination*, Journal
-//!   of the ACM 26 (1979), pages 494 to 526;
+//!   Leibniz's sum, where an angle's own term is that of a radian, as its direction is rounded. For the linear
+//!   equations of one order this is the condition |J⁻¹| |J| |q⁽ⁿ⁾| of R. D. Skeel, *Scaling for numerical stability in
+//!   Gaussian elimination*, Journal of the ACM 26 (1979), pages 494 to 526;
 //! - q⁽ⁿ⁾ itself.
 //!
-//! The changes are those of the linearised equations. With p₀ the derivative of the closure by p, as a series in time along the
-//! motion, and J the Jacobian, likewise, the change x of the motion is the solution of J(t) x(t) = -p₀(t), order by order.
+//! The changes are those of the linearised equations. With p₀ the derivative of the closure by p, as a series in time
+//! along the motion, and J the Jacobian, likewise, the change x of the motion is the solution of J(t) x(t) = -p₀(t),
+//! order by order.
 
 use kin_core::{Dimension, Mechanism};
 use kin_precise::Number;
@@ -57,8 +58,8 @@ impl Linearised {
     }
 }
 
-/// The conditions of each unknown's coefficients, first as they are, and then with each coefficient rounded before it is used for the next
-/// power of time.
+/// The conditions of each unknown's coefficients, first as they are, and then with each coefficient rounded before it
+/// is used for the next power of time.
 pub(super) fn conditions<M: Mechanism>(equations: &Equations<M>, count: usize) -> Result<[Vec<Vec<f64>>; 2], Stray> {
     let arguments = &equations.arguments;
     let before = equations.left(arguments, count);
@@ -138,11 +139,12 @@ pub(super) fn conditions<M: Mechanism>(equations: &Equations<M>, count: usize) -
     Ok([sums, carried])
 }
 
-/// The conditions of coefficients if each unknown's derivatives are off by the whole of their condition, each by itself, and are carried to
-/// the powers above.
+/// The conditions of coefficients if each unknown's derivatives are off by the whole of their condition, each by
+/// itself, and are carried to the powers above.
 ///
-/// The condition proper takes the unknowns of one power together, as the solution of one and the same equations: their changes may be such
-/// that they cancel in the equations of the next power. Solutions that are rounded one by one need not.
+/// The condition proper takes the unknowns of one power together, as the solution of one and the same equations: their
+/// changes may be such that they cancel in the equations of the next power. Solutions that are rounded one by one need
+/// not.
 fn carried(linearised: &Linearised, conditions: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let mut carried = conditions.to_vec();
     for (unknown, own) in conditions.iter().enumerate() {

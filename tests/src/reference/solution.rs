@@ -21,7 +21,8 @@ fn rounding() -> f64 {
     2.0_f64.powi(-180)
 }
 
-/// How far an unknown is moved to see the equations change, relative to its size: half of the digits are left for the change.
+/// How far an unknown is moved to see the equations change, relative to its size: half of the digits are left for the
+/// change.
 pub(super) const MOVE: i16 = -128;
 
 /// The motion of a mechanism.
@@ -29,10 +30,11 @@ pub(super) const MOVE: i16 = -128;
 pub struct Solution {
     /// Position and time derivatives of each unknown.
     pub motions: Vec<Vec<Number>>,
-    /// The condition of each of them: by how much its rounding, and the rounding of what it is computed from, can change it,
-    /// divided by the relative error of rounding.
+    /// The condition of each of them: by how much its rounding, and the rounding of what it is computed from, can
+    /// change it, divided by the relative error of rounding.
     pub conditions: Vec<Vec<f64>>,
-    /// The same where the derivatives of each order are rounded one by one before those of the next are found from them.
+    /// The same where the derivatives of each order are rounded one by one before those of the next are found from
+    /// them.
     pub carried: Vec<Vec<f64>>,
 }
 
@@ -89,8 +91,8 @@ impl<M: Mechanism> Equations<M> {
             .collect()
     }
 
-    /// Newton's method for the position. The Jacobian is evaluated anew at the first two steps, after which it is good enough
-    /// for the rest.
+    /// Newton's method for the position. The Jacobian is evaluated anew at the first two steps, after which it is good
+    /// enough for the rest.
     fn converge(&mut self) -> Result<(), Stray> {
         let mut inverted = Matrix::new();
         let mut last = f64::INFINITY;
@@ -107,8 +109,8 @@ impl<M: Mechanism> Equations<M> {
         Err(Stray::NotConverged(last))
     }
 
-    /// The coefficients of a power of time, those of the lower powers being known. The equations are linear in them; the first
-    /// solution has as many digits as the Jacobian, and further ones supply the rest.
+    /// The coefficients of a power of time, those of the lower powers being known. The equations are linear in them;
+    /// the first solution has as many digits as the Jacobian, and further ones supply the rest.
     fn follow(&mut self, inverse: &Matrix, power: usize) -> Result<(), Stray> {
         let mut first = 0.0;
         let mut last = 0.0;

@@ -1,7 +1,7 @@
 //! A number type for closures: a place on a tape of series.
 //!
-//! A [`Scalar`] is copied, and a number of many digits cannot be. So the values stand on a tape, one for each thread, and the
-//! number is its place there.
+//! A [`Scalar`] is copied, and a number of many digits cannot be. So the values stand on a tape, one for each thread,
+//! and the number is its place there.
 
 use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Neg, Sub};

@@ -1,4 +1,5 @@
-//! The statements of the book that are not run: its chapters, its tables of operations, and its excerpts of generated code.
+//! The statements of the book that are not run: its chapters, its tables of operations, and its excerpts of generated
+//! code.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -75,8 +76,8 @@ fn the_summary_lists_the_chapters() {
     assert_eq!(links, found);
 }
 
-/// Code runs as a documentation test if its chapter is listed there, and if its block says that it is Rust. The programs
-/// in other languages are run by the tests of tapes.
+/// Code runs as a documentation test if its chapter is listed there, and if its block says that it is Rust. The
+/// programs in other languages are run by the tests of tapes.
 #[test]
 fn all_code_is_run() {
     let listed = read("tests/src/book.rs");

@@ -11,9 +11,9 @@ pub(crate) const TERMS: usize = 5;
 
 /// A series of `kin_core`, cut off after the term of the snap.
 ///
-/// Beside each coefficient stands a bound on its error, in units of ε and to first order: what the errors of the leaves and the
-/// rounding of every operation can add up to (N. J. Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd edition,
-/// SIAM 2002, section 3.3).
+/// Beside each coefficient stands a bound on its error, in units of ε and to first order: what the errors of the leaves
+/// and the rounding of every operation can add up to (N. J. Higham, *Accuracy and Stability of Numerical Algorithms*,
+/// 2nd edition, SIAM 2002, section 3.3).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bounded {
     series: Series<TERMS>,

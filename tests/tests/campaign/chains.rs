@@ -1,8 +1,8 @@
-//! Chains and rings of equations that give one unknown from the others, so that a solver may be tempted to go through them from
-//! one end: the closure of every position that is found.
+//! Chains and rings of equations that give one unknown from the others, so that a solver may be tempted to go through
+//! them from one end: the closure of every position that is found.
 //!
-//! The terms of the equations are written once more by hand. A residual is compared with the sum of their sizes, times the
-//! condition of the whole block.
+//! The terms of the equations are written once more by hand. A residual is compared with the sum of their sizes, times
+//! the condition of the whole block.
 
 use kin_core::batch::{Column, Outcome};
 use kin_core::prelude::*;
@@ -14,7 +14,8 @@ use kin_tests::samples;
 /// The largest residual, in units of ε, of the sum of the terms' sizes, and of the condition.
 const ALLOWED: f64 = 64.0;
 
-/// The draws of the large campaign, over all mechanisms. Those of the rings are many times as many, because few of them converge.
+/// The draws of the large campaign, over all mechanisms. Those of the rings are many times as many, because few of them
+/// converge.
 const LARGE: usize = 10_000;
 
 /// One equation of a chain: a x₁ - x₀ - x₂ + b sin x₁ = k.
@@ -221,7 +222,8 @@ fn large_chains_and_rings_close_to_rounding() {
     assert!(closed >= LARGE, "{closed} positions say too little");
 }
 
-/// The chain that had been shot through: its condition is about 1, and each of its unknowns is right to the last digits.
+/// The chain that had been shot through: its condition is about 1, and each of its unknowns is right to the last
+/// digits.
 #[test]
 fn a_chain_of_ten_is_right_to_the_last_digits() {
     let chain = Chain10 {
@@ -273,8 +275,8 @@ fn a_ring_of_six_closes_or_is_refused() {
     assert_eq!(found.closed + found.refused, 1);
 }
 
-/// Linear equations are one system for every kind of number: for a recorded solver, for lanes, for bounds, and for series,
-/// through which `verify` differentiates.
+/// Linear equations are one system for every kind of number: for a recorded solver, for lanes, for bounds, and for
+/// series, through which `verify` differentiates.
 #[test]
 fn a_linear_chain_is_one_system_in_every_number() {
     assert_eq!(Linear10::<f64>::DESCRIPTION.blocks[0].solution, "10 linear equations");

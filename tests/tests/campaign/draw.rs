@@ -20,7 +20,8 @@ pub(crate) enum Family {
     Spread,
     /// Whole numbers and right angles: links in line, equal, or without length.
     Aligned,
-    /// Ordinary but for one or two numbers: zero, equal to another, negative, subnormal, huge, infinite, no number at all.
+    /// Ordinary but for one or two numbers: zero, equal to another, negative, subnormal, huge, infinite, no number at
+    /// all.
     Special,
     /// Angles many turns away.
     Turned,

@@ -3,8 +3,9 @@
 /// A matrix, row by row.
 pub(super) type Matrix = Vec<Vec<f64>>;
 
-/// Scales that make the largest entry of every row and column of a matrix about 1, by alternating square roots (D. Ruiz, *A scaling
-/// algorithm to equilibrate both rows and columns norms in matrices*, Rutherford Appleton Laboratory 2001).
+/// Scales that make the largest entry of every row and column of a matrix about 1, by alternating square roots (D.
+/// Ruiz, *A scaling algorithm to equilibrate both rows and columns norms in matrices*, Rutherford Appleton Laboratory
+/// 2001).
 fn balance(matrix: &Matrix) -> (Vec<f64>, Vec<f64>) {
     let columns = matrix.first().map_or(0, Vec::len);
     let (mut rows, mut scales) = (vec![1.0; matrix.len()], vec![1.0; columns]);
@@ -24,8 +25,8 @@ fn balance(matrix: &Matrix) -> (Vec<f64>, Vec<f64>) {
     (rows, scales)
 }
 
-/// Solves for several right sides at once, by Gauss-Jordan elimination with row pivoting; and the determinant, zero where the matrix is
-/// singular.
+/// Solves for several right sides at once, by Gauss-Jordan elimination with row pivoting; and the determinant, zero
+/// where the matrix is singular.
 fn eliminate(mut left: Matrix, mut right: Matrix) -> (Matrix, f64) {
     let size = left.len();
     let mut determinant = 1.0;

@@ -1,12 +1,13 @@
-//! A campaign: mechanisms of many kinds, random dimensions, inputs and rates at all scales and at special places, and everything
-//! that must hold whatever the numbers are.
+//! A campaign: mechanisms of many kinds, random dimensions, inputs and rates at all scales and at special places, and
+//! everything that must hold whatever the numbers are.
 //!
 //! What is found of each [topology](topologies) is put into its closure, in series that know their [errors](bounded). A
-//! [draw](draw) gives dimensions and inputs, most often such that a position is known beforehand. The [checks](checks) then solve it
-//! in every assembly and in every way there is.
+//! [draw](draw) gives dimensions and inputs, most often such that a position is known beforehand. The [checks](checks)
+//! then solve it in every assembly and in every way there is.
 //!
-//! The tests run a small campaign. `cargo test -p kin-tests --test campaign -- --ignored --nocapture` runs a large one and prints its
-//! tables. The environment may give it another number of draws, `KIN_CAMPAIGN_DRAWS`, and other numbers, `KIN_CAMPAIGN_SEED`.
+//! The tests run a small campaign. `cargo test -p kin-tests --test campaign -- --ignored --nocapture` runs a large one
+//! and prints its tables. The environment may give it another number of draws, `KIN_CAMPAIGN_DRAWS`, and other numbers,
+//! `KIN_CAMPAIGN_SEED`.
 
 mod bounded;
 mod chains;

@@ -40,7 +40,8 @@ pub(crate) struct Tally {
     pub(crate) closure: [f64; TERMS],
     /// Values of batches that were compared.
     pub(crate) values: usize,
-    /// Poses of batches that close for a batch and not alone, or the other way round, as an earlier number is known too badly.
+    /// Poses of batches that close for a batch and not alone, or the other way round, as an earlier number is known too
+    /// badly.
     pub(crate) undecided: usize,
     /// The largest difference of a batch from single poses, in the same unit.
     pub(crate) batch: f64,

@@ -86,7 +86,8 @@ pub(crate) struct Topology {
     pub(crate) solvers: &'static dyn Solvers,
     /// The same, with its calls counted.
     pub(crate) counted: &'static dyn CurveFunctions,
-    /// [`Poses::solve_in_parallel`], the bounds of which a mechanism meets and a type parameter cannot promise in one place.
+    /// [`Poses::solve_in_parallel`], the bounds of which a mechanism meets and a type parameter cannot promise in one
+    /// place.
     pub(crate) in_parallel: fn(&[Problem], &[AssemblyChoice], Vectors) -> Batch,
 }
 

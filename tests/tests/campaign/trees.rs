@@ -4,8 +4,8 @@
 use kin_core::mechanism;
 
 mechanism! {
-    /// Three dyads on a crank: the first on the ground, the second between the links of the first, the third between the
-    /// second and the ground.
+    /// Three dyads on a crank: the first on the ground, the second between the links of the first, the third between
+    /// the second and the ground.
     pub struct TreeOfDyads {
         pub crank: Length,
         pub a1: Length, pub b1: Length, pub pivot1: Point,
@@ -28,8 +28,8 @@ mechanism! {
 }
 
 mechanism! {
-    /// A gear beside the crank, a dyad between them, a slider and an oscillating lever on the dyad, and a spatial loop that the
-    /// lever drives.
+    /// A gear beside the crank, a dyad between them, a slider and an oscillating lever on the dyad, and a spatial loop
+    /// that the lever drives.
     pub struct TreeOfAllKinds {
         pub crank: Length,
         pub ratio: Scalar, pub phase: Angle, pub pivot: Point, pub arm: Length,

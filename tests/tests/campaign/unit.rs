@@ -8,28 +8,31 @@ use super::topology::{Problem, Rates, Topology};
 
 /// The facts that are known of a pose.
 ///
-/// The unit of error of a derivative is ε times its condition. The condition is the sum of all changes that the following make of
-/// it, each rounded once and by itself, divided by the relative error of rounding: every parameter, input and derivative of an input, every
-/// operation by which the closure is evaluated, the derivative itself, and the derivatives below it, which are known to their own units. It
-/// is found by the bounds that [`Bounded`] carries through the closure and the inverse of the Jacobian. An angle's own rounding is that of a
-/// radian, as it is the direction that is rounded.
+/// The unit of error of a derivative is ε times its condition. The condition is the sum of all changes that the
+/// following make of it, each rounded once and by itself, divided by the relative error of rounding: every parameter,
+/// input and derivative of an input, every operation by which the closure is evaluated, the derivative itself, and the
+/// derivatives below it, which are known to their own units. It is found by the bounds that [`Bounded`] carries through
+/// the closure and the inverse of the Jacobian. An angle's own rounding is that of a radian, as it is the direction
+/// that is rounded.
 ///
-/// The second link of a dyad is the difference of two vectors, either of which may be the longer one, so that it is known to ε of that, and
-/// what hangs on it inherits the error. Where the lengths of a mechanism differ by more than a decade, conditions are larger by as much.
+/// The second link of a dyad is the difference of two vectors, either of which may be the longer one, so that it is
+/// known to ε of that, and what hangs on it inherits the error. Where the lengths of a mechanism differ by more than a
+/// decade, conditions are larger by as much.
 #[derive(Clone, Debug)]
 pub(crate) struct Units {
     /// The condition of each derivative of each unknown.
     pub(crate) conditions: Vec<Rates>,
     /// By how much each derivative of each unknown would have to be changed for the closure to vanish.
     pub(crate) corrections: Vec<Rates>,
-    /// The determinant of each block's Jacobian, its rows measured by the terms of the equations and its columns by the sizes of
-    /// the unknowns.
+    /// The determinant of each block's Jacobian, its rows measured by the terms of the equations and its columns by the
+    /// sizes of the unknowns.
     pub(crate) determinants: Vec<f64>,
     /// The largest condition of a position, in sizes of the unknowns.
     pub(crate) condition: f64,
 }
 
-/// How the error of a pose of given motions can be measured; `None` where a number on the way is not finite, as in a singular position.
+/// How the error of a pose of given motions can be measured; `None` where a number on the way is not finite, as in a
+/// singular position.
 pub(crate) fn units(topology: &Topology, problem: &Problem, unknowns: &[Rates]) -> Option<Units> {
     let description = topology.description();
     let jacobian = jacobian(topology, problem, unknowns);

@@ -21,8 +21,8 @@ struct Package {
     faces: &'static [&'static str],
     /// Items at the root of the crate that any room may name.
     root_items: &'static [&'static str],
-    /// From the lowest to the highest. A room consists of one module, or of several joined by `+`, without those of their
-    /// modules that are rooms themselves.
+    /// From the lowest to the highest. A room consists of one module, or of several joined by `+`, without those of
+    /// their modules that are rooms themselves.
     rooms: &'static str,
 }
 
@@ -83,8 +83,8 @@ const SEARCH: Package = Package {
 /// So many lines are not too much for a room of any package.
 const SMALL: usize = 300;
 
-/// Names of kin-core's root that have other declarations. kin-compiler calls so what it knows of the thing; the words for
-/// editors are called like what they explain.
+/// Names of kin-core's root that have other declarations. kin-compiler calls so what it knows of the thing; the words
+/// for editors are called like what they explain.
 const OF_SEVERAL_TYPES: &str = "Block BlockForm Body ClosureTerm Description Dimension Formula Formulas Mechanism Name \
                                 Outline Quantity Slide";
 

@@ -1,5 +1,5 @@
-//! The forms in which programs call the generated code: motions as arrays, tuples and numbers, poses as guesses, and the
-//! text of poses and errors.
+//! The forms in which programs call the generated code: motions as arrays, tuples and numbers, poses as guesses, and
+//! the text of poses and errors.
 #![allow(
     clippy::needless_borrows_for_generic_args,
     clippy::explicit_iter_loop,

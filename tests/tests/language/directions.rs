@@ -1,5 +1,5 @@
-//! Unknowns as unit vectors: they are what the same mechanism finds as angles, without an arctangent, and whatever speaks of angles
-//! goes on doing so.
+//! Unknowns as unit vectors: they are what the same mechanism finds as angles, without an arctangent, and whatever
+//! speaks of angles goes on doing so.
 
 use core::f64::consts::{PI, TAU};
 

@@ -128,8 +128,8 @@ fn inside_of_a_function_and_a_block() {
     assert!(pose.pin.position().x > 0.0);
 }
 
-/// Private and restricted visibility, and nothing used: no warnings (they are errors in the fixture without the standard
-/// library; here it must compile).
+/// Private and restricted visibility, and nothing used: no warnings (they are errors in the fixture without the
+/// standard library; here it must compile).
 #[allow(dead_code)]
 mod visibilities {
     kin_core::mechanism! {
@@ -292,7 +292,8 @@ fn mechanisms_may_be_called_anything() {
     assert_eq!(strokes, [4.0; 20]);
 }
 
-/// Items that a pattern would mean if it could: they are called as quantities are, and as names that the generated code makes.
+/// Items that a pattern would mean if it could: they are called as quantities are, and as names that the generated code
+/// makes.
 #[allow(dead_code, non_upper_case_globals, non_camel_case_types)]
 mod items_called_like_variables {
     macro_rules! items {

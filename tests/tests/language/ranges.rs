@@ -137,8 +137,8 @@ fn lengths_of_either_sign() {
     );
 }
 
-/// With the slide along an axis, the rod's angle is sought before the slider: the range of the slider cannot pick its branch, but it
-/// is kept.
+/// With the slide along an axis, the rod's angle is sought before the slider: the range of the slider cannot pick its
+/// branch, but it is kept.
 #[test]
 fn a_range_of_a_later_block_is_kept() {
     let ranged = RangedSlider::<f64>::from_parameters([1.0, 3.0, 0.4]);

@@ -132,8 +132,8 @@ fn four_bars_with_other_angles() {
     }
 }
 
-/// Open means that the link of the second unknown turns clockwise from that of the first, so the order in which the unknowns
-/// are declared names the assemblies.
+/// Open means that the link of the second unknown turns clockwise from that of the first, so the order in which the
+/// unknowns are declared names the assemblies.
 #[test]
 fn the_order_of_the_unknowns_names_the_assemblies() {
     same_with::<FourBarUnknownsSwapped, FourBar>(

@@ -25,7 +25,8 @@ fn cranks(low: f64, high: f64, seed: u64) -> Vec<Motion> {
         .collect()
 }
 
-/// The error that the links of lengths `links`, at angles with the places `angles` among the unknowns, leave in a point.
+/// The error that the links of lengths `links`, at angles with the places `angles` among the unknowns, leave in a
+/// point.
 fn point_unit<M: ThroughSnap>(
     mechanism: &M,
     inputs: M::Inputs<Motion>,

@@ -12,8 +12,8 @@ use kin_tests::random::Random;
 
 use super::cranks;
 
-/// How often a linkage, driven at another link by the motion that the crank gives to that link, gives the crank's motion
-/// back, in well-conditioned poses.
+/// How often a linkage, driven at another link by the motion that the crank gives to that link, gives the crank's
+/// motion back, in well-conditioned poses.
 #[derive(Default)]
 struct DrivenBack(usize);
 
@@ -71,7 +71,8 @@ impl FullTurn {
         match track(mechanism, from, start, to) {
             Ok(end) => {
                 self.turned.push(name);
-                // the way back ends where it began, for coupled blocks too, whose assemblies may change places in a turn
+                // the way back ends where it began, for coupled blocks too, whose assemblies may change places in a
+                // turn
                 match track(mechanism, to, end, from) {
                     Ok(back) => self.compare::<M>("on the way back", start, back),
                     Err(error) => self.wrong.push(format!("{name}: back {error}")),
@@ -313,8 +314,8 @@ fn every_input_is_tracked_through_a_turn() {
     }
 }
 
-/// With a short crank Stephenson's linkage of the second kind turns fully, its class III triad solved by Newton's method all
-/// the way round.
+/// With a short crank Stephenson's linkage of the second kind turns fully, its class III triad solved by Newton's
+/// method all the way round.
 #[test]
 fn a_coupled_six_bar_turns_fully() {
     let linkage = StephensonII {

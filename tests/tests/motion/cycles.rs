@@ -291,9 +291,9 @@ fn told<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>) -> (Vec<Turns>, bool) {
 /// What a label says of the turns along each circuit, or nothing for a linkage with a change point.
 type Expected = Option<Vec<Turns>>;
 
-/// Compares the labels of random linkages of whole lengths, of which many have change points, with their cycles. There are four labels, and
-/// each of them, as well as none, occurs often. `label` gives the index of a label with what it says; `is_alone` says whether all positions
-/// of a linkage with a change point are on one circuit.
+/// Compares the labels of random linkages of whole lengths, of which many have change points, with their cycles. There
+/// are four labels, and each of them, as well as none, occurs often. `label` gives the index of a label with what it
+/// says; `is_alone` says whether all positions of a linkage with a change point are on one circuit.
 fn assert_labels_agree<M: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]> + fmt::Debug>(
     seed: u64,
     linkage: impl Fn([f64; 3]) -> M,
@@ -375,12 +375,14 @@ fn labels_of_inverted_slider_cranks_agree_with_the_cycle() {
             };
             Some((label as usize, expected))
         },
-        // A slide that comes to stand on the pivot of its link leaves the link free to turn there, and no position is alone.
+        // A slide that comes to stand on the pivot of its link leaves the link free to turn there, and no position is
+        // alone.
         |mechanism| mechanism.ground != mechanism.crank,
     );
 }
 
-/// A crank as long as the ground brings the slide to the pivot of its link, which turns freely there and connects both branches.
+/// A crank as long as the ground brings the slide to the pivot of its link, which turns freely there and connects both
+/// branches.
 #[test]
 fn a_free_link_connects_branches() {
     let mut random = Random::new(74);

@@ -1,5 +1,5 @@
-//! Motion from one position to another: tracking without leaving the assembly, and the paths of points; full cycles; sweeps and
-//! their extremes.
+//! Motion from one position to another: tracking without leaving the assembly, and the paths of points; full cycles;
+//! sweeps and their extremes.
 
 mod cycles;
 mod point_paths;

@@ -1,4 +1,5 @@
-//! Paths and instant centres of solved mechanisms: properties of the curves, which do not depend on how the crank is driven.
+//! Paths and instant centres of solved mechanisms: properties of the curves, which do not depend on how the crank is
+//! driven.
 
 use std::f64::consts::TAU;
 
@@ -37,8 +38,9 @@ fn sensitivities(point: Motion<Plane>) -> [f64; 2] {
     ]
 }
 
-/// Poses over a turn, each by several laws of the crank's motion: at constant speed, backwards, and anyhow. With it, how many
-/// times the rates are uncertain by rounding: coupler and rocker determine them the worse, the nearer they come to one line.
+/// Poses over a turn, each by several laws of the crank's motion: at constant speed, backwards, and anyhow. With it,
+/// how many times the rates are uncertain by rounding: coupler and rocker determine them the worse, the nearer they
+/// come to one line.
 fn poses() -> impl Iterator<Item = ([FourBarSnap; 3], f64)> {
     (0..24).map(|step| {
         let theta = TAU * f64::from(step) / 24.0;

@@ -1,7 +1,8 @@
-//! One declaration of a mechanism yields exactly what a careful person derives by hand: position, velocity, acceleration, jerk and snap.
+//! One declaration of a mechanism yields exactly what a careful person derives by hand: position, velocity,
+//! acceleration, jerk and snap.
 //!
-//! This binary proves that sentence. It begins with one table of three ways, [`three_ways`], which is the place to start reading. The other
-//! files prove more: more mechanisms, more poses, more digits.
+//! This binary proves that sentence. It begins with one table of three ways, [`three_ways`], which is the place to
+//! start reading. The other files prove more: more mechanisms, more poses, more digits.
 
 mod three_ways;
 

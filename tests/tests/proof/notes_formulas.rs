@@ -1,7 +1,7 @@
 //! Every system of the notes, every order, both assemblies: what is generated is what the notes derive by hand.
 //!
-//! The notes' derivatives are evaluated at the generated position, so that both are on the same branch; their
-//! positions are compared modulo whole turns. Errors are in the units of `kin_tests::oracles::Gauge`, which grow near the right
+//! The notes' derivatives are evaluated at the generated position, so that both are on the same branch; their positions
+//! are compared modulo whole turns. Errors are in the units of `kin_tests::oracles::Gauge`, which grow near the right
 //! angles and aligned links where the notes' formulas divide by nearly nothing.
 
 use core::f64::consts::TAU;
@@ -31,7 +31,8 @@ impl Comparison {
         }
     }
 
-    /// Compares one quantity, the first `own.len()` orders of it. Positions are compared modulo `turn`, if that is not zero.
+    /// Compares one quantity, the first `own.len()` orders of it. Positions are compared modulo `turn`, if that is not
+    /// zero.
     fn add(&mut self, gauge: &Gauge, index: usize, own: &[f64], notes: &[f64], turn: f64) {
         for (order, (own, notes)) in own.iter().zip(notes).enumerate() {
             let mut difference = own - notes;
@@ -254,7 +255,8 @@ fn approximate_slider_crank() {
     higher_approximation.report();
 }
 
-/// The notes divide by cos theta4, which the generated code does not: poses near the right angle are compared with that in mind.
+/// The notes divide by cos theta4, which the generated code does not: poses near the right angle are compared with that
+/// in mind.
 #[test]
 fn inverted_slider_crank() {
     use notes::inverted_slider_crank::{Branch, Dimensions, Position, derivatives, position};

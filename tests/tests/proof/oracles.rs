@@ -1,4 +1,5 @@
-//! Every mechanism of the library and of the tests, every closed form, every order and every assembly, against both oracles.
+//! Every mechanism of the library and of the tests, every closed form, every order and every assembly, against both
+//! oracles.
 //!
 //! The worst errors per order are printed: `cargo test -p kin-tests --test proof oracles -- --nocapture`.
 
@@ -47,7 +48,8 @@ macro_rules! groups {
 
 groups! { four_bars slider_cranks inverted_slider_cranks loops chains scalars ranges in_space with_outputs as_directions library }
 
-/// Holds a mechanism of the library with random dimensions against both oracles, on a grid of crank angles with random motions.
+/// Holds a mechanism of the library with random dimensions against both oracles, on a grid of crank angles with random
+/// motions.
 fn prove_with<M: ThroughSnap>(name: &str, mut dimension: impl FnMut(&mut Random, usize) -> f64) {
     let mut random = Random::new(M::DESCRIPTION.name.len() as u64);
     let mut worst = Worst::default();

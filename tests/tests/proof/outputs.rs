@@ -1,4 +1,5 @@
-//! Outputs, which are carried along with the unknowns: points, angles, lengths, and functions of them, each through snap.
+//! Outputs, which are carried along with the unknowns: points, angles, lengths, and functions of them, each through
+//! snap.
 
 use core::f64::consts::TAU;
 
@@ -157,7 +158,8 @@ fn formulas<S: Scalar>(parameters: [f64; 6], theta2: S, theta3: S, theta4: S) ->
     ]
 }
 
-/// The same unknowns put into the formulas as Taylor series: nothing of the closure takes part, so its condition does not either.
+/// The same unknowns put into the formulas as Taylor series: nothing of the closure takes part, so its condition does
+/// not either.
 #[test]
 fn outputs_by_series() {
     let parameters = [90.0, 30.0, 60.0, 45.0, 25.0, 15.0];

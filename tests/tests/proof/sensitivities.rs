@@ -1,6 +1,7 @@
 //! The partial derivatives by the parameters, of every closed form and in every assembly, held against both oracles.
 //!
-//! The worst errors per order and the costs are printed: `cargo test -p kin-tests --test proof sensitivities -- --nocapture`.
+//! The worst errors per order and the costs are printed: `cargo test -p kin-tests --test proof sensitivities --
+//! --nocapture`.
 
 use kin_core::count::{self, Counted};
 use kin_core::prelude::*;
@@ -123,8 +124,8 @@ fn what_does_not_depend_has_none_beside_factors() {
     assert!(by.leg.yoke.snap() != 0.0);
 }
 
-/// A mechanism of which everything is scaled moves as before, with its lengths scaled: by Euler's theorem on homogeneous
-/// functions Σ p ∂q/∂p over its lengths is q for a length and 0 for an angle or a number, at every order.
+/// A mechanism of which everything is scaled moves as before, with its lengths scaled: by Euler's theorem on
+/// homogeneous functions Σ p ∂q/∂p over its lengths is q for a length and 0 for an angle or a number, at every order.
 #[test]
 fn scaling_all_lengths_scales_the_motion() {
     struct Prove(usize);
@@ -313,7 +314,8 @@ fn where_a_function_of_parameters_has_no_derivative() {
     assert!(matches!(error.failure, Failure::Singular { .. }), "{error}");
 }
 
-/// Declared costs are what is carried out, and all partial derivatives together cost less than a solution for each parameter.
+/// Declared costs are what is carried out, and all partial derivatives together cost less than a solution for each
+/// parameter.
 fn cost<M: Sensitive<Scalar = Counted>>(parameters: &[f64], angle: f64) {
     let name = M::DESCRIPTION.name;
     let mechanism = M::from_parameters(M::Parameters::from_fn(|index| Counted::new(parameters[index])));

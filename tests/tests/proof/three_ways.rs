@@ -2,10 +2,12 @@
 //!
 //! - **generated**: the solver that `mechanism!` writes from the declaration;
 //! - **notes**: the formulas that lecture notes derive by hand, transcribed line by line in `tests/src/notes`;
-//! - **hyper-dual**: the generated position solver alone, run on the dual numbers of `num-dual`, which differentiate it. The velocity comes
-//!   from `Dual`, the acceleration from `HyperDual`, the jerk from `HyperHyperDual` and the snap from `HyperDual<HyperDual>`.
+//! - **hyper-dual**: the generated position solver alone, run on the dual numbers of `num-dual`, which differentiate
+//!   it. The velocity comes from `Dual`, the acceleration from `HyperDual`, the jerk from `HyperHyperDual` and the snap
+//!   from `HyperDual<HyperDual>`.
 //!
-//! The notes know nothing of the generated code. The dual numbers know nothing of its derivatives, and take the position from it.
+//! The notes know nothing of the generated code. The dual numbers know nothing of its derivatives, and take the
+//! position from it.
 //!
 //! The table is printed: `cargo test -p kin-tests --test proof three_ways -- --nocapture`.
 
@@ -158,9 +160,9 @@ impl<M: ThroughSnap> System<M> {
 
     /// Prints the three ways of each unknown, and asserts that they agree. Angles agree modulo whole turns.
     ///
-    /// Each way is known to about ε κ² wⁿ at order n, where κ is the condition of the pose and w its fastest rate: that is the unit of the
-    /// `Gauge`. Of it `ALLOWED` grants 16 for the position, then 32, 128, 512 and 2048, as the sums of the chain rule grow. See
-    /// "Tolerances" in `docs/verification.md`.
+    /// Each way is known to about ε κ² wⁿ at order n, where κ is the condition of the pose and w its fastest rate: that
+    /// is the unit of the `Gauge`. Of it `ALLOWED` grants 16 for the position, then 32, 128, 512 and 2048, as the sums
+    /// of the chain rule grow. See "Tolerances" in `docs/verification.md`.
     fn compare(&self, crank: Orders, notes: &[Orders]) {
         let crank_motion = M::Inputs::from_fn(|_| Motion::new(crank));
         let pose = self.mechanism.solve(crank_motion, self.assembly);
@@ -206,10 +208,12 @@ impl<M: ThroughSnap> System<M> {
         }
     }
 
-    /// The motion of each unknown by hyper-dual numbers through the position solver, each order by its own kind of number.
+    /// The motion of each unknown by hyper-dual numbers through the position solver, each order by its own kind of
+    /// number.
     ///
-    /// A hyper-dual number has several infinitesimal steps, all of them steps of time here. The product of k steps carries the k-th
-    /// derivative, so the crank is given its k-th derivative at each product of k steps, and an unknown's is read at one of them.
+    /// A hyper-dual number has several infinitesimal steps, all of them steps of time here. The product of k steps
+    /// carries the k-th derivative, so the crank is given its k-th derivative at each product of k steps, and an
+    /// unknown's is read at one of them.
     fn by_hyper_dual_numbers(&self, [q, q_1, q_2, q_3, q_4]: Orders) -> Vec<Orders> {
         let first = self.position(Dual64::new(q, q_1));
         let second = self.position(HyperDual64::new(q, q_1, q_1, q_2));

@@ -15,7 +15,8 @@ use kin_tests::reference::{Given, Solution, solution};
 /// Poses in a batch: more than lanes, and no multiple of them.
 const POSES: usize = 101;
 
-/// By how much a batch may differ from single poses, in units of rounding times the condition, which is known to 50 digits.
+/// By how much a batch may differ from single poses, in units of rounding times the condition, which is known to 50
+/// digits.
 const UNITS: f64 = 4.0;
 
 /// Of every so many poses that condition is asked for; the others are held to what both oracles allow a single pose.
@@ -159,7 +160,8 @@ impl cases::Visitor for Compare {
     }
 }
 
-/// Mechanisms with coupled blocks, no two alike, from values of the unknowns a little off the positions they were built around.
+/// Mechanisms with coupled blocks, no two alike, from values of the unknowns a little off the positions they were built
+/// around.
 fn coupled<M: ThroughSnap, const UNKNOWNS: usize>(
     seed: u64,
     built: impl Fn(&mut Random) -> Built<M, UNKNOWNS>,

@@ -1,7 +1,8 @@
-//! Dead points, up to rounding: a batch says of each pose what `solve` says, in every kind of vectors, though they are rounded differently.
+//! Dead points, up to rounding: a batch says of each pose what `solve` says, in every kind of vectors, though they are
+//! rounded differently.
 //!
-//! Each form is put where the number under its root, or its determinant, is zero; some of the given numbers are then moved by a few units
-//! in the last place, so that about as many poses close as do not.
+//! Each form is put where the number under its root, or its determinant, is zero; some of the given numbers are then
+//! moved by a few units in the last place, so that about as many poses close as do not.
 
 use core::f64::consts::{FRAC_PI_4, FRAC_PI_6, PI, TAU};
 
@@ -14,7 +15,8 @@ use kin_tests::random::Random;
 /// Poses of each form.
 const POSES: usize = kin_tests::samples::of(2000);
 
-/// By how much positions may differ at most, in double precision: by the root of what is rounded, as both lie at a dead point.
+/// By how much positions may differ at most, in double precision: by the root of what is rounded, as both lie at a dead
+/// point.
 const CLOSE: f64 = 1e-6;
 
 mod forms {
@@ -379,7 +381,8 @@ fn moved(number: f64, units: i32) -> f64 {
     (0..units.abs()).fold(number, |number, _| next(number))
 }
 
-/// Poses that a function of random numbers gives, a quarter of them moved by a unit or two in the last place of one parameter.
+/// Poses that a function of random numbers gives, a quarter of them moved by a unit or two in the last place of one
+/// parameter.
 fn poses(seed: u64, moved: fn(f64, i32) -> f64, given: impl Fn(&mut Random) -> Given) -> Vec<Given> {
     let mut random = Random::new(seed);
     (0..POSES)
@@ -658,7 +661,8 @@ fn a_platform_whose_legs_meet_in_a_point() {
     compare::<Platform<f32>>(&poses, None);
 }
 
-/// Both dyads are stretched at this crank angle, and rounding makes the second one close in one kind of vectors and not in others.
+/// Both dyads are stretched at this crank angle, and rounding makes the second one close in one kind of vectors and not
+/// in others.
 #[test]
 fn a_stephenson_linkage_at_a_dead_point() {
     let parameters = [

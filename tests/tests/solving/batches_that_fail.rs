@@ -1,4 +1,5 @@
-//! Batches in which poses fail, of mechanisms of the library: each outcome is that of `solve`, whatever the share that fails.
+//! Batches in which poses fail, of mechanisms of the library: each outcome is that of `solve`, whatever the share that
+//! fails.
 
 use kin_core::batch::Outcome;
 use kin_core::prelude::*;

@@ -1,4 +1,5 @@
-//! Several loops, block after block, are several mechanisms, one after the other: what the first gives drives the second.
+//! Several loops, block after block, are several mechanisms, one after the other: what the first gives drives the
+//! second.
 
 use core::f64::consts::PI;
 
@@ -31,7 +32,8 @@ fn cranks(seed: u64) -> Vec<Angle> {
         .collect()
 }
 
-/// Compares the unknowns of a chain with those of its parts. Errors of the parts feed the whole, whose gauge holds all of it.
+/// Compares the unknowns of a chain with those of its parts. Errors of the parts feed the whole, whose gauge holds all
+/// of it.
 fn assert_all_agree<M: ThroughSnap>(mechanism: &M, crank: Angle, own: &M::Unknowns<Angle>, expected: &[(Angle, bool)]) {
     let gauge = Gauge::new(mechanism, &M::Inputs::from_fn(|_| crank), own);
     let gauges: Vec<(&Gauge, usize)> = (0..expected.len()).map(|index| (&gauge, index)).collect();

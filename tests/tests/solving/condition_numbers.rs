@@ -1,5 +1,5 @@
-//! The condition of a position, as a pose tells it: compared with that of the reference, and as a bound on the error of positions of any
-//! proportions.
+//! The condition of a position, as a pose tells it: compared with that of the reference, and as a bound on the error of
+//! positions of any proportions.
 
 use core::f64::consts::{PI, TAU};
 
@@ -105,8 +105,9 @@ struct Worst {
 /// Units of ε times the condition by which positions may be off, as their differences in batches may.
 const ALLOWED: f64 = 4.0;
 
-/// The same where links of one dyad differ by any factor. Rounding of the long vectors then makes the vector of a short link as far off in its
-/// length as in its direction, and the condition counts the direction alone. The worst of 9000 such positions is off by 54 units.
+/// The same where links of one dyad differ by any factor. Rounding of the long vectors then makes the vector of a short
+/// link as far off in its length as in its direction, and the condition counts the direction alone. The worst of 9000
+/// such positions is off by 54 units.
 const ALLOWED_OF_EXTREMES: f64 = 64.0;
 
 /// Mechanisms whose lengths are spread over so many powers of ten to either side of 1.

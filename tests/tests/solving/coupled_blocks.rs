@@ -120,8 +120,8 @@ fn at(length: f64, angle: f64) -> Plane {
     Plane::new(length * angle.cos(), length * angle.sin())
 }
 
-/// Another way to count: for each direction of the ternary link the first two legs close as a four-bar does, in two ways, and
-/// the third leg must have its length. Changes of sign over a fine scan are roots.
+/// Another way to count: for each direction of the ternary link the first two legs close as a four-bar does, in two
+/// ways, and the third leg must have its length. Changes of sign over a fine scan are roots.
 fn scanned(mechanism: &Triad, theta: f64) -> usize {
     let left = |phi: f64, side: f64| {
         // a cis(alpha) - b cis(beta) = target

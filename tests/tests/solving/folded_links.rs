@@ -1,7 +1,8 @@
-//! Two links of nearly one length, folded on each other so that their ends nearly coincide: the hardest place known for derivatives.
+//! Two links of nearly one length, folded on each other so that their ends nearly coincide: the hardest place known for
+//! derivatives.
 //!
-//! Such a dyad turns about its ends at nearly any speed. An error that its two angular accelerations have in common hardly changes the jerks, and
-//! the condition counts on it. But the solver rounds the accelerations one by one.
+//! Such a dyad turns about its ends at nearly any speed. An error that its two angular accelerations have in common
+//! hardly changes the jerks, and the condition counts on it. But the solver rounds the accelerations one by one.
 
 use core::f64::consts::PI;
 

@@ -1,4 +1,5 @@
-//! The things that inputs can drive: an angle between links, a slider, a point's coordinate, two cranks; and gears, belts and wheels that roll.
+//! The things that inputs can drive: an angle between links, a slider, a point's coordinate, two cranks; and gears,
+//! belts and wheels that roll.
 #![allow(missing_docs, unreachable_pub, reason = "declarations as a person writes them")]
 
 use core::f64::consts::TAU;

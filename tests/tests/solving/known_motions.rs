@@ -1,7 +1,7 @@
 //! Single loops of other kinds, held against motions that are known beforehand.
 //!
-//! The unknowns move as given, the inputs follow by the rules of sums and products, and the solver has to find the unknowns
-//! again, through snap.
+//! The unknowns move as given, the inputs follow by the rules of sums and products, and the solver has to find the
+//! unknowns again, through snap.
 
 use core::f64::consts::PI;
 

@@ -1,4 +1,5 @@
-//! Positions and their derivatives where they are known beforehand or hard to find, inputs that are refused, and the same in batches.
+//! Positions and their derivatives where they are known beforehand or hard to find, inputs that are refused, and the
+//! same in batches.
 
 mod batches;
 mod batches_at_dead_points;

@@ -143,8 +143,8 @@ fn pose(random: &mut Random) -> Pose {
     [1.0, 1.0, 1.0, 3.0, 1.5, 3.0].map(|most| random.between(-most, most))
 }
 
-/// P. Dietmaier, "The Stewart-Gough platform of general geometry can have 40 real postures", Advances in Robot Kinematics:
-/// Analysis and Control (1998) 7-16.
+/// P. Dietmaier, "The Stewart-Gough platform of general geometry can have 40 real postures", Advances in Robot
+/// Kinematics: Analysis and Control (1998) 7-16.
 #[test]
 fn a_platform_with_forty_postures() {
     let ground = [

@@ -127,8 +127,8 @@ fn aligned_links_are_singular() {
     }
 }
 
-/// A parallelogram's change point lies where all links are on one line. Beside it both assemblies exist: the parallelogram,
-/// with theta4 = theta2, and the antiparallelogram.
+/// A parallelogram's change point lies where all links are on one line. Beside it both assemblies exist: the
+/// parallelogram, with theta4 = theta2, and the antiparallelogram.
 #[test]
 fn change_points() {
     let linkage = FourBar {
@@ -207,8 +207,8 @@ fn the_limit_of_the_range() {
     }
 }
 
-/// Accuracy near the limit, against a solution in closed form that does not cancel: with coupler and rocker alike the angle
-/// between them follows from the half diagonal.
+/// Accuracy near the limit, against a solution in closed form that does not cancel: with coupler and rocker alike the
+/// angle between them follows from the half diagonal.
 #[test]
 fn accuracy_near_the_limit() {
     // r3 = r4 = 1, ground along x with the crank beside it at right angles: e from the crank's own triangle

@@ -1,4 +1,5 @@
-//! Mechanisms of space against what is known of them otherwise: formulas by hand, published relations, limits in the plane.
+//! Mechanisms of space against what is known of them otherwise: formulas by hand, published relations, limits in the
+//! plane.
 //!
 //! That the derivatives are right is the oracles' matter; some of them are compared with formulas here all the same.
 
@@ -485,8 +486,8 @@ fn stewart_gough_leg_turns_by_roll_first() {
     assert_eq!(error.inputs.iter().last().map(|(name, _)| name), Some("pitch".into()));
 }
 
-/// The parts that the declaration leaves out: all three coordinates of the loop, and that its links lead back to where they began in
-/// direction, too. At every order.
+/// The parts that the declaration leaves out: all three coordinates of the loop, and that its links lead back to where
+/// they began in direction, too. At every order.
 #[test]
 fn bennett_closes_in_space() {
     let mut random = Random::new(6);

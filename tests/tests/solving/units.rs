@@ -94,7 +94,8 @@ impl Visitor for Compare {
     }
 }
 
-/// The outputs of a pose are those for its inputs and unknowns, which are evaluated as they were typed. Angles may differ by turns.
+/// The outputs of a pose are those for its inputs and unknowns, which are evaluated as they were typed. Angles may
+/// differ by turns.
 fn assert_outputs_agree<M: ThroughSnap>(mechanism: &M, inputs: &cases::Inputs<M>, pose: &M::Pose, gauge: &Gauge) {
     let unknowns = pose.unknown_motions();
     let at = mechanism.outputs_at(

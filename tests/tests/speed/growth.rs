@@ -69,9 +69,10 @@ fn counts<M: Mechanism>() -> Vec<i64> {
         .collect()
 }
 
-/// All orders to the n-th together take a number of operations that is quadratic in n if the n-th alone takes a number that is
-/// linear: no order adds to the one below twice what orders add on average. Nested differentiation multiplies instead: were the
-/// n-th order half as dear again as the one below, the last would add three times the average, and more if it were dearer.
+/// All orders to the n-th together take a number of operations that is quadratic in n if the n-th alone takes a number
+/// that is linear: no order adds to the one below twice what orders add on average. Nested differentiation multiplies
+/// instead: were the n-th order half as dear again as the one below, the last would add three times the average, and
+/// more if it were dearer.
 fn assert_quadratic<M: Mechanism>() {
     let counts = counts::<M>();
     let growth: Vec<i64> = counts.windows(2).map(|pair| pair[1] - pair[0]).collect();
@@ -130,15 +131,15 @@ impl Units {
         Self { gauge }
     }
 
-    /// An error as a part of what is allowed. What is allowed of the snap does for the orders after it, as w to the n-th power
-    /// outgrows the sums.
+    /// An error as a part of what is allowed. What is allowed of the snap does for the orders after it, as w to the
+    /// n-th power outgrows the sums.
     fn part(error: f64, unit: f64, order: usize) -> f64 {
         error / (unit * ALLOWED[order.min(ALLOWED.len() - 1)])
     }
 }
 
-/// Both oracles, with series of eleven terms: the generated derivatives against those of the position solution run on series,
-/// and put back into the closure, of which nothing must be left.
+/// Both oracles, with series of eleven terms: the generated derivatives against those of the position solution run on
+/// series, and put back into the closure, of which nothing must be left.
 fn verify<M: ThroughTen, Short: ThroughSnap>(parameters: &[f64], seed: u64) {
     let mechanism = M::from_parameters(M::Parameters::from_fn(|index| parameters[index]));
     let short = Short::from_parameters(Short::Parameters::from_fn(|index| parameters[index]));

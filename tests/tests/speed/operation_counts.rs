@@ -1,5 +1,5 @@
-//! The cost of the solvers: the published constants of the library and of the test mechanisms, held in snapshots and proved by running
-//! the solvers on numbers that count.
+//! The cost of the solvers: the published constants of the library and of the test mechanisms, held in snapshots and
+//! proved by running the solvers on numbers that count.
 
 use core::fmt::Write;
 

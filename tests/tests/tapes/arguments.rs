@@ -8,8 +8,8 @@ use std::process::Command;
 use kin_core::library::{FourBar, StephensonII, WattI};
 use kin_core::tape::{self, Options, Tape};
 
-/// A call, and a part of the message; none if it is right. The four-bar is `f`, its dimensions are `L`; `W` has two choices with the
-/// arguments `w`, `S` has values nearby with the arguments `s`, and `C` has its dimensions folded in.
+/// A call, and a part of the message; none if it is right. The four-bar is `f`, its dimensions are `L`; `W` has two
+/// choices with the arguments `w`, `S` has values nearby with the arguments `s`, and `C` has its dimensions folded in.
 type Cases = [(&'static str, Option<&'static str>)];
 
 const JAVA_SCRIPT: &Cases = &[

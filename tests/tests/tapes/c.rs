@@ -160,8 +160,9 @@ impl Compared {
     }
 }
 
-/// The C code of every mechanism passes strict compilation, without a warning at the usual levels of optimisation, and finds what `solve` finds to the last bit, in every assembly, with codes
-/// and margins where there is nothing to be found.
+/// The C code of every mechanism passes strict compilation, without a warning at the usual levels of optimisation, and
+/// finds what `solve` finds to the last bit, in every assembly, with codes and margins where there is nothing to be
+/// found.
 #[test]
 #[ignore = "gcc"]
 fn c_by_gcc_is_the_solver() {
@@ -237,8 +238,8 @@ impl Visitor for Single {
     }
 }
 
-/// The C code in single precision passes strict compilation, which refuses every number that becomes a `double`. What it finds is as
-/// near to 50 digits as rounding allows.
+/// The C code in single precision passes strict compilation, which refuses every number that becomes a `double`. What
+/// it finds is as near to 50 digits as rounding allows.
 #[test]
 #[ignore = "gcc"]
 fn c_by_gcc_in_single_precision() {

@@ -109,7 +109,8 @@ fn the_notebook_by_python() {
     assert_eq!(told, shown);
 }
 
-/// A package whose build script is that of the chapter, with the line for the crate `cc`, links the solver in C to a program in Rust.
+/// A package whose build script is that of the chapter, with the line for the crate `cc`, links the solver in C to a
+/// program in Rust.
 #[test]
 #[ignore = "gcc"]
 fn the_build_script_with_gcc() {

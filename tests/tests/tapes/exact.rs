@@ -14,7 +14,8 @@ use kin_core::verify::Random;
 /// The number of random places of each table.
 const PLACES: u32 = 1000;
 
-/// A closed table with turns, one of a part of a turn, one through limits, one of a lower order, and one whose name is a trap.
+/// A closed table with turns, one of a part of a turn, one through limits, one of a lower order, and one whose name is
+/// a trap.
 fn tables() -> Vec<ExactTable> {
     let linkage = FourBar {
         r1: 90.0,

@@ -115,8 +115,8 @@ impl Visitor for Compared {
     }
 }
 
-/// Every tape finds what `solve` finds to the last bit, in every assembly, in and out of reach. Where there is no pose, block and
-/// margin are those of the error.
+/// Every tape finds what `solve` finds to the last bit, in every assembly, in and out of reach. Where there is no pose,
+/// block and margin are those of the error.
 #[test]
 fn tapes_are_their_solvers() {
     let mut compared = Compared::default();
@@ -138,7 +138,8 @@ fn tapes_are_their_solvers() {
     assert!(compared.found > 2000 && compared.refused > 500 && compared.margins > 500 && compared.ranges > 100);
 }
 
-/// A record does not depend on the place where it is made: at 20 poses, in reach and out of reach, the tape is the same.
+/// A record does not depend on the place where it is made: at 20 poses, in reach and out of reach, the tape is the
+/// same.
 struct SameEverywhere;
 
 impl Visitor for SameEverywhere {

@@ -5,7 +5,8 @@ use kin_core::prelude::*;
 use kin_tests::mechanisms::cases::{Case, ThroughSnap};
 use kin_tests::random::Random;
 
-/// The inputs of each mechanism in other languages, each tried in every assembly. About half of the poses are out of reach.
+/// The inputs of each mechanism in other languages, each tried in every assembly. About half of the poses are out of
+/// reach.
 #[cfg(feature = "every-case")]
 pub(crate) const INPUTS: u32 = 1000;
 
@@ -43,8 +44,8 @@ impl<M: ThroughSnap> Wanted<M> {
     }
 }
 
-/// `count` inputs with dimensions, each in every assembly. Half of the dimensions are close to those of the case, the others may not
-/// close at all.
+/// `count` inputs with dimensions, each in every assembly. Half of the dimensions are close to those of the case, the
+/// others may not close at all.
 pub(crate) fn poses<M: ThroughSnap>(case: Case, count: u32) -> Vec<Wanted<M>> {
     let mut random = Random::new(16);
     let mut all = Vec::new();

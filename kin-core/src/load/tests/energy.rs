@@ -1,4 +1,5 @@
-//! The rates of the energies are the powers, and the efforts of conservative loads are the slopes of the potential energy.
+//! The rates of the energies are the powers, and the efforts of conservative loads are the slopes of the potential
+//! energy.
 
 use std::vec::Vec;
 
@@ -14,7 +15,8 @@ use crate::motion::Motion;
 /// In multiples of ε times the sum of the sizes of the terms. The largest that occurs is 20, in space.
 const BOUND: f64 = 64.0;
 
-/// The largest error of the balance of powers over random motions, as a multiple of ε times the sum of the sizes of its terms.
+/// The largest error of the balance of powers over random motions, as a multiple of ε times the sum of the sizes of its
+/// terms.
 fn worst<C: Case>() -> f64 {
     let (mechanism, loads, mut numbers) = (C::mechanism(), C::loads(), Numbers::new());
     let mut worst: f64 = 0.0;
@@ -51,7 +53,8 @@ fn drives_loads_and_dampers_pay_for_the_change_of_energy() {
     assert!(worst::<OfTriad>() < BOUND);
 }
 
-/// Five points of the potential energy give its slope with an error of the order h⁴, which is below 1e-9 for these steps.
+/// Five points of the potential energy give its slope with an error of the order h⁴, which is below 1e-9 for these
+/// steps.
 fn slope(energy: impl Fn(f64) -> f64) -> f64 {
     let step = 1e-3;
     let difference = |steps: f64| energy(steps * step) - energy(-steps * step);

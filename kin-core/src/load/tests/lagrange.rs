@@ -1,8 +1,8 @@
 //! The efforts and their rates agree with Lagrange's equations, which dual numbers derive from positions alone.
 //!
-//! The equations are d/dt(∂T/∂q') - ∂T/∂q + ∂V/∂q = Q. The coordinates of the masses come from position solutions over numbers with second
-//! derivatives by the inputs, whose parts carry two derivatives by time. Nothing is shared with the loads but the position solvers: no
-//! rates of the mechanism, no outputs, no `Series`.
+//! The equations are d/dt(∂T/∂q') - ∂T/∂q + ∂V/∂q = Q. The coordinates of the masses come from position solutions over
+//! numbers with second derivatives by the inputs, whose parts carry two derivatives by time. Nothing is shared with the
+//! loads but the position solvers: no rates of the mechanism, no outputs, no `Series`.
 
 use std::vec;
 use std::vec::Vec;
@@ -25,8 +25,8 @@ type Timed = Dual2<f64>;
 /// A value with its partial derivatives by two inputs.
 type Twice = HyperDual<Timed>;
 
-/// The errors of positions and of both derivations, in multiples of ε times the sum of the sizes of the terms. The largest that
-/// occurs is 35, in space, where the rod and the rocker are least at right angles.
+/// The errors of positions and of both derivations, in multiples of ε times the sum of the sizes of the terms. The
+/// largest that occurs is 35, in space, where the rod and the rocker are least at right angles.
 const BOUND: f64 = 64.0;
 
 /// The coordinates on which the loads act, and the potential energy.

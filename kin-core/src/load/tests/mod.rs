@@ -1,4 +1,5 @@
-//! Loads on mechanisms of the plane and of space, with one input and with several, in closed form and by Newton's method.
+//! Loads on mechanisms of the plane and of space, with one input and with several, in closed form and by Newton's
+//! method.
 
 mod energy;
 #[cfg(feature = "num-dual")]
@@ -263,7 +264,10 @@ pub(super) trait Case {
 }
 
 macro_rules! cases {
-    ($($case:ident: $mechanism:ty = $value:ident in $assembly:expr, $loads:ident, [$($middle:literal $reach:literal $speed:literal),+];)+) => {
+    ($(
+        $case:ident: $mechanism:ty = $value:ident in $assembly:expr, $loads:ident,
+        [$($middle:literal $reach:literal $speed:literal),+];
+    )+) => {
         $(
             pub(super) struct $case;
 

@@ -13,8 +13,8 @@ use crate::linkage::AnyLinkage;
 use crate::load::{LoadError, Loaded, Loads, NamedLoads};
 use crate::motion::Motion;
 
-/// The largest difference between efforts by names and by closures, as a part of the largest effort: the series of the one and the rates
-/// of the other differ by rounding.
+/// The largest difference between efforts by names and by closures, as a part of the largest effort: the series of the
+/// one and the rates of the other differ by rounding.
 const CLOSE: f64 = 1e-12;
 
 fn compare<const K: usize>(by_names: &[Vec<f64>], by_closures: &[[[f64; 3]; K]]) {

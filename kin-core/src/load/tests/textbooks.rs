@@ -1,8 +1,8 @@
 //! Formulas of textbooks for slider-cranks and four-bar linkages.
 //!
-//! Those for engines leave out powers of the ratio n = r/l of crank and rod. The bounds of their errors follow from the binomial series
-//! of √(1 - n² sin²θ), whose terms all have one sign. The error of the acceleration is largest at 90 degrees, where it has
-//! the value of the bound.
+//! Those for engines leave out powers of the ratio n = r/l of crank and rod. The bounds of their errors follow from the
+//! binomial series of √(1 - n² sin²θ), whose terms all have one sign. The error of the acceleration is largest at 90
+//! degrees, where it has the value of the bound.
 
 use std::vec::Vec;
 
@@ -34,9 +34,9 @@ fn rounding(size: f64) -> f64 {
     16.0 * f64::EPSILON * size
 }
 
-/// The inertia force of the piston is m r ω² (cos θ + n cos 2θ), and the error is at most m l ω² n² (1/√(1 - n²) - 1), which it reaches.
-/// (R. L. Norton, *Design of Machinery*, McGraw-Hill, chapter 13; J. J. Uicker, G. R. Pennock & J. E. Shigley, *Theory of Machines and
-/// Mechanisms*, Oxford University Press, on the dynamics of reciprocating engines.)
+/// The inertia force of the piston is m r ω² (cos θ + n cos 2θ), and the error is at most m l ω² n² (1/√(1 - n²) - 1),
+/// which it reaches. (R. L. Norton, *Design of Machinery*, McGraw-Hill, chapter 13; J. J. Uicker, G. R. Pennock & J. E.
+/// Shigley, *Theory of Machines and Mechanisms*, Oxford University Press, on the dynamics of reciprocating engines.)
 #[test]
 fn the_inertia_force_of_a_piston() {
     let loads = Loads::<Engine>::new().mass(MASS, |pose| pose.piston);
@@ -60,8 +60,8 @@ fn the_inertia_force_of_a_piston() {
     }
 }
 
-/// The gas force F gives the crank the torque F r sin θ (1 + n cos θ), with an error of at most F r n (1/√(1 - n²) - 1) / 2. (Norton,
-/// chapter 13.)
+/// The gas force F gives the crank the torque F r sin θ (1 + n cos θ), with an error of at most F r n (1/√(1 - n²) - 1)
+/// / 2. (Norton, chapter 13.)
 #[test]
 fn the_gas_torque() {
     // towards the crank
@@ -86,8 +86,9 @@ fn the_gas_torque() {
     }
 }
 
-/// The inertia torque of the piston on the crank is m r² ω² (n/2 sin θ - sin 2θ - 3n/2 sin 3θ) / 2. It leaves out the product of both
-/// second harmonics, at most n²/4, besides the errors of velocity and acceleration. (Norton, chapter 13; Uicker, Pennock & Shigley.)
+/// The inertia torque of the piston on the crank is m r² ω² (n/2 sin θ - sin 2θ - 3n/2 sin 3θ) / 2. It leaves out the
+/// product of both second harmonics, at most n²/4, besides the errors of velocity and acceleration. (Norton, chapter
+/// 13; Uicker, Pennock & Shigley.)
 #[test]
 fn the_inertia_torque_of_a_piston() {
     let loads = Loads::<Engine>::new().mass(MASS, |pose| pose.piston);

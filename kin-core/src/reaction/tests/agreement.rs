@@ -40,8 +40,8 @@ fn in_equilibrium(reactions: &NamedReactions<'_>, found: &Reactions, places: &[P
     }
 }
 
-/// Efforts by equilibrium and by virtual work, with both rates, the forces along a sweep beside those of single poses, and the equilibrium
-/// of each body.
+/// Efforts by equilibrium and by virtual work, with both rates, the forces along a sweep beside those of single poses,
+/// and the equilibrium of each body.
 fn compare<M: Mechanism<Scalar = f64>>(mechanism: &M, range: [f64; 2]) {
     let assembly = AssemblyChoice::Index(0);
     let law = Rise::new(Shape::Polynomial56789, range[0], range[1], 0.7).expect("a law");
@@ -195,7 +195,8 @@ fn names_tell_the_bodies() {
 }
 
 crate::mechanism! {
-    /// A table that a crank lifts between two walls, and a dyad on its edge: three bodies share a joint, and the table cannot turn.
+    /// A table that a crank lifts between two walls, and a dyad on its edge: three bodies share a joint, and the table
+    /// cannot turn.
     pub(super) struct Lift { crank: Length, rod: Length, width: Length, link: Length, arm: Length }
     input theta: Angle;
     unknown phi: Angle, height: Length, psi: Angle, chi: Angle;
@@ -271,7 +272,8 @@ fn rates_are_differences() {
             ] {
                 for order in 0..2 {
                     let difference = (behind[order] - before[order]) / (2.0 * STEP);
-                    // the error is the square of the step times a rate two orders higher, which is up to 1e4 times as large
+                    // the error is the square of the step times a rate two orders higher, which is up to 1e4 times as
+                    // large
                     let size = own[order].abs() + own[order + 1].abs() + difference.abs();
                     let rounding = 1e-6 * size + 1e-8;
                     assert!(

@@ -144,8 +144,8 @@ fn engine(linkage: &AnyLinkage<'static>) -> NamedReactions<'static> {
     linkage.reactions(&loads).expect("its bodies are declared")
 }
 
-/// The force of the rod is tangent to the friction circles in both pins. (K. J. Waldron, G. L. Kinzel & S. K. Agrawal, *Kinematics,
-/// Dynamics, and Design of Machinery*, 3rd edition, Wiley 2016, section 14.6.)
+/// The force of the rod is tangent to the friction circles in both pins. (K. J. Waldron, G. L. Kinzel & S. K. Agrawal,
+/// *Kinematics, Dynamics, and Design of Machinery*, 3rd edition, Wiley 2016, section 14.6.)
 #[test]
 fn friction_circles_of_a_slider_crank() {
     let linkage = AnyLinkage::of(&ENGINE);
@@ -248,7 +248,8 @@ crate::mechanism! {
     slide tip along cis(angle) on wedge;
 }
 
-/// With one angle of friction φ at all three faces of a wedge α, the force is W tan(α + 2φ). (J. L. Meriam & L. G. Kraige,
+/// With one angle of friction φ at all three faces of a wedge α, the force is W tan(α + 2φ). (J. L. Meriam & L. G.
+/// Kraige,
 /// *Engineering Mechanics: Statics*, 7th edition, Wiley 2012, section 6/4.)
 #[test]
 fn a_wedge_lifts_and_locks() {
@@ -341,7 +342,8 @@ fn a_bushing_locks() {
     }
 }
 
-/// Bodies cut free: the forces of joints and drives move each body as its mass and inertia want, and friction is what the law says.
+/// Bodies cut free: the forces of joints and drives move each body as its mass and inertia want, and friction is what
+/// the law says.
 #[test]
 fn bodies_cut_free() {
     let mut random = Random::new(5);
@@ -631,8 +633,8 @@ fn laws_begin_and_end() {
     }
 }
 
-/// Over a cycle, a constant force does no work, and all that the drive gives is heat. From a dead centre on, the first pieces of the curve end
-/// where the piston turns back, shortly behind a kink.
+/// Over a cycle, a constant force does no work, and all that the drive gives is heat. From a dead centre on, the first
+/// pieces of the curve end where the piston turns back, shortly behind a kink.
 #[test]
 fn a_cycle_heats() {
     let linkage = AnyLinkage::of(&ENGINE);

@@ -76,8 +76,8 @@ fn a_coupler_on_three_cranks() {
     let reactions = linkage.reactions(&loads).expect("its bodies are declared");
     assert_eq!(
         message(still(&reactions, &[1.1])),
-        "the drive of `theta` could act on each of `first`, `second`, `third`, on which the forces in joints depend: say which by \
-         `driving`"
+        "the drive of `theta` could act on each of `first`, `second`, `third`, on which the forces in joints depend: \
+         say which by `driving`"
     );
     let reactions = reactions.driving("theta", "first").expect("a body");
     let found = still(&reactions, &[1.1]).expect("it has a solution");
@@ -130,8 +130,8 @@ fn what_no_joint_holds() {
     let error = still(&reactions, &[0.4]);
     assert_eq!(
         message(error),
-        "the joints leave `wheel` 1 freedom while the inputs stand: declare the joint that is missing, or no joint stands for \
-         `phi == -ratio * theta`, and the force of a gear or a rack is not found"
+        "the joints leave `wheel` 1 freedom while the inputs stand: declare the joint that is missing, or no joint \
+         stands for `phi == -ratio * theta`, and the force of a gear or a rack is not found"
     );
 }
 
@@ -155,7 +155,8 @@ fn guesses_are_shown() {
     let linkage = AnyLinkage::of(&linkage);
     assert_eq!(
         message(linkage.reactions(&linkage.loads())),
-        "the declaration does not state its bodies, on which the forces in joints depend; if this is how they are joined, add\n\
+        "the declaration does not state its bodies, on which the forces in joints depend; if this is how they are \
+         joined, add\n\
          ground 0, vec2(r1, 0);\n\
          body r2: 0, r2 * cis(theta2);\n\
          body r3: r2 * cis(theta2), r2 * cis(theta2) + r3 * cis(theta3);\n\
@@ -165,8 +166,8 @@ fn guesses_are_shown() {
     let spatial = AnyLinkage::of(&spatial);
     assert_eq!(
         message(spatial.reactions(&spatial.loads())),
-        "the mechanism is one of space: the forces in its joints need their axes, which nothing declares; forces in joints are found in \
-         the plane"
+        "the mechanism is one of space: the forces in its joints need their axes, which nothing declares; forces in \
+         joints are found in the plane"
     );
 }
 
@@ -197,8 +198,8 @@ fn loads_without_a_place() {
     };
     assert_eq!(
         error(linkage.loads().mass(1.0, "knee").expect("a point")),
-        "load 1, at `knee`, could act on each of `coupler`, `rocker`, on which the forces in joints depend: let it act on a point that \
-         one body alone has"
+        "load 1, at `knee`, could act on each of `coupler`, `rocker`, on which the forces in joints depend: let it \
+         act on a point that one body alone has"
     );
     assert_eq!(
         error(
@@ -207,7 +208,8 @@ fn loads_without_a_place() {
                 .mass_of("crank", -1.0, "crank_centre", 0.0)
                 .expect("a body")
         ),
-        "load 1: the mass is -1: give one that is not negative; a hole is part of its link, whose mass and centre are those of the whole"
+        "load 1: the mass is -1: give one that is not negative; a hole is part of its link, whose mass and centre are \
+         those of the whole"
     );
     let missing = linkage
         .loads()

@@ -1,7 +1,7 @@
 //! Andrews' squeezing mechanism: the multipliers of its constraints are the forces of the rods' joint.
 //!
-//! E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, 2nd edition, Springer 1996, section VII.7. The reference is the
-//! index-3 form in 40 digits, from the crank's angle and speed of the published solution at 0.03 s.
+//! E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, 2nd edition, Springer 1996, section VII.7. The
+//! reference is the index-3 form in 40 digits, from the crank's angle and speed of the published solution at 0.03 s.
 
 use crate::any::PositionChoice;
 use crate::geometry::Plane;

@@ -17,8 +17,8 @@ pub(crate) struct Environment {
 }
 
 impl Environment {
-    /// The folder below cargo's, with the packages of others if they are wanted. A package that cannot be installed is told, and left
-    /// out.
+    /// The folder below cargo's, with the packages of others if they are wanted. A package that cannot be installed is
+    /// told, and left out.
     pub(crate) fn new(has_peers: bool) -> Self {
         let folder = target().join("peers");
         fs::create_dir_all(&folder).expect("cargo's folder can be written");

@@ -26,8 +26,8 @@ const TURNS: usize = 100;
 /// The columns of results through snap: those of two unknowns.
 const RESULTS: usize = 10;
 
-/// The flags for kin's C: the usual ones, and all that the machine has. Products and sums are not fused, so that the numbers are those
-/// of `solve`.
+/// The flags for kin's C: the usual ones, and all that the machine has. Products and sums are not fused, so that the
+/// numbers are those of `solve`.
 const FLAGS: [(&str, &[&str]); 2] = [
     ("O2", &["-O2", "-ffp-contract=off"]),
     ("native", &["-O3", "-march=native", "-ffp-contract=off"]),
@@ -184,8 +184,8 @@ fn race<M: ThroughSnap>(
     tidy(&folder);
 }
 
-/// Asserts that a contender with formulas of its own has found the same numbers. Between the limits of motion rounding stays far below
-/// the tolerance, which is a part of the largest number of the same order.
+/// Asserts that a contender with formulas of its own has found the same numbers. Between the limits of motion rounding
+/// stays far below the tolerance, which is a part of the largest number of the same order.
 fn assert_close(name: &str, own: &[f64], solved: &[f64]) {
     const TOLERANCE: f64 = 1e-9;
     assert_eq!(own.len(), solved.len(), "{name}");

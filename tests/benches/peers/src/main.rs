@@ -6,8 +6,9 @@
 //! cargo run --release -p kin-peers -- --book     # the same, and writes the table into docs/languages.md
 //! ```
 //!
-//! gcc, node and Python have to be installed. The packages are installed into an environment of their own, in the versions that
-//! `requirements.txt` names. All contenders of a race take turns, and must find the same numbers before they do.
+//! gcc, node and Python have to be installed. The packages are installed into an environment of their own, in the
+//! versions that `requirements.txt` names. All contenders of a race take turns, and must find the same numbers before
+//! they do.
 
 mod environment;
 mod kin;

@@ -55,7 +55,8 @@ impl<'a> Race<'a> {
         });
     }
 
-    /// Enters another program, and returns the numbers that it has found. It writes them to the file that its last argument names.
+    /// Enters another program, and returns the numbers that it has found. It writes them to the file that its last
+    /// argument names.
     pub(crate) fn enter_program(&mut self, name: &str, folder: &Path, command: &mut Command) -> Vec<f64> {
         let file = format!("{name}.out");
         let child = command

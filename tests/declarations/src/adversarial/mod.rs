@@ -1,4 +1,5 @@
-//! Declarations that go to an extreme: deep, wide, long, of large powers, of numbers at the ends of what can be written.
+//! Declarations that go to an extreme: deep, wide, long, of large powers, of numbers at the ends of what can be
+//! written.
 
 mod algebra;
 mod deep;

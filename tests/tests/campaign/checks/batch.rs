@@ -9,7 +9,8 @@ use crate::topology::{Problem, Rates};
 use crate::unit::units;
 use kin_tests::batches::{Table, vectors};
 
-/// Above this condition of a position, rounding may decide whether a batch and a single solver find it: see the chapter on batches.
+/// Above this condition of a position, rounding may decide whether a batch and a single solver find it: see the chapter
+/// on batches.
 const DECISIVE: f64 = 1e3;
 
 /// The relative change of a number from which the condition of a margin follows.
@@ -75,8 +76,8 @@ impl Campaign {
         }
     }
 
-    /// Whether two outcomes are the same, with margins that agree to 4 ε of the lengths, multiplied by the condition of the
-    /// blocks before.
+    /// Whether two outcomes are the same, with margins that agree to 4 ε of the lengths, multiplied by the condition of
+    /// the blocks before.
     fn are_alike(&self, own: Outcome, other: Outcome, solved: &Solved) -> bool {
         if let (Outcome::OutOfReach { margin: own }, Outcome::OutOfReach { margin: other }) = (own, other) {
             let allowed = |condition: f64| (own - other).abs() <= 4.0 * f64::EPSILON * condition;
@@ -85,8 +86,8 @@ impl Campaign {
         own == other
     }
 
-    /// The condition of a margin: its change with each number, times the number. The blocks before the one that fails pass on
-    /// their rounding errors, each of which is like a change of its own numbers.
+    /// The condition of a margin: its change with each number, times the number. The blocks before the one that fails
+    /// pass on their rounding errors, each of which is like a change of its own numbers.
     fn margin_condition(&self, solved: &Solved, margin: f64) -> f64 {
         let change = |problem: &Problem| {
             let outcome = self

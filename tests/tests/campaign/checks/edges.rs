@@ -11,7 +11,8 @@ use kin_tests::random::Random;
 const HALVINGS: usize = 80;
 
 impl Campaign {
-    /// Poses within a few units in the last place of an input where the mechanism ceases to close, if there is such a place.
+    /// Poses within a few units in the last place of an input where the mechanism ceases to close, if there is such a
+    /// place.
     pub(super) fn edges(&mut self, solved: &Solved, random: &mut Random) -> Vec<Solved> {
         let (Ok(_), false) = (&solved.result, solved.problem.inputs.is_empty()) else {
             return Vec::new();

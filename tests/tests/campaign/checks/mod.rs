@@ -46,8 +46,8 @@ struct Pose {
     units: Option<Units>,
 }
 
-/// The condition up to which anything is said of a pose: a tenth of 1 / √ε. Near a limit position its square times ε is what the unit, which
-/// is of the first order, leaves out.
+/// The condition up to which anything is said of a pose: a tenth of 1 / √ε. Near a limit position its square times ε is
+/// what the unit, which is of the first order, leaves out.
 fn most_condition(epsilon: f64) -> f64 {
     0.1 / epsilon.sqrt()
 }

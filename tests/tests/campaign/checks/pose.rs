@@ -1,4 +1,5 @@
-//! A pose that is found is finite, closes at every order, and is the position that the position solver finds; and one that is there is found.
+//! A pose that is found is finite, closes at every order, and is the position that the position solver finds; and one
+//! that is there is found.
 
 use kin_core::Failure;
 use kin_core::any::AssemblyChoice;
@@ -8,8 +9,8 @@ use crate::bounded::TERMS;
 use crate::topology::{Problem, at_rest};
 use crate::unit::units;
 
-/// How many units of ε times the condition a pose may be off. The unit counts each number and each operation of the closure once; what
-/// the solvers calculate besides, and lose, is a few operations more for each of these.
+/// How many units of ε times the condition a pose may be off. The unit counts each number and each operation of the
+/// closure once; what the solvers calculate besides, and lose, is a few operations more for each of these.
 pub(super) const ALLOWED: f64 = 8.0;
 
 /// A position that is as well known as this must not be refused.

@@ -1,4 +1,5 @@
-//! A track ends where the solver finds the same assembly, or at a place where something is singular, after so many steps.
+//! A track ends where the solver finds the same assembly, or at a place where something is singular, after so many
+//! steps.
 
 use std::f64::consts::TAU;
 
@@ -25,8 +26,8 @@ const ASIDE: f64 = 1e-9;
 /// A pole is where an unknown has grown by this factor.
 const FAR: f64 = 1e3;
 
-/// A determinant at an obstacle is smaller than this part of what the terms of the equations make of it: the unknowns are known to the root
-/// of ε there.
+/// A determinant at an obstacle is smaller than this part of what the terms of the equations make of it: the unknowns
+/// are known to the root of ε there.
 const SINGULAR: f64 = 1e-5;
 
 impl Campaign {
@@ -132,8 +133,8 @@ impl Campaign {
         match &solved.assembly {
             AssemblyChoice::Index(_) => match self.topology.position(&problem, &solved.assembly) {
                 Ok(direct) => {
-                    // Carried round by whole turns; what depends on the turn, as a rack or a gear does, is elsewhere then, and
-                    // nothing but the assembly is known.
+                    // Carried round by whole turns; what depends on the turn, as a rack or a gear does, is elsewhere
+                    // then, and nothing but the assembly is known.
                     let quantities = self.topology.description().unknowns;
                     let pairs = || end.iter().zip(&direct).zip(quantities);
                     let turned = |own: f64, other: f64| TAU * ((own - other) / TAU).round();

@@ -1,4 +1,5 @@
-//! The transcribed formulas of the notes close the loops, and each of their derivatives is that of the one before, by differences.
+//! The transcribed formulas of the notes close the loops, and each of their derivatives is that of the one before, by
+//! differences.
 
 mod four_bar_geometric;
 mod freudenstein;
