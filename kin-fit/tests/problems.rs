@@ -74,12 +74,14 @@ fn a_search_meets_the_timed_points_within_their_rounding() {
 }
 
 #[test]
+#[ignore = "seconds of search"]
 fn a_search_beats_the_closed_path() {
     let error = search(&CLOSED);
     assert!(error < 0.3 * CLOSED.published[0].error, "{error}");
 }
 
 #[test]
+#[ignore = "seconds of search"]
 fn a_search_finds_the_minimum_on_the_half_circle() {
     // the papers quote 2.58 with the links 50, 5, 7.031 and 48.134
     let found = HALF_CIRCLE.search(EFFORT).unwrap().unwrap();
@@ -123,6 +125,7 @@ fn norton_s_table_follows_from_its_proportions() {
 /// The straightest linkage that is no less even than Norton's straightest one over half a turn, as the command finds
 /// it.
 #[test]
+#[ignore = "seconds of search"]
 fn a_four_bar_linkage_is_straighter_than_hoeken_s_and_no_less_even() {
     let effort = Effort {
         starts: 2,
@@ -150,6 +153,7 @@ fn a_four_bar_linkage_is_straighter_than_hoeken_s_and_no_less_even() {
 }
 
 #[test]
+#[ignore = "seconds of search"]
 fn a_short_search_already_beats_hoeken_s_linkages() {
     let effort = Effort {
         starts: 4,
@@ -176,6 +180,7 @@ fn legs_of_the_literature_step_as_the_book_says() {
 }
 
 #[test]
+#[ignore = "seconds of search"]
 fn jansen_s_leg_steps_flatter_with_other_dimensions() {
     let effort = Effort {
         starts: 1,
@@ -199,6 +204,7 @@ fn jansen_s_leg_steps_flatter_with_other_dimensions() {
 
 /// The linkage that the command finds.
 #[test]
+#[ignore = "seconds of search"]
 fn link_6_rests_for_a_third_of_the_turn() {
     let linkage = StephensonIII {
         r1: 3.881_868_165,
@@ -264,6 +270,7 @@ fn equal_errors_are_a_quarter_of_those_of_five_precision_points() {
 }
 
 #[test]
+#[ignore = "seconds of search"]
 fn a_short_search_beats_three_precision_points() {
     let effort = Effort {
         starts: 2,
