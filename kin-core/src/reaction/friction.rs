@@ -169,6 +169,7 @@ impl NamedReactions<'_> {
         // without a coefficient, no sense is needed
         if friction.coefficient() > 0.0 {
             self.frictions.push((index, friction));
+            self.known.take();
         }
         Ok(self)
     }
@@ -179,6 +180,7 @@ impl NamedReactions<'_> {
     #[must_use]
     pub fn about_to_move(mut self, rates: &[f64]) -> Self {
         self.about_to_move = Some(rates.to_vec());
+        self.known.take();
         self
     }
 

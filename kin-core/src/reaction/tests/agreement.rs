@@ -12,7 +12,7 @@ use crate::library;
 use crate::linkage::AnyLinkage;
 use crate::load::{Loaded, Loads};
 use crate::mechanism::Mechanism;
-use crate::reaction::{NamedReactions, Reaction, ReactionPart, Reactions};
+use crate::reaction::{Friction, NamedReactions, Reaction, ReactionPart, Reactions};
 use crate::verify::Random;
 
 /// Whether all forces on each body add up to nothing, and their moments.
@@ -40,6 +40,19 @@ fn in_equilibrium(reactions: &NamedReactions<'_>, found: &Reactions, places: &[P
     }
 }
 
+/// The same with friction in all joints.
+fn rubbed(reactions: NamedReactions<'_>) -> NamedReactions<'_> {
+    let names: Vec<_> = reactions.names().map(ToString::to_string).collect();
+    let (coefficient, radius, length) = (0.05, 0.01, None);
+    names.iter().fold(reactions, |reactions, name| {
+        let friction = match reactions.is_slide(name) {
+            Ok(true) => Friction::Slide { coefficient, length },
+            _ => Friction::Pin { coefficient, radius },
+        };
+        reactions.friction(name, friction).expect("it can have it")
+    })
+}
+
 /// Efforts by equilibrium and by virtual work, with both rates, the forces along a sweep beside those of single poses,
 /// and the equilibrium of each body.
 fn compare<M: Mechanism<Scalar = f64>>(mechanism: &M, range: [f64; 2]) {
@@ -60,7 +73,22 @@ fn compare<M: Mechanism<Scalar = f64>>(mechanism: &M, range: [f64; 2]) {
         })
         .collect();
     let solved = sweep.reactions(&reactions).expect("it moves");
-    for ((row, found), at) in rows.iter().zip(&solved).zip(0..) {
+    let name = reactions.names().next().expect("a joint").to_string();
+    let force_along = |reactions: &NamedReactions<'_>| {
+        let force = sweep.of_reaction(reactions, &name, ReactionPart::Force, 0);
+        force.column().expect("it is determined")
+    };
+    let bare = force_along(&reactions);
+    // what is remembered without friction does not answer for it
+    let rubbed = rubbed(reactions.clone());
+    let with_friction = sweep.reactions(&rubbed).expect("it moves");
+    for (((along, bare), found), at) in force_along(&rubbed).iter().zip(bare).zip(&with_friction).zip(0..) {
+        let found = found.as_ref().expect("it is determined");
+        let [force, ..] = found.of(&name).expect("it is determined").magnitude();
+        assert!((along - force).abs() <= 1e-10 * force, "{at}: {along} {force}");
+        assert!((along - bare).abs() > 1e-6 * force, "{at}: friction changes nothing");
+    }
+    for (((row, found), with_friction), at) in rows.iter().zip(&solved).zip(&with_friction).zip(0..) {
         let inputs = [law.at::<1>(sweep.at(at)).value()];
         let unknowns = linkage.position(&inputs, assembly.position()).expect("it closes");
         let mut places = Vec::new();
@@ -69,6 +97,7 @@ fn compare<M: Mechanism<Scalar = f64>>(mechanism: &M, range: [f64; 2]) {
         SkeletonOver::<f64>::skeleton_points(functions, linkage.parameters(), &inputs, &unknowns, &mut add);
         in_equilibrium(&reactions, row, &places);
         in_equilibrium(&reactions, found.as_ref().expect("it is determined"), &places);
+        in_equilibrium(&rubbed, with_friction.as_ref().expect("it is determined"), &places);
     }
     let close = |one: f64, other: f64, size: f64| assert!((one - other).abs() <= 1e-10 * size, "{one} {other} {size}");
     for (order, column) in efforts.iter().enumerate() {
