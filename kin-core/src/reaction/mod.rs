@@ -48,7 +48,7 @@
 //! Their matrix and the loads are series in time, and so are the solutions, from the triangular factors of one matrix:
 //! rates are exact, and nothing is divided by a speed.
 //!
-//! [Friction](Friction) opposes the motion in a pin with the moment μ r |F| and on a slide with the force μ |N|, which
+//! [Friction] opposes the motion in a pin with the moment μ r |F| and on a slide with the force μ |N|, which
 //! change F and N in turn. The same factors tell by how much, and a system with one equation for each joint with
 //! friction remains. Its size is bounded before it is solved: see [`contraction`](Reactions::contraction).
 
