@@ -1,9 +1,12 @@
 //! What acts on a body beside the reactions of its joints.
 
 use alloc::string::String;
+use alloc::vec::Vec;
 
-use super::action::Wrench;
+use super::action::{Wrench, both_turned};
+use super::connection::Connection;
 use super::frames::MovedFrame;
+use super::{NamedReactions, Solved};
 use crate::number::Number;
 use crate::number::series::Series;
 
@@ -51,5 +54,40 @@ impl BodyLoad {
             force,
             moment: if wrench.at.is_some() { 0.0 } else { wrench.moment.real() },
         }
+    }
+}
+
+impl NamedReactions<'_> {
+    /// What acts on all bodies beside the reactions.
+    pub(super) fn body_loads(&self, solved: &Solved) -> Vec<BodyLoad> {
+        let Solved {
+            solution,
+            loads,
+            drives,
+            moved,
+            frames,
+        } = solved;
+        let mut acting = loads.clone();
+        let mut add = |kind: BodyLoadKind, wrenches: &[(usize, Wrench<_>)]| {
+            acting.extend(wrenches.iter().map(|(body, wrench)| (kind, *body, *wrench)));
+        };
+        for (input, (drive, effort)) in drives.iter().zip(&solution.efforts).enumerate() {
+            let effort = effort.unwrap_or(Series::ZERO);
+            add(BodyLoadKind::Drive(input), &drive.wrenches(moved, frames, effort));
+        }
+        // the friction of a slide is a part of its force
+        for (index, _) in &self.frictions {
+            let Connection { on, by, slide, .. } = self.connections[*index];
+            if slide.is_none() {
+                add(
+                    BodyLoadKind::Friction,
+                    &both_turned([on, by], solution.frictions[*index]),
+                );
+            }
+        }
+        add(BodyLoadKind::Guide, &solution.turned);
+        let bodies = self.functions.outline().bodies;
+        let load = |acting: &Acting<_>| BodyLoad::new(acting, &frames[acting.1], bodies[acting.1].name);
+        acting.iter().map(load).collect()
     }
 }

@@ -4,12 +4,12 @@ use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::ReactionError;
 use super::action::{Action, Influences, Wrench, both, both_turned};
 use super::connection::{Connection, Member, holders};
 use super::frames::{MovedFrame, MovedMechanism, left};
 use super::friction::ActingFriction;
 use super::rank::{Rank, largest, rank};
+use super::{ReactionError, ReactionPart, size};
 use crate::geometry::Plane;
 use crate::number::Number;
 use crate::number::series::Series;
@@ -70,6 +70,17 @@ pub(super) struct Solution<const N: usize> {
 }
 
 impl<const N: usize> Solution<N> {
+    /// One part of the force of a connection.
+    pub(super) fn part(&self, index: usize, part: ReactionPart) -> Determined<N> {
+        let force = self.forces[index];
+        match part {
+            ReactionPart::X => force.map(|force| force.x),
+            ReactionPart::Y => force.map(|force| force.y),
+            ReactionPart::Force => force.map(size),
+            ReactionPart::Moment => self.moments[index],
+        }
+    }
+
     /// The same, where each series becomes another one.
     pub(super) fn map(self, change: impl Fn(Series<N>) -> Series<N>) -> Self {
         let all = |series: Vec<Determined<N>>| series.into_iter().map(|own| own.map(&change)).collect();

@@ -169,9 +169,20 @@ impl NamedReactions<'_> {
         // without a coefficient, no sense is needed
         if friction.coefficient() > 0.0 {
             self.frictions.push((index, friction));
-            self.known.take();
+            self.solutions.forget();
         }
         Ok(self)
+    }
+
+    /// The same with friction in several joints.
+    ///
+    /// # Errors
+    /// As for [`friction`](Self::friction).
+    pub fn frictions<N: AsRef<str>>(self, all: impl IntoIterator<Item = (N, Friction)>) -> Result<Self, ReactionError> {
+        let mut all = all.into_iter();
+        all.try_fold(self, |reactions, (name, friction)| {
+            reactions.friction(name.as_ref(), friction)
+        })
     }
 
     /// The same, where friction opposes a motion with these rates of the inputs wherever all of them rest: the efforts
@@ -180,7 +191,7 @@ impl NamedReactions<'_> {
     #[must_use]
     pub fn about_to_move(mut self, rates: &[f64]) -> Self {
         self.about_to_move = Some(rates.to_vec());
-        self.known.take();
+        self.solutions.forget();
         self
     }
 

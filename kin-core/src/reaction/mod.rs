@@ -64,6 +64,7 @@ mod error;
 mod frames;
 mod friction;
 mod rank;
+mod remembered;
 #[cfg(test)]
 mod tests;
 
@@ -72,11 +73,9 @@ pub use efficiency::Efficiency;
 pub use error::ReactionError;
 pub use friction::{Friction, FrictionMistake};
 
-use alloc::collections::BTreeMap;
 use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
-use core::cell::RefCell;
 use core::fmt;
 
 use crate::any::{AnyMechanism, NearOver, OutputsOver, Pictured, PositionChoice, SkeletonOver};
@@ -91,11 +90,13 @@ use crate::number::{Number, NumberRow, singular_values};
 use crate::picture::Outline;
 use crate::quantity::Dimension;
 use crate::solve::unwrap_near;
-use action::{Action, Influence, Influences, Wrench, both_turned};
+use action::{Action, Influence, Influences, Wrench};
+use body_load::Acting;
 use connection::{Connection, Member, connections, member_name};
 use demand::Demand;
 use equations::{Equations, Solution};
-use frames::{MovedMechanism, slope};
+use frames::{MovedFrame, MovedMechanism, slope};
+use remembered::Remembered;
 
 /// The orders of a motion up to snap, and the terms of a series of each.
 const REACH: usize = 4 + TERMS;
@@ -169,12 +170,8 @@ pub struct NamedReactions<'m> {
     frictions: Vec<(usize, Friction)>,
     /// The rates of the inputs that friction opposes while all of them rest.
     about_to_move: Option<Vec<f64>>,
-    /// The solutions at the last places, by all that they depend on.
-    known: RefCell<BTreeMap<Vec<u64>, Solution<REACH>>>,
+    solutions: Remembered,
 }
-
-/// So many solutions are remembered, more than a search for the extremes of all forces asks for.
-const REMEMBERED: usize = 1 << 14;
 
 impl fmt::Debug for NamedReactions<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -227,7 +224,7 @@ impl<'m> NamedReactions<'m> {
             driven: vec![None; functions.description().inputs.len()],
             frictions: Vec::new(),
             about_to_move: None,
-            known: RefCell::default(),
+            solutions: Remembered::default(),
         })
     }
 
@@ -243,7 +240,7 @@ impl<'m> NamedReactions<'m> {
         let body_index = bodies.iter().position(|own| own.name == body);
         if let (Some(input), Some(_)) = (input_index, body_index) {
             self.driven[input] = body_index;
-            self.known.take();
+            self.solutions.forget();
             return Ok(self);
         }
         Err(ReactionError::Place {
@@ -314,9 +311,10 @@ impl<'m> NamedReactions<'m> {
 
     /// The reactions at a place, by time.
     pub(crate) fn found(&self, place: &ReactionPlace<'_>) -> Result<Reactions, ReactionError> {
-        let (solution, body_loads) = self.solved(place)?;
-        let input = self.input_of(place, &solution);
-        let mut solution = solution.map(|series| by_time(series, place.rate));
+        let solved = self.solved(place)?;
+        let input = self.input_of(place, &solved.solution);
+        let body_loads = self.body_loads(&solved);
+        let mut solution = solved.solution.map(|series| by_time(series, place.rate));
         solution.heat = solution.heat * Series::constant(place.rate);
         Ok(Reactions {
             names: self.names().map(ToString::to_string).collect(),
@@ -355,67 +353,42 @@ impl<'m> NamedReactions<'m> {
         place: &ReactionPlace<'_>,
         quantity: ReactionQuantity,
     ) -> Result<MovedNumber, ReactionError> {
-        if let ReactionQuantity::JointSpeed(index) = quantity {
-            return self.joint_speed(place, index);
-        }
-        self.read(place, |solution| self.quantity_of(solution, place, quantity))?
-    }
-
-    fn quantity_of(
-        &self,
-        solution: &Solution<REACH>,
-        place: &ReactionPlace<'_>,
-        quantity: ReactionQuantity,
-    ) -> Result<MovedNumber, ReactionError> {
         let by_time = Series::constant(place.rate);
-        let names = || self.names().map(ToString::to_string).collect::<Vec<String>>();
-        let effort = |input: usize| {
-            let effort = solution.efforts[input];
-            effort.ok_or_else(|| {
-                let drive = drive_of(self.functions.description().inputs[input].name);
-                undetermined(solution, &names(), drive)
-            })
-        };
-        let power = |input: usize| Ok(effort(input)? * slope(place.inputs[input]) * by_time);
-        let (index, part) = match quantity {
-            ReactionQuantity::Part(index, part) => (index, part),
-            ReactionQuantity::Effort(input) => return effort(input),
-            ReactionQuantity::Power(input) => return power(input),
-            ReactionQuantity::Input => {
-                let mut inputs = 0..place.inputs.len();
-                return inputs.try_fold(Series::ZERO, |sum, input| Ok(sum + power(input)?));
+        match quantity {
+            ReactionQuantity::Part(index, part) => self.read(place, |solution| {
+                let found = solution.part(index, part);
+                found.ok_or_else(|| self.undetermined(solution, self.connections[index].name.clone()))
+            })?,
+            ReactionQuantity::Effort(input) => self.read(place, |solution| {
+                let drive = || drive_of(self.functions.description().inputs[input].name);
+                solution.efforts[input].ok_or_else(|| self.undetermined(solution, drive()))
+            })?,
+            ReactionQuantity::Power(input) => {
+                let effort = self.quantity(place, ReactionQuantity::Effort(input))?;
+                Ok(effort * slope(place.inputs[input]) * by_time)
             }
-            ReactionQuantity::Heat | ReactionQuantity::JointSpeed(_) => return Ok(solution.heat * by_time),
-        };
-        let force = solution.forces[index];
-        let found = match part {
-            ReactionPart::X => force.map(|force| force.x),
-            ReactionPart::Y => force.map(|force| force.y),
-            ReactionPart::Force => force.map(size),
-            ReactionPart::Moment => solution.moments[index],
-        };
-        found.ok_or_else(|| {
-            let names = names();
-            undetermined(solution, &names, names[index].clone())
-        })
+            ReactionQuantity::Input => {
+                let power = |input: usize| self.quantity(place, ReactionQuantity::Power(input));
+                (0..place.inputs.len()).try_fold(Series::ZERO, |sum, input| Ok(sum + power(input)?))
+            }
+            ReactionQuantity::Heat => self.read(place, |solution| solution.heat * by_time),
+            ReactionQuantity::JointSpeed(index) => self.joint_speed(place, index),
+        }
     }
 
     /// Reads the solution at a place, for which other questions ask too.
     fn read<R>(&self, place: &ReactionPlace<'_>, read: impl FnOnce(&Solution<REACH>) -> R) -> Result<R, ReactionError> {
-        let key = place.key();
-        if let Some(known) = self.known.borrow().get(&key) {
-            return Ok(read(known));
-        }
-        let (solution, _) = self.solved(place)?;
-        let mut known = self.known.borrow_mut();
-        if known.len() == REMEMBERED {
-            known.clear();
-        }
-        Ok(read(known.entry(key).or_insert(solution)))
+        let find = || Ok(self.solved(place)?.solution);
+        self.solutions.read(place.key(), find, read)
     }
 
-    /// The solution in series of the variable, and what acts on the bodies beside it.
-    fn solved(&self, place: &ReactionPlace<'_>) -> Result<(Solution<REACH>, Vec<BodyLoad>), ReactionError> {
+    fn undetermined(&self, solution: &Solution<REACH>, reaction: String) -> ReactionError {
+        let names: Vec<String> = self.names().map(ToString::to_string).collect();
+        undetermined(solution, &names, reaction)
+    }
+
+    /// The solution in series of the variable.
+    fn solved(&self, place: &ReactionPlace<'_>) -> Result<Solved, ReactionError> {
         let description = place.functions.description();
         let outline = place.functions.outline();
         let moved = place.moved(place.parameters, &place.inputs)?;
@@ -463,36 +436,24 @@ impl<'m> NamedReactions<'m> {
             parity: if place.side == Side::Left { -1.0 } else { 1.0 },
         };
         let solution = equations.solve(&demand.bodies)?;
-        let mut acting = demand.acting;
-        for (input, (drive, effort)) in drives.iter().zip(&solution.efforts).enumerate() {
-            let wrenches = drive.wrenches(&moved, &frames, effort.unwrap_or(Series::ZERO));
-            acting.extend(
-                wrenches
-                    .into_iter()
-                    .map(|(body, wrench)| (BodyLoadKind::Drive(input), body, wrench)),
-            );
-        }
-        // the friction of a slide is a part of its force
-        for (index, _) in &self.frictions {
-            let Connection { on, by, slide, .. } = self.connections[*index];
-            if slide.is_none() {
-                let couples = both_turned([on, by], solution.frictions[*index]);
-                acting.extend(
-                    couples
-                        .into_iter()
-                        .map(|(body, couple)| (BodyLoadKind::Friction, body, couple)),
-                );
-            }
-        }
-        let turned = solution.turned.iter();
-        acting.extend(turned.map(|(body, couple)| (BodyLoadKind::Guide, *body, *couple)));
-        let body_loads = acting.iter().map(|acting| {
-            let (_, body, _) = *acting;
-            BodyLoad::new(acting, &frames[body], outline.bodies[body].name)
-        });
-        let body_loads = body_loads.collect();
-        Ok((solution, body_loads))
+        Ok(Solved {
+            solution,
+            loads: demand.acting,
+            drives,
+            moved,
+            frames,
+        })
     }
+}
+
+/// A solution with what it was found for.
+struct Solved {
+    solution: Solution<REACH>,
+    /// What masses and loads exert.
+    loads: Vec<Acting<REACH>>,
+    drives: Vec<Action>,
+    moved: MovedMechanism<REACH>,
+    frames: Vec<MovedFrame<REACH>>,
 }
 
 fn drive_of(input: &str) -> String {
@@ -509,7 +470,7 @@ fn index_of<'n, N: Iterator<Item = &'n str>>(name: &str, names: impl Fn() -> N) 
 }
 
 /// The length of a vector. Where it passes through zero, it is that behind the zero.
-fn size(force: Plane<MovedNumber>) -> MovedNumber {
+fn size<const N: usize>(force: Plane<Series<N>>) -> Series<N> {
     let length = singular_values(&[force.x, force.y], 1);
     length.first().copied().unwrap_or(Series::ZERO)
 }

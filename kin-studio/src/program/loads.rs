@@ -38,15 +38,23 @@ pub(crate) struct Joint {
     pub(crate) is_slide: bool,
 }
 
-/// The joints of a mechanism with forces, whose names depend on no dimension.
+/// The joints of a mechanism with forces.
 pub(crate) fn joints(functions: &dyn LinkageFunctions) -> Result<Vec<Joint>, Box<ReactionError>> {
-    let linkage = AnyLinkage::new(functions, &vec![1.0; functions.description().parameters.len()]);
-    let reactions = linkage.reactions(&linkage.loads())?;
+    let linkage = unit_linkage(functions);
+    Ok(joints_of(&linkage.reactions(&linkage.loads())?))
+}
+
+/// A linkage with any dimensions, on which the names of its joints do not depend.
+fn unit_linkage(functions: &dyn LinkageFunctions) -> AnyLinkage<'_> {
+    AnyLinkage::new(functions, &vec![1.0; functions.description().parameters.len()])
+}
+
+fn joints_of(reactions: &NamedReactions<'_>) -> Vec<Joint> {
     let joint = |name: &str| Joint {
         name: name.to_owned(),
         is_slide: reactions.is_slide(name) == Ok(true),
     };
-    Ok(reactions.names().map(joint).collect())
+    reactions.names().map(joint).collect()
 }
 
 /// A number in SI, which the unit of lengths of the mechanism divides.
@@ -224,7 +232,7 @@ pub(crate) struct ForceColumns {
     /// All of them.
     pub(crate) all: Vec<ForceColumn>,
     /// Why there are none of joints, and the names of those that there would be if the bodies were as guessed.
-    joints: Option<(ReactionError, Vec<String>)>,
+    joints: Option<(Box<ReactionError>, Vec<String>)>,
 }
 
 impl ForceColumns {
@@ -237,19 +245,16 @@ impl ForceColumns {
             let (force, order) = (Force::Power(input), 0);
             all.push(ForceColumn { force, order });
         }
-        // the names depend on no dimension
-        let linkage = AnyLinkage::new(functions, &vec![1.0; description.parameters.len()]);
-        let joints = match linkage.reactions(&linkage.loads()) {
-            Ok(reactions) => {
-                all.extend(of_joints(&reactions));
+        let joints = match joints(functions) {
+            Ok(joints) => {
+                all.extend(of_joints(&joints));
                 None
             }
             Err(error) => {
+                let linkage = unit_linkage(functions);
                 let guessed = linkage.reactions_as_guessed(&linkage.loads());
-                let names = guessed
-                    .iter()
-                    .flat_map(of_joints)
-                    .map(|column| column.name(description));
+                let guessed = guessed.map_or_else(|_| Vec::new(), |reactions| joints_of(&reactions));
+                let names = of_joints(&guessed).into_iter().map(|column| column.name(description));
                 Some((error, names.collect()))
             }
         };
@@ -261,7 +266,7 @@ impl ForceColumns {
 
     /// Why there are no forces in joints.
     pub(crate) fn no_joints(&self) -> Option<&ReactionError> {
-        self.joints.as_ref().map(|(error, _)| error)
+        self.joints.as_ref().map(|(error, _)| &**error)
     }
 
     /// The efforts of drives alone.
@@ -297,14 +302,12 @@ fn with_rates(force: Force) -> impl Iterator<Item = ForceColumn> {
 }
 
 /// The columns of the forces in joints.
-fn of_joints(reactions: &NamedReactions<'_>) -> Vec<ForceColumn> {
-    let columns = reactions.names().flat_map(|name| {
-        let is_slide = reactions.is_slide(name) == Ok(true);
+fn of_joints(joints: &[Joint]) -> Vec<ForceColumn> {
+    let columns = joints.iter().flat_map(|Joint { name, is_slide }| {
         let moment = is_slide.then_some(ReactionPart::Moment);
-        let parts = [ReactionPart::X, ReactionPart::Y, ReactionPart::Force]
-            .into_iter()
-            .chain(moment);
-        parts.map(|part| Force::Reaction(name.to_owned(), part))
+        let parts = [ReactionPart::X, ReactionPart::Y, ReactionPart::Force];
+        let parts = parts.into_iter().chain(moment);
+        parts.map(|part| Force::Reaction(name.clone(), part))
     });
     columns.flat_map(with_rates).collect()
 }

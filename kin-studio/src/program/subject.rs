@@ -380,11 +380,10 @@ impl Subject {
     }
 
     fn reactions(&self, case: &Case, loads: &NamedLoads) -> Result<NamedReactions<'_>, Fault> {
-        let mut reactions = self.linkage(&case.parameters).reactions(loads).map_err(Fault::wrong)?;
-        for (name, friction) in &case.frictions {
-            reactions = reactions.friction(name, *friction).map_err(Fault::wrong)?;
-        }
-        Ok(reactions)
+        let reactions = self.linkage(&case.parameters).reactions(loads).map_err(Fault::wrong)?;
+        reactions
+            .frictions(case.frictions.iter().cloned())
+            .map_err(Fault::wrong)
     }
 
     /// The times inside of the motion at which the speed of an input jumps, where a mass has no bounded effort.

@@ -171,9 +171,7 @@ fn forces_in_joints() {
         "body coupler: pin, knee;",
         "body rocker: pivot, knee;",
     ];
-    let guessed = bodies
-        .iter()
-        .fold(PRESS.to_owned(), |text, body| text.replacen(body, "", 1));
+    let guessed = without(PRESS, &bodies);
     folder.write("guessed.kin", &guessed);
     let loads = guessed.replace("mass of coupler", "//").replace("mass of rocker", "//");
     folder.write("light.kin", &loads);
@@ -190,6 +188,12 @@ fn forces_in_joints() {
     ]
     .map(|words| typed_in(&folder, &format!("kin {words}")));
     assert_snapshot!("forces in joints", all.join("\n"));
+}
+
+/// A file in which statements are missing.
+fn without(file: &str, statements: &[&str]) -> String {
+    let mut statements = statements.iter();
+    statements.fold(file.to_owned(), |text, statement| text.replacen(statement, "", 1))
 }
 
 /// Joints have friction, which efforts and forces contain, whatever the unit of lengths is.
@@ -242,14 +246,9 @@ fn forces_of_a_press() {
         "body shaft: 0, pin;",
         "body conrod: pin, wrist;",
         "body ram: wrist;",
+        "slide wrist along vec2(0, -1);",
     ];
-    let free = free
-        .iter()
-        .fold(declaration.to_owned(), |text, body| text.replacen(body, "", 1));
-    folder.write(
-        "bare.kin",
-        &(free.replacen("slide wrist along vec2(0, -1);", "", 1) + "assembly = crossed;"),
-    );
+    folder.write("bare.kin", &(without(declaration, &free) + "assembly = crossed;"));
     let law = CRANK_PRESS.replacen("0..360deg at 500rpm", "0..180deg by 4-5-6-7 in 60ms", 1);
     folder.write("law.kin", &law);
     // three guides hold a ram in more than one way, and the forces in the pins do not depend on it

@@ -3,7 +3,7 @@
 use std::string::ToString;
 use std::vec::Vec;
 
-use super::{FOUR_BAR, FourBar, heavy};
+use super::{FOUR_BAR, FourBar, heavy, pin, rubbed, slide};
 use crate::any::{AssemblyChoice, Of, SkeletonOver};
 use crate::assembly::Assembly;
 use crate::geometry::Plane;
@@ -12,7 +12,7 @@ use crate::library;
 use crate::linkage::AnyLinkage;
 use crate::load::{Loaded, Loads};
 use crate::mechanism::Mechanism;
-use crate::reaction::{Friction, NamedReactions, Reaction, ReactionPart, Reactions};
+use crate::reaction::{NamedReactions, Reaction, ReactionPart, Reactions};
 use crate::verify::Random;
 
 /// Whether all forces on each body add up to nothing, and their moments.
@@ -41,16 +41,14 @@ fn in_equilibrium(reactions: &NamedReactions<'_>, found: &Reactions, places: &[P
 }
 
 /// The same with friction in all joints.
-fn rubbed(reactions: NamedReactions<'_>) -> NamedReactions<'_> {
+fn rubbed_everywhere(reactions: NamedReactions<'_>) -> NamedReactions<'_> {
     let names: Vec<_> = reactions.names().map(ToString::to_string).collect();
-    let (coefficient, radius, length) = (0.05, 0.01, None);
-    names.iter().fold(reactions, |reactions, name| {
-        let friction = match reactions.is_slide(name) {
-            Ok(true) => Friction::Slide { coefficient, length },
-            _ => Friction::Pin { coefficient, radius },
-        };
-        reactions.friction(name, friction).expect("it can have it")
-    })
+    let friction = |name: &str| match reactions.is_slide(name) {
+        Ok(true) => slide(0.05),
+        _ => pin(0.05, 0.01),
+    };
+    let all: Vec<_> = names.iter().map(|name| (name.as_str(), friction(name))).collect();
+    rubbed(reactions, &all)
 }
 
 /// Efforts by equilibrium and by virtual work, with both rates, the forces along a sweep beside those of single poses,
@@ -80,7 +78,7 @@ fn compare<M: Mechanism<Scalar = f64>>(mechanism: &M, range: [f64; 2]) {
     };
     let bare = force_along(&reactions);
     // what is remembered without friction does not answer for it
-    let rubbed = rubbed(reactions.clone());
+    let rubbed = rubbed_everywhere(reactions.clone());
     let with_friction = sweep.reactions(&rubbed).expect("it moves");
     for (((along, bare), found), at) in force_along(&rubbed).iter().zip(bare).zip(&with_friction).zip(0..) {
         let found = found.as_ref().expect("it is determined");
@@ -100,11 +98,20 @@ fn compare<M: Mechanism<Scalar = f64>>(mechanism: &M, range: [f64; 2]) {
         in_equilibrium(&rubbed, with_friction.as_ref().expect("it is determined"), &places);
     }
     let close = |one: f64, other: f64, size: f64| assert!((one - other).abs() <= 1e-10 * size, "{one} {other} {size}");
+    let power = sweep.of_power(&loads, 0).column().expect("it closes");
+    let by_joints = sweep.of_power_with_friction(&reactions, 0).column();
+    let size = power.iter().fold(0.0, |size: f64, value| size.max(value.abs()));
+    for (one, other) in by_joints.expect("it is determined").iter().zip(&power) {
+        close(*one, *other, size);
+    }
     for (order, column) in efforts.iter().enumerate() {
+        let by_joints = sweep.of_effort_with_friction(&reactions, 0, order).column();
+        let by_joints = by_joints.expect("it is determined");
         let size = column.iter().fold(0.0, |size: f64, value| size.max(value.abs()));
         assert!(size > 0.0);
-        for (row, effort) in rows.iter().zip(column) {
+        for ((row, effort), along) in rows.iter().zip(column).zip(by_joints) {
             close(row.effort(0).expect("it is determined")[order], *effort, size);
+            close(along, *effort, size);
         }
     }
     for name in reactions.names() {

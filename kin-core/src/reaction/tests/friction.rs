@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_4, PI, TAU};
 use std::string::ToString;
 use std::vec::Vec;
 
-use super::{FOUR_BAR, FourBar, LIFT, heavy};
+use super::{ENGINE, FOUR_BAR, FourBar, LIFT, bushing, heavy, pin, rubbed, slide};
 use crate::any::{AssemblyChoice, PositionChoice};
 use crate::assembly::Assembly;
 use crate::extremes::{ExtremeKind, Over};
@@ -16,27 +16,6 @@ use crate::load::NamedLoads;
 use crate::motion::Motion;
 use crate::reaction::{Friction, NamedReactions, ReactionError, ReactionPart, Reactions};
 use crate::verify::Random;
-
-fn pin(coefficient: f64, radius: f64) -> Friction {
-    Friction::Pin { coefficient, radius }
-}
-
-fn slide(coefficient: f64) -> Friction {
-    let length = None;
-    Friction::Slide { coefficient, length }
-}
-
-fn bushing(coefficient: f64, length: f64) -> Friction {
-    let length = Some(length);
-    Friction::Slide { coefficient, length }
-}
-
-fn rubbed<'m>(reactions: NamedReactions<'m>, frictions: &[(&str, Friction)]) -> NamedReactions<'m> {
-    let add = |reactions: NamedReactions<'m>, (name, friction): &(&str, Friction)| {
-        reactions.friction(name, *friction).expect("it can have it")
-    };
-    frictions.iter().fold(reactions, add)
-}
 
 fn at(reactions: &NamedReactions<'_>, inputs: &[Motion]) -> Reactions {
     reactions
@@ -102,39 +81,12 @@ fn a_pendulum_in_its_pin() {
     }
 }
 
-crate::mechanism! {
-    /// Slider-crank with a piston of its own.
-    struct Engine { crank: Length, rod: Length }
-    input theta: Angle;
-    unknown phi: Angle, s: Length;
-    crank * cis(theta) + rod * cis(phi) == vec2(s, 0);
-    output pin: Point = crank * cis(theta);
-    output piston: Point = vec2(s, 0);
-    ground 0;
-    body arm: 0, pin;
-    body conrod: pin, piston;
-    body block: piston;
-    slide piston along vec2(1, 0);
-}
-
-const ENGINE: Engine = Engine { crank: 0.05, rod: 0.16 };
-
 const ENGINE_FRICTION: [(&str, Friction); 4] = [
-    ("ground_arm", pin_of(0.15, 0.02)),
-    ("pin", pin_of(0.1, 0.02)),
-    ("piston", pin_of(0.2, 0.012)),
-    (
-        "piston_slide",
-        Friction::Slide {
-            coefficient: 0.12,
-            length: None,
-        },
-    ),
+    ("ground_arm", pin(0.15, 0.02)),
+    ("pin", pin(0.1, 0.02)),
+    ("piston", pin(0.2, 0.012)),
+    ("piston_slide", slide(0.12)),
 ];
-
-const fn pin_of(coefficient: f64, radius: f64) -> Friction {
-    Friction::Pin { coefficient, radius }
-}
 
 fn engine(linkage: &AnyLinkage<'static>) -> NamedReactions<'static> {
     let loads = linkage
@@ -460,19 +412,13 @@ fn balances(linkage: &AnyLinkage<'_>, loads: &NamedLoads, frictions: &[(&str, Fr
 }
 
 const LIFT_FRICTION: [(&str, Friction); 7] = [
-    ("ground_lever", pin_of(0.2, 0.01)),
-    ("ground_arm", pin_of(0.3, 0.01)),
-    ("pin", pin_of(0.1, 0.02)),
-    (
-        "foot_slide",
-        Friction::Slide {
-            coefficient: 0.15,
-            length: Some(0.12),
-        },
-    ),
-    ("edge", pin_of(0.2, 0.01)),
-    ("elbow", pin_of(0.4, 0.01)),
-    ("foot", pin_of(0.2, 0.015)),
+    ("ground_lever", pin(0.2, 0.01)),
+    ("ground_arm", pin(0.3, 0.01)),
+    ("pin", pin(0.1, 0.02)),
+    ("foot_slide", bushing(0.15, 0.12)),
+    ("edge", pin(0.2, 0.01)),
+    ("elbow", pin(0.4, 0.01)),
+    ("foot", pin(0.2, 0.015)),
 ];
 
 #[test]

@@ -11,6 +11,7 @@ use agreement::LIFT;
 use crate::geometry::Plane;
 use crate::linkage::AnyLinkage;
 use crate::load::NamedLoads;
+use crate::reaction::{Friction, NamedReactions};
 
 crate::mechanism! {
     /// Four-bar linkage with declared bodies and centres.
@@ -38,6 +39,23 @@ pub(super) const FOUR_BAR: FourBar = FourBar {
     r4: 0.6,
 };
 
+crate::mechanism! {
+    /// Slider-crank with a piston of its own: the piston is a body, to which the rod is pinned.
+    pub(super) struct Engine { crank: Length, rod: Length }
+    input theta: Angle;
+    unknown phi: Angle, s: Length;
+    crank * cis(theta) + rod * cis(phi) == vec2(s, 0);
+    output pin: Point = crank * cis(theta);
+    output piston: Point = vec2(s, 0);
+    ground 0;
+    body arm: 0, pin;
+    body conrod: pin, piston;
+    body block: piston;
+    slide piston along vec2(1, 0);
+}
+
+pub(super) const ENGINE: Engine = Engine { crank: 0.05, rod: 0.16 };
+
 /// Every body of a linkage with a mass, a centre and an inertia, which no other one has.
 pub(super) fn heavy(linkage: &AnyLinkage<'_>) -> NamedLoads {
     let loads = linkage.loads().gravity(Plane::new(0.3, -9.81));
@@ -49,4 +67,23 @@ pub(super) fn heavy(linkage: &AnyLinkage<'_>) -> NamedLoads {
             .mass_of(body.name, 0.8 + 0.3 * part, centre, 0.02 * part)
             .expect("the body is there")
     })
+}
+
+const fn pin(coefficient: f64, radius: f64) -> Friction {
+    Friction::Pin { coefficient, radius }
+}
+
+const fn slide(coefficient: f64) -> Friction {
+    let length = None;
+    Friction::Slide { coefficient, length }
+}
+
+const fn bushing(coefficient: f64, length: f64) -> Friction {
+    let length = Some(length);
+    Friction::Slide { coefficient, length }
+}
+
+fn rubbed<'m>(reactions: NamedReactions<'m>, frictions: &[(&str, Friction)]) -> NamedReactions<'m> {
+    let rubbed = reactions.frictions(frictions.iter().copied());
+    rubbed.expect("they can have it")
 }

@@ -2,30 +2,13 @@
 
 use std::vec::Vec;
 
-use super::FOUR_BAR;
+use super::{ENGINE, FOUR_BAR};
 use crate::any::PositionChoice;
 use crate::assembly::Assembly;
 use crate::geometry::Plane;
 use crate::linkage::AnyLinkage;
 use crate::motion::Motion;
 use crate::reaction::{Reaction, Reactions};
-
-crate::mechanism! {
-    /// Slider-crank with a piston of its own: the piston is a body, to which the rod is pinned.
-    struct Engine { crank: Length, rod: Length }
-    input theta: Angle;
-    unknown phi: Angle, s: Length;
-    crank * cis(theta) + rod * cis(phi) == vec2(s, 0);
-    output pin: Point = crank * cis(theta);
-    output piston: Point = vec2(s, 0);
-    ground 0;
-    body arm: 0, pin;
-    body conrod: pin, piston;
-    body block: piston;
-    slide piston along vec2(1, 0);
-}
-
-const ENGINE: Engine = Engine { crank: 0.05, rod: 0.16 };
 
 fn at(found: &Reactions, name: &str) -> Reaction {
     found.of(name).expect("it is determined")

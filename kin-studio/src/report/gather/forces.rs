@@ -3,7 +3,7 @@
 use kin_core::Dimension;
 use kin_core::extremes::{AskedQuantity, ExtremesError, Over, QuantityAlong, QuantitySource};
 use kin_core::linkage::AnySweep;
-use kin_core::reaction::{BodyLoadKind, NamedReactions, ReactionError, ReactionPart, Reactions};
+use kin_core::reaction::{BodyLoadKind, NamedReactions, ReactionPart, Reactions};
 use kin_core::sweep::SmoothDrive;
 
 use super::peaks::over_all;
@@ -16,10 +16,17 @@ use crate::report::model::{ActingLoad, BodyLoad, CurveKind, ForceCurve, ForcePea
 pub(super) fn of<D: SmoothDrive>(wishes: &Wishes<'_>, way: &Way<'_, D>) -> Option<Forces> {
     let wished = wishes.loads.as_ref()?;
     let gathered = Gathered { wishes, wished, way };
-    let found = reactions_of(wishes, wished);
+    let bare = wishes
+        .linkage
+        .reactions(&wished.loads)
+        .map_err(|error| error.to_string());
+    let found = bare.and_then(|bare| {
+        let all = bare.frictions(wished.frictions.iter().cloned());
+        all.map_err(|error| error.to_string())
+    });
     let (reactions, mut unknown) = match found {
         Ok(reactions) => (Some(reactions), None),
-        Err(error) => (None, Some(error.to_string())),
+        Err(error) => (None, Some(error)),
     };
     let mut all = gathered.efforts(reactions.as_ref().filter(|_| !wished.frictions.is_empty()));
     let (mut joints, mut body_loads) = (Vec::new(), Vec::new());
@@ -36,14 +43,6 @@ pub(super) fn of<D: SmoothDrive>(wishes: &Wishes<'_>, way: &Way<'_, D>) -> Optio
         samples: all.samples,
         unknown,
     })
-}
-
-fn reactions_of<'w>(wishes: &'w Wishes<'_>, wished: &WishedLoads) -> Result<NamedReactions<'w>, Box<ReactionError>> {
-    let mut reactions = wishes.linkage.reactions(&wished.loads)?;
-    for (name, friction) in &wished.frictions {
-        reactions = reactions.friction(name, *friction)?;
-    }
-    Ok(reactions)
 }
 
 /// The curves of efforts and moments, and the samples of all.
