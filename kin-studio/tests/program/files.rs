@@ -192,7 +192,7 @@ fn forces_in_joints() {
 
 /// A file in which statements are missing.
 fn without(file: &str, statements: &[&str]) -> String {
-    let mut statements = statements.iter();
+    let statements = statements.iter();
     statements.fold(file.to_owned(), |text, statement| text.replacen(statement, "", 1))
 }
 
