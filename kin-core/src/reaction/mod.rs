@@ -63,6 +63,7 @@ mod equations;
 mod error;
 mod frames;
 mod friction;
+mod ordered;
 mod rank;
 mod remembered;
 #[cfg(test)]
