@@ -23,10 +23,11 @@ impl Stated {
         &self,
         linkage: &AnyLinkage<'m>,
         loads: &NamedLoads,
-    ) -> Result<NamedReactions<'m>, ReactionError> {
-        let reactions = linkage.reactions(loads)?;
-        let mut drives = self.drives.iter();
-        let reactions = drives.try_fold(reactions, |reactions, (input, body)| reactions.driving(input, body))?;
+    ) -> Result<NamedReactions<'m>, Box<ReactionError>> {
+        let mut reactions = linkage.reactions(loads)?;
+        for (input, body) in &self.drives {
+            reactions = reactions.driving(input, body)?;
+        }
         let reactions = reactions.frictions(self.frictions.iter().cloned())?;
         if self.senses.is_empty() {
             return Ok(reactions);

@@ -161,7 +161,8 @@ impl<const N: usize> Neg for Series<N> {
     }
 }
 
-/// The largest number of terms whose products stand where they are used. Longer series share one product of each length.
+/// The largest number of terms whose products stand where they are used. Longer series share one product of each
+/// length.
 const SHORT: usize = 8;
 
 /// Cauchy's product.

@@ -439,7 +439,7 @@ pub fn written(own: &Number) -> String {
         if (&rest - &Number::exactly(digit)).nearest() < 0.0 {
             digit -= 1.0;
         }
-        text += &format!("{digit}");
+        text += &digit.to_string();
         if place == 0 {
             text.push('.');
         }

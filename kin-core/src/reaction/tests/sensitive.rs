@@ -1,18 +1,20 @@
 //! How the peaks of forces depend on the dimensions.
 
 use std::f64::consts::TAU;
-use std::vec::Vec;
 
 use super::{FOUR_BAR, FourBar, pin, rubbed};
 use crate::any::AssemblyChoice;
 use crate::assembly::Assembly;
-use crate::extremes::PeakSensitivities;
-use crate::linkage::AnyLinkage;
+use crate::extremes::{ByReaction, QuantityAlong};
+use crate::linkage::{AnyLinkage, AnySweep};
 use crate::load::{Load, Loads, NamedLoads};
 use crate::mechanism::Mechanism as _;
 use crate::reaction::ReactionPart;
 use crate::solve::Scalar;
-use crate::sweep::{Local, Swept as _};
+use crate::sweep::{Local, StraightLine, Swept as _};
+
+/// So much dimensions differ.
+const STEP: f64 = 1e-5;
 
 fn loads(linkage: &AnyLinkage<'_>) -> NamedLoads {
     let loads = linkage.loads().mass_of("coupler", 1.4, "coupler_centre", 0.05);
@@ -60,46 +62,42 @@ fn virtual_work_gives_the_same_sensitivities() {
     }
 }
 
-/// The peaks of other designs differ by as much, with friction too.
+/// The force in a joint with friction in all of them, of a linkage with these dimensions.
+fn with_force<R>(
+    dimensions: [f64; 4],
+    name: &str,
+    ask: impl Fn(QuantityAlong<'_, AnySweep<'_, StraightLine>, ByReaction<'_>>) -> R,
+) -> R {
+    let linkage = FourBar::from_parameters(dimensions);
+    let linkage = AnyLinkage::of(&linkage);
+    let reactions = linkage.reactions(&loads(&linkage)).expect("its bodies are declared");
+    let all = ["base", "pin", "knee", "pivot"].map(|name| (name, pin(0.1, 0.01)));
+    let reactions = rubbed(reactions, &all);
+    let turn = linkage
+        .sweep(AssemblyChoice::Index(0))
+        .between(&[0.0], &[TAU], 25)
+        .speed(9.0);
+    ask(turn.of_reaction(&reactions, name, ReactionPart::Force, 0))
+}
+
+/// The peaks of other designs differ by as much, with friction too. The rocker, on which a torque acts, turns back.
 #[test]
 fn peaks_of_other_designs_differ_by_their_sensitivities() {
-    let sensitivities = |dimensions: [f64; 4], name: &str| -> PeakSensitivities {
-        let linkage = FourBar::from_parameters(dimensions);
-        let linkage = AnyLinkage::of(&linkage);
-        let reactions = linkage.reactions(&loads(&linkage)).expect("its bodies are declared");
-        let all = ["base", "pin", "knee", "pivot"].map(|name| (name, pin(0.1, 0.01)));
-        let reactions = rubbed(reactions, &all);
-        let turn = linkage
-            .sweep(AssemblyChoice::Index(0))
-            .between(&[0.0], &[TAU], 25)
-            .speed(9.0);
-        let force = turn.of_reaction(&reactions, name, ReactionPart::Force, 0);
-        force.peak_sensitivities().expect("it is smooth")
-    };
     let dimensions = FOUR_BAR.parameters();
-    for (name, changed) in [("knee", [1, 3]), ("base", [0, 2])] {
-        let found = sensitivities(dimensions, name);
-        for index in changed {
-            let by = found.by[index];
-            const STEP: f64 = 1e-5;
-            let others: Vec<PeakSensitivities> = [STEP, -STEP]
-                .into_iter()
-                .map(|step| {
-                    let mut changed = dimensions;
-                    changed[index] += step;
-                    sensitivities(changed, name)
-                })
-                .collect();
-            let difference = |of: fn(&PeakSensitivities) -> f64| (of(&others[0]) - of(&others[1])) / (2.0 * STEP);
-            let (value, at) = (difference(|own| own.peak.value), difference(|own| own.peak.at));
-            assert!(
-                (by.value - value).abs() < 1e-6 * (1.0 + value.abs()),
-                "{name} {index}: {by:?} {value}"
-            );
-            assert!(
-                (by.at - at).abs() < 1e-5 * (1.0 + at.abs()),
-                "{name} {index}: {by:?} {at}"
-            );
+    for name in ["knee", "base"] {
+        let found = with_force(dimensions, name, |force| {
+            force.peak_sensitivities().expect("it is smooth")
+        });
+        for (index, by) in found.by.into_iter().enumerate() {
+            let peak = |step: f64| {
+                let mut changed = dimensions;
+                changed[index] += step;
+                with_force(changed, name, |force| force.peak().expect("it moves"))
+            };
+            let (more, less) = (peak(STEP), peak(-STEP));
+            let [value, at] = [more.value - less.value, more.at - less.at].map(|change| change / (2.0 * STEP));
+            assert!((by.value - value).abs() < 1e-6 * (1.0 + value.abs()), "{by:?} {value}");
+            assert!((by.at - at).abs() < 1e-5 * (1.0 + at.abs()), "{by:?} {at}");
         }
     }
 }
