@@ -13,6 +13,7 @@ pub mod drawing;
 pub mod figures;
 #[cfg(feature = "file")]
 pub mod file;
+mod forces;
 #[cfg(any(feature = "gallery", feature = "file"))]
 pub mod library;
 mod names;

@@ -158,7 +158,11 @@ fn sign_of<const N: usize>(rates: &[[Series<N>; 2]]) -> Option<f64> {
             let (own, wanted) = (own.coefficients(), wanted.coefficients());
             let mut terms = own.iter().zip(&wanted).take(TERMS);
             terms.all(|(own, wanted)| (own - sign * wanted).abs() <= AGREEMENT * (1.0 + own.abs() + wanted.abs()))
-        }) && rates.iter().any(|[_, wanted]| wanted.real() != 0.0)
+        }) && rates.iter().any(|[_, wanted]| {
+            // where a link turns back, its rate is zero, and the next term tells
+            let mut terms = wanted.coefficients().into_iter().take(TERMS);
+            terms.any(|term| term.abs() > AGREEMENT)
+        })
     })
 }
 

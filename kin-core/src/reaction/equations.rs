@@ -8,13 +8,13 @@ use super::action::{Action, Influences, Wrench, both, both_turned};
 use super::connection::{Connection, Member, holders};
 use super::frames::{MovedFrame, MovedMechanism, left};
 use super::friction::ActingFriction;
+use super::ordered::OrderedSystem;
 use super::rank::{Rank, largest, rank};
 use super::{ReactionError, ReactionPart, size};
 use crate::geometry::Plane;
 use crate::number::Number;
 use crate::number::series::Series;
 use crate::picture::Outline;
-use crate::solve::{FactorRow, factor_in, substitute_in};
 
 /// The equations of a body: two forces and a moment.
 const OF_BODY: usize = 3;
@@ -131,26 +131,18 @@ impl<const N: usize> Equations<'_, N> {
             let grows = self.taking_part(&unknowns, &null);
             return Err(ReactionError::Singular { pivot, grows });
         }
-        let row = |row: usize| basis.iter().map(move |column| (*column, row));
-        let places = (0..count).flat_map(row);
-        let mut entries: Vec<Series<N>> = places.map(|(column, row)| columns[column][row]).collect();
-        let mut rows = vec![FactorRow::default(); count];
-        factor_in(&mut entries, &mut rows).map_err(|_| ReactionError::NotFinite)?;
-        let solve = |right: &[Series<N>]| {
-            let mut solution = vec![Series::ZERO; count];
-            substitute_in(&entries, &rows, right, &mut solution);
-            solution
-        };
+        let chosen = basis.iter().map(|column| &columns[*column]);
+        let system = OrderedSystem::new(chosen).map_err(|_| ReactionError::NotFinite)?;
         let length = self.length();
         let right: Vec<Series<N>> = demand.iter().flat_map(|wrench| flat(wrench, length)).collect();
         let mut values = vec![Series::ZERO; unknowns.len()];
-        for (column, value) in basis.iter().zip(solve(&right)) {
+        for (column, value) in basis.iter().zip(system.solve(&right)) {
             values[*column] = value;
         }
         let mut is_open = vec![false; unknowns.len()];
         for free in (0..unknowns.len()).filter(|column| !basis.contains(column)) {
             is_open[free] = true;
-            let parts = solve(&columns[free]);
+            let parts = system.solve(&columns[free]);
             let open = open(&parts, &basis, &columns, &columns[free]);
             for (column, takes_part) in basis.iter().zip(open) {
                 is_open[*column] |= takes_part;
@@ -164,7 +156,7 @@ impl<const N: usize> Equations<'_, N> {
         }
         let response = |acting: &ActingFriction<N>| {
             let mut response = vec![Series::ZERO; unknowns.len()];
-            for (column, value) in basis.iter().zip(solve(&self.resisting(acting))) {
+            for (column, value) in basis.iter().zip(system.solve(&self.resisting(acting))) {
                 response[*column] = value;
             }
             response
@@ -292,8 +284,9 @@ impl<const N: usize> Equations<'_, N> {
 
     /// The largest distance between joints, by which moments are divided.
     fn length(&self) -> f64 {
-        let joints = || self.moved.places[..self.moved.joints].iter();
-        let distances = joints().flat_map(|one| joints().map(move |other| (*other - *one).norm_squared().real()));
+        let place = |place: &Plane<Series<N>>| Plane::new(place.x.real(), place.y.real());
+        let joints = || self.moved.places[..self.moved.joints].iter().map(place);
+        let distances = joints().flat_map(|one| joints().map(move |other: Plane<f64>| (other - one).norm_squared()));
         let square = distances.fold(0.0, f64::max);
         if square > 0.0 { Number::sqrt(square) } else { 1.0 }
     }
@@ -349,7 +342,8 @@ const NO_PART: f64 = 1e-9;
 
 fn flat<const N: usize>(wrench: &Wrench<Series<N>>, length: f64) -> [Series<N>; OF_BODY] {
     let Wrench { force, moment, .. } = *wrench;
-    [force.x, force.y, moment / Series::constant(length)]
+    let moment = moment.coefficients().map(|term| term / length);
+    [force.x, force.y, Series::from_coefficients(moment)]
 }
 
 fn reals<const N: usize>(column: &[Series<N>]) -> Vec<f64> {

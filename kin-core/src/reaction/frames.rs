@@ -23,10 +23,7 @@ pub(crate) struct MovedMechanism<const N: usize> {
 
 /// The derivative of a series. Its last term is not known, and is zero.
 pub(super) fn slope<const N: usize>(series: Series<N>) -> Series<N> {
-    let derivatives = series.derivatives();
-    Series::from_derivatives(core::array::from_fn(|order| {
-        derivatives.get(order + 1).copied().unwrap_or(0.0)
-    }))
+    series.differentiate()
 }
 
 pub(super) fn slope_of<const N: usize>(point: Plane<Series<N>>) -> Plane<Series<N>> {

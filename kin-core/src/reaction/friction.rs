@@ -246,23 +246,28 @@ impl NamedReactions<'_> {
     pub(super) fn acting(
         &self,
         place: &ReactionPlace<'_>,
-        moved: &MovedMechanism<REACH>,
+        (moved, frames): (&MovedMechanism<REACH>, &[MovedFrame<REACH>]),
         influences: &Influences<'_, '_, REACH>,
     ) -> Result<Vec<ActingFriction<REACH>>, ReactionError> {
         if self.frictions.is_empty() {
             return Ok(Vec::new());
         }
         let outline = influences.outline;
-        let (begun, by_time, side) = match self.beginning(place)? {
-            Some(Beginning { inputs, by_time, side }) => (&place.moved(place.parameters, &inputs)?, by_time, side),
-            None => (moved, place.rate, place.side),
-        };
-        let frames = moved.frames(outline)?;
-        let begun_frames = begun.frames(outline)?;
+        let beginning = self.beginning(place)?;
+        let begun = beginning.as_ref().map(|beginning| {
+            let moved = place.moved(place.parameters, &beginning.inputs)?;
+            let frames = moved.frames(outline)?;
+            Ok::<_, ReactionError>((moved, frames))
+        });
+        let begun = begun.transpose()?;
+        let (begun, begun_frames) = begun
+            .as_ref()
+            .map_or((moved, frames), |(moved, frames)| (moved, frames));
+        let (by_time, side) = beginning.map_or((place.rate, place.side), |one| (one.by_time, one.side));
         let all = self.frictions.iter().map(|(index, friction)| {
             let own = &self.connections[*index];
-            let rate = relative_rate(own, begun, &begun_frames);
-            let sense = sense(rate, sizes(own, begun, &begun_frames), by_time, side);
+            let rate = relative_rate(own, begun, begun_frames);
+            let sense = sense(rate, sizes(own, begun, begun_frames), by_time, side);
             // what never moves has no sense, whatever rounding makes of it
             let sense = sense.filter(|_| !influences.all.iter().all(|one| stands(own, one)));
             let sense = sense.ok_or_else(|| ReactionError::NoSense {
@@ -272,7 +277,7 @@ impl NamedReactions<'_> {
                 connection: *index,
                 friction: *friction,
                 sense,
-                rate: relative_rate(own, moved, &frames),
+                rate: relative_rate(own, moved, frames),
                 speed: rate.real() * by_time,
             })
         });

@@ -63,6 +63,7 @@ mod equations;
 mod error;
 mod frames;
 mod friction;
+mod ordered;
 mod rank;
 mod remembered;
 #[cfg(test)]
@@ -393,7 +394,7 @@ impl<'m> NamedReactions<'m> {
         let outline = place.functions.outline();
         let moved = place.moved(place.parameters, &place.inputs)?;
         let frames = moved.frames(&outline)?;
-        let all = place.influences(place.parameters, &outline)?;
+        let all = place.influences(place.parameters, &outline, Some((&moved, &frames)))?;
         let otherwise = || place.otherwise(&outline).unwrap_or_default();
         let influences = Influences {
             outline: &outline,
@@ -424,7 +425,7 @@ impl<'m> NamedReactions<'m> {
             influences.action(drive_of(quantity.name), found, wanted)
         });
         let drives = drives.collect::<Result<Vec<Action>, _>>()?;
-        let frictions = self.acting(place, &moved, &influences)?;
+        let frictions = self.acting(place, (&moved, &frames), &influences)?;
         let equations = Equations {
             outline: &outline,
             connections: &self.connections,
@@ -526,8 +527,13 @@ impl ReactionPlace<'_> {
         })
     }
 
-    /// The mechanism while each input moves alone at unit speed.
-    fn influences(&self, parameters: &[f64], outline: &Outline<'_>) -> Result<Vec<Influence<REACH>>, ReactionError> {
+    /// The mechanism while each input moves alone at unit speed, of which one may be its own motion.
+    fn influences(
+        &self,
+        parameters: &[f64],
+        outline: &Outline<'_>,
+        own: Option<(&MovedMechanism<REACH>, &[MovedFrame<REACH>])>,
+    ) -> Result<Vec<Influence<REACH>>, ReactionError> {
         let count = self.inputs.len();
         let moved = (0..count).map(|moved| {
             let inputs = self.inputs.iter().enumerate().map(|(input, motion)| {
@@ -536,8 +542,16 @@ impl ReactionPlace<'_> {
                 (terms[0], terms[1]) = (motion.real(), rate);
                 Series::from_coefficients(terms)
             });
-            let moved = self.moved(parameters, &inputs.collect::<Vec<_>>())?;
-            let frames = moved.frames(outline)?;
+            let inputs: Vec<MovedNumber> = inputs.collect();
+            let mut pairs = inputs.iter().zip(&self.inputs);
+            let is_own = pairs.all(|(one, own)| one.coefficients() == own.coefficients());
+            let (moved, frames) = if let (Some((moved, frames)), true) = (own, is_own) {
+                (moved.clone(), frames.to_vec())
+            } else {
+                let moved = self.moved(parameters, &inputs)?;
+                let frames = moved.frames(outline)?;
+                (moved, frames)
+            };
             moved.check(outline, &frames)?;
             Ok(Influence { moved, frames })
         });
@@ -551,7 +565,7 @@ impl ReactionPlace<'_> {
             part = (part + core::f64::consts::FRAC_1_SQRT_2) % 1.0;
             parameter * (1.0 + CHANGE * part)
         });
-        self.influences(&parameters.collect::<Vec<_>>(), outline).ok()
+        self.influences(&parameters.collect::<Vec<_>>(), outline, None).ok()
     }
 }
 

@@ -146,6 +146,9 @@ pub(crate) struct Forces {
     /// Write CSV, to a file or to the output
     #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-")]
     pub(crate) csv: Option<PathBuf>,
+    /// Write JSON, to a file or to the output
+    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-", conflicts_with = "csv")]
+    pub(crate) json: Option<PathBuf>,
 }
 
 /// A language.

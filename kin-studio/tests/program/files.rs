@@ -202,14 +202,17 @@ fn friction_in_joints() {
     let folder = Folder::new("rubbed");
     folder.write("pump.kin", PUMP);
     folder.write("metres.kin", &PUMP.replacen("crank = 50mm", "crank = 0.05m", 1));
-    folder.write(
-        "rest.kin",
-        &PUMP.replacen("360deg at 900rpm", "90deg at 900rpm, rest 0.1s", 1),
-    );
+    let rest = PUMP.replacen("360deg at 900rpm", "90deg at 900rpm, rest 0.1s", 1);
+    folder.write("rest.kin", &rest);
+    let begins = "loads { sense of theta = forwards; drive of theta = arm;";
+    folder.write("begins.kin", &rest.replacen("loads {", begins, 1));
     let all = [
         "run pump.kin peaks",
         "run pump.kin sweep --rows 5",
         "run rest.kin sweep --rows 3 --columns friction_heat",
+        "run begins.kin sweep --rows 3 --columns theta_effort",
+        "forces pump.kin",
+        "forces pump.kin --json",
     ]
     .map(|words| typed_in(&folder, &format!("kin {words}")));
     assert_snapshot!("friction in joints", all.join("\n"));

@@ -62,7 +62,7 @@ const STUDIO: Package = Package {
     name: "kin-studio",
     faces: &["lib", "bin"],
     root_items: &[],
-    rooms: "names drawing tables file report::error+report::model report library figures \
+    rooms: "names drawing tables file forces report::error+report::model report library figures \
             program::fault+program::text+program::units+program::value program::motion program::loads \
             program::progress+program::server program::case+program::subject+program::assembly+program::columns \
             program::format program::file program::command+program::advice program::tasks program",
