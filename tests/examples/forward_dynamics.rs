@@ -63,7 +63,7 @@ mechanism! {
     output second_across: Point = (bar + bar * cis(second) + 2 * bar + bar * cis(third)) / 2;
 }
 
-/// The point B0 and its velocity in the benchmark A02 of IFToMM: N parallel four-bars, of bars of 1 kg and 1 m, here
+/// The point B0 and its velocity in the benchmark A02: N parallel four-bars, of bars of 1 kg and 1 m, here
 /// with N = 2. They are released upright with B0 at 1 m/s to the right.
 pub(crate) const BENCHMARK: [(f64, [f64; 4]); 2] = [
     (
