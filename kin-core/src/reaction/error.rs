@@ -7,7 +7,7 @@ use core::fmt;
 
 use super::friction::FrictionMistake;
 use crate::failure::SolveError;
-use crate::load::LoadError;
+use crate::load::{LoadError, NoSuchPlace};
 use crate::quantity::Digits;
 
 /// The reason why a mechanism has no reactions, or why one of them is not determined.
@@ -23,8 +23,22 @@ pub enum ReactionError {
         /// The statements that would declare the guess.
         statements: String,
     },
-    /// The mechanism is one of space, where the axes of joints are not known.
-    Space,
+    /// The axis of a hinge is not fixed to both bodies, or has no length.
+    HingeTurns {
+        /// The reaction.
+        reaction: String,
+        /// The body against which the axis turns.
+        body: String,
+        /// The rate at which it turns, per unit of an input.
+        rate: f64,
+    },
+    /// No vector has the name of an axis.
+    NoSuchPlace(NoSuchPlace),
+    /// A joint cannot have an axis: it is no ball of space.
+    NoBall {
+        /// The reaction.
+        reaction: String,
+    },
     /// The mechanism has no bodies.
     NoBodies,
     /// The points of a body do not keep their distances.
@@ -54,6 +68,8 @@ pub enum ReactionError {
         bodies: Vec<String>,
         /// The equations that are no vectors, which may hold them.
         equations: Vec<String>,
+        /// Whether the mechanism is one of space.
+        is_space: bool,
     },
     /// The joints hold the bodies in other positions, but not in this one: a change point or a limit.
     Singular {
@@ -119,6 +135,12 @@ impl From<SolveError> for ReactionError {
     }
 }
 
+impl From<NoSuchPlace> for ReactionError {
+    fn from(error: NoSuchPlace) -> Self {
+        Self::NoSuchPlace(error)
+    }
+}
+
 impl From<LoadError> for ReactionError {
     fn from(error: LoadError) -> Self {
         Self::Load(error)
@@ -147,10 +169,16 @@ impl fmt::Display for ReactionError {
                 "the declaration does not state its bodies, on which the forces in joints depend; if this is how they \
                  are joined, add\n{statements}"
             ),
-            Self::Space => write!(
+            Self::HingeTurns { reaction, body, rate } => write!(
                 formatter,
-                "the mechanism is one of space: the forces in its joints need their axes, which nothing declares; \
-                 forces in joints are found in the plane"
+                "the axis of `{reaction}` turns against the body `{body}` by {} per unit of an input: give a direction \
+                 that is fixed to both bodies of the joint",
+                Digits(*rate)
+            ),
+            Self::NoSuchPlace(error) => write!(formatter, "{error}"),
+            Self::NoBall { reaction } => write!(
+                formatter,
+                "`{reaction}` cannot have an axis: that of a pin in the plane, of a slide, and of a hinge is known"
             ),
             Self::NoBodies => write!(
                 formatter,
@@ -185,6 +213,7 @@ impl fmt::Display for ReactionError {
                 freedoms,
                 bodies,
                 equations,
+                is_space,
             } => {
                 write!(
                     formatter,
@@ -192,7 +221,12 @@ impl fmt::Display for ReactionError {
                     Listed(bodies),
                     if *freedoms == 1 { "" } else { "s" }
                 )?;
-                if equations.is_empty() {
+                if *is_space {
+                    formatter.write_str(
+                        "declare the joint that is missing; where two bodies share one point they have a ball joint: \
+                         for a hinge, list a second point of its axis in both, or give the axis by `hinge`",
+                    )
+                } else if equations.is_empty() {
                     formatter.write_str("declare the joint that is missing")
                 } else {
                     write!(
@@ -261,6 +295,7 @@ impl Error for ReactionError {
         match self {
             Self::Solve(error) => Some(error),
             Self::Load(error) => Some(error),
+            Self::NoSuchPlace(error) => Some(error),
             _ => None,
         }
     }

@@ -50,6 +50,8 @@ pub enum FrictionMistake {
     IsPin,
     /// The joint has friction already.
     Twice,
+    /// The mechanism is one of space.
+    InSpace,
 }
 
 impl fmt::Display for FrictionMistake {
@@ -63,6 +65,7 @@ impl fmt::Display for FrictionMistake {
                 formatter.write_str("it is a pin, whose friction needs its radius: give the friction of a pin")
             }
             Self::Twice => formatter.write_str("it has friction already: state it once"),
+            Self::InSpace => formatter.write_str("friction is found in the plane, and the mechanism is one of space"),
         }
     }
 }
@@ -162,6 +165,7 @@ impl NamedReactions<'_> {
         let is_twice = self.frictions.iter().any(|(connection, _)| *connection == index);
         let mistake = friction.mistake(self.connections[index].slide.is_some());
         let mistake = mistake.or(is_twice.then_some(FrictionMistake::Twice));
+        let mistake = self.functions.is_space().then_some(FrictionMistake::InSpace).or(mistake);
         if let Some(mistake) = mistake {
             let reaction = name.to_string();
             return Err(ReactionError::Friction { reaction, mistake });
@@ -208,7 +212,7 @@ impl NamedReactions<'_> {
 
     pub(super) fn joint_speed(&self, place: &ReactionPlace<'_>, index: usize) -> Result<MovedNumber, ReactionError> {
         let moved = place.moved(place.parameters, &place.inputs)?;
-        let frames = moved.frames(&place.functions.outline())?;
+        let frames = moved.frames(&place.functions.outline(), &self.connections)?;
         let rate = relative_rate(&self.connections[self.frictions[index].0], &moved, &frames);
         Ok(rate * Series::constant(place.rate))
     }
@@ -257,8 +261,8 @@ impl NamedReactions<'_> {
             Some(Beginning { inputs, by_time, side }) => (&place.moved(place.parameters, &inputs)?, by_time, side),
             None => (moved, place.rate, place.side),
         };
-        let frames = moved.frames(outline)?;
-        let begun_frames = begun.frames(outline)?;
+        let frames = moved.frames(outline, &self.connections)?;
+        let begun_frames = begun.frames(outline, &self.connections)?;
         let all = self.frictions.iter().map(|(index, friction)| {
             let own = &self.connections[*index];
             let rate = relative_rate(own, begun, &begun_frames);
@@ -284,13 +288,13 @@ impl NamedReactions<'_> {
 /// a slide.
 fn relative_rate<const N: usize>(own: &Connection, moved: &MovedMechanism<N>, frames: &[MovedFrame<N>]) -> Series<N> {
     let Some(slide) = own.slide else {
-        let turn = |member: Member| member.map_or(Series::ZERO, |body| frames[body].turn);
+        let turn = |member: Member| member.map_or(Series::ZERO, |body| frames[body].turn.z);
         return turn(own.on) - turn(own.by);
     };
     let at = moved.places[own.joint];
     let along = |member: Member| {
         let velocity = member.map(|body| frames[body].velocity(at));
-        velocity.map_or(Series::ZERO, |velocity| moved.direction(slide).dot(velocity))
+        velocity.map_or(Series::ZERO, |velocity| moved.along(slide).dot(velocity))
     };
     along(own.on) - along(own.by)
 }
@@ -305,7 +309,7 @@ fn sizes<const N: usize>(own: &Connection, moved: &MovedMechanism<N>, frames: &[
     };
     if own.slide.is_none() {
         for frame in frames {
-            add(frame.turn);
+            add(frame.turn.z);
         }
     } else {
         for joint in &moved.places[..moved.joints] {

@@ -29,8 +29,8 @@ fn in_equilibrium(reactions: &NamedReactions<'_>, found: &Reactions, places: &[P
             }
         }
         for load in found.body_loads().iter().filter(|load| load.body == body.name) {
-            let [at, force] = [load.at, load.force].map(|[x, y]| Plane::new(x, y));
-            all.push([force.x, force.y, at.cross(force) + load.moment]);
+            let [at, force] = [load.at, load.force].map(|[x, y, _]| Plane::new(x, y));
+            all.push([force.x, force.y, at.cross(force) + load.moment[2]]);
         }
         for part in 0..3 {
             let size = all.iter().fold(0.0, |size: f64, own| size.max(own[part].abs()));
