@@ -264,8 +264,7 @@ impl SweepStation<'_> {
         let mut points: Vec<[NamedMotion<Local>; 3]> = Vec::new();
         if loads.has_bodies() {
             let mut all: Vec<[Number; 3]> = Vec::new();
-            let coordinate =
-                |point: &[Number], axis: usize| point.get(axis).copied().unwrap_or(Number::constant(0.0));
+            let coordinate = |point: &[Number], axis: usize| point.get(axis).copied().unwrap_or(Number::constant(0.0));
             let mut add = |point: &[Number]| all.push([0, 1, 2].map(|axis| coordinate(point, axis)));
             SkeletonOver::<Number>::skeleton_points(functions, parameters, inputs, unknowns, &mut add);
             let joints = all.len() - functions.outline().slides.len();

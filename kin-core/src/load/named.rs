@@ -7,7 +7,9 @@ use core::fmt;
 use core::marker::PhantomData;
 
 use crate::geometry::{Plane, Space};
-use crate::load::kinds::{BetweenPoints, Damper, Force, Inertia, Load, Mass, OnAngle, Solid, SpaceBody, Spring, Torque};
+use crate::load::kinds::{
+    BetweenPoints, Damper, Force, Inertia, Load, Mass, OnAngle, Solid, SpaceBody, Spring, Torque,
+};
 use crate::load::plane_body::{BodyFrame, PlaneBody, centre_on_line, third_point};
 use crate::load::{Change, LoadError, LoadedSystem, Totals, VaryingNumber, VaryingVector};
 use crate::mechanism::Description;
@@ -589,10 +591,7 @@ impl<T: Scalar> NamedPose<'_, T> {
             Space::new(x, y, z)
         };
         let along = from(*b);
-        let third = third_point(
-            along.scale(1.0 / along.norm()),
-            others.iter().map(|joint| from(*joint)),
-        )?;
+        let third = third_point(along.scale(1.0 / along.norm()), others.iter().map(|joint| from(*joint)))?;
         Some([*a, *b, others[third]])
     }
 

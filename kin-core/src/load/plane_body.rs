@@ -1,9 +1,9 @@
 //! A rigid body of the plane in the frame of its joints, and a rod of space.
 
+use crate::geometry::Space;
 use crate::load::coordinate::{Coordinate, dot};
 use crate::load::kinds::{Load, add_mass, not_negative, rigid};
 use crate::load::totals::Totals;
-use crate::geometry::Space;
 use crate::load::{Change, LoadError, LoadedSystem, VaryingVector};
 use crate::number::Number;
 use crate::picture::Outline;

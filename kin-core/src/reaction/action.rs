@@ -175,10 +175,23 @@ impl<const N: usize> Influences<'_, '_, N> {
         self.all.iter().any(|one| one.moved.is_space)
     }
 
+    /// The joints of space that have no axis.
+    pub(super) fn balls(&self) -> Vec<String> {
+        let balls = self
+            .connections
+            .iter()
+            .filter(|own| self.is_space() && own.axis().is_none());
+        balls.map(|own| own.name.clone()).collect()
+    }
+
     /// Whether a body never turns against another one about an axis.
-    pub(super) fn keeps_angle(&self, pair: [Member; 2], axis: impl Fn(&Influence<N>) -> Space<Series<N>>) -> bool {
+    pub(super) fn keeps_angle(
+        &self,
+        pair: [Member; 2],
+        axis: impl Fn(&Influence<N>) -> Option<Space<Series<N>>>,
+    ) -> bool {
         self.all.iter().all(|one| {
-            let axis = axis(one);
+            let Some(axis) = axis(one) else { return false };
             let rates = pair.map(|member| one.turn(member).dot(axis));
             let (rate, sizes) = (rates[0] - rates[1], rates.map(|rate| rate.coefficients()));
             let mut terms = rate.coefficients().into_iter().enumerate().take(TERMS);
@@ -220,6 +233,10 @@ impl<const N: usize> Influences<'_, '_, N> {
         }
         match actions[..] {
             [only] => Ok(only),
+            [] if self.is_space() => Err(ReactionError::NoHinge {
+                what,
+                balls: self.balls(),
+            }),
             _ => Err(ReactionError::Place {
                 what,
                 places: actions.iter().map(|action| action.name(self.outline)).collect(),
@@ -276,9 +293,7 @@ impl<const N: usize> Influences<'_, '_, N> {
             let (joint, by) = (slide.joint, slide.guide);
             let sign = self.sign(quantity, |one| {
                 let place = one.moved.places[joint];
-                one.moved
-                    .along(index)
-                    .dot(slope_of(place) - one.velocity(by, place))
+                one.moved.along(index).dot(slope_of(place) - one.velocity(by, place))
             })?;
             let on = hub(self.outline, joint)?;
             let kind = ActionKind::Slide { joint, slide: index };

@@ -53,7 +53,11 @@ impl BodyLoad {
             body: body.into(),
             at: reals(wrench.at.unwrap_or(frame.origin)),
             force: reals(wrench.force),
-            moment: if wrench.at.is_some() { [0.0; 3] } else { reals(wrench.moment) },
+            moment: if wrench.at.is_some() {
+                [0.0; 3]
+            } else {
+                reals(wrench.moment)
+            },
         }
     }
 }

@@ -112,7 +112,9 @@ fn joined(outline: &Outline<'_>, joint: usize, hub: Member, joints: &[usize]) ->
                 let holders = holders(outline, **other);
                 **other != joint && holders.contains(by) && holders.contains(on)
             };
-            let Some(shared) = joints.iter().find(is_shared) else { continue };
+            let Some(shared) = joints.iter().find(is_shared) else {
+                continue;
+            };
             let [old, new] = [group[second], group[first]];
             for own in &mut group {
                 if *own == old {

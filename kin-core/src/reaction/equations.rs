@@ -8,7 +8,7 @@ use core::ops::Range;
 
 use super::action::{Action, Influences, Wrench, both, both_turned};
 use super::connection::{Connection, Member, holders};
-use super::frames::{MovedFrame, MovedMechanism, across, along_axis};
+use super::frames::{MovedFrame, MovedMechanism, across, along_axis, between, real};
 use super::friction::ActingFriction;
 use super::rank::{Rank, largest, rank};
 use super::{ReactionError, ReactionPart, size};
@@ -26,11 +26,7 @@ pub(super) enum Unknown {
     /// A force of a slide at right angles to it, by its number.
     Normal { connection: usize, axis: usize },
     /// A moment of a slide, or of a hinge of space, about one of the axes about which it may hold.
-    Moment {
-        connection: usize,
-        on: Member,
-        axis: usize,
-    },
+    Moment { connection: usize, on: Member, axis: usize },
     /// The effort of the drive of an input.
     Effort { input: usize },
 }
@@ -71,7 +67,12 @@ impl<const N: usize> DeterminedVector<N> {
     pub(super) fn add(&mut self, direction: Space<Series<N>>, size: Determined<N>) {
         let parts = [direction.x, direction.y, direction.z];
         for (own, part) in self.0.iter_mut().zip(parts) {
-            let takes_part = || part.coefficients().into_iter().take(TERMS).any(|term| term.abs() > NO_PART);
+            let takes_part = || {
+                part.coefficients()
+                    .into_iter()
+                    .take(TERMS)
+                    .any(|term| term.abs() > NO_PART)
+            };
             match size {
                 Some(size) => *own = own.map(|own| own + part * size),
                 None if takes_part() => *own = None,
@@ -123,8 +124,7 @@ impl<const N: usize> Solution<N> {
     /// The same, where each series becomes another one.
     pub(super) fn map(self, change: impl Fn(Series<N>) -> Series<N>) -> Self {
         let all = |series: Vec<Determined<N>>| series.into_iter().map(|own| own.map(&change)).collect();
-        let vectors =
-            |vectors: Vec<DeterminedVector<N>>| vectors.into_iter().map(|own| own.map(&change)).collect();
+        let vectors = |vectors: Vec<DeterminedVector<N>>| vectors.into_iter().map(|own| own.map(&change)).collect();
         Self {
             forces: vectors(self.forces),
             moments: vectors(self.moments),
@@ -243,15 +243,18 @@ impl<const N: usize> Equations<'_, N> {
             let Some(slide) = own.slide else { continue };
             let guide = self.outline.slides[slide].guide;
             for on in holders(self.outline, own.joint) {
-                for axis in 0..turning(self.moved, own).len() {
-                    let about = |moved: &MovedMechanism<N>| turning(moved, own)[axis];
+                for axis in 0..turning(self.moved, self.frames, own, on).len() {
+                    let about = |moved: &MovedMechanism<N>, frames: &[MovedFrame<N>]| {
+                        turning(moved, frames, own, on).get(axis).copied()
+                    };
                     let turns = |motion: &Vec<f64>| {
                         let [on, by] = [on, guide].map(|member| self.turn(member, motion));
-                        let Space { x, y, z } = about(self.moved);
-                        let rate = (on - by).dot(Space::new(x.real(), y.real(), z.real()));
-                        rate.abs() > NO_PART * largest(motion)
+                        let axis = about(self.moved, self.frames).map(real).unwrap_or_else(Space::zero);
+                        (on - by).dot(axis).abs() > NO_PART * largest(motion)
                     };
-                    if self.influences.keeps_angle([on, guide], |one| about(&one.moved))
+                    if self
+                        .influences
+                        .keeps_angle([on, guide], |one| about(&one.moved, &one.frames))
                         && self.freedoms(&columns).iter().any(turns)
                     {
                         let unknown = Unknown::Moment { connection, on, axis };
@@ -269,16 +272,14 @@ impl<const N: usize> Equations<'_, N> {
         let Some(body) = member else { return Space::zero() };
         let frame = &self.frames[body];
         let rates = &motion[self.rows()[body].clone()][self.moved.dimensions()..];
-        let real = |axis: &Space<Series<N>>| Space::new(axis.x.real(), axis.y.real(), axis.z.real());
         let parts = frame.turns().iter().zip(rates);
-        parts.fold(Space::zero(), |sum, (axis, rate)| sum + real(axis).scale(*rate))
+        parts.fold(Space::zero(), |sum, (axis, rate)| sum + real(*axis).scale(*rate))
     }
 
     /// Which bodies can move though the inputs stand.
     fn free(&self, columns: &[Vec<Series<N>>]) -> ReactionError {
         let freedoms = self.freedoms(columns);
-        let moves =
-            |motion: &Vec<f64>, rows: &Range<usize>| largest(&motion[rows.clone()]) > NO_PART * largest(motion);
+        let moves = |motion: &Vec<f64>, rows: &Range<usize>| largest(&motion[rows.clone()]) > NO_PART * largest(motion);
         let rows = self.rows();
         let bodies = rows.iter().zip(self.outline.bodies);
         let bodies = bodies.filter(|(rows, _)| freedoms.iter().any(|motion| moves(motion, rows)));
@@ -286,7 +287,7 @@ impl<const N: usize> Equations<'_, N> {
             freedoms: freedoms.len(),
             bodies: bodies.map(|(_, body)| body.name.to_string()).collect(),
             equations: self.outline.scalar_equations.iter().map(ToString::to_string).collect(),
-            is_space: self.moved.is_space,
+            balls: self.influences.balls(),
         }
     }
 
@@ -325,11 +326,9 @@ impl<const N: usize> Equations<'_, N> {
             }
             Unknown::Moment { connection, on, axis } => {
                 let own = &self.connections[connection];
-                both_turned([on, self.holding(own)], turning(self.moved, own)[axis])
+                both_turned([on, self.holding(own)], turning(self.moved, self.frames, own, on)[axis])
             }
-            Unknown::Effort { input } => {
-                self.drives[input].wrenches(self.moved, self.frames, Series::constant(1.0))
-            }
+            Unknown::Effort { input } => self.drives[input].wrenches(self.moved, self.frames, Series::constant(1.0)),
         };
         self.flat_column(wrenches)
     }
@@ -397,7 +396,8 @@ impl<const N: usize> Equations<'_, N> {
                 }
                 Unknown::Moment { connection, on, axis } => {
                     let own = &self.connections[connection];
-                    let (about, by) = (turning(self.moved, own)[axis], self.holding(own));
+                    let about = turning(self.moved, self.frames, own, on)[axis];
+                    let by = self.holding(own);
                     // the reaction acts on the guide where the slider is the ground
                     let is_turned = own.on == by && on != by;
                     let sign = Series::constant(if is_turned { -1.0 } else { 1.0 });
@@ -414,16 +414,30 @@ impl<const N: usize> Equations<'_, N> {
     }
 }
 
-/// The axes about which a slide or a hinge of space may hold by a moment.
-fn turning<const N: usize>(moved: &MovedMechanism<N>, own: &Connection) -> Vec<Space<Series<N>>> {
+/// The axes about which a slide or a hinge of space may hold a body by a moment.
+fn turning<const N: usize>(
+    moved: &MovedMechanism<N>,
+    frames: &[MovedFrame<N>],
+    own: &Connection,
+    on: Member,
+) -> Vec<Space<Series<N>>> {
     let Some(axis) = own.axis().map(|axis| moved.direction(axis)) else {
         return Vec::new();
     };
     let [first, second] = across(axis, moved.is_space);
-    match own.slide {
-        None => [first, second].into(),
-        Some(_) if moved.is_space => [axis, first, second].into(),
-        Some(_) => [second].into(),
+    if own.slide.is_none() {
+        return [first, second].into();
+    }
+    if !moved.is_space {
+        return [second].into();
+    }
+    match on.and_then(|body| frames[body].line()) {
+        None => [axis, first, second].into(),
+        // nothing acts about the line of a rod
+        Some(line) => match between(line, axis) {
+            None => [first, second].into(),
+            Some(normal) => [normal.cross(line), normal].into(),
+        },
     }
 }
 

@@ -60,6 +60,13 @@ pub enum ReactionError {
         /// Where it could act: none, or several places.
         places: Vec<String>,
     },
+    /// No joint of space moves like the quantity on which a load or a drive acts.
+    NoHinge {
+        /// What acts there, in a few words.
+        what: String,
+        /// The joints that have one point, and no axis.
+        balls: Vec<String>,
+    },
     /// The joints leave bodies free to move while the inputs stand.
     Free {
         /// By how many freedoms.
@@ -68,8 +75,8 @@ pub enum ReactionError {
         bodies: Vec<String>,
         /// The equations that are no vectors, which may hold them.
         equations: Vec<String>,
-        /// Whether the mechanism is one of space.
-        is_space: bool,
+        /// The joints of space that have one point, and no axis.
+        balls: Vec<String>,
     },
     /// The joints hold the bodies in other positions, but not in this one: a change point or a limit.
     Singular {
@@ -159,6 +166,20 @@ impl fmt::Display for Listed<'_> {
     }
 }
 
+/// Joints of space that may be hinges, with the advice how to declare one.
+struct Balls<'n>(&'n [String]);
+
+impl fmt::Display for Balls<'_> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            formatter,
+            "bodies that share one point have a ball joint there, as {}: for a hinge, list a second point of its axis \
+             in both bodies, or give the axis by `hinge`",
+            Listed(self.0)
+        )
+    }
+}
+
 impl fmt::Display for ReactionError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -209,11 +230,19 @@ impl fmt::Display for ReactionError {
                     "let it act on a point that one body alone has"
                 }
             ),
+            Self::NoHinge { what, balls } => {
+                write!(formatter, "no hinge and no slide moves like {what}")?;
+                if balls.is_empty() {
+                    Ok(())
+                } else {
+                    write!(formatter, ": {}", Balls(balls))
+                }
+            }
             Self::Free {
                 freedoms,
                 bodies,
                 equations,
-                is_space,
+                balls,
             } => {
                 write!(
                     formatter,
@@ -221,11 +250,8 @@ impl fmt::Display for ReactionError {
                     Listed(bodies),
                     if *freedoms == 1 { "" } else { "s" }
                 )?;
-                if *is_space {
-                    formatter.write_str(
-                        "declare the joint that is missing; where two bodies share one point they have a ball joint: \
-                         for a hinge, list a second point of its axis in both, or give the axis by `hinge`",
-                    )
+                if !balls.is_empty() {
+                    write!(formatter, "declare the joint that is missing; {}", Balls(balls))
                 } else if equations.is_empty() {
                     formatter.write_str("declare the joint that is missing")
                 } else {

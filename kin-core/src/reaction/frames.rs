@@ -54,6 +54,11 @@ fn unit<const N: usize>(vector: Space<Series<N>>) -> Space<Series<N>> {
     vector.scale(Series::constant(1.0) / vector.norm())
 }
 
+/// Where a vector is now.
+pub(super) fn real<const N: usize>(vector: Space<Series<N>>) -> Space<f64> {
+    Space::new(vector.x.real(), vector.y.real(), vector.z.real())
+}
+
 /// The sum of the sizes of the coordinates.
 fn size<const N: usize>(vector: Space<Series<N>>) -> f64 {
     vector.x.real().abs() + vector.y.real().abs() + vector.z.real().abs()
@@ -119,6 +124,11 @@ impl<const N: usize> MovedFrame<N> {
         &self.axes[self.first_turn..]
     }
 
+    /// The line of a rod of space.
+    pub(super) fn line(&self) -> Option<Space<Series<N>>> {
+        (self.first_turn == 1).then_some(self.axes[0])
+    }
+
     /// The place of a point of the frame.
     pub(super) fn place(&self, point: Space<f64>) -> Space<Series<N>> {
         let parts = self.axes.into_iter().zip([point.x, point.y, point.z]);
@@ -145,6 +155,11 @@ pub(super) fn across<const N: usize>(axis: Space<Series<N>>, is_space: bool) -> 
     let smallest = (0..3).min_by(|one, other| parts[*one].total_cmp(&parts[*other]));
     let first = unit(along_axis(smallest.unwrap_or(0)).cross(axis));
     [first, axis.cross(first)]
+}
+
+/// The unit vector at right angles to two others, none if they lie on a line up to half of the digits.
+pub(super) fn between<const N: usize>(one: Space<Series<N>>, other: Space<Series<N>>) -> Option<Space<Series<N>>> {
+    third_point(real(one), [real(other)].into_iter()).map(|_| unit(one.cross(other)))
 }
 
 /// Distances may change by this part of the largest speed, by the rounding of a position that is known to half of its
@@ -212,7 +227,9 @@ impl<const N: usize> MovedMechanism<N> {
             let carries = |slide: &Slide| slide.guide == Some(index);
             if !outline.slides.iter().any(carries) {
                 let mut slides = outline.slides.iter();
-                let slide = slides.find(|slide| slide.joint == body.joints[0]).ok_or_else(no_frame)?;
+                let slide = slides
+                    .find(|slide| slide.joint == body.joints[0])
+                    .ok_or_else(no_frame)?;
                 // it turns with its guide
                 let guide = slide.guide.map(|guide| self.frame(outline, connections, guide));
                 return Ok(match guide.transpose()? {
@@ -235,10 +252,11 @@ impl<const N: usize> MovedMechanism<N> {
         }
         let joints = body.joints.iter().skip(2).map(|joint| self.places[*joint] - origin);
         let axes = connections.iter().filter(|connection| connection.holds(index));
-        let axes = axes.filter_map(|connection| connection.hinge).map(|hinge| self.direction(hinge));
+        let axes = axes
+            .filter_map(|connection| connection.hinge)
+            .map(|hinge| self.direction(hinge));
         let beside: Vec<Space<Series<N>>> = joints.chain(axes).collect();
-        let real = |vector: &Space<Series<N>>| Space::new(vector.x.real(), vector.y.real(), vector.z.real());
-        let third = third_point(real(&axis), beside.iter().map(real));
+        let third = third_point(real(axis), beside.iter().copied().map(real));
         Ok(match third {
             Some(third) => MovedFrame::of_plane(origin, axis, beside[third]),
             None => MovedFrame::of_line(origin, axis, true),
@@ -266,7 +284,9 @@ impl<const N: usize> MovedMechanism<N> {
         }
         let turns = frames.iter().map(|frame| size(frame.turn)).fold(0.0, f64::max);
         for connection in connections {
-            let Some(Direction::Vector(vector)) = connection.hinge else { continue };
+            let Some(Direction::Vector(vector)) = connection.hinge else {
+                continue;
+            };
             let axis = self.direction(Direction::Vector(vector));
             for member in [connection.on, connection.by] {
                 let turn = member.map_or_else(Space::zero, |body| frames[body].turn);

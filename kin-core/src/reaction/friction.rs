@@ -165,7 +165,11 @@ impl NamedReactions<'_> {
         let is_twice = self.frictions.iter().any(|(connection, _)| *connection == index);
         let mistake = friction.mistake(self.connections[index].slide.is_some());
         let mistake = mistake.or(is_twice.then_some(FrictionMistake::Twice));
-        let mistake = self.functions.is_space().then_some(FrictionMistake::InSpace).or(mistake);
+        let mistake = self
+            .functions
+            .is_space()
+            .then_some(FrictionMistake::InSpace)
+            .or(mistake);
         if let Some(mistake) = mistake {
             let reaction = name.to_string();
             return Err(ReactionError::Friction { reaction, mistake });
