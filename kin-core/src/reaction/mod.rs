@@ -323,6 +323,14 @@ impl<'m> NamedReactions<'m> {
         Ok(self.connections[self.index(name)?].slide.is_some())
     }
 
+    /// Whether a reaction is that of a hinge of space, which has a moment across its axis.
+    ///
+    /// # Errors
+    /// [`ReactionError::NoSuchReaction`].
+    pub fn is_hinge(&self, name: &str) -> Result<bool, ReactionError> {
+        Ok(self.connections[self.index(name)?].hinge.is_some())
+    }
+
     /// The joint of the [picture](Outline) in which a reaction acts, by its index.
     ///
     /// # Errors

@@ -80,10 +80,8 @@ fn borne(subject: &Subject, case: &Case) -> Result<Vec<Borne>, Fault> {
     };
     let columns = case.forces(subject).all;
     let is_of_joint = |column: &&ForceColumn| matches!(column.force, Force::Reaction(..));
-    let is_coordinate =
-        |column: &&ForceColumn| matches!(column.force, Force::Reaction(_, ReactionPart::X | ReactionPart::Y));
     let values = columns.iter().filter(|column| column.order == 0);
-    let own = values.filter(|column| !is_coordinate(column));
+    let own = values.filter(|column| !column.is_coordinate());
     let (joints, drives): (Vec<_>, Vec<_>) = own.partition(is_of_joint);
     let own = [joints, drives].concat();
     let (mut all, mut faults) = (Vec::new(), Vec::new());

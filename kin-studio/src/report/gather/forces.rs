@@ -16,10 +16,12 @@ use crate::report::model::{ActingLoad, BodyLoad, CurveKind, ForceCurve, ForcePea
 pub(super) fn of<D: SmoothDrive>(wishes: &Wishes<'_>, way: &Way<'_, D>) -> Option<Forces> {
     let wished = wishes.loads.as_ref()?;
     let gathered = Gathered { wishes, wished, way };
-    let bare = wishes
-        .linkage
-        .reactions(&wished.loads)
-        .map_err(|error| error.to_string());
+    let bare = if wishes.functions.is_space() {
+        Err(IN_SPACE.to_owned())
+    } else {
+        let bare = wishes.linkage.reactions(&wished.loads);
+        bare.map_err(|error| error.to_string())
+    };
     let found = bare.and_then(|bare| {
         let all = bare.frictions(wished.frictions.iter().cloned());
         all.map_err(|error| error.to_string())
@@ -44,6 +46,9 @@ pub(super) fn of<D: SmoothDrive>(wishes: &Wishes<'_>, way: &Way<'_, D>) -> Optio
         unknown,
     })
 }
+
+/// A page draws forces in the plane.
+const IN_SPACE: &str = "the mechanism is one of space, where pages show no forces in joints; `kin forces` tells them";
 
 /// The curves of efforts and moments, and the samples of all.
 struct All {
@@ -183,10 +188,13 @@ impl<D: SmoothDrive> Gathered<'_, '_, D> {
             return Vec::new();
         };
         let is_force = |index: usize| {
-            let own = |row: &Reactions| row.body_loads()[index].force != [0.0; 2];
+            let own = |row: &Reactions| row.body_loads()[index].force != [0.0; 3];
             rows.iter().flatten().any(own)
         };
-        let is_couple = |index: usize| rows.iter().flatten().any(|row| row.body_loads()[index].moment != 0.0);
+        let is_couple = |index: usize| {
+            let own = |row: &Reactions| row.body_loads()[index].moment != [0.0; 3];
+            rows.iter().flatten().any(own)
+        };
         let mut kept = Vec::new();
         for (index, load) in first.body_loads().iter().enumerate() {
             let body = outline.bodies.iter().position(|body| body.name == load.body);
@@ -213,10 +221,10 @@ impl<D: SmoothDrive> Gathered<'_, '_, D> {
                 let own = &row.body_loads()[*index];
                 let newton = self.wished.metres;
                 sample.loads.push(if load.is_couple {
-                    vec![short(own.moment * newton * newton)]
+                    vec![short(own.moment[2] * newton * newton)]
                 } else {
-                    let [x, y] = own.force.map(|part| short(part * newton));
-                    let [right, up] = own.at.map(short);
+                    let [x, y, _] = own.force.map(|part| short(part * newton));
+                    let [right, up, _] = own.at.map(short);
                     vec![x, y, right, up]
                 });
             }
