@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 use core::fmt::Write as _;
 
 use super::frames::Direction;
+use super::rolling::Mesh;
 use crate::picture::{Outline, Slide};
 
 /// A body by its index, `None` for the ground.
@@ -19,12 +20,14 @@ pub(super) struct Connection {
     pub(super) on: Member,
     /// The body that exerts it.
     pub(super) by: Member,
-    /// The joint of the picture.
-    pub(super) joint: usize,
+    /// The joint of the picture, none for a contact.
+    pub(super) joint: Option<usize>,
     /// The slide, none for a pin.
     pub(super) slide: Option<usize>,
     /// The axis of a hinge of space, none for a ball.
     pub(super) hinge: Option<Direction>,
+    /// The contact of two bodies that roll on each other.
+    pub(super) mesh: Option<Mesh>,
 }
 
 impl Connection {
@@ -178,7 +181,7 @@ pub(super) fn connections(outline: &Outline<'_>, is_space: bool) -> Vec<Connecti
                     name
                 }
             };
-            let slide = None;
+            let (slide, mesh) = (None, None);
             let hinge = second.map(|second| Direction::Joints([joint, second]));
             add(
                 &mut all,
@@ -186,9 +189,10 @@ pub(super) fn connections(outline: &Outline<'_>, is_space: bool) -> Vec<Connecti
                     name,
                     on,
                     by,
-                    joint,
+                    joint: Some(joint),
                     slide,
                     hinge,
+                    mesh,
                 },
             );
         }
@@ -211,16 +215,17 @@ pub(super) fn connections(outline: &Outline<'_>, is_space: bool) -> Vec<Connecti
                 name.push_str("_slide");
             }
             let slide = Some(index);
-            let hinge = None;
+            let (hinge, mesh) = (None, None);
             add(
                 &mut all,
                 Connection {
                     name,
                     on,
                     by,
-                    joint,
+                    joint: Some(joint),
                     slide,
                     hinge,
+                    mesh,
                 },
             );
         }

@@ -53,7 +53,7 @@ impl<const N: usize> Equations<'_, N> {
         let sense = Series::constant(acting.sense);
         self.flat_column(match own.slide {
             None => both_turned([own.on, own.by], along_axis(2).scale(sense)),
-            Some(slide) => self.of_force(own, self.moved.along(slide).scale(sense)),
+            Some(slide) => self.of_force(acting.connection, self.moved.along(slide).scale(sense)),
         })
     }
 

@@ -11,6 +11,7 @@ use super::connection::{Connection, Member, holders};
 use super::frames::{MovedFrame, MovedMechanism, across, along_axis, between, real};
 use super::friction::ActingFriction;
 use super::rank::{Rank, largest, rank};
+use super::rolling::{Flank, Mesh, PitchPoint};
 use super::{ReactionError, ReactionPart, size};
 use crate::geometry::Space;
 use crate::number::Number;
@@ -27,6 +28,8 @@ pub(super) enum Unknown {
     Normal { connection: usize, axis: usize },
     /// A moment of a slide, or of a hinge of space, about one of the axes about which it may hold.
     Moment { connection: usize, on: Member, axis: usize },
+    /// The tangential force of a contact.
+    Contact { connection: usize },
     /// The effort of the drive of an input.
     Effort { input: usize },
 }
@@ -35,9 +38,10 @@ impl Unknown {
     /// The connection of which it is a force or a moment.
     pub(super) fn connection(self) -> Option<usize> {
         match self {
-            Self::Pin { connection, .. } | Self::Normal { connection, .. } | Self::Moment { connection, .. } => {
-                Some(connection)
-            }
+            Self::Pin { connection, .. }
+            | Self::Normal { connection, .. }
+            | Self::Moment { connection, .. }
+            | Self::Contact { connection } => Some(connection),
             Self::Effort { .. } => None,
         }
     }
@@ -151,6 +155,8 @@ pub(super) struct Equations<'e, const N: usize> {
     pub(super) frames: &'e [MovedFrame<N>],
     pub(super) drives: &'e [Action],
     pub(super) frictions: &'e [ActingFriction<N>],
+    /// How each contact bears.
+    pub(super) flanks: &'e [Flank],
     /// -1 on the left side of a place.
     pub(super) parity: f64,
 }
@@ -227,7 +233,9 @@ impl<const N: usize> Equations<'_, N> {
         let mut unknowns: Vec<Unknown> = Vec::new();
         let dimensions = self.moved.dimensions();
         for (connection, own) in self.connections.iter().enumerate() {
-            if own.slide.is_some() {
+            if own.mesh.is_some() {
+                unknowns.push(Unknown::Contact { connection });
+            } else if own.slide.is_some() {
                 unknowns.extend((0..dimensions - 1).map(|axis| Unknown::Normal { connection, axis }));
             } else {
                 unknowns.extend((0..dimensions).map(|axis| Unknown::Pin { connection, axis }));
@@ -240,9 +248,11 @@ impl<const N: usize> Equations<'_, N> {
         unknowns.extend((0..self.drives.len()).map(|input| Unknown::Effort { input }));
         let mut columns: Vec<Vec<Series<N>>> = unknowns.iter().map(|unknown| self.column(*unknown)).collect();
         for (connection, own) in self.connections.iter().enumerate() {
-            let Some(slide) = own.slide else { continue };
+            let (Some(slide), Some(joint)) = (own.slide, own.joint) else {
+                continue;
+            };
             let guide = self.outline.slides[slide].guide;
-            for on in holders(self.outline, own.joint) {
+            for on in holders(self.outline, joint) {
                 for axis in 0..turning(self.moved, self.frames, own, on).len() {
                     let about = |moved: &MovedMechanism<N>, frames: &[MovedFrame<N>]| {
                         turning(moved, frames, own, on).get(axis).copied()
@@ -319,11 +329,11 @@ impl<const N: usize> Equations<'_, N> {
     /// The forces of a unit of an unknown on all bodies.
     fn column(&self, unknown: Unknown) -> Vec<Series<N>> {
         let wrenches = match unknown {
-            Unknown::Pin { connection, axis } => self.of_force(&self.connections[connection], along_axis(axis)),
+            Unknown::Pin { connection, axis } => self.of_force(connection, along_axis(axis)),
             Unknown::Normal { connection, axis } => {
-                let own = &self.connections[connection];
-                self.of_force(own, self.normal(own, axis))
+                self.of_force(connection, self.normal(&self.connections[connection], axis))
             }
+            Unknown::Contact { connection } => self.of_force(connection, self.bearing(connection)),
             Unknown::Moment { connection, on, axis } => {
                 let own = &self.connections[connection];
                 both_turned([on, self.holding(own)], turning(self.moved, self.frames, own, on)[axis])
@@ -334,9 +344,38 @@ impl<const N: usize> Equations<'_, N> {
     }
 
     /// A force in a connection.
-    pub(super) fn of_force(&self, own: &Connection, force: Space<Series<N>>) -> Vec<(usize, Wrench<Series<N>>)> {
-        let at = [self.moved.places[own.joint]; 2];
-        both([own.on, own.by], self.frames, force, at)
+    pub(super) fn of_force(&self, connection: usize, force: Space<Series<N>>) -> Vec<(usize, Wrench<Series<N>>)> {
+        let own = &self.connections[connection];
+        let joint = own.joint.map(|joint| self.moved.places[joint]);
+        let pitch = self.pitch_point(connection).map(|(_, pitch)| pitch.at);
+        match joint.or(pitch) {
+            Some(at) => both([own.on, own.by], self.frames, force, [at; 2]),
+            None => Vec::new(),
+        }
+    }
+
+    fn pitch_point(&self, connection: usize) -> Option<(&Mesh, PitchPoint<Series<N>>)> {
+        let mesh = self.connections[connection].mesh.as_ref()?;
+        Some((mesh, mesh.pitch_point(self.moved, self.flanks[connection].side)))
+    }
+
+    /// The force of a contact for a unit of its tangential force.
+    fn bearing(&self, connection: usize) -> Space<Series<N>> {
+        let sign = self.flanks[connection].sign;
+        let pitch = self.pitch_point(connection);
+        pitch.map_or_else(Space::zero, |(mesh, pitch)| pitch.force(mesh, sign))
+    }
+
+    /// How the contacts bear under these forces.
+    pub(super) fn bears(&self, solution: &Solution<N>) -> Vec<Flank> {
+        let flanks = self.flanks.iter().enumerate().map(|(connection, flank)| {
+            let force = solution.forces[connection].whole();
+            let contact = force.zip(self.pitch_point(connection));
+            let sign = contact.and_then(|(force, (mesh, pitch))| pitch.sign(mesh, force));
+            let sign = sign.unwrap_or(flank.sign);
+            Flank { sign, ..*flank }
+        });
+        flanks.collect()
     }
 
     /// The body that exerts the moment of a connection.
@@ -407,6 +446,7 @@ impl<const N: usize> Equations<'_, N> {
                         solution.turned.extend(both_turned([on, by], moment));
                     }
                 }
+                Unknown::Contact { connection } => solution.forces[connection].add(self.bearing(connection), known),
                 Unknown::Effort { input } => solution.efforts[input] = known,
             }
         }

@@ -6,6 +6,7 @@ use core::error::Error;
 use core::fmt;
 
 use super::friction::FrictionMistake;
+use super::rolling::RollingMistake;
 use crate::failure::SolveError;
 use crate::load::{LoadError, NoSuchPlace};
 use crate::quantity::Digits;
@@ -32,8 +33,15 @@ pub enum ReactionError {
         /// The rate at which it turns, per unit of an input.
         rate: f64,
     },
-    /// No vector has the name of an axis.
+    /// No vector has the name of an axis, or no body or point that of a contact.
     NoSuchPlace(NoSuchPlace),
+    /// A contact cannot roll as it is stated.
+    Rolling {
+        /// The reaction.
+        reaction: String,
+        /// What is wrong.
+        mistake: RollingMistake,
+    },
     /// A joint cannot have an axis: it is no ball of space.
     NoBall {
         /// The reaction.
@@ -197,6 +205,7 @@ impl fmt::Display for ReactionError {
                 Digits(*rate)
             ),
             Self::NoSuchPlace(error) => write!(formatter, "{error}"),
+            Self::Rolling { reaction, mistake } => write!(formatter, "the contact `{reaction}`: {mistake}"),
             Self::NoBall { reaction } => write!(
                 formatter,
                 "`{reaction}` cannot have an axis: that of a pin in the plane, of a slide, and of a hinge is known"
@@ -257,8 +266,8 @@ impl fmt::Display for ReactionError {
                 } else {
                     write!(
                         formatter,
-                        "declare the joint that is missing, or no joint stands for {}, and the force of a gear or a \
-                         rack is not found",
+                        "declare the joint that is missing; if gears or racks stand for {}, say by `rolling` which \
+                         bodies they are",
                         Listed(equations)
                     )
                 }

@@ -50,7 +50,7 @@ pub(super) fn along_axis<const N: usize>(axis: usize) -> Space<Series<N>> {
     still(Space::new(part(0), part(1), part(2)))
 }
 
-fn unit<const N: usize>(vector: Space<Series<N>>) -> Space<Series<N>> {
+pub(super) fn unit<const N: usize>(vector: Space<Series<N>>) -> Space<Series<N>> {
     vector.scale(Series::constant(1.0) / vector.norm())
 }
 

@@ -50,6 +50,8 @@ pub enum FrictionMistake {
     IsPin,
     /// The joint has friction already.
     Twice,
+    /// The joint is a contact that rolls.
+    Rolls,
     /// The mechanism is one of space.
     InSpace,
 }
@@ -65,6 +67,7 @@ impl fmt::Display for FrictionMistake {
                 formatter.write_str("it is a pin, whose friction needs its radius: give the friction of a pin")
             }
             Self::Twice => formatter.write_str("it has friction already: state it once"),
+            Self::Rolls => formatter.write_str("it rolls, and friction is that of a pin or a slide"),
             Self::InSpace => formatter.write_str("friction is found in the plane, and the mechanism is one of space"),
         }
     }
@@ -169,6 +172,7 @@ impl NamedReactions<'_> {
             .functions
             .is_space()
             .then_some(FrictionMistake::InSpace)
+            .or(self.connections[index].mesh.map(|_| FrictionMistake::Rolls))
             .or(mistake);
         if let Some(mistake) = mistake {
             let reaction = name.to_string();
@@ -291,11 +295,11 @@ impl NamedReactions<'_> {
 /// The rate by the variable at which one body of a connection moves against the other: it turns in a pin, and slides on
 /// a slide.
 fn relative_rate<const N: usize>(own: &Connection, moved: &MovedMechanism<N>, frames: &[MovedFrame<N>]) -> Series<N> {
-    let Some(slide) = own.slide else {
+    let (Some(slide), Some(joint)) = (own.slide, own.joint) else {
         let turn = |member: Member| member.map_or(Series::ZERO, |body| frames[body].turn.z);
         return turn(own.on) - turn(own.by);
     };
-    let at = moved.places[own.joint];
+    let at = moved.places[joint];
     let along = |member: Member| {
         let velocity = member.map(|body| frames[body].velocity(at));
         velocity.map_or(Series::ZERO, |velocity| moved.along(slide).dot(velocity))

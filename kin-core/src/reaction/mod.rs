@@ -65,6 +65,7 @@ mod frames;
 mod friction;
 mod rank;
 mod remembered;
+mod rolling;
 #[cfg(test)]
 mod tests;
 
@@ -72,6 +73,7 @@ pub use body_load::{BodyLoad, BodyLoadKind};
 pub use efficiency::Efficiency;
 pub use error::ReactionError;
 pub use friction::{Friction, FrictionMistake};
+pub use rolling::{Rolling, RollingMistake};
 
 use alloc::string::{String, ToString};
 use alloc::vec;
@@ -97,6 +99,7 @@ use demand::Demand;
 use equations::{Equations, Solution};
 use frames::{Direction, MovedFrame, MovedMechanism, slope};
 use remembered::Remembered;
+use rolling::Flank;
 
 /// The orders of a motion up to snap, and the terms of a series of each.
 const REACH: usize = 4 + TERMS;
@@ -336,7 +339,11 @@ impl<'m> NamedReactions<'m> {
     /// # Errors
     /// [`ReactionError::NoSuchReaction`].
     pub fn joint_of(&self, name: &str) -> Result<usize, ReactionError> {
-        Ok(self.connections[self.index(name)?].joint)
+        let joint = self.connections[self.index(name)?].joint;
+        joint.ok_or_else(|| ReactionError::Rolling {
+            reaction: name.to_string(),
+            mistake: RollingMistake::NoJoint,
+        })
     }
 
     pub(crate) fn index(&self, name: &str) -> Result<usize, ReactionError> {
@@ -486,7 +493,24 @@ impl<'m> NamedReactions<'m> {
         });
         let drives = drives.collect::<Result<Vec<Action>, _>>()?;
         let frictions = self.acting(place, &moved, &influences)?;
-        let equations = Equations {
+        let flank = |connection: &Connection| {
+            let side = connection
+                .mesh
+                .map(|mesh| mesh.side([connection.on, connection.by], &all));
+            let side = side.transpose().map_err(|mistake| ReactionError::Rolling {
+                reaction: connection.name.clone(),
+                mistake,
+            });
+            Ok(Flank {
+                side: side?.unwrap_or(1.0),
+                sign: 1.0,
+            })
+        };
+        let flanks = connections
+            .iter()
+            .map(flank)
+            .collect::<Result<Vec<Flank>, ReactionError>>()?;
+        let mut equations = Equations {
             outline: &outline,
             connections,
             influences: &influences,
@@ -494,9 +518,26 @@ impl<'m> NamedReactions<'m> {
             frames: &frames,
             drives: &drives,
             frictions: &frictions,
+            flanks: &flanks,
             parity: if place.side == Side::Left { -1.0 } else { 1.0 },
         };
-        let solution = equations.solve(&demand.bodies)?;
+        let mut solution = equations.solve(&demand.bodies)?;
+        let bears = equations.bears(&solution);
+        if bears != flanks {
+            equations.flanks = &bears;
+            solution = equations.solve(&demand.bodies)?;
+            let wrong = equations
+                .bears(&solution)
+                .into_iter()
+                .zip(&bears)
+                .position(|(found, own)| found != *own);
+            if let Some(connection) = wrong {
+                return Err(ReactionError::Rolling {
+                    reaction: connections[connection].name.clone(),
+                    mistake: RollingMistake::NoFlank,
+                });
+            }
+        }
         Ok(Solved {
             solution,
             loads: demand.acting,

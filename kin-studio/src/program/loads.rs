@@ -273,7 +273,8 @@ impl ForceColumns {
             Err(error) => {
                 let linkage = unit_linkage(functions);
                 let guessed = linkage.reactions_as_guessed(&linkage.loads());
-                let guessed = guessed.map_or_else(|_| Vec::new(), |reactions| joints_of(&reactions, functions.is_space()));
+                let guessed =
+                    guessed.map_or_else(|_| Vec::new(), |reactions| joints_of(&reactions, functions.is_space()));
                 let names = of_joints(&guessed).into_iter().map(|column| column.name(description));
                 Some((error, names.collect()))
             }

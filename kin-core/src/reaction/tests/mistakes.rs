@@ -130,8 +130,8 @@ fn what_no_joint_holds() {
     let error = still(&reactions, &[0.4]);
     assert_eq!(
         message(error),
-        "the joints leave `wheel` 1 freedom while the inputs stand: declare the joint that is missing, or no joint \
-         stands for `phi == -ratio * theta`, and the force of a gear or a rack is not found"
+        "the joints leave `wheel` 1 freedom while the inputs stand: declare the joint that is missing; if gears or \
+         racks stand for `phi == -ratio * theta`, say by `rolling` which bodies they are"
     );
 }
 

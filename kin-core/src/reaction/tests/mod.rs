@@ -4,6 +4,7 @@ mod agreement;
 mod friction;
 mod mistakes;
 mod published;
+mod rolling;
 mod space;
 mod squeezer;
 

@@ -170,7 +170,10 @@ fn in_equilibrium<M: Mechanism<Scalar = f64>>(
         let mut all: Vec<[Space<f64>; 2]> = Vec::new();
         for connection in &reactions.connections {
             let own = found.of(&connection.name).expect("it is determined");
-            let (force, at) = (Space::new(own.x[0], own.y[0], own.z[0]), places[connection.joint]);
+            let (force, at) = (
+                Space::new(own.x[0], own.y[0], own.z[0]),
+                places[connection.joint.expect("a joint")],
+            );
             let mut couple = vector(own.moments.map(|moment| moment[0]));
             if connection.slide.is_some() {
                 // its guide acts as a load of the body

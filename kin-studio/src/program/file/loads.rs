@@ -301,7 +301,10 @@ impl Reader<'_, '_> {
         let parts = entry.value.parts();
         let (mass, inertia) = match parts.as_slice() {
             [mass] => (mass, None),
-            [mass, inertia] => (mass, Some(inertia.behind("inertia ").ok_or_else(|| inertia.mistake(form))?)),
+            [mass, inertia] => (
+                mass,
+                Some(inertia.behind("inertia ").ok_or_else(|| inertia.mistake(form))?),
+            ),
             _ => return Err(entry.value.mistake(form)),
         };
         let (mass, centre) = mass.around(" at ").ok_or_else(|| mass.mistake(form))?;
