@@ -58,7 +58,7 @@ pub(super) struct Wrench<T> {
 impl<const N: usize> Wrench<Series<N>> {
     /// A force at a place on a body.
     pub(super) fn of_force(frame: &MovedFrame<N>, force: Space<Series<N>>, at: Space<Series<N>>) -> Self {
-        let moment = (at - frame.origin).cross(force);
+        let moment = frame.moment(force, at);
         let at = Some(at);
         Self { force, at, moment }
     }

@@ -47,7 +47,7 @@ pub(super) type Acting<const N: usize> = (BodyLoadKind, usize, Wrench<Series<N>>
 
 impl BodyLoad {
     pub(super) fn new<const N: usize>((kind, _, wrench): &Acting<N>, frame: &MovedFrame<N>, body: &str) -> Self {
-        let reals = |vector: Space<Series<N>>| [vector.x, vector.y, vector.z].map(|part| part.real());
+        let reals = |vector: Space<Series<N>>| [vector.x, vector.y, vector.z].map(Number::real);
         Self {
             kind: *kind,
             body: body.into(),

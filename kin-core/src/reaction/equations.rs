@@ -259,7 +259,7 @@ impl<const N: usize> Equations<'_, N> {
                     };
                     let turns = |motion: &Vec<f64>| {
                         let [on, by] = [on, guide].map(|member| self.turn(member, motion));
-                        let axis = about(self.moved, self.frames).map(real).unwrap_or_else(Space::zero);
+                        let axis = about(self.moved, self.frames).map_or_else(Space::zero, real);
                         (on - by).dot(axis).abs() > NO_PART * largest(motion)
                     };
                     if self
@@ -390,8 +390,8 @@ impl<const N: usize> Equations<'_, N> {
         let mut column = vec![Series::ZERO; rows.last().map_or(0, |rows| rows.end)];
         for (body, Wrench { force, moment, .. }) in wrenches {
             let forces = [force.x, force.y, force.z].into_iter().take(self.moved.dimensions());
-            let moments = self.frames[body].turns().iter();
-            let moments = moments.map(|axis| axis.dot(moment) * per_length);
+            let moments = self.frames[body].parts(moment);
+            let moments = moments.into_iter().map(|moment| moment * per_length);
             for (entry, part) in column[rows[body].clone()].iter_mut().zip(forces.chain(moments)) {
                 *entry = *entry + part;
             }
@@ -407,8 +407,16 @@ impl<const N: usize> Equations<'_, N> {
 
     /// The largest distance between joints, by which moments are divided.
     fn length(&self) -> f64 {
-        let joints = || self.moved.places[..self.moved.joints].iter();
-        let distances = joints().flat_map(|one| joints().map(move |other| (*other - *one).norm_squared().real()));
+        let joints: Vec<Space<f64>> = self.moved.places[..self.moved.joints]
+            .iter()
+            .copied()
+            .map(real)
+            .collect();
+        let others = |one: &Space<f64>| {
+            let distances = joints.iter().map(|other| (*other - *one).norm_squared());
+            distances.fold(0.0, f64::max)
+        };
+        let distances = joints.iter().map(others);
         let square = distances.fold(0.0, f64::max);
         if square > 0.0 { Number::sqrt(square) } else { 1.0 }
     }

@@ -98,7 +98,7 @@ impl<const N: usize> MovedFrame<N> {
         Self {
             origin,
             axes: [axis, left, normal],
-            turn: axis.cross(slope_of(axis)),
+            turn: product(axis, slope_of(axis), is_space),
             first_turn: if is_space { 1 } else { 2 },
         }
     }
@@ -139,17 +139,48 @@ impl<const N: usize> MovedFrame<N> {
         place
     }
 
+    /// Whether the body is one of the plane.
+    fn is_plane(&self) -> bool {
+        self.first_turn == 2
+    }
+
+    /// The moment of a force at a place about the origin.
+    pub(super) fn moment(&self, force: Space<Series<N>>, at: Space<Series<N>>) -> Space<Series<N>> {
+        product(at - self.origin, force, !self.is_plane())
+    }
+
+    /// The parts of a moment for which the body has equations.
+    pub(super) fn parts(&self, moment: Space<Series<N>>) -> Vec<Series<N>> {
+        if self.is_plane() {
+            return [moment.z].into();
+        }
+        self.turns().iter().map(|axis| axis.dot(moment)).collect()
+    }
+
     /// The velocity of what is fixed to the body at a place.
     pub(super) fn velocity(&self, place: Space<Series<N>>) -> Space<Series<N>> {
-        slope_of(self.origin) + self.turn.cross(place - self.origin)
+        let arm = place - self.origin;
+        let across = if self.is_plane() {
+            Space::new(-arm.y, arm.x, Series::ZERO).scale(self.turn.z)
+        } else {
+            self.turn.cross(arm)
+        };
+        slope_of(self.origin) + across
     }
+}
+
+/// The vector product. That of vectors in the plane has one coordinate.
+fn product<const N: usize>(one: Space<Series<N>>, other: Space<Series<N>>, is_space: bool) -> Space<Series<N>> {
+    if is_space {
+        return one.cross(other);
+    }
+    Space::new(Series::ZERO, Series::ZERO, one.x * other.y - one.y * other.x)
 }
 
 /// Two unit vectors at right angles to a unit vector; in the plane, the one to its left and the normal.
 pub(super) fn across<const N: usize>(axis: Space<Series<N>>, is_space: bool) -> [Space<Series<N>>; 2] {
     if !is_space {
-        let normal = along_axis(2);
-        return [normal.cross(axis), normal];
+        return [Space::new(-axis.y, axis.x, Series::ZERO), along_axis(2)];
     }
     let parts = [axis.x, axis.y, axis.z].map(|part| part.real().abs());
     let smallest = (0..3).min_by(|one, other| parts[*one].total_cmp(&parts[*other]));
@@ -292,7 +323,7 @@ impl<const N: usize> MovedMechanism<N> {
                 let turn = member.map_or_else(Space::zero, |body| frames[body].turn);
                 let rate = size(slope_of(axis) - turn.cross(axis));
                 // an axis of no length has no rate
-                if !(rate <= RIGID * turns) {
+                if rate.is_nan() || rate > RIGID * turns {
                     return Err(ReactionError::HingeTurns {
                         reaction: connection.name.clone(),
                         body: member_name(outline, member),

@@ -45,7 +45,7 @@ const SHAFTS: Shafts = Shafts {
 
 crate::mechanism! {
     /// The linkage RSSP, with a slider that is a body.
-    struct Rail { crank: Length, start: Point3, rail: Vector3, rod: Length }
+    struct Guided { crank: Length, start: Point3, rail: Vector3, rod: Length }
     input theta: Angle;
     unknown s: Length;
     let slider = start + s * (rail / norm(rail));
@@ -61,7 +61,7 @@ crate::mechanism! {
     slide ball along rail;
 }
 
-const RAIL: Rail = Rail {
+const RAIL: Guided = Guided {
     crank: 0.3,
     start: Space::new(0.4, 0.5, 0.2),
     rail: Space::new(1.0, 0.2, -0.3),
@@ -271,7 +271,7 @@ fn virtual_work_gives_the_same_efforts() {
             arm: Space::new(near(0.1), near(-0.1), near(0.8)),
             rod: near(1.3),
         };
-        let rail = Rail {
+        let rail = Guided {
             crank: near(0.3),
             start: Space::new(near(0.4), near(0.5), near(0.2)),
             rail: Space::new(near(1.0), near(0.2), near(-0.3)),
