@@ -8,7 +8,7 @@ use super::ReactionError;
 use super::action::{Influences, Wrench, both};
 use super::body_load::{Acting, BodyLoadKind};
 use super::connection::{Member, loaded, member_name};
-use super::frames::{MovedFrame, MovedMechanism, slope, slope_of, still};
+use super::frames::{MovedFrame, MovedMechanism, product, slope, slope_of, still};
 use crate::geometry::Space;
 use crate::load::{LoadError, NamedLoad, NamedLoads, PointIndex, centre_on_line, not_negative};
 use crate::mechanism::Description;
@@ -171,8 +171,10 @@ impl<const N: usize> Demand<'_, N> {
 
     /// The couple of a moment of inertia about the axes at right angles to a unit vector that is fixed to a body.
     fn add_rod(&mut self, inertia: f64, axis: Space<Series<N>>, body: usize) {
-        // the second moment about the plane across the axis: the arms ξ e have the momentum ξ² e × e''
-        let lacking = axis.cross(self.acceleration(axis)).scale(Series::constant(-inertia));
+        // the arms ξ e have the angular momentum ξ² e × e', and its rate is ξ² e × e''
+        let momentum = product(axis, slope_of(axis), self.moved.is_space);
+        let by_time = Series::constant(self.rate * self.rate);
+        let lacking = -slope_of(momentum).scale(by_time).scale(Series::constant(inertia));
         self.subtract(BodyLoadKind::Mass, [(body, Wrench::of_moment(lacking))].into());
     }
 

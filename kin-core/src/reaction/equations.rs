@@ -385,13 +385,13 @@ impl<const N: usize> Equations<'_, N> {
 
     /// Forces on all bodies as a column.
     pub(super) fn flat_column(&self, wrenches: Vec<(usize, Wrench<Series<N>>)>) -> Vec<Series<N>> {
-        let per_length = Series::constant(1.0 / self.length());
+        let length = Series::constant(self.length());
         let rows = self.rows();
         let mut column = vec![Series::ZERO; rows.last().map_or(0, |rows| rows.end)];
         for (body, Wrench { force, moment, .. }) in wrenches {
             let forces = [force.x, force.y, force.z].into_iter().take(self.moved.dimensions());
             let moments = self.frames[body].parts(moment);
-            let moments = moments.into_iter().map(|moment| moment * per_length);
+            let moments = moments.into_iter().map(|moment| moment / length);
             for (entry, part) in column[rows[body].clone()].iter_mut().zip(forces.chain(moments)) {
                 *entry = *entry + part;
             }

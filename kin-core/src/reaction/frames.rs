@@ -170,7 +170,11 @@ impl<const N: usize> MovedFrame<N> {
 }
 
 /// The vector product. That of vectors in the plane has one coordinate.
-fn product<const N: usize>(one: Space<Series<N>>, other: Space<Series<N>>, is_space: bool) -> Space<Series<N>> {
+pub(super) fn product<const N: usize>(
+    one: Space<Series<N>>,
+    other: Space<Series<N>>,
+    is_space: bool,
+) -> Space<Series<N>> {
     if is_space {
         return one.cross(other);
     }
