@@ -261,19 +261,23 @@ impl SweepStation<'_> {
         };
         let all = [&*parameters, &*inputs, &*unknowns, &outputs].into_iter().flatten();
         let quantities: Vec<NamedMotion<Local>> = all.map(|quantity| by_time(*quantity)).collect();
-        let mut points: Vec<[NamedMotion<Local>; 2]> = Vec::new();
-        if loads.has_bodies() && !functions.is_space() {
-            let mut all: Vec<[Number; 2]> = Vec::new();
-            let mut add = |point: &[Number]| all.push([point[0], point[1]]);
+        let mut points: Vec<[NamedMotion<Local>; 3]> = Vec::new();
+        if loads.has_bodies() {
+            let mut all: Vec<[Number; 3]> = Vec::new();
+            let coordinate = |point: &[Number], axis: usize| point.get(axis).copied().unwrap_or(Number::constant(0.0));
+            let mut add = |point: &[Number]| all.push([0, 1, 2].map(|axis| coordinate(point, axis)));
             SkeletonOver::<Number>::skeleton_points(functions, parameters, inputs, unknowns, &mut add);
             let joints = all.len() - functions.outline().slides.len();
-            for [x, y] in &mut all[joints..] {
-                let length = (*x * *x + *y * *y).sqrt();
-                (*x, *y) = (*x / length, *y / length);
+            for direction in &mut all[joints..] {
+                let square = direction
+                    .iter()
+                    .fold(Number::constant(0.0), |sum, part| sum + *part * *part);
+                let length = square.sqrt();
+                *direction = direction.map(|part| part / length);
             }
             points.extend(all.into_iter().map(|point| point.map(by_time)));
         }
-        let effort = loads.effort(&quantities, &points);
+        let effort = loads.effort(&quantities, &points, functions.is_space());
         effort.map_err(|error| ExtremesError::of_loads(at, error))
     }
 

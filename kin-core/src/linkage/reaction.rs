@@ -22,7 +22,7 @@ impl<'m> AnyLinkage<'m> {
     ///
     /// # Errors
     /// [`ReactionError::Guessed`] if the declaration does not state its bodies; it shows the statements to add. And
-    /// [`ReactionError::Space`] and [`ReactionError::NoBodies`].
+    /// [`ReactionError::NoBodies`].
     pub fn reactions(&self, loads: &NamedLoads) -> Result<NamedReactions<'m>, ReactionError> {
         NamedReactions::new(self.functions, &self.parameters, loads, false)
     }
@@ -32,7 +32,7 @@ impl<'m> AnyLinkage<'m> {
     /// changes the forces.
     ///
     /// # Errors
-    /// [`ReactionError::Space`] and [`ReactionError::NoBodies`].
+    /// [`ReactionError::NoBodies`].
     pub fn reactions_as_guessed(&self, loads: &NamedLoads) -> Result<NamedReactions<'m>, ReactionError> {
         NamedReactions::new(self.functions, &self.parameters, loads, true)
     }

@@ -52,8 +52,13 @@ pub enum LoadError {
         /// Its value.
         value: f64,
     },
-    /// The load is the mass of a body, which is of the plane, and the picture is one of space.
+    /// The load is the mass of a body of space whose centre does not lie on the line of its first joints.
     BodyInSpace {
+        /// The place of the body.
+        load: usize,
+    },
+    /// The load is the tensor of inertia of a body of the plane.
+    SolidInPlane {
         /// The place of the body.
         load: usize,
     },
@@ -103,8 +108,13 @@ impl fmt::Display for LoadError {
             ),
             Self::BodyInSpace { load } => write!(
                 formatter,
-                "load {load}: bodies have masses by their names in the plane alone; in space give the mass at a \
-                 point, or `Loads::body`"
+                "load {load}: the centre does not lie on the line of the first two joints, and the body is one of \
+                 space: give its mass with all moments of inertia by `solid_of`"
+            ),
+            Self::SolidInPlane { load } => write!(
+                formatter,
+                "load {load}: the mechanism is one of the plane, whose bodies have one moment of inertia: give it by \
+                 `mass_of`"
             ),
             Self::NotFinite => write!(
                 formatter,

@@ -122,6 +122,16 @@ pub struct Solid {
     pub inertia: [[f64; 3]; 3],
 }
 
+impl Solid {
+    /// Refuses what no body has.
+    pub(crate) fn check(&self, load: usize) -> Result<(), LoadError> {
+        for (axis, row) in self.inertia.iter().enumerate() {
+            not_negative(load, "moment of inertia about an axis of the body", row[axis])?;
+        }
+        Ok(())
+    }
+}
+
 /// A rigid body in space.
 #[derive(Clone, Copy)]
 pub struct SpaceBody<F> {
@@ -165,9 +175,7 @@ impl<M: LoadedSystem, P: VaryingVector<Change<M::Scalar>>, F: Fn(M::Moving) -> [
             steps.fold(a[coordinate], |sum, step| sum + step)
         });
         add_mass(totals, mass, &point)?;
-        for (axis, row) in inertia.iter().enumerate() {
-            not_negative(load, "moment of inertia about an axis of the body", row[axis])?;
-        }
+        self.solid.check(load)?;
         let half_trace = 0.5 * (inertia[0][0] + inertia[1][1] + inertia[2][2]);
         for row in 0..3 {
             for column in 0..3 {

@@ -7,8 +7,10 @@ use core::fmt;
 use core::marker::PhantomData;
 
 use crate::geometry::{Plane, Space};
-use crate::load::kinds::{BetweenPoints, Damper, Force, Inertia, Load, Mass, OnAngle, Spring, Torque};
-use crate::load::plane_body::{BodyFrame, PlaneBody};
+use crate::load::kinds::{
+    BetweenPoints, Damper, Force, Inertia, Load, Mass, OnAngle, Solid, SpaceBody, Spring, Torque,
+};
+use crate::load::plane_body::{BodyFrame, PlaneBody, centre_on_line, third_point};
 use crate::load::{Change, LoadError, LoadedSystem, Totals, VaryingNumber, VaryingVector};
 use crate::mechanism::Description;
 use crate::number::Number;
@@ -92,9 +94,16 @@ pub struct NamedLoads {
     names: Vec<String>,
     /// The number of parameters, which do not move.
     still: usize,
-    /// The bodies, each with its frame.
-    bodies: Vec<(String, Option<BodyFrame>)>,
+    bodies: Vec<NamedBody>,
     loads: Vec<NamedLoad>,
+}
+
+/// A body with its frame and its joints.
+#[derive(Clone, Debug, PartialEq)]
+struct NamedBody {
+    name: String,
+    frame: Option<BodyFrame>,
+    joints: Vec<usize>,
 }
 
 /// A load with the indices of its quantities.
@@ -103,6 +112,8 @@ pub(crate) enum NamedLoad {
     /// A mass and a moment of inertia about its centre, and the body. A centre that is no point of the mechanism lies
     /// in the frame of the body.
     Body(f64, f64, PointIndex, usize, BodyFrame),
+    /// The mass properties of a body of space, and the body.
+    Solid(Solid, usize),
     Mass(f64, PointIndex),
     Inertia(f64, usize),
     Force(Space<f64>, PointIndex),
@@ -187,7 +198,11 @@ impl NamedLoads {
     pub fn with_bodies(mut self, outline: &Outline<'_>) -> Self {
         let bodies = outline.bodies.iter().enumerate();
         self.bodies = bodies
-            .map(|(index, body)| (body.name.to_string(), BodyFrame::of(outline, index)))
+            .map(|(index, body)| NamedBody {
+                name: body.name.to_string(),
+                frame: BodyFrame::of(outline, index),
+                joints: body.joints.to_vec(),
+            })
             .collect();
         self
     }
@@ -214,8 +229,8 @@ impl NamedLoads {
     /// The names of the bodies that can have a mass.
     #[must_use]
     pub fn bodies(&self) -> Vec<&str> {
-        let known = self.bodies.iter().filter(|(_, frame)| frame.is_some());
-        known.map(|(name, _)| name.as_str()).collect()
+        let known = self.bodies.iter().filter(|body| body.frame.is_some());
+        known.map(|body| body.name.as_str()).collect()
     }
 
     /// The acceleration of gravity: see [`gravity`](crate::load::Loads::gravity).
@@ -234,11 +249,15 @@ impl NamedLoads {
         Ok(self.and(NamedLoad::Mass(mass, point)))
     }
 
-    /// The mass of a body of the plane, its centre, and its moment of inertia about this centre.
+    /// The mass of a body of the plane or of a rod of space, its centre, and its moment of inertia about this centre.
     ///
     /// The centre is a point of the mechanism that moves with the body, or a [`Plane`] in the frame of the body: the
     /// first axis leads from its first joint to its second one, and the second lies to the left of it. The frame of a
     /// body with one joint lies along the slide that it carries, or along which it moves.
+    ///
+    /// In space, the body is a rod: its centre lies on the line from its first joint to its second one, at
+    /// `Plane::new(distance, 0.0)`, and it has the moment of inertia about all axes at right angles to this line, but
+    /// none about the line. Others are given by [`solid_of`](Self::solid_of).
     ///
     /// ```
     /// use kin_core::any::{Of, Pictured};
@@ -262,11 +281,23 @@ impl NamedLoads {
         centre: impl Into<PointPlace<'n>>,
         inertia: f64,
     ) -> Result<Self, NoSuchPlace> {
-        let index = self.bodies.iter().position(|(name, _)| name == body);
-        let found = index.and_then(|index| Some((index, self.bodies[index].1?)));
-        let (index, frame) = found.ok_or_else(|| self.no_such_place(body, PlaceKind::Body))?;
+        let index = self.body(body)?;
+        let frame = self.bodies[index].frame;
+        let frame = frame.ok_or_else(|| self.no_such_place(body, PlaceKind::Body))?;
         let centre = self.place(centre.into())?;
         Ok(self.and(NamedLoad::Body(mass, inertia, centre, index, frame)))
+    }
+
+    /// The mass of a body of space with its centre and its tensor of inertia.
+    ///
+    /// The frame of the [`Solid`] is fixed to three joints of the body: the first two, and the first one behind them
+    /// that does not lie on their line.
+    ///
+    /// # Errors
+    /// [`NoSuchPlace`] if no body has the name.
+    pub fn solid_of(self, body: &str, solid: Solid) -> Result<Self, NoSuchPlace> {
+        let index = self.body(body)?;
+        Ok(self.and(NamedLoad::Solid(solid, index)))
     }
 
     /// The moment of inertia of a link about its centre of mass, in the plane: see
@@ -344,6 +375,11 @@ impl NamedLoads {
         Ok(self.and(NamedLoad::TorsionDamper(Damper { damping }, angle)))
     }
 
+    fn body(&self, name: &str) -> Result<usize, NoSuchPlace> {
+        let index = self.bodies.iter().position(|body| body.name == name);
+        index.ok_or_else(|| self.no_such_place(name, PlaceKind::Body))
+    }
+
     fn and(mut self, load: NamedLoad) -> Self {
         self.loads.push(load);
         self
@@ -368,7 +404,8 @@ impl NamedLoads {
         }
     }
 
-    fn place(&self, place: PointPlace<'_>) -> Result<PointIndex, NoSuchPlace> {
+    /// The indices of a point by its name, or a fixed one.
+    pub(crate) fn place(&self, place: PointPlace<'_>) -> Result<PointIndex, NoSuchPlace> {
         match place {
             PointPlace::Named(name) => self.point(name),
             PointPlace::Fixed(point) => Ok(PointIndex::Fixed(point)),
@@ -393,9 +430,8 @@ impl NamedLoads {
         &self.loads
     }
 
-    /// The acceleration of gravity, in the plane.
-    pub(crate) fn gravity_in_plane(&self) -> Plane<f64> {
-        Plane::new(self.gravity.x, self.gravity.y)
+    pub(crate) fn acceleration_of_gravity(&self) -> Space<f64> {
+        self.gravity
     }
 
     /// The name of a point with these coordinates, none if it does not move.
@@ -413,21 +449,24 @@ impl NamedLoads {
 
     /// Whether a load acts on a body by its name.
     pub(crate) fn has_bodies(&self) -> bool {
-        self.loads.iter().any(|load| matches!(load, NamedLoad::Body(..)))
+        self.loads
+            .iter()
+            .any(|load| matches!(load, NamedLoad::Body(..) | NamedLoad::Solid(..)))
     }
 
     /// The effort of the drive of one input with its rates, from the motions of parameters, inputs, unknowns and
-    /// outputs, and of the places of a picture in the plane, with their changes along this input. The directions of
+    /// outputs, and of the places of a picture, with their changes along this input. The directions of
     /// slides are unit vectors. Nothing needs the places if no [body](Self::has_bodies) has a mass.
     pub(crate) fn effort<T: Scalar>(
         &self,
         quantities: &[NamedMotion<T>],
-        places: &[[NamedMotion<T>; 2]],
+        places: &[[NamedMotion<T>; 3]],
+        is_space: bool,
     ) -> Result<[T; EFFORT_ENTRIES], LoadError> {
         let mut totals = Totals::<ByNames<'_, T>>::new([NamedPose { quantities, places }], self.gravity);
         for (place, load) in self.loads.iter().enumerate() {
             totals.load = place + 1;
-            load.add(&mut totals)?;
+            load.add(&self.bodies, is_space, &mut totals)?;
         }
         if !totals.are_finite() {
             return Err(LoadError::NotFinite);
@@ -438,12 +477,17 @@ impl NamedLoads {
 }
 
 impl NamedLoad {
-    fn add<T: Scalar>(self, totals: &mut Totals<ByNames<'_, T>>) -> Result<(), LoadError> {
+    fn add<T: Scalar>(
+        self,
+        bodies: &[NamedBody],
+        is_space: bool,
+        totals: &mut Totals<ByNames<'_, T>>,
+    ) -> Result<(), LoadError> {
         match self {
-            Self::Body(..) if totals.poses[0].places.is_empty() => Err(LoadError::BodyInSpace { load: totals.load }),
             Self::Body(mass, inertia, centre, _, frame) => {
                 let frame = |pose: NamedPose<'_, T>| pose.frame(frame);
                 let (mass, centre) = match centre {
+                    PointIndex::Fixed(centre) if is_space => (mass, [centre_on_line(centre, totals.load)?, 0.0]),
                     PointIndex::Fixed(centre) => (mass, [centre.x, centre.y]),
                     PointIndex::Moving(_) => {
                         let point = |pose: NamedPose<'_, T>| pose.point(centre);
@@ -458,6 +502,16 @@ impl NamedLoad {
                     frame,
                 }
                 .add(totals)
+            }
+            Self::Solid(solid, body) => {
+                let load = totals.load;
+                if !is_space {
+                    return Err(LoadError::SolidInPlane { load });
+                }
+                let joints = &bodies[body].joints;
+                let corners = totals.poses[0].corners(joints).ok_or(LoadError::Collinear { load })?;
+                let points = |pose: NamedPose<'_, T>| corners.map(|joint| PointMotion(pose.places[joint]));
+                SpaceBody { solid, points }.add(totals)
             }
             Self::Mass(mass, point) => {
                 let point = |pose: NamedPose<'_, T>| pose.point(point);
@@ -510,7 +564,7 @@ impl<'p, T: Scalar> LoadedSystem for ByNames<'p, T> {
 struct NamedPose<'p, T> {
     quantities: &'p [NamedMotion<T>],
     /// The joints and the directions of the picture.
-    places: &'p [[NamedMotion<T>; 2]],
+    places: &'p [[NamedMotion<T>; 3]],
 }
 
 impl<T: Scalar> NamedPose<'_, T> {
@@ -520,12 +574,25 @@ impl<T: Scalar> NamedPose<'_, T> {
 
     /// The origin of the frame of a body, and a vector along it.
     fn frame(self, frame: BodyFrame) -> [PointMotion<T>; 2] {
-        let still = core::array::from_fn(|order| 0.0.entry(order));
-        let minus = |end: [NamedMotion<T>; 2], start: [NamedMotion<T>; 2]| {
+        let minus = |end: [NamedMotion<T>; 3], start: [NamedMotion<T>; 3]| {
             core::array::from_fn(|axis| core::array::from_fn(|order| end[axis][order] - start[axis][order]))
         };
-        let frame = frame.origin_and_axis(self.places, minus);
-        frame.map(|[x, y]| PointMotion([x, y, still]))
+        frame.origin_and_axis(self.places, minus).map(PointMotion)
+    }
+
+    /// Three joints that do not lie on a line.
+    fn corners(self, joints: &[usize]) -> Option<[usize; 3]> {
+        let [a, b, others @ ..] = joints else { return None };
+        let from = |joint: usize| {
+            let [x, y, z] = [0, 1, 2].map(|axis| {
+                let [end, start] = [joint, *a].map(|joint| self.places[joint][axis][0].real());
+                end - start
+            });
+            Space::new(x, y, z)
+        };
+        let along = from(*b);
+        let third = third_point(along.scale(1.0 / along.norm()), others.iter().map(|joint| from(*joint)))?;
+        Some([*a, *b, others[third]])
     }
 
     fn point(self, point: PointIndex) -> PointMotion<T> {

@@ -1,5 +1,6 @@
-//! A rigid body of the plane, in the frame of its joints.
+//! A rigid body of the plane in the frame of its joints, and a rod of space.
 
+use crate::geometry::Space;
 use crate::load::coordinate::{Coordinate, dot};
 use crate::load::kinds::{Load, add_mass, not_negative, rigid};
 use crate::load::totals::Totals;
@@ -41,12 +42,28 @@ impl BodyFrame {
     }
 }
 
+/// The first vector that does not lie along a unit vector, up to half of the digits: the third point of a frame of space
+/// lies there.
+pub(crate) fn third_point(axis: Space<f64>, mut vectors: impl Iterator<Item = Space<f64>>) -> Option<usize> {
+    vectors.position(|vector| axis.cross(vector).norm() > Number::sqrt(f64::EPSILON) * vector.norm())
+}
+
+/// The centre of a rod of space, from its first joint on. It lies on the line of its joints.
+pub(crate) fn centre_on_line(centre: Space<f64>, load: usize) -> Result<f64, LoadError> {
+    if centre.y == 0.0 && centre.z == 0.0 {
+        Ok(centre.x)
+    } else {
+        Err(LoadError::BodyInSpace { load })
+    }
+}
+
 /// A mass with its centre and its moment of inertia about it.
 #[derive(Clone, Copy)]
 pub(super) struct PlaneBody<F> {
     pub(super) mass: f64,
     /// The centre, in the frame of the body.
     pub(super) centre: [f64; 2],
+    /// About all axes at right angles to the axis of the frame.
     pub(super) inertia: f64,
     /// The origin of the frame, and a vector along it.
     pub(super) frame: F,
@@ -75,7 +92,7 @@ where
         let centre = [
             origin[0] + x.scale(right) - y.scale(up),
             origin[1] + y.scale(right) + x.scale(up),
-            origin[2],
+            origin[2] + z.scale(right),
         ];
         add_mass(totals, self.mass, &centre)?;
         not_negative(load, "moment of inertia", self.inertia)?;

@@ -4,9 +4,9 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 use super::ReactionError;
-use super::connection::{Member, hub, loaded, member_name};
-use super::frames::{MovedFrame, MovedMechanism, slope, slope_of};
-use crate::geometry::Plane;
+use super::connection::{Connection, Member, hub, loaded, member_name};
+use super::frames::{Direction, MovedFrame, MovedMechanism, along_axis, slope, slope_of};
+use crate::geometry::Space;
 use crate::number::Number;
 use crate::number::series::Series;
 use crate::picture::Outline;
@@ -31,7 +31,7 @@ pub(super) struct Action {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum ActionKind {
-    Couple,
+    Couple(Direction),
     /// Along a slide, at its joint.
     Slide {
         joint: usize,
@@ -49,23 +49,23 @@ enum ActionKind {
 /// The force on a body, and its moment about the origin of the body's frame.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Wrench<T> {
-    pub(super) force: Plane<T>,
+    pub(super) force: Space<T>,
     /// Where the force acts; none for a couple and for a sum.
-    pub(super) at: Option<Plane<T>>,
-    pub(super) moment: T,
+    pub(super) at: Option<Space<T>>,
+    pub(super) moment: Space<T>,
 }
 
 impl<const N: usize> Wrench<Series<N>> {
     /// A force at a place on a body.
-    pub(super) fn of_force(frame: &MovedFrame<N>, force: Plane<Series<N>>, at: Plane<Series<N>>) -> Self {
-        let moment = (at - frame.origin).cross(force);
+    pub(super) fn of_force(frame: &MovedFrame<N>, force: Space<Series<N>>, at: Space<Series<N>>) -> Self {
+        let moment = frame.moment(force, at);
         let at = Some(at);
         Self { force, at, moment }
     }
 
     /// A couple.
-    pub(super) fn of_moment(moment: Series<N>) -> Self {
-        let (force, at) = (Plane::zero(), None);
+    pub(super) fn of_moment(moment: Space<Series<N>>) -> Self {
+        let (force, at) = (Space::zero(), None);
         Self { force, at, moment }
     }
 }
@@ -74,8 +74,8 @@ impl<const N: usize> Wrench<Series<N>> {
 pub(super) fn both<const N: usize>(
     [on, by]: [Member; 2],
     frames: &[MovedFrame<N>],
-    force: Plane<Series<N>>,
-    [at, from]: [Plane<Series<N>>; 2],
+    force: Space<Series<N>>,
+    [at, from]: [Space<Series<N>>; 2],
 ) -> Vec<(usize, Wrench<Series<N>>)> {
     let on = on.map(|body| (body, Wrench::of_force(&frames[body], force, at)));
     let by = by.map(|body| (body, Wrench::of_force(&frames[body], -force, from)));
@@ -83,23 +83,16 @@ pub(super) fn both<const N: usize>(
 }
 
 /// A couple and the opposite one.
-pub(super) fn both_turned<const N: usize>([on, by]: [Member; 2], moment: Series<N>) -> Vec<(usize, Wrench<Series<N>>)> {
+pub(super) fn both_turned<const N: usize>(
+    [on, by]: [Member; 2],
+    moment: Space<Series<N>>,
+) -> Vec<(usize, Wrench<Series<N>>)> {
     let on = on.map(|body| (body, Wrench::of_moment(moment)));
     let by = by.map(|body| (body, Wrench::of_moment(-moment)));
     on.into_iter().chain(by).collect()
 }
 
 impl Action {
-    /// A torque from the ground.
-    pub(super) fn on_body(body: usize, sign: f64) -> Self {
-        Self {
-            on: Some(body),
-            by: None,
-            kind: ActionKind::Couple,
-            sign,
-        }
-    }
-
     /// The forces of a torque or force of this size.
     pub(super) fn wrenches<const N: usize>(
         &self,
@@ -110,10 +103,10 @@ impl Action {
         let size = Series::constant(self.sign) * size;
         let pair = [self.on, self.by];
         match self.kind {
-            ActionKind::Couple => both_turned(pair, size),
+            ActionKind::Couple(axis) => both_turned(pair, moved.direction(axis).scale(size)),
             ActionKind::Slide { joint, slide } => {
                 let at = moved.places[joint];
-                both(pair, frames, moved.direction(slide).scale(size), [at, at])
+                both(pair, frames, moved.along(slide).scale(size), [at, at])
             }
             ActionKind::Line([from, to]) => {
                 let [from, to] = [from, to].map(|joint| moved.places[joint]);
@@ -121,12 +114,7 @@ impl Action {
                 both(pair, frames, line.scale(size / line.norm()), [to, from])
             }
             ActionKind::Axis { joint, axis } => {
-                let zero = Series::constant(0.0);
-                let force = if axis == 0 {
-                    Plane::new(size, zero)
-                } else {
-                    Plane::new(zero, size)
-                };
+                let force = along_axis(axis).scale(size);
                 let at = moved.places[joint];
                 both(pair, frames, force, [at, at])
             }
@@ -169,6 +157,7 @@ fn sign_of<const N: usize>(rates: &[[Series<N>; 2]]) -> Option<f64> {
 /// The mechanism while each of its inputs moves alone.
 pub(super) struct Influences<'i, 'o, const N: usize> {
     pub(super) outline: &'i Outline<'o>,
+    pub(super) connections: &'i [Connection],
     pub(super) all: &'i [Influence<N>],
     /// The same with other dimensions, in which bodies of the same length no longer move alike. It is only asked for if
     /// several bodies do.
@@ -186,10 +175,28 @@ impl<const N: usize> Influences<'_, '_, N> {
         sign_of(&rates)
     }
 
-    /// Whether a body never turns against another one.
-    pub(super) fn keeps_angle(&self, pair: [Member; 2]) -> bool {
+    fn is_space(&self) -> bool {
+        self.all.iter().any(|one| one.moved.is_space)
+    }
+
+    /// The joints of space that have no axis.
+    pub(super) fn balls(&self) -> Vec<String> {
+        let balls = self
+            .connections
+            .iter()
+            .filter(|own| self.is_space() && own.axis().is_none());
+        balls.map(|own| own.name.clone()).collect()
+    }
+
+    /// Whether a body never turns against another one about an axis.
+    pub(super) fn keeps_angle(
+        &self,
+        pair: [Member; 2],
+        axis: impl Fn(&Influence<N>) -> Option<Space<Series<N>>>,
+    ) -> bool {
         self.all.iter().all(|one| {
-            let rates = pair.map(|member| one.turn(member));
+            let Some(axis) = axis(one) else { return false };
+            let rates = pair.map(|member| one.turn(member).dot(axis));
             let (rate, sizes) = (rates[0] - rates[1], rates.map(|rate| rate.coefficients()));
             let mut terms = rate.coefficients().into_iter().enumerate().take(TERMS);
             terms.all(|(term, rate)| rate.abs() <= AGREEMENT * (1.0 + sizes[0][term].abs() + sizes[1][term].abs()))
@@ -220,6 +227,7 @@ impl<const N: usize> Influences<'_, '_, N> {
             let all = (self.otherwise)();
             let other = found(&Influences {
                 outline: self.outline,
+                connections: self.connections,
                 all: &all,
                 otherwise: self.otherwise,
             });
@@ -229,6 +237,10 @@ impl<const N: usize> Influences<'_, '_, N> {
         }
         match actions[..] {
             [only] => Ok(only),
+            [] if self.is_space() => Err(ReactionError::NoHinge {
+                what,
+                balls: self.balls(),
+            }),
             _ => Err(ReactionError::Place {
                 what,
                 places: actions.iter().map(|action| action.name(self.outline)).collect(),
@@ -238,28 +250,45 @@ impl<const N: usize> Influences<'_, '_, N> {
 
     /// The bodies that turn like an angle.
     pub(super) fn against_ground(&self, quantity: usize) -> Vec<Action> {
+        if self.is_space() {
+            return self.on_hinges(quantity, |connection| connection.by.is_none());
+        }
         let bodies = 0..self.outline.bodies.len();
-        let found = bodies.filter_map(|body| {
-            let sign = self.sign(quantity, |one| one.frames[body].turn)?;
-            Some(Action::on_body(body, sign))
-        });
-        found.collect()
+        let pairs = bodies.map(|body| ([Some(body), None], Direction::Normal));
+        self.turning(quantity, pairs)
     }
 
     fn between_bodies(&self, quantity: usize) -> Vec<Action> {
-        let bodies = self.outline.bodies;
-        let mut found = Vec::new();
-        for (by, first) in bodies.iter().enumerate() {
-            for (on, second) in bodies.iter().enumerate().skip(by + 1) {
-                let is_joined = first.joints.iter().any(|joint| second.joints.contains(joint));
-                let sign = self.sign(quantity, |one| one.frames[on].turn - one.frames[by].turn);
-                if let (true, Some(sign)) = (is_joined, sign) {
-                    let (on, by, kind) = (Some(on), Some(by), ActionKind::Couple);
-                    found.push(Action { on, by, kind, sign });
-                }
-            }
+        if self.is_space() {
+            return self.on_hinges(quantity, |connection| connection.by.is_some());
         }
-        found
+        let bodies = self.outline.bodies;
+        let pairs = bodies.iter().enumerate().flat_map(|(by, first)| {
+            let others = bodies.iter().enumerate().skip(by + 1);
+            let joined = others.filter(|(_, second)| first.joints.iter().any(|joint| second.joints.contains(joint)));
+            joined.map(move |(on, _)| ([Some(on), Some(by)], Direction::Normal))
+        });
+        self.turning(quantity, pairs)
+    }
+
+    /// The hinges and slides about which bodies turn like an angle.
+    fn on_hinges(&self, quantity: usize, is_wanted: impl Fn(&Connection) -> bool) -> Vec<Action> {
+        let connections = self.connections.iter().filter(|connection| is_wanted(connection));
+        let axes = connections.filter_map(|own| Some(([own.on, own.by], own.axis()?)));
+        self.turning(quantity, axes)
+    }
+
+    /// The pairs of bodies that turn like an angle about an axis.
+    fn turning(&self, quantity: usize, pairs: impl Iterator<Item = ([Member; 2], Direction)>) -> Vec<Action> {
+        let found = pairs.filter_map(|(pair, axis)| {
+            let sign = self.sign(quantity, |one| {
+                let [on, by] = pair.map(|member| one.turn(member));
+                (on - by).dot(one.moved.direction(axis))
+            })?;
+            let ([on, by], kind) = (pair, ActionKind::Couple(axis));
+            Some(Action { on, by, kind, sign })
+        });
+        found.collect()
     }
 
     fn on_slides(&self, quantity: usize) -> Vec<Action> {
@@ -268,9 +297,7 @@ impl<const N: usize> Influences<'_, '_, N> {
             let (joint, by) = (slide.joint, slide.guide);
             let sign = self.sign(quantity, |one| {
                 let place = one.moved.places[joint];
-                one.moved
-                    .direction(index)
-                    .dot(slope_of(place) - one.velocity(by, place))
+                one.moved.along(index).dot(slope_of(place) - one.velocity(by, place))
             })?;
             let on = hub(self.outline, joint)?;
             let kind = ActionKind::Slide { joint, slide: index };
@@ -312,11 +339,8 @@ impl<const N: usize> Influences<'_, '_, N> {
         joints.dedup();
         let mut found = Vec::new();
         for joint in joints {
-            for axis in [0, 1] {
-                let sign = self.sign(quantity, |one| {
-                    let Plane { x, y } = slope_of(one.moved.places[joint]);
-                    if axis == 0 { x } else { y }
-                });
+            for axis in 0..if self.is_space() { 3 } else { 2 } {
+                let sign = self.sign(quantity, |one| slope_of(one.moved.places[joint]).dot(along_axis(axis)));
                 let Some(sign) = sign else { continue };
                 for on in loaded(self.outline, joint) {
                     let kind = ActionKind::Axis { joint, axis };
@@ -334,12 +358,12 @@ impl<const N: usize> Influences<'_, '_, N> {
 }
 
 impl<const N: usize> Influence<N> {
-    fn turn(&self, member: Member) -> Series<N> {
-        member.map_or(Series::constant(0.0), |body| self.frames[body].turn)
+    fn turn(&self, member: Member) -> Space<Series<N>> {
+        member.map_or_else(Space::zero, |body| self.frames[body].turn)
     }
 
     /// The velocity of a place that a body carries.
-    fn velocity(&self, member: Member, place: Plane<Series<N>>) -> Plane<Series<N>> {
-        member.map_or_else(Plane::zero, |body| self.frames[body].velocity(place))
+    fn velocity(&self, member: Member, place: Space<Series<N>>) -> Space<Series<N>> {
+        member.map_or_else(Space::zero, |body| self.frames[body].velocity(place))
     }
 }

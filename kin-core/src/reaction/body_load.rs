@@ -5,8 +5,9 @@ use alloc::vec::Vec;
 
 use super::action::{Wrench, both_turned};
 use super::connection::Connection;
-use super::frames::MovedFrame;
+use super::frames::{MovedFrame, along_axis};
 use super::{NamedReactions, Solved};
+use crate::geometry::Space;
 use crate::number::Number;
 use crate::number::series::Series;
 
@@ -25,7 +26,8 @@ pub enum BodyLoadKind {
     Guide,
 }
 
-/// A force at a place of a body, or a couple. All of a body and the forces in its joints are in equilibrium.
+/// A force at a place of a body, or a couple. All of a body and the forces in its joints are in equilibrium, with the
+/// moments of hinges in space.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BodyLoad {
     /// What exerts it.
@@ -33,11 +35,11 @@ pub struct BodyLoad {
     /// The body.
     pub body: String,
     /// Where the force acts; for a couple alone, the origin of the body's frame.
-    pub at: [f64; 2],
+    pub at: [f64; 3],
     /// The force.
-    pub force: [f64; 2],
-    /// The couple.
-    pub moment: f64,
+    pub force: [f64; 3],
+    /// The couple: in the plane, its third coordinate alone.
+    pub moment: [f64; 3],
 }
 
 /// A force or a couple on a body, by its index.
@@ -45,14 +47,17 @@ pub(super) type Acting<const N: usize> = (BodyLoadKind, usize, Wrench<Series<N>>
 
 impl BodyLoad {
     pub(super) fn new<const N: usize>((kind, _, wrench): &Acting<N>, frame: &MovedFrame<N>, body: &str) -> Self {
-        let force = [wrench.force.x, wrench.force.y].map(Number::real);
-        let at = wrench.at.unwrap_or(frame.origin);
+        let reals = |vector: Space<Series<N>>| [vector.x, vector.y, vector.z].map(Number::real);
         Self {
             kind: *kind,
             body: body.into(),
-            at: [at.x.real(), at.y.real()],
-            force,
-            moment: if wrench.at.is_some() { 0.0 } else { wrench.moment.real() },
+            at: reals(wrench.at.unwrap_or(frame.origin)),
+            force: reals(wrench.force),
+            moment: if wrench.at.is_some() {
+                [0.0; 3]
+            } else {
+                reals(wrench.moment)
+            },
         }
     }
 }
@@ -81,7 +86,7 @@ impl NamedReactions<'_> {
             if slide.is_none() {
                 add(
                     BodyLoadKind::Friction,
-                    &both_turned([on, by], solution.frictions[*index]),
+                    &both_turned([on, by], along_axis(2).scale(solution.frictions[*index])),
                 );
             }
         }

@@ -1,9 +1,11 @@
-//! What joins the bodies: pins and slides.
+//! What joins the bodies: pins and slides; in space, balls, hinges and slides.
 
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::fmt::Write as _;
 
+use super::frames::Direction;
+use super::rolling::Mesh;
 use crate::picture::{Outline, Slide};
 
 /// A body by its index, `None` for the ground.
@@ -18,10 +20,26 @@ pub(super) struct Connection {
     pub(super) on: Member,
     /// The body that exerts it.
     pub(super) by: Member,
-    /// The joint of the picture.
-    pub(super) joint: usize,
+    /// The joint of the picture, none for a contact.
+    pub(super) joint: Option<usize>,
     /// The slide, none for a pin.
     pub(super) slide: Option<usize>,
+    /// The axis of a hinge of space, none for a ball.
+    pub(super) hinge: Option<Direction>,
+    /// The contact of two bodies that roll on each other.
+    pub(super) mesh: Option<Mesh>,
+}
+
+impl Connection {
+    /// Whether it holds a body.
+    pub(super) fn holds(&self, body: usize) -> bool {
+        [self.on, self.by].contains(&Some(body))
+    }
+
+    /// The axis of a hinge, or the line of a slide.
+    pub(super) fn axis(&self) -> Option<Direction> {
+        self.hinge.or_else(|| self.slide.map(Direction::Slide))
+    }
 }
 
 /// The name of a body.
@@ -66,8 +84,72 @@ pub(super) fn loaded(outline: &Outline<'_>, joint: usize) -> Vec<Member> {
     }
 }
 
+/// Two bodies that are joined at a joint, and the second joint that they share, which only counts in space.
+struct Pair {
+    on: Member,
+    by: Member,
+    second: Option<usize>,
+}
+
+/// The bodies that a joint of the plane pins to its hub.
+fn pinned(outline: &Outline<'_>, joint: usize, hub: Member) -> Vec<Pair> {
+    let others = holders(outline, joint).into_iter().filter(|member| *member != hub);
+    let pair = |on| Pair {
+        on,
+        by: hub,
+        second: None,
+    };
+    others.map(pair).collect()
+}
+
+/// The bodies that a joint of space joins. Two that share a second joint, too, turn about the line through both: theirs
+/// is a hinge at the first of these joints. What no hinge joins at the joint, a ball joins to the hub.
+fn joined(outline: &Outline<'_>, joint: usize, hub: Member, joints: &[usize]) -> Vec<Pair> {
+    let members = holders(outline, joint);
+    // the members that are joined here have one number
+    let mut group: Vec<usize> = (0..members.len()).collect();
+    let mut pairs = Vec::new();
+    for (first, by) in members.iter().enumerate() {
+        for (second, on) in members.iter().enumerate().skip(first + 1) {
+            let is_shared = |other: &&usize| {
+                let holders = holders(outline, **other);
+                **other != joint && holders.contains(by) && holders.contains(on)
+            };
+            let Some(shared) = joints.iter().find(is_shared) else {
+                continue;
+            };
+            let [old, new] = [group[second], group[first]];
+            for own in &mut group {
+                if *own == old {
+                    *own = new;
+                }
+            }
+            if joint < *shared {
+                pairs.push(Pair {
+                    on: *on,
+                    by: *by,
+                    second: Some(*shared),
+                });
+            }
+        }
+    }
+    let hub_place = members.iter().position(|member| *member == hub).unwrap_or(0);
+    let mut known = [group[hub_place]].to_vec();
+    for (on, group) in members.iter().zip(&group) {
+        if !known.contains(group) {
+            known.push(*group);
+            pairs.push(Pair {
+                on: *on,
+                by: hub,
+                second: None,
+            });
+        }
+    }
+    pairs
+}
+
 /// All pins and slides of an outline.
-pub(super) fn connections(outline: &Outline<'_>) -> Vec<Connection> {
+pub(super) fn connections(outline: &Outline<'_>, is_space: bool) -> Vec<Connection> {
     let held = outline.bodies.iter().flat_map(|body| body.joints);
     let mut joints: Vec<usize> = held
         .copied()
@@ -75,37 +157,42 @@ pub(super) fn connections(outline: &Outline<'_>) -> Vec<Connection> {
         .collect();
     joints.sort_unstable();
     joints.dedup();
+    let name_of = |joint: usize| {
+        let mut points = outline.points.iter();
+        points.find(|(_, own)| *own == joint).map(|(name, _)| *name)
+    };
     let mut all: Vec<Connection> = Vec::new();
-    for joint in joints {
+    for &joint in &joints {
         let Some(hub) = hub(outline, joint) else { continue };
-        let point = outline
-            .points
-            .iter()
-            .find(|(_, own)| *own == joint)
-            .map(|(name, _)| *name);
-        let pinned: Vec<Member> = holders(outline, joint)
-            .into_iter()
-            .filter(|member| *member != hub)
-            .collect();
-        for &on in &pinned {
-            let name = match point {
-                Some(point) if pinned.len() == 1 => point.to_string(),
-                point => {
-                    let mut name = point.map_or_else(|| member_name(outline, hub), ToString::to_string);
+        let point = name_of(joint);
+        let pairs = if is_space {
+            joined(outline, joint, hub, &joints)
+        } else {
+            pinned(outline, joint, hub)
+        };
+        for &Pair { on, by, second } in &pairs {
+            let name = match (point, second.and_then(name_of)) {
+                (Some(point), _) if pairs.len() == 1 => point.to_string(),
+                (None, Some(point)) => point.to_string(),
+                (point, _) => {
+                    let mut name = point.map_or_else(|| member_name(outline, by), ToString::to_string);
                     // a String never refuses what is written to it
                     let _ = write!(name, "_{}", member_name(outline, on));
                     name
                 }
             };
-            let slide = None;
+            let (slide, mesh) = (None, None);
+            let hinge = second.map(|second| Direction::Joints([joint, second]));
             add(
                 &mut all,
                 Connection {
                     name,
                     on,
-                    by: hub,
-                    joint,
+                    by,
+                    joint: Some(joint),
                     slide,
+                    hinge,
+                    mesh,
                 },
             );
         }
@@ -124,18 +211,21 @@ pub(super) fn connections(outline: &Outline<'_>) -> Vec<Connection> {
                 Some(point) => point.to_string(),
                 None => member_name(outline, by) + "_" + &member_name(outline, on),
             };
-            if !pinned.is_empty() {
+            if !pairs.is_empty() {
                 name.push_str("_slide");
             }
             let slide = Some(index);
+            let (hinge, mesh) = (None, None);
             add(
                 &mut all,
                 Connection {
                     name,
                     on,
                     by,
-                    joint,
+                    joint: Some(joint),
                     slide,
+                    hinge,
+                    mesh,
                 },
             );
         }

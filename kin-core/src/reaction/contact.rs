@@ -4,9 +4,10 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::ReactionError;
-use super::action::{both, both_turned};
+use super::action::both_turned;
 use super::coulomb::{self, Contact, Measure, Unsolved};
 use super::equations::{Equations, Solution, Unknown};
+use super::frames::along_axis;
 use super::friction::{ActingFriction, Friction};
 use crate::number::Number;
 use crate::number::series::Series;
@@ -49,13 +50,10 @@ impl<const N: usize> Equations<'_, N> {
     /// What a unit of friction lacks on all bodies: the opposite of its own forces.
     pub(super) fn resisting(&self, acting: &ActingFriction<N>) -> Vec<Series<N>> {
         let own = &self.connections[acting.connection];
-        let (pair, sense) = ([own.on, own.by], Series::constant(acting.sense));
+        let sense = Series::constant(acting.sense);
         self.flat_column(match own.slide {
-            None => both_turned(pair, sense),
-            Some(slide) => {
-                let force = self.moved.direction(slide).scale(sense);
-                both(pair, self.frames, force, [self.moved.places[own.joint]; 2])
-            }
+            None => both_turned([own.on, own.by], along_axis(2).scale(sense)),
+            Some(slide) => self.of_force(acting.connection, self.moved.along(slide).scale(sense)),
         })
     }
 
@@ -127,11 +125,8 @@ impl<const N: usize> Equations<'_, N> {
             solution.heat = solution.heat - own * acting.rate;
             solution.begun_heat += load.real() * acting.speed.abs();
             match self.connections[connection].slide {
-                None => solution.moments[connection] = Some(own),
-                Some(slide) => {
-                    let force = solution.forces[connection];
-                    solution.forces[connection] = force.map(|force| force + self.moved.direction(slide).scale(own));
-                }
+                None => solution.moments[connection].add(along_axis(2), Some(own)),
+                Some(slide) => solution.forces[connection].add(self.moved.along(slide), Some(own)),
             }
         }
     }

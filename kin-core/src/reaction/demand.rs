@@ -5,12 +5,12 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 use super::ReactionError;
-use super::action::{Action, Influences, Wrench, both};
+use super::action::{Influences, Wrench, both};
 use super::body_load::{Acting, BodyLoadKind};
 use super::connection::{Member, loaded, member_name};
-use super::frames::{MovedFrame, MovedMechanism, left, slope, slope_of};
-use crate::geometry::{Plane, Space};
-use crate::load::{LoadError, NamedLoad, NamedLoads, PointIndex, not_negative};
+use super::frames::{MovedFrame, MovedMechanism, product, slope, slope_of, still};
+use crate::geometry::Space;
+use crate::load::{LoadError, NamedLoad, NamedLoads, PointIndex, centre_on_line, not_negative};
 use crate::mechanism::Description;
 use crate::number::Number;
 use crate::number::series::Series;
@@ -35,7 +35,7 @@ pub(super) struct Demand<'d, const N: usize> {
 /// A point on which a load acts, and the body that holds it.
 #[derive(Clone, Copy)]
 struct Held<const N: usize> {
-    at: Plane<Series<N>>,
+    at: Space<Series<N>>,
     by: Member,
 }
 
@@ -45,7 +45,7 @@ impl<const N: usize> Demand<'_, N> {
         slope(series) * Series::constant(self.rate)
     }
 
-    fn acceleration(&self, point: Plane<Series<N>>) -> Plane<Series<N>> {
+    fn acceleration(&self, point: Space<Series<N>>) -> Space<Series<N>> {
         slope_of(slope_of(point)).scale(Series::constant(self.rate * self.rate))
     }
 
@@ -69,16 +69,30 @@ impl<const N: usize> Demand<'_, N> {
 
     fn add(&mut self, load: NamedLoad) -> Result<(), ReactionError> {
         match load {
-            NamedLoad::Body(mass, inertia, centre, body, _) => {
+            NamedLoad::Body(mass, inertia, centre, body, frame) => {
                 let at = match centre {
-                    PointIndex::Fixed(Space { x, y, .. }) => {
-                        let MovedFrame { origin, axis, .. } = self.frames[body];
-                        origin + axis.scale(Series::constant(x)) + left(axis).scale(Series::constant(y))
+                    PointIndex::Fixed(centre) if self.moved.is_space => {
+                        let centre = centre_on_line(centre, self.load)?;
+                        let [origin, along] = frame.origin_and_axis(&self.moved.places, |end, start| end - start);
+                        origin + along.scale(Series::constant(centre) / along.norm())
                     }
-                    PointIndex::Moving(_) => self.point(centre),
+                    PointIndex::Fixed(centre) => self.frames[body].place(centre),
+                    PointIndex::Moving(_) => self.moved.point(centre),
                 };
                 self.add_mass(mass, Held { at, by: Some(body) })?;
-                self.add_inertia(inertia, body)?;
+                not_negative(self.load, "moment of inertia", inertia)?;
+                let [_, along] = frame.origin_and_axis(&self.moved.places, |end, start| end - start);
+                self.add_rod(inertia, along.scale(Series::constant(1.0) / along.norm()), body);
+            }
+            NamedLoad::Solid(..) if !self.moved.is_space => {
+                return Err(LoadError::SolidInPlane { load: self.load }.into());
+            }
+            NamedLoad::Solid(solid, body) => {
+                solid.check(self.load)?;
+                let frame = self.frames[body];
+                let at = frame.place(solid.centre);
+                self.add_mass(solid.mass, Held { at, by: Some(body) })?;
+                self.add_tensor(solid.inertia, body);
             }
             NamedLoad::Mass(mass, point) => {
                 let held = self.held(point)?;
@@ -87,14 +101,15 @@ impl<const N: usize> Demand<'_, N> {
             NamedLoad::Inertia(inertia, angle) => {
                 let what = self.what(&format!("the inertia of `{}`", self.loads.name(angle)));
                 let found = |influences: &Influences<'_, '_, N>| influences.against_ground(angle);
-                let Action { on, .. } = self.influences.action(what, found, |_| true)?;
-                if let Some(body) = on {
-                    self.add_inertia(inertia, body)?;
-                }
+                let action = self.influences.action(what, found, |_| true)?;
+                not_negative(self.load, "moment of inertia", inertia)?;
+                let acceleration = self.by_time(self.by_time(self.moved.quantities[angle]));
+                let lacking = -acceleration * Series::constant(inertia);
+                self.subtract(BodyLoadKind::Mass, action.wrenches(self.moved, self.frames, lacking));
             }
             NamedLoad::Force(force, point) => {
                 let held = self.held(point)?;
-                let force = Plane::new(Series::constant(force.x), Series::constant(force.y));
+                let force = still(self.shown(force));
                 let wrenches = both([held.by, None], self.frames, force, [held.at; 2]);
                 self.subtract(BodyLoadKind::Applied, wrenches);
             }
@@ -131,12 +146,12 @@ impl<const N: usize> Demand<'_, N> {
     }
 
     /// A force on the first end towards the second one, and the opposite one there.
-    fn pull(&mut self, [from, to]: [Held<N>; 2], force: Plane<Series<N>>) {
+    fn pull(&mut self, [from, to]: [Held<N>; 2], force: Space<Series<N>>) {
         let wrenches = both([from.by, to.by], self.frames, force, [from.at, to.at]);
         self.subtract(BodyLoadKind::Applied, wrenches);
     }
 
-    fn length(&self, line: Plane<Series<N>>) -> Result<Series<N>, LoadError> {
+    fn length(&self, line: Space<Series<N>>) -> Result<Series<N>, LoadError> {
         let square = line.norm_squared();
         if square.real() > f64::MIN_POSITIVE {
             Ok(square.sqrt())
@@ -147,20 +162,42 @@ impl<const N: usize> Demand<'_, N> {
 
     fn add_mass(&mut self, mass: f64, held: Held<N>) -> Result<(), LoadError> {
         not_negative(self.load, "mass", mass)?;
-        let gravity = self.loads.gravity_in_plane();
-        let gravity = Plane::new(Series::constant(gravity.x), Series::constant(gravity.y));
+        let gravity = still(self.shown(self.loads.acceleration_of_gravity()));
         let lacking = (gravity - self.acceleration(held.at)).scale(Series::constant(mass));
         let wrenches = both([held.by, None], self.frames, lacking, [held.at; 2]);
         self.subtract(BodyLoadKind::Mass, wrenches);
         Ok(())
     }
 
-    fn add_inertia(&mut self, inertia: f64, body: usize) -> Result<(), LoadError> {
-        not_negative(self.load, "moment of inertia", inertia)?;
-        let acceleration = slope(self.frames[body].turn) * Series::constant(self.rate * self.rate);
-        let lacking = -acceleration * Series::constant(inertia);
+    /// The couple of a moment of inertia about the axes at right angles to a unit vector that is fixed to a body.
+    fn add_rod(&mut self, inertia: f64, axis: Space<Series<N>>, body: usize) {
+        // the arms ξ e have the angular momentum ξ² e × e', and its rate is ξ² e × e''
+        let momentum = product(axis, slope_of(axis), self.moved.is_space);
+        let by_time = Series::constant(self.rate * self.rate);
+        let lacking = -slope_of(momentum).scale(by_time).scale(Series::constant(inertia));
         self.subtract(BodyLoadKind::Mass, [(body, Wrench::of_moment(lacking))].into());
-        Ok(())
+    }
+
+    /// The couple of a tensor of inertia along the axes of the frame of a body, about its centre.
+    fn add_tensor(&mut self, inertia: [[f64; 3]; 3], body: usize) {
+        let MovedFrame { axes, turn, .. } = self.frames[body];
+        let rates = axes.map(|axis| axis.dot(turn));
+        let mut momentum = Space::zero();
+        for (row, axis) in axes.into_iter().enumerate() {
+            for (column, rate) in rates.into_iter().enumerate() {
+                let mean = 0.5 * (inertia[row][column] + inertia[column][row]);
+                momentum = momentum + axis.scale(rate * Series::constant(mean));
+            }
+        }
+        let by_time = Series::constant(-self.rate * self.rate);
+        let lacking = slope_of(momentum).scale(by_time);
+        self.subtract(BodyLoadKind::Mass, [(body, Wrench::of_moment(lacking))].into());
+    }
+
+    /// A vector as the mechanism shows it: one of the plane has no third coordinate.
+    fn shown(&self, vector: Space<f64>) -> Space<f64> {
+        let z = if self.moved.is_space { vector.z } else { 0.0 };
+        Space { z, ..vector }
     }
 
     /// A torque on an angle, or a force along a distance.
@@ -194,20 +231,9 @@ impl<const N: usize> Demand<'_, N> {
         Ok([self.held(from)?, self.held(to)?])
     }
 
-    /// The place of a point.
-    fn point(&self, point: PointIndex) -> Plane<Series<N>> {
-        match point {
-            PointIndex::Fixed(Space { x, y, .. }) => Plane::new(Series::constant(x), Series::constant(y)),
-            PointIndex::Moving([x, y, _]) => {
-                let part = |index: Option<usize>| index.map_or(Series::ZERO, |index| self.moved.quantities[index]);
-                Plane::new(part(x), part(y))
-            }
-        }
-    }
-
     /// A point, and the body that holds it. What stands still is held by the ground.
     fn held(&self, point: PointIndex) -> Result<Held<N>, ReactionError> {
-        let at = self.point(point);
+        let at = self.moved.point(point);
         let Some(name) = self.loads.point_name(point) else {
             return Ok(Held { at, by: None });
         };

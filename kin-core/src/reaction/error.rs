@@ -6,8 +6,9 @@ use core::error::Error;
 use core::fmt;
 
 use super::friction::FrictionMistake;
+use super::rolling::RollingMistake;
 use crate::failure::SolveError;
-use crate::load::LoadError;
+use crate::load::{LoadError, NoSuchPlace};
 use crate::quantity::Digits;
 
 /// The reason why a mechanism has no reactions, or why one of them is not determined.
@@ -23,8 +24,29 @@ pub enum ReactionError {
         /// The statements that would declare the guess.
         statements: String,
     },
-    /// The mechanism is one of space, where the axes of joints are not known.
-    Space,
+    /// The axis of a hinge is not fixed to both bodies, or has no length.
+    HingeTurns {
+        /// The reaction.
+        reaction: String,
+        /// The body against which the axis turns.
+        body: String,
+        /// The rate at which it turns, per unit of an input.
+        rate: f64,
+    },
+    /// No vector has the name of an axis, or no body or point that of a contact.
+    NoSuchPlace(NoSuchPlace),
+    /// A contact cannot roll as it is stated.
+    Rolling {
+        /// The reaction.
+        reaction: String,
+        /// What is wrong.
+        mistake: RollingMistake,
+    },
+    /// A joint cannot have an axis: it is no ball of space.
+    NoBall {
+        /// The reaction.
+        reaction: String,
+    },
     /// The mechanism has no bodies.
     NoBodies,
     /// The points of a body do not keep their distances.
@@ -46,6 +68,13 @@ pub enum ReactionError {
         /// Where it could act: none, or several places.
         places: Vec<String>,
     },
+    /// No joint of space moves like the quantity on which a load or a drive acts.
+    NoHinge {
+        /// What acts there, in a few words.
+        what: String,
+        /// The joints that have one point, and no axis.
+        balls: Vec<String>,
+    },
     /// The joints leave bodies free to move while the inputs stand.
     Free {
         /// By how many freedoms.
@@ -54,6 +83,8 @@ pub enum ReactionError {
         bodies: Vec<String>,
         /// The equations that are no vectors, which may hold them.
         equations: Vec<String>,
+        /// The joints of space that have one point, and no axis.
+        balls: Vec<String>,
     },
     /// The joints hold the bodies in other positions, but not in this one: a change point or a limit.
     Singular {
@@ -119,6 +150,12 @@ impl From<SolveError> for ReactionError {
     }
 }
 
+impl From<NoSuchPlace> for ReactionError {
+    fn from(error: NoSuchPlace) -> Self {
+        Self::NoSuchPlace(error)
+    }
+}
+
 impl From<LoadError> for ReactionError {
     fn from(error: LoadError) -> Self {
         Self::Load(error)
@@ -137,6 +174,20 @@ impl fmt::Display for Listed<'_> {
     }
 }
 
+/// Joints of space that may be hinges, with the advice how to declare one.
+struct Balls<'n>(&'n [String]);
+
+impl fmt::Display for Balls<'_> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            formatter,
+            "bodies that share one point have a ball joint there, as {}: for a hinge, list a second point of its axis \
+             in both bodies, or give the axis by `hinge`",
+            Listed(self.0)
+        )
+    }
+}
+
 impl fmt::Display for ReactionError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -147,10 +198,17 @@ impl fmt::Display for ReactionError {
                 "the declaration does not state its bodies, on which the forces in joints depend; if this is how they \
                  are joined, add\n{statements}"
             ),
-            Self::Space => write!(
+            Self::HingeTurns { reaction, body, rate } => write!(
                 formatter,
-                "the mechanism is one of space: the forces in its joints need their axes, which nothing declares; \
-                 forces in joints are found in the plane"
+                "the axis of `{reaction}` turns against the body `{body}` by {} per unit of an input: give a direction \
+                 that is fixed to both bodies of the joint",
+                Digits(*rate)
+            ),
+            Self::NoSuchPlace(error) => write!(formatter, "{error}"),
+            Self::Rolling { reaction, mistake } => write!(formatter, "the contact `{reaction}`: {mistake}"),
+            Self::NoBall { reaction } => write!(
+                formatter,
+                "`{reaction}` cannot have an axis: that of a pin in the plane, of a slide, and of a hinge is known"
             ),
             Self::NoBodies => write!(
                 formatter,
@@ -181,10 +239,19 @@ impl fmt::Display for ReactionError {
                     "let it act on a point that one body alone has"
                 }
             ),
+            Self::NoHinge { what, balls } => {
+                write!(formatter, "no hinge and no slide moves like {what}")?;
+                if balls.is_empty() {
+                    Ok(())
+                } else {
+                    write!(formatter, ": {}", Balls(balls))
+                }
+            }
             Self::Free {
                 freedoms,
                 bodies,
                 equations,
+                balls,
             } => {
                 write!(
                     formatter,
@@ -192,13 +259,15 @@ impl fmt::Display for ReactionError {
                     Listed(bodies),
                     if *freedoms == 1 { "" } else { "s" }
                 )?;
-                if equations.is_empty() {
+                if !balls.is_empty() {
+                    write!(formatter, "declare the joint that is missing; {}", Balls(balls))
+                } else if equations.is_empty() {
                     formatter.write_str("declare the joint that is missing")
                 } else {
                     write!(
                         formatter,
-                        "declare the joint that is missing, or no joint stands for {}, and the force of a gear or a \
-                         rack is not found",
+                        "declare the joint that is missing; if gears or racks stand for {}, say by `rolling` which \
+                         bodies they are",
                         Listed(equations)
                     )
                 }
@@ -261,6 +330,7 @@ impl Error for ReactionError {
         match self {
             Self::Solve(error) => Some(error),
             Self::Load(error) => Some(error),
+            Self::NoSuchPlace(error) => Some(error),
             _ => None,
         }
     }

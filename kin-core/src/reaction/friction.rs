@@ -50,6 +50,10 @@ pub enum FrictionMistake {
     IsPin,
     /// The joint has friction already.
     Twice,
+    /// The joint is a contact that rolls.
+    Rolls,
+    /// The mechanism is one of space.
+    InSpace,
 }
 
 impl fmt::Display for FrictionMistake {
@@ -63,6 +67,8 @@ impl fmt::Display for FrictionMistake {
                 formatter.write_str("it is a pin, whose friction needs its radius: give the friction of a pin")
             }
             Self::Twice => formatter.write_str("it has friction already: state it once"),
+            Self::Rolls => formatter.write_str("it rolls, and friction is that of a pin or a slide"),
+            Self::InSpace => formatter.write_str("friction is found in the plane, and the mechanism is one of space"),
         }
     }
 }
@@ -162,6 +168,12 @@ impl NamedReactions<'_> {
         let is_twice = self.frictions.iter().any(|(connection, _)| *connection == index);
         let mistake = friction.mistake(self.connections[index].slide.is_some());
         let mistake = mistake.or(is_twice.then_some(FrictionMistake::Twice));
+        let mistake = self
+            .functions
+            .is_space()
+            .then_some(FrictionMistake::InSpace)
+            .or(self.connections[index].mesh.map(|_| FrictionMistake::Rolls))
+            .or(mistake);
         if let Some(mistake) = mistake {
             let reaction = name.to_string();
             return Err(ReactionError::Friction { reaction, mistake });
@@ -208,7 +220,7 @@ impl NamedReactions<'_> {
 
     pub(super) fn joint_speed(&self, place: &ReactionPlace<'_>, index: usize) -> Result<MovedNumber, ReactionError> {
         let moved = place.moved(place.parameters, &place.inputs)?;
-        let frames = moved.frames(&place.functions.outline())?;
+        let frames = moved.frames(&place.functions.outline(), &self.connections)?;
         let rate = relative_rate(&self.connections[self.frictions[index].0], &moved, &frames);
         Ok(rate * Series::constant(place.rate))
     }
@@ -256,7 +268,7 @@ impl NamedReactions<'_> {
         let beginning = self.beginning(place)?;
         let begun = beginning.as_ref().map(|beginning| {
             let moved = place.moved(place.parameters, &beginning.inputs)?;
-            let frames = moved.frames(outline)?;
+            let frames = moved.frames(outline, &self.connections)?;
             Ok::<_, ReactionError>((moved, frames))
         });
         let begun = begun.transpose()?;
@@ -288,14 +300,14 @@ impl NamedReactions<'_> {
 /// The rate by the variable at which one body of a connection moves against the other: it turns in a pin, and slides on
 /// a slide.
 fn relative_rate<const N: usize>(own: &Connection, moved: &MovedMechanism<N>, frames: &[MovedFrame<N>]) -> Series<N> {
-    let Some(slide) = own.slide else {
-        let turn = |member: Member| member.map_or(Series::ZERO, |body| frames[body].turn);
+    let (Some(slide), Some(joint)) = (own.slide, own.joint) else {
+        let turn = |member: Member| member.map_or(Series::ZERO, |body| frames[body].turn.z);
         return turn(own.on) - turn(own.by);
     };
-    let at = moved.places[own.joint];
+    let at = moved.places[joint];
     let along = |member: Member| {
         let velocity = member.map(|body| frames[body].velocity(at));
-        velocity.map_or(Series::ZERO, |velocity| moved.direction(slide).dot(velocity))
+        velocity.map_or(Series::ZERO, |velocity| moved.along(slide).dot(velocity))
     };
     along(own.on) - along(own.by)
 }
@@ -310,7 +322,7 @@ fn sizes<const N: usize>(own: &Connection, moved: &MovedMechanism<N>, frames: &[
     };
     if own.slide.is_none() {
         for frame in frames {
-            add(frame.turn);
+            add(frame.turn.z);
         }
     } else {
         for joint in &moved.places[..moved.joints] {

@@ -66,6 +66,7 @@ mod friction;
 mod ordered;
 mod rank;
 mod remembered;
+mod rolling;
 #[cfg(test)]
 mod tests;
 
@@ -73,6 +74,7 @@ pub use body_load::{BodyLoad, BodyLoadKind};
 pub use efficiency::Efficiency;
 pub use error::ReactionError;
 pub use friction::{Friction, FrictionMistake};
+pub use rolling::{Rolling, RollingMistake};
 
 use alloc::string::{String, ToString};
 use alloc::vec;
@@ -81,10 +83,10 @@ use core::fmt;
 
 use crate::any::{AnyMechanism, NearOver, OutputsOver, Pictured, PositionChoice, SkeletonOver};
 use crate::failure::SolveError;
-use crate::geometry::Plane;
+use crate::geometry::Space;
 use crate::hermite::TERMS;
 use crate::law::Side;
-use crate::load::{LoadError, NamedLoads};
+use crate::load::{LoadError, NamedLoads, PointPlace};
 use crate::motion::Motion;
 use crate::number::series::Series;
 use crate::number::{Number, NumberRow, singular_values};
@@ -96,8 +98,9 @@ use body_load::Acting;
 use connection::{Connection, Member, connections, member_name};
 use demand::Demand;
 use equations::{Equations, Solution};
-use frames::{MovedFrame, MovedMechanism, slope};
+use frames::{Direction, MovedFrame, MovedMechanism, slope};
 use remembered::Remembered;
+use rolling::Flank;
 
 /// The orders of a motion up to snap, and the terms of a series of each.
 const REACH: usize = 4 + TERMS;
@@ -126,10 +129,19 @@ pub enum ReactionPart {
     X,
     /// The force along y.
     Y,
+    /// The force along z.
+    Z,
     /// The size of the force.
     Force,
-    /// The moment of a slide about its joint; in a pin, that of friction.
+    /// The moment of a slide about its joint; in a pin of the plane, that of friction. In space, the size of the moment
+    /// of a slide or of a hinge.
     Moment,
+    /// The moment about x.
+    MomentX,
+    /// The moment about y.
+    MomentY,
+    /// The moment about z.
+    MomentZ,
 }
 
 /// What is asked of the reactions along a sweep.
@@ -207,9 +219,6 @@ impl<'m> NamedReactions<'m> {
         guessed: bool,
     ) -> Result<Self, ReactionError> {
         let outline = functions.outline();
-        if functions.is_space() {
-            return Err(ReactionError::Space);
-        }
         if outline.bodies.is_empty() {
             return Err(ReactionError::NoBodies);
         }
@@ -221,7 +230,7 @@ impl<'m> NamedReactions<'m> {
             functions,
             parameters: parameters.into(),
             loads: loads.clone(),
-            connections: connections(&outline),
+            connections: connections(&outline, functions.is_space()),
             driven: vec![None; functions.description().inputs.len()],
             frictions: Vec::new(),
             about_to_move: None,
@@ -250,6 +259,51 @@ impl<'m> NamedReactions<'m> {
         })
     }
 
+    /// The same, where a joint of space that has one point is a hinge about this axis instead of a ball. The axis is a
+    /// vector of the mechanism by its name, or one of the ground, of any length, and is fixed to both bodies.
+    ///
+    /// ```
+    /// use kin_core::any::PositionChoice;
+    /// use kin_core::library::Rssr;
+    /// use kin_core::linkage::AnyLinkage;
+    /// use kin_core::prelude::*;
+    ///
+    /// let linkage = Rssr {
+    ///     crank: 1.0,
+    ///     pivot: Space::new(3.0, 0.0, 0.0),
+    ///     axis: Space::new(0.0, 1.0, 0.0),
+    ///     arm: Space::new(0.0, 0.0, 2.0),
+    ///     rod: 13_f64.sqrt(),
+    /// };
+    /// let linkage = AnyLinkage::of(&linkage);
+    /// let loads = linkage.loads().torque(-5.0, "phi")?;
+    /// let reactions = linkage
+    ///     .reactions(&loads)?
+    ///     .hinge("ground_crank", Space::new(0.0, 0.0, 1.0))?
+    ///     .hinge("ground_arm", "axis")?;
+    /// let crank = Motion::at_constant_speed(0.4, 1.0);
+    /// let found = reactions.at(&[crank], PositionChoice::Assembly(0))?;
+    /// for name in ["ground_crank", "ball", "ground_arm"] {
+    ///     println!("{name}: {} N", found.of(name)?.magnitude()[0]);
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ReactionError::NoSuchReaction`], [`ReactionError::NoBall`] for a joint that has an axis, and
+    /// [`ReactionError::NoSuchPlace`] if no vector has the name.
+    pub fn hinge<'n>(mut self, name: &str, axis: impl Into<PointPlace<'n>>) -> Result<Self, ReactionError> {
+        let index = self.index(name)?;
+        if !self.functions.is_space() || self.connections[index].axis().is_some() {
+            let reaction = name.to_string();
+            return Err(ReactionError::NoBall { reaction });
+        }
+        let axis = self.loads.place(axis.into())?;
+        self.connections[index].hinge = Some(Direction::Vector(axis));
+        self.solutions.forget();
+        Ok(self)
+    }
+
     /// The names of all reactions.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.connections.iter().map(|connection| connection.name.as_str())
@@ -273,12 +327,24 @@ impl<'m> NamedReactions<'m> {
         Ok(self.connections[self.index(name)?].slide.is_some())
     }
 
+    /// Whether a reaction is that of a hinge of space, which has a moment across its axis.
+    ///
+    /// # Errors
+    /// [`ReactionError::NoSuchReaction`].
+    pub fn is_hinge(&self, name: &str) -> Result<bool, ReactionError> {
+        Ok(self.connections[self.index(name)?].hinge.is_some())
+    }
+
     /// The joint of the [picture](Outline) in which a reaction acts, by its index.
     ///
     /// # Errors
     /// [`ReactionError::NoSuchReaction`].
     pub fn joint_of(&self, name: &str) -> Result<usize, ReactionError> {
-        Ok(self.connections[self.index(name)?].joint)
+        let joint = self.connections[self.index(name)?].joint;
+        joint.ok_or_else(|| ReactionError::Rolling {
+            reaction: name.to_string(),
+            mistake: RollingMistake::NoJoint,
+        })
     }
 
     pub(crate) fn index(&self, name: &str) -> Result<usize, ReactionError> {
@@ -393,18 +459,20 @@ impl<'m> NamedReactions<'m> {
         let description = place.functions.description();
         let outline = place.functions.outline();
         let moved = place.moved(place.parameters, &place.inputs)?;
-        let frames = moved.frames(&outline)?;
-        let all = place.influences(place.parameters, &outline, Some((&moved, &frames)))?;
-        let otherwise = || place.otherwise(&outline).unwrap_or_default();
+        let connections = &self.connections;
+        let frames = moved.frames(&outline, connections)?;
+        let all = place.influences(place.parameters, &outline, connections, Some((&moved, &frames)))?;
+        let otherwise = || place.otherwise(&outline, connections).unwrap_or_default();
         let influences = Influences {
             outline: &outline,
+            connections,
             all: &all,
             otherwise: &otherwise,
         };
         let nothing = Wrench {
-            force: Plane::zero(),
+            force: Space::zero(),
             at: None,
-            moment: Series::ZERO,
+            moment: Space::zero(),
         };
         let mut demand = Demand {
             loads: &self.loads,
@@ -426,17 +494,51 @@ impl<'m> NamedReactions<'m> {
         });
         let drives = drives.collect::<Result<Vec<Action>, _>>()?;
         let frictions = self.acting(place, (&moved, &frames), &influences)?;
-        let equations = Equations {
+        let flank = |connection: &Connection| {
+            let side = connection
+                .mesh
+                .map(|mesh| mesh.side([connection.on, connection.by], &all));
+            let side = side.transpose().map_err(|mistake| ReactionError::Rolling {
+                reaction: connection.name.clone(),
+                mistake,
+            });
+            Ok(Flank {
+                side: side?.unwrap_or(1.0),
+                sign: 1.0,
+            })
+        };
+        let flanks = connections
+            .iter()
+            .map(flank)
+            .collect::<Result<Vec<Flank>, ReactionError>>()?;
+        let mut equations = Equations {
             outline: &outline,
-            connections: &self.connections,
+            connections,
             influences: &influences,
             moved: &moved,
             frames: &frames,
             drives: &drives,
             frictions: &frictions,
+            flanks: &flanks,
             parity: if place.side == Side::Left { -1.0 } else { 1.0 },
         };
-        let solution = equations.solve(&demand.bodies)?;
+        let mut solution = equations.solve(&demand.bodies)?;
+        let bears = equations.bears(&solution);
+        if bears != flanks {
+            equations.flanks = &bears;
+            solution = equations.solve(&demand.bodies)?;
+            let wrong = equations
+                .bears(&solution)
+                .into_iter()
+                .zip(&bears)
+                .position(|(found, own)| found != *own);
+            if let Some(connection) = wrong {
+                return Err(ReactionError::Rolling {
+                    reaction: connections[connection].name.clone(),
+                    mistake: RollingMistake::NoFlank,
+                });
+            }
+        }
         Ok(Solved {
             solution,
             loads: demand.acting,
@@ -471,13 +573,16 @@ fn index_of<'n, N: Iterator<Item = &'n str>>(name: &str, names: impl Fn() -> N) 
 }
 
 /// The length of a vector. Where it passes through zero, it is that behind the zero.
-fn size<const N: usize>(force: Plane<Series<N>>) -> Series<N> {
-    let length = singular_values(&[force.x, force.y], 1);
+fn size<const N: usize>(vector: Space<Series<N>>) -> Series<N> {
+    let length = singular_values(&[vector.x, vector.y, vector.z], 1);
     length.first().copied().unwrap_or(Series::ZERO)
 }
 
 fn undetermined(solution: &Solution<REACH>, names: &[String], reaction: String) -> ReactionError {
-    let is_open = |index: &usize| solution.forces[*index].is_none() || solution.moments[*index].is_none();
+    let is_open = |index: &usize| {
+        let vectors = [solution.forces[*index], solution.moments[*index]];
+        vectors.iter().any(|vector| vector.whole().is_none())
+    };
     ReactionError::Undetermined {
         reaction,
         all: (0..names.len())
@@ -512,8 +617,11 @@ impl ReactionPlace<'_> {
                 *output = unwrap_near(*output, Series::constant(*near));
             }
         }
-        let mut places: Vec<Plane<MovedNumber>> = Vec::new();
-        let mut add = |coordinates: &[MovedNumber]| places.push(Plane::new(coordinates[0], coordinates[1]));
+        let mut places: Vec<Space<MovedNumber>> = Vec::new();
+        let mut add = |coordinates: &[MovedNumber]| {
+            let coordinate = |axis: usize| coordinates.get(axis).copied().unwrap_or(Series::ZERO);
+            places.push(Space::new(coordinate(0), coordinate(1), coordinate(2)));
+        };
         SkeletonOver::<MovedNumber>::skeleton_points(functions, &parameters, inputs, &unknowns, &mut add);
         let joints = places.len() - functions.outline().slides.len();
         for direction in &mut places[joints..] {
@@ -524,6 +632,7 @@ impl ReactionPlace<'_> {
             quantities,
             places,
             joints,
+            is_space: functions.is_space(),
         })
     }
 
@@ -532,6 +641,7 @@ impl ReactionPlace<'_> {
         &self,
         parameters: &[f64],
         outline: &Outline<'_>,
+        connections: &[Connection],
         own: Option<(&MovedMechanism<REACH>, &[MovedFrame<REACH>])>,
     ) -> Result<Vec<Influence<REACH>>, ReactionError> {
         let count = self.inputs.len();
@@ -549,23 +659,24 @@ impl ReactionPlace<'_> {
                 (moved.clone(), frames.to_vec())
             } else {
                 let moved = self.moved(parameters, &inputs)?;
-                let frames = moved.frames(outline)?;
+                let frames = moved.frames(outline, connections)?;
                 (moved, frames)
             };
-            moved.check(outline, &frames)?;
+            moved.check(outline, connections, &frames)?;
             Ok(Influence { moved, frames })
         });
         moved.collect()
     }
 
     /// The same with other dimensions, where it still closes.
-    fn otherwise(&self, outline: &Outline<'_>) -> Option<Vec<Influence<REACH>>> {
+    fn otherwise(&self, outline: &Outline<'_>, connections: &[Connection]) -> Option<Vec<Influence<REACH>>> {
         let mut part = 0.0;
         let parameters = self.parameters.iter().map(|parameter| {
             part = (part + core::f64::consts::FRAC_1_SQRT_2) % 1.0;
             parameter * (1.0 + CHANGE * part)
         });
-        self.influences(&parameters.collect::<Vec<_>>(), outline, None).ok()
+        self.influences(&parameters.collect::<Vec<_>>(), outline, connections, None)
+            .ok()
     }
 }
 
@@ -576,11 +687,16 @@ pub struct Reaction {
     pub x: [f64; ORDERS],
     /// The force along y.
     pub y: [f64; ORDERS],
-    /// The moment of a slide about its joint; in a pin, that of friction.
+    /// The force along z.
+    pub z: [f64; ORDERS],
+    /// The moment of a slide about its joint; in a pin, that of friction. In space, the size of the moment of a slide
+    /// or of a hinge.
     pub moment: [f64; ORDERS],
+    /// The moments about x, y and z.
+    pub moments: [[f64; ORDERS]; 3],
     /// What of it is friction: the moment in a pin, and the force along the direction of a slide.
     pub friction: [f64; ORDERS],
-    force: Plane<MovedNumber>,
+    force: Space<MovedNumber>,
 }
 
 impl Reaction {
@@ -596,15 +712,19 @@ impl Reaction {
         match part {
             ReactionPart::X => self.x,
             ReactionPart::Y => self.y,
+            ReactionPart::Z => self.z,
             ReactionPart::Force => self.magnitude(),
             ReactionPart::Moment => self.moment,
+            ReactionPart::MomentX => self.moments[0],
+            ReactionPart::MomentY => self.moments[1],
+            ReactionPart::MomentZ => self.moments[2],
         }
     }
 
-    /// The angle of the force with its rates, -π ..= π; none if the force is zero.
+    /// The angle of the force in the plane of x and y with its rates, -π ..= π; none if it is zero there.
     #[must_use]
     pub fn direction(&self) -> Option<[f64; ORDERS]> {
-        let Plane { x, y } = self.force;
+        let Space { x, y, .. } = self.force;
         let is_zero = x.real() == 0.0 && y.real() == 0.0;
         (!is_zero).then(|| orders(y.atan2(x)))
     }
@@ -642,11 +762,14 @@ impl Reactions {
     /// [`ReactionError::NoSuchReaction`].
     pub fn of(&self, name: &str) -> Result<Reaction, ReactionError> {
         let index = index_of(name, || self.names.iter().map(String::as_str))?;
-        match (self.solution.forces[index], self.solution.moments[index]) {
+        let solution = &self.solution;
+        match (solution.forces[index].whole(), solution.moments[index].whole()) {
             (Some(force), Some(moment)) => Ok(Reaction {
                 x: orders(force.x),
                 y: orders(force.y),
-                moment: orders(moment),
+                z: orders(force.z),
+                moment: orders(if solution.is_space { size(moment) } else { moment.z }),
+                moments: [moment.x, moment.y, moment.z].map(orders),
                 friction: orders(self.solution.frictions[index]),
                 force,
             }),

@@ -2,9 +2,9 @@
 
 use kin_core::any::{Description, Outline};
 use kin_core::linkage::{AnyLinkage, LinkageFunctions};
-use kin_core::load::{NamedLoads, NoSuchPlace, PointPlace};
+use kin_core::load::{NamedLoads, NoSuchPlace, PointPlace, Solid};
 use kin_core::reaction::{Friction, NamedReactions, ReactionError, ReactionPart};
-use kin_core::{Dimension, Plane, Space};
+use kin_core::{Dimension, Space};
 
 use super::fault::Fault;
 use super::units::Kind;
@@ -41,12 +41,16 @@ pub(crate) struct Joint {
     pub(crate) name: String,
     /// Whether it is a slide.
     pub(crate) is_slide: bool,
+    /// Whether it has a moment: that of a slide, or of a hinge of space.
+    pub(crate) has_moment: bool,
+    /// Whether it is one of space.
+    pub(crate) is_space: bool,
 }
 
 /// The joints of a mechanism with forces.
 pub(crate) fn joints(functions: &dyn LinkageFunctions) -> Result<Vec<Joint>, Box<ReactionError>> {
     let linkage = unit_linkage(functions);
-    Ok(joints_of(&linkage.reactions(&linkage.loads())?))
+    Ok(joints_of(&linkage.reactions(&linkage.loads())?, functions.is_space()))
 }
 
 /// A linkage with any dimensions, on which the names of its joints do not depend.
@@ -54,10 +58,15 @@ fn unit_linkage(functions: &dyn LinkageFunctions) -> AnyLinkage<'_> {
     AnyLinkage::new(functions, &vec![1.0; functions.description().parameters.len()])
 }
 
-fn joints_of(reactions: &NamedReactions<'_>) -> Vec<Joint> {
-    let joint = |name: &str| Joint {
-        name: name.to_owned(),
-        is_slide: reactions.is_slide(name) == Ok(true),
+fn joints_of(reactions: &NamedReactions<'_>, is_space: bool) -> Vec<Joint> {
+    let joint = |name: &str| {
+        let is_slide = reactions.is_slide(name) == Ok(true);
+        Joint {
+            name: name.to_owned(),
+            is_slide,
+            has_moment: is_slide || reactions.is_hinge(name) == Ok(true),
+            is_space,
+        }
     };
     reactions.names().map(joint).collect()
 }
@@ -76,7 +85,7 @@ pub(crate) enum Centre {
     /// A point of the mechanism.
     Named(String),
     /// A point in the frame of the body.
-    InBody([InSi; 2]),
+    InBody([InSi; 3]),
 }
 
 /// The end of a spring or damper.
@@ -93,6 +102,8 @@ pub(crate) enum End {
 pub(crate) enum Load {
     /// The mass of a body, its centre, and its moment of inertia.
     Body(String, InSi, Centre, InSi),
+    /// The mass of a body of space, its centre, and its tensor of inertia: xx, yy, zz, xy, xz and yz.
+    Solid(String, InSi, [InSi; 3], [InSi; 6]),
     /// A mass at a point.
     Mass(InSi, String),
     /// A moment of inertia with an angle.
@@ -196,8 +207,17 @@ impl Load {
             Self::Body(body, mass, Centre::Named(centre), inertia) => {
                 loads.mass_of(body, own(mass), centre.as_str(), own(inertia))
             }
-            Self::Body(body, mass, Centre::InBody([x, y]), inertia) => {
-                loads.mass_of(body, own(mass), Plane::new(own(x), own(y)), own(inertia))
+            Self::Body(body, mass, Centre::InBody(centre), inertia) => {
+                loads.mass_of(body, own(mass), space(*centre, metres), own(inertia))
+            }
+            Self::Solid(body, mass, centre, [xx, yy, zz, xy, xz, yz]) => {
+                let [xx, yy, zz, xy, xz, yz] = [xx, yy, zz, xy, xz, yz].map(own);
+                let solid = Solid {
+                    mass: own(mass),
+                    centre: space(*centre, metres),
+                    inertia: [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]],
+                };
+                loads.solid_of(body, solid)
             }
             Self::Mass(mass, point) => loads.mass(own(mass), point),
             Self::Inertia(inertia, angle) => loads.inertia(own(inertia), angle),
@@ -249,7 +269,8 @@ impl ForceColumns {
             Err(error) => {
                 let linkage = unit_linkage(functions);
                 let guessed = linkage.reactions_as_guessed(&linkage.loads());
-                let guessed = guessed.map_or_else(|_| Vec::new(), |reactions| joints_of(&reactions));
+                let guessed =
+                    guessed.map_or_else(|_| Vec::new(), |reactions| joints_of(&reactions, functions.is_space()));
                 let names = of_joints(&guessed).into_iter().map(|column| column.name(description));
                 Some((error, names.collect()))
             }
@@ -299,16 +320,31 @@ fn with_rates(force: Force) -> impl Iterator<Item = ForceColumn> {
 
 /// The columns of the forces in joints.
 fn of_joints(joints: &[Joint]) -> Vec<ForceColumn> {
-    let columns = joints.iter().flat_map(|Joint { name, is_slide }| {
-        let moment = is_slide.then_some(ReactionPart::Moment);
-        let parts = [ReactionPart::X, ReactionPart::Y, ReactionPart::Force];
-        let parts = parts.into_iter().chain(moment);
-        parts.map(|part| Force::Reaction(name.clone(), part))
+    let columns = joints.iter().flat_map(|joint| {
+        let z = joint.is_space.then_some(ReactionPart::Z);
+        let moment = joint.has_moment.then_some(ReactionPart::Moment);
+        let moments = [ReactionPart::MomentX, ReactionPart::MomentY, ReactionPart::MomentZ];
+        let moments = moments.into_iter().filter(|_| joint.is_space && joint.has_moment);
+        let parts = [ReactionPart::X, ReactionPart::Y].into_iter().chain(z);
+        let parts = parts.chain([ReactionPart::Force]).chain(moment).chain(moments);
+        parts.map(|part| Force::Reaction(joint.name.clone(), part))
     });
     columns.flat_map(with_rates).collect()
 }
 
+pub(crate) fn is_moment(part: ReactionPart) -> bool {
+    matches!(
+        part,
+        ReactionPart::Moment | ReactionPart::MomentX | ReactionPart::MomentY | ReactionPart::MomentZ
+    )
+}
+
 impl ForceColumn {
+    /// Whether it is a coordinate of a force or of a moment.
+    pub(crate) fn is_coordinate(&self) -> bool {
+        matches!(&self.force, Force::Reaction(_, part) if !matches!(part, ReactionPart::Force | ReactionPart::Moment))
+    }
+
     /// Its name.
     pub(crate) fn name(&self, description: &Description<'_>) -> String {
         let rate = RATES[self.order].0;
@@ -319,8 +355,12 @@ impl ForceColumn {
                 let part = match part {
                     ReactionPart::X => "x",
                     ReactionPart::Y => "y",
+                    ReactionPart::Z => "z",
                     ReactionPart::Force => "force",
                     ReactionPart::Moment => "moment",
+                    ReactionPart::MomentX => "moment_x",
+                    ReactionPart::MomentY => "moment_y",
+                    ReactionPart::MomentZ => "moment_z",
                 };
                 format!("{name}_{part}{rate}")
             }
@@ -332,7 +372,8 @@ impl ForceColumn {
     pub(crate) fn plot(&self, description: &Description<'_>) -> Option<String> {
         match &self.force {
             Force::Effort(input) => Some(format!("{}_effort", description.inputs[*input].name)),
-            Force::Reaction(_, ReactionPart::Moment) | Force::Power(_) | Force::Heat => None,
+            Force::Reaction(_, part) if is_moment(*part) => None,
+            Force::Power(_) | Force::Heat => None,
             Force::Reaction(name, _) => Some(format!("{name}_force")),
         }
     }
@@ -342,7 +383,7 @@ impl ForceColumn {
         let is_torque = match &self.force {
             Force::Power(_) | Force::Heat => return ("W", 2),
             Force::Effort(input) => description.inputs[*input].dimension != Dimension::Length,
-            Force::Reaction(_, part) => *part == ReactionPart::Moment,
+            Force::Reaction(_, part) => is_moment(*part),
         };
         if is_torque { ("N m", 2) } else { ("N", 1) }
     }

@@ -21,7 +21,7 @@ fn in_equilibrium(reactions: &NamedReactions<'_>, found: &Reactions, places: &[P
         let mut all: Vec<[f64; 3]> = Vec::new();
         for connection in &reactions.connections {
             let Reaction { x, y, .. } = found.of(&connection.name).expect("it is determined");
-            let (force, at) = (Plane::new(x[0], y[0]), places[connection.joint]);
+            let (force, at) = (Plane::new(x[0], y[0]), places[connection.joint.expect("a joint")]);
             for (member, sign) in [(connection.on, 1.0), (connection.by, -1.0)] {
                 if member == Some(index) {
                     all.push([force.x, force.y, at.cross(force)].map(|part| sign * part));
@@ -29,8 +29,8 @@ fn in_equilibrium(reactions: &NamedReactions<'_>, found: &Reactions, places: &[P
             }
         }
         for load in found.body_loads().iter().filter(|load| load.body == body.name) {
-            let [at, force] = [load.at, load.force].map(|[x, y]| Plane::new(x, y));
-            all.push([force.x, force.y, at.cross(force) + load.moment]);
+            let [at, force] = [load.at, load.force].map(|[x, y, _]| Plane::new(x, y));
+            all.push([force.x, force.y, at.cross(force) + load.moment[2]]);
         }
         for part in 0..3 {
             let size = all.iter().fold(0.0, |size: f64, own| size.max(own[part].abs()));

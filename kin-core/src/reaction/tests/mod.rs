@@ -4,7 +4,9 @@ mod agreement;
 mod friction;
 mod mistakes;
 mod published;
+mod rolling;
 mod sensitive;
+mod space;
 mod squeezer;
 
 use agreement::LIFT;

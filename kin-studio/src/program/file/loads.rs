@@ -88,6 +88,10 @@ pub(super) fn is_friction(entry: &Entry) -> bool {
     is_ident(entry.words.first(), "friction")
 }
 
+const TENSOR: &str = "a body of space has its centre in its frame, and three moments of inertia, or six with the \
+                      entries xy, xz and yz of the tensor: write `2kg at (30mm, 0, 5mm), inertia (0.02kgm2, 0.03kgm2, \
+                      0.04kgm2)`";
+
 /// Whether a mass is that of a body which there is not.
 pub(super) fn lack_a_body(entries: &[Entry], bodies: &[String]) -> bool {
     let is_one = |entry: &Entry| match entry.words.as_slice() {
@@ -363,22 +367,48 @@ impl Reader<'_, '_> {
         }
         let parts = entry.value.parts();
         let (mass, inertia) = match parts.as_slice() {
-            [mass] => (mass, InSi::new(units::INERTIA, 0.0)),
-            [mass, inertia] => {
-                let value = inertia.behind("inertia ").ok_or_else(|| inertia.mistake(form))?;
-                (mass, size(units::INERTIA, &value)?)
-            }
+            [mass] => (mass, None),
+            [mass, inertia] => (
+                mass,
+                Some(inertia.behind("inertia ").ok_or_else(|| inertia.mistake(form))?),
+            ),
             _ => return Err(entry.value.mistake(form)),
         };
         let (mass, centre) = mass.around(" at ").ok_or_else(|| mass.mistake(form))?;
-        let centre = if self.places.points().contains(&centre.text.as_str()) {
-            Centre::Named(centre.text)
-        } else if let Some([x, y]) = centre.coordinates().as_deref() {
-            Centre::InBody([self.at_rest(units::LENGTH, x)?, self.at_rest(units::LENGTH, y)?])
+        let zero = InSi::new(units::LENGTH, 0.0);
+        let centre_place = if self.places.points().contains(&centre.text.as_str()) {
+            Centre::Named(centre.text.clone())
         } else {
-            return Err(centre.mistake(form));
+            let parts = centre.coordinates().unwrap_or_default();
+            let own = parts.iter().map(|part| self.at_rest(units::LENGTH, part));
+            match *own.collect::<Result<Vec<_>, _>>()? {
+                [x, y] => Centre::InBody([x, y, zero]),
+                [x, y, z] => Centre::InBody([x, y, z]),
+                _ => return Err(centre.mistake(form)),
+            }
         };
-        Ok(Load::Body(body, size(units::MASS, &mass)?, centre, inertia))
+        let mass = size(units::MASS, &mass)?;
+        let none = InSi::new(units::INERTIA, 0.0);
+        let Some(inertia) = inertia else {
+            return Ok(Load::Body(body, mass, centre_place, none));
+        };
+        let Some(tensor) = inertia.coordinates() else {
+            return Ok(Load::Body(body, mass, centre_place, size(units::INERTIA, &inertia)?));
+        };
+        let tensor = tensor.iter().enumerate().map(|(place, part)| match place {
+            0..3 => size(units::INERTIA, part),
+            // products of inertia have any sign
+            _ => number(units::INERTIA, part),
+        });
+        let tensor = match *tensor.collect::<Result<Vec<_>, _>>()? {
+            [xx, yy, zz] => [xx, yy, zz, none, none, none],
+            [xx, yy, zz, xy, xz, yz] => [xx, yy, zz, xy, xz, yz],
+            _ => return Err(inertia.mistake(TENSOR)),
+        };
+        match centre_place {
+            Centre::InBody(centre) => Ok(Load::Solid(body, mass, centre, tensor)),
+            Centre::Named(_) => Err(centre.mistake(TENSOR)),
+        }
     }
 
     /// The dimension of a quantity that moves.

@@ -88,10 +88,8 @@ fn check(subject: &Subject, told: &Told) -> Result<(), Fault> {
 fn borne(subject: &Subject, case: &Case, forces: &CaseForces<'_>) -> Result<Vec<Borne>, Fault> {
     let columns = case.forces(subject).all;
     let is_of_joint = |column: &&ForceColumn| matches!(column.force, Force::Reaction(..));
-    let is_coordinate =
-        |column: &&ForceColumn| matches!(column.force, Force::Reaction(_, ReactionPart::X | ReactionPart::Y));
     let values = columns.iter().filter(|column| column.order == 0);
-    let own = values.filter(|column| !is_coordinate(column));
+    let own = values.filter(|column| !column.is_coordinate());
     let (joints, drives): (Vec<_>, Vec<_>) = own.partition(is_of_joint);
     let own = [joints, drives].concat();
     let (mut all, mut faults) = (Vec::new(), Vec::new());

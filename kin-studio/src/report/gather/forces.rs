@@ -16,9 +16,15 @@ use crate::report::model::{ActingLoad, BodyLoad, CurveKind, ForceCurve, ForcePea
 /// The forces, if there are loads.
 pub(super) fn of<D: SmoothDrive>(wishes: &Wishes<'_>, way: &Way<'_, D>) -> Option<Forces> {
     let wished = wishes.loads.as_ref()?;
-    let (reactions, mut unknown) = match wished.stated.reactions(&wishes.linkage, &wished.loads) {
+    let found = if wishes.functions.is_space() {
+        Err(IN_SPACE.to_owned())
+    } else {
+        let found = wished.stated.reactions(&wishes.linkage, &wished.loads);
+        found.map_err(|error| error.to_string())
+    };
+    let (reactions, mut unknown) = match found {
         Ok(reactions) => (Some(reactions), None),
-        Err(error) => (None, Some(error.to_string())),
+        Err(error) => (None, Some(error)),
     };
     let causes = Causes {
         loads: &wished.loads,
@@ -47,6 +53,9 @@ pub(super) fn of<D: SmoothDrive>(wishes: &Wishes<'_>, way: &Way<'_, D>) -> Optio
         unknown,
     })
 }
+
+/// A page draws forces in the plane.
+const IN_SPACE: &str = "the mechanism is one of space, where pages show no forces in joints; `kin forces` tells them";
 
 /// The curves of efforts and moments, and the samples of all.
 struct All {
@@ -180,10 +189,13 @@ impl<D: SmoothDrive> Gathered<'_, '_, D> {
             return Vec::new();
         };
         let is_force = |index: usize| {
-            let own = |row: &Reactions| row.body_loads()[index].force != [0.0; 2];
+            let own = |row: &Reactions| row.body_loads()[index].force != [0.0; 3];
             rows.iter().flatten().any(own)
         };
-        let is_couple = |index: usize| rows.iter().flatten().any(|row| row.body_loads()[index].moment != 0.0);
+        let is_couple = |index: usize| {
+            let own = |row: &Reactions| row.body_loads()[index].moment != [0.0; 3];
+            rows.iter().flatten().any(own)
+        };
         let mut kept = Vec::new();
         for (index, load) in first.body_loads().iter().enumerate() {
             let body = outline.bodies.iter().position(|body| body.name == load.body);
@@ -210,10 +222,10 @@ impl<D: SmoothDrive> Gathered<'_, '_, D> {
                 let own = &row.body_loads()[*index];
                 let newton = self.wished.metres;
                 sample.loads.push(if load.is_couple {
-                    vec![short(own.moment * newton * newton)]
+                    vec![short(own.moment[2] * newton * newton)]
                 } else {
-                    let [x, y] = own.force.map(|part| short(part * newton));
-                    let [right, up] = own.at.map(short);
+                    let [x, y, _] = own.force.map(|part| short(part * newton));
+                    let [right, up, _] = own.at.map(short);
                     vec![x, y, right, up]
                 });
             }
