@@ -573,7 +573,10 @@ fn index_of<'n, N: Iterator<Item = &'n str>>(name: &str, names: impl Fn() -> N) 
 
 /// The length of a vector. Where it passes through zero, it is that behind the zero.
 fn size<const N: usize>(vector: Space<Series<N>>) -> Series<N> {
-    let length = singular_values(&[vector.x, vector.y, vector.z], 1);
+    let parts = [vector.x, vector.y, vector.z];
+    // in the plane, the third part is nothing
+    let count = if parts[2].coefficients() == [0.0; N] { 2 } else { 3 };
+    let length = singular_values(&parts[..count], 1);
     length.first().copied().unwrap_or(Series::ZERO)
 }
 
