@@ -283,7 +283,10 @@ impl<const N: usize> Influences<'_, '_, N> {
         let found = pairs.filter_map(|(pair, axis)| {
             let sign = self.sign(quantity, |one| {
                 let [on, by] = pair.map(|member| one.turn(member));
-                (on - by).dot(one.moved.direction(axis))
+                match axis {
+                    Direction::Normal => on.z - by.z,
+                    axis => (on - by).dot(one.moved.direction(axis)),
+                }
             })?;
             let ([on, by], kind) = (pair, ActionKind::Couple(axis));
             Some(Action { on, by, kind, sign })
@@ -340,7 +343,10 @@ impl<const N: usize> Influences<'_, '_, N> {
         let mut found = Vec::new();
         for joint in joints {
             for axis in 0..if self.is_space() { 3 } else { 2 } {
-                let sign = self.sign(quantity, |one| slope_of(one.moved.places[joint]).dot(along_axis(axis)));
+                let sign = self.sign(quantity, |one| {
+                    let Space { x, y, z } = slope_of(one.moved.places[joint]);
+                    [x, y, z][axis]
+                });
                 let Some(sign) = sign else { continue };
                 for on in loaded(self.outline, joint) {
                     let kind = ActionKind::Axis { joint, axis };

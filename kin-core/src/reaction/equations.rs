@@ -428,7 +428,7 @@ impl<const N: usize> Equations<'_, N> {
         for ((unknown, value), is_open) in unknowns.iter().zip(values).zip(is_open) {
             let known = (!is_open).then_some(*value);
             match *unknown {
-                Unknown::Pin { connection, axis } => solution.forces[connection].add(along_axis(axis), known),
+                Unknown::Pin { connection, axis } => solution.forces[connection].0[axis] = known,
                 Unknown::Normal { connection, axis } => {
                     let normal = self.normal(&self.connections[connection], axis);
                     solution.forces[connection].add(normal, known);

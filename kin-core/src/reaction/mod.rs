@@ -1,6 +1,6 @@
-//! Joint reactions: the forces in pins and slides, with their rates.
+//! Joint reactions: the forces in joints of the plane and of space, with their rates.
 //!
-//! [`NamedReactions`] are those of a mechanism of the plane under [loads](NamedLoads), without its type:
+//! [`NamedReactions`] are those of a mechanism under [loads](NamedLoads), without its type:
 //! [`AnyLinkage::reactions`](crate::linkage::AnyLinkage::reactions) makes them. In a pose they tell each force with two
 //! rates by time, and a sweep tells its peak, its extremes and its mean:
 //! [`of_reaction`](crate::linkage::AnySweep::of_reaction).
@@ -42,9 +42,10 @@
 //!
 //! # Method
 //!
-//! Newton's and Euler's equations of each body, three in the plane, are linear in the forces: two components for each
-//! pin, a normal force for each slide, a moment where nothing but the slide keeps its slider from turning, and the
-//! efforts of the drives. (J. Wittenburg, *Dynamics of Multibody Systems*, 2nd edition, Springer 2008, chapter 5.)
+//! Newton's and Euler's equations of each body, three in the plane and six in space, are linear in the forces: those of
+//! each pin or ball, the moments of a hinge across its axis, the normal forces of each slide, its moments where nothing
+//! but the slide keeps its slider from turning, the tangential forces of contacts that roll, and the efforts of the
+//! drives. (J. Wittenburg, *Dynamics of Multibody Systems*, 2nd edition, Springer 2008, chapter 5.)
 //! Their matrix and the loads are series in time, and so are the solutions, from the triangular factors of one matrix:
 //! rates are exact, and nothing is divided by a speed.
 //!
@@ -161,7 +162,7 @@ pub(crate) enum ReactionQuantity {
     JointSpeed(usize),
 }
 
-/// The reactions of a mechanism of the plane under loads.
+/// The reactions of a mechanism under loads.
 ///
 /// A reaction is called by the point of its joint, which is an output, as in `"knee"`: it acts on the body that is
 /// declared later, and the earlier one exerts it; of the ground and of guides it acts on the body that they hold. Where
@@ -171,6 +172,10 @@ pub(crate) enum ReactionQuantity {
 ///
 /// The body that holds the others is the ground; or the slider, which is a body with this joint alone; or the first
 /// body.
+///
+/// In space, bodies that share two points are joined by a hinge about the line through them, and those that share one
+/// point by a ball, unless it has an axis by [`hinge`](Self::hinge). A body whose points lie on a line is a rod, about
+/// whose line nothing acts.
 #[derive(Clone)]
 pub struct NamedReactions<'m> {
     functions: &'m dyn ReactionFunctions,
@@ -574,7 +579,10 @@ fn index_of<'n, N: Iterator<Item = &'n str>>(name: &str, names: impl Fn() -> N) 
 
 /// The length of a vector. Where it passes through zero, it is that behind the zero.
 fn size<const N: usize>(vector: Space<Series<N>>) -> Series<N> {
-    let length = singular_values(&[vector.x, vector.y, vector.z], 1);
+    let parts = [vector.x, vector.y, vector.z];
+    // in the plane, the third part is nothing
+    let count = if parts[2].coefficients() == [0.0; N] { 2 } else { 3 };
+    let length = singular_values(&parts[..count], 1);
     length.first().copied().unwrap_or(Series::ZERO)
 }
 
