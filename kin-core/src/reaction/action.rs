@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 use super::ReactionError;
 use super::connection::{Member, hub, loaded, member_name};
-use super::frames::{MovedFrame, MovedMechanism, slope, slope_of};
+use super::frames::{MovedFrame, MovedMechanism, MovingNumber, slope_of};
 use crate::geometry::Plane;
 use crate::number::Number;
 use crate::number::series::Series;
@@ -15,8 +15,8 @@ use crate::quantity::Dimension;
 /// The mechanism while one input alone moves at unit speed.
 #[derive(Clone, Debug)]
 pub(crate) struct Influence<const N: usize> {
-    pub(super) moved: MovedMechanism<N>,
-    pub(super) frames: Vec<MovedFrame<N>>,
+    pub(super) moved: MovedMechanism<Series<N>>,
+    pub(super) frames: Vec<MovedFrame<Series<N>>>,
 }
 
 /// Two bodies between which a torque or a force acts.
@@ -55,35 +55,35 @@ pub(super) struct Wrench<T> {
     pub(super) moment: T,
 }
 
-impl<const N: usize> Wrench<Series<N>> {
+impl<T: MovingNumber> Wrench<T> {
     /// A force at a place on a body.
-    pub(super) fn of_force(frame: &MovedFrame<N>, force: Plane<Series<N>>, at: Plane<Series<N>>) -> Self {
+    pub(super) fn of_force(frame: &MovedFrame<T>, force: Plane<T>, at: Plane<T>) -> Self {
         let moment = (at - frame.origin).cross(force);
         let at = Some(at);
         Self { force, at, moment }
     }
 
     /// A couple.
-    pub(super) fn of_moment(moment: Series<N>) -> Self {
+    pub(super) fn of_moment(moment: T) -> Self {
         let (force, at) = (Plane::zero(), None);
         Self { force, at, moment }
     }
 }
 
 /// A force and the opposite one, on the bodies that move.
-pub(super) fn both<const N: usize>(
+pub(super) fn both<T: MovingNumber>(
     [on, by]: [Member; 2],
-    frames: &[MovedFrame<N>],
-    force: Plane<Series<N>>,
-    [at, from]: [Plane<Series<N>>; 2],
-) -> Vec<(usize, Wrench<Series<N>>)> {
+    frames: &[MovedFrame<T>],
+    force: Plane<T>,
+    [at, from]: [Plane<T>; 2],
+) -> Vec<(usize, Wrench<T>)> {
     let on = on.map(|body| (body, Wrench::of_force(&frames[body], force, at)));
     let by = by.map(|body| (body, Wrench::of_force(&frames[body], -force, from)));
     on.into_iter().chain(by).collect()
 }
 
 /// A couple and the opposite one.
-pub(super) fn both_turned<const N: usize>([on, by]: [Member; 2], moment: Series<N>) -> Vec<(usize, Wrench<Series<N>>)> {
+pub(super) fn both_turned<T: MovingNumber>([on, by]: [Member; 2], moment: T) -> Vec<(usize, Wrench<T>)> {
     let on = on.map(|body| (body, Wrench::of_moment(moment)));
     let by = by.map(|body| (body, Wrench::of_moment(-moment)));
     on.into_iter().chain(by).collect()
@@ -101,13 +101,13 @@ impl Action {
     }
 
     /// The forces of a torque or force of this size.
-    pub(super) fn wrenches<const N: usize>(
+    pub(super) fn wrenches<T: MovingNumber>(
         &self,
-        moved: &MovedMechanism<N>,
-        frames: &[MovedFrame<N>],
-        size: Series<N>,
-    ) -> Vec<(usize, Wrench<Series<N>>)> {
-        let size = Series::constant(self.sign) * size;
+        moved: &MovedMechanism<T>,
+        frames: &[MovedFrame<T>],
+        size: T,
+    ) -> Vec<(usize, Wrench<T>)> {
+        let size = T::constant(self.sign) * size;
         let pair = [self.on, self.by];
         match self.kind {
             ActionKind::Couple => both_turned(pair, size),
@@ -121,7 +121,7 @@ impl Action {
                 both(pair, frames, line.scale(size / line.norm()), [to, from])
             }
             ActionKind::Axis { joint, axis } => {
-                let zero = Series::constant(0.0);
+                let zero = T::constant(0.0);
                 let force = if axis == 0 {
                     Plane::new(size, zero)
                 } else {
@@ -177,7 +177,7 @@ impl<const N: usize> Influences<'_, '_, N> {
         let rates: Vec<[Series<N>; 2]> = self
             .all
             .iter()
-            .map(|one| [rate(one), slope(one.moved.quantities[quantity])])
+            .map(|one| [rate(one), one.moved.quantities[quantity].slope()])
             .collect();
         sign_of(&rates)
     }

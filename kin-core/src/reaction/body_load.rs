@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 use super::action::{Wrench, both_turned};
 use super::connection::Connection;
-use super::frames::MovedFrame;
+use super::frames::{MovedFrame, MovingNumber};
 use super::{NamedReactions, Solved};
 use crate::number::Number;
 use crate::number::series::Series;
@@ -41,10 +41,10 @@ pub struct BodyLoad {
 }
 
 /// A force or a couple on a body, by its index.
-pub(super) type Acting<const N: usize> = (BodyLoadKind, usize, Wrench<Series<N>>);
+pub(super) type Acting<T> = (BodyLoadKind, usize, Wrench<T>);
 
 impl BodyLoad {
-    pub(super) fn new<const N: usize>((kind, _, wrench): &Acting<N>, frame: &MovedFrame<N>, body: &str) -> Self {
+    pub(super) fn new<T: MovingNumber>((kind, _, wrench): &Acting<T>, frame: &MovedFrame<T>, body: &str) -> Self {
         let force = [wrench.force.x, wrench.force.y].map(Number::real);
         let at = wrench.at.unwrap_or(frame.origin);
         Self {

@@ -6,10 +6,10 @@ use alloc::vec::Vec;
 
 use super::action::{Action, Influences, Wrench, both, both_turned};
 use super::connection::{Connection, Member, holders};
-use super::frames::{MovedFrame, MovedMechanism, left};
+use super::frames::{MovedFrame, MovedMechanism, MovingNumber, left};
 use super::friction::ActingFriction;
 use super::rank::{Rank, largest, rank};
-use super::{ReactionError, ReactionPart, size};
+use super::{REACH, ReactionError, ReactionPart, size};
 use crate::geometry::Plane;
 use crate::number::Number;
 use crate::number::series::Series;
@@ -105,32 +105,23 @@ struct System<const N: usize> {
     columns: Vec<Vec<Series<N>>>,
 }
 
-pub(super) struct Equations<'e, const N: usize> {
+pub(super) struct Equations<'e, T> {
     pub(super) outline: &'e Outline<'e>,
     pub(super) connections: &'e [Connection],
-    pub(super) influences: &'e Influences<'e, 'e, N>,
-    pub(super) moved: &'e MovedMechanism<N>,
-    pub(super) frames: &'e [MovedFrame<N>],
+    pub(super) influences: &'e Influences<'e, 'e, REACH>,
+    pub(super) moved: &'e MovedMechanism<T>,
+    pub(super) frames: &'e [MovedFrame<T>],
     pub(super) drives: &'e [Action],
-    pub(super) frictions: &'e [ActingFriction<N>],
+    pub(super) frictions: &'e [ActingFriction<T>],
     /// -1 on the left side of a place.
     pub(super) parity: f64,
 }
 
-impl<const N: usize> Equations<'_, N> {
+impl<const N: usize> Equations<'_, Series<N>> {
     /// The forces with which the bodies move as they do, from what each lacks without them.
     pub(super) fn solve(&self, demand: &[Wrench<Series<N>>]) -> Result<Solution<N>, ReactionError> {
-        let System { unknowns, columns } = self.system();
-        let reals: Vec<Vec<f64>> = columns.iter().map(|column| reals(column)).collect();
-        let Rank { basis, null, pivot } = rank(&reals);
-        let count = demand.len() * OF_BODY;
-        if unknowns.len() < count {
-            return Err(self.free(&columns));
-        }
-        if basis.len() < count {
-            let grows = self.taking_part(&unknowns, &null);
-            return Err(ReactionError::Singular { pivot, grows });
-        }
+        let (System { unknowns, columns }, basis) = self.determined()?;
+        let count = basis.len();
         let row = |row: usize| basis.iter().map(move |column| (*column, row));
         let places = (0..count).flat_map(row);
         let mut entries: Vec<Series<N>> = places.map(|(column, row)| columns[column][row]).collect();
@@ -162,7 +153,7 @@ impl<const N: usize> Equations<'_, N> {
         if self.frictions.is_empty() {
             return Ok(self.solution(&unknowns, &values, &is_open));
         }
-        let response = |acting: &ActingFriction<N>| {
+        let response = |acting: &ActingFriction<Series<N>>| {
             let mut response = vec![Series::ZERO; unknowns.len()];
             for (column, value) in basis.iter().zip(solve(&self.resisting(acting))) {
                 response[*column] = value;
@@ -171,6 +162,28 @@ impl<const N: usize> Equations<'_, N> {
         };
         let responses: Vec<_> = self.frictions.iter().map(response).collect();
         self.with_friction(&unknowns, values, &is_open, &responses)
+    }
+
+    /// The unknowns with their columns, and those of them that hold the bodies.
+    fn determined(&self) -> Result<(System<N>, Vec<usize>), ReactionError> {
+        let System { unknowns, columns } = self.system();
+        let reals: Vec<Vec<f64>> = columns.iter().map(|column| reals(column)).collect();
+        let Rank { basis, null, pivot } = rank(&reals);
+        let count = self.frames.len() * OF_BODY;
+        if unknowns.len() < count {
+            return Err(self.free(&columns));
+        }
+        if basis.len() < count {
+            let grows = self.taking_part(&unknowns, &null);
+            return Err(ReactionError::Singular { pivot, grows });
+        }
+        Ok((System { unknowns, columns }, basis))
+    }
+
+    /// The unknowns that hold the bodies.
+    pub(super) fn basis(&self) -> Result<Vec<Unknown>, ReactionError> {
+        let (System { unknowns, .. }, basis) = self.determined()?;
+        Ok(basis.into_iter().map(|column| unknowns[column]).collect())
     }
 
     /// The unknowns with their columns. Slides have moments where nothing else keeps the slider from turning.
@@ -241,63 +254,6 @@ impl<const N: usize> Equations<'_, N> {
         rank(&rows).null
     }
 
-    /// The forces of a unit of an unknown on all bodies.
-    fn column(&self, unknown: Unknown) -> Vec<Series<N>> {
-        let (zero, one) = (Series::constant(0.0), Series::constant(1.0));
-        let connection = |index: usize| {
-            let own: &Connection = &self.connections[index];
-            ([own.on, own.by], [self.moved.places[own.joint]; 2], own.slide)
-        };
-        let wrenches = match unknown {
-            Unknown::Pin {
-                connection: index,
-                axis,
-            } => {
-                let (pair, at, _) = connection(index);
-                let force = if axis == 0 {
-                    Plane::new(one, zero)
-                } else {
-                    Plane::new(zero, one)
-                };
-                both(pair, self.frames, force, at)
-            }
-            Unknown::Normal { connection: index } => {
-                let (pair, at, slide) = connection(index);
-                both(pair, self.frames, self.normal(slide), at)
-            }
-            Unknown::Moment { connection: index, on } => {
-                let guide = connection(index).2.and_then(|slide| self.outline.slides[slide].guide);
-                both_turned([on, guide], one)
-            }
-            Unknown::Effort { input } => self.drives[input].wrenches(self.moved, self.frames, one),
-        };
-        self.flat_column(wrenches)
-    }
-
-    /// Forces on all bodies as a column.
-    pub(super) fn flat_column(&self, wrenches: Vec<(usize, Wrench<Series<N>>)>) -> Vec<Series<N>> {
-        let length = self.length();
-        let mut column = vec![Series::ZERO; self.frames.len() * OF_BODY];
-        for (body, wrench) in wrenches {
-            for (entry, part) in column[body * OF_BODY..].iter_mut().zip(flat(&wrench, length)) {
-                *entry = *entry + part;
-            }
-        }
-        column
-    }
-
-    fn normal(&self, slide: Option<usize>) -> Plane<Series<N>> {
-        slide.map_or_else(Plane::zero, |slide| left(self.moved.direction(slide)))
-    }
-
-    /// The largest distance between joints, by which moments are divided.
-    fn length(&self) -> f64 {
-        let joints = || self.moved.places[..self.moved.joints].iter();
-        let distances = joints().flat_map(|one| joints().map(move |other| (*other - *one).norm_squared().real()));
-        let square = distances.fold(0.0, f64::max);
-        if square > 0.0 { Number::sqrt(square) } else { 1.0 }
-    }
-
     pub(super) fn solution(&self, unknowns: &[Unknown], values: &[Series<N>], is_open: &[bool]) -> Solution<N> {
         let mut solution = Solution {
             forces: vec![Some(Plane::zero()); self.connections.len()],
@@ -344,12 +300,71 @@ impl<const N: usize> Equations<'_, N> {
     }
 }
 
+impl<T: MovingNumber> Equations<'_, T> {
+    /// The forces of a unit of an unknown on all bodies.
+    pub(super) fn column(&self, unknown: Unknown) -> Vec<T> {
+        let (zero, one) = (T::constant(0.0), T::constant(1.0));
+        let connection = |index: usize| {
+            let own: &Connection = &self.connections[index];
+            ([own.on, own.by], [self.moved.places[own.joint]; 2], own.slide)
+        };
+        let wrenches = match unknown {
+            Unknown::Pin {
+                connection: index,
+                axis,
+            } => {
+                let (pair, at, _) = connection(index);
+                let force = if axis == 0 {
+                    Plane::new(one, zero)
+                } else {
+                    Plane::new(zero, one)
+                };
+                both(pair, self.frames, force, at)
+            }
+            Unknown::Normal { connection: index } => {
+                let (pair, at, slide) = connection(index);
+                both(pair, self.frames, self.normal(slide), at)
+            }
+            Unknown::Moment { connection: index, on } => {
+                let guide = connection(index).2.and_then(|slide| self.outline.slides[slide].guide);
+                both_turned([on, guide], one)
+            }
+            Unknown::Effort { input } => self.drives[input].wrenches(self.moved, self.frames, one),
+        };
+        self.flat_column(wrenches)
+    }
+
+    /// Forces on all bodies as a column.
+    pub(super) fn flat_column(&self, wrenches: Vec<(usize, Wrench<T>)>) -> Vec<T> {
+        let length = self.length();
+        let mut column = vec![T::constant(0.0); self.frames.len() * OF_BODY];
+        for (body, wrench) in wrenches {
+            for (entry, part) in column[body * OF_BODY..].iter_mut().zip(flat(&wrench, length)) {
+                *entry = *entry + part;
+            }
+        }
+        column
+    }
+
+    pub(super) fn normal(&self, slide: Option<usize>) -> Plane<T> {
+        slide.map_or_else(Plane::zero, |slide| left(self.moved.direction(slide)))
+    }
+
+    /// The largest distance between joints, by which moments are divided.
+    pub(super) fn length(&self) -> f64 {
+        let joints = || self.moved.places[..self.moved.joints].iter();
+        let distances = joints().flat_map(|one| joints().map(move |other| (*other - *one).norm_squared().real()));
+        let square = distances.fold(0.0, f64::max);
+        if square > 0.0 { Number::sqrt(square) } else { 1.0 }
+    }
+}
+
 /// What is at most this part of the largest is rounding.
 const NO_PART: f64 = 1e-9;
 
-fn flat<const N: usize>(wrench: &Wrench<Series<N>>, length: f64) -> [Series<N>; OF_BODY] {
+pub(super) fn flat<T: MovingNumber>(wrench: &Wrench<T>, length: f64) -> [T; OF_BODY] {
     let Wrench { force, moment, .. } = *wrench;
-    [force.x, force.y, moment / Series::constant(length)]
+    [force.x, force.y, moment / T::constant(length)]
 }
 
 fn reals<const N: usize>(column: &[Series<N>]) -> Vec<f64> {

@@ -1,36 +1,48 @@
 //! Bodies in motion.
 
 use alloc::string::ToString;
+use alloc::vec;
 use alloc::vec::Vec;
 
 use super::ReactionError;
+use crate::any::{AnyMechanism, OutputsOver, Pictured, SkeletonOver};
 use crate::geometry::Plane;
 use crate::load::BodyFrame;
 use crate::number::Number;
 use crate::number::series::Series;
 use crate::picture::Outline;
+use crate::quantity::Dimension;
+use crate::solve::{Scalar, unwrap_near};
 
-/// A mechanism in motion: its quantities and the places of its picture, as series.
+/// A number with some of its derivatives by a variable.
+pub(crate) trait MovingNumber: Number {
+    /// The derivative. Its own highest derivative is not known, and is zero.
+    #[must_use]
+    fn slope(self) -> Self;
+}
+
+impl<const N: usize> MovingNumber for Series<N> {
+    fn slope(self) -> Self {
+        let derivatives = self.derivatives();
+        Series::from_derivatives(core::array::from_fn(|order| {
+            derivatives.get(order + 1).copied().unwrap_or(0.0)
+        }))
+    }
+}
+
+/// A mechanism in motion: its quantities and the places of its picture, as numbers that move.
 #[derive(Clone, Debug)]
-pub(crate) struct MovedMechanism<const N: usize> {
+pub(crate) struct MovedMechanism<T> {
     /// The parameters, inputs, unknowns and outputs.
-    pub(crate) quantities: Vec<Series<N>>,
+    pub(crate) quantities: Vec<T>,
     /// The joints, and the directions of the slides as unit vectors.
-    pub(crate) places: Vec<Plane<Series<N>>>,
+    pub(crate) places: Vec<Plane<T>>,
     /// The number of joints.
     pub(crate) joints: usize,
 }
 
-/// The derivative of a series. Its last term is not known, and is zero.
-pub(super) fn slope<const N: usize>(series: Series<N>) -> Series<N> {
-    let derivatives = series.derivatives();
-    Series::from_derivatives(core::array::from_fn(|order| {
-        derivatives.get(order + 1).copied().unwrap_or(0.0)
-    }))
-}
-
-pub(super) fn slope_of<const N: usize>(point: Plane<Series<N>>) -> Plane<Series<N>> {
-    Plane::new(slope(point.x), slope(point.y))
+pub(super) fn slope_of<T: MovingNumber>(point: Plane<T>) -> Plane<T> {
+    Plane::new(point.x.slope(), point.y.slope())
 }
 
 /// The vector a quarter turn to the left.
@@ -40,17 +52,17 @@ pub(super) fn left<T: Number>(vector: Plane<T>) -> Plane<T> {
 
 /// The frame of a body in motion.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct MovedFrame<const N: usize> {
-    pub(super) origin: Plane<Series<N>>,
+pub(super) struct MovedFrame<T> {
+    pub(super) origin: Plane<T>,
     /// The unit vector along its axis.
-    pub(super) axis: Plane<Series<N>>,
+    pub(super) axis: Plane<T>,
     /// The rate at which it turns.
-    pub(super) turn: Series<N>,
+    pub(super) turn: T,
 }
 
-impl<const N: usize> MovedFrame<N> {
+impl<T: MovingNumber> MovedFrame<T> {
     /// The velocity of what is fixed to the body at a place.
-    pub(super) fn velocity(&self, place: Plane<Series<N>>) -> Plane<Series<N>> {
+    pub(super) fn velocity(&self, place: Plane<T>) -> Plane<T> {
         slope_of(self.origin) + left(place - self.origin).scale(self.turn)
     }
 }
@@ -59,14 +71,46 @@ impl<const N: usize> MovedFrame<N> {
 /// digits.
 const RIGID: f64 = 1e-7;
 
-impl<const N: usize> MovedMechanism<N> {
+impl<T: MovingNumber + Scalar> MovedMechanism<T> {
+    /// The mechanism in a pose. Angles of outputs are unwrapped to those that are given.
+    pub(super) fn of<F: ?Sized + AnyMechanism + Pictured + OutputsOver<T> + SkeletonOver<T>>(
+        functions: &F,
+        parameters: &[T],
+        inputs: &[T],
+        unknowns: &[T],
+        near: &[f64],
+    ) -> Self {
+        let description = functions.description();
+        let mut outputs = vec![T::constant(0.0); description.outputs.len()];
+        OutputsOver::<T>::outputs(functions, parameters, inputs, unknowns, &mut outputs);
+        for ((output, quantity), near) in outputs.iter_mut().zip(description.outputs).zip(near) {
+            if quantity.dimension == Dimension::Angle {
+                *output = unwrap_near(*output, T::constant(*near));
+            }
+        }
+        let mut places: Vec<Plane<T>> = Vec::new();
+        let mut add = |coordinates: &[T]| places.push(Plane::new(coordinates[0], coordinates[1]));
+        SkeletonOver::<T>::skeleton_points(functions, parameters, inputs, unknowns, &mut add);
+        let joints = places.len() - functions.outline().slides.len();
+        for direction in &mut places[joints..] {
+            *direction = direction.scale(T::constant(1.0) / direction.norm());
+        }
+        Self {
+            quantities: [parameters, inputs, unknowns, &outputs].concat(),
+            places,
+            joints,
+        }
+    }
+}
+
+impl<T: MovingNumber> MovedMechanism<T> {
     /// The unit vector along a slide.
-    pub(super) fn direction(&self, slide: usize) -> Plane<Series<N>> {
+    pub(super) fn direction(&self, slide: usize) -> Plane<T> {
         self.places[self.joints + slide]
     }
 
     /// The frames of all bodies.
-    pub(super) fn frames(&self, outline: &Outline<'_>) -> Result<Vec<MovedFrame<N>>, ReactionError> {
+    pub(super) fn frames(&self, outline: &Outline<'_>) -> Result<Vec<MovedFrame<T>>, ReactionError> {
         let bodies = outline.bodies.iter().enumerate();
         let frames = bodies.map(|(index, body)| {
             let frame = BodyFrame::of(outline, index)
@@ -75,7 +119,7 @@ impl<const N: usize> MovedMechanism<N> {
             let [origin, along] = frame.ok_or_else(|| ReactionError::NoFrame {
                 body: body.name.to_string(),
             })?;
-            let axis = along.scale(Series::constant(1.0) / along.norm());
+            let axis = along.scale(T::constant(1.0) / along.norm());
             let turn = axis.cross(slope_of(axis));
             Ok(MovedFrame { origin, axis, turn })
         });
@@ -83,8 +127,8 @@ impl<const N: usize> MovedMechanism<N> {
     }
 
     /// Whether the joints of each body move with its frame.
-    pub(super) fn check(&self, outline: &Outline<'_>, frames: &[MovedFrame<N>]) -> Result<(), ReactionError> {
-        let size = |vector: Plane<Series<N>>| vector.x.real().abs() + vector.y.real().abs();
+    pub(super) fn check(&self, outline: &Outline<'_>, frames: &[MovedFrame<T>]) -> Result<(), ReactionError> {
+        let size = |vector: Plane<T>| vector.x.real().abs() + vector.y.real().abs();
         let joints = self.places[..self.joints].iter();
         let largest = joints.map(|joint| size(slope_of(*joint))).fold(0.0, f64::max);
         for (body, frame) in outline.bodies.iter().zip(frames) {

@@ -63,6 +63,7 @@ mod equations;
 mod error;
 mod frames;
 mod friction;
+mod proof;
 mod rank;
 mod remembered;
 #[cfg(test)]
@@ -72,13 +73,17 @@ pub use body_load::{BodyLoad, BodyLoadKind};
 pub use efficiency::Efficiency;
 pub use error::ReactionError;
 pub use friction::{Friction, FrictionMistake};
+pub use proof::{
+    ForcePlace, ForceProof, ForceVerdict, PeakBounds, ProofError, ProvenForce, UndecidedForce, UndecidedReason,
+};
 
 use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
 
-use crate::any::{AnyMechanism, NearOver, OutputsOver, Pictured, PositionChoice, SkeletonOver};
+use crate::any::{AnyMechanism, ClosureOver, NearOver, OutputsOver, Pictured, PositionChoice, SkeletonOver};
+use crate::bounds::Bounds;
 use crate::failure::SolveError;
 use crate::geometry::Plane;
 use crate::hermite::TERMS;
@@ -86,16 +91,14 @@ use crate::law::Side;
 use crate::load::{LoadError, NamedLoads};
 use crate::motion::Motion;
 use crate::number::series::Series;
-use crate::number::{Number, NumberRow, singular_values};
+use crate::number::{Changing, Number, NumberRow, singular_values};
 use crate::picture::Outline;
-use crate::quantity::Dimension;
-use crate::solve::unwrap_near;
-use action::{Action, Influence, Influences, Wrench};
+use action::{Action, Influence, Influences};
 use body_load::Acting;
 use connection::{Connection, Member, connections, member_name};
 use demand::Demand;
 use equations::{Equations, Solution};
-use frames::{MovedFrame, MovedMechanism, slope};
+use frames::{MovedFrame, MovedMechanism, MovingNumber};
 use remembered::Remembered;
 
 /// The orders of a motion up to snap, and the terms of a series of each.
@@ -107,14 +110,36 @@ const ORDERS: usize = 3;
 /// A motion as a series.
 pub type MovedNumber = Series<REACH>;
 
+/// A motion through accelerations, as bounds of its values over an interval.
+pub(crate) type MovingBounds = Changing<Changing<Bounds>>;
+
 /// The functions of a mechanism from which its reactions are found. Every declared mechanism has them.
+#[expect(
+    private_bounds,
+    reason = "messages would list a public number among those that a user may take"
+)]
 pub trait ReactionFunctions:
-    AnyMechanism + Pictured + NearOver<MovedNumber> + OutputsOver<MovedNumber> + SkeletonOver<MovedNumber>
+    AnyMechanism
+    + Pictured
+    + NearOver<MovedNumber>
+    + OutputsOver<MovedNumber>
+    + SkeletonOver<MovedNumber>
+    + ClosureOver<MovingBounds>
+    + OutputsOver<MovingBounds>
+    + SkeletonOver<MovingBounds>
 {
 }
 
 impl<F> ReactionFunctions for F where
-    F: ?Sized + AnyMechanism + Pictured + NearOver<MovedNumber> + OutputsOver<MovedNumber> + SkeletonOver<MovedNumber>
+    F: ?Sized
+        + AnyMechanism
+        + Pictured
+        + NearOver<MovedNumber>
+        + OutputsOver<MovedNumber>
+        + SkeletonOver<MovedNumber>
+        + ClosureOver<MovingBounds>
+        + OutputsOver<MovingBounds>
+        + SkeletonOver<MovingBounds>
 {
 }
 
@@ -365,7 +390,7 @@ impl<'m> NamedReactions<'m> {
             })?,
             ReactionQuantity::Power(input) => {
                 let effort = self.quantity(place, ReactionQuantity::Effort(input))?;
-                Ok(effort * slope(place.inputs[input]) * by_time)
+                Ok(effort * place.inputs[input].slope() * by_time)
             }
             ReactionQuantity::Input => {
                 let power = |input: usize| self.quantity(place, ReactionQuantity::Power(input));
@@ -400,30 +425,8 @@ impl<'m> NamedReactions<'m> {
             all: &all,
             otherwise: &otherwise,
         };
-        let nothing = Wrench {
-            force: Plane::zero(),
-            at: None,
-            moment: Series::ZERO,
-        };
-        let mut demand = Demand {
-            loads: &self.loads,
-            description,
-            influences: &influences,
-            moved: &moved,
-            frames: &frames,
-            rate: place.rate,
-            bodies: vec![nothing; frames.len()],
-            acting: Vec::new(),
-            load: 0,
-        };
-        demand.add_all()?;
-        let drives = description.inputs.iter().enumerate().map(|(input, quantity)| {
-            let index = description.parameters.len() + input;
-            let found = |influences: &Influences<'_, '_, REACH>| influences.actions(index, quantity.dimension);
-            let wanted = |action: &Action| self.driven[input].is_none_or(|body| action.acts_on(body));
-            influences.action(drive_of(quantity.name), found, wanted)
-        });
-        let drives = drives.collect::<Result<Vec<Action>, _>>()?;
+        let demand = Demand::of(&self.loads, description, &influences, &moved, &frames, place.rate)?;
+        let drives = self.drives(&influences)?;
         let frictions = self.acting(place, &moved, &influences)?;
         let equations = Equations {
             outline: &outline,
@@ -446,14 +449,28 @@ impl<'m> NamedReactions<'m> {
     }
 }
 
+impl NamedReactions<'_> {
+    /// Where the drives act.
+    fn drives(&self, influences: &Influences<'_, '_, REACH>) -> Result<Vec<Action>, ReactionError> {
+        let description = self.functions.description();
+        let drives = description.inputs.iter().enumerate().map(|(input, quantity)| {
+            let index = description.parameters.len() + input;
+            let found = |influences: &Influences<'_, '_, REACH>| influences.actions(index, quantity.dimension);
+            let wanted = |action: &Action| self.driven[input].is_none_or(|body| action.acts_on(body));
+            influences.action(drive_of(quantity.name), found, wanted)
+        });
+        drives.collect()
+    }
+}
+
 /// A solution with what it was found for.
 struct Solved {
     solution: Solution<REACH>,
     /// What masses and loads exert.
-    loads: Vec<Acting<REACH>>,
+    loads: Vec<Acting<MovedNumber>>,
     drives: Vec<Action>,
-    moved: MovedMechanism<REACH>,
-    frames: Vec<MovedFrame<REACH>>,
+    moved: MovedMechanism<MovedNumber>,
+    frames: Vec<MovedFrame<MovedNumber>>,
 }
 
 fn drive_of(input: &str) -> String {
@@ -497,33 +514,19 @@ impl ReactionPlace<'_> {
     }
 
     /// The mechanism near the place, with inputs that move.
-    fn moved(&self, parameters: &[f64], inputs: &[MovedNumber]) -> Result<MovedMechanism<REACH>, SolveError> {
-        let description = self.functions.description();
+    fn moved(&self, parameters: &[f64], inputs: &[MovedNumber]) -> Result<MovedMechanism<MovedNumber>, SolveError> {
         let parameters: Vec<MovedNumber> = parameters.iter().copied().map(Series::constant).collect();
         let near: Vec<MovedNumber> = self.unknowns.iter().copied().map(Series::constant).collect();
         let mut unknowns = near.clone();
         let functions = self.functions;
         NearOver::<MovedNumber>::position_near(functions, &parameters, inputs, &near, &mut unknowns)?;
-        let mut outputs = vec![Series::ZERO; description.outputs.len()];
-        OutputsOver::<MovedNumber>::outputs(functions, &parameters, inputs, &unknowns, &mut outputs);
-        for ((output, quantity), near) in outputs.iter_mut().zip(description.outputs).zip(self.outputs) {
-            if quantity.dimension == Dimension::Angle {
-                *output = unwrap_near(*output, Series::constant(*near));
-            }
-        }
-        let mut places: Vec<Plane<MovedNumber>> = Vec::new();
-        let mut add = |coordinates: &[MovedNumber]| places.push(Plane::new(coordinates[0], coordinates[1]));
-        SkeletonOver::<MovedNumber>::skeleton_points(functions, &parameters, inputs, &unknowns, &mut add);
-        let joints = places.len() - functions.outline().slides.len();
-        for direction in &mut places[joints..] {
-            *direction = direction.scale(Series::constant(1.0) / direction.norm());
-        }
-        let quantities = [parameters.as_slice(), inputs, &unknowns, &outputs].concat();
-        Ok(MovedMechanism {
-            quantities,
-            places,
-            joints,
-        })
+        Ok(MovedMechanism::of(
+            functions,
+            &parameters,
+            inputs,
+            &unknowns,
+            self.outputs,
+        ))
     }
 
     /// The mechanism while each input moves alone at unit speed.
