@@ -15,7 +15,7 @@ use kin_core::law::{Piecewise, Side};
 use kin_core::linkage::{AnyCycle, AnyLinkage, AnySweep, TabledMechanism};
 use kin_core::load::NamedLoads;
 use kin_core::prelude::*;
-use kin_core::reaction::NamedReactions;
+use kin_core::reaction::{ForceProof, NamedReactions};
 use kin_core::sweep::{Laws, SmoothDrive, StraightLine, SweepError, Table};
 use kin_core::tape::structure::Tape;
 use kin_core::tape::{self, RecordError};
@@ -583,6 +583,18 @@ impl CaseForces<'_> {
     /// The value of a force that is largest in size, in units of the mechanism.
     pub(crate) fn peak(&self, force: &ForceColumn) -> Result<Reached, Fault> {
         self.ask(force, &OfPeak)
+    }
+
+    /// What a proof about its forces tells. It takes a motion at constant speed.
+    pub(crate) fn proof<R>(&self, tell: impl FnOnce(ForceProof<'_>) -> R) -> Result<R, Fault> {
+        let Self { subject, case, .. } = self;
+        if case.time_of_laws().is_some() {
+            return Err(Fault::wrong(
+                "a proof takes a motion at constant speed, as in `--over '0..360deg at 500rpm'`, and no law",
+            ));
+        }
+        let reactions = self.reactions.as_ref().map_err(Fault::clone)?;
+        Ok(tell(subject.line(case, 2)?.proof(reactions)))
     }
 
     fn ask<A: ForceQuestion>(&self, force: &ForceColumn, question: &A) -> Result<A::Answer, Fault> {

@@ -8,8 +8,6 @@ mod error;
 mod forces;
 mod pose;
 mod search;
-#[cfg(test)]
-mod tests;
 
 pub use error::ProofError;
 
@@ -263,10 +261,6 @@ impl<'r> ForceProof<'r> {
     }
 
     fn wanted(mut self, wanted: Wanted) -> Result<ProvenForce<'r>, ProofError> {
-        for range in [&mut self.velocity, &mut self.acceleration] {
-            let [one, other] = *range;
-            *range = [one.min(other), one.max(other)];
-        }
         let numbers = [
             &self.parameters,
             &self.from,
@@ -282,6 +276,9 @@ impl<'r> ForceProof<'r> {
         }
         if let Some(name) = self.wound_output() {
             return Err(ProofError::OutputAngle { name });
+        }
+        for range in [&mut self.velocity, &mut self.acceleration] {
+            range.sort_unstable_by(f64::total_cmp);
         }
         Ok(ProvenForce { proof: self, wanted })
     }
@@ -338,10 +335,8 @@ impl fmt::Display for UndecidedForce {
         match self.reason {
             UndecidedReason::Pose => write!(
                 formatter,
-                "between the inputs {} and {} no pose is proved: there is a limit or a change point, or the tolerances \
-                 reach one",
-                Digits(low),
-                Digits(high)
+                "from the input {} on no pose is proved: there is a limit or a change point, or the tolerances reach one",
+                Digits(low)
             ),
             UndecidedReason::Budget => write!(
                 formatter,

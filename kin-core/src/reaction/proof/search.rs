@@ -14,6 +14,9 @@ const SHORTEST: f64 = 1.0 / 16_777_216.0;
 /// The shortest piece of a variable, as a part of its largest value: in shorter ones rounding decides.
 const NARROWEST: f64 = 1e-12;
 
+/// By so much the derivative by another variable must be less certain than that by the input.
+const MORE: f64 = 32.0;
+
 /// A piece with what is known of the force over it.
 struct Known {
     piece: Piece,
@@ -239,20 +242,20 @@ impl<'p> Search<'p> {
         }
     }
 
-    /// The variable along which a piece is divided: the one whose derivative is known worst.
+    /// The variable along which a piece is divided. The input makes all derivatives uncertain, so that another one comes
+    /// only where its own is much more so.
     fn dividing(&self, known: &Known) -> Option<usize> {
-        let spread = |variable: usize| {
-            let [low, high] = known.piece.ranges[variable];
-            match &known.slopes {
-                Some(slopes) => slopes[variable][1] - slopes[variable][0],
-                None => (high - low) / (self.whole[variable][1] - self.whole[variable][0]).abs(),
-            }
-        };
         let is_wide = |variable: &usize| {
             let [low, high] = known.piece.ranges[*variable];
             high - low > NARROWEST * low.abs().max(high.abs())
         };
-        let wide = (0..self.whole.len()).filter(is_wide);
+        let spread = |variable: usize| {
+            let slopes = known.slopes.as_ref().map(|slopes| slopes[variable]);
+            let spread = slopes.map_or(0.0, |[least, greatest]| greatest - least);
+            if variable == 0 { MORE * spread } else { spread }
+        };
+        // of several that are equal, the last one
+        let wide = (0..self.whole.len()).rev().filter(is_wide);
         wide.max_by(|one, other| spread(*one).total_cmp(&spread(*other)))
     }
 }

@@ -12,7 +12,7 @@ use super::super::subject::{Extent, Reached, Subject};
 use super::super::text::{self, Column};
 use super::peaks::{Place, moves_at};
 use super::sweep::{headed, tell_jolts};
-use super::{print, write};
+use super::{print, prove, write};
 use crate::tables::quoted;
 
 /// A force over the motion, in its unit. What is not determined is not a number, and what has no bound is infinite.
@@ -34,11 +34,17 @@ struct Borne {
 pub(super) fn run(subject: &Subject, options: &Forces, told: &Told) -> Result<(), Fault> {
     check(subject, told)?;
     let all = options.setup.typed(told).each_assembly(subject);
-    let (mut texts, mut cases) = (Vec::new(), Vec::new());
+    let (mut texts, mut cases, mut are_proved) = (Vec::new(), Vec::new(), true);
     for (assembly, typed) in &all {
         let case = typed.case(subject)?;
         if cases.is_empty() {
             tell_jolts(subject, &case)?;
+        }
+        if !options.prove.is_empty() {
+            let (text, is_proved) = prove::shown(subject, &case, &options.prove, &options.tolerance)?;
+            texts.push(headed(assembly, all.len(), text));
+            are_proved &= is_proved;
+            continue;
         }
         let borne = borne(subject, &case)?;
         texts.push(if options.csv.is_some() {
@@ -52,6 +58,9 @@ pub(super) fn run(subject: &Subject, options: &Forces, told: &Told) -> Result<()
     match &options.csv {
         Some(path) => write(path, &texts.concat())?,
         None => print(&texts.join("\n"))?,
+    }
+    if !are_proved {
+        return Err(Fault::open("a limit is not proved"));
     }
     cases.iter().try_for_each(|case| subject.closes(case))
 }
