@@ -356,25 +356,56 @@ impl Bounds {
     }
 }
 
+/// The most operands of a check whose conditions compare them one by one.
+const MOST_OPERANDS: usize = 16;
+
 /// Calls `visit` with all combinations of the corners of some numbers.
-#[inline]
-fn at_corners<const N: usize>(operands: [Bounds; N], mut visit: impl FnMut([f64; N])) {
-    let corners = operands.map(Bounds::corners);
-    let mut corner = [0_usize; N];
+fn at_corners(operands: &[Bounds], visit: &mut dyn FnMut(&[f64])) {
+    let mut values = [0.0; MOST_OPERANDS];
+    let mut corner = [0_usize; MOST_OPERANDS];
+    let (values, corner) = (&mut values[..operands.len()], &mut corner[..operands.len()]);
+    for (value, operand) in values.iter_mut().zip(operands) {
+        *value = operand.corners().0[0];
+    }
     loop {
-        visit(core::array::from_fn(|index| corners[index].0[corner[index]]));
+        visit(values);
         let mut index = 0;
         loop {
-            if index == N {
-                return;
-            }
+            let Some(operand) = operands.get(index) else { return };
+            let (corners, count) = operand.corners();
             corner[index] += 1;
-            if corner[index] < corners[index].1 {
+            if corner[index] < count {
+                values[index] = corners[corner[index]];
                 break;
             }
             corner[index] = 0;
+            values[index] = corners[0];
             index += 1;
         }
+    }
+}
+
+/// The solution for numbers in some intervals, where all of them have the same, without the type of the choice.
+fn chosen_of(operands: &[Bounds], choose: &dyn Fn(&[f64]) -> Result<Assembly, Failure>) -> Result<Assembly, Failure> {
+    let mut middles = [0.0; MOST_OPERANDS];
+    for (middle, operand) in middles.iter_mut().zip(operands) {
+        *middle = operand.middle;
+    }
+    let mut last = choose(&middles[..operands.len()]);
+    let mut is_decided = true;
+    at_corners(operands, &mut |values| {
+        let next = choose(values);
+        is_decided &= match (&last, &next) {
+            (Err(_), Err(_)) => true,
+            (Ok(one), Ok(other)) => one == other,
+            _ => false,
+        };
+        last = next;
+    });
+    if is_decided {
+        last
+    } else {
+        Err(Failure::not_finite(UNDECIDED))
     }
 }
 
@@ -388,23 +419,42 @@ pub(crate) enum Verdict {
 /// The verdict of conditions that are comparisons of each operand or of its magnitude.
 #[inline]
 pub(crate) fn verdict<const N: usize, const K: usize>(check: impl Check<Bounds, N, K>) -> Verdict {
-    let operands = check.operands();
-    let (mut always, mut never) = ([true; K], [true; K]);
-    at_corners(operands, |values| {
-        for (condition, holds) in check.holds(values).into_iter().enumerate() {
+    const { assert!(N <= MOST_OPERANDS && K <= MOST_CONDITIONS) }
+    verdict_of(&check.operands(), K, &|values, held| {
+        let mut operands = [0.0; N];
+        operands.copy_from_slice(values);
+        held.copy_from_slice(&check.holds(operands));
+    })
+}
+
+/// The most conditions of such a check.
+const MOST_CONDITIONS: usize = 16;
+
+/// The conditions of a check: whether each holds for some operands.
+type Conditions<'c> = &'c dyn Fn(&[f64], &mut [bool]);
+
+/// [`verdict`] without the type of the check, so that it is compiled once.
+fn verdict_of(operands: &[Bounds], conditions: usize, holds: Conditions<'_>) -> Verdict {
+    let (mut always, mut never) = ([true; MOST_CONDITIONS], [true; MOST_CONDITIONS]);
+    let mut held = [false; MOST_CONDITIONS];
+    at_corners(operands, &mut |values| {
+        let held = &mut held[..conditions];
+        holds(values, held);
+        for (condition, holds) in held.iter().enumerate() {
             always[condition] &= holds;
             never[condition] &= !holds;
         }
     });
-    if always.into_iter().all(|holds| holds) {
+    let (always, never) = (&always[..conditions], &never[..conditions]);
+    if always.iter().all(|holds| *holds) {
         return Verdict::Holds;
     }
-    if never.into_iter().any(|fails| fails) {
+    if never.iter().any(|fails| *fails) {
         return Verdict::Fails;
     }
     let mut doubt = Doubt::NONE;
-    for condition in (0..K).filter(|condition| !always[*condition]) {
-        doubt = doubt.and(trend(&check, operands, condition));
+    for condition in (0..conditions).filter(|condition| !always[*condition]) {
+        doubt = doubt.and(trend(operands, condition, conditions, holds));
     }
     Verdict::Doubtful(doubt)
 }
@@ -414,22 +464,21 @@ pub(crate) fn verdict<const N: usize, const K: usize>(check: impl Check<Bounds, 
 const SPREAD: f64 = 16.0;
 
 /// Whether a condition rises or falls along the interval, or rounding decides about it.
-#[inline]
-fn trend<const N: usize, const K: usize>(
-    check: &impl Check<Bounds, N, K>,
-    operands: [Bounds; N],
-    condition: usize,
-) -> Doubt {
+fn trend(operands: &[Bounds], condition: usize, conditions: usize, holds: Conditions<'_>) -> Doubt {
     let mut doubt = Doubt::NONE;
-    for (index, operand) in operands.into_iter().enumerate() {
-        let ends = |value: f64| {
-            let mut varied = operands;
+    let mut buffer = [Bounds::constant(0.0); MOST_OPERANDS];
+    let varied = &mut buffer[..operands.len()];
+    varied.copy_from_slice(operands);
+    for (index, &operand) in operands.iter().enumerate() {
+        let mut ends = |value: f64| {
             varied[index] = Bounds::constant(value);
             let (mut all, mut any) = (true, false);
-            at_corners(varied, |values| {
-                let holds = check.holds(values)[condition];
-                (all, any) = (all && holds, any || holds);
+            let mut held = [false; MOST_CONDITIONS];
+            at_corners(varied, &mut |values| {
+                holds(values, &mut held[..conditions]);
+                (all, any) = (all && held[condition], any || held[condition]);
             });
+            varied[index] = operand;
             (all, any)
         };
         let (corners, count) = operand.corners();
@@ -442,7 +491,7 @@ fn trend<const N: usize, const K: usize>(
                 operand.middle,
                 operand.middle + operand.error,
             ]
-            .map(ends)
+            .map(&mut ends)
             .windows(2)
             .any(|pair| pair[0] != pair[1]);
         if is_rounded {
@@ -756,23 +805,12 @@ impl Scalar for Bounds {
 
     #[inline]
     fn chosen<const N: usize>(choice: impl Choose<Self, N>) -> Result<Assembly, Failure> {
-        let mut choices: Option<Result<Assembly, Failure>> = None;
-        let mut is_decided = true;
-        let mut ask = |values: [f64; N]| {
-            let assembly = choice.choose(values);
-            is_decided &= match (&choices, &assembly) {
-                (None, _) | (Some(Err(_)), Err(_)) => true,
-                (Some(Ok(one)), Ok(other)) => one == other,
-                _ => false,
-            };
-            choices = Some(assembly);
-        };
-        ask(real_parts(choice.operands()));
-        at_corners(choice.operands(), ask);
-        match choices {
-            Some(choice) if is_decided => choice,
-            _ => Err(Failure::not_finite(UNDECIDED)),
-        }
+        const { assert!(N <= MOST_OPERANDS) }
+        chosen_of(&choice.operands(), &|values| {
+            let mut operands = [0.0; N];
+            operands.copy_from_slice(values);
+            choice.choose(operands)
+        })
     }
 
     #[inline]
