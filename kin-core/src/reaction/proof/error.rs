@@ -1,5 +1,6 @@
 //! The reasons why nothing is proved about a force.
 
+use alloc::boxed::Box;
 use alloc::string::String;
 use alloc::vec::Vec;
 use core::error::Error;
@@ -14,7 +15,7 @@ use super::UndecidedForce;
 #[non_exhaustive]
 pub enum ProofError {
     /// There is no such force, or it is not determined.
-    Reaction(ReactionError),
+    Reaction(Box<ReactionError>),
     /// Joints have friction, for which there is no proof.
     Friction,
     /// A torsion spring acts on an angle that is only an output, whose turns nothing counts.
@@ -46,7 +47,7 @@ pub enum ProofError {
 
 impl From<ReactionError> for ProofError {
     fn from(error: ReactionError) -> Self {
-        Self::Reaction(error)
+        Self::Reaction(Box::new(error))
     }
 }
 
@@ -84,7 +85,7 @@ crate::__debug_by_display!(ProofError);
 impl Error for ProofError {
     fn source(&self) -> Option<&(dyn Error + 'static)> {
         match self {
-            Self::Reaction(error) => Some(error),
+            Self::Reaction(error) => Some(&**error),
             _ => None,
         }
     }

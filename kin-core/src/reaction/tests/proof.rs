@@ -228,7 +228,8 @@ fn coupled_blocks() {
     case.assembly = AssemblyChoice::Near(all[0].clone());
     let names: Vec<String> = case.reactions().names().map(ToString::to_string).collect();
     compare(&case, &names[1], ReactionPart::Force);
-    compare(&case.within(1e-4, &[0, 1]), &names[0], ReactionPart::Force);
+    case.range = [-0.2, -0.1];
+    compare(&case.within(1e-4, &[0]), &names[0], ReactionPart::Force);
 }
 
 /// The torque of the drive, at any speed and acceleration of a range.
@@ -241,13 +242,13 @@ fn speeds_and_accelerations() {
         proof.acceleration_within(ACCELERATION[0]..=ACCELERATION[1])
     };
     let knee = proof().of("knee", ReactionPart::Force).expect("a force");
-    let found = knee.peak(1e-2).expect("it is proved");
+    let found = knee.peak(3e-2).expect("it is proved");
     let sampled = case.sampled("knee", ReactionPart::Force, samples::of(1000), true);
     assert!(
         sampled <= found.upper && found.upper <= 1.15 * sampled,
         "{sampled} {found:?}"
     );
-    let effort = proof().of_effort(0).expect("a drive").peak(1e-2).expect("it is proved");
+    let effort = proof().of_effort(0).expect("a drive").peak(3e-2).expect("it is proved");
     let place = &effort.lower;
     let crank = motion([place.at, place.velocity, place.acceleration]);
     let own = reactions
