@@ -163,7 +163,7 @@ impl From<LoadError> for ReactionError {
 }
 
 /// Names between commas.
-struct Listed<'n>(&'n [String]);
+pub(super) struct Listed<'n>(pub(super) &'n [String]);
 
 impl fmt::Display for Listed<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -88,6 +88,9 @@ impl Tape<'_> {
     }
 }
 
+/// The entries and the rows that [`solve::factor_in`] gives.
+type TriangularFactors<F> = (Vec<F>, Vec<FactorRow>);
+
 /// What a run has found so far.
 struct Run<'a, F> {
     tape: &'a Tape<'a>,
@@ -96,7 +99,7 @@ struct Run<'a, F> {
     /// The roots of each search, or the residual where it stopped.
     roots: Vec<Result<Vec<F>, f64>>,
     /// The triangular factors of each system, or its determinant where it is singular.
-    factors: Vec<Result<(Vec<F>, Vec<FactorRow>), f64>>,
+    factors: Vec<Result<TriangularFactors<F>, f64>>,
     solutions: Vec<Vec<F>>,
 }
 

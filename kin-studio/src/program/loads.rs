@@ -3,11 +3,11 @@
 use kin_core::any::{Description, Outline};
 use kin_core::linkage::{AnyLinkage, LinkageFunctions};
 use kin_core::load::{NamedLoads, NoSuchPlace, PointPlace, Solid};
-use kin_core::reaction::{Friction, NamedReactions, ReactionError, ReactionPart};
+use kin_core::reaction::{ForceProof, Friction, NamedReactions, ProofError, ProvenForce, ReactionError, ReactionPart};
 use kin_core::{Dimension, Space};
 
 use super::fault::Fault;
-use super::units::Kind;
+use super::units::{self, Kind};
 use crate::forces::{Force, Stated};
 
 /// The loads of a file.
@@ -386,6 +386,25 @@ impl ForceColumn {
             Force::Reaction(_, part) => is_moment(*part),
         };
         if is_torque { ("N m", 2) } else { ("N", 1) }
+    }
+
+    /// The kind of its limits; none of a power, and of rates.
+    pub(crate) fn kind(&self, description: &Description<'_>) -> Option<Kind> {
+        match self.base(description) {
+            _ if self.order > 0 => None,
+            ("N", _) => Some(units::FORCE),
+            ("N m", _) => Some(units::TORQUE),
+            _ => None,
+        }
+    }
+
+    /// What is to be proved of it.
+    pub(crate) fn proven<'p>(&self, proof: ForceProof<'p>) -> Result<ProvenForce<'p>, ProofError> {
+        match &self.force {
+            Force::Reaction(name, part) => proof.of(name, *part),
+            Force::Effort(input) | Force::Power(input) => proof.of_effort(*input),
+            Force::Heat => Err(ProofError::Friction),
+        }
     }
 
     /// Its unit.

@@ -15,7 +15,7 @@ use kin_core::law::{Piecewise, Side};
 use kin_core::linkage::{AnyCycle, AnyLinkage, AnySweep, TabledMechanism};
 use kin_core::load::NamedLoads;
 use kin_core::prelude::*;
-use kin_core::reaction::{Efficiency, NamedReactions};
+use kin_core::reaction::{Efficiency, ForceProof, NamedReactions};
 use kin_core::sweep::{Laws, SmoothDrive, StraightLine, SweepError, Table};
 use kin_core::tape::structure::Tape;
 use kin_core::tape::{self, RecordError};
@@ -548,6 +548,18 @@ impl CaseForces<'_> {
             found.map_err(of_extremes)
         };
         Some(found())
+    }
+
+    /// What a proof about its forces tells. It takes a motion at constant speed.
+    pub(crate) fn proof<R>(&self, tell: impl FnOnce(ForceProof<'_>) -> R) -> Result<R, Fault> {
+        let Self { subject, case, .. } = self;
+        if case.time_of_laws().is_some() {
+            return Err(Fault::wrong(
+                "a proof takes a motion at constant speed, as in `--over '0..360deg at 500rpm'`, and no law",
+            ));
+        }
+        let reactions = self.reactions.as_ref().map_err(Fault::clone)?;
+        Ok(tell(subject.line(case, 2)?.proof(reactions)))
     }
 
     fn ask<A: ForceQuestion>(&self, force: &ForceColumn, question: &A) -> Result<A::Answer, Fault> {

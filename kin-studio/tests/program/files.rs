@@ -284,6 +284,41 @@ fn forces_of_a_press() {
     );
 }
 
+/// Limits are proved over all inputs and tolerances, or refuted at a place; mistakes in them are told.
+#[test]
+fn limits_of_forces() {
+    let folder = Folder::new("limits");
+    folder.write("crank_press.kin", CRANK_PRESS);
+    let metres = CRANK_PRESS.replacen("crank = 20mm", "crank = 0.02m", 1);
+    folder.write("metres.kin", &metres);
+    folder.write("short.kin", &CRANK_PRESS.replacen("rod = 160mm", "rod = 19mm", 1));
+    let rubbed = "loads {\n    friction of pin = 0.1, radius 10mm;";
+    folder.write("rubbed.kin", &CRANK_PRESS.replacen("loads {", rubbed, 1));
+    let proof = "--prove 'pin_force <= 6kN' --prove 'theta_effort <= 55Nm' --tolerance crank=0.1mm";
+    let all = [
+        format!("crank_press.kin {proof}"),
+        format!("metres.kin {proof}"),
+        "crank_press.kin --assembly all --prove 'wrist_slide_moment <= 50Nm' --tolerance rod=0.2mm".to_owned(),
+        "short.kin --over 90..0deg --prove 'pin_force <= 1e90kN'".to_owned(),
+        "crank_press.kin --prove 'pin <= 6kN'".to_owned(),
+        "crank_press.kin --prove 'pin_force <= 6'".to_owned(),
+        "crank_press.kin --prove pin_force".to_owned(),
+        "crank_press.kin --prove 'pin_force <= 6kN' --tolerance crnk=1mm".to_owned(),
+        "crank_press.kin --prove 'pin_force <= 6kN' --tolerance crank".to_owned(),
+        "crank_press.kin --prove 'pin_force <= 6kN' --over '0..90deg by cycloidal in 1s'".to_owned(),
+        "rubbed.kin --prove 'pin_force <= 6kN'".to_owned(),
+    ]
+    .map(|words| typed_in(&folder, &format!("kin forces {words}")));
+    assert_snapshot!("limits of forces", all.join("\n"));
+    let (line, rest) = all[0].split_once('\n').unwrap();
+    let (shown, _) = rest.split_once("-- ").unwrap();
+    let book = include_str!("../../../docs/laws-and-loads.md");
+    assert!(
+        book.contains(&format!("{line}\n{shown}```")),
+        "docs/laws-and-loads.md should show\n{line}\n{shown}"
+    );
+}
+
 /// The power of a drive is its effort times its speed, and inertia forces grow with the square of the speed.
 #[test]
 fn forces_follow_the_speed() {

@@ -13,7 +13,7 @@ use super::super::subject::{CaseForces, Extent, Subject};
 use super::super::text::{self, Column};
 use super::peaks::{Place, moves_at};
 use super::sweep::{headed, tell_jolts};
-use super::{print, write};
+use super::{print, prove, write};
 use crate::forces::{Force, Reached};
 use crate::tables::quoted;
 
@@ -36,11 +36,17 @@ struct Borne {
 pub(super) fn run(subject: &Subject, options: &Forces, told: &Told) -> Result<(), Fault> {
     check(subject, told)?;
     let all = options.setup.typed(told).each_assembly(subject);
-    let (mut texts, mut objects, mut cases) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut texts, mut objects, mut cases, mut are_proved) = (Vec::new(), Vec::new(), Vec::new(), true);
     for (assembly, typed) in &all {
         let case = typed.case(subject)?;
         if cases.is_empty() {
             tell_jolts(subject, &case)?;
+        }
+        if !options.prove.is_empty() {
+            let (text, is_proved) = prove::shown(subject, &case, &options.prove, &options.tolerance)?;
+            texts.push(headed(assembly, all.len(), text));
+            are_proved &= is_proved;
+            continue;
         }
         let (borne, efficiency) = match subject.forces_of(&case) {
             Some(forces) => (borne(subject, &case, &forces)?, efficiency(&case, &forces)?),
@@ -63,6 +69,9 @@ pub(super) fn run(subject: &Subject, options: &Forces, told: &Told) -> Result<()
             write(path, &(only.unwrap_or(Value::Array(objects)).to_string() + "\n"))?;
         }
         _ => print(&texts.join("\n"))?,
+    }
+    if !are_proved {
+        return Err(Fault::open("a limit is not proved"));
     }
     cases.iter().try_for_each(|case| subject.closes(case))
 }

@@ -1,5 +1,7 @@
 //! A number that stands for all its values over an interval of the input.
 
+pub(crate) mod linear;
+
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_traits::Float;
@@ -10,22 +12,24 @@ use crate::number::{Number, real_parts};
 use crate::solve::{Check, Choose, NewtonMemory, Scalar};
 
 /// The bound of a number of which nothing is known.
-pub(super) const HUGE: f64 = 1e150;
+pub(crate) const HUGE: f64 = 1e150;
+/// The width of bounds beyond which nothing is known of a number.
+pub(crate) const UNBOUNDED: f64 = 1e75;
 /// The smallest bound that is not zero. Its square does not underflow.
 const TINY: f64 = 1e-140;
 /// The error of an elementary function, relative to its largest value.
 const FUNCTION: f64 = 8.0 * f64::EPSILON;
 
 /// The failure where some values of the interval lead one way, and others another way.
-pub(super) const UNDECIDED: &str = "interval in which the solver decides both ways";
+pub(crate) const UNDECIDED: &str = "interval in which the solver decides both ways";
 
 /// What is not certain about a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Doubt(u8);
+pub(crate) struct Doubt(u8);
 
 impl Doubt {
     /// Every value exists.
-    pub(super) const NONE: Self = Self(0);
+    pub(crate) const NONE: Self = Self(0);
     /// The values exist from some point of the interval on, or everywhere, or nowhere.
     const RISING: Self = Self(1);
     /// The values exist up to some point of the interval, or everywhere, or nowhere.
@@ -37,20 +41,20 @@ impl Doubt {
 
     /// The doubt about a number made of two.
     #[inline]
-    pub(super) const fn and(self, other: Self) -> Self {
+    pub(crate) const fn and(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }
 
     /// Whether values exist at both ends only if they exist in between, and the points where they exist touch one
     /// certain end.
     #[inline]
-    pub(super) const fn is_one_sided(self) -> bool {
+    pub(crate) const fn is_one_sided(self) -> bool {
         self.0 == Self::RISING.0 || self.0 == Self::FALLING.0
     }
 
     /// Whether rounding decides, so that a shorter interval decides no more.
     #[inline]
-    pub(super) const fn is_rounding(self) -> bool {
+    pub(crate) const fn is_rounding(self) -> bool {
         self.0 & Self::ROUNDING.0 != 0
     }
 }
@@ -65,11 +69,11 @@ impl Doubt {
 pub(crate) struct Bounds {
     middle: f64,
     error: f64,
-    pub(super) low: f64,
-    pub(super) high: f64,
+    pub(crate) low: f64,
+    pub(crate) high: f64,
     least_slope: f64,
     greatest_slope: f64,
-    pub(super) doubt: Doubt,
+    pub(crate) doubt: Doubt,
 }
 
 /// The smaller of two numbers, neither of which is NaN.
@@ -86,7 +90,7 @@ fn larger(one: f64, other: f64) -> f64 {
 
 /// The smallest interval that holds the products of two intervals.
 #[inline]
-pub(super) fn product(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+pub(crate) fn product(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     widened(rounded_product(a, b))
 }
 
@@ -102,7 +106,7 @@ fn rounded_product(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 
 /// An interval that holds the exact result of an operation, whose rounded ends are given.
 #[inline]
-pub(super) fn widened([low, high]: [f64; 2]) -> [f64; 2] {
+pub(crate) fn widened([low, high]: [f64; 2]) -> [f64; 2] {
     let size = larger(low.abs(), high.abs());
     // Only the product with an exact zero is zero: bounds do not underflow, and stay above the numbers with which
     // processors are slow.
@@ -121,7 +125,7 @@ pub(super) fn widened([low, high]: [f64; 2]) -> [f64; 2] {
 
 /// The reciprocals of an interval.
 #[inline]
-pub(super) fn reciprocal([low, high]: [f64; 2]) -> [f64; 2] {
+pub(crate) fn reciprocal([low, high]: [f64; 2]) -> [f64; 2] {
     if low > 0.0 || high < 0.0 {
         widened([1.0 / high, 1.0 / low])
     } else {
@@ -132,7 +136,7 @@ pub(super) fn reciprocal([low, high]: [f64; 2]) -> [f64; 2] {
 impl Bounds {
     /// The variable itself: all values from `low` to `high`.
     #[inline]
-    pub(super) fn variable(low: f64, high: f64) -> Self {
+    pub(crate) fn variable(low: f64, high: f64) -> Self {
         let middle = 0.5 * (low + high);
         let [least_slope, greatest_slope] = widened([0.5 * (high - low); 2]);
         Self {
@@ -149,7 +153,7 @@ impl Bounds {
     /// A number that is known to one unit in its last place, as a length that was read or multiplied by a unit. What
     /// such a unit decides is not decided.
     #[inline]
-    pub(super) fn rounded(value: f64) -> Self {
+    pub(crate) fn rounded(value: f64) -> Self {
         let error = f64::EPSILON * value.abs();
         Self {
             error,
@@ -159,15 +163,54 @@ impl Bounds {
         }
     }
 
+    /// A number that differs from another one by an error at most, and by rounding.
+    pub(crate) fn around(value: f64, error: f64) -> Self {
+        let error = (error + 2.0 * f64::EPSILON * value.abs()) * (1.0 + 2.0 * f64::EPSILON);
+        Self {
+            error,
+            low: value - error,
+            high: value + error,
+            ..Self::constant(value)
+        }
+    }
+
+    /// Any number of an interval.
+    pub(crate) fn within([low, high]: [f64; 2]) -> Self {
+        Self::around(0.5 * (low + high), 0.5 * (high - low))
+    }
+
+    /// The same function, whose value in the middle of the interval has this error at most, within bounds that are
+    /// known of its derivative.
+    pub(crate) fn sloped(self, error: f64, slopes: [f64; 2]) -> Self {
+        let [least_slope, greatest_slope] = slopes;
+        Self {
+            error: smaller(error, self.error),
+            least_slope,
+            greatest_slope,
+            ..self
+        }
+        .tight()
+    }
+
+    /// The largest size of its values.
+    pub(crate) fn size(self) -> f64 {
+        larger(self.low.abs(), self.high.abs())
+    }
+
+    /// Whether its values and its derivative have bounds.
+    pub(crate) fn is_bounded(self) -> bool {
+        larger(self.size(), larger(self.least_slope.abs(), self.greatest_slope.abs())) < UNBOUNDED
+    }
+
     /// The value in the middle of the interval, as far as it exists.
     #[inline]
-    pub(super) fn middle(self) -> f64 {
+    pub(crate) fn middle(self) -> f64 {
         self.middle
     }
 
     /// The largest error of the value in the middle of the interval.
     #[inline]
-    pub(super) fn error(self) -> f64 {
+    pub(crate) fn error(self) -> f64 {
         self.error
     }
 
@@ -232,19 +275,19 @@ impl Bounds {
     }
 
     /// The same function within bounds that are known of its derivative.
-    pub(super) fn with_slopes(mut self, [low, high]: [f64; 2]) -> Self {
+    pub(crate) fn with_slopes(mut self, [low, high]: [f64; 2]) -> Self {
         self.least_slope = larger(low, self.least_slope);
         self.greatest_slope = smaller(high, self.greatest_slope);
         self.tight()
     }
 
     #[inline]
-    pub(super) fn values(self) -> [f64; 2] {
+    pub(crate) fn values(self) -> [f64; 2] {
         [self.low, self.high]
     }
 
     #[inline]
-    pub(super) fn slopes(self) -> [f64; 2] {
+    pub(crate) fn slopes(self) -> [f64; 2] {
         [self.least_slope, self.greatest_slope]
     }
 
@@ -367,7 +410,7 @@ fn chosen_of(operands: &[Bounds], choose: &dyn Fn(&[f64]) -> Result<Assembly, Fa
 }
 
 /// What a check says about an interval.
-pub(super) enum Verdict {
+pub(crate) enum Verdict {
     Holds,
     Fails,
     Doubtful(Doubt),
@@ -375,7 +418,7 @@ pub(super) enum Verdict {
 
 /// The verdict of conditions that are comparisons of each operand or of its magnitude.
 #[inline]
-pub(super) fn verdict<const N: usize, const K: usize>(check: impl Check<Bounds, N, K>) -> Verdict {
+pub(crate) fn verdict<const N: usize, const K: usize>(check: impl Check<Bounds, N, K>) -> Verdict {
     const { assert!(N <= MOST_OPERANDS && K <= MOST_CONDITIONS) }
     verdict_of(&check.operands(), K, &|values, held| {
         let mut operands = [0.0; N];
