@@ -3,7 +3,6 @@
 use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
-
 use core::ops::Range;
 
 use super::action::{Action, Influences, Wrench, both, both_turned};
@@ -469,7 +468,7 @@ fn turning<const N: usize>(
     own: &Connection,
     on: Member,
 ) -> Vec<Space<Series<N>>> {
-    let Some(axis) = own.axis().map(|axis| moved.direction(axis)) else {
+    let Some(axis) = own.axis().map(|axis| moved.axis(axis)) else {
         return Vec::new();
     };
     let [first, second] = across(axis, moved.is_space);
