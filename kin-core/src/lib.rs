@@ -108,6 +108,8 @@ pub mod any;
 mod assemblies;
 mod assembly;
 pub mod batch;
+#[cfg(feature = "alloc")]
+mod bounds;
 mod curve;
 #[cfg(feature = "alloc")]
 pub mod cycle;

@@ -130,28 +130,36 @@ impl System {
     /// Passes each real solution to `found`, and returns the number of lost paths.
     fn solve(&self, coefficients: &[f64], found: &mut dyn FnMut(&[f64])) -> usize {
         let terms: Vec<BorrowedTerm<'_>> = match &self.form {
-            Form::Body(system) => return solve::<9>(system, coefficients, found),
+            Form::Body(system) => {
+                let outcome = system.real_solutions::<MOST_PATHS>(coefficients, |solution| found(&solution.values));
+                return outcome.map_or(1, |outcome| outcome.lost);
+            }
             Form::Terms(terms) => terms
                 .iter()
                 .map(|term| BorrowedTerm::new(term.equation, term.coefficient, &term.powers))
                 .collect(),
         };
-        macro_rules! by_size {
-            ($($size:literal)+) => {
-                match self.variables {
-                    $($size => solve::<$size>(&BorrowedSystem::<$size>::new(&terms), coefficients, found),)+
-                    // none of these paths can be followed
-                    _ => self.paths,
-                }
-            };
+        match self.variables {
+            0..=8 => self.solve_terms::<8>(&terms, coefficients, found),
+            9..=16 => self.solve_terms::<16>(&terms, coefficients, found),
+            // none of these paths can be followed
+            _ => self.paths,
         }
-        by_size!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16)
     }
-}
 
-fn solve<const M: usize>(system: &impl AllSolutions<M>, coefficients: &[f64], found: &mut dyn FnMut(&[f64])) -> usize {
-    let outcome = system.real_solutions::<MOST_PATHS>(coefficients, |solution| found(&solution.values));
-    outcome.map_or(1, |outcome| outcome.lost)
+    /// Solves a system with room for `M` variables.
+    fn solve_terms<const M: usize>(
+        &self,
+        terms: &[BorrowedTerm<'_>],
+        coefficients: &[f64],
+        found: &mut dyn FnMut(&[f64]),
+    ) -> usize {
+        let system = BorrowedSystem::<M>::new(terms).with_variables(self.variables);
+        let outcome = system.real_solutions::<MOST_PATHS>(coefficients, |solution| {
+            found(&solution.values[..self.variables]);
+        });
+        outcome.map_or(1, |outcome| outcome.lost)
+    }
 }
 
 /// The way through all positions.

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use datafusion::arrow::array::{Array, AsArray, RecordBatch};
 use datafusion::arrow::datatypes::Float64Type;
 use datafusion::prelude::SessionContext;
-use kin_core::library::{FiveBar, FourBar, HoekenLinkage};
+use kin_core::library::{FiveBar, FourBar, HoekenLinkage, JansenLeg, OffsetSliderCrank, WattI};
 use kin_core::prelude::*;
 use kin_search::session::{plan, statements};
 use kin_search::{Functions, Options, session};
@@ -523,7 +523,12 @@ async fn declarations_give_the_bits_of_compiled_mechanisms() {
     let slider_crank = include_str!("../../kin-core/src/library/slider_crank.rs");
     let watt = include_str!("../../kin-core/src/library/watt_six_bars.rs");
     let jansen = include_str!("../../kin-core/src/library/jansen_leg.rs");
-    let mut functions = Functions::library();
+    let mut functions = Functions::library()
+        .with::<FourBar>()
+        .with::<HoekenLinkage>()
+        .with::<OffsetSliderCrank>()
+        .with::<WattI>()
+        .with::<JansenLeg>();
     for (file, name) in [
         (four_bar, "FourBar"),
         (hoeken, "HoekenLinkage"),

@@ -13,7 +13,8 @@ pub mod drawing;
 pub mod figures;
 #[cfg(feature = "file")]
 pub mod file;
-#[cfg(any(feature = "gallery", feature = "program"))]
+mod forces;
+#[cfg(any(feature = "gallery", feature = "file"))]
 pub mod library;
 mod names;
 #[cfg(feature = "program")]

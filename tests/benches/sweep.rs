@@ -9,14 +9,89 @@ mod measure;
 use core::f64::consts::TAU;
 use core::hint::black_box;
 
+use kin_core::any::{AssemblyChoice, PositionChoice};
 use kin_core::batch::{Column, Outcome};
 use kin_core::library::{FourBar, FourBarBatch};
+use kin_core::linkage::AnyLinkage;
 use kin_core::prelude::*;
+use kin_core::reaction::{NamedReactions, ReactionPart};
 use measure::Race;
 
 const POSES: usize = 3600;
 
+mechanism! {
+    /// Four-bar linkage with its bodies.
+    struct Press { r1: Length, r2: Length, r3: Length, r4: Length }
+    input theta2: Angle;
+    unknown theta3: Angle, theta4: Angle;
+    r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+    output pin: Point = r2 * cis(theta2);
+    output knee: Point = r1 + r4 * cis(theta4);
+    output pivot: Point = vec2(r1, 0);
+    ground 0, pivot;
+    body crank: 0, pin;
+    body coupler: pin, knee;
+    body rocker: pivot, knee;
+}
+
+/// The forces of a pose beside its motion through snap, and the peaks of all forces of a turn.
+fn forces() {
+    const POSES: usize = 64;
+    const ROWS: usize = 361;
+    let press = Press {
+        r1: 0.4,
+        r2: 0.12,
+        r3: 0.36,
+        r4: 0.28,
+    };
+    let linkage = AnyLinkage::of(&press);
+    let loads = linkage.loads().gravity(Plane::new(0.0, -9.81));
+    let loads = loads.mass_of("coupler", 1.4, Plane::new(0.18, 0.02), 0.016);
+    let loads = loads.and_then(|loads| loads.mass_of("rocker", 0.9, Plane::new(0.14, 0.0), 0.006));
+    let loads = loads
+        .and_then(|loads| loads.torque(-30.0, "theta4"))
+        .expect("all names are there");
+    let reactions = || linkage.reactions(&loads).expect("its bodies are declared");
+    let all = reactions();
+    let cranks: Vec<Motion> = (0..POSES)
+        .map(|pose| Motion::at_constant_speed(TAU * pose as f64 / POSES as f64, 12.0))
+        .collect();
+    let mut race = Race::new(POSES);
+    race.enter("forces.solve", cranks.clone(), move |crank| {
+        black_box(press).solve(crank, Assembly::Open)
+    });
+    race.enter("forces.pose", cranks, |crank| {
+        all.at(&[crank], PositionChoice::Assembly(0)).is_ok()
+    });
+    let times = race.run();
+    times.ratio("forces.pose", "forces.solve");
+
+    let turn = linkage
+        .sweep(AssemblyChoice::Index(0))
+        .between(&[0.0], &[TAU], ROWS)
+        .speed(12.0);
+    let peaks = |reactions: &NamedReactions<'_>| {
+        let names: Vec<&str> = reactions.names().collect();
+        let peaks = names
+            .into_iter()
+            .map(|name| turn.of_reaction(reactions, name, ReactionPart::Force, 0).peak());
+        let peaks: Result<Vec<_>, _> = peaks.collect();
+        (peaks, turn.of_effort_with_friction(reactions, 0, 0).peak())
+    };
+    let mut race = Race::new(ROWS);
+    race.enter_batch("forces.peaks_of_a_turn", || {
+        // without what is remembered of the turn before
+        black_box(&peaks(&reactions()));
+    });
+    race.enter_batch("forces.rows_of_a_turn", || {
+        black_box(&turn.reactions(&all).expect("it moves"));
+    });
+    let times = race.run();
+    times.ratio("forces.peaks_of_a_turn", "forces.rows_of_a_turn");
+}
+
 fn main() {
+    forces();
     let linkage = FourBar {
         r1: 90.0,
         r2: 30.0,

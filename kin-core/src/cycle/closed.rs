@@ -7,7 +7,6 @@ use core::ops::Range;
 
 use num_traits::Float;
 
-use super::bounds::{Bounds, Doubt, UNDECIDED};
 use super::curved::Curved;
 use super::free::{self, Jump};
 use super::interpolation::{CROSSING, around, crosses, interpolated};
@@ -16,6 +15,7 @@ use super::pieces::{BranchNode, BranchPiece, FoundPieces, Tip};
 use super::sought::{ClosedForms, SoughtMechanism};
 use super::{EndKind, Incomplete};
 use crate::any::PositionChoice;
+use crate::bounds::{Bounds, Doubt, UNBOUNDED, UNDECIDED};
 use crate::curve::LimitKind;
 use crate::failure::{Failure, SolveError};
 use crate::number::NumberRow;
@@ -49,8 +49,6 @@ const ROOTS: [f64; 2] = [1.0 / 268_435_456.0, 1.0 / 67_108_864.0];
 const TOGETHER: f64 = 1.0 / 8_796_093_022_208.0;
 /// The largest distance of two ranges in which rounding decides about one point, as a multiple of their widths.
 const BRIDGE: f64 = 8.0;
-/// The width of bounds of a length, in the unit of the search, beyond which there may be a pole.
-const UNBOUNDED: f64 = 1e75;
 /// The growth of a length from the distance [`RESOLUTION`] to the neighbourhood of a pole.
 const POLE: f64 = 1e3;
 /// The largest distance by which an angle may move from the middle of an interval.

@@ -6,8 +6,8 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::bounds::{Bounds, HUGE, UNDECIDED, Verdict, product, reciprocal, verdict, widened};
 use crate::assembly::Assembly;
+use crate::bounds::{Bounds, HUGE, UNDECIDED, Verdict, product, reciprocal, verdict, widened};
 use crate::failure::Failure;
 use crate::number::Number;
 use crate::quantity::Name;

@@ -5,8 +5,8 @@ use core::f64::consts::{PI, TAU};
 
 use num_traits::Float;
 
-use super::bounds::Bounds;
 use super::sought::{SoughtMechanism, sum_of_lengths};
+use crate::bounds::Bounds;
 use crate::law::Side;
 use crate::number::NumberRow;
 use crate::quantity::Dimension;

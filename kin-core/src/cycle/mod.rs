@@ -47,7 +47,6 @@
 //! [`incomplete`](CycleData::incomplete) says why.
 
 mod along;
-mod bounds;
 mod class;
 mod closed;
 mod closure;

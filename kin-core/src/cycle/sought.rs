@@ -3,11 +3,11 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::bounds::Bounds;
 use super::curved::Curved;
 use super::line::wrapped;
 use super::search::SearchMethod;
 use crate::any::{AssemblyOver, ClosureOver, ClosureTermsOver, EveryPosition, Of, PositionChoice, TransmissionOver};
+use crate::bounds::Bounds;
 use crate::curve::CurveFunctions;
 use crate::failure::SolveError;
 use crate::mechanism::{Block, Description, Mechanism};

@@ -322,6 +322,17 @@ impl<S: QuantitySource> AskedQuantity<S> for ByReaction<'_> {
     }
 }
 
+impl<S: QuantitySource> SensitiveQuantity<S> for ByReaction<'_> {
+    fn by_dimension(
+        &self,
+        sweep: &S,
+        station: &SweepStation<'_>,
+        dimension: usize,
+    ) -> Result<ByDimension, ExtremesError> {
+        ByDimension::of_differences(station, dimension, |station| self.at(sweep, station))
+    }
+}
+
 impl<M, D, A, F> AskedQuantity<Sweep<M, D>> for ByExpression<F>
 where
     M: Mechanism<Scalar = f64>,

@@ -16,9 +16,9 @@ use crate::law::{Piecewise, Side};
 use crate::load::NamedLoads;
 use crate::mechanism::JacobianMeasure;
 use crate::number::{ClosedRange, NumberRow};
-use crate::reaction::{Efficiency, NamedReactions, ReactionPart, ReactionQuantity, Reactions};
+use crate::reaction::{Efficiency, ForceProof, NamedReactions, ReactionPart, ReactionQuantity, Reactions};
 use crate::sweep::{
-    Footing, Laws, READ, SmoothDrive, StraightLine, SweepError, Table, TabledMechanism, UntypedSweep, Walk,
+    Drive as _, Footing, Laws, READ, SmoothDrive, StraightLine, SweepError, Table, TabledMechanism, UntypedSweep, Walk,
 };
 
 /// A linkage in an assembly, of which a sweep is wanted.
@@ -87,6 +87,18 @@ impl AnySweep<'_, StraightLine> {
     pub fn speed(mut self, speed: f64) -> Self {
         self.drive = self.drive.at_speed(speed);
         self
+    }
+
+    /// Proofs about the forces of this motion, over all inputs of the range and not only in rows: see [`ForceProof`].
+    pub fn proof<'r>(&self, reactions: &'r NamedReactions<'r>) -> ForceProof<'r> {
+        let StraightLine { from, to, .. } = &self.drive;
+        ForceProof::new(
+            reactions,
+            &self.linkage.parameters,
+            &self.assembly,
+            [from, to],
+            self.drive.rate(),
+        )
     }
 }
 

@@ -111,7 +111,7 @@ impl<const N: usize> Series<N> {
     }
 
     /// The derivative with respect to time. Its last coefficient is unknown and is set to zero.
-    fn differentiate(self) -> Self {
+    pub(crate) fn differentiate(self) -> Self {
         let mut slope = [0.0; N];
         for k in 1..N {
             slope[k - 1] = number(k) * self.coefficients[k];
@@ -161,8 +161,8 @@ impl<const N: usize> Neg for Series<N> {
     }
 }
 
-/// The largest number of terms whose products stand where they are used. Longer series share one product, compiled in
-/// this crate.
+/// The largest number of terms whose products stand where they are used. Longer series share one product of each
+/// length.
 const SHORT: usize = 8;
 
 /// Cauchy's product.
@@ -176,9 +176,16 @@ fn product(a: &[f64], b: &[f64], product: &mut [f64]) {
     }
 }
 
+/// The same, where each factor of the first series adds to all terms at once: the same sums in the same order.
 #[inline(never)]
-fn long_product(a: &[f64], b: &[f64], result: &mut [f64]) {
-    product(a, b, result);
+fn long_product<const N: usize>(a: &[f64; N], b: &[f64; N]) -> [f64; N] {
+    let mut result = [0.0; N];
+    for (j, factor) in a.iter().enumerate() {
+        for (term, b) in result[j..].iter_mut().zip(b) {
+            *term += factor * b;
+        }
+    }
+    result
 }
 
 #[inline(always)]
@@ -193,17 +200,28 @@ fn quotient(a: &[f64], b: &[f64], quotient: &mut [f64]) {
     }
 }
 
+/// The same, where each term takes its part of all later ones at once.
 #[inline(never)]
-fn long_quotient(a: &[f64], b: &[f64], result: &mut [f64]) {
-    quotient(a, b, result);
+fn long_quotient<const N: usize>(a: &[f64; N], b: &[f64; N]) -> [f64; N] {
+    let mut result = *a;
+    for k in 0..N {
+        let term = result[k] / b[0];
+        result[k] = term;
+        for (rest, b) in result[k + 1..].iter_mut().zip(&b[1..]) {
+            *rest -= term * b;
+        }
+    }
+    result
 }
 
 impl<const N: usize> Mul for Series<N> {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
+        if N > SHORT {
+            return Self::from_coefficients(long_product(&self.coefficients, &other.coefficients));
+        }
         let mut result = [0.0; N];
-        let product = if N > SHORT { long_product } else { product };
         product(&self.coefficients, &other.coefficients, &mut result);
         Self::from_coefficients(result)
     }
@@ -213,8 +231,10 @@ impl<const N: usize> Div for Series<N> {
     type Output = Self;
 
     fn div(self, other: Self) -> Self {
+        if N > SHORT {
+            return Self::from_coefficients(long_quotient(&self.coefficients, &other.coefficients));
+        }
         let mut result = [0.0; N];
-        let quotient = if N > SHORT { long_quotient } else { quotient };
         quotient(&self.coefficients, &other.coefficients, &mut result);
         Self::from_coefficients(result)
     }

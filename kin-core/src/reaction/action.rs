@@ -5,9 +5,8 @@ use alloc::vec::Vec;
 
 use super::ReactionError;
 use super::connection::{Connection, Member, hub, loaded, member_name};
-use super::frames::{JointAxis, MovedFrame, MovedMechanism, along_axis, slope, slope_of};
+use super::frames::{JointAxis, MovedFrame, MovedMechanism, MovingNumber, along_axis, slope_of};
 use crate::geometry::Space;
-use crate::number::Number;
 use crate::number::series::Series;
 use crate::picture::Outline;
 use crate::quantity::Dimension;
@@ -15,8 +14,8 @@ use crate::quantity::Dimension;
 /// The mechanism while one input alone moves at unit speed.
 #[derive(Clone, Debug)]
 pub(crate) struct Influence<const N: usize> {
-    pub(super) moved: MovedMechanism<N>,
-    pub(super) frames: Vec<MovedFrame<N>>,
+    pub(super) moved: MovedMechanism<Series<N>>,
+    pub(super) frames: Vec<MovedFrame<Series<N>>>,
 }
 
 /// Two bodies between which a torque or a force acts.
@@ -55,38 +54,35 @@ pub(super) struct Wrench<T> {
     pub(super) moment: Space<T>,
 }
 
-impl<const N: usize> Wrench<Series<N>> {
+impl<T: MovingNumber> Wrench<T> {
     /// A force at a place on a body.
-    pub(super) fn of_force(frame: &MovedFrame<N>, force: Space<Series<N>>, at: Space<Series<N>>) -> Self {
+    pub(super) fn of_force(frame: &MovedFrame<T>, force: Space<T>, at: Space<T>) -> Self {
         let moment = frame.moment(force, at);
         let at = Some(at);
         Self { force, at, moment }
     }
 
     /// A couple.
-    pub(super) fn of_moment(moment: Space<Series<N>>) -> Self {
+    pub(super) fn of_moment(moment: Space<T>) -> Self {
         let (force, at) = (Space::zero(), None);
         Self { force, at, moment }
     }
 }
 
 /// A force and the opposite one, on the bodies that move.
-pub(super) fn both<const N: usize>(
+pub(super) fn both<T: MovingNumber>(
     [on, by]: [Member; 2],
-    frames: &[MovedFrame<N>],
-    force: Space<Series<N>>,
-    [at, from]: [Space<Series<N>>; 2],
-) -> Vec<(usize, Wrench<Series<N>>)> {
+    frames: &[MovedFrame<T>],
+    force: Space<T>,
+    [at, from]: [Space<T>; 2],
+) -> Vec<(usize, Wrench<T>)> {
     let on = on.map(|body| (body, Wrench::of_force(&frames[body], force, at)));
     let by = by.map(|body| (body, Wrench::of_force(&frames[body], -force, from)));
     on.into_iter().chain(by).collect()
 }
 
 /// A couple and the opposite one.
-pub(super) fn both_turned<const N: usize>(
-    [on, by]: [Member; 2],
-    moment: Space<Series<N>>,
-) -> Vec<(usize, Wrench<Series<N>>)> {
+pub(super) fn both_turned<T: MovingNumber>([on, by]: [Member; 2], moment: Space<T>) -> Vec<(usize, Wrench<T>)> {
     let on = on.map(|body| (body, Wrench::of_moment(moment)));
     let by = by.map(|body| (body, Wrench::of_moment(-moment)));
     on.into_iter().chain(by).collect()
@@ -94,13 +90,13 @@ pub(super) fn both_turned<const N: usize>(
 
 impl Action {
     /// The forces of a torque or force of this size.
-    pub(super) fn wrenches<const N: usize>(
+    pub(super) fn wrenches<T: MovingNumber>(
         &self,
-        moved: &MovedMechanism<N>,
-        frames: &[MovedFrame<N>],
-        size: Series<N>,
-    ) -> Vec<(usize, Wrench<Series<N>>)> {
-        let size = Series::constant(self.sign) * size;
+        moved: &MovedMechanism<T>,
+        frames: &[MovedFrame<T>],
+        size: T,
+    ) -> Vec<(usize, Wrench<T>)> {
+        let size = T::constant(self.sign) * size;
         let pair = [self.on, self.by];
         match self.kind {
             ActionKind::Couple(axis) => both_turned(pair, moved.axis(axis).scale(size)),
@@ -146,7 +142,11 @@ fn sign_of<const N: usize>(rates: &[[Series<N>; 2]]) -> Option<f64> {
             let (own, wanted) = (own.coefficients(), wanted.coefficients());
             let mut terms = own.iter().zip(&wanted).take(TERMS);
             terms.all(|(own, wanted)| (own - sign * wanted).abs() <= AGREEMENT * (1.0 + own.abs() + wanted.abs()))
-        }) && rates.iter().any(|[_, wanted]| wanted.real() != 0.0)
+        }) && rates.iter().any(|[_, wanted]| {
+            // where a link turns back, its rate is zero, and the next term tells
+            let mut terms = wanted.coefficients().into_iter().take(TERMS);
+            terms.any(|term| term.abs() > AGREEMENT)
+        })
     })
 }
 
@@ -166,7 +166,7 @@ impl<const N: usize> Influences<'_, '_, N> {
         let rates: Vec<[Series<N>; 2]> = self
             .all
             .iter()
-            .map(|one| [rate(one), slope(one.moved.quantities[quantity])])
+            .map(|one| [rate(one), one.moved.quantities[quantity].slope()])
             .collect();
         sign_of(&rates)
     }

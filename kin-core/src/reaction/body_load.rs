@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 use super::action::{Wrench, both_turned};
 use super::connection::Connection;
-use super::frames::{MovedFrame, along_axis};
+use super::frames::{MovedFrame, MovingNumber, along_axis};
 use super::{NamedReactions, Solved};
 use crate::geometry::Space;
 use crate::number::Number;
@@ -43,11 +43,11 @@ pub struct BodyLoad {
 }
 
 /// A force or a couple on a body, by its index.
-pub(super) type Acting<const N: usize> = (BodyLoadKind, usize, Wrench<Series<N>>);
+pub(super) type Acting<T> = (BodyLoadKind, usize, Wrench<T>);
 
 impl BodyLoad {
-    pub(super) fn new<const N: usize>((kind, _, wrench): &Acting<N>, frame: &MovedFrame<N>, body: &str) -> Self {
-        let reals = |vector: Space<Series<N>>| [vector.x, vector.y, vector.z].map(Number::real);
+    pub(super) fn new<T: MovingNumber>((kind, _, wrench): &Acting<T>, frame: &MovedFrame<T>, body: &str) -> Self {
+        let reals = |vector: Space<T>| [vector.x, vector.y, vector.z].map(Number::real);
         Self {
             kind: *kind,
             body: body.into(),

@@ -12,7 +12,7 @@ use super::friction::{ActingFriction, Friction};
 use crate::number::Number;
 use crate::number::series::Series;
 
-impl<const N: usize> Equations<'_, N> {
+impl<const N: usize> Equations<'_, Series<N>> {
     /// The forces with friction, from those without it and from what a unit of the friction of each joint changes in
     /// them.
     pub(super) fn with_friction(
@@ -48,7 +48,7 @@ impl<const N: usize> Equations<'_, N> {
     }
 
     /// What a unit of friction lacks on all bodies: the opposite of its own forces.
-    pub(super) fn resisting(&self, acting: &ActingFriction<N>) -> Vec<Series<N>> {
+    pub(super) fn resisting(&self, acting: &ActingFriction<Series<N>>) -> Vec<Series<N>> {
         let own = &self.connections[acting.connection];
         let sense = Series::constant(acting.sense);
         self.flat_column(match own.slide {
@@ -64,7 +64,7 @@ impl<const N: usize> Equations<'_, N> {
         values: &[Series<N>],
         responses: &[Vec<Series<N>>],
     ) -> Result<coulomb::FrictionLoads<N>, ReactionError> {
-        let contact = |acting: &ActingFriction<N>| {
+        let contact = |acting: &ActingFriction<Series<N>>| {
             // the weight of an unknown in the two parts of the force
             let weight = |unknown: &Unknown| match (*unknown, acting.friction) {
                 (own, _) if own.connection() != Some(acting.connection) => [0.0; 2],

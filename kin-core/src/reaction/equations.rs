@@ -5,18 +5,18 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use super::action::{Action, Influences, Wrench, both, both_turned};
+use super::action::{Action, Influence, Influences, Wrench, both, both_turned};
 use super::connection::{Connection, Member, holders};
-use super::frames::{MovedFrame, MovedMechanism, across, along_axis, between, real};
+use super::frames::{MovedFrame, MovedMechanism, MovingNumber, across, along_axis, between, real};
 use super::friction::ActingFriction;
+use super::ordered::OrderedSystem;
 use super::rank::{Rank, largest, rank};
 use super::rolling::{Flank, Mesh, PitchPoint};
-use super::{ReactionError, ReactionPart, size};
+use super::{REACH, ReactionError, ReactionPart, size};
 use crate::geometry::Space;
 use crate::number::Number;
 use crate::number::series::Series;
 use crate::picture::Outline;
-use crate::solve::{FactorRow, factor_in, substitute_in};
 
 /// What is unknown.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -146,54 +146,36 @@ struct System<const N: usize> {
     columns: Vec<Vec<Series<N>>>,
 }
 
-pub(super) struct Equations<'e, const N: usize> {
+pub(super) struct Equations<'e, T> {
     pub(super) outline: &'e Outline<'e>,
     pub(super) connections: &'e [Connection],
-    pub(super) influences: &'e Influences<'e, 'e, N>,
-    pub(super) moved: &'e MovedMechanism<N>,
-    pub(super) frames: &'e [MovedFrame<N>],
+    pub(super) influences: &'e Influences<'e, 'e, REACH>,
+    pub(super) moved: &'e MovedMechanism<T>,
+    pub(super) frames: &'e [MovedFrame<T>],
     pub(super) drives: &'e [Action],
-    pub(super) frictions: &'e [ActingFriction<N>],
+    pub(super) frictions: &'e [ActingFriction<T>],
     /// How each contact bears.
     pub(super) flanks: &'e [Flank],
     /// -1 on the left side of a place.
     pub(super) parity: f64,
 }
 
-impl<const N: usize> Equations<'_, N> {
+impl<const N: usize> Equations<'_, Series<N>> {
     /// The forces with which the bodies move as they do, from what each lacks without them.
     pub(super) fn solve(&self, demand: &[Wrench<Series<N>>]) -> Result<Solution<N>, ReactionError> {
-        let System { unknowns, columns } = self.system();
-        let reals: Vec<Vec<f64>> = columns.iter().map(|column| reals(column)).collect();
-        let Rank { basis, null, pivot } = rank(&reals);
-        let count = self.rows().last().map_or(0, |rows| rows.end);
-        if unknowns.len() < count {
-            return Err(self.free(&columns));
-        }
-        if basis.len() < count {
-            let grows = self.taking_part(&unknowns, &null);
-            return Err(ReactionError::Singular { pivot, grows });
-        }
-        let row = |row: usize| basis.iter().map(move |column| (*column, row));
-        let places = (0..count).flat_map(row);
-        let mut entries: Vec<Series<N>> = places.map(|(column, row)| columns[column][row]).collect();
-        let mut rows = vec![FactorRow::default(); count];
-        factor_in(&mut entries, &mut rows).map_err(|_| ReactionError::NotFinite)?;
-        let solve = |right: &[Series<N>]| {
-            let mut solution = vec![Series::ZERO; count];
-            substitute_in(&entries, &rows, right, &mut solution);
-            solution
-        };
+        let (System { unknowns, columns }, basis) = self.determined()?;
+        let chosen = basis.iter().map(|column| &columns[*column]);
+        let system = OrderedSystem::new(chosen).map_err(|_| ReactionError::NotFinite)?;
         let lacking = demand.iter().copied().enumerate().collect();
         let right = self.flat_column(lacking);
         let mut values = vec![Series::ZERO; unknowns.len()];
-        for (column, value) in basis.iter().zip(solve(&right)) {
+        for (column, value) in basis.iter().zip(system.solve(&right)) {
             values[*column] = value;
         }
         let mut is_open = vec![false; unknowns.len()];
         for free in (0..unknowns.len()).filter(|column| !basis.contains(column)) {
             is_open[free] = true;
-            let parts = solve(&columns[free]);
+            let parts = system.solve(&columns[free]);
             let open = open(&parts, &basis, &columns, &columns[free]);
             for (column, takes_part) in basis.iter().zip(open) {
                 is_open[*column] |= takes_part;
@@ -205,9 +187,9 @@ impl<const N: usize> Equations<'_, N> {
         if self.frictions.is_empty() {
             return Ok(self.solution(&unknowns, &values, &is_open));
         }
-        let response = |acting: &ActingFriction<N>| {
+        let response = |acting: &ActingFriction<Series<N>>| {
             let mut response = vec![Series::ZERO; unknowns.len()];
-            for (column, value) in basis.iter().zip(solve(&self.resisting(acting))) {
+            for (column, value) in basis.iter().zip(system.solve(&self.resisting(acting))) {
                 response[*column] = value;
             }
             response
@@ -216,15 +198,26 @@ impl<const N: usize> Equations<'_, N> {
         self.with_friction(&unknowns, values, &is_open, &responses)
     }
 
-    /// The equations of each body, by their numbers: those of forces, and then those of moments.
-    fn rows(&self) -> Vec<Range<usize>> {
-        let mut end = 0;
-        let rows = self.frames.iter().map(|frame| {
-            let start = end;
-            end += self.moved.dimensions() + frame.turns().len();
-            start..end
-        });
-        rows.collect()
+    /// The unknowns with their columns, and those of them that hold the bodies.
+    fn determined(&self) -> Result<(System<N>, Vec<usize>), ReactionError> {
+        let System { unknowns, columns } = self.system();
+        let reals: Vec<Vec<f64>> = columns.iter().map(|column| reals(column)).collect();
+        let Rank { basis, null, pivot } = rank(&reals);
+        let count = self.rows().last().map_or(0, |rows| rows.end);
+        if unknowns.len() < count {
+            return Err(self.free(&columns));
+        }
+        if basis.len() < count {
+            let grows = self.taking_part(&unknowns, &null);
+            return Err(ReactionError::Singular { pivot, grows });
+        }
+        Ok((System { unknowns, columns }, basis))
+    }
+
+    /// The unknowns that hold the bodies.
+    pub(super) fn basis(&self) -> Result<Vec<Unknown>, ReactionError> {
+        let (System { unknowns, .. }, basis) = self.determined()?;
+        Ok(basis.into_iter().map(|column| unknowns[column]).collect())
     }
 
     /// The unknowns with their columns. Slides have moments where nothing else keeps the slider from turning.
@@ -253,19 +246,13 @@ impl<const N: usize> Equations<'_, N> {
             let guide = self.outline.slides[slide].guide;
             for on in holders(self.outline, joint) {
                 for axis in 0..turning(self.moved, self.frames, own, on).len() {
-                    let about = |moved: &MovedMechanism<N>, frames: &[MovedFrame<N>]| {
-                        turning(moved, frames, own, on).get(axis).copied()
-                    };
+                    let about = real(turning(self.moved, self.frames, own, on)[axis]);
                     let turns = |motion: &Vec<f64>| {
                         let [on, by] = [on, guide].map(|member| self.turn(member, motion));
-                        let axis = about(self.moved, self.frames).map_or_else(Space::zero, real);
-                        (on - by).dot(axis).abs() > NO_PART * largest(motion)
+                        (on - by).dot(about).abs() > NO_PART * largest(motion)
                     };
-                    if self
-                        .influences
-                        .keeps_angle([on, guide], |one| about(&one.moved, &one.frames))
-                        && self.freedoms(&columns).iter().any(turns)
-                    {
+                    let alone = |one: &Influence<REACH>| turning(&one.moved, &one.frames, own, on).get(axis).copied();
+                    if self.influences.keeps_angle([on, guide], alone) && self.freedoms(&columns).iter().any(turns) {
                         let unknown = Unknown::Moment { connection, on, axis };
                         columns.push(self.column(unknown));
                         unknowns.push(unknown);
@@ -325,46 +312,6 @@ impl<const N: usize> Equations<'_, N> {
         rank(&rows).null
     }
 
-    /// The forces of a unit of an unknown on all bodies.
-    fn column(&self, unknown: Unknown) -> Vec<Series<N>> {
-        let wrenches = match unknown {
-            Unknown::Pin { connection, axis } => self.of_force(connection, along_axis(axis)),
-            Unknown::Normal { connection, axis } => {
-                self.of_force(connection, self.normal(&self.connections[connection], axis))
-            }
-            Unknown::Contact { connection } => self.of_force(connection, self.bearing(connection)),
-            Unknown::Moment { connection, on, axis } => {
-                let own = &self.connections[connection];
-                both_turned([on, self.holding(own)], turning(self.moved, self.frames, own, on)[axis])
-            }
-            Unknown::Effort { input } => self.drives[input].wrenches(self.moved, self.frames, Series::constant(1.0)),
-        };
-        self.flat_column(wrenches)
-    }
-
-    /// A force in a connection.
-    pub(super) fn of_force(&self, connection: usize, force: Space<Series<N>>) -> Vec<(usize, Wrench<Series<N>>)> {
-        let own = &self.connections[connection];
-        let joint = own.joint.map(|joint| self.moved.places[joint]);
-        let pitch = self.pitch_point(connection).map(|(_, pitch)| pitch.at);
-        match joint.or(pitch) {
-            Some(at) => both([own.on, own.by], self.frames, force, [at; 2]),
-            None => Vec::new(),
-        }
-    }
-
-    fn pitch_point(&self, connection: usize) -> Option<(&Mesh, PitchPoint<Series<N>>)> {
-        let mesh = self.connections[connection].mesh.as_ref()?;
-        Some((mesh, mesh.pitch_point(self.moved, self.flanks[connection].side)))
-    }
-
-    /// The force of a contact for a unit of its tangential force.
-    fn bearing(&self, connection: usize) -> Space<Series<N>> {
-        let sign = self.flanks[connection].sign;
-        let pitch = self.pitch_point(connection);
-        pitch.map_or_else(Space::zero, |(mesh, pitch)| pitch.force(mesh, sign))
-    }
-
     /// How the contacts bear under these forces.
     pub(super) fn bears(&self, solution: &Solution<N>) -> Vec<Flank> {
         let flanks = self.flanks.iter().enumerate().map(|(connection, flank)| {
@@ -375,49 +322,6 @@ impl<const N: usize> Equations<'_, N> {
             Flank { sign, ..*flank }
         });
         flanks.collect()
-    }
-
-    /// The body that exerts the moment of a connection.
-    fn holding(&self, own: &Connection) -> Member {
-        own.slide.map_or(own.by, |slide| self.outline.slides[slide].guide)
-    }
-
-    /// Forces on all bodies as a column.
-    pub(super) fn flat_column(&self, wrenches: Vec<(usize, Wrench<Series<N>>)>) -> Vec<Series<N>> {
-        let length = Series::constant(self.length());
-        let rows = self.rows();
-        let mut column = vec![Series::ZERO; rows.last().map_or(0, |rows| rows.end)];
-        for (body, Wrench { force, moment, .. }) in wrenches {
-            let forces = [force.x, force.y, force.z].into_iter().take(self.moved.dimensions());
-            let moments = self.frames[body].parts(moment);
-            let moments = moments.into_iter().map(|moment| moment / length);
-            for (entry, part) in column[rows[body].clone()].iter_mut().zip(forces.chain(moments)) {
-                *entry = *entry + part;
-            }
-        }
-        column
-    }
-
-    /// A direction at right angles to the slide of a connection.
-    fn normal(&self, own: &Connection, axis: usize) -> Space<Series<N>> {
-        let normal = |slide| across(self.moved.along(slide), self.moved.is_space)[axis];
-        own.slide.map_or_else(Space::zero, normal)
-    }
-
-    /// The largest distance between joints, by which moments are divided.
-    fn length(&self) -> f64 {
-        let joints: Vec<Space<f64>> = self.moved.places[..self.moved.joints]
-            .iter()
-            .copied()
-            .map(real)
-            .collect();
-        let others = |one: &Space<f64>| {
-            let distances = joints.iter().map(|other| (*other - *one).norm_squared());
-            distances.fold(0.0, f64::max)
-        };
-        let distances = joints.iter().map(others);
-        let square = distances.fold(0.0, f64::max);
-        if square > 0.0 { Number::sqrt(square) } else { 1.0 }
     }
 
     pub(super) fn solution(&self, unknowns: &[Unknown], values: &[Series<N>], is_open: &[bool]) -> Solution<N> {
@@ -461,13 +365,109 @@ impl<const N: usize> Equations<'_, N> {
     }
 }
 
+impl<T: MovingNumber> Equations<'_, T> {
+    /// The equations of each body, by their numbers: those of forces, and then those of moments.
+    fn rows(&self) -> Vec<Range<usize>> {
+        let mut end = 0;
+        let rows = self.frames.iter().map(|frame| {
+            let start = end;
+            end += self.moved.dimensions() + frame.turns().len();
+            start..end
+        });
+        rows.collect()
+    }
+
+    /// The forces of a unit of an unknown on all bodies.
+    pub(super) fn column(&self, unknown: Unknown) -> Vec<T> {
+        let wrenches = match unknown {
+            Unknown::Pin { connection, axis } => self.of_force(connection, along_axis(axis)),
+            Unknown::Normal { connection, axis } => {
+                self.of_force(connection, self.normal(&self.connections[connection], axis))
+            }
+            Unknown::Contact { connection } => self.of_force(connection, self.bearing(connection)),
+            Unknown::Moment { connection, on, axis } => {
+                let own = &self.connections[connection];
+                both_turned([on, self.holding(own)], turning(self.moved, self.frames, own, on)[axis])
+            }
+            Unknown::Effort { input } => self.drives[input].wrenches(self.moved, self.frames, T::constant(1.0)),
+        };
+        self.flat_column(wrenches)
+    }
+
+    /// A force in a connection.
+    pub(super) fn of_force(&self, connection: usize, force: Space<T>) -> Vec<(usize, Wrench<T>)> {
+        let own = &self.connections[connection];
+        let joint = own.joint.map(|joint| self.moved.places[joint]);
+        let pitch = self.pitch_point(connection).map(|(_, pitch)| pitch.at);
+        match joint.or(pitch) {
+            Some(at) => both([own.on, own.by], self.frames, force, [at; 2]),
+            None => Vec::new(),
+        }
+    }
+
+    fn pitch_point(&self, connection: usize) -> Option<(&Mesh, PitchPoint<T>)> {
+        let mesh = self.connections[connection].mesh.as_ref()?;
+        Some((mesh, mesh.pitch_point(self.moved, self.flanks[connection].side)))
+    }
+
+    /// The force of a contact for a unit of its tangential force.
+    pub(super) fn bearing(&self, connection: usize) -> Space<T> {
+        let sign = self.flanks[connection].sign;
+        let pitch = self.pitch_point(connection);
+        pitch.map_or_else(Space::zero, |(mesh, pitch)| pitch.force(mesh, sign))
+    }
+
+    /// The body that exerts the moment of a connection.
+    fn holding(&self, own: &Connection) -> Member {
+        own.slide.map_or(own.by, |slide| self.outline.slides[slide].guide)
+    }
+
+    /// Forces on all bodies as a column.
+    pub(super) fn flat_column(&self, wrenches: Vec<(usize, Wrench<T>)>) -> Vec<T> {
+        let length = T::constant(self.length());
+        let rows = self.rows();
+        let mut column = vec![T::constant(0.0); rows.last().map_or(0, |rows| rows.end)];
+        for (body, Wrench { force, moment, .. }) in wrenches {
+            let forces = [force.x, force.y, force.z].into_iter().take(self.moved.dimensions());
+            let moments = self.frames[body].parts(moment);
+            let moments = moments.into_iter().map(|moment| moment / length);
+            for (entry, part) in column[rows[body].clone()].iter_mut().zip(forces.chain(moments)) {
+                *entry = *entry + part;
+            }
+        }
+        column
+    }
+
+    /// A direction at right angles to the slide of a connection.
+    pub(super) fn normal(&self, own: &Connection, axis: usize) -> Space<T> {
+        let normal = |slide| across(self.moved.along(slide), self.moved.is_space)[axis];
+        own.slide.map_or_else(Space::zero, normal)
+    }
+
+    /// The largest distance between joints, by which moments are divided.
+    fn length(&self) -> f64 {
+        let joints: Vec<Space<f64>> = self.moved.places[..self.moved.joints]
+            .iter()
+            .copied()
+            .map(real)
+            .collect();
+        let others = |one: &Space<f64>| {
+            let distances = joints.iter().map(|other| (*other - *one).norm_squared());
+            distances.fold(0.0, f64::max)
+        };
+        let distances = joints.iter().map(others);
+        let square = distances.fold(0.0, f64::max);
+        if square > 0.0 { Number::sqrt(square) } else { 1.0 }
+    }
+}
+
 /// The axes about which a slide or a hinge of space may hold a body by a moment.
-fn turning<const N: usize>(
-    moved: &MovedMechanism<N>,
-    frames: &[MovedFrame<N>],
+fn turning<T: MovingNumber>(
+    moved: &MovedMechanism<T>,
+    frames: &[MovedFrame<T>],
     own: &Connection,
     on: Member,
-) -> Vec<Space<Series<N>>> {
+) -> Vec<Space<T>> {
     let Some(axis) = own.axis().map(|axis| moved.axis(axis)) else {
         return Vec::new();
     };

@@ -163,7 +163,7 @@ impl From<LoadError> for ReactionError {
 }
 
 /// Names between commas.
-struct Listed<'n>(&'n [String]);
+pub(super) struct Listed<'n>(pub(super) &'n [String]);
 
 impl fmt::Display for Listed<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -234,7 +234,7 @@ impl fmt::Display for ReactionError {
                 "{what} could act on each of {}, on which the forces in joints depend: {}",
                 Listed(places),
                 if what.starts_with("the drive") {
-                    "say which by `driving`"
+                    "say which by `driving`, or in a file by `drive of .. = ..;`"
                 } else {
                     "let it act on a point that one body alone has"
                 }
@@ -294,8 +294,8 @@ impl fmt::Display for ReactionError {
             ),
             Self::Friction { reaction, mistake } => write!(formatter, "the friction of `{reaction}`: {mistake}"),
             Self::AtRest => formatter.write_str(
-                "all inputs rest, where friction takes any sense: say by `about_to_move` which motion is about to \
-                 begin, or leave out the rest",
+                "all inputs rest, where friction takes any sense: say by `about_to_move`, or in a file by `sense \
+                 of .. = forwards;`, which motion is about to begin, or leave out the rest",
             ),
             Self::NoSense { reaction } => write!(
                 formatter,

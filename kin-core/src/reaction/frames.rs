@@ -1,66 +1,71 @@
 //! Bodies in motion, in the plane or in space. The plane is that of x and y in space.
 
 use alloc::string::ToString;
+use alloc::vec;
 use alloc::vec::Vec;
 
 use super::ReactionError;
 use super::connection::{Connection, member_name};
+use crate::any::{AnyMechanism, OutputsOver, Pictured, SkeletonOver};
 use crate::geometry::Space;
 use crate::load::{BodyFrame, PointIndex, third_point};
 use crate::number::Number;
 use crate::number::series::Series;
 use crate::picture::{Outline, Slide};
+use crate::quantity::Dimension;
+use crate::solve::{Scalar, unwrap_near};
 
-/// A mechanism in motion: its quantities and the places of its picture, as series.
+/// A number with some of its derivatives by a variable.
+pub(crate) trait MovingNumber: Number {
+    /// The derivative. Its own highest derivative is not known, and is zero.
+    #[must_use]
+    fn slope(self) -> Self;
+}
+
+impl<const N: usize> MovingNumber for Series<N> {
+    fn slope(self) -> Self {
+        self.differentiate()
+    }
+}
+
+/// A mechanism in motion: its quantities and the places of its picture, as numbers that move.
 #[derive(Clone, Debug)]
-pub(crate) struct MovedMechanism<const N: usize> {
+pub(crate) struct MovedMechanism<T> {
     /// The parameters, inputs, unknowns and outputs.
-    pub(crate) quantities: Vec<Series<N>>,
+    pub(crate) quantities: Vec<T>,
     /// The joints, and the directions of the slides as unit vectors.
-    pub(crate) places: Vec<Space<Series<N>>>,
+    pub(crate) places: Vec<Space<T>>,
     /// The number of joints.
     pub(crate) joints: usize,
     pub(crate) is_space: bool,
 }
 
-/// The derivative of a series. Its last term is not known, and is zero.
-pub(super) fn slope<const N: usize>(series: Series<N>) -> Series<N> {
-    let derivatives = series.derivatives();
-    Series::from_derivatives(core::array::from_fn(|order| {
-        derivatives.get(order + 1).copied().unwrap_or(0.0)
-    }))
-}
-
-pub(super) fn slope_of<const N: usize>(point: Space<Series<N>>) -> Space<Series<N>> {
-    Space::new(slope(point.x), slope(point.y), slope(point.z))
+pub(super) fn slope_of<T: MovingNumber>(point: Space<T>) -> Space<T> {
+    Space::new(point.x.slope(), point.y.slope(), point.z.slope())
 }
 
 /// A vector that does not move.
-pub(super) fn still<const N: usize>(vector: Space<f64>) -> Space<Series<N>> {
-    Space::new(
-        Series::constant(vector.x),
-        Series::constant(vector.y),
-        Series::constant(vector.z),
-    )
+pub(super) fn still<T: MovingNumber>(vector: Space<f64>) -> Space<T> {
+    Space::new(T::constant(vector.x), T::constant(vector.y), T::constant(vector.z))
 }
 
 /// The unit vector along an axis of coordinates.
-pub(super) fn along_axis<const N: usize>(axis: usize) -> Space<Series<N>> {
+pub(super) fn along_axis<T: MovingNumber>(axis: usize) -> Space<T> {
     let part = |own: usize| f64::from(u8::from(own == axis));
     still(Space::new(part(0), part(1), part(2)))
 }
 
-pub(super) fn unit<const N: usize>(vector: Space<Series<N>>) -> Space<Series<N>> {
-    vector.scale(Series::constant(1.0) / vector.norm())
+pub(super) fn unit<T: MovingNumber>(vector: Space<T>) -> Space<T> {
+    vector.scale(T::constant(1.0) / vector.norm())
 }
 
 /// Where a vector is now.
-pub(super) fn real<const N: usize>(vector: Space<Series<N>>) -> Space<f64> {
+pub(super) fn real<T: MovingNumber>(vector: Space<T>) -> Space<f64> {
     Space::new(vector.x.real(), vector.y.real(), vector.z.real())
 }
 
 /// The sum of the sizes of the coordinates.
-fn size<const N: usize>(vector: Space<Series<N>>) -> f64 {
+fn size<T: MovingNumber>(vector: Space<T>) -> f64 {
     vector.x.real().abs() + vector.y.real().abs() + vector.z.real().abs()
 }
 
@@ -79,21 +84,21 @@ pub(super) enum JointAxis {
 
 /// The frame of a body in motion.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct MovedFrame<const N: usize> {
-    pub(super) origin: Space<Series<N>>,
+pub(super) struct MovedFrame<T> {
+    pub(super) origin: Space<T>,
     /// Unit vectors at right angles to each other. Those of a body in the plane are its own axis, the one to the left
     /// of it, and the normal of the plane.
-    pub(super) axes: [Space<Series<N>>; 3],
+    pub(super) axes: [Space<T>; 3],
     /// The vector of the rate at which it turns.
-    pub(super) turn: Space<Series<N>>,
+    pub(super) turn: Space<T>,
     /// The first of the axes about which the body has an equation of moments. A rod of space whose points lie on a line
     /// has none about this line, about which nothing tells how it turns.
     pub(super) first_turn: usize,
 }
 
-impl<const N: usize> MovedFrame<N> {
+impl<T: MovingNumber> MovedFrame<T> {
     /// A frame of which the first axis alone is known. It does not turn about it.
-    fn of_line(origin: Space<Series<N>>, axis: Space<Series<N>>, is_space: bool) -> Self {
+    fn of_line(origin: Space<T>, axis: Space<T>, is_space: bool) -> Self {
         let [left, normal] = across(axis, is_space);
         Self {
             origin,
@@ -104,37 +109,37 @@ impl<const N: usize> MovedFrame<N> {
     }
 
     /// A frame by its first axis, and a vector on the side of its second one.
-    fn of_plane(origin: Space<Series<N>>, axis: Space<Series<N>>, beside: Space<Series<N>>) -> Self {
+    fn of_plane(origin: Space<T>, axis: Space<T>, beside: Space<T>) -> Self {
         let normal = unit(axis.cross(beside));
         let axes = [axis, normal.cross(axis), normal];
         // with unit vectors e at right angles, the rate is half the sum of e × e'
-        let turn = axes.into_iter().fold(Space::zero(), |sum: Space<Series<N>>, axis| {
-            sum + axis.cross(slope_of(axis))
-        });
+        let turn = axes
+            .into_iter()
+            .fold(Space::zero(), |sum: Space<T>, axis| sum + axis.cross(slope_of(axis)));
         Self {
             origin,
             axes,
-            turn: turn.scale(Series::constant(0.5)),
+            turn: turn.scale(T::constant(0.5)),
             first_turn: 0,
         }
     }
 
     /// The axes about which the body has an equation of moments.
-    pub(super) fn turns(&self) -> &[Space<Series<N>>] {
+    pub(super) fn turns(&self) -> &[Space<T>] {
         &self.axes[self.first_turn..]
     }
 
     /// The line of a rod of space.
-    pub(super) fn line(&self) -> Option<Space<Series<N>>> {
+    pub(super) fn line(&self) -> Option<Space<T>> {
         (self.first_turn == 1).then_some(self.axes[0])
     }
 
     /// The place of a point of the frame.
-    pub(super) fn place(&self, point: Space<f64>) -> Space<Series<N>> {
+    pub(super) fn place(&self, point: Space<f64>) -> Space<T> {
         let parts = self.axes.into_iter().zip([point.x, point.y, point.z]);
         let mut place = self.origin;
         for (axis, part) in parts.filter(|(_, part)| *part != 0.0) {
-            place = place + axis.scale(Series::constant(part));
+            place = place + axis.scale(T::constant(part));
         }
         place
     }
@@ -145,12 +150,12 @@ impl<const N: usize> MovedFrame<N> {
     }
 
     /// The moment of a force at a place about the origin.
-    pub(super) fn moment(&self, force: Space<Series<N>>, at: Space<Series<N>>) -> Space<Series<N>> {
+    pub(super) fn moment(&self, force: Space<T>, at: Space<T>) -> Space<T> {
         product(at - self.origin, force, !self.is_plane())
     }
 
     /// The parts of a moment for which the body has equations.
-    pub(super) fn parts(&self, moment: Space<Series<N>>) -> Vec<Series<N>> {
+    pub(super) fn parts(&self, moment: Space<T>) -> Vec<T> {
         if self.is_plane() {
             return [moment.z].into();
         }
@@ -158,10 +163,10 @@ impl<const N: usize> MovedFrame<N> {
     }
 
     /// The velocity of what is fixed to the body at a place.
-    pub(super) fn velocity(&self, place: Space<Series<N>>) -> Space<Series<N>> {
+    pub(super) fn velocity(&self, place: Space<T>) -> Space<T> {
         let arm = place - self.origin;
         let across = if self.is_plane() {
-            Space::new(-arm.y, arm.x, Series::ZERO).scale(self.turn.z)
+            Space::new(-arm.y, arm.x, T::constant(0.0)).scale(self.turn.z)
         } else {
             self.turn.cross(arm)
         };
@@ -170,21 +175,17 @@ impl<const N: usize> MovedFrame<N> {
 }
 
 /// The vector product. That of vectors in the plane has one coordinate.
-pub(super) fn product<const N: usize>(
-    one: Space<Series<N>>,
-    other: Space<Series<N>>,
-    is_space: bool,
-) -> Space<Series<N>> {
+pub(super) fn product<T: MovingNumber>(one: Space<T>, other: Space<T>, is_space: bool) -> Space<T> {
     if is_space {
         return one.cross(other);
     }
-    Space::new(Series::ZERO, Series::ZERO, one.x * other.y - one.y * other.x)
+    Space::new(T::constant(0.0), T::constant(0.0), one.x * other.y - one.y * other.x)
 }
 
 /// Two unit vectors at right angles to a unit vector; in the plane, the one to its left and the normal.
-pub(super) fn across<const N: usize>(axis: Space<Series<N>>, is_space: bool) -> [Space<Series<N>>; 2] {
+pub(super) fn across<T: MovingNumber>(axis: Space<T>, is_space: bool) -> [Space<T>; 2] {
     if !is_space {
-        return [Space::new(-axis.y, axis.x, Series::ZERO), along_axis(2)];
+        return [Space::new(-axis.y, axis.x, T::constant(0.0)), along_axis(2)];
     }
     let parts = [axis.x, axis.y, axis.z].map(|part| part.real().abs());
     let smallest = (0..3).min_by(|one, other| parts[*one].total_cmp(&parts[*other]));
@@ -193,7 +194,7 @@ pub(super) fn across<const N: usize>(axis: Space<Series<N>>, is_space: bool) -> 
 }
 
 /// The unit vector at right angles to two others, none if they lie on a line up to half of the digits.
-pub(super) fn between<const N: usize>(one: Space<Series<N>>, other: Space<Series<N>>) -> Option<Space<Series<N>>> {
+pub(super) fn between<T: MovingNumber>(one: Space<T>, other: Space<T>) -> Option<Space<T>> {
     third_point(real(one), [real(other)].into_iter()).map(|_| unit(one.cross(other)))
 }
 
@@ -201,30 +202,66 @@ pub(super) fn between<const N: usize>(one: Space<Series<N>>, other: Space<Series
 /// digits.
 const RIGID: f64 = 1e-7;
 
-impl<const N: usize> MovedMechanism<N> {
+impl<T: MovingNumber + Scalar> MovedMechanism<T> {
+    /// The mechanism in a pose. Angles of outputs are unwrapped to those that are given.
+    pub(super) fn of<F: ?Sized + AnyMechanism + Pictured + OutputsOver<T> + SkeletonOver<T>>(
+        functions: &F,
+        parameters: &[T],
+        inputs: &[T],
+        unknowns: &[T],
+        near: &[f64],
+    ) -> Self {
+        let description = functions.description();
+        let mut outputs = vec![T::constant(0.0); description.outputs.len()];
+        OutputsOver::<T>::outputs(functions, parameters, inputs, unknowns, &mut outputs);
+        for ((output, quantity), near) in outputs.iter_mut().zip(description.outputs).zip(near) {
+            if quantity.dimension == Dimension::Angle {
+                *output = unwrap_near(*output, T::constant(*near));
+            }
+        }
+        let mut places: Vec<Space<T>> = Vec::new();
+        let mut add = |coordinates: &[T]| {
+            let coordinate = |axis: usize| coordinates.get(axis).copied().unwrap_or(T::constant(0.0));
+            places.push(Space::new(coordinate(0), coordinate(1), coordinate(2)));
+        };
+        SkeletonOver::<T>::skeleton_points(functions, parameters, inputs, unknowns, &mut add);
+        let joints = places.len() - functions.outline().slides.len();
+        for direction in &mut places[joints..] {
+            *direction = direction.scale(T::constant(1.0) / direction.norm());
+        }
+        Self {
+            quantities: [parameters, inputs, unknowns, &outputs].concat(),
+            places,
+            joints,
+            is_space: functions.is_space(),
+        }
+    }
+}
+
+impl<T: MovingNumber> MovedMechanism<T> {
     /// The number of coordinates.
     pub(super) fn dimensions(&self) -> usize {
         if self.is_space { 3 } else { 2 }
     }
 
     /// The place of a point, or a vector.
-    pub(super) fn point(&self, point: PointIndex) -> Space<Series<N>> {
+    pub(super) fn point(&self, point: PointIndex) -> Space<T> {
         match point {
             PointIndex::Fixed(point) => still(point),
             PointIndex::Moving(coordinates) => {
-                let [x, y, z] = coordinates.map(|index| index.map_or(Series::ZERO, |index| self.quantities[index]));
+                let [x, y, z] = coordinates.map(|index| index.map_or(T::constant(0.0), |index| self.quantities[index]));
                 Space::new(x, y, z)
             }
         }
     }
 
     /// The unit vector along a slide.
-    pub(super) fn along(&self, slide: usize) -> Space<Series<N>> {
+    pub(super) fn along(&self, slide: usize) -> Space<T> {
         self.places[self.joints + slide]
     }
 
     /// An axis as a unit vector. It is not finite if it has no length.
-    pub(super) fn axis(&self, axis: JointAxis) -> Space<Series<N>> {
+    pub(super) fn axis(&self, axis: JointAxis) -> Space<T> {
         match axis {
             JointAxis::Normal => along_axis(2),
             JointAxis::Joints([from, to]) => unit(self.places[to] - self.places[from]),
@@ -238,7 +275,7 @@ impl<const N: usize> MovedMechanism<N> {
         &self,
         outline: &Outline<'_>,
         connections: &[Connection],
-    ) -> Result<Vec<MovedFrame<N>>, ReactionError> {
+    ) -> Result<Vec<MovedFrame<T>>, ReactionError> {
         let mut frames = Vec::with_capacity(outline.bodies.len());
         for body in 0..outline.bodies.len() {
             frames.push(self.frame(outline, connections, body)?);
@@ -251,7 +288,7 @@ impl<const N: usize> MovedMechanism<N> {
         outline: &Outline<'_>,
         connections: &[Connection],
         index: usize,
-    ) -> Result<MovedFrame<N>, ReactionError> {
+    ) -> Result<MovedFrame<T>, ReactionError> {
         let body = &outline.bodies[index];
         let no_frame = || ReactionError::NoFrame {
             body: body.name.to_string(),
@@ -290,7 +327,7 @@ impl<const N: usize> MovedMechanism<N> {
         let axes = axes
             .filter_map(|connection| connection.hinge)
             .map(|hinge| self.axis(hinge));
-        let beside: Vec<Space<Series<N>>> = joints.chain(axes).collect();
+        let beside: Vec<Space<T>> = joints.chain(axes).collect();
         let third = third_point(real(axis), beside.iter().copied().map(real));
         Ok(match third {
             Some(third) => MovedFrame::of_plane(origin, axis, beside[third]),
@@ -303,7 +340,7 @@ impl<const N: usize> MovedMechanism<N> {
         &self,
         outline: &Outline<'_>,
         connections: &[Connection],
-        frames: &[MovedFrame<N>],
+        frames: &[MovedFrame<T>],
     ) -> Result<(), ReactionError> {
         let joints = self.places[..self.joints].iter();
         let largest = joints.map(|joint| size(slope_of(*joint))).fold(0.0, f64::max);

@@ -98,13 +98,13 @@ impl Friction {
 
 /// Friction that acts.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct ActingFriction<const N: usize> {
+pub(super) struct ActingFriction<T> {
     pub(super) connection: usize,
     pub(super) friction: Friction,
     /// The sense of the motion of the body on which the reaction acts, against the one that exerts it: 1 or -1.
     pub(super) sense: f64,
     /// The rate of this motion by the variable.
-    pub(super) rate: Series<N>,
+    pub(super) rate: T,
     /// The speed of the motion that gives the sense; at rest, of the one that is about to begin.
     pub(super) speed: f64,
 }
@@ -258,23 +258,28 @@ impl NamedReactions<'_> {
     pub(super) fn acting(
         &self,
         place: &ReactionPlace<'_>,
-        moved: &MovedMechanism<REACH>,
+        (moved, frames): (&MovedMechanism<MovedNumber>, &[MovedFrame<MovedNumber>]),
         influences: &Influences<'_, '_, REACH>,
-    ) -> Result<Vec<ActingFriction<REACH>>, ReactionError> {
+    ) -> Result<Vec<ActingFriction<MovedNumber>>, ReactionError> {
         if self.frictions.is_empty() {
             return Ok(Vec::new());
         }
         let outline = influences.outline;
-        let (begun, by_time, side) = match self.beginning(place)? {
-            Some(Beginning { inputs, by_time, side }) => (&place.moved(place.parameters, &inputs)?, by_time, side),
-            None => (moved, place.rate, place.side),
-        };
-        let frames = moved.frames(outline, &self.connections)?;
-        let begun_frames = begun.frames(outline, &self.connections)?;
+        let beginning = self.beginning(place)?;
+        let begun = beginning.as_ref().map(|beginning| {
+            let moved = place.moved(place.parameters, &beginning.inputs)?;
+            let frames = moved.frames(outline, &self.connections)?;
+            Ok::<_, ReactionError>((moved, frames))
+        });
+        let begun = begun.transpose()?;
+        let (begun, begun_frames) = begun
+            .as_ref()
+            .map_or((moved, frames), |(moved, frames)| (moved, frames));
+        let (by_time, side) = beginning.map_or((place.rate, place.side), |one| (one.by_time, one.side));
         let all = self.frictions.iter().map(|(index, friction)| {
             let own = &self.connections[*index];
-            let rate = relative_rate(own, begun, &begun_frames);
-            let sense = sense(rate, sizes(own, begun, &begun_frames), by_time, side);
+            let rate = relative_rate(own, begun, begun_frames);
+            let sense = sense(rate, sizes(own, begun, begun_frames), by_time, side);
             // what never moves has no sense, whatever rounding makes of it
             let sense = sense.filter(|_| !influences.all.iter().all(|one| stands(own, one)));
             let sense = sense.ok_or_else(|| ReactionError::NoSense {
@@ -284,7 +289,7 @@ impl NamedReactions<'_> {
                 connection: *index,
                 friction: *friction,
                 sense,
-                rate: relative_rate(own, moved, &frames),
+                rate: relative_rate(own, moved, frames),
                 speed: rate.real() * by_time,
             })
         });
@@ -294,7 +299,11 @@ impl NamedReactions<'_> {
 
 /// The rate by the variable at which one body of a connection moves against the other: it turns in a pin, and slides on
 /// a slide.
-fn relative_rate<const N: usize>(own: &Connection, moved: &MovedMechanism<N>, frames: &[MovedFrame<N>]) -> Series<N> {
+fn relative_rate<const N: usize>(
+    own: &Connection,
+    moved: &MovedMechanism<Series<N>>,
+    frames: &[MovedFrame<Series<N>>],
+) -> Series<N> {
     let (Some(slide), Some(joint)) = (own.slide, own.joint) else {
         let turn = |member: Member| member.map_or(Series::ZERO, |body| frames[body].turn.z);
         return turn(own.on) - turn(own.by);
@@ -308,7 +317,11 @@ fn relative_rate<const N: usize>(own: &Connection, moved: &MovedMechanism<N>, fr
 }
 
 /// The largest terms of the rates of the same kind.
-fn sizes<const N: usize>(own: &Connection, moved: &MovedMechanism<N>, frames: &[MovedFrame<N>]) -> [f64; N] {
+fn sizes<const N: usize>(
+    own: &Connection,
+    moved: &MovedMechanism<Series<N>>,
+    frames: &[MovedFrame<Series<N>>],
+) -> [f64; N] {
     let mut sizes = [0.0_f64; N];
     let mut add = |rate: Series<N>| {
         for (size, term) in sizes.iter_mut().zip(rate.coefficients()) {

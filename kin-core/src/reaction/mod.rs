@@ -64,6 +64,8 @@ mod equations;
 mod error;
 mod frames;
 mod friction;
+mod ordered;
+mod proof;
 mod rank;
 mod remembered;
 mod rolling;
@@ -74,6 +76,9 @@ pub use body_load::{BodyLoad, BodyLoadKind};
 pub use efficiency::Efficiency;
 pub use error::ReactionError;
 pub use friction::{Friction, FrictionMistake};
+pub use proof::{
+    ForcePlace, ForceProof, ForceVerdict, PeakBounds, ProofError, ProvenForce, UndecidedForce, UndecidedReason,
+};
 pub use rolling::{Rolling, RollingMistake};
 
 use alloc::string::{String, ToString};
@@ -81,7 +86,8 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
 
-use crate::any::{AnyMechanism, NearOver, OutputsOver, Pictured, PositionChoice, SkeletonOver};
+use crate::any::{AnyMechanism, ClosureOver, NearOver, OutputsOver, Pictured, PositionChoice, SkeletonOver};
+use crate::bounds::Bounds;
 use crate::failure::SolveError;
 use crate::geometry::Space;
 use crate::hermite::TERMS;
@@ -89,16 +95,14 @@ use crate::law::Side;
 use crate::load::{LoadError, NamedLoads, PointPlace};
 use crate::motion::Motion;
 use crate::number::series::Series;
-use crate::number::{Number, NumberRow, singular_values};
+use crate::number::{Changing, Number, NumberRow, singular_values};
 use crate::picture::Outline;
-use crate::quantity::Dimension;
-use crate::solve::unwrap_near;
-use action::{Action, Influence, Influences, Wrench};
+use action::{Action, Influence, Influences};
 use body_load::Acting;
 use connection::{Connection, Member, connections, member_name};
 use demand::Demand;
 use equations::{Equations, Solution};
-use frames::{JointAxis, MovedFrame, MovedMechanism, slope};
+use frames::{JointAxis, MovedFrame, MovedMechanism, MovingNumber};
 use remembered::Remembered;
 use rolling::Flank;
 
@@ -111,14 +115,36 @@ const ORDERS: usize = 3;
 /// A motion as a series.
 pub type MovedNumber = Series<REACH>;
 
+/// A motion through accelerations, as bounds of its values over an interval.
+pub(crate) type MovingBounds = Changing<Changing<Bounds>>;
+
 /// The functions of a mechanism from which its reactions are found. Every declared mechanism has them.
+#[expect(
+    private_bounds,
+    reason = "messages would list a public number among those that a user may take"
+)]
 pub trait ReactionFunctions:
-    AnyMechanism + Pictured + NearOver<MovedNumber> + OutputsOver<MovedNumber> + SkeletonOver<MovedNumber>
+    AnyMechanism
+    + Pictured
+    + NearOver<MovedNumber>
+    + OutputsOver<MovedNumber>
+    + SkeletonOver<MovedNumber>
+    + ClosureOver<MovingBounds>
+    + OutputsOver<MovingBounds>
+    + SkeletonOver<MovingBounds>
 {
 }
 
 impl<F> ReactionFunctions for F where
-    F: ?Sized + AnyMechanism + Pictured + NearOver<MovedNumber> + OutputsOver<MovedNumber> + SkeletonOver<MovedNumber>
+    F: ?Sized
+        + AnyMechanism
+        + Pictured
+        + NearOver<MovedNumber>
+        + OutputsOver<MovedNumber>
+        + SkeletonOver<MovedNumber>
+        + ClosureOver<MovingBounds>
+        + OutputsOver<MovingBounds>
+        + SkeletonOver<MovingBounds>
 {
 }
 
@@ -436,7 +462,7 @@ impl<'m> NamedReactions<'m> {
             })?,
             ReactionQuantity::Power(input) => {
                 let effort = self.quantity(place, ReactionQuantity::Effort(input))?;
-                Ok(effort * slope(place.inputs[input]) * by_time)
+                Ok(effort * place.inputs[input].slope() * by_time)
             }
             ReactionQuantity::Input => {
                 let power = |input: usize| self.quantity(place, ReactionQuantity::Power(input));
@@ -465,7 +491,7 @@ impl<'m> NamedReactions<'m> {
         let moved = place.moved(place.parameters, &place.inputs)?;
         let connections = &self.connections;
         let frames = moved.frames(&outline, connections)?;
-        let all = place.influences(place.parameters, &outline, connections)?;
+        let all = place.influences(place.parameters, &outline, connections, Some((&moved, &frames)))?;
         let otherwise = || place.otherwise(&outline, connections).unwrap_or_default();
         let influences = Influences {
             outline: &outline,
@@ -473,48 +499,10 @@ impl<'m> NamedReactions<'m> {
             all: &all,
             otherwise: &otherwise,
         };
-        let nothing = Wrench {
-            force: Space::zero(),
-            at: None,
-            moment: Space::zero(),
-        };
-        let mut demand = Demand {
-            loads: &self.loads,
-            description,
-            influences: &influences,
-            moved: &moved,
-            frames: &frames,
-            rate: place.rate,
-            bodies: vec![nothing; frames.len()],
-            acting: Vec::new(),
-            load: 0,
-        };
-        demand.add_all()?;
-        let drives = description.inputs.iter().enumerate().map(|(input, quantity)| {
-            let index = description.parameters.len() + input;
-            let found = |influences: &Influences<'_, '_, REACH>| influences.actions(index, quantity.dimension);
-            let wanted = |action: &Action| self.driven[input].is_none_or(|body| action.acts_on(body));
-            influences.action(drive_of(quantity.name), found, wanted)
-        });
-        let drives = drives.collect::<Result<Vec<Action>, _>>()?;
-        let frictions = self.acting(place, &moved, &influences)?;
-        let flank = |connection: &Connection| {
-            let side = connection
-                .mesh
-                .map(|mesh| mesh.side([connection.on, connection.by], &all));
-            let side = side.transpose().map_err(|mistake| ReactionError::Rolling {
-                reaction: connection.name.clone(),
-                mistake,
-            });
-            Ok(Flank {
-                side: side?.unwrap_or(1.0),
-                sign: 1.0,
-            })
-        };
-        let flanks = connections
-            .iter()
-            .map(flank)
-            .collect::<Result<Vec<Flank>, ReactionError>>()?;
+        let demand = Demand::of(&self.loads, description, &influences, &moved, &frames, place.rate)?;
+        let drives = self.drives(&influences)?;
+        let frictions = self.acting(place, (&moved, &frames), &influences)?;
+        let flanks = self.flanks(&all)?;
         let mut equations = Equations {
             outline: &outline,
             connections,
@@ -553,14 +541,46 @@ impl<'m> NamedReactions<'m> {
     }
 }
 
+impl NamedReactions<'_> {
+    /// Where the drives act.
+    fn drives(&self, influences: &Influences<'_, '_, REACH>) -> Result<Vec<Action>, ReactionError> {
+        let description = self.functions.description();
+        let drives = description.inputs.iter().enumerate().map(|(input, quantity)| {
+            let index = description.parameters.len() + input;
+            let found = |influences: &Influences<'_, '_, REACH>| influences.actions(index, quantity.dimension);
+            let wanted = |action: &Action| self.driven[input].is_none_or(|body| action.acts_on(body));
+            influences.action(drive_of(quantity.name), found, wanted)
+        });
+        drives.collect()
+    }
+
+    /// Where the contacts touch, with the flank that bears first.
+    fn flanks(&self, all: &[Influence<REACH>]) -> Result<Vec<Flank>, ReactionError> {
+        let flank = |connection: &Connection| {
+            let side = connection
+                .mesh
+                .map(|mesh| mesh.side([connection.on, connection.by], all));
+            let side = side.transpose().map_err(|mistake| ReactionError::Rolling {
+                reaction: connection.name.clone(),
+                mistake,
+            });
+            Ok(Flank {
+                side: side?.unwrap_or(1.0),
+                sign: 1.0,
+            })
+        };
+        self.connections.iter().map(flank).collect()
+    }
+}
+
 /// A solution with what it was found for.
 struct Solved {
     solution: Solution<REACH>,
     /// What masses and loads exert.
-    loads: Vec<Acting<REACH>>,
+    loads: Vec<Acting<MovedNumber>>,
     drives: Vec<Action>,
-    moved: MovedMechanism<REACH>,
-    frames: Vec<MovedFrame<REACH>>,
+    moved: MovedMechanism<MovedNumber>,
+    frames: Vec<MovedFrame<MovedNumber>>,
 }
 
 fn drive_of(input: &str) -> String {
@@ -610,45 +630,28 @@ impl ReactionPlace<'_> {
     }
 
     /// The mechanism near the place, with inputs that move.
-    fn moved(&self, parameters: &[f64], inputs: &[MovedNumber]) -> Result<MovedMechanism<REACH>, SolveError> {
-        let description = self.functions.description();
+    fn moved(&self, parameters: &[f64], inputs: &[MovedNumber]) -> Result<MovedMechanism<MovedNumber>, SolveError> {
         let parameters: Vec<MovedNumber> = parameters.iter().copied().map(Series::constant).collect();
         let near: Vec<MovedNumber> = self.unknowns.iter().copied().map(Series::constant).collect();
         let mut unknowns = near.clone();
         let functions = self.functions;
         NearOver::<MovedNumber>::position_near(functions, &parameters, inputs, &near, &mut unknowns)?;
-        let mut outputs = vec![Series::ZERO; description.outputs.len()];
-        OutputsOver::<MovedNumber>::outputs(functions, &parameters, inputs, &unknowns, &mut outputs);
-        for ((output, quantity), near) in outputs.iter_mut().zip(description.outputs).zip(self.outputs) {
-            if quantity.dimension == Dimension::Angle {
-                *output = unwrap_near(*output, Series::constant(*near));
-            }
-        }
-        let mut places: Vec<Space<MovedNumber>> = Vec::new();
-        let mut add = |coordinates: &[MovedNumber]| {
-            let coordinate = |axis: usize| coordinates.get(axis).copied().unwrap_or(Series::ZERO);
-            places.push(Space::new(coordinate(0), coordinate(1), coordinate(2)));
-        };
-        SkeletonOver::<MovedNumber>::skeleton_points(functions, &parameters, inputs, &unknowns, &mut add);
-        let joints = places.len() - functions.outline().slides.len();
-        for direction in &mut places[joints..] {
-            *direction = direction.scale(Series::constant(1.0) / direction.norm());
-        }
-        let quantities = [parameters.as_slice(), inputs, &unknowns, &outputs].concat();
-        Ok(MovedMechanism {
-            quantities,
-            places,
-            joints,
-            is_space: functions.is_space(),
-        })
+        Ok(MovedMechanism::of(
+            functions,
+            &parameters,
+            inputs,
+            &unknowns,
+            self.outputs,
+        ))
     }
 
-    /// The mechanism while each input moves alone at unit speed.
+    /// The mechanism while each input moves alone at unit speed, of which one may be its own motion.
     fn influences(
         &self,
         parameters: &[f64],
         outline: &Outline<'_>,
         connections: &[Connection],
+        own: Option<(&MovedMechanism<MovedNumber>, &[MovedFrame<MovedNumber>])>,
     ) -> Result<Vec<Influence<REACH>>, ReactionError> {
         let count = self.inputs.len();
         let moved = (0..count).map(|moved| {
@@ -658,8 +661,16 @@ impl ReactionPlace<'_> {
                 (terms[0], terms[1]) = (motion.real(), rate);
                 Series::from_coefficients(terms)
             });
-            let moved = self.moved(parameters, &inputs.collect::<Vec<_>>())?;
-            let frames = moved.frames(outline, connections)?;
+            let inputs: Vec<MovedNumber> = inputs.collect();
+            let mut pairs = inputs.iter().zip(&self.inputs);
+            let is_own = pairs.all(|(one, own)| one.coefficients() == own.coefficients());
+            let (moved, frames) = if let (Some((moved, frames)), true) = (own, is_own) {
+                (moved.clone(), frames.to_vec())
+            } else {
+                let moved = self.moved(parameters, &inputs)?;
+                let frames = moved.frames(outline, connections)?;
+                (moved, frames)
+            };
             moved.check(outline, connections, &frames)?;
             Ok(Influence { moved, frames })
         });
@@ -673,7 +684,7 @@ impl ReactionPlace<'_> {
             part = (part + core::f64::consts::FRAC_1_SQRT_2) % 1.0;
             parameter * (1.0 + CHANGE * part)
         });
-        self.influences(&parameters.collect::<Vec<_>>(), outline, connections)
+        self.influences(&parameters.collect::<Vec<_>>(), outline, connections, None)
             .ok()
     }
 }

@@ -5,12 +5,11 @@ use core::fmt;
 
 use super::action::Influence;
 use super::connection::{Connection, Member};
-use super::frames::{MovedFrame, MovedMechanism, across, slope_of, unit};
+use super::frames::{MovedFrame, MovedMechanism, MovingNumber, across, slope_of, unit};
 use super::{NamedReactions, ReactionError};
 use crate::geometry::Space;
 use crate::load::{NoSuchPlace, PlaceKind, PointIndex, PointPlace};
 use crate::number::Number;
-use crate::number::series::Series;
 use crate::quantity::Digits;
 
 /// Two bodies of the plane that roll on each other without slip, along their pitch curves.
@@ -87,16 +86,16 @@ pub(super) struct Flank {
     pub(super) sign: f64,
 }
 
-impl<const N: usize> PitchPoint<Series<N>> {
+impl<T: MovingNumber> PitchPoint<T> {
     /// The sign of the tangential part of a force, none if it is zero or if the contact has no pressure angle.
-    pub(super) fn sign(&self, mesh: &Mesh, force: Space<Series<N>>) -> Option<f64> {
+    pub(super) fn sign(&self, mesh: &Mesh, force: Space<T>) -> Option<f64> {
         let tangential = self.tangent.dot(force).real();
         (mesh.slope != 0.0 && tangential != 0.0).then(|| tangential.signum())
     }
 
     /// The force for a unit of the tangential one, where this has a sign.
-    pub(super) fn force(&self, mesh: &Mesh, sign: f64) -> Space<Series<N>> {
-        self.tangent + self.apart.scale(Series::constant(sign * mesh.slope))
+    pub(super) fn force(&self, mesh: &Mesh, sign: f64) -> Space<T> {
+        self.tangent + self.apart.scale(T::constant(sign * mesh.slope))
     }
 }
 
@@ -262,15 +261,20 @@ impl NamedReactions<'_> {
 }
 
 impl Mesh {
+    /// Whether teeth push the bodies apart.
+    pub(super) fn has_pressure_angle(&self) -> bool {
+        self.slope != 0.0
+    }
+
     /// The pitch point on one side of the first centre.
-    pub(super) fn pitch_point<const N: usize>(&self, moved: &MovedMechanism<N>, side: f64) -> PitchPoint<Series<N>> {
+    pub(super) fn pitch_point<T: MovingNumber>(&self, moved: &MovedMechanism<T>, side: f64) -> PitchPoint<T> {
         match self.pitch {
             Pitch::Gears { centres, radii } => {
                 let [first, second] = centres.map(|centre| moved.point(centre));
                 let line = unit(second - first);
                 let [tangent, _] = across(line, false);
-                let out = line.scale(Series::constant(side));
-                let at = first + out.scale(Series::constant(radii[0]));
+                let out = line.scale(T::constant(side));
+                let at = first + out.scale(T::constant(radii[0]));
                 // the teeth of the smaller gear are outer ones, and are pushed towards its centre
                 let apart = if radii[0] <= radii[1] { out } else { unit(second - at) };
                 PitchPoint { at, tangent, apart }
@@ -278,8 +282,8 @@ impl Mesh {
             Pitch::Rack { centre, radius, along } => {
                 let tangent = unit(moved.point(along));
                 let [left, _] = across(tangent, false);
-                let apart = left.scale(Series::constant(side));
-                let at = moved.point(centre) + apart.scale(Series::constant(radius));
+                let apart = left.scale(T::constant(side));
+                let at = moved.point(centre) + apart.scale(T::constant(radius));
                 PitchPoint { at, tangent, apart }
             }
         }

@@ -7,9 +7,10 @@ use std::vec::Vec;
 
 use num_traits::Float;
 
+use crate::failure::Failure;
 use crate::number::Number;
 use crate::quantity::Name;
-use crate::solve;
+use crate::solve::{self, FactorRow, NewtonMemory};
 use crate::tape::structure::Tape;
 use crate::tape::{Condition, Function, Operator, Plain, TapeNode, TapeStep, Value};
 
@@ -87,6 +88,9 @@ impl Tape<'_> {
     }
 }
 
+/// The entries and the rows that [`solve::factor_in`] gives.
+type TriangularFactors<F> = (Vec<F>, Vec<FactorRow>);
+
 /// What a run has found so far.
 struct Run<'a, F> {
     tape: &'a Tape<'a>,
@@ -94,22 +98,9 @@ struct Run<'a, F> {
     truths: Vec<bool>,
     /// The roots of each search, or the residual where it stopped.
     roots: Vec<Result<Vec<F>, f64>>,
-    /// The determinant of each singular system.
-    singular: Vec<Option<f64>>,
+    /// The triangular factors of each system, or its determinant where it is singular.
+    factors: Vec<Result<TriangularFactors<F>, f64>>,
     solutions: Vec<Vec<F>>,
-}
-
-/// Calls a function for the number of unknowns, up to 16.
-macro_rules! by_count {
-    ($count:expr, $function:ident $arguments:tt) => {
-        by_count!($count, $function $arguments, 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16)
-    };
-    ($count:expr, $function:ident $arguments:tt, $($n:literal)+) => {
-        match $count {
-            $($n => $function::<F, $n> $arguments,)+
-            _ => Err(f64::NAN),
-        }
-    };
 }
 
 impl<'a, F: Plain + Float> Run<'a, F> {
@@ -119,7 +110,7 @@ impl<'a, F: Plain + Float> Run<'a, F> {
             numbers: vec![F::nan(); tape.nodes.len()],
             truths: vec![false; tape.nodes.len()],
             roots: vec![Err(f64::NAN); tape.searches.len()],
-            singular: vec![None; tape.systems.len()],
+            factors: vec![Err(f64::NAN); tape.systems.len()],
             solutions: vec![Vec::new(); tape.solutions.len()],
         };
         for (index, node) in tape.nodes.iter().enumerate() {
@@ -193,7 +184,7 @@ impl<'a, F: Plain + Float> Run<'a, F> {
         let measure = match check.condition {
             Condition::Holds(truth) => (!self.truth(truth)).then_some(f64::NAN),
             Condition::Found(search) => self.roots[search].as_ref().err().copied(),
-            Condition::Regular(system) => self.singular[system],
+            Condition::Regular(system) => self.factors[system].as_ref().err().copied(),
         };
         let Some(measure) = measure else { return Ok(()) };
         for value in &check.cold {
@@ -208,75 +199,65 @@ impl<'a, F: Plain + Float> Run<'a, F> {
     }
 
     fn search(&mut self, index: usize) {
-        fn found<F: Plain + Float, const N: usize>(run: &mut Run<'_, F>, index: usize) -> Result<Vec<F>, f64> {
-            let search = &run.tape.searches[index];
-            let (guess, sizes) = (run.all(&search.guess), run.all(&search.sizes));
-            let unknowns: Vec<(usize, usize)> = (run.tape.nodes.iter().enumerate())
-                .filter_map(|(index_of_node, node)| match *node {
-                    TapeNode::Unknown { search, index: unknown } if search == index => Some((index_of_node, unknown)),
-                    _ => None,
-                })
-                .collect();
-            let root = solve::newton::<F, N>(
-                core::array::from_fn(|unknown| guess[unknown]),
-                core::array::from_fn(|unknown| sizes[unknown]),
-                |at| {
-                    for (index_of_node, unknown) in &unknowns {
-                        run.numbers[*index_of_node] = at[*unknown];
-                    }
-                    for value in &search.body {
-                        run.compute(*value);
-                    }
-                    let residual = |row: usize| run.number(search.residuals[row]);
-                    let entry = |row: usize, column: usize| run.number(search.jacobian[row][column]);
-                    (
-                        core::array::from_fn(residual),
-                        core::array::from_fn(|row| core::array::from_fn(|column| entry(row, column))),
-                    )
-                },
-            );
-            root.map(|root| root.to_vec()).map_err(|failure| match failure {
-                crate::failure::Failure::NotConverged { residual, .. } => residual,
-                crate::failure::Failure::Singular { determinant } => determinant,
-                _ => f64::NAN,
+        let tape = self.tape;
+        let search = &tape.searches[index];
+        let (mut solution, sizes) = (self.all(&search.guess), self.all(&search.sizes));
+        let unknowns: Vec<(usize, usize)> = (tape.nodes.iter().enumerate())
+            .filter_map(|(index_of_node, node)| match *node {
+                TapeNode::Unknown { search, index: unknown } if search == index => Some((index_of_node, unknown)),
+                _ => None,
             })
-        }
-        let count = self.tape.searches[index].guess.len();
-        self.roots[index] = by_count!(count, found(self, index));
+            .collect();
+        let [numbers, reals, rows] = NewtonMemory::<F>::lengths(solution.len());
+        let (mut numbers, mut reals) = (vec![F::nan(); numbers], vec![0.0; reals]);
+        let mut rows = vec![FactorRow::default(); rows];
+        let Some(memory) = NewtonMemory::new(solution.len(), &mut numbers, &mut reals, &mut rows) else {
+            unreachable!("the memory has the lengths that it needs");
+        };
+        let root = solve::newton_in(&mut solution, &sizes, memory, |at, residuals, jacobian| {
+            for (index_of_node, unknown) in &unknowns {
+                self.numbers[*index_of_node] = at[*unknown];
+            }
+            for value in &search.body {
+                self.compute(*value);
+            }
+            for (place, value) in residuals.iter_mut().zip(&search.residuals) {
+                *place = self.number(*value);
+            }
+            for (place, value) in jacobian.iter_mut().zip(search.jacobian.iter().flatten()) {
+                *place = self.number(*value);
+            }
+        });
+        self.roots[index] = match root {
+            Ok(()) => Ok(solution),
+            Err(Failure::NotConverged { residual, .. }) => Err(residual),
+            Err(Failure::Singular { determinant }) => Err(determinant),
+            Err(_) => Err(f64::NAN),
+        };
     }
 
     fn factor(&mut self, index: usize) {
-        fn determinant<F: Plain + Float, const N: usize>(run: &Run<'_, F>, index: usize) -> Result<(), f64> {
-            solve::factor(run.matrix::<N>(index))
-                .map(drop)
-                .map_err(|failure| match failure {
-                    crate::failure::Failure::Singular { determinant } => determinant,
-                    _ => f64::NAN,
-                })
-        }
-        let count = self.tape.systems[index].rows.len();
-        self.singular[index] = by_count!(count, determinant(self, index)).err();
+        let matrix = &self.tape.systems[index].rows;
+        let mut entries: Vec<F> = matrix.iter().flatten().map(|value| self.number(*value)).collect();
+        let mut rows = vec![FactorRow::default(); matrix.len()];
+        self.factors[index] = match solve::factor_in(&mut entries, &mut rows) {
+            Ok(_) => Ok((entries, rows)),
+            Err(Failure::Singular { determinant }) => Err(determinant),
+            Err(_) => Err(f64::NAN),
+        };
     }
 
     fn solve(&mut self, index: usize) {
-        fn solved<F: Plain + Float, const N: usize>(
-            run: &Run<'_, F>,
-            system: usize,
-            right: &[Value],
-        ) -> Result<Vec<F>, f64> {
-            let factors = solve::factor(run.matrix::<N>(system)).map_err(|_| f64::NAN)?;
-            let right = core::array::from_fn(|row| run.number(right[row]));
-            Ok(factors.solve(right).to_vec())
-        }
         let solution = &self.tape.solutions[index];
-        let count = solution.right.len();
-        let found = by_count!(count, solved(self, solution.system, &solution.right));
-        self.solutions[index] = found.unwrap_or_else(|_| vec![F::nan(); count]);
-    }
-
-    fn matrix<const N: usize>(&self, system: usize) -> [[F; N]; N] {
-        let rows = &self.tape.systems[system].rows;
-        core::array::from_fn(|row| core::array::from_fn(|column| self.number(rows[row][column])))
+        let right = self.all(&solution.right);
+        self.solutions[index] = match &self.factors[solution.system] {
+            Ok((entries, rows)) => {
+                let mut found = right.clone();
+                solve::substitute_in(entries, rows, &right, &mut found);
+                found
+            }
+            Err(_) => vec![F::nan(); right.len()],
+        };
     }
 }
 

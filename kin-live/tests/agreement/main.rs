@@ -2,4 +2,5 @@
 
 mod library;
 mod own;
+mod proofs;
 mod tapes;

@@ -20,7 +20,7 @@ impl Identity {
     pub fn of(functions: &Functions) -> Self {
         Self {
             fingerprint: functions.fingerprint(),
-            functions: functions.compiled_list(),
+            functions: functions.list_of_program(),
         }
     }
 

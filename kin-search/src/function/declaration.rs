@@ -4,10 +4,7 @@ use std::any::Any;
 use std::error::Error;
 use std::fmt;
 
-use datafusion::functions::all_default_functions;
-use datafusion::functions_aggregate::all_default_aggregate_functions;
-use datafusion::functions_nested::all_default_nested_functions;
-use datafusion::functions_window::all_default_window_functions;
+use datafusion::execution::SessionStateDefaults;
 use datafusion::logical_expr::ScalarUDF;
 use kin_live::DeclareError;
 
@@ -107,14 +104,14 @@ pub(crate) fn declaration_of(function: &ScalarUDF) -> Option<&str> {
 /// Whether SQL has a function of this name.
 pub(super) fn is_of_sql(name: &str) -> bool {
     let is_it = |own: &str, aliases: &[String]| own == name || aliases.iter().any(|alias| alias == name);
-    let mut scalars = all_default_functions()
-        .into_iter()
-        .chain(all_default_nested_functions());
-    scalars.any(|function| is_it(function.name(), function.aliases()))
-        || all_default_aggregate_functions()
-            .iter()
-            .any(|function| is_it(function.name(), function.aliases()))
-        || all_default_window_functions()
+    let scalars = SessionStateDefaults::default_scalar_functions();
+    let aggregates = SessionStateDefaults::default_aggregate_functions();
+    let windows = SessionStateDefaults::default_window_functions();
+    scalars
+        .iter()
+        .any(|function| is_it(function.name(), function.aliases()))
+        || (aggregates.iter()).any(|function| is_it(function.name(), function.aliases()))
+        || windows
             .iter()
             .any(|function| is_it(function.name(), function.aliases()))
 }

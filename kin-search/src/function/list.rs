@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 #[cfg(feature = "cluster")]
 use std::collections::VecDeque;
 use std::fmt;
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 #[cfg(feature = "cluster")]
 use std::sync::{Mutex, PoisonError};
 
@@ -67,27 +67,26 @@ impl Functions {
 
     /// The functions of all mechanisms of kin's library, and those that make [candidates](crate::candidates), and
     /// with the feature `refine` those of a four-bar linkage with a tracer on its coupler.
+    ///
+    /// The library is declared from its texts; with the feature `compiled`, rustc compiles it.
     #[must_use]
     pub fn library() -> Self {
-        macro_rules! of_the_library {
-            ($($mechanism:ident)+) => {
-                [$(SearchedMechanism::compiled(*Of::<kin_core::library::$mechanism>::FUNCTIONS)),+]
-            };
-        }
-        let mechanisms = kin_core::each_library_mechanism!(of_the_library);
-        let candidates = candidates::functions()
-            .into_iter()
-            .fold(Self::none(), Self::with_function);
-        let library = mechanisms.iter().fold(candidates, Self::with_mechanism);
-        #[cfg(feature = "refine")]
-        let library = library.with::<kin_fit::TracedFourBar>();
-        library
+        static LIBRARY: LazyLock<Functions> = LazyLock::new(|| {
+            let candidates = candidates::functions()
+                .into_iter()
+                .fold(Functions::none(), Functions::with_function);
+            let library = of_the_library().iter().fold(candidates, Functions::with_mechanism);
+            #[cfg(feature = "refine")]
+            let library = library.with::<kin_fit::TracedFourBar>();
+            library
+        });
+        LIBRARY.clone()
     }
 
     /// This list with the functions of one more mechanism. Functions of the same name are replaced.
     #[must_use]
     pub fn with<M: Mechanism<Scalar = f64> + 'static>(self) -> Self {
-        self.with_mechanism(&SearchedMechanism::compiled(*Of::<M>::FUNCTIONS))
+        self.with_mechanism(&SearchedMechanism::of_program(*Of::<M>::FUNCTIONS))
     }
 
     /// This list with the functions of a mechanism that is declared by a text, as `kin_live::Mechanism::declare` takes
@@ -192,13 +191,13 @@ impl Functions {
     }
 
     /// The functions that a program has before it reads declarations.
-    fn compiled(&self) -> impl Iterator<Item = &Arc<ScalarUDF>> {
+    fn of_program(&self) -> impl Iterator<Item = &Arc<ScalarUDF>> {
         self.iter().filter(|function| declaration_of(function).is_none())
     }
 
     /// The [list](Self::list) without functions of declarations.
-    pub(crate) fn compiled_list(&self) -> Vec<String> {
-        self.compiled().map(line).collect()
+    pub(crate) fn list_of_program(&self) -> Vec<String> {
+        self.of_program().map(line).collect()
     }
 
     /// The version of this package with sixteen hexadecimal digits that depend on every line of the [list](Self::list)
@@ -207,9 +206,9 @@ impl Functions {
     /// [declarations](Self::with_declaration) do not count, because they go with a query.
     #[must_use]
     pub fn fingerprint(&self) -> String {
-        let texts = self.compiled().filter_map(|function| function.documentation());
+        let texts = self.of_program().filter_map(|function| function.documentation());
         let texts = texts.map(|documentation| documentation.description.clone());
-        let lines: Vec<String> = self.compiled_list().into_iter().chain(texts).collect();
+        let lines: Vec<String> = self.list_of_program().into_iter().chain(texts).collect();
         let hash = digest(lines.iter().flat_map(|line| line.bytes().chain([b'\n'])));
         format!("{}-{hash:016x}", env!("CARGO_PKG_VERSION"))
     }
@@ -230,6 +229,26 @@ impl fmt::Debug for Functions {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.debug_list().entries(self.list()).finish()
     }
+}
+
+/// The mechanisms of the library.
+#[cfg(feature = "compiled")]
+fn of_the_library() -> Vec<SearchedMechanism> {
+    macro_rules! compiled {
+        ($($mechanism:ident)+) => {
+            vec![$(SearchedMechanism::of_program(*Of::<kin_core::library::$mechanism>::FUNCTIONS)),+]
+        };
+    }
+    kin_core::each_library_mechanism!(compiled)
+}
+
+/// The mechanisms of the library.
+#[cfg(not(feature = "compiled"))]
+fn of_the_library() -> Vec<SearchedMechanism> {
+    let declare = |text| LiveMechanism::declare(text).expect("the library has no mistakes");
+    kin_studio::library::declarations()
+        .map(|text| SearchedMechanism::of_program(declare(text)))
+        .collect()
 }
 
 /// The name of a function, and the names of its arguments.

@@ -21,15 +21,15 @@ struct Inner {
 }
 
 impl SearchedMechanism {
-    /// A mechanism that rustc compiled.
-    pub(crate) fn compiled(solver: impl Solver + 'static) -> Self {
+    /// A mechanism that the program has before it reads declarations.
+    pub(crate) fn of_program(solver: impl Solver + 'static) -> Self {
         Self(Arc::new(Inner {
             solver: Box::new(solver),
             declaration: None,
         }))
     }
 
-    /// A mechanism that was declared while the program runs, and the text that declares it.
+    /// A mechanism of a declaration, and the text of that declaration, which goes with a query.
     pub(crate) fn declared(solver: impl Solver + 'static, declaration: &str) -> Self {
         Self(Arc::new(Inner {
             solver: Box::new(solver),
@@ -37,7 +37,7 @@ impl SearchedMechanism {
         }))
     }
 
-    /// The text that declares it, unless rustc compiled it.
+    /// The text that goes with a query, unless every program has the mechanism.
     pub(crate) fn declaration(&self) -> Option<&str> {
         self.0.declaration.as_deref()
     }

@@ -77,7 +77,9 @@ pub(crate) async fn run(arguments: &BenchArguments, functions: &Functions) -> Re
         ..Options::default()
     };
     let start = Instant::now();
-    let with_declared = functions.clone().with_declaration(DECLARED);
+    // compiled by rustc whatever the library is
+    let with_compiled = functions.clone().with::<FourBar>();
+    let with_declared = with_compiled.with_declaration(DECLARED);
     let with_declared = with_declared.map_err(|error| Fault::Wrong(error.to_string()))?;
     let session = session(&with_declared, &options)?;
     session.sql(&turns("four_bar_turn", 1)).await?.collect().await?;

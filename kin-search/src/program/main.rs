@@ -58,8 +58,9 @@ enum Command {
 
 #[tokio::main]
 async fn main() -> ExitCode {
+    let command = Arguments::parse().command;
     let functions = Functions::library();
-    let done = match Arguments::parse().command {
+    let done = match command {
         Command::Query(arguments) => query::run(arguments, &functions).await,
         Command::Functions(arguments) => functions::run(&arguments, &functions),
         Command::Bench(arguments) => bench::run(&arguments, &functions).await,

@@ -1,36 +1,34 @@
 //! The mechanisms that are refined, and that have pages.
 
+use std::iter::once;
+use std::sync::LazyLock;
+
 use kin_core::any::Of;
 use kin_core::in_small_letters;
-use kin_core::library::{
-    ChebyshevLinkage, FourBar, HoekenLinkage, JansenLeg, KlannLeg, OffsetSliderCrank, RobertsLinkage, SliderCrank,
-    StephensonIII, WattI, WattII,
-};
+use kin_live::Mechanism;
 use kin_search::pages::RefinedFunctions;
 
 use super::declared::DeclaredArguments;
 use super::fault::Fault;
 
+/// A mechanism that lasts as long as the program.
+type Lasting = Box<dyn RefinedFunctions + Send + Sync>;
+
 /// The mechanisms of the program.
-const COMPILED: [&dyn RefinedFunctions; 12] = [
-    Of::<kin_fit::TracedFourBar>::FUNCTIONS,
-    Of::<FourBar>::FUNCTIONS,
-    Of::<SliderCrank>::FUNCTIONS,
-    Of::<OffsetSliderCrank>::FUNCTIONS,
-    Of::<HoekenLinkage>::FUNCTIONS,
-    Of::<ChebyshevLinkage>::FUNCTIONS,
-    Of::<RobertsLinkage>::FUNCTIONS,
-    Of::<WattI>::FUNCTIONS,
-    Of::<WattII>::FUNCTIONS,
-    Of::<StephensonIII>::FUNCTIONS,
-    Of::<JansenLeg>::FUNCTIONS,
-    Of::<KlannLeg>::FUNCTIONS,
-];
+static OF_PROGRAM: LazyLock<Vec<Lasting>> = LazyLock::new(|| {
+    let traced: Lasting = Box::new(*Of::<kin_fit::TracedFourBar>::FUNCTIONS);
+    let library = kin_studio::library::declarations()
+        .map(|text| -> Lasting { Box::new(Mechanism::declare(text).expect("the library has no mistakes")) });
+    once(traced).chain(library).collect()
+});
 
 /// The mechanism of this name, such as `four_bar`, of the program or of a file. The fault lists all names if there is
 /// none.
 pub(crate) fn mechanism(name: &str, declared: &DeclaredArguments) -> Result<&'static dyn RefinedFunctions, Fault> {
-    let mut all = COMPILED.to_vec();
+    let mut all: Vec<&'static dyn RefinedFunctions> = Vec::with_capacity(OF_PROGRAM.len());
+    for mechanism in OF_PROGRAM.iter() {
+        all.push(&**mechanism);
+    }
     for mechanism in declared.mechanisms()? {
         // objectives keep a mechanism as long as the program runs
         all.push(Box::leak(Box::new(mechanism)));

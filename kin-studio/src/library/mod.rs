@@ -4,10 +4,19 @@ mod designs;
 
 #[cfg(feature = "program")]
 pub(crate) use designs::DESIGNS;
-pub(crate) use designs::{Design, DesignAssembly};
+pub(crate) use designs::Design;
+#[cfg(any(feature = "gallery", feature = "program"))]
+pub(crate) use designs::DesignAssembly;
 
 #[cfg(feature = "gallery")]
 use kin_core::{Mechanism, Row};
+
+/// The texts that declare all mechanisms, as [`kin_live::Mechanism::declare`] takes them, in the order of the book's
+/// table.
+#[cfg(feature = "file")]
+pub fn declarations() -> impl Iterator<Item = &'static str> {
+    designs::DESIGNS.iter().map(Design::declaration)
+}
 
 /// Something that is to be done with every mechanism of the library.
 #[cfg(feature = "gallery")]

@@ -3,7 +3,6 @@
 use kin_core::Dimension;
 use kin_core::any::{Description, Quantity};
 use kin_core::load::NamedLoads;
-use kin_core::reaction::Friction;
 
 use super::assembly;
 use super::fault::{Fault, listed, similar};
@@ -12,6 +11,7 @@ use super::motion::{InputMotion, LawName, Step, checked};
 use super::subject::{Subject, Wanted};
 use super::text::Units;
 use super::value::{self, Lengths};
+use crate::forces::Stated;
 
 /// What was typed, before it is compared with the mechanism.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -50,7 +50,7 @@ pub(crate) struct Case {
     /// The loads, none if nothing was said of them.
     pub(crate) loads: Option<NamedLoads>,
     /// The friction in joints.
-    pub(crate) frictions: Vec<(String, Friction)>,
+    pub(crate) stated: Stated,
     /// The name of the unit of length, empty if there is none.
     pub(crate) length: &'static str,
     /// Whether angles are shown in degrees.
@@ -144,7 +144,7 @@ impl Typed {
             loads: self
                 .loads
                 .named(subject.description(), &subject.outline(), lengths.metres())?,
-            frictions: self.loads.frictions(lengths.metres()),
+            stated: self.loads.stated(lengths.metres()),
             length: lengths.name(),
             in_degrees: !self.radians,
         })
@@ -430,7 +430,7 @@ impl Case {
     pub(crate) fn forces(&self, subject: &Subject) -> ForceColumns {
         self.loads
             .as_ref()
-            .map_or_else(ForceColumns::default, |_| subject.forces(!self.frictions.is_empty()))
+            .map_or_else(ForceColumns::default, |_| subject.forces(self.stated.has_friction()))
     }
 
     /// The units in which values are shown.

@@ -143,9 +143,18 @@ pub(crate) struct Peaks {
 pub(crate) struct Forces {
     #[command(flatten)]
     pub(crate) setup: Setup,
+    /// Prove a limit of a force over all inputs, and not only in rows: `knee_force <= 3kN`, `theta_effort <= 50Nm`
+    #[arg(long, value_name = "FORCE <= LIMIT", conflicts_with = "csv")]
+    pub(crate) prove: Vec<String>,
+    /// A tolerance of a dimension, up and down, over which limits are proved: `crank=0.1mm`
+    #[arg(long, value_name = "NAME=VALUE", requires = "prove")]
+    pub(crate) tolerance: Vec<String>,
     /// Write CSV, to a file or to the output
     #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-")]
     pub(crate) csv: Option<PathBuf>,
+    /// Write JSON, to a file or to the output
+    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-", conflicts_with = "csv")]
+    pub(crate) json: Option<PathBuf>,
 }
 
 /// A language.
@@ -288,7 +297,11 @@ pub(crate) fn with_examples(command: clap::Command, program: &str, mechanism: &s
                 "peaks {m} --speed 1500rpm",
                 "peaks {m} --of theta4_jerk --over 0..180deg",
             ],
-            FORCES => &["forces {m}", "forces {m} --speed 300rpm --csv forces.csv"],
+            FORCES => &[
+                "forces {m}",
+                "forces {m} --speed 300rpm --csv forces.csv",
+                "forces {m} --prove 'knee_force <= 3kN' --tolerance crank=0.1mm",
+            ],
             "verify" => &["verify {m}", "verify {m} --over -100..100deg"],
             "code" => &[
                 "code {m} c -o firmware",
@@ -331,5 +344,5 @@ pub(crate) fn with_examples(command: clap::Command, program: &str, mechanism: &s
 pub(crate) const EXIT_CODES: &str = "Exit codes:
   0  done
   1  the mechanism does not close somewhere it was asked for, or a fit ended before a minimum;
-     what closes is printed or written; or `fmt --check` finds another form
+     what closes is printed or written; or `fmt --check` finds another form, or a limit is not proved
   2  something was typed wrong, or a file cannot be read or written";

@@ -3,11 +3,12 @@
 use kin_core::any::{Description, Outline};
 use kin_core::linkage::{AnyLinkage, LinkageFunctions};
 use kin_core::load::{NamedLoads, NoSuchPlace, PointPlace, Solid};
-use kin_core::reaction::{Friction, NamedReactions, ReactionError, ReactionPart};
+use kin_core::reaction::{ForceProof, Friction, NamedReactions, ProofError, ProvenForce, ReactionError, ReactionPart};
 use kin_core::{Dimension, Space};
 
 use super::fault::Fault;
-use super::units::Kind;
+use super::units::{self, Kind};
+use crate::forces::{Force, Stated};
 
 /// The loads of a file.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -18,6 +19,10 @@ pub(crate) struct Loads {
     pub(crate) all: Vec<Load>,
     /// The friction in joints, by the names of their reactions.
     pub(crate) frictions: Vec<(String, JointFriction)>,
+    /// The bodies that drives turn or push, behind the names of their inputs.
+    pub(crate) drives: Vec<(String, String)>,
+    /// The signs of the rates with which inputs are about to move where all of them rest.
+    pub(crate) senses: Vec<(String, f64)>,
 }
 
 /// Friction in a joint: its coefficient, and the radius of a pin or the length of a bushing.
@@ -165,8 +170,8 @@ impl Loads {
         Ok(Some(loads))
     }
 
-    /// The friction in joints of a mechanism whose unit of lengths has so many metres.
-    pub(crate) fn frictions(&self, metres: f64) -> Vec<(String, Friction)> {
+    /// What is stated of joints and drives of a mechanism whose unit of lengths has so many metres.
+    pub(crate) fn stated(&self, metres: f64) -> Stated {
         let own = |friction: JointFriction| match friction {
             JointFriction::Pin(coefficient, radius) => Friction::Pin {
                 coefficient,
@@ -178,7 +183,11 @@ impl Loads {
             },
         };
         let all = self.frictions.iter();
-        all.map(|(name, friction)| (name.clone(), own(*friction))).collect()
+        Stated {
+            frictions: all.map(|(name, friction)| (name.clone(), own(*friction))).collect(),
+            drives: self.drives.clone(),
+            senses: self.senses.clone(),
+        }
     }
 }
 
@@ -231,19 +240,6 @@ pub(crate) struct ForceColumn {
     pub(crate) force: Force,
     /// The order of the rate, 0 for the force itself.
     pub(crate) order: usize,
-}
-
-/// A force that the loads cause.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Force {
-    /// The effort of the drive of an input.
-    Effort(usize),
-    /// The power of the drive of an input.
-    Power(usize),
-    /// A part of the force in a joint.
-    Reaction(String, ReactionPart),
-    /// The power that friction turns into heat.
-    Heat,
 }
 
 /// The columns of forces, and why there are none of joints.
@@ -390,6 +386,25 @@ impl ForceColumn {
             Force::Reaction(_, part) => is_moment(*part),
         };
         if is_torque { ("N m", 2) } else { ("N", 1) }
+    }
+
+    /// The kind of its limits; none of a power, and of rates.
+    pub(crate) fn kind(&self, description: &Description<'_>) -> Option<Kind> {
+        match self.base(description) {
+            _ if self.order > 0 => None,
+            ("N", _) => Some(units::FORCE),
+            ("N m", _) => Some(units::TORQUE),
+            _ => None,
+        }
+    }
+
+    /// What is to be proved of it.
+    pub(crate) fn proven<'p>(&self, proof: ForceProof<'p>) -> Result<ProvenForce<'p>, ProofError> {
+        match &self.force {
+            Force::Reaction(name, part) => proof.of(name, *part),
+            Force::Effort(input) | Force::Power(input) => proof.of_effort(*input),
+            Force::Heat => Err(ProofError::Friction),
+        }
     }
 
     /// Its unit.

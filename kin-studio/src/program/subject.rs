@@ -15,7 +15,7 @@ use kin_core::law::{Piecewise, Side};
 use kin_core::linkage::{AnyCycle, AnyLinkage, AnySweep, TabledMechanism};
 use kin_core::load::NamedLoads;
 use kin_core::prelude::*;
-use kin_core::reaction::NamedReactions;
+use kin_core::reaction::{Efficiency, ForceProof, NamedReactions};
 use kin_core::sweep::{Laws, SmoothDrive, StraightLine, SweepError, Table};
 use kin_core::tape::structure::Tape;
 use kin_core::tape::{self, RecordError};
@@ -24,9 +24,10 @@ use kin_fit::{Choice, FitFunctions};
 
 use super::case::Case;
 use super::fault::Fault;
-use super::loads::{Force, ForceColumn, ForceColumns};
+use super::loads::{ForceColumn, ForceColumns};
 use super::motion::InputMotion;
 use super::text;
+use crate::forces::{Causes, Force, ForceQuestion, OfPeak, OfRows, Reached};
 use crate::library::{Design, DesignAssembly};
 use crate::report::{ReportError, ReportFunctions, WayWished, WishedLoads, Wishes};
 
@@ -68,17 +69,6 @@ pub(crate) struct Extent {
     pub(crate) highest: Reached,
     /// The root of the mean square.
     pub(crate) rms: Result<Mean, ExtremesError>,
-}
-
-/// An extreme value.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Reached {
-    /// The value, or `None` if it grows beyond all bounds.
-    pub(crate) value: Option<f64>,
-    /// The place.
-    pub(crate) at: f64,
-    /// Whether the mechanism closes no further there.
-    pub(crate) is_limit: bool,
 }
 
 /// What is wanted of a page.
@@ -380,10 +370,8 @@ impl Subject {
     }
 
     fn reactions(&self, case: &Case, loads: &NamedLoads) -> Result<NamedReactions<'_>, Fault> {
-        let reactions = self.linkage(&case.parameters).reactions(loads).map_err(Fault::wrong)?;
-        reactions
-            .frictions(case.frictions.iter().cloned())
-            .map_err(Fault::wrong)
+        let reactions = case.stated.reactions(&self.linkage(&case.parameters), loads);
+        reactions.map_err(Fault::wrong)
     }
 
     /// The times inside of the motion at which the speed of an input jumps, where a mass has no bounded effort.
@@ -445,7 +433,7 @@ impl Subject {
             degrees: case.in_degrees,
             loads: case.loads.clone().map(|loads| WishedLoads {
                 loads,
-                frictions: case.frictions.clone(),
+                stated: case.stated.clone(),
                 metres: case.metres(),
             }),
             ..Wishes::new(&*self.functions, &case.parameters)
@@ -520,69 +508,58 @@ pub(crate) struct CaseForces<'c> {
     reactions: Result<NamedReactions<'c>, Fault>,
 }
 
-/// A question to a force along a sweep.
-trait ForceQuestion {
-    type Answer;
-
-    fn ask<S: QuantitySource, Q: AskedQuantity<S>>(
-        &self,
-        quantity: &QuantityAlong<'_, S, Q>,
-    ) -> Result<Self::Answer, Fault>;
-}
-
 /// What are the extremes and the mean?
 struct OfExtent;
 
 impl ForceQuestion for OfExtent {
-    type Answer = Extent;
+    type Answer = Result<Extent, Fault>;
 
-    fn ask<S: QuantitySource, Q: AskedQuantity<S>>(&self, quantity: &QuantityAlong<'_, S, Q>) -> Result<Extent, Fault> {
+    fn ask<S: QuantitySource, Q: AskedQuantity<S>>(&self, quantity: &QuantityAlong<'_, S, Q>) -> Self::Answer {
         extent_of(quantity)
-    }
-}
-
-/// What is the value that is largest in size?
-struct OfPeak;
-
-impl ForceQuestion for OfPeak {
-    type Answer = Reached;
-
-    fn ask<S: QuantitySource, Q: AskedQuantity<S>>(
-        &self,
-        quantity: &QuantityAlong<'_, S, Q>,
-    ) -> Result<Reached, Fault> {
-        let (value, at, is_limit) = match quantity.peak() {
-            Ok(peak) => (Some(peak.value), peak.at, peak.kind == ExtremeKind::Limit),
-            Err(ExtremesError::Unbounded { at }) => (None, at, false),
-            Err(error) => return Err(of_extremes(error)),
-        };
-        Ok(Reached { value, at, is_limit })
-    }
-}
-
-/// What are the values in the rows?
-struct OfRows;
-
-impl ForceQuestion for OfRows {
-    type Answer = Vec<f64>;
-
-    fn ask<S: QuantitySource, Q: AskedQuantity<S>>(
-        &self,
-        quantity: &QuantityAlong<'_, S, Q>,
-    ) -> Result<Vec<f64>, Fault> {
-        quantity.column().map_err(of_extremes)
     }
 }
 
 impl CaseForces<'_> {
     /// The extremes of a force and its mean, in units of the mechanism.
     pub(crate) fn extent(&self, force: &ForceColumn) -> Result<Extent, Fault> {
-        self.ask(force, &OfExtent)
+        self.ask(force, &OfExtent)?
     }
 
     /// The value of a force that is largest in size, in units of the mechanism.
     pub(crate) fn peak(&self, force: &ForceColumn) -> Result<Reached, Fault> {
-        self.ask(force, &OfPeak)
+        self.ask(force, &OfPeak)?.map_err(of_extremes)
+    }
+
+    /// The mean power of all drives, and what friction takes of it; none without friction.
+    pub(crate) fn efficiency(&self) -> Option<Result<Efficiency, Fault>> {
+        let Self { subject, case, .. } = self;
+        let reactions = self
+            .reactions
+            .as_ref()
+            .ok()
+            .filter(|reactions| reactions.has_friction())?;
+        let found = || {
+            let found = match case.time_of_laws() {
+                None => subject.line(case, ROWS_OF_PEAKS)?.efficiency(reactions),
+                Some(duration) => {
+                    subject.under_laws(case, duration, ROWS_OF_PEAKS, |sweep| sweep.efficiency(reactions))?
+                }
+            };
+            found.map_err(of_extremes)
+        };
+        Some(found())
+    }
+
+    /// What a proof about its forces tells. It takes a motion at constant speed.
+    pub(crate) fn proof<R>(&self, tell: impl FnOnce(ForceProof<'_>) -> R) -> Result<R, Fault> {
+        let Self { subject, case, .. } = self;
+        if case.time_of_laws().is_some() {
+            return Err(Fault::wrong(
+                "a proof takes a motion at constant speed, as in `--over '0..360deg at 500rpm'`, and no law",
+            ));
+        }
+        let reactions = self.reactions.as_ref().map_err(Fault::clone)?;
+        Ok(tell(subject.line(case, 2)?.proof(reactions)))
     }
 
     fn ask<A: ForceQuestion>(&self, force: &ForceColumn, question: &A) -> Result<A::Answer, Fault> {
@@ -601,17 +578,15 @@ impl CaseForces<'_> {
         question: &A,
         sweep: &AnySweep<'_, D>,
     ) -> Result<A::Answer, Fault> {
-        let reactions = || self.reactions.as_ref().map_err(Fault::clone);
-        let has_friction = !self.case.frictions.is_empty();
-        match force {
-            Force::Effort(input) if has_friction => {
-                question.ask(&sweep.of_effort_with_friction(reactions()?, *input, *order))
-            }
-            Force::Effort(input) => question.ask(&sweep.of_effort(self.loads, *input, *order)),
-            Force::Power(input) if has_friction => question.ask(&sweep.of_power_with_friction(reactions()?, *input)),
-            Force::Power(input) => question.ask(&sweep.of_power(self.loads, *input)),
-            Force::Reaction(name, part) => question.ask(&sweep.of_reaction(reactions()?, name, *part, *order)),
-            Force::Heat => question.ask(&sweep.of_heat(reactions()?, *order)),
+        let causes = Causes {
+            loads: self.loads,
+            reactions: self.reactions.as_ref().ok(),
+            has_friction: self.case.stated.has_friction(),
+        };
+        match (causes.ask(force, *order, sweep, question), &self.reactions) {
+            (Some(answer), _) => Ok(answer),
+            (None, Err(fault)) => Err(fault.clone()),
+            (None, Ok(_)) => Err(Fault::wrong("the forces in joints are not known")),
         }
     }
 
@@ -630,7 +605,7 @@ impl CaseForces<'_> {
         sweep: &AnySweep<'_, D>,
     ) -> Result<Vec<Vec<f64>>, Fault> {
         let columns = forces.iter().map(|column| {
-            let values = self.along(column, &OfRows, sweep)?;
+            let values = self.along(column, &OfRows, sweep)?.map_err(of_extremes)?;
             let size = column.size(self.subject.description(), self.case.metres());
             Ok(values.into_iter().map(|value| value * size).collect())
         });

@@ -9,12 +9,12 @@ use kin_core::any::{AssemblyChoice, Named, Of};
 use kin_core::law::Piecewise;
 use kin_core::linkage::AnyLinkage;
 use kin_core::load::NamedLoads;
-use kin_core::reaction::Friction;
 use kin_core::{ClosedRange, Mechanism};
 
 use super::functions::ReportFunctions;
 use super::model::Report;
 use super::{ReportError, gather};
+use crate::forces::Stated;
 
 /// A report that is to be made: a mechanism, and what is wanted beside the defaults. [`report`](super::report) begins
 /// it.
@@ -55,8 +55,7 @@ pub(crate) struct Wishes<'l> {
 #[derive(Clone, Debug)]
 pub(crate) struct WishedLoads {
     pub(crate) loads: NamedLoads,
-    /// The friction of joints, by the names of their forces.
-    pub(crate) frictions: Vec<(String, Friction)>,
+    pub(crate) stated: Stated,
     pub(crate) metres: f64,
 }
 
@@ -285,7 +284,7 @@ impl<M> Draft<'_, M> {
         let loads = loads.clone();
         self.wishes.loads = Some(WishedLoads {
             loads,
-            frictions: Vec::new(),
+            stated: Stated::default(),
             metres,
         });
         self

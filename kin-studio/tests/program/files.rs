@@ -202,14 +202,17 @@ fn friction_in_joints() {
     let folder = Folder::new("rubbed");
     folder.write("pump.kin", PUMP);
     folder.write("metres.kin", &PUMP.replacen("crank = 50mm", "crank = 0.05m", 1));
-    folder.write(
-        "rest.kin",
-        &PUMP.replacen("360deg at 900rpm", "90deg at 900rpm, rest 0.1s", 1),
-    );
+    let rest = PUMP.replacen("360deg at 900rpm", "90deg at 900rpm, rest 0.1s", 1);
+    folder.write("rest.kin", &rest);
+    let begins = "loads { sense of theta = forwards; drive of theta = arm;";
+    folder.write("begins.kin", &rest.replacen("loads {", begins, 1));
     let all = [
         "run pump.kin peaks",
         "run pump.kin sweep --rows 5",
         "run rest.kin sweep --rows 3 --columns friction_heat",
+        "run begins.kin sweep --rows 3 --columns theta_effort",
+        "forces pump.kin",
+        "forces pump.kin --json",
     ]
     .map(|words| typed_in(&folder, &format!("kin {words}")));
     assert_snapshot!("friction in joints", all.join("\n"));
@@ -275,6 +278,41 @@ fn forces_of_a_press() {
         book.contains(CRANK_PRESS),
         "docs/laws-and-loads.md should show\n{CRANK_PRESS}"
     );
+    assert!(
+        book.contains(&format!("{line}\n{shown}```")),
+        "docs/laws-and-loads.md should show\n{line}\n{shown}"
+    );
+}
+
+/// Limits are proved over all inputs and tolerances, or refuted at a place; mistakes in them are told.
+#[test]
+fn limits_of_forces() {
+    let folder = Folder::new("limits");
+    folder.write("crank_press.kin", CRANK_PRESS);
+    let metres = CRANK_PRESS.replacen("crank = 20mm", "crank = 0.02m", 1);
+    folder.write("metres.kin", &metres);
+    folder.write("short.kin", &CRANK_PRESS.replacen("rod = 160mm", "rod = 19mm", 1));
+    let rubbed = "loads {\n    friction of pin = 0.1, radius 10mm;";
+    folder.write("rubbed.kin", &CRANK_PRESS.replacen("loads {", rubbed, 1));
+    let proof = "--prove 'pin_force <= 6kN' --prove 'theta_effort <= 55Nm' --tolerance crank=0.1mm";
+    let all = [
+        format!("crank_press.kin {proof}"),
+        format!("metres.kin {proof}"),
+        "crank_press.kin --assembly all --prove 'wrist_slide_moment <= 50Nm' --tolerance rod=0.2mm".to_owned(),
+        "short.kin --over 90..0deg --prove 'pin_force <= 1e90kN'".to_owned(),
+        "crank_press.kin --prove 'pin <= 6kN'".to_owned(),
+        "crank_press.kin --prove 'pin_force <= 6'".to_owned(),
+        "crank_press.kin --prove pin_force".to_owned(),
+        "crank_press.kin --prove 'pin_force <= 6kN' --tolerance crnk=1mm".to_owned(),
+        "crank_press.kin --prove 'pin_force <= 6kN' --tolerance crank".to_owned(),
+        "crank_press.kin --prove 'pin_force <= 6kN' --over '0..90deg by cycloidal in 1s'".to_owned(),
+        "rubbed.kin --prove 'pin_force <= 6kN'".to_owned(),
+    ]
+    .map(|words| typed_in(&folder, &format!("kin forces {words}")));
+    assert_snapshot!("limits of forces", all.join("\n"));
+    let (line, rest) = all[0].split_once('\n').unwrap();
+    let (shown, _) = rest.split_once("-- ").unwrap();
+    let book = include_str!("../../../docs/laws-and-loads.md");
     assert!(
         book.contains(&format!("{line}\n{shown}```")),
         "docs/laws-and-loads.md should show\n{line}\n{shown}"

@@ -188,6 +188,10 @@ fn mistakes_in_friction() {
     let pin = "friction of pin = 0.1, radius 20mm";
     let all = [
         (pin, "friction of pn = 0.1, radius 20mm"),
+        (pin, "drive of thta = arm"),
+        (pin, "drive theta = arm"),
+        (pin, "drive of theta = am"),
+        (pin, "sense of theta = upwards"),
         (pin, "friction of = 0.1, radius 20mm"),
         (pin, "friction pin = 0.1, radius 20mm"),
         (pin, "friction of ground_arm = 0.1, radius 20mm"),

@@ -11,6 +11,7 @@
 
 mod branch;
 mod closure;
+mod cut;
 mod errors;
 mod linear;
 mod poses;
@@ -20,6 +21,7 @@ mod solution;
 mod tape;
 
 pub use closure::Given;
+pub use cut::{Body, Connection, Cut, Forces, Rates, Shape, written};
 pub use errors::Errors;
 pub use poses::{Kind, Pose, poses};
 pub use solution::{Solution, Stray, solution};

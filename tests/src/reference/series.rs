@@ -33,6 +33,12 @@ impl Series {
         Self(coefficients.collect())
     }
 
+    /// The series of these coefficients, of which there is at least one.
+    #[must_use]
+    pub fn from_coefficients(coefficients: Vec<Number>) -> Self {
+        Self(coefficients)
+    }
+
     /// The coefficient of a power of time.
     #[must_use]
     pub fn coefficient(&self, power: usize) -> Number {

@@ -3,6 +3,8 @@
 mod chapters;
 mod examples;
 #[cfg(feature = "other-crates")]
+mod forward_dynamics;
+#[cfg(feature = "other-crates")]
 mod free_fall;
 mod laws;
 mod mistakes;

@@ -30,7 +30,7 @@ const CORE: Package = Package {
     name: "kin-core",
     faces: &["lib", "declared", "prelude", "private"],
     root_items: &["storable", "each_library_mechanism", "__debug_by_display"],
-    rooms: "number geometry quantity failure assembly solve motion hermite law picture mechanism any assemblies \
+    rooms: "number geometry quantity failure assembly solve bounds motion hermite law picture mechanism any assemblies \
             curve track load reaction batch sweep extremes cycle tape exact linkage stored interop verify library editor",
 };
 
@@ -62,7 +62,7 @@ const STUDIO: Package = Package {
     name: "kin-studio",
     faces: &["lib", "bin"],
     root_items: &[],
-    rooms: "names drawing tables file report::error+report::model report library figures \
+    rooms: "names drawing tables file forces report::error+report::model report library figures \
             program::fault+program::text+program::units+program::value program::motion program::loads \
             program::progress+program::server program::case+program::subject+program::assembly+program::columns \
             program::format program::file program::command+program::advice program::tasks program",

@@ -86,6 +86,8 @@ enum Start<const M: usize> {
     /// Random coefficients, drawn on demand because there is no room to store them all.
     Random {
         number: u64,
+        /// The number of variables of the system.
+        variables: usize,
         /// Whether each variable of the equation occurs in the first and in the second form. It occurs in all further
         /// forms.
         members: [[bool; 2]; M],
@@ -96,6 +98,8 @@ enum Start<const M: usize> {
     /// kind in the others.
     Isotropic {
         number: u64,
+        /// The number of variables of the system.
+        variables: usize,
         /// The circle of each variable of the equation, and whether it is the second variable there.
         roles: [(usize, bool); M],
         /// The inverse unit of the variables.
@@ -194,6 +198,7 @@ impl<const M: usize> Start<M> {
                 number,
                 members,
                 inverse_units,
+                ..
             } => {
                 if members[index].get(usize::from(factor)).is_none_or(|member| *member) {
                     sequence::entry(*number, factor, index).scale(inverse_units[index])
@@ -205,6 +210,7 @@ impl<const M: usize> Start<M> {
                 number,
                 roles,
                 inverse_unit,
+                ..
             } => {
                 let (circle, is_second) = roles[index];
                 let entry = sequence::entry(*number, factor, circle).scale(*inverse_unit);
@@ -222,7 +228,9 @@ impl<const M: usize> Start<M> {
     fn constant(&self, factor: u8) -> Complex {
         match self {
             Self::Circle { constants, .. } => constants[usize::from(factor.min(1))],
-            Self::Random { number, .. } | Self::Isotropic { number, .. } => sequence::entry(*number, factor, M),
+            Self::Random { number, variables, .. } | Self::Isotropic { number, variables, .. } => {
+                sequence::entry(*number, factor, *variables)
+            }
         }
     }
 }
@@ -344,12 +352,14 @@ impl<'a, const M: usize> Homotopy<'a, M> {
                     } else if let Some(roles) = system.isotropic(terms, coefficients, &support[..occurring], degree) {
                         Start::Isotropic {
                             number: random.next(),
+                            variables: system.variables(),
                             roles,
                             inverse_unit: inverse_units[0],
                         }
                     } else {
                         Start::Random {
                             number: random.next(),
+                            variables: system.variables(),
                             members: system.members(terms, coefficients, &support[..occurring], degree),
                             inverse_units,
                         }
@@ -483,7 +493,7 @@ impl<'a, const M: usize> Homotopy<'a, M> {
         };
         let coordinates = &self.coordinates;
         let mut x = [Complex::ZERO; M];
-        for (variable, x) in x.iter_mut().enumerate() {
+        for (variable, x) in x[..self.system.variables()].iter_mut().enumerate() {
             *x = sum(&coordinates.basis[variable], coordinates.pinned[variable]);
         }
         (x, sum(&coordinates.infinity, coordinates.infinity_pinned))
@@ -494,7 +504,7 @@ impl<'a, const M: usize> Homotopy<'a, M> {
         let (x, infinity) = self.homogeneous(point);
         let [below, first, second] = [0, 1, 2].map(|form| {
             x.iter().zip(&self.coordinates.inverse_units).enumerate().fold(
-                sequence::entry(self.number, form, M) * infinity,
+                sequence::entry(self.number, form, self.system.variables()) * infinity,
                 |sum, (variable, (x, inverse_unit))| {
                     sum + sequence::entry(self.number, form, variable) * x.scale(*inverse_unit)
                 },

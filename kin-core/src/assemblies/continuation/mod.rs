@@ -150,7 +150,8 @@ pub fn real_solutions<const M: usize, const PATHS: usize>(
         return Err(Unsuitable::NotFinite { coefficient });
     }
     let degrees = system.degrees(coefficients);
-    if let Some(equation) = degrees.iter().position(|&degree| degree == 0) {
+    let occurring = &degrees[..system.variables()];
+    if let Some(equation) = occurring.iter().position(|&degree| degree == 0) {
         return Err(Unsuitable::NoVariable { equation });
     }
     let scales = scaling::scales(system, coefficients);

@@ -184,7 +184,7 @@ pub(super) fn reduce<const M: usize>(
             }
         }
     }
-    let free = M - linear;
+    let free = system.variables() - linear;
     let mut coordinates = Coordinates {
         free,
         basis: [[0.0; M]; M],
@@ -195,6 +195,7 @@ pub(super) fn reduce<const M: usize>(
     };
     // For each axis, the square of its part outside the vectors found so far.
     let mut left = Vector([1.0; M], 1.0);
+    left.0[system.variables()..].fill(-1.0);
     let exclude = |left: &mut Vector<M>, unit: &Vector<M>| {
         for (left, entry) in left.0.iter_mut().zip(&unit.0) {
             *left -= entry * entry;

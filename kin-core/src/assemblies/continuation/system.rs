@@ -59,18 +59,37 @@ impl<'a> BorrowedTerm<'a> {
 /// ```
 pub type PolynomialSystem<const M: usize> = BorrowedSystem<'static, M>;
 
-/// A [`PolynomialSystem`] whose table may be made at run time.
+/// A [`PolynomialSystem`] whose table may be made at run time. There is room for `M` variables.
 #[derive(Clone, Copy, Debug)]
 pub struct BorrowedSystem<'a, const M: usize> {
     terms: &'a [BorrowedTerm<'a>],
     pairs: &'a [[u16; 2]],
+    variables: usize,
 }
 
 impl<'a, const M: usize> BorrowedSystem<'a, M> {
     /// The system with these terms, sorted by equation.
     #[must_use]
     pub const fn new(terms: &'a [BorrowedTerm<'a>]) -> Self {
-        Self { terms, pairs: &[] }
+        Self {
+            terms,
+            pairs: &[],
+            variables: M,
+        }
+    }
+
+    /// The same system with fewer variables than there is room for. The further values of a solution are zero.
+    #[must_use]
+    pub const fn with_variables(self, variables: usize) -> Self {
+        Self {
+            variables: if variables < M { variables } else { M },
+            ..self
+        }
+    }
+
+    /// The number of variables, and of equations.
+    pub(super) const fn variables(&self) -> usize {
+        self.variables
     }
 
     /// The same system, with pairs of variables that are the coordinates of a vector in the plane.
@@ -94,7 +113,7 @@ impl<'a, const M: usize> BorrowedSystem<'a, M> {
     #[must_use]
     pub const fn paths(&self) -> usize {
         let (mut paths, mut equation) = (1_usize, 0);
-        while equation < M {
+        while equation < self.variables {
             let (mut degree, mut index) = (0, 0);
             while index < self.terms.len() {
                 let term = &self.terms[index];
@@ -109,7 +128,7 @@ impl<'a, const M: usize> BorrowedSystem<'a, M> {
         paths
     }
 
-    /// The degree of each equation, not counting terms with the coefficient zero.
+    /// The degree of each equation, not counting terms with the coefficient zero; zero beyond the last equation.
     pub(super) fn degrees(&self, coefficients: &[f64]) -> [u8; M] {
         let mut degrees = [0; M];
         for term in self.terms {
@@ -250,7 +269,7 @@ impl<'a, const M: usize> BorrowedSystem<'a, M> {
             return None;
         }
         let mut roles = [None; M];
-        for equation in 0..M {
+        for equation in 0..self.variables {
             let circle = self.range(equation);
             if circle != range && self.is_circle(circle, coefficients) {
                 let (pair, _) = self.support(circle, coefficients);
@@ -264,7 +283,7 @@ impl<'a, const M: usize> BorrowedSystem<'a, M> {
         for (number, pair) in self.pairs.iter().enumerate() {
             for (side, variable) in pair.iter().enumerate() {
                 if let Some(position) = support.iter().position(|known| *known == usize::from(*variable)) {
-                    roles[position] = Some((M + number, side == 1));
+                    roles[position] = Some((self.variables + number, side == 1));
                 }
             }
         }
@@ -316,13 +335,13 @@ impl<'a, const M: usize> BorrowedSystem<'a, M> {
     pub(super) fn fits(&self, coefficients: usize) -> bool {
         self.terms.is_sorted_by_key(|term| term.equation)
             && self.terms.iter().all(|term| {
-                usize::from(term.equation) < M
+                usize::from(term.equation) < self.variables
                     && usize::from(term.coefficient) < coefficients
                     && u8::try_from(term.degree()).is_ok()
                     && term
                         .powers
                         .iter()
-                        .all(|&(variable, power)| usize::from(variable) < M && power > 0)
+                        .all(|&(variable, power)| usize::from(variable) < self.variables && power > 0)
             })
     }
 }

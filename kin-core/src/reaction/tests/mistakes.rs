@@ -77,7 +77,7 @@ fn a_coupler_on_three_cranks() {
     assert_eq!(
         message(still(&reactions, &[1.1])),
         "the drive of `theta` could act on each of `first`, `second`, `third`, on which the forces in joints depend: \
-         say which by `driving`"
+         say which by `driving`, or in a file by `drive of .. = ..;`"
     );
     let reactions = reactions.driving("theta", "first").expect("a body");
     let found = still(&reactions, &[1.1]).expect("it has a solution");

@@ -3,8 +3,10 @@
 mod agreement;
 mod friction;
 mod mistakes;
+mod proof;
 mod published;
 mod rolling;
+mod sensitive;
 mod space;
 mod squeezer;
 

@@ -15,8 +15,8 @@ use super::super::value::{self, Lengths};
 use crate::file::{Entry, Mistake, Part, is_ident, range_of};
 
 /// The words with which a load begins.
-const KINDS: [&str; 8] = [
-    "gravity", "mass", "inertia", "force", "torque", "spring", "damper", "friction",
+const KINDS: [&str; 10] = [
+    "gravity", "mass", "inertia", "force", "torque", "spring", "damper", "friction", "drive", "sense",
 ];
 
 /// The loads, and what is wrong in them.
@@ -56,6 +56,14 @@ pub(super) fn read(
                 mistakes.push(entry.head.mistake(format!("`{name}` has friction already")));
             }
             Ok(Read::Friction(name, friction)) => loads.frictions.push((name, friction)),
+            Ok(Read::Drive(input, _)) if loads.drives.iter().any(|(own, _)| *own == input) => {
+                mistakes.push(entry.head.mistake(format!("the drive of `{input}` has a body already")));
+            }
+            Ok(Read::Drive(input, body)) => loads.drives.push((input, body)),
+            Ok(Read::Sense(input, _)) if loads.senses.iter().any(|(own, _)| *own == input) => {
+                mistakes.push(entry.head.mistake(format!("the sense of `{input}` is told already")));
+            }
+            Ok(Read::Sense(input, sense)) => loads.senses.push((input, sense)),
             Err(mistake) => mistakes.push(mistake),
         }
     }
@@ -100,6 +108,8 @@ enum Read {
     Gravity([InSi; 3]),
     Load(Load),
     Friction(String, JointFriction),
+    Drive(String, String),
+    Sense(String, f64),
 }
 
 /// Where a load acts.
@@ -136,6 +146,12 @@ impl Reader<'_, '_> {
         }
         if kind == "friction" {
             return self.friction_of(entry);
+        }
+        if kind == "drive" {
+            return self.drive_of(entry);
+        }
+        if kind == "sense" {
+            return self.sense_of(entry);
         }
         let places = self.places_of(entry)?;
         let value = &entry.value;
@@ -281,6 +297,57 @@ impl Reader<'_, '_> {
             }
         };
         Ok(Read::Friction(name, friction))
+    }
+
+    /// The input behind `of`, or how the whole is written.
+    fn input_of(&self, entry: &Entry, form: &str) -> Result<String, Mistake> {
+        let inputs = self.description.inputs;
+        let word = match entry.words.as_slice() {
+            [_, of, TokenTree::Ident(word)] if is_ident(Some(of), "of") => word.to_string(),
+            _ => return Err(entry.head.mistake(form)),
+        };
+        if inputs.iter().any(|own| own.name == word) {
+            return Ok(word);
+        }
+        let advice = similar(&word, inputs.iter().map(|own| own.name));
+        let message = format!("there is no input `{word}`; {advice}");
+        Err(Mistake::new(message, range_of(&entry.words[2])))
+    }
+
+    /// `drive of theta = crank`.
+    fn drive_of(&self, entry: &Entry) -> Result<Read, Mistake> {
+        let bodies = self.places.bodies();
+        let (input, body) = (self.description.inputs.first(), bodies.first());
+        let [input, body] = [
+            input.map_or("theta", |input| input.name),
+            body.copied().unwrap_or("crank"),
+        ];
+        let form = format!("a drive turns or pushes a body: write `drive of {input} = {body};`");
+        let input = self.input_of(entry, &form)?;
+        let body = entry.value.text.trim().to_owned();
+        if bodies.contains(&body.as_str()) {
+            return Ok(Read::Drive(input, body));
+        }
+        let advice = match bodies.as_slice() {
+            [] => "bodies are declared, as in `body crank: 0, pin;`".to_owned(),
+            bodies => similar(&body, bodies.iter().copied()),
+        };
+        Err(entry.value.mistake(format!("there is no body `{body}`; {advice}")))
+    }
+
+    /// `sense of theta = forwards`.
+    fn sense_of(&self, entry: &Entry) -> Result<Read, Mistake> {
+        let input = self.description.inputs.first().map_or("theta", |input| input.name);
+        let form = format!(
+            "where all inputs rest, friction opposes the motion that is about to begin: write `sense of {input} = \
+             forwards;` or `backwards`"
+        );
+        let input = self.input_of(entry, &form)?;
+        match entry.value.text.trim() {
+            "forwards" => Ok(Read::Sense(input, 1.0)),
+            "backwards" => Ok(Read::Sense(input, -1.0)),
+            _ => Err(entry.value.mistake(form)),
+        }
     }
 
     /// `mass of rod = 2kg at (30mm, 0), inertia 0.02kgm2`.

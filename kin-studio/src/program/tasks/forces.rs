@@ -1,18 +1,20 @@
 //! `kin forces`: what the joints and the drives of a motion bear.
 
-use kin_core::reaction::ReactionPart;
+use kin_core::reaction::{Efficiency, ReactionPart};
+use serde_json::{Map, Value, json};
 
 use super::super::case::Case;
 use super::super::command::Forces;
 use super::super::fault::Fault;
 use super::super::file::Told;
-use super::super::loads::{Force, ForceColumn};
+use super::super::loads::ForceColumn;
 use super::super::progress::watched;
-use super::super::subject::{Extent, Reached, Subject};
+use super::super::subject::{CaseForces, Extent, Subject};
 use super::super::text::{self, Column};
 use super::peaks::{Place, moves_at};
 use super::sweep::{headed, tell_jolts};
-use super::{print, write};
+use super::{print, prove, write};
+use crate::forces::{Force, Reached};
 use crate::tables::quoted;
 
 /// A force over the motion, in its unit. What is not determined is not a number, and what has no bound is infinite.
@@ -34,24 +36,42 @@ struct Borne {
 pub(super) fn run(subject: &Subject, options: &Forces, told: &Told) -> Result<(), Fault> {
     check(subject, told)?;
     let all = options.setup.typed(told).each_assembly(subject);
-    let (mut texts, mut cases) = (Vec::new(), Vec::new());
+    let (mut texts, mut objects, mut cases, mut are_proved) = (Vec::new(), Vec::new(), Vec::new(), true);
     for (assembly, typed) in &all {
         let case = typed.case(subject)?;
         if cases.is_empty() {
             tell_jolts(subject, &case)?;
         }
-        let borne = borne(subject, &case)?;
-        texts.push(if options.csv.is_some() {
-            let assembly = (all.len() > 1).then_some(assembly.as_str());
-            csv(subject, &case, &borne, assembly, cases.is_empty())
+        if !options.prove.is_empty() {
+            let (text, is_proved) = prove::shown(subject, &case, &options.prove, &options.tolerance)?;
+            texts.push(headed(assembly, all.len(), text));
+            are_proved &= is_proved;
+            continue;
+        }
+        let (borne, efficiency) = match subject.forces_of(&case) {
+            Some(forces) => (borne(subject, &case, &forces)?, efficiency(&case, &forces)?),
+            None => (Vec::new(), None),
+        };
+        let one_of_several = (all.len() > 1).then_some(assembly.as_str());
+        if options.csv.is_some() {
+            texts.push(csv(subject, &case, &borne, one_of_several, cases.is_empty()));
+        } else if options.json.is_some() {
+            objects.push(object(subject, &case, &borne, efficiency, one_of_several));
         } else {
-            headed(assembly, all.len(), shown(subject, &case, &borne))
-        });
+            texts.push(headed(assembly, all.len(), shown(subject, &case, &borne, efficiency)));
+        }
         cases.push(case);
     }
-    match &options.csv {
-        Some(path) => write(path, &texts.concat())?,
-        None => print(&texts.join("\n"))?,
+    match (&options.csv, &options.json) {
+        (Some(path), _) => write(path, &texts.concat())?,
+        (_, Some(path)) => {
+            let only = if objects.len() == 1 { objects.pop() } else { None };
+            write(path, &(only.unwrap_or(Value::Array(objects)).to_string() + "\n"))?;
+        }
+        _ => print(&texts.join("\n"))?,
+    }
+    if !are_proved {
+        return Err(Fault::open("a limit is not proved"));
     }
     cases.iter().try_for_each(|case| subject.closes(case))
 }
@@ -74,10 +94,7 @@ fn check(subject: &Subject, told: &Told) -> Result<(), Fault> {
 }
 
 /// The force of each joint, the moment of each slide, and the effort and the power of each drive.
-fn borne(subject: &Subject, case: &Case) -> Result<Vec<Borne>, Fault> {
-    let Some(forces) = subject.forces_of(case) else {
-        return Ok(Vec::new());
-    };
+fn borne(subject: &Subject, case: &Case, forces: &CaseForces<'_>) -> Result<Vec<Borne>, Fault> {
     let columns = case.forces(subject).all;
     let is_of_joint = |column: &&ForceColumn| matches!(column.force, Force::Reaction(..));
     let values = columns.iter().filter(|column| column.order == 0);
@@ -113,6 +130,22 @@ fn borne(subject: &Subject, case: &Case) -> Result<Vec<Borne>, Fault> {
         None => {}
     }
     Ok(all)
+}
+
+/// The mean powers of drives and of friction in watts, if a joint has friction.
+fn efficiency(case: &Case, forces: &CaseForces<'_>) -> Result<Option<Efficiency>, Fault> {
+    let found = forces.efficiency().transpose()?;
+    let watts = case.metres().powi(2);
+    Ok(found.map(|found| Efficiency {
+        input: found.input * watts,
+        heat: found.heat * watts,
+    }))
+}
+
+/// The efficiency, unless friction locks the mechanism. It is zero where all power becomes heat but for rounding.
+fn ratio(mean: Efficiency) -> Option<f64> {
+    let ratio = mean.ratio().filter(|_| !mean.is_locked())?;
+    Some(if ratio.abs() < ROUNDING { 0.0 } else { ratio })
 }
 
 /// The value that is largest in size; of two that differ by rounding, the positive one.
@@ -178,7 +211,7 @@ impl Borne {
     }
 }
 
-fn shown(subject: &Subject, case: &Case, all: &[Borne]) -> String {
+fn shown(subject: &Subject, case: &Case, all: &[Borne], efficiency: Option<Efficiency>) -> String {
     let place = Place::new(subject, case);
     let words =
         |head, of: &dyn Fn(&Borne) -> &str| Column::words(head, all.iter().map(|one| of(one).to_owned()).collect());
@@ -207,7 +240,48 @@ fn shown(subject: &Subject, case: &Case, all: &[Borne]) -> String {
         numbers("lowest", &|one| one.lowest),
         numbers("rate", &|one| one.rate),
     ];
-    text::table(&columns) + &moves_at(subject, case)
+    let powers = efficiency.map_or_else(String::new, |mean| {
+        let ratio = ratio(mean).map_or_else(String::new, |ratio| format!("; efficiency {}", text::digits(ratio)));
+        let [input, heat] = [mean.input, mean.heat].map(text::digits);
+        format!("drives give {input} W in the mean, and friction turns {heat} W into heat{ratio}\n")
+    });
+    text::table(&columns) + &powers + &moves_at(subject, case)
+}
+
+/// The same as an object of JSON. What is not determined is null, and what has no bound is the word `unbounded`.
+fn object(
+    subject: &Subject,
+    case: &Case,
+    all: &[Borne],
+    efficiency: Option<Efficiency>,
+    assembly: Option<&str>,
+) -> Value {
+    let place = Place::new(subject, case);
+    let number = |value: f64| {
+        if value.is_infinite() {
+            json!("unbounded")
+        } else {
+            json!(Some(value).filter(|value| value.is_finite()))
+        }
+    };
+    let one = |one: &Borne| {
+        let [on, by] = &one.bodies;
+        json!({
+            "force": one.name, "on": on, "by": by, "unit": one.unit,
+            "peak": number(one.peak), "at": number(place.value(one.at)), "at_unit": place.unit(),
+            "rms": number(one.rms), "lowest": number(one.lowest), "rate": number(one.rate),
+        })
+    };
+    let mut object = Map::new();
+    if let Some(assembly) = assembly {
+        object.insert("assembly".to_owned(), json!(assembly));
+    }
+    object.insert("forces".to_owned(), all.iter().map(one).collect());
+    if let Some(mean) = efficiency {
+        let powers = json!({ "input": mean.input, "heat": mean.heat, "ratio": ratio(mean), "unit": "W" });
+        object.insert("efficiency".to_owned(), powers);
+    }
+    Value::Object(object)
 }
 
 /// The rows of a file, behind their head if they come first, each behind its assembly if there are several.

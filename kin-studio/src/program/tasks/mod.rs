@@ -7,6 +7,7 @@ mod fmt;
 mod forces;
 mod list;
 mod peaks;
+mod prove;
 mod report;
 mod serve;
 mod show;

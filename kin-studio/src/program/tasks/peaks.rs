@@ -10,10 +10,11 @@ use super::super::fault::Fault;
 use super::super::file::Told;
 use super::super::loads::ForceColumn;
 use super::super::progress::watched;
-use super::super::subject::{Extent, Reached, Subject};
+use super::super::subject::{Extent, Subject};
 use super::super::text::{self, Column, Units};
 use super::print;
 use super::sweep::{columns_of, headed, tell_jolts};
+use crate::forces::Reached;
 
 /// The highest order of a rate that is shown.
 const HIGHEST: usize = 4;

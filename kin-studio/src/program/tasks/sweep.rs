@@ -10,11 +10,12 @@ use super::super::columns;
 use super::super::command::Sweep;
 use super::super::fault::Fault;
 use super::super::file::Told;
-use super::super::loads::{Force, ForceColumn, ForceColumns};
+use super::super::loads::{ForceColumn, ForceColumns};
 use super::super::progress::watched;
 use super::super::subject::Subject;
 use super::super::text::{self, Column};
 use super::{print, write};
+use crate::forces::Force;
 use crate::tables::{Columns, Export as _, quoted};
 
 const ROWS_AS_TEXT: u32 = 13;

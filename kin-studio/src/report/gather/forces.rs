@@ -8,6 +8,7 @@ use kin_core::sweep::SmoothDrive;
 
 use super::peaks::over_all;
 use super::way::Way;
+use crate::forces::{Causes, Force, ForceQuestion, OfPeak, OfRows};
 use crate::names::symbol;
 use crate::report::draft::{WishedLoads, Wishes};
 use crate::report::model::{ActingLoad, BodyLoad, CurveKind, ForceCurve, ForcePeak, ForceSample, Forces, JointForce};
@@ -15,22 +16,28 @@ use crate::report::model::{ActingLoad, BodyLoad, CurveKind, ForceCurve, ForcePea
 /// The forces, if there are loads.
 pub(super) fn of<D: SmoothDrive>(wishes: &Wishes<'_>, way: &Way<'_, D>) -> Option<Forces> {
     let wished = wishes.loads.as_ref()?;
-    let gathered = Gathered { wishes, wished, way };
-    let bare = if wishes.functions.is_space() {
+    let found = if wishes.functions.is_space() {
         Err(IN_SPACE.to_owned())
     } else {
-        let bare = wishes.linkage.reactions(&wished.loads);
-        bare.map_err(|error| error.to_string())
+        let found = wished.stated.reactions(&wishes.linkage, &wished.loads);
+        found.map_err(|error| error.to_string())
     };
-    let found = bare.and_then(|bare| {
-        let all = bare.frictions(wished.frictions.iter().cloned());
-        all.map_err(|error| error.to_string())
-    });
     let (reactions, mut unknown) = match found {
         Ok(reactions) => (Some(reactions), None),
         Err(error) => (None, Some(error)),
     };
-    let mut all = gathered.efforts(reactions.as_ref().filter(|_| !wished.frictions.is_empty()));
+    let causes = Causes {
+        loads: &wished.loads,
+        reactions: reactions.as_ref(),
+        has_friction: wished.stated.has_friction(),
+    };
+    let gathered = Gathered {
+        wishes,
+        wished,
+        way,
+        causes,
+    };
+    let mut all = gathered.efforts();
     let (mut joints, mut body_loads) = (Vec::new(), Vec::new());
     if let Some(reactions) = &reactions {
         let (own, rows) = gathered.joints(reactions, &mut all, &mut unknown);
@@ -60,6 +67,7 @@ struct Gathered<'g, 'm, D> {
     wishes: &'g Wishes<'g>,
     wished: &'g WishedLoads,
     way: &'g Way<'m, D>,
+    causes: Causes<'g>,
 }
 
 type Rows = Vec<Result<Reactions, ExtremesError>>;
@@ -73,7 +81,7 @@ impl<D: SmoothDrive> Gathered<'_, '_, D> {
     }
 
     /// The efforts of the drives that move, and samples of nothing else.
-    fn efforts(&self, with_friction: Option<&NamedReactions<'_>>) -> All {
+    fn efforts(&self) -> All {
         let inputs = self.wishes.linkage.description().inputs.iter().enumerate();
         let at = |sweep: &AnySweep<'_, D>| (0..sweep.count()).map(|row| sweep.at(row)).collect();
         let sample = |input: f64| ForceSample {
@@ -86,13 +94,13 @@ impl<D: SmoothDrive> Gathered<'_, '_, D> {
         let mut curves = Vec::new();
         for (input, quantity) in inputs {
             let lengths = if quantity.dimension == Dimension::Length { 1 } else { 2 };
+            let effort = Force::Effort(input);
             let column = |order| {
                 let of = |sweep: &AnySweep<'_, D>| {
-                    let column = match with_friction {
-                        Some(reactions) => sweep.of_effort_with_friction(reactions, input, order).column(),
-                        None => sweep.of_effort(&self.wished.loads, input, order).column(),
-                    };
-                    column.unwrap_or_else(|_| vec![f64::NAN; sweep.count()])
+                    let column = self.causes.ask(&effort, order, sweep, &OfRows);
+                    column
+                        .and_then(Result::ok)
+                        .unwrap_or_else(|| vec![f64::NAN; sweep.count()])
                 };
                 self.way.ascending(of)
             };
@@ -103,10 +111,7 @@ impl<D: SmoothDrive> Gathered<'_, '_, D> {
                 name: format!("{}_effort", quantity.name),
                 text: format!("effort of {}", symbol(quantity.name)),
                 kind: CurveKind::of(lengths),
-                peak: self.peak(lengths, |sweep, order, ask| match with_friction {
-                    Some(reactions) => ask.of(&sweep.of_effort_with_friction(reactions, input, order)),
-                    None => ask.of(&sweep.of_effort(&self.wished.loads, input, order)),
-                }),
+                peak: self.peak(lengths, &effort),
             });
         }
         All { curves, samples }
@@ -153,18 +158,14 @@ impl<D: SmoothDrive> Gathered<'_, '_, D> {
                         .and_then(|force| self.sized([force.moment[0], force.moment[1]], 2)),
                 );
             }
-            let of = |part: ReactionPart| {
-                move |sweep: &AnySweep<'_, D>, order: usize, ask: &Ask| {
-                    ask.of(&sweep.of_reaction(reactions, name, part, order))
-                }
-            };
+            let part = |part: ReactionPart| Force::Reaction(name.to_owned(), part);
             joints.push(JointForce {
                 name: name.to_owned(),
                 on: member(&on),
                 by: member(&by),
                 joint: reactions.joint_of(name).unwrap_or_default(),
                 is_slide,
-                peak: self.peak(1, of(ReactionPart::Force)),
+                peak: self.peak(1, &part(ReactionPart::Force)),
             });
             if moments.iter().flatten().any(|[moment, _]| *moment != 0.0) {
                 for (sample, moment) in all.samples.iter_mut().zip(moments) {
@@ -174,7 +175,7 @@ impl<D: SmoothDrive> Gathered<'_, '_, D> {
                     name: format!("{name}_moment"),
                     text: format!("moment of {name}"),
                     kind: CurveKind::Moment,
-                    peak: self.peak(2, of(ReactionPart::Moment)),
+                    peak: self.peak(2, &part(ReactionPart::Moment)),
                 });
             }
         }
@@ -233,28 +234,28 @@ impl<D: SmoothDrive> Gathered<'_, '_, D> {
     }
 
     /// The extremes of a force of which each sweep has an answer, none if it is nowhere known.
-    fn peak(
-        &self,
-        lengths: i32,
-        of: impl Fn(&AnySweep<'_, D>, usize, &Ask) -> Result<(f64, f64), ExtremesError>,
-    ) -> Option<ForcePeak> {
+    fn peak(&self, lengths: i32, force: &Force) -> Option<ForcePeak> {
         let size = self.wished.metres.powi(lengths);
-        let best = |order: usize, ask: Ask| {
-            let all = self.way.sweeps.iter().map(|sweep| of(sweep, order, &ask));
-            let all: Result<Vec<_>, _> = all.collect();
+        let best = |order: usize| {
+            let peak = |sweep| {
+                let reached = self.causes.ask(force, order, sweep, &OfPeak)?.ok()?;
+                Some((reached.value.unwrap_or(f64::INFINITY), reached.at))
+            };
+            let all: Option<Vec<(f64, f64)>> = self.way.sweeps.iter().map(peak).collect();
             let size = |one: &(f64, f64)| one.0.abs();
-            all.ok()?
-                .into_iter()
-                .max_by(|one, other| size(one).total_cmp(&size(other)))
+            all?.into_iter().max_by(|one, other| size(one).total_cmp(&size(other)))
         };
-        let (value, at) = best(0, Ask::Peak)?;
-        let rms = over_all(self.way, |sweep| of(sweep, 0, &Ask::Rms).map(|(rms, _)| rms));
+        let (value, at) = best(0)?;
+        let rms = over_all(self.way, |sweep| {
+            let rms = self.causes.ask(force, 0, sweep, &OfRms);
+            rms.unwrap_or(Err(ExtremesError::NotFinite { at: f64::NAN }))
+        });
         // in the rounding of what does not change nothing is to be sought
         let is_steady = matches!(rms, Ok(Some(rms)) if (value.abs() - rms).abs() <= STEADY * rms);
         let rate = if is_steady {
             Some(0.0)
         } else {
-            best(1, Ask::Peak).map(|(rate, _)| rate)
+            best(1).map(|(rate, _)| rate)
         };
         let sized = |value: f64| Some(value * size).filter(|value| value.is_finite());
         Some(ForcePeak {
@@ -269,27 +270,14 @@ impl<D: SmoothDrive> Gathered<'_, '_, D> {
 /// A mean that differs from the peak by less than this part of it is that of a force which does not change.
 const STEADY: f64 = 1e-10;
 
-/// A question to a quantity along a sweep.
-#[derive(Clone, Copy)]
-enum Ask {
-    /// The value that is largest in size, and where; infinite if it has no bound.
-    Peak,
-    Rms,
-}
+/// What is the root of the mean square?
+struct OfRms;
 
-impl Ask {
-    fn of<S: QuantitySource, Q: AskedQuantity<S>>(
-        self,
-        quantity: &QuantityAlong<'_, S, Q>,
-    ) -> Result<(f64, f64), ExtremesError> {
-        match self {
-            Self::Peak => match quantity.peak() {
-                Ok(peak) => Ok((peak.value, peak.at)),
-                Err(ExtremesError::Unbounded { at }) => Ok((f64::INFINITY, at)),
-                Err(error) => Err(error),
-            },
-            Self::Rms => quantity.rms(Over::Time).map(|rms| (rms.value, f64::NAN)),
-        }
+impl ForceQuestion for OfRms {
+    type Answer = Result<f64, ExtremesError>;
+
+    fn ask<S: QuantitySource, Q: AskedQuantity<S>>(&self, quantity: &QuantityAlong<'_, S, Q>) -> Self::Answer {
+        quantity.rms(Over::Time).map(|rms| rms.value)
     }
 }
 

@@ -116,6 +116,26 @@ proptest! {
     }
 }
 
+/// Room for more variables changes no bit: `kin-live` has few sizes for all systems.
+#[test]
+fn room_for_more_variables_changes_nothing() {
+    let mut random = FixedSequence::new(16);
+    for _ in 0..samples::of(20) {
+        let platform = Platform::random(&mut random);
+        let (counts, found) = solve(&platform);
+        let table = platform.table();
+        let system = table.system::<16>().with_variables(8);
+        let mut roomy = Vec::new();
+        let outcome = real_solutions::<16, 16>(&system, &table.coefficients, |solution| roomy.push(solution));
+        assert_eq!(outcome, Ok(counts));
+        for (one, other) in found.iter().zip(&roomy) {
+            assert_eq!(other.values[..8], one.values);
+            assert_eq!(other.values[8..], [0.0; 8]);
+            assert_eq!(other.condition.to_bits(), one.condition.to_bits());
+        }
+    }
+}
+
 /// The first platform of a random sequence that has six real positions.
 fn six() -> (Platform, Vec<Solution<8>>) {
     let mut random = FixedSequence::new(6);

@@ -1,5 +1,7 @@
 //! A number that stands for all its values over an interval of the input.
 
+pub(crate) mod linear;
+
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_traits::Float;
@@ -10,22 +12,24 @@ use crate::number::{Number, real_parts};
 use crate::solve::{Check, Choose, NewtonMemory, Scalar};
 
 /// The bound of a number of which nothing is known.
-pub(super) const HUGE: f64 = 1e150;
+pub(crate) const HUGE: f64 = 1e150;
+/// The width of bounds beyond which nothing is known of a number.
+pub(crate) const UNBOUNDED: f64 = 1e75;
 /// The smallest bound that is not zero. Its square does not underflow.
 const TINY: f64 = 1e-140;
 /// The error of an elementary function, relative to its largest value.
 const FUNCTION: f64 = 8.0 * f64::EPSILON;
 
 /// The failure where some values of the interval lead one way, and others another way.
-pub(super) const UNDECIDED: &str = "interval in which the solver decides both ways";
+pub(crate) const UNDECIDED: &str = "interval in which the solver decides both ways";
 
 /// What is not certain about a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Doubt(u8);
+pub(crate) struct Doubt(u8);
 
 impl Doubt {
     /// Every value exists.
-    pub(super) const NONE: Self = Self(0);
+    pub(crate) const NONE: Self = Self(0);
     /// The values exist from some point of the interval on, or everywhere, or nowhere.
     const RISING: Self = Self(1);
     /// The values exist up to some point of the interval, or everywhere, or nowhere.
@@ -37,20 +41,20 @@ impl Doubt {
 
     /// The doubt about a number made of two.
     #[inline]
-    pub(super) const fn and(self, other: Self) -> Self {
+    pub(crate) const fn and(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }
 
     /// Whether values exist at both ends only if they exist in between, and the points where they exist touch one
     /// certain end.
     #[inline]
-    pub(super) const fn is_one_sided(self) -> bool {
+    pub(crate) const fn is_one_sided(self) -> bool {
         self.0 == Self::RISING.0 || self.0 == Self::FALLING.0
     }
 
     /// Whether rounding decides, so that a shorter interval decides no more.
     #[inline]
-    pub(super) const fn is_rounding(self) -> bool {
+    pub(crate) const fn is_rounding(self) -> bool {
         self.0 & Self::ROUNDING.0 != 0
     }
 }
@@ -65,11 +69,11 @@ impl Doubt {
 pub(crate) struct Bounds {
     middle: f64,
     error: f64,
-    pub(super) low: f64,
-    pub(super) high: f64,
+    pub(crate) low: f64,
+    pub(crate) high: f64,
     least_slope: f64,
     greatest_slope: f64,
-    pub(super) doubt: Doubt,
+    pub(crate) doubt: Doubt,
 }
 
 /// The smaller of two numbers, neither of which is NaN.
@@ -86,7 +90,7 @@ fn larger(one: f64, other: f64) -> f64 {
 
 /// The smallest interval that holds the products of two intervals.
 #[inline]
-pub(super) fn product(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+pub(crate) fn product(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     widened(rounded_product(a, b))
 }
 
@@ -102,7 +106,7 @@ fn rounded_product(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 
 /// An interval that holds the exact result of an operation, whose rounded ends are given.
 #[inline]
-pub(super) fn widened([low, high]: [f64; 2]) -> [f64; 2] {
+pub(crate) fn widened([low, high]: [f64; 2]) -> [f64; 2] {
     let size = larger(low.abs(), high.abs());
     // Only the product with an exact zero is zero: bounds do not underflow, and stay above the numbers with which
     // processors are slow.
@@ -121,7 +125,7 @@ pub(super) fn widened([low, high]: [f64; 2]) -> [f64; 2] {
 
 /// The reciprocals of an interval.
 #[inline]
-pub(super) fn reciprocal([low, high]: [f64; 2]) -> [f64; 2] {
+pub(crate) fn reciprocal([low, high]: [f64; 2]) -> [f64; 2] {
     if low > 0.0 || high < 0.0 {
         widened([1.0 / high, 1.0 / low])
     } else {
@@ -132,7 +136,7 @@ pub(super) fn reciprocal([low, high]: [f64; 2]) -> [f64; 2] {
 impl Bounds {
     /// The variable itself: all values from `low` to `high`.
     #[inline]
-    pub(super) fn variable(low: f64, high: f64) -> Self {
+    pub(crate) fn variable(low: f64, high: f64) -> Self {
         let middle = 0.5 * (low + high);
         let [least_slope, greatest_slope] = widened([0.5 * (high - low); 2]);
         Self {
@@ -149,7 +153,7 @@ impl Bounds {
     /// A number that is known to one unit in its last place, as a length that was read or multiplied by a unit. What
     /// such a unit decides is not decided.
     #[inline]
-    pub(super) fn rounded(value: f64) -> Self {
+    pub(crate) fn rounded(value: f64) -> Self {
         let error = f64::EPSILON * value.abs();
         Self {
             error,
@@ -159,15 +163,54 @@ impl Bounds {
         }
     }
 
+    /// A number that differs from another one by an error at most, and by rounding.
+    pub(crate) fn around(value: f64, error: f64) -> Self {
+        let error = (error + 2.0 * f64::EPSILON * value.abs()) * (1.0 + 2.0 * f64::EPSILON);
+        Self {
+            error,
+            low: value - error,
+            high: value + error,
+            ..Self::constant(value)
+        }
+    }
+
+    /// Any number of an interval.
+    pub(crate) fn within([low, high]: [f64; 2]) -> Self {
+        Self::around(0.5 * (low + high), 0.5 * (high - low))
+    }
+
+    /// The same function, whose value in the middle of the interval has this error at most, within bounds that are
+    /// known of its derivative.
+    pub(crate) fn sloped(self, error: f64, slopes: [f64; 2]) -> Self {
+        let [least_slope, greatest_slope] = slopes;
+        Self {
+            error: smaller(error, self.error),
+            least_slope,
+            greatest_slope,
+            ..self
+        }
+        .tight()
+    }
+
+    /// The largest size of its values.
+    pub(crate) fn size(self) -> f64 {
+        larger(self.low.abs(), self.high.abs())
+    }
+
+    /// Whether its values and its derivative have bounds.
+    pub(crate) fn is_bounded(self) -> bool {
+        larger(self.size(), larger(self.least_slope.abs(), self.greatest_slope.abs())) < UNBOUNDED
+    }
+
     /// The value in the middle of the interval, as far as it exists.
     #[inline]
-    pub(super) fn middle(self) -> f64 {
+    pub(crate) fn middle(self) -> f64 {
         self.middle
     }
 
     /// The largest error of the value in the middle of the interval.
     #[inline]
-    pub(super) fn error(self) -> f64 {
+    pub(crate) fn error(self) -> f64 {
         self.error
     }
 
@@ -232,19 +275,19 @@ impl Bounds {
     }
 
     /// The same function within bounds that are known of its derivative.
-    pub(super) fn with_slopes(mut self, [low, high]: [f64; 2]) -> Self {
+    pub(crate) fn with_slopes(mut self, [low, high]: [f64; 2]) -> Self {
         self.least_slope = larger(low, self.least_slope);
         self.greatest_slope = smaller(high, self.greatest_slope);
         self.tight()
     }
 
     #[inline]
-    pub(super) fn values(self) -> [f64; 2] {
+    pub(crate) fn values(self) -> [f64; 2] {
         [self.low, self.high]
     }
 
     #[inline]
-    pub(super) fn slopes(self) -> [f64; 2] {
+    pub(crate) fn slopes(self) -> [f64; 2] {
         [self.least_slope, self.greatest_slope]
     }
 
@@ -313,30 +356,61 @@ impl Bounds {
     }
 }
 
+/// The most operands of a check whose conditions compare them one by one.
+const MOST_OPERANDS: usize = 16;
+
 /// Calls `visit` with all combinations of the corners of some numbers.
-#[inline]
-fn at_corners<const N: usize>(operands: [Bounds; N], mut visit: impl FnMut([f64; N])) {
-    let corners = operands.map(Bounds::corners);
-    let mut corner = [0_usize; N];
+fn at_corners(operands: &[Bounds], visit: &mut dyn FnMut(&[f64])) {
+    let mut values = [0.0; MOST_OPERANDS];
+    let mut corner = [0_usize; MOST_OPERANDS];
+    let (values, corner) = (&mut values[..operands.len()], &mut corner[..operands.len()]);
+    for (value, operand) in values.iter_mut().zip(operands) {
+        *value = operand.corners().0[0];
+    }
     loop {
-        visit(core::array::from_fn(|index| corners[index].0[corner[index]]));
+        visit(values);
         let mut index = 0;
         loop {
-            if index == N {
-                return;
-            }
+            let Some(operand) = operands.get(index) else { return };
+            let (corners, count) = operand.corners();
             corner[index] += 1;
-            if corner[index] < corners[index].1 {
+            if corner[index] < count {
+                values[index] = corners[corner[index]];
                 break;
             }
             corner[index] = 0;
+            values[index] = corners[0];
             index += 1;
         }
     }
 }
 
+/// The solution for numbers in some intervals, where all of them have the same, without the type of the choice.
+fn chosen_of(operands: &[Bounds], choose: &dyn Fn(&[f64]) -> Result<Assembly, Failure>) -> Result<Assembly, Failure> {
+    let mut middles = [0.0; MOST_OPERANDS];
+    for (middle, operand) in middles.iter_mut().zip(operands) {
+        *middle = operand.middle;
+    }
+    let mut last = choose(&middles[..operands.len()]);
+    let mut is_decided = true;
+    at_corners(operands, &mut |values| {
+        let next = choose(values);
+        is_decided &= match (&last, &next) {
+            (Err(_), Err(_)) => true,
+            (Ok(one), Ok(other)) => one == other,
+            _ => false,
+        };
+        last = next;
+    });
+    if is_decided {
+        last
+    } else {
+        Err(Failure::not_finite(UNDECIDED))
+    }
+}
+
 /// What a check says about an interval.
-pub(super) enum Verdict {
+pub(crate) enum Verdict {
     Holds,
     Fails,
     Doubtful(Doubt),
@@ -344,24 +418,43 @@ pub(super) enum Verdict {
 
 /// The verdict of conditions that are comparisons of each operand or of its magnitude.
 #[inline]
-pub(super) fn verdict<const N: usize, const K: usize>(check: impl Check<Bounds, N, K>) -> Verdict {
-    let operands = check.operands();
-    let (mut always, mut never) = ([true; K], [true; K]);
-    at_corners(operands, |values| {
-        for (condition, holds) in check.holds(values).into_iter().enumerate() {
+pub(crate) fn verdict<const N: usize, const K: usize>(check: impl Check<Bounds, N, K>) -> Verdict {
+    const { assert!(N <= MOST_OPERANDS && K <= MOST_CONDITIONS) }
+    verdict_of(&check.operands(), K, &|values, held| {
+        let mut operands = [0.0; N];
+        operands.copy_from_slice(values);
+        held.copy_from_slice(&check.holds(operands));
+    })
+}
+
+/// The most conditions of such a check.
+const MOST_CONDITIONS: usize = 16;
+
+/// The conditions of a check: whether each holds for some operands.
+type Conditions<'c> = &'c dyn Fn(&[f64], &mut [bool]);
+
+/// [`verdict`] without the type of the check, so that it is compiled once.
+fn verdict_of(operands: &[Bounds], conditions: usize, holds: Conditions<'_>) -> Verdict {
+    let (mut always, mut never) = ([true; MOST_CONDITIONS], [true; MOST_CONDITIONS]);
+    let mut held = [false; MOST_CONDITIONS];
+    at_corners(operands, &mut |values| {
+        let held = &mut held[..conditions];
+        holds(values, held);
+        for (condition, holds) in held.iter().enumerate() {
             always[condition] &= holds;
             never[condition] &= !holds;
         }
     });
-    if always.into_iter().all(|holds| holds) {
+    let (always, never) = (&always[..conditions], &never[..conditions]);
+    if always.iter().all(|holds| *holds) {
         return Verdict::Holds;
     }
-    if never.into_iter().any(|fails| fails) {
+    if never.iter().any(|fails| *fails) {
         return Verdict::Fails;
     }
     let mut doubt = Doubt::NONE;
-    for condition in (0..K).filter(|condition| !always[*condition]) {
-        doubt = doubt.and(trend(&check, operands, condition));
+    for condition in (0..conditions).filter(|condition| !always[*condition]) {
+        doubt = doubt.and(trend(operands, condition, conditions, holds));
     }
     Verdict::Doubtful(doubt)
 }
@@ -371,22 +464,21 @@ pub(super) fn verdict<const N: usize, const K: usize>(check: impl Check<Bounds, 
 const SPREAD: f64 = 16.0;
 
 /// Whether a condition rises or falls along the interval, or rounding decides about it.
-#[inline]
-fn trend<const N: usize, const K: usize>(
-    check: &impl Check<Bounds, N, K>,
-    operands: [Bounds; N],
-    condition: usize,
-) -> Doubt {
+fn trend(operands: &[Bounds], condition: usize, conditions: usize, holds: Conditions<'_>) -> Doubt {
     let mut doubt = Doubt::NONE;
-    for (index, operand) in operands.into_iter().enumerate() {
-        let ends = |value: f64| {
-            let mut varied = operands;
+    let mut buffer = [Bounds::constant(0.0); MOST_OPERANDS];
+    let varied = &mut buffer[..operands.len()];
+    varied.copy_from_slice(operands);
+    for (index, &operand) in operands.iter().enumerate() {
+        let mut ends = |value: f64| {
             varied[index] = Bounds::constant(value);
             let (mut all, mut any) = (true, false);
-            at_corners(varied, |values| {
-                let holds = check.holds(values)[condition];
-                (all, any) = (all && holds, any || holds);
+            let mut held = [false; MOST_CONDITIONS];
+            at_corners(varied, &mut |values| {
+                holds(values, &mut held[..conditions]);
+                (all, any) = (all && held[condition], any || held[condition]);
             });
+            varied[index] = operand;
             (all, any)
         };
         let (corners, count) = operand.corners();
@@ -399,7 +491,7 @@ fn trend<const N: usize, const K: usize>(
                 operand.middle,
                 operand.middle + operand.error,
             ]
-            .map(ends)
+            .map(&mut ends)
             .windows(2)
             .any(|pair| pair[0] != pair[1]);
         if is_rounded {
@@ -713,23 +805,12 @@ impl Scalar for Bounds {
 
     #[inline]
     fn chosen<const N: usize>(choice: impl Choose<Self, N>) -> Result<Assembly, Failure> {
-        let mut choices: Option<Result<Assembly, Failure>> = None;
-        let mut is_decided = true;
-        let mut ask = |values: [f64; N]| {
-            let assembly = choice.choose(values);
-            is_decided &= match (&choices, &assembly) {
-                (None, _) | (Some(Err(_)), Err(_)) => true,
-                (Some(Ok(one)), Ok(other)) => one == other,
-                _ => false,
-            };
-            choices = Some(assembly);
-        };
-        ask(real_parts(choice.operands()));
-        at_corners(choice.operands(), ask);
-        match choices {
-            Some(choice) if is_decided => choice,
-            _ => Err(Failure::not_finite(UNDECIDED)),
-        }
+        const { assert!(N <= MOST_OPERANDS) }
+        chosen_of(&choice.operands(), &|values| {
+            let mut operands = [0.0; N];
+            operands.copy_from_slice(values);
+            choice.choose(operands)
+        })
     }
 
     #[inline]
