@@ -42,8 +42,8 @@ impl BodyFrame {
     }
 }
 
-/// The first vector that does not lie along a unit vector, up to half of the digits: the third point of a frame of space
-/// lies there.
+/// The first vector that does not lie along a unit vector, up to half of the digits: the third point of a frame of
+/// space lies there.
 pub(crate) fn third_point(axis: Space<f64>, mut vectors: impl Iterator<Item = Space<f64>>) -> Option<usize> {
     vectors.position(|vector| axis.cross(vector).norm() > Number::sqrt(f64::EPSILON) * vector.norm())
 }

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 use super::ReactionError;
 use super::connection::{Connection, Member, hub, loaded, member_name};
-use super::frames::{Direction, MovedFrame, MovedMechanism, MovingNumber, along_axis, slope_of};
+use super::frames::{JointAxis, MovedFrame, MovedMechanism, MovingNumber, along_axis, slope_of};
 use crate::geometry::Space;
 use crate::number::series::Series;
 use crate::picture::Outline;
@@ -30,7 +30,7 @@ pub(super) struct Action {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum ActionKind {
-    Couple(Direction),
+    Couple(JointAxis),
     /// Along a slide, at its joint.
     Slide {
         joint: usize,
@@ -99,7 +99,7 @@ impl Action {
         let size = T::constant(self.sign) * size;
         let pair = [self.on, self.by];
         match self.kind {
-            ActionKind::Couple(axis) => both_turned(pair, moved.direction(axis).scale(size)),
+            ActionKind::Couple(axis) => both_turned(pair, moved.axis(axis).scale(size)),
             ActionKind::Slide { joint, slide } => {
                 let at = moved.places[joint];
                 both(pair, frames, moved.along(slide).scale(size), [at, at])
@@ -250,7 +250,7 @@ impl<const N: usize> Influences<'_, '_, N> {
             return self.on_hinges(quantity, |connection| connection.by.is_none());
         }
         let bodies = 0..self.outline.bodies.len();
-        let pairs = bodies.map(|body| ([Some(body), None], Direction::Normal));
+        let pairs = bodies.map(|body| ([Some(body), None], JointAxis::Normal));
         self.turning(quantity, pairs)
     }
 
@@ -262,7 +262,7 @@ impl<const N: usize> Influences<'_, '_, N> {
         let pairs = bodies.iter().enumerate().flat_map(|(by, first)| {
             let others = bodies.iter().enumerate().skip(by + 1);
             let joined = others.filter(|(_, second)| first.joints.iter().any(|joint| second.joints.contains(joint)));
-            joined.map(move |(on, _)| ([Some(on), Some(by)], Direction::Normal))
+            joined.map(move |(on, _)| ([Some(on), Some(by)], JointAxis::Normal))
         });
         self.turning(quantity, pairs)
     }
@@ -275,13 +275,13 @@ impl<const N: usize> Influences<'_, '_, N> {
     }
 
     /// The pairs of bodies that turn like an angle about an axis.
-    fn turning(&self, quantity: usize, pairs: impl Iterator<Item = ([Member; 2], Direction)>) -> Vec<Action> {
+    fn turning(&self, quantity: usize, pairs: impl Iterator<Item = ([Member; 2], JointAxis)>) -> Vec<Action> {
         let found = pairs.filter_map(|(pair, axis)| {
             let sign = self.sign(quantity, |one| {
                 let [on, by] = pair.map(|member| one.turn(member));
                 match axis {
-                    Direction::Normal => on.z - by.z,
-                    axis => (on - by).dot(one.moved.direction(axis)),
+                    JointAxis::Normal => on.z - by.z,
+                    axis => (on - by).dot(one.moved.axis(axis)),
                 }
             })?;
             let ([on, by], kind) = (pair, ActionKind::Couple(axis));

@@ -4,7 +4,7 @@ use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::fmt::Write as _;
 
-use super::frames::Direction;
+use super::frames::JointAxis;
 use super::rolling::Mesh;
 use crate::picture::{Outline, Slide};
 
@@ -25,7 +25,7 @@ pub(super) struct Connection {
     /// The slide, none for a pin.
     pub(super) slide: Option<usize>,
     /// The axis of a hinge of space, none for a ball.
-    pub(super) hinge: Option<Direction>,
+    pub(super) hinge: Option<JointAxis>,
     /// The contact of two bodies that roll on each other.
     pub(super) mesh: Option<Mesh>,
 }
@@ -37,8 +37,8 @@ impl Connection {
     }
 
     /// The axis of a hinge, or the line of a slide.
-    pub(super) fn axis(&self) -> Option<Direction> {
-        self.hinge.or_else(|| self.slide.map(Direction::Slide))
+    pub(super) fn axis(&self) -> Option<JointAxis> {
+        self.hinge.or_else(|| self.slide.map(JointAxis::Slide))
     }
 }
 
@@ -182,7 +182,7 @@ pub(super) fn connections(outline: &Outline<'_>, is_space: bool) -> Vec<Connecti
                 }
             };
             let (slide, mesh) = (None, None);
-            let hinge = second.map(|second| Direction::Joints([joint, second]));
+            let hinge = second.map(|second| JointAxis::Joints([joint, second]));
             add(
                 &mut all,
                 Connection {

@@ -3,7 +3,6 @@
 use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
-
 use core::ops::Range;
 
 use super::action::{Action, Influence, Influences, Wrench, both, both_turned};
@@ -469,7 +468,7 @@ fn turning<T: MovingNumber>(
     own: &Connection,
     on: Member,
 ) -> Vec<Space<T>> {
-    let Some(axis) = own.axis().map(|axis| moved.direction(axis)) else {
+    let Some(axis) = own.axis().map(|axis| moved.axis(axis)) else {
         return Vec::new();
     };
     let [first, second] = across(axis, moved.is_space);

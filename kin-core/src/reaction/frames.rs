@@ -69,9 +69,9 @@ fn size<T: MovingNumber>(vector: Space<T>) -> f64 {
     vector.x.real().abs() + vector.y.real().abs() + vector.z.real().abs()
 }
 
-/// A direction that moves with the mechanism.
+/// An axis about which a joint turns, or along which it slides. It moves with the mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Direction {
+pub(super) enum JointAxis {
     /// At right angles to the plane.
     Normal,
     /// From one joint to another one.
@@ -260,13 +260,13 @@ impl<T: MovingNumber> MovedMechanism<T> {
         self.places[self.joints + slide]
     }
 
-    /// A direction as a unit vector. It is not finite if it has no length.
-    pub(super) fn direction(&self, direction: Direction) -> Space<T> {
-        match direction {
-            Direction::Normal => along_axis(2),
-            Direction::Joints([from, to]) => unit(self.places[to] - self.places[from]),
-            Direction::Slide(slide) => self.along(slide),
-            Direction::Vector(vector) => unit(self.point(vector)),
+    /// An axis as a unit vector. It is not finite if it has no length.
+    pub(super) fn axis(&self, axis: JointAxis) -> Space<T> {
+        match axis {
+            JointAxis::Normal => along_axis(2),
+            JointAxis::Joints([from, to]) => unit(self.places[to] - self.places[from]),
+            JointAxis::Slide(slide) => self.along(slide),
+            JointAxis::Vector(vector) => unit(self.point(vector)),
         }
     }
 
@@ -326,7 +326,7 @@ impl<T: MovingNumber> MovedMechanism<T> {
         let axes = connections.iter().filter(|connection| connection.holds(index));
         let axes = axes
             .filter_map(|connection| connection.hinge)
-            .map(|hinge| self.direction(hinge));
+            .map(|hinge| self.axis(hinge));
         let beside: Vec<Space<T>> = joints.chain(axes).collect();
         let third = third_point(real(axis), beside.iter().copied().map(real));
         Ok(match third {
@@ -356,10 +356,10 @@ impl<T: MovingNumber> MovedMechanism<T> {
         }
         let turns = frames.iter().map(|frame| size(frame.turn)).fold(0.0, f64::max);
         for connection in connections {
-            let Some(Direction::Vector(vector)) = connection.hinge else {
+            let Some(JointAxis::Vector(vector)) = connection.hinge else {
                 continue;
             };
-            let axis = self.direction(Direction::Vector(vector));
+            let axis = self.axis(JointAxis::Vector(vector));
             for member in [connection.on, connection.by] {
                 let turn = member.map_or_else(Space::zero, |body| frames[body].turn);
                 let rate = size(slope_of(axis) - turn.cross(axis));

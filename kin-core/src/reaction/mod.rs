@@ -102,7 +102,7 @@ use body_load::Acting;
 use connection::{Connection, Member, connections, member_name};
 use demand::Demand;
 use equations::{Equations, Solution};
-use frames::{Direction, MovedFrame, MovedMechanism, MovingNumber};
+use frames::{JointAxis, MovedFrame, MovedMechanism, MovingNumber};
 use remembered::Remembered;
 use rolling::Flank;
 
@@ -329,7 +329,7 @@ impl<'m> NamedReactions<'m> {
             return Err(ReactionError::NoBall { reaction });
         }
         let axis = self.loads.place(axis.into())?;
-        self.connections[index].hinge = Some(Direction::Vector(axis));
+        self.connections[index].hinge = Some(JointAxis::Vector(axis));
         self.solutions.forget();
         Ok(self)
     }

@@ -176,7 +176,7 @@ impl NamedReactions<'_> {
     ///     output pivot: Point = vec2(pinion + wheel, 0);
     ///     ground 0, pivot;
     ///     body pinion: 0, polar(pinion, theta);
-    ///     body wheel: pivot, pivot + polar(wheel, phi);
+    ///     body wheel: pivot, vec2(pinion + wheel, 0) + polar(wheel, phi);
     /// }
     ///
     /// let linkage = AnyLinkage::of(&Pair { pinion: 0.02, wheel: 0.06 });

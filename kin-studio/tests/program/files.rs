@@ -438,3 +438,51 @@ fn a_change_during_the_first_look_is_seen() {
     writer.join().unwrap();
     wait(&server, |page| page.contains("kin 2"));
 }
+
+/// Joints of space have forces and moments, and bodies of space tensors of inertia.
+#[test]
+fn forces_in_space() {
+    const SHAFTS: &str = "kin 1
+/// Two skew shafts, and a rod between two ball joints.
+struct Shafts { crank: Length, pivot: Point3, axis: Vector3, arm: Vector3, rod: Length }
+input theta: Angle;
+unknown phi: Angle;
+let rocker = pivot + rot(axis, phi) * arm;
+let knob = rot_z(theta) * vec3(crank, 0, 0);
+dot(rocker - knob, rocker - knob) == rod.powi(2);
+output pin: Point3 = knob;
+output ball: Point3 = rocker;
+let up = vec3(0, 0, crank);
+let along = pivot + axis;
+ground 0, up, pivot, along;
+body crank: 0, pin, up;
+body rod: pin, ball;
+body rocker: pivot, ball, along;
+dimensions {
+    crank = 40mm; pivot = (120mm, 20mm, 30mm); axis = (8mm, 90mm, 12mm); arm = (16mm, -12mm, 76mm); rod = 130mm;
+}
+motion { theta = 0..90deg at 500rpm; }
+loads {
+    gravity = (0, 0, -9.81m/s2);
+    mass of rod = 0.2kg at (65mm, 0), inertia 300kgmm2;
+    mass of rocker = 0.4kg at (38mm, 0, 10mm), inertia (400kgmm2, 500kgmm2, 300kgmm2);
+    torque phi = -2Nm;
+}
+assembly = open;
+";
+    let folder = Folder::new("space");
+    folder.write("shafts.kin", SHAFTS);
+    folder.write(
+        "ball.kin",
+        &SHAFTS.replace("body crank: 0, pin, up;", "body crank: 0, pin;"),
+    );
+    folder.write("tensor.kin", &SHAFTS.replace(", 300kgmm2);", ");"));
+    let all = [
+        "forces shafts.kin",
+        "run shafts.kin sweep --rows 3 --columns ball_z,ground_crank_moment,ground_crank_moment_x",
+        "forces ball.kin",
+        "forces tensor.kin",
+    ]
+    .map(|words| typed_in(&folder, &format!("kin {words}")));
+    assert_snapshot!("forces in space", all.join("\n"));
+}
