@@ -63,7 +63,8 @@ impl fmt::Display for ProofError {
         match self {
             Self::Reaction(error) => write!(formatter, "{error}"),
             Self::Friction => formatter.write_str(
-                "the joints have friction, for which no proof is given: leave it out, or look at the peak along a sweep",
+                "the joints have friction, for which no proof is given: leave it out, or look at the peak along a \
+                 sweep",
             ),
             Self::InSpace => formatter.write_str(
                 "the mechanism is one of space, and forces are proved in the plane: look at the peak along a sweep",
@@ -75,8 +76,8 @@ impl fmt::Display for ProofError {
             ),
             Self::OutputAngle { name } => write!(
                 formatter,
-                "a torsion spring acts on `{name}`, an angle that is only an output, and no proof is given for it: make \
-                 the angle an unknown"
+                "a torsion spring acts on `{name}`, an angle that is only an output, and no proof is given for it: \
+                 make the angle an unknown"
             ),
             Self::NoSuchDimension { name, names } => {
                 write!(formatter, "there is no dimension `{name}`; there is {}", Listed(names))

@@ -343,7 +343,8 @@ impl fmt::Display for UndecidedForce {
         match self.reason {
             UndecidedReason::Pose => write!(
                 formatter,
-                "from the input {} on no pose is proved: there is a limit or a change point, or the tolerances reach one",
+                "from the input {} on no pose is proved: there is a limit or a change point, or the tolerances \
+                 reach one",
                 Digits(low)
             ),
             UndecidedReason::Budget => write!(

@@ -242,8 +242,8 @@ impl<'p> Search<'p> {
         }
     }
 
-    /// The variable along which a piece is divided. The input makes all derivatives uncertain, so that another one comes
-    /// only where its own is much more so.
+    /// The variable along which a piece is divided. The input makes all derivatives uncertain, so that another one
+    /// comes only where its own is much more so.
     fn dividing(&self, known: &Known) -> Option<usize> {
         let is_wide = |variable: &usize| {
             let [low, high] = known.piece.ranges[*variable];

@@ -30,7 +30,6 @@ pub(super) fn shown(
         .iter()
         .map(|text| Limit::read(text, subject, case))
         .collect::<Result<_, _>>()?;
-    let (mut lines, mut are_all) = (String::new(), true);
     let proved: Result<Vec<ForceVerdict>, Fault> = watched("proving limits", limits.len(), |step| {
         let verdicts = limits.iter().map(|limit| {
             let verdict = verdict(subject, case, limit, tolerances);
@@ -39,11 +38,14 @@ pub(super) fn shown(
         });
         verdicts.collect()
     });
-    for (limit, verdict) in limits.iter().zip(proved?) {
-        are_all &= matches!(verdict, ForceVerdict::Holds { .. });
-        lines += &format!("{}: {}\n", limit.text.trim(), told(subject, case, limit, &verdict));
-    }
-    Ok((lines, are_all))
+    let proved = proved?;
+    let lines = limits.iter().zip(&proved);
+    let lines = lines.map(|(limit, verdict)| {
+        let told = told(subject, case, limit, verdict);
+        format!("{}: {told}\n", limit.text.trim())
+    });
+    let holds = |verdict: &ForceVerdict| matches!(verdict, ForceVerdict::Holds { .. });
+    Ok((lines.collect(), proved.iter().all(holds)))
 }
 
 impl<'t> Limit<'t> {
