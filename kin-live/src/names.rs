@@ -5,7 +5,7 @@ use kin_core::any::{Block, Body, Description, Outline, Quantity};
 use kin_core::{Operations, Slide};
 use self_cell::self_cell;
 
-/// What a description borrows from.
+/// The names that a description borrows.
 pub(crate) struct Names {
     pub(crate) description: lowered::Description,
     /// The names of groups in errors.

@@ -42,7 +42,7 @@ pub struct Dropped {
     pub misfit: Option<Misfit>,
 }
 
-/// What has become of all candidates.
+/// The results of all candidates.
 #[derive(Clone, Debug)]
 pub struct Refinement {
     pub(crate) functions: &'static dyn FitFunctions,

@@ -1,5 +1,5 @@
 //! Declarations as texts, compared with the mechanisms that rustc compiled, to the last bit.
 
+mod constructs;
 mod library;
-mod own;
 mod tapes;

@@ -23,9 +23,9 @@ pub(super) fn pool(bytes: usize) -> Arc<dyn MemoryPool> {
 /// The engine's greedy pool, in which a repartition is counted and never refused.
 ///
 /// A repartition that is refused writes rows to files. The engine up to its version 55.2 then stands still for ever if
-/// two threads do so at a time: the reader waits for the older file, and its row is in the other one
-/// (apache/datafusion, issue 24883). The rows of a repartition wait for others to take them, so they are few. What they
-/// take beyond the limit is refused to all others.
+/// two threads do so at a time: the reader waits for the older file, and its row is in the newer file
+/// (apache/datafusion, issue 24883). The rows of a repartition wait for operators to take them, so they are few. The
+/// memory that they take beyond the limit is refused to all other operators.
 #[derive(Debug)]
 struct Pool(GreedyMemoryPool);
 

@@ -42,7 +42,7 @@ pub(super) fn run(subject: &Subject, options: &Options, told: &Told) -> Result<(
     let fitted = watched("fitting", 1, |_| fit.least());
     print(&shown(subject, &case, &data, &fit, &fitted.design))?;
     // what is not met is told by the code of the program
-    match fit.open_rows(&fitted.design) {
+    match fit.unclosed_rows(&fitted.design) {
         0 => {}
         open => {
             return Err(Fault::open(format!(
