@@ -77,9 +77,9 @@ const SIZED: [usize; 5] = [4, 6, 7, 8, 9];
 
 /// Points of the path; the first half of them on the stride.
 const POINTS: u32 = 24;
-/// How much a millimetre beside the stride counts, against one beside the return.
+/// The weight of a millimetre beside the stride, relative to a millimetre beside the return.
 const STRIDE: f64 = 3.0;
-/// How much a millimetre of a link counts, so that of two linkages that trace the path alike the small one is found.
+/// The weight of a millimetre of a link: of two linkages that trace the path alike, the smaller linkage is found.
 const SIZE: f64 = 0.08;
 
 /// The lowest, the first and the highest value of each dimension.

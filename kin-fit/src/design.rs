@@ -73,7 +73,7 @@ pub struct Design {
     pub(crate) choice: Choice,
 }
 
-/// How far a design is from its targets, without weights.
+/// The errors of a design at its targets, without weights.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Misfit {
     /// The sum of the squares of all errors: of distances in a path, of distances and of angles times the length
@@ -149,7 +149,7 @@ impl Objective {
         if is_revolving && input.dimension != Dimension::Angle {
             return Err(ObjectiveError::WrongDimension {
                 name: input.name.to_owned(),
-                wanted: "angle, and has no full turn",
+                wanted: "angle, and has no full revolution",
             });
         }
         let mut values = candidate.parameters.clone();
@@ -289,7 +289,7 @@ impl Objective {
         if cost.is_finite() { Ok(cost) } else { Err(1.0) }
     }
 
-    /// How far the targets are spread: a length for paths and motions.
+    /// The spread of the targets: a length for paths and motions.
     pub(crate) fn spread(&self) -> f64 {
         if self.goal == Goal::Rows {
             // their errors are counted in spreads
@@ -461,7 +461,7 @@ impl Objective {
         derivatives.iter().all(|one| one.is_finite()).then_some(derivatives)
     }
 
-    /// What an evolution strategy minimises: half of the sum of squares, [penalised](crate::penalised) beyond the limit
+    /// The cost for an evolution strategy: half of the sum of squares, [penalised](crate::penalised) beyond the limit
     /// that belongs to errors of a hundred times the spread of the targets. Where the inputs of the targets are sought,
     /// the design takes the best ones in order.
     pub fn penalised_cost(&self, design: &mut Design) -> f64 {
@@ -481,7 +481,7 @@ impl Objective {
         sought.at(&minimise::polish(&sought, &sought.numbers(), steps).0)
     }
 
-    /// How far a design is from its targets. `None` if it does not close at all of them.
+    /// The errors of a design at its targets; `None` if the design does not close at all targets.
     #[must_use]
     pub fn misfit(&self, design: &Design) -> Option<Misfit> {
         let posed = self.posed(&design.values, &design.choice);

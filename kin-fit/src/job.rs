@@ -178,7 +178,7 @@ impl Job {
         Ok(objective.travel(self.travel).sense(self.sense))
     }
 
-    /// How candidates are polished, on a number of threads; 0 stands for all that the machine has.
+    /// The settings by which candidates are polished, on a number of threads; 0 stands for all threads of the machine.
     #[must_use]
     pub fn settings(&self, threads: usize) -> Settings {
         let (settings, evolution) = (Settings::default(), Evolution::default());

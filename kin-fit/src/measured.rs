@@ -216,7 +216,7 @@ pub struct Fit {
     start: Design,
 }
 
-/// What a fit has found.
+/// The result of a fit.
 #[derive(Clone, Debug)]
 pub struct Fitted {
     /// The dimensions.
@@ -226,7 +226,7 @@ pub struct Fitted {
     pub lowering: Option<(String, f64)>,
 }
 
-/// How far a column is from its values.
+/// The deviation of a column from its values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deviation {
     /// The root of the mean square, in the unit of the column.
@@ -365,7 +365,7 @@ impl Fit {
         unclosed.count()
     }
 
-    /// How far each column is from its values; `None` if no row with a value closes.
+    /// The deviation of each column from its values; `None` if no row with a value closes.
     #[must_use]
     pub fn deviations(&self, design: &Design) -> Vec<Option<Deviation>> {
         let objective = &self.objective;

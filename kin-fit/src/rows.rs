@@ -242,7 +242,7 @@ impl Objective {
         UNCLOSED * self.spread()
     }
 
-    /// All rows, and how many of them have no position.
+    /// All rows, and the number of rows without a position.
     pub(crate) fn rows(&self, values: &[f64], choice: &Choice) -> (Vec<f64>, usize) {
         let count = self.row_count();
         if !self.closes(values, choice) {
@@ -252,7 +252,7 @@ impl Objective {
         let (mut rows, mut unclosed) = (Vec::with_capacity(count), 0);
         let mut add = |found: Option<Vec<Change>>, count: usize, size: f64| match found {
             Some(found) if found.iter().all(|row| row.value.is_finite()) => {
-                rows.extend(found.iter().map(|row| row.value))
+                rows.extend(found.iter().map(|row| row.value));
             }
             _ => {
                 unclosed += count;

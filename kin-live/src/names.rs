@@ -80,7 +80,7 @@ impl OwnedDescription {
         self.borrow_owner().borrow_owner().outline.shape == ValueShape::Space
     }
 
-    /// Which joints belong together.
+    /// The joints of the ground, of bodies and of slides.
     pub(crate) fn outline(&self) -> Outline<'_> {
         let tables = self.borrow_owner();
         let Tables {

@@ -23,7 +23,7 @@ pub(crate) const LONGEST: f64 = 8.0;
 pub(crate) struct Dwell {
     /// The linkage. Its crank has the length 1.
     pub(crate) linkage: StephensonIII,
-    /// How its dyads meet.
+    /// The assemblies of its dyads.
     pub(crate) assembly: StephensonIIIAssembly,
     /// The crank's angle at the start of the rest.
     pub(crate) start: f64,
@@ -125,7 +125,7 @@ impl Dwell {
     }
 }
 
-/// What a limit that is broken costs, for each unit by which it is broken.
+/// The cost of a broken limit, for each unit by which it is broken.
 const PRICE: f64 = 100.0;
 
 fn cost(linkage: &StephensonIII, assembly: StephensonIIIAssembly, start: f64) -> Result<f64, f64> {

@@ -21,7 +21,7 @@ pub(crate) const LINKS: [f64; 2] = [0.1, 10.0];
 pub(crate) struct Generator {
     /// The linkage, with a ground link of 1.
     pub(crate) linkage: FourBar,
-    /// How the coupler meets the follower.
+    /// The assembly of coupler and follower.
     pub(crate) assembly: Assembly,
     /// The crank's angle at x = 1.
     pub(crate) crank: f64,
@@ -45,7 +45,7 @@ pub(crate) const NEAR_EQUAL: Generator = Generator {
     direction: -1.0,
 };
 
-/// How well a generator follows its function.
+/// The quality of a generator.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Quality {
     /// The largest structural error: the follower's angle less the angle that is wanted, in radians.
@@ -272,7 +272,7 @@ pub(crate) fn three_points(points: [f64; 3], crank: f64, follower: f64, directio
 /// The steps of a search, and those at which a result is measured.
 const COARSE: u32 = 60;
 const FINE: u32 = 2000;
-/// What a limit that is broken costs, for each unit by which it is broken.
+/// The cost of a broken limit, for each unit by which it is broken.
 const PRICE: f64 = 10.0;
 
 fn cost(generator: &Generator, transmission: f64, steps: u32) -> f64 {

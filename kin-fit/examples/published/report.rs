@@ -221,7 +221,7 @@ fn legs(effort: Effort) -> String {
     )
 }
 
-/// How far the dimensions of a leg may leave those of its inventor.
+/// The part by which the dimensions of a leg may differ from those of its inventor.
 const WITHIN: f64 = 0.1;
 
 fn dwells(effort: Effort) -> String {

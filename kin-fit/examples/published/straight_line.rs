@@ -65,7 +65,7 @@ pub(crate) const LINKS: [f64; 2] = [0.1, 10.0];
 pub(crate) struct StraightLine {
     /// The linkage. Its crank has the length 1.
     pub(crate) linkage: TracedFourBar,
-    /// How the coupler meets the rocker.
+    /// The assembly of coupler and rocker.
     pub(crate) assembly: Assembly,
     /// The stroke.
     pub(crate) stroke: Stroke,
@@ -134,7 +134,7 @@ pub(crate) fn linkage(numbers: &[f64]) -> (TracedFourBar, f64) {
     (linkage, numbers[5])
 }
 
-/// What a limit that is broken costs, for each unit by which it is broken.
+/// The cost of a broken limit, for each unit by which it is broken.
 const PRICE: f64 = 1e3;
 
 /// The straightest half revolution of any four-bar linkage whose crank makes full revolutions, with a speed that is at

@@ -156,7 +156,7 @@ pub(crate) fn four_bar(limits: &Limits, effort: Effort) -> Option<(StraightLine,
 
 /// The longest link of [`four_bar`], in steps.
 pub(crate) const LONGEST: f64 = 3.0;
-/// What a limit that is broken costs, for each unit by which it is broken.
+/// The cost of a broken limit, for each unit by which it is broken.
 const PRICE: f64 = 100.0;
 
 fn worth(linkage: &TracedFourBar, step: &Stroke, limits: &Limits) -> f64 {

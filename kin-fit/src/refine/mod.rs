@@ -54,7 +54,7 @@ use crate::minimise::{self, Evolution, Squares as _, evolve};
 use crate::objective::{Goal, Objective};
 use crate::threads::each;
 
-/// How candidates are polished.
+/// The settings by which candidates are polished.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
     /// The seed of all random numbers.

@@ -69,7 +69,7 @@ impl Refinement {
         }
     }
 
-    /// How many results were dropped, by the reason.
+    /// The number of results that were dropped, by the reason.
     #[must_use]
     pub fn counts(&self) -> BTreeMap<DefectKind, usize> {
         let mut counts = BTreeMap::new();

@@ -1,8 +1,8 @@
 //! The machine: it runs code over any number with which a mechanism is solved.
 //!
-//! It calls the functions of `kin_core::solve` that the generated code of a declared mechanism calls, in the same
-//! order, so its numbers are the same to the last bit. For several numbers at once the machine is inlined, because a
-//! batch compiles it for the vectors of each processor. For every other type of number the machine is compiled once.
+//! The machine calls the functions of `kin_core::solve` that the generated code of a declared mechanism calls, in the
+//! same order, so its numbers are the same to the last bit. For several numbers at once the machine is inlined, because
+//! a batch compiles it for the vectors of each processor. For every other type of number the machine is compiled once.
 
 mod closed_form;
 mod newton;

@@ -16,7 +16,7 @@ pub(super) struct Instruction {
     pub(super) from: [usize; 3],
 }
 
-/// What an instruction calculates. A shape is that of the first operand.
+/// The calculation of an instruction. A shape is that of the first operand.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Code {
     Number(f64),

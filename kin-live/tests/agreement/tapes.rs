@@ -9,7 +9,7 @@ use kin_core::tape::{Options, RecordedFunctions, record_any};
 
 use kin_agreement::declaration;
 
-/// All that is printed of the solver of a mechanism.
+/// All files that are printed of the solver of a mechanism.
 fn printed(mechanism: &dyn RecordedFunctions<f64>, options: &Options) -> [String; 6] {
     let tape = record_any(mechanism, options).unwrap_or_else(|error| panic!("{error}"));
     let c = tape.c();

@@ -46,7 +46,7 @@ const MOST_LOST: usize = 1;
 /// The most ranges of a search. The scheduler keeps something of each.
 const MOST_RANGES: i64 = 1_000_000;
 
-/// How a client searches.
+/// The settings of a client.
 #[derive(Clone, Debug)]
 pub struct Client {
     /// The address of the scheduler.
@@ -239,7 +239,7 @@ impl Connection {
                     rows
                 }
             });
-        // Every range that has begun is waited for: it calls its own work off.
+        // Every range that has begun is waited for: it calls its work off.
         let ranges: Vec<Result<Vec<RecordBatch>, Fault>> = stream::iter(searches)
             .buffered(self.client.at_once.max(1))
             .collect()

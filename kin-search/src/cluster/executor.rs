@@ -27,7 +27,7 @@ use crate::say;
 /// The longest time that an executor may work on after a signal to end.
 const GRACE: Duration = Duration::from_secs(5);
 
-/// How an executor runs.
+/// The settings of an executor.
 #[derive(Clone, Debug)]
 pub struct Executor {
     /// The address of the scheduler.
@@ -134,7 +134,7 @@ impl Executor {
     }
 }
 
-/// A folder of the executor's own, which ends with it.
+/// A folder of one executor, which ends with it.
 struct Folder(PathBuf);
 
 impl Folder {

@@ -32,14 +32,14 @@ pub enum Fault {
         scheduler: Endpoint,
         /// The report of the connection.
         report: String,
-        /// What is left of the search, and how it goes on.
+        /// The rest of the search, and advice on how it goes on.
         advice: String,
     },
     /// The scheduler was started again while it worked, and does not know the query.
     Restarted {
         /// Its address.
         scheduler: Endpoint,
-        /// What is left of the search, and how it goes on.
+        /// The rest of the search, and advice on how it goes on.
         advice: String,
     },
     /// The process at the address of the scheduler is no scheduler: it may be an executor.
@@ -50,7 +50,7 @@ pub enum Fault {
         name: String,
         /// The number of executors that were lost.
         count: usize,
-        /// What is left of the search, and how it goes on.
+        /// The rest of the search, and advice on how it goes on.
         advice: String,
     },
     /// A query needs more memory than an executor has.
@@ -60,7 +60,7 @@ pub enum Fault {
     },
     /// The search was interrupted, and its work on executors has been called off.
     Interrupted {
-        /// What is left of the search, and how it goes on.
+        /// The rest of the search, and advice on how it goes on.
         advice: String,
     },
     /// A folder or file cannot be read or written.

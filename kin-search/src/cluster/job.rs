@@ -177,7 +177,7 @@ async fn clean(scheduler: &str, job_id: String) {
     .await;
 }
 
-/// How many stages of a job are finished, and how many rows the last of them has written.
+/// The number of finished stages of a job, and the number of rows that the last finished stage has written.
 async fn finished_stages(scheduler: &str, job_id: String) -> Option<(usize, u64)> {
     timeout(GLANCE, async {
         let mut client = SchedulerGrpcClient::connect(scheduler.to_owned()).await.ok()?;

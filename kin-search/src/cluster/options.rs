@@ -10,7 +10,7 @@ use datafusion::common::{Result, plan_err};
 /// The structure is written by hand: settings of the engine's macro are sent without their prefix, and are lost.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Caller {
-    /// The tag of the client's identity. The scheduler refuses another than its own.
+    /// The tag of the client's identity. The scheduler refuses every other tag than its own.
     pub(super) identity: String,
     /// The kind of vectors of kin's functions.
     pub(super) vectors: String,

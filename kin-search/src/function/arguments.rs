@@ -110,7 +110,7 @@ pub(crate) fn coerced(
 
 /// The types to which the arguments of a call are converted; those that are given, if the call is wrong.
 ///
-/// The engine replaces an error of a conversion by one of its own, which names types and no arguments. So the function
+/// The engine replaces an error of a conversion by another error, which names types and no arguments. So the function
 /// itself reports the mistake, when it is asked for the type of its result.
 pub(crate) fn accepted(coerced: Result<Vec<DataType>>, given: &[DataType]) -> Vec<DataType> {
     coerced.unwrap_or_else(|_| given.to_vec())

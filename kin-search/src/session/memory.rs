@@ -9,7 +9,7 @@ use datafusion::execution::memory_pool::{
     GreedyMemoryPool, MemoryLimit, MemoryPool, MemoryReservation, TrackConsumersPool,
 };
 
-/// How many of the largest operators an error names.
+/// The number of the largest operators that an error names.
 const NAMED: NonZero<usize> = NonZero::new(5).unwrap();
 
 /// The operator that hands rows from threads to threads.

@@ -58,7 +58,7 @@ impl Drop for Folder {
     }
 }
 
-/// How rows get into a file.
+/// The ways in which rows get into a file.
 #[derive(Clone, Copy, Debug)]
 enum Way {
     Output,
