@@ -167,11 +167,11 @@ fn run_library(arguments: &[OsString]) -> Result<(), Fault> {
     match matches.subcommand() {
         Some(("completions", matches)) => completions(&mut command, "kin", matches),
         Some(("list", _)) => tasks::list(),
-        Some(("run", matches)) => run_file(matches),
-        Some(("check", matches)) => {
-            let path = matches.get_one::<PathBuf>("file").cloned().unwrap_or_default();
-            if !matches.get_flag("json") {
-                return tasks::print(&file::check(&path, matches.get_flag("steps"))?);
+        Some(("run", given)) => run_file(given),
+        Some(("check", given)) => {
+            let path = given.get_one::<PathBuf>("file").cloned().unwrap_or_default();
+            if !given.get_flag("json") {
+                return tasks::print(&file::check(&path, given.get_flag("steps"))?);
             }
             let (text, mistakes) = file::check_as_json(&path)?;
             tasks::print(&text)?;
@@ -181,18 +181,18 @@ fn run_library(arguments: &[OsString]) -> Result<(), Fault> {
                 count => Err(Fault::wrong(format!("there are {count} mistakes"))),
             }
         }
-        Some(("fmt", matches)) => {
-            let path = matches.get_one::<PathBuf>("file").cloned().unwrap_or_default();
-            tasks::fmt(&path, matches.get_flag("check"))
+        Some(("fmt", given)) => {
+            let path = given.get_one::<PathBuf>("file").cloned().unwrap_or_default();
+            tasks::fmt(&path, given.get_flag("check"))
         }
-        Some((FORCES, matches)) => {
-            let path = matches.get_one::<PathBuf>("file").cloned().unwrap_or_default();
+        Some((FORCES, given)) => {
+            let path = given.get_one::<PathBuf>("file").cloned().unwrap_or_default();
             let task = Task::from_arg_matches(&matches).map_err(Fault::wrong)?;
             let (subject, told) = file::read(&path)?;
             tasks::run(&subject, &task, &told)
         }
-        Some((_, matches)) => {
-            let wanted = matches.get_one::<String>("mechanism").map_or("", String::as_str);
+        Some((_, given)) => {
+            let wanted = given.get_one::<String>("mechanism").map_or("", String::as_str);
             let subject = match (find(wanted), advice::advice(arguments, true)) {
                 (Err(_), Some(advice)) => return Err(Fault::wrong(advice)),
                 (found, _) => found?,
