@@ -29,7 +29,7 @@ pub(crate) enum Task {
     Code(Code),
     /// Fit dimensions to points of a path or to values of an unknown
     Fit(Fit),
-    /// Write a table from which every position of the motion can be read, exact to a tolerance
+    /// Write a table from which every position can be read, exact to a tolerance
     Table(ExactTable),
     /// Write a page on which the mechanism moves, one file without network
     Report(Report),
