@@ -3,7 +3,7 @@
 //!
 //! The path is given at 24 angles of the crank: a straight stride at constant speed, and a half circle back. Every
 //! dimension has bounds, points of the stride weigh more than those of the return, and length counts a little, by a
-//! term of our own. The result is a linkage that can be built: 2.3 mm from the stride and 5.4 mm from the return, on
+//! custom term. The result is a linkage that can be built: 2.3 mm from the stride and 5.4 mm from the return, on
 //! average, with a ground link of 93 mm. Without bounds and without the count of lengths, the ground link grows to 339
 //! mm and the coupler's point moves 549 mm away, to trace the path only a little better: 2.2 mm and 4.3 mm.
 //!
@@ -77,9 +77,9 @@ const SIZED: [usize; 5] = [4, 6, 7, 8, 9];
 
 /// Points of the path; the first half of them on the stride.
 const POINTS: u32 = 24;
-/// How much a millimetre beside the stride counts, against one beside the return.
+/// The weight of a millimetre beside the stride, relative to a millimetre beside the return.
 const STRIDE: f64 = 3.0;
-/// How much a millimetre of a link counts, so that of two linkages that trace the path alike the small one is found.
+/// The weight of a millimetre of a link: of two linkages that trace the path alike, the smaller linkage is found.
 const SIZE: f64 = 0.08;
 
 /// The lowest, the first and the highest value of each dimension.
@@ -126,14 +126,14 @@ fn distances(linkage: &Linkage) -> Result<[f64; 2], SolveError> {
     Ok([mean(0..half)?, mean(half..POINTS)?])
 }
 
-/// Fits, and writes what it found.
+/// Fits, and writes the result.
 pub(crate) fn report(out: &mut impl Write) -> Result<(), Box<dyn Error>> {
     let path = (0..POINTS).map(wanted).map(|point| [point.x, point.y]);
     let weights = (0..POINTS).map(|index| if index < POINTS / 2 { STRIDE } else { 1.0 });
     let mut objective = Objective::path(Of::<Linkage>::FUNCTIONS, "point", path)?
         .prescribed((0..POINTS).map(turned))?
         .weights(weights)?
-        .own_term(|at| Some(SIZED.map(|place| Change::new(SIZE, 0.0) * at.parameters()[place])));
+        .custom_term(|at| Some(SIZED.map(|index| Change::new(SIZE, 0.0) * at.parameters()[index])));
     let parameters = Linkage::DESCRIPTION.parameters;
     for (quantity, [low, _, high]) in parameters.iter().zip(BOUNDS) {
         objective = objective.bounds(quantity.name, low..=high)?;
@@ -163,7 +163,7 @@ pub(crate) fn report(out: &mut impl Write) -> Result<(), Box<dyn Error>> {
         )?;
     }
 
-    // not the position only: how the acceleration of the point depends on the dimensions, in the middle of the stride
+    // the fit differentiates rates as well: the acceleration of the point in the middle of the stride, by dimensions
     let pose = found.solve(Motion::at_constant_speed(turned(POINTS / 4), 1.0), Assembly::Open)?;
     let by = found.sensitivities(&pose);
     writeln!(

@@ -1,4 +1,4 @@
-//! Published problems: what the literature reached, computed again, and what a seeded search reaches.
+//! Published problems: the results of the literature, computed again, and those of a seeded search.
 //!
 //! ```sh
 //! cargo run --release -p kin-fit --example problems -- straight-line

@@ -1,4 +1,4 @@
-//! How long refinement takes, and what becomes of candidates: the linkages are random, the path is that of a known one.
+//! The time of refinement, and the fate of candidates: random linkages, and the path of a known linkage.
 //!
 //! ```sh
 //! cargo run --release -p kin-fit --example refine
@@ -53,7 +53,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .map(|point| point.map(|point| [3.0 + point.x, point.y - 1.0]))
         .collect::<Result<Vec<_>, _>>()?;
     let mut objective = Objective::path(Of::<Coupler>::FUNCTIONS, "point", targets)?
-        .travel(Travel::Turn)
+        .travel(Travel::Revolution)
         .placement(1.0..=5.0, -3.0..=1.0, 0.0..=TAU)?
         .term(Term::DriverTurns { aim: 0.02, weight: 1.0 });
     let bounds = [[1.0, 4.0], [0.3, 1.2], [1.0, 4.0], [1.0, 4.0], [-2.0, 2.0], [-2.0, 2.0]];
@@ -64,9 +64,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         .map(|index| {
             // the square roots of six primes
             let irrational = [2.0_f64, 3.0, 5.0, 7.0, 11.0, 13.0];
-            let parameters = std::array::from_fn(|place| {
-                let [low, high] = bounds[place];
-                low + (high - low) * part(index, irrational[place].sqrt())
+            let parameters = std::array::from_fn(|parameter| {
+                let [low, high] = bounds[parameter];
+                low + (high - low) * part(index, irrational[parameter].sqrt())
             });
             Candidate::new(&Coupler::from_parameters(parameters), Assembly::Open).numbered(u64::from(index))
         })

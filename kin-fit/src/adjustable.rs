@@ -17,9 +17,9 @@ use crate::error::ObjectiveError;
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(untagged)]
 pub enum Adjustable {
-    /// It is this number.
+    /// The number itself, which is given.
     Fixed(f64),
-    /// It lies between these.
+    /// The bounds between which the number is sought.
     Free([f64; 2]),
 }
 

@@ -9,26 +9,26 @@ use crate::error::ObjectiveError;
 use crate::functions::{Change, Choice, FitFunctions};
 use crate::minimise::{self, Squares};
 use crate::objective::{Goal, Objective, PART_NAMES, PARTS, Part};
-use crate::rows::{OPEN, share};
+use crate::rows::{UNCLOSED, share};
 use crate::term::Travel;
 
-/// The places at which the phase and the turned angle of a placement are tried, if a candidate does not give them.
+/// The number of phases, and of angles of a placement, that are tried if a candidate does not give them.
 const TRIES: usize = 36;
 
 /// A mechanism to begin with, as a search finds it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Candidate {
-    /// What names it in the results, such as its number in a search.
+    /// Its number in the results, such as its id in a search.
     pub id: u64,
     /// Its scalar parameters, in the order of the declaration.
     pub parameters: Vec<f64>,
     /// Its assembly.
     pub choice: Choice,
-    /// Where it stands: x, y and the turned angle. Without it, the best place between the bounds is taken.
+    /// The placement: x, y and the angle of rotation. Without it, the best placement between the bounds is taken.
     pub placement: Option<[f64; 3]>,
-    /// The number that is added to given inputs. Without it, the best one of 36 between the bounds is taken.
+    /// The number that is added to given inputs. Without it, the best of 36 numbers between the bounds is taken.
     pub phase: Option<f64>,
-    /// The inputs of the targets, where they are sought. Without them, the best ones in order are taken.
+    /// The inputs of the targets, where they are sought. Without them, the best inputs in order are taken.
     pub inputs: Option<Vec<f64>>,
 }
 
@@ -73,7 +73,7 @@ pub struct Design {
     pub(crate) choice: Choice,
 }
 
-/// How far a design is from its targets, without weights.
+/// The errors of a design at its targets, without weights.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Misfit {
     /// The sum of the squares of all errors: of distances in a path, of distances and of angles times the length
@@ -100,7 +100,7 @@ impl Design {
         M::from_parameters(Row::from_fn(|index| self.values[index]))
     }
 
-    /// Which of the positions is meant.
+    /// The choice among the positions.
     #[must_use]
     pub fn choice(&self) -> &Choice {
         &self.choice
@@ -109,7 +109,7 @@ impl Design {
     /// The origin of the mechanism's frame in the plane of the targets, and the angle by which it is turned.
     #[must_use]
     pub fn placement(&self) -> [f64; 3] {
-        [Part::X, Part::Y, Part::Turn].map(|part| self.part(part))
+        [Part::X, Part::Y, Part::Rotation].map(|part| self.part(part))
     }
 
     /// The phase and the pace of the inputs.
@@ -142,14 +142,14 @@ impl Objective {
     ///
     /// # Errors
     /// [`ObjectiveError`], if a number of the candidate is not finite, if it has another number of inputs than there
-    /// are targets, or if a full turn of a length is wanted.
+    /// are targets, or if a full revolution of a length is wanted.
     pub fn design(&self, candidate: &Candidate) -> Result<Design, ObjectiveError> {
         let input = self.description().inputs[self.moving];
-        let turns = self.travel == Travel::Turn || self.has_free_inputs() && self.range.is_turn;
-        if turns && input.dimension != Dimension::Angle {
+        let is_revolving = self.travel == Travel::Revolution || self.has_free_inputs() && self.range.is_revolution;
+        if is_revolving && input.dimension != Dimension::Angle {
             return Err(ObjectiveError::WrongDimension {
                 name: input.name.to_owned(),
-                wanted: "angle, and has no full turn",
+                wanted: "angle, and has no full revolution",
             });
         }
         let mut values = candidate.parameters.clone();
@@ -167,12 +167,12 @@ impl Objective {
         values.extend(self.parts.iter().map(|part| part.middle()));
         let sought = self.targets.iter().filter(|target| target.sought.is_some());
         values.resize(values.len() + sought.count(), self.range.ends[0]);
-        let given = [Part::X, Part::Y, Part::Turn]
+        let given = [Part::X, Part::Y, Part::Rotation]
             .into_iter()
             .zip(candidate.placement.into_iter().flatten());
         for (part, value) in given.chain(candidate.phase.map(|phase| (Part::Phase, phase))) {
             Adjustable::Fixed(value).checked(PART_NAMES[part as usize])?;
-            values[self.place(part)] = value;
+            values[self.part_index(part)] = value;
         }
         self.clamp(&mut values);
         let mut design = Design {
@@ -185,9 +185,9 @@ impl Objective {
             return Ok(design);
         }
         self.begin(&mut design, candidate);
-        if let (Some(inputs), Some(first)) = (&candidate.inputs, self.input_place(0)) {
+        if let (Some(inputs), Some(first)) = (&candidate.inputs, self.input_index(0)) {
             self.same_count("inputs", inputs.len())?;
-            let [low, high] = if self.range.is_turn {
+            let [low, high] = if self.range.is_revolution {
                 [f64::NEG_INFINITY, f64::INFINITY]
             } else {
                 self.range.ends
@@ -220,37 +220,37 @@ impl Objective {
 
     /// Moves every value between its bounds.
     fn clamp(&self, values: &mut [f64]) {
-        for (place, [low, high]) in self.sought() {
-            values[place] = values[place].clamp(low, high);
+        for (index, [low, high]) in self.sought() {
+            values[index] = values[index].clamp(low, high);
         }
     }
 
-    /// The places of the values that are sought, without the inputs of the targets, with their bounds.
+    /// The indices of the values that are sought, without the inputs of the targets, with their bounds.
     pub(crate) fn sought(&self) -> Vec<(usize, [f64; 2])> {
         let parameters = self.parameters.iter().enumerate();
         let parts = self.parts.iter().zip(self.parameters.len()..).take(PARTS);
-        let parameters = parameters.filter_map(|(place, bounds)| Some((place, (*bounds)?)));
+        let parameters = parameters.filter_map(|(index, bounds)| Some((index, (*bounds)?)));
         parameters
-            .chain(parts.filter_map(|(part, place)| match part {
-                Adjustable::Free(bounds) => Some((place, *bounds)),
+            .chain(parts.filter_map(|(part, index)| match part {
+                Adjustable::Free(bounds) => Some((index, *bounds)),
                 Adjustable::Fixed(_) => None,
             }))
             .collect()
     }
 
-    /// The places of all values that are sought, with their bounds. An input on a turn may move half a turn from its
-    /// place.
+    /// The indices of all values that are sought, with their bounds. An input on a revolution may move half a
+    /// revolution from its value.
     pub(crate) fn sought_with_inputs(&self, values: &[f64]) -> Vec<(usize, [f64; 2])> {
         let inputs = values.iter().enumerate().skip(self.first_input());
         let bounds = |input: f64| {
-            if self.range.is_turn {
+            if self.range.is_revolution {
                 [input - PI, input + PI]
             } else {
                 self.range.ends
             }
         };
         let mut sought = self.sought();
-        sought.extend(inputs.map(|(place, input)| (place, bounds(*input))));
+        sought.extend(inputs.map(|(index, input)| (index, bounds(*input))));
         sought
     }
 
@@ -259,7 +259,7 @@ impl Objective {
     pub(crate) fn cost(&self, design: &mut Design) -> Result<f64, f64> {
         let mut cost = 0.0;
         if self.goal != Goal::Rows
-            && let Some(first) = self.input_place(0)
+            && let Some(first) = self.input_index(0)
         {
             let assigned = self.assign(&design.values, &design.choice)?;
             design.values[first..].copy_from_slice(&assigned.inputs);
@@ -270,26 +270,26 @@ impl Objective {
             }
             let posed = self.posed(&design.values, &design.choice);
             let targets = self.targets.len();
-            let mut open = 0;
+            let mut unclosed = 0;
             for target in 0..targets {
                 match self.errors(&posed, target) {
                     Some(errors) => cost += half_square(&errors),
-                    None => open += 1,
+                    None => unclosed += 1,
                 }
             }
-            if open > 0 {
-                return Err(share(open, targets));
+            if unclosed > 0 {
+                return Err(share(unclosed, targets));
             }
         }
         let posed = self.posed(&design.values, &design.choice);
         for (_, rows) in self.all_term_rows(&posed) {
-            // the places of the terms lie between the targets
+            // the samples of the terms lie between the targets
             cost += half_square(&rows.ok_or(0.0)?);
         }
         if cost.is_finite() { Ok(cost) } else { Err(1.0) }
     }
 
-    /// How far the targets are spread: a length for paths and motions.
+    /// The spread of the targets: a length for paths and motions.
     pub(crate) fn spread(&self) -> f64 {
         if self.goal == Goal::Rows {
             // their errors are counted in spreads
@@ -309,17 +309,17 @@ impl Objective {
     /// Chooses what a candidate does not give.
     fn begin(&self, design: &mut Design, candidate: &Candidate) {
         let is_sought = |part: Part| matches!(self.parts[part as usize], Adjustable::Free(_));
-        let place = |part: Part| self.place(part);
+        let index = |part: Part| self.part_index(part);
         let is_placed = !self.goal.is_placed()
             || candidate.placement.is_some()
-            || ![Part::X, Part::Y, Part::Turn].into_iter().any(is_sought);
+            || ![Part::X, Part::Y, Part::Rotation].into_iter().any(is_sought);
         let phases = match self.parts[Part::Phase as usize] {
             Adjustable::Free(bounds) if candidate.phase.is_none() => tries(bounds),
-            _ => vec![design.values[place(Part::Phase)]],
+            _ => vec![design.values[index(Part::Phase)]],
         };
-        let turns = match self.parts[Part::Turn as usize] {
+        let angles = match self.parts[Part::Rotation as usize] {
             Adjustable::Free(bounds) if !is_placed => tries(bounds),
-            _ => vec![design.values[place(Part::Turn)]],
+            _ => vec![design.values[index(Part::Rotation)]],
         };
         if is_placed && phases.len() == 1 {
             // only the inputs of the targets are left
@@ -328,10 +328,10 @@ impl Objective {
         }
         let mut best: Option<(f64, Vec<f64>)> = None;
         for phase in phases {
-            for &turn in &turns {
+            for &angle in &angles {
                 let mut tried = design.clone();
-                tried.values[place(Part::Phase)] = phase;
-                tried.values[place(Part::Turn)] = turn;
+                tried.values[index(Part::Phase)] = phase;
+                tried.values[index(Part::Rotation)] = angle;
                 if !is_placed {
                     self.centre(&mut tried);
                 }
@@ -356,7 +356,7 @@ impl Objective {
         } else {
             self.inputs_of(design)
         };
-        let [x, y] = [Part::X, Part::Y].map(|part| self.place(part));
+        let [x, y] = [Part::X, Part::Y].map(|part| self.part_index(part));
         let mut values = design.values.clone();
         (values[x], values[y]) = (0.0, 0.0);
         let mut sums = [0.0; 2];
@@ -371,7 +371,7 @@ impl Objective {
         if count == 0.0 {
             return;
         }
-        for (axis, (part, place)) in [(Part::X, x), (Part::Y, y)].into_iter().enumerate() {
+        for (axis, (part, index)) in [(Part::X, x), (Part::Y, y)].into_iter().enumerate() {
             if let Adjustable::Free([low, high]) = self.parts[part as usize] {
                 let wanted = self
                     .targets
@@ -379,7 +379,7 @@ impl Objective {
                     .filter_map(|target| target.values[axis])
                     .sum::<f64>();
                 let wanted = wanted / share(self.targets.len(), 1);
-                design.values[place] = (wanted - sums[axis] / count).clamp(low, high);
+                design.values[index] = (wanted - sums[axis] / count).clamp(low, high);
             }
         }
     }
@@ -411,16 +411,16 @@ impl Objective {
         let parameters = self.description().parameters.iter().map(|quantity| quantity.name);
         let names: Vec<&str> = parameters.chain(PART_NAMES).collect();
         let sought = self.sought_with_inputs(&design.values).into_iter();
-        let named = sought.map(|(place, bounds)| {
+        let named = sought.map(|(index, bounds)| {
             let name = names
-                .get(place)
-                .map_or_else(|| format!("input {}", place - names.len()), |name| (*name).to_owned());
-            (name, design.values[place], bounds)
+                .get(index)
+                .map_or_else(|| format!("input {}", index - names.len()), |name| (*name).to_owned());
+            (name, design.values[index], bounds)
         });
         named.collect()
     }
 
-    /// The design with other values of the numbers that are sought, in the order of [`variables`](Self::variables).
+    /// The design with the given values of the numbers that are sought, in the order of [`variables`](Self::variables).
     ///
     /// # Errors
     /// [`ObjectiveError::WrongCount`], or one of them is not finite.
@@ -434,19 +434,19 @@ impl Objective {
             });
         }
         let mut design = design.clone();
-        for ((place, _), value) in sought.into_iter().zip(variables) {
+        for ((index, _), value) in sought.into_iter().zip(variables) {
             Adjustable::Fixed(*value).checked("variable")?;
-            design.values[place] = *value;
+            design.values[index] = *value;
         }
         Ok(design)
     }
 
     /// The rows of the sum of squares: the weighted errors of each target, then the terms. `None` if the mechanism does
-    /// not close at a target or at a place of a term.
+    /// not close at a target or at a sample of a term.
     #[must_use]
     pub fn residuals(&self, design: &Design) -> Option<Vec<f64>> {
-        let (rows, open) = self.rows(&design.values, &design.choice);
-        (open == 0).then_some(rows)
+        let (rows, unclosed) = self.rows(&design.values, &design.choice);
+        (unclosed == 0).then_some(rows)
     }
 
     /// The partial derivatives of all [`residuals`](Self::residuals), row by row, by the numbers that are sought, in
@@ -455,18 +455,18 @@ impl Objective {
     #[must_use]
     pub fn jacobian(&self, design: &Design) -> Option<Vec<f64>> {
         let sought = self.sought_with_inputs(&design.values);
-        let places: Vec<usize> = sought.into_iter().map(|(place, _)| place).collect();
+        let indices: Vec<usize> = sought.into_iter().map(|(index, _)| index).collect();
         self.residuals(design)?;
-        let derivatives = self.derivatives(&design.values, &design.choice, &places);
+        let derivatives = self.derivatives(&design.values, &design.choice, &indices);
         derivatives.iter().all(|one| one.is_finite()).then_some(derivatives)
     }
 
-    /// What an evolution strategy minimises: half of the sum of squares, [penalised](crate::penalised) beyond the limit
+    /// The cost for an evolution strategy: half of the sum of squares, [penalised](crate::penalised) beyond the limit
     /// that belongs to errors of a hundred times the spread of the targets. Where the inputs of the targets are sought,
     /// the design takes the best ones in order.
     pub fn penalised_cost(&self, design: &mut Design) -> f64 {
         let weights: f64 = self.targets.iter().map(|target| target.weight * target.weight).sum();
-        let limit = weights * (OPEN * self.spread()).powi(2);
+        let limit = weights * (UNCLOSED * self.spread()).powi(2);
         // Weights of zero leave the terms alone.
         let limit = if limit > 0.0 { limit } else { 1.0 };
         penalised(self.cost(design), limit)
@@ -481,7 +481,7 @@ impl Objective {
         sought.at(&minimise::polish(&sought, &sought.numbers(), steps).0)
     }
 
-    /// How far a design is from its targets. `None` if it does not close at all of them.
+    /// The errors of a design at its targets; `None` if the design does not close at all targets.
     #[must_use]
     pub fn misfit(&self, design: &Design) -> Option<Misfit> {
         let posed = self.posed(&design.values, &design.choice);
@@ -511,17 +511,17 @@ impl Objective {
 pub(crate) struct Sought<'o> {
     pub(crate) objective: &'o Objective,
     pub(crate) design: &'o Design,
-    places: Vec<usize>,
+    indices: Vec<usize>,
     bounds: Vec<[f64; 2]>,
 }
 
 impl<'o> Sought<'o> {
     pub(crate) fn new(objective: &'o Objective, design: &'o Design, sought: Vec<(usize, [f64; 2])>) -> Self {
-        let (places, bounds) = sought.into_iter().unzip();
+        let (indices, bounds) = sought.into_iter().unzip();
         Self {
             objective,
             design,
-            places,
+            indices,
             bounds,
         }
     }
@@ -533,14 +533,14 @@ impl<'o> Sought<'o> {
 
     /// The numbers of the design itself.
     pub(crate) fn numbers(&self) -> Vec<f64> {
-        self.places.iter().map(|place| self.design.values[*place]).collect()
+        self.indices.iter().map(|index| self.design.values[*index]).collect()
     }
 
     /// The design with other numbers.
     pub(crate) fn at(&self, numbers: &[f64]) -> Design {
         let mut design = self.design.clone();
-        for (place, number) in self.places.iter().zip(numbers) {
-            design.values[*place] = *number;
+        for (index, number) in self.indices.iter().zip(numbers) {
+            design.values[*index] = *number;
         }
         design
     }
@@ -558,7 +558,9 @@ impl Squares for Sought<'_> {
 
     fn derivatives(&self, numbers: &[f64]) -> Vec<f64> {
         let design = self.at(numbers);
-        let derivatives = self.objective.derivatives(&design.values, &design.choice, &self.places);
+        let derivatives = self
+            .objective
+            .derivatives(&design.values, &design.choice, &self.indices);
         // at a limit position a row gives no direction
         let finite = |derivative: f64| if derivative.is_finite() { derivative } else { 0.0 };
         derivatives.into_iter().map(finite).collect()
@@ -569,11 +571,12 @@ fn half_square(rows: &[Change]) -> f64 {
     rows.iter().map(|row| 0.5 * row.value * row.value).sum()
 }
 
-/// A cost by which designs are compared, from the cost of one that closes or, of one that does not, the share of the
-/// motion that is open.
+/// A cost by which designs are compared: from the cost of a design that closes, or from the share of the motion at
+/// which a design does not close.
 ///
-/// A cost up to the limit is itself. A larger one is bent down to less than twice the limit, without a change of the
-/// order. What does not close has more than twice the limit, and the more the less of the motion closes.
+/// A cost up to the limit is itself. A larger cost is bent down to less than twice the limit, without a change of the
+/// order. A design that does not close has more than twice the limit: the less of its motion closes, the larger its
+/// cost.
 ///
 /// ```
 /// use kin_fit::penalised;
@@ -587,11 +590,11 @@ pub fn penalised(cost: Result<f64, f64>, limit: f64) -> f64 {
     match cost {
         Ok(cost) if cost <= limit => cost,
         Ok(cost) => limit * (2.0 - limit / cost),
-        Err(open) => limit * (2.0 + open),
+        Err(unclosed) => limit * (2.0 + unclosed),
     }
 }
 
-/// Numbers between two bounds; of bounds a turn apart, only one.
+/// Numbers between two bounds. Bounds a revolution apart are one angle, of which one number is tried.
 fn tries([low, high]: [f64; 2]) -> Vec<f64> {
     let of = if (high - low - TAU).abs() < 1e-9 {
         TRIES

@@ -11,27 +11,27 @@ pub enum ObjectiveError {
     NoSuchQuantity {
         /// The name that was given.
         name: String,
-        /// What was sought: `parameter`, `input`, `unknown or output`, or `point`.
+        /// The kind of the quantity: `parameter`, `input`, `unknown or output`, or `point`.
         kind: &'static str,
-        /// The names that there are, separated by commas.
+        /// The names of this kind, separated by commas.
         known: String,
     },
     /// The dimension of a quantity does not fit.
     WrongDimension {
         /// The name of the quantity.
         name: String,
-        /// What is wanted: `length` or `angle`.
+        /// The dimension that is wanted: `length` or `angle`.
         wanted: &'static str,
     },
     /// There are no targets.
     NoTargets,
-    /// A list has another number of entries than are wanted.
+    /// The number of entries of a list is wrong.
     WrongCount {
         /// The list, such as `weights`, `inputs` or `variables`.
         list: &'static str,
-        /// Its entries.
+        /// The number of its entries.
         given: usize,
-        /// The entries that it must have, for weights and inputs one for each target.
+        /// The number of entries that are wanted: for weights and inputs, one for each target.
         wanted: usize,
     },
     /// A number is not finite.
@@ -48,7 +48,7 @@ pub enum ObjectiveError {
         /// The number.
         value: f64,
     },
-    /// A bound is not finite, or the first one is not below the other.
+    /// A bound is not finite, or the lower bound is not below the upper bound.
     NotInOrder {
         /// The name of the number that is sought.
         name: String,
@@ -62,7 +62,7 @@ pub enum ObjectiveError {
         /// The goal.
         goal: &'static str,
     },
-    /// The mechanism has a block without closed form, so its assembly cannot be held while dimensions change.
+    /// The mechanism has a block without closed form, whose assembly cannot be held while dimensions change.
     NoClosedForm {
         /// The unknowns of the block.
         block: &'static str,

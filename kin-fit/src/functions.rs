@@ -1,4 +1,4 @@
-//! What a mechanism must be able to do so that it can be fitted.
+//! The functions of a mechanism on which a fit depends.
 
 use std::f64::consts::TAU;
 
@@ -8,7 +8,7 @@ use kin_core::linkage::{AnyLinkage, LinkageFunctions};
 use kin_core::sweep::{Local, Swept as _};
 use kin_core::{BlockForm, Changing, Mechanism, Number, Row, TransmissionAngle};
 
-use crate::quantity::Place;
+use crate::quantity::QuantityIndex;
 
 /// A number and its derivative with respect to one of the numbers that are sought.
 pub type Change = Changing<f64>;
@@ -47,7 +47,7 @@ pub struct PointWay<'w> {
     pub(crate) ends: [&'w [f64]; 2],
     pub(crate) rows: usize,
     pub(crate) speed: f64,
-    pub(crate) place: [Place; 2],
+    pub(crate) quantities: [QuantityIndex; 2],
     pub(crate) order: usize,
 }
 
@@ -57,16 +57,16 @@ fn row<T: Copy, R: Row<T>>(values: &[T]) -> R {
 
 impl<M: Mechanism<Scalar = f64>> FitFunctions for Of<M> {
     fn peak_of_point(&self, way: &PointWay<'_>) -> Option<Result<Peak, ExtremesError>> {
-        let own = M::from_parameters(row(way.parameters));
+        let mechanism = M::from_parameters(row(way.parameters));
         let assembly = M::assembly(way.assembly)?;
         let [from, to] = way.ends.map(row);
-        let sweep = own.sweep(assembly).between(from, to, way.rows).speed(way.speed);
+        let sweep = mechanism.sweep(assembly).between(from, to, way.rows).speed(way.speed);
         // The square of the length has derivatives where the point stands still.
         let square = |at: &At<M>| {
-            let [x, y] = way.place.map(|place| {
-                let value = match place {
-                    Place::Unknown(index) => at.unknown(index, way.order),
-                    Place::Output(index) => at.output(index, way.order),
+            let [x, y] = way.quantities.map(|quantity| {
+                let value = match quantity {
+                    QuantityIndex::Unknown(index) => at.unknown(index, way.order),
+                    QuantityIndex::Output(index) => at.output(index, way.order),
                 };
                 value.unwrap_or(Local::constant(f64::NAN))
             });
@@ -80,12 +80,12 @@ impl<M: Mechanism<Scalar = f64>> FitFunctions for Of<M> {
     }
 }
 
-/// Which of several positions of a mechanism is meant, for all dimensions.
+/// The choice among the positions of a mechanism, for all dimensions.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Choice {
-    /// The one of an assembly, by its index.
+    /// The position of an assembly, by its index.
     Assembly(usize),
-    /// The one to which the mechanism moves from a known position, as its inputs go along a straight line.
+    /// The position to which the mechanism moves from a known position, as its inputs go along a straight line.
     From {
         /// The inputs of the known position.
         inputs: Vec<f64>,
@@ -180,8 +180,8 @@ impl Posed<'_> {
 
     pub(crate) fn joints(&self, at: &Solved, found: &mut dyn FnMut([Change; 2])) {
         let functions: &dyn SkeletonOver<Change> = self.functions;
-        functions.skeleton_points(self.parameters(), &at.inputs, &at.unknowns, &mut |place| {
-            if let [x, y, ..] = place {
+        functions.skeleton_points(self.parameters(), &at.inputs, &at.unknowns, &mut |point| {
+            if let [x, y, ..] = point {
                 found([*x, *y]);
             }
         });
@@ -195,7 +195,7 @@ impl Posed<'_> {
     }
 }
 
-/// An angle within half a turn of zero, with the same derivative.
+/// The angle within -π ..= π that differs by whole revolutions, with the same derivative.
 pub(crate) fn unturned(angle: Change) -> Change {
     angle - Change::constant(TAU * (angle.value / TAU).round())
 }

@@ -1,4 +1,4 @@
-//! Refinement as a file: what is to be generated, and what may change.
+//! Refinement as a file: the goal, and the numbers that may change.
 
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -15,7 +15,7 @@ use crate::objective::Objective;
 use crate::refine::Settings;
 use crate::term::{Sense, Term, Travel};
 
-/// What a file of JSON says about a refinement. Lengths are in the unit of the mechanism, angles in radians.
+/// A refinement, as a JSON file states it. Lengths are in the unit of the mechanism, angles in radians.
 ///
 /// A number that may change is written as its two bounds.
 ///
@@ -98,7 +98,7 @@ pub enum JobError {
     Candidate {
         /// The line, from 1 on.
         line: usize,
-        /// What is wrong with it.
+        /// The mistake in it.
         message: String,
     },
 }
@@ -159,9 +159,13 @@ impl Job {
             objective = objective.bounds(name, *low..=*high)?;
         }
         objective = with(objective, self.inputs.clone(), Objective::prescribed)?;
-        objective = with(objective, self.within, |own, [low, high]| own.within(low..=high))?;
+        objective = with(objective, self.within, |objective, [low, high]| {
+            objective.within(low..=high)
+        })?;
         objective = with(objective, self.weights.clone(), Objective::weights)?;
-        objective = with(objective, self.placement, |own, [x, y, turn]| own.placement(x, y, turn))?;
+        objective = with(objective, self.placement, |objective, [x, y, angle]| {
+            objective.placement(x, y, angle)
+        })?;
         objective = with(objective, self.phase, Objective::phase)?;
         objective = with(objective, self.pace, Objective::pace)?;
         objective = with(objective, self.offset, Objective::offset)?;
@@ -174,26 +178,26 @@ impl Job {
         Ok(objective.travel(self.travel).sense(self.sense))
     }
 
-    /// How candidates are polished, on a number of threads; 0 stands for all that the machine has.
+    /// The settings by which candidates are polished, on a number of threads; 0 stands for all threads of the machine.
     #[must_use]
     pub fn settings(&self, threads: usize) -> Settings {
-        let (known, own) = (Settings::default(), Evolution::default());
+        let (settings, evolution) = (Settings::default(), Evolution::default());
         Settings {
-            seed: self.seed.unwrap_or(known.seed),
+            seed: self.seed.unwrap_or(settings.seed),
             evolution: Some(Evolution {
-                evaluations: self.evaluations.unwrap_or(own.evaluations),
-                spread: self.spread.unwrap_or(own.spread),
-                population: own.population,
+                evaluations: self.evaluations.unwrap_or(evolution.evaluations),
+                spread: self.spread.unwrap_or(evolution.spread),
+                population: evolution.population,
             }),
-            steps: self.steps.unwrap_or(known.steps),
+            steps: self.steps.unwrap_or(settings.steps),
             threads,
         }
     }
 
     /// Candidates from the `best` first rows of a table, as a query writes it: comma-separated values with a line of
     /// names. It has a column for each parameter, in which a dot may be written `_`. Columns `id`, `assembly`,
-    /// `placed_x`, `placed_y`, `placed_turn` and `input_phase` are read too, and others are left aside. Without an
-    /// assembly, every one of the mechanism is a candidate of its own.
+    /// `placed_x`, `placed_y`, `placed_turn` and `input_phase` are read too, and others are ignored. A row without an
+    /// assembly is a candidate in each assembly of the mechanism.
     ///
     /// # Errors
     /// [`JobError::Candidate`].
@@ -208,7 +212,7 @@ impl Job {
     }
 }
 
-/// The objective with what a job says, if it does.
+/// The objective with a setting of a job, if the job has the setting.
 fn with<V>(
     objective: Objective,
     value: Option<V>,

@@ -1,9 +1,9 @@
 //! Dimensions of mechanisms by least squares and by search.
 //!
-//! An [`Objective`] holds what is wanted: path, function or motion generation, or measured rows. [`polish`] takes
+//! An [`Objective`] holds the task: path, function or motion generation, or measured rows. [`polish`] takes
 //! candidates through an evolution strategy and through least squares, and checks the results over the full cycle;
-//! [`Fit`] finds the dimensions that meet measured rows; [`smallest`] minimises a cost of one's own from many starts.
-//! Mechanisms are taken without their types, by [`Of::<M>::FUNCTIONS`](kin_core::any::Of::FUNCTIONS).
+//! [`Fit`] finds the dimensions that meet measured rows; [`smallest`] minimises any cost from many starts. Mechanisms
+//! are taken without their types, by [`Of::<M>::FUNCTIONS`](kin_core::any::Of::FUNCTIONS).
 //!
 //! ```
 //! use kin_core::any::Of;
@@ -32,11 +32,11 @@
 //!
 //! # Where the mechanism does not close
 //!
-//! There is one rule. A row of the sum of squares whose position does not exist is as large as an error of a hundred
-//! spreads of the targets, and has the derivative zero; where a full turn is wanted and does not close, these are all
-//! rows. So least squares refuse a step that opens a position, and a start with open positions improves by the others.
-//! A search compares designs by [`penalised`] costs, whose limit belongs to the same size: whatever closes is better
-//! than whatever does not.
+//! One rule holds. A row of the sum of squares whose position does not exist is as large as an error of a hundred
+//! spreads of the targets, and has the derivative zero. Where a full revolution is wanted and does not close, all rows
+//! are of this kind. So least squares refuse a step after which a position no longer closes, and a start with positions
+//! that do not close improves by its other positions. A search compares designs by [`penalised`] costs, whose limit
+//! belongs to the same size: a design that closes is better than every design that does not.
 
 mod adjustable;
 mod design;

@@ -12,7 +12,7 @@ fn smaller(one: Change, other: Change) -> Change {
     if other.value < one.value { other } else { one }
 }
 
-/// Grashof's margin of a four-bar with this driver: the middle links less the shortest and the longest one.
+/// Grashof's margin of a four-bar with this driver: the middle links less the shortest and the longest link.
 pub(crate) fn grashof(form: &BlockForm<Change>, input: &str) -> Option<Change> {
     let BlockForm::FourBar {
         driver,

@@ -17,22 +17,21 @@ use crate::objective::{Goal, InputRange, Objective, Target};
 use crate::quantity::Traced;
 use crate::rows::share;
 
-/// The places of the moving input among which the start of a row without an input is sought.
-const PLACES: usize = 72;
-/// The mean deviation, in units of the spread of the data, below which the numbers are met: what is left of it are
-/// roundings.
+/// The number of values of the moving input among which the start of a row without an input is sought.
+const TRIALS: usize = 72;
+/// The mean deviation, in units of the spread of the data, below which the numbers are met: it consists of roundings.
 const MET: f64 = 1e-8;
 /// The part of the sum of squares that one change alone takes away where no minimum was reached. Slow ends in long
 /// valleys leave less, and steps that were cut leave much more.
 const LOWERED: f64 = 1e-4;
-/// The steps of each method, and the relative change of the sum of squares of a last one.
+/// The steps of each method, and the relative change of the sum of squares of a last step.
 const STEPS: u64 = 500;
 const SETTLED: f64 = 1e-12;
 
 /// Measured rows.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Measured {
-    /// For each column its place among the unknowns and, behind them, the scalar outputs.
+    /// For each column its index among the unknowns and, behind them, the scalar outputs.
     pub columns: Vec<usize>,
     /// For each row all inputs, where they are given.
     pub inputs: Vec<Vec<Option<f64>>>,
@@ -47,8 +46,8 @@ impl Measured {
         self.values.iter().flatten().flatten().count()
     }
 
-    /// The spread of the values of each column, in which its errors are counted: that of the lengths together, since
-    /// the coordinates of a point count alike; one radian and one for the others.
+    /// The spread of the values of each column, in which its errors are counted. Lengths have one spread together,
+    /// since the coordinates of a point count alike. The spread of angles is one radian, that of numbers is one.
     fn scales(&self, traced: &[Traced]) -> Vec<f64> {
         let spread = |column: usize| {
             let values = self.values.iter().filter_map(|row| row[column]);
@@ -66,9 +65,9 @@ impl Measured {
 }
 
 impl Objective {
-    /// Measured rows, in no order. `moving` is the index of the input that is sought in rows without it, in a range; a
-    /// whole turn of an angle has no ends. Other inputs that a row does not give stand at `standing`, which has a value
-    /// for each input.
+    /// Measured rows, in no order. `moving` is the index of the input that is sought, in a range, in rows without it. A
+    /// range of a full revolution has no ends. Other inputs that a row does not give stand at `standing`, which has a
+    /// value for each input.
     ///
     /// # Errors
     /// [`ObjectiveError`], if there is no row, if a number is not finite, or if a list has another length than the
@@ -115,7 +114,7 @@ impl Objective {
                 values: values.clone(),
                 weight: 1.0,
                 input: inputs[moving],
-                others: Some(others.map(|(own, standing)| own.unwrap_or(*standing)).collect()),
+                others: Some(others.map(|(given, standing)| given.unwrap_or(*standing)).collect()),
                 sought: None,
             }
         });
@@ -127,14 +126,14 @@ impl Objective {
             others: standing.to_vec(),
             range: InputRange {
                 ends: [from.min(to), from.max(to)],
-                is_turn: is_angle && (to - from).abs() > TAU - 1e-9,
+                is_revolution: is_angle && (to - from).abs() > TAU - 1e-9,
             },
             ..objective
         })
     }
 }
 
-/// The bounds of a dimension that nobody has given: half a turn about an angle, a quarter to four times a length.
+/// The usual bounds of a dimension: π about an angle, a quarter to four times a length.
 #[must_use]
 pub fn usual_bounds(description: &Description<'_>, parameters: &[f64], index: usize) -> RangeInclusive<f64> {
     let (quantity, value) = (&description.parameters[index], parameters[index]);
@@ -217,27 +216,27 @@ pub struct Fit {
     start: Design,
 }
 
-/// What a fit has found.
+/// The result of a fit.
 #[derive(Clone, Debug)]
 pub struct Fitted {
     /// The dimensions.
     pub design: Design,
-    /// Where the fit ended before a minimum: the name of a number, and the part of the sum of squares that a change of
-    /// it alone takes away.
+    /// `None` at a minimum; otherwise the name of a number, and the part of the sum of squares that a change of this
+    /// number alone takes away.
     pub lowering: Option<(String, f64)>,
 }
 
-/// How far a column is from its values.
+/// The deviation of a column from its values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deviation {
     /// The root of the mean square, in the unit of the column.
     pub root_mean_square: f64,
-    /// The number of values that it is the mean of: those that are given, of rows that close.
+    /// The number of values of the mean: those that are given, in rows that close.
     pub count: usize,
 }
 
 impl Fit {
-    /// A fit from a start. Inputs of rows that have none begin where they are nearest to the values of their row.
+    /// A fit from a start. The input of a row that gives none begins where the position is nearest to the row's values.
     ///
     /// # Errors
     /// [`FitError`].
@@ -248,11 +247,11 @@ impl Fit {
         let start = objective.design(start)?;
         let mut fit = Self { objective, start };
         for target in 0..fit.objective.targets.len() {
-            if let Some(place) = fit.objective.input_place(target) {
-                fit.start.values[place] = fit.nearest(target).ok_or(FitError::NoStart)?;
+            if let Some(index) = fit.objective.input_index(target) {
+                fit.start.values[index] = fit.nearest(target).ok_or(FitError::NoStart)?;
             }
         }
-        if fit.open_rows(&fit.start) == fit.objective.targets.len() {
+        if fit.unclosed_rows(&fit.start) == fit.objective.targets.len() {
             return Err(FitError::NothingCloses);
         }
         Ok(fit)
@@ -264,33 +263,33 @@ impl Fit {
         &self.start
     }
 
-    /// The numbers that are sought, as [`Objective::variables`] tells them: the dimensions first, then the inputs.
+    /// The numbers that are sought, in the order of [`Objective::variables`]: the dimensions first, then the inputs.
     #[must_use]
     pub fn variables(&self, design: &Design) -> Vec<(String, f64, [f64; 2])> {
         self.objective.variables(design)
     }
 
-    /// The place of the moving input whose values are nearest to those of a row.
+    /// The value of the moving input at which the position is nearest to the values of a row.
     fn nearest(&self, target: usize) -> Option<f64> {
         let [from, to] = self.objective.range.ends;
         let mut values = self.start.values.clone();
-        let place = self.objective.input_place(target)?;
+        let index = self.objective.input_index(target)?;
         let mut best: Option<(f64, f64)> = None;
-        for step in 0..=PLACES {
-            values[place] = from + (to - from) * share(step, PLACES);
+        for step in 0..=TRIALS {
+            values[index] = from + (to - from) * share(step, TRIALS);
             let posed = self.objective.posed(&values, &self.start.choice);
             let Some(errors) = self.objective.errors(&posed, target) else {
                 continue;
             };
             let sum = errors.iter().map(|error| error.value * error.value).sum();
             if best.is_none_or(|(least, _)| sum < least) {
-                best = Some((sum, values[place]));
+                best = Some((sum, values[index]));
             }
         }
         best.map(|(_, at)| at)
     }
 
-    /// The nearest minimum, or where the search for it ended.
+    /// The nearest minimum, or the design at which the search for it ended.
     ///
     /// A bounded Levenberg-Marquardt method comes first. Where it does not end in a minimum, a reflective trust region
     /// goes on, whose steps take much longer for many rows.
@@ -318,7 +317,7 @@ impl Fit {
         MET * MET * share(given.flatten().count(), 1)
     }
 
-    /// The number whose change alone takes most of the sum of squares away, and the part of it, unless the point is a
+    /// The number whose change alone lowers the sum of squares most, and the part by which the sum falls; `None` at a
     /// minimum.
     fn lowering(&self, sought: &Sought<'_>, point: &[f64]) -> Option<(String, f64)> {
         let rows = sought.rows(point);
@@ -327,30 +326,30 @@ impl Fit {
             return None;
         }
         let derivatives = sought.derivatives(point);
-        let lowered = sought.bounds().iter().enumerate().filter_map(|(place, [low, high])| {
+        let lowered = sought.bounds().iter().enumerate().filter_map(|(index, [low, high])| {
             let (mut along, mut norm) = (0.0, 0.0);
             for (derivatives, row) in derivatives.chunks_exact(point.len()).zip(&rows) {
-                along += derivatives[place] * row;
-                norm += derivatives[place] * derivatives[place];
+                along += derivatives[index] * row;
+                norm += derivatives[index] * derivatives[index];
             }
             let mut other = point.to_vec();
-            other[place] = (point[place] - along / norm).clamp(*low, *high);
-            let change = other[place] - point[place];
-            // most places promise nothing, and need no poses
+            other[index] = (point[index] - along / norm).clamp(*low, *high);
+            let change = other[index] - point[index];
+            // most numbers promise nothing, and need no poses
             let promised = -change * (2.0 * along + norm * change) / sum;
             if promised.is_nan() || promised <= LOWERED {
                 return None;
             }
             let part = 1.0 - 2.0 * sought.cost(&other) / sum;
-            (part > LOWERED).then_some((place, part))
+            (part > LOWERED).then_some((index, part))
         });
-        let (place, part) = lowered.max_by(|one, other| one.1.total_cmp(&other.1))?;
+        let (index, part) = lowered.max_by(|one, other| one.1.total_cmp(&other.1))?;
         let inputs = self.objective.description().inputs;
         let variables = self.objective.variables(&self.start).into_iter();
         let name = variables
             .map(|(name, ..)| name)
-            .nth(place)
-            .filter(|_| place < self.objective.sought().len());
+            .nth(index)
+            .filter(|_| index < self.objective.sought().len());
         Some((
             name.unwrap_or_else(|| inputs[self.objective.moving].name.to_owned()),
             part,
@@ -359,24 +358,24 @@ impl Fit {
 
     /// The number of rows in which a design does not close.
     #[must_use]
-    pub fn open_rows(&self, design: &Design) -> usize {
+    pub fn unclosed_rows(&self, design: &Design) -> usize {
         let posed = self.objective.posed(&design.values, &design.choice);
         let targets = 0..self.objective.targets.len();
-        let open = targets.filter(|target| self.objective.errors(&posed, *target).is_none());
-        open.count()
+        let unclosed = targets.filter(|target| self.objective.errors(&posed, *target).is_none());
+        unclosed.count()
     }
 
-    /// How far each column is from its values; `None` if no row with a value closes.
+    /// The deviation of each column from its values; `None` if no row with a value closes.
     #[must_use]
     pub fn deviations(&self, design: &Design) -> Vec<Option<Deviation>> {
         let objective = &self.objective;
         let posed = objective.posed(&design.values, &design.choice);
         let mut sums = vec![(0.0, 0); objective.traced.len()];
-        for (target, own) in objective.targets.iter().enumerate() {
+        for (target, row) in objective.targets.iter().enumerate() {
             let Some(errors) = objective.errors(&posed, target) else {
                 continue;
             };
-            let given = errors.iter().zip(&own.values).zip(&objective.traced);
+            let given = errors.iter().zip(&row.values).zip(&objective.traced);
             for (((error, _), traced), (sum, count)) in
                 given.zip(&mut sums).filter(|(((_, value), _), _)| value.is_some())
             {
@@ -402,9 +401,9 @@ mod tests {
 
     use super::*;
 
-    /// Wherever a search ends, a point that is no minimum is told.
+    /// A search that ends at a point which is no minimum reports so.
     #[test]
-    fn what_is_no_minimum_is_told() {
+    fn points_that_are_no_minimum() {
         let right: HoekenLinkage = HoekenLinkage {
             ground: 2.1,
             crank: 0.95,
@@ -441,15 +440,15 @@ mod tests {
         let sought = Sought::all(&fit.objective, &fit.start);
         let right: Vec<f64> = [2.1, 0.95, 2.4].into_iter().chain(inputs).collect();
         assert_eq!(fit.lowering(&sought, &right), None);
-        for place in 0..right.len() {
+        for index in 0..right.len() {
             let mut off = right.clone();
-            off[place] += 1e-3;
+            off[index] += 1e-3;
             let (name, part) = fit.lowering(&sought, &off).expect("no minimum");
             assert!(!name.is_empty() && part > LOWERED, "{name}: {part}");
         }
         assert!(fit.lowering(&sought, &sought.numbers()).is_some());
 
-        // some rows have their input, and mistakes are errors
+        // some rows give their input, and mistakes are errors
         let mut mixed = data.clone();
         mixed.inputs[1] = vec![Some(right[4])];
         let objective = |data: &Measured| Objective::measured(functions, data, 0, &[0.0], [0.0, TAU]);

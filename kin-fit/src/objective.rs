@@ -11,17 +11,17 @@ use crate::adjustable::Adjustable;
 use crate::error::ObjectiveError;
 use crate::functions::{Change, FitFunctions};
 use crate::quantity::{self, Traced};
-use crate::term::{OwnTerm, Sense, Term, TermAt, Travel};
+use crate::term::{CustomTerm, Sense, Term, TermAt, Travel};
 
-/// The numbers of a design that are no dimensions, in their order after the parameters. Their names are not those of
-/// parameters.
+/// The numbers of a design that are no dimensions, in their order after the parameters. Their names differ from those
+/// of parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(usize)]
 pub(crate) enum Part {
-    /// The placement of the mechanism's own frame: x, y, and the angle by which it is turned.
+    /// The placement of the mechanism's frame: x, y, and its angle of rotation.
     X,
     Y,
-    Turn,
+    Rotation,
     /// The input of a target is `phase + pace * given`.
     Phase,
     Pace,
@@ -41,7 +41,7 @@ pub(crate) const PART_NAMES: [&str; PARTS] = [
     "value_scale",
 ];
 
-/// What is to be generated.
+/// The goal of the synthesis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Goal {
     Path,
@@ -62,7 +62,7 @@ impl Goal {
     }
 }
 
-/// What is to be met at one input.
+/// The values to be met at one input.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Target {
     /// The value of each traced quantity, where it is given.
@@ -70,24 +70,24 @@ pub(crate) struct Target {
     pub(crate) weight: f64,
     /// The moving input, up to phase and pace; it is sought where it is not given.
     pub(crate) input: Option<f64>,
-    /// All inputs, where the others do not stand as those of the objective.
+    /// All inputs, where the other inputs do not stand as the objective gives them.
     pub(crate) others: Option<Vec<f64>>,
-    /// The place among the inputs that are sought.
+    /// The index among the inputs that are sought.
     pub(crate) sought: Option<usize>,
 }
 
-/// The range in which inputs of targets are sought, which may be a turn that closes in itself.
+/// The range in which inputs of targets are sought, which may be a full revolution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct InputRange {
     pub(crate) ends: [f64; 2],
-    pub(crate) is_turn: bool,
+    pub(crate) is_revolution: bool,
 }
 
-/// Targets with weights, what is sought, and the terms beside them. The [crate](crate) has an example.
+/// Targets with weights, the numbers that are sought, and the terms beside them. The [crate](crate) has an example.
 ///
-/// It also says which numbers are sought, and between which bounds: dimensions, the placement of the mechanism in the
-/// plane, the input of each target, offsets and scales. Its errors are differentiated by numbers that carry a
-/// derivative, so the partial derivatives are exact but for rounding.
+/// The numbers that are sought have bounds: dimensions, the placement of the mechanism in the plane, the input of each
+/// target, offsets and scales. The errors are evaluated with numbers that carry a derivative, so their partial
+/// derivatives are exact but for rounding.
 #[derive(Clone, Debug)]
 pub struct Objective {
     pub(crate) functions: &'static dyn FitFunctions,
@@ -100,7 +100,7 @@ pub struct Objective {
     pub(crate) moving: usize,
     pub(crate) others: Vec<f64>,
     pub(crate) terms: Vec<Term>,
-    pub(crate) own_terms: Vec<OwnTerm>,
+    pub(crate) custom_terms: Vec<CustomTerm>,
     pub(crate) travel: Travel,
     pub(crate) sense: Sense,
 }
@@ -113,7 +113,7 @@ impl Objective {
         targets: Vec<Target>,
     ) -> Result<Self, ObjectiveError> {
         let description = functions.description();
-        // rows are reached from a known position, and all else asks for an assembly that holds for all dimensions
+        // rows are reached from a known position; every other goal needs an assembly that holds for all dimensions
         if goal != Goal::Rows && functions.assembly_count() == 0 {
             let coupled = description.blocks.iter().find(|block| block.unknowns.contains(','));
             let block = coupled
@@ -139,12 +139,12 @@ impl Objective {
             parts: [zero, zero, zero, zero, one, zero, one],
             range: InputRange {
                 ends: [0.0, TAU],
-                is_turn: true,
+                is_revolution: true,
             },
             moving: 0,
             others: vec![0.0; description.inputs.len()],
             terms: Vec::new(),
-            own_terms: Vec::new(),
+            custom_terms: Vec::new(),
             travel: Travel::default(),
             sense: Sense::default(),
         }
@@ -165,7 +165,7 @@ impl Objective {
     }
 
     /// Path generation: a point of the plane, an output by its name, is to pass the targets in their order. The input
-    /// of each target is sought over a full turn, unless [`prescribed`](Self::prescribed) gives it or
+    /// of each target is sought over a full revolution, unless [`prescribed`](Self::prescribed) gives it or
     /// [`within`](Self::within) a range.
     ///
     /// # Errors
@@ -180,11 +180,11 @@ impl Objective {
     }
 
     /// Motion generation: a body, by a point on it and an angle that turns with it, is to pass the targets x, y and
-    /// angle (rad) in their order. An error of one radian counts as much as one of the length `radian`. Inputs as for
-    /// [`path`](Self::path).
+    /// angle (rad) in their order. An error of one radian counts as much as an error of the length `radian`. Inputs are
+    /// as for [`path`](Self::path).
     ///
     /// # Errors
-    /// As for [`path`](Self::path), and if the quantity `angle` is none.
+    /// As for [`path`](Self::path), and if the quantity `angle` is no angle.
     pub fn motion(
         functions: &'static dyn FitFunctions,
         point: &str,
@@ -211,7 +211,7 @@ impl Objective {
     /// Function generation: an unknown or a scalar output is to be a function of the input, given by pairs. A pair is
     /// an input and the value there, or numbers from which [`phase`](Self::phase), [`pace`](Self::pace),
     /// [`offset`](Self::offset) and [`scale`](Self::scale) make them: `value = offset + scale * y` at `input = phase +
-    /// pace * x`. Angles are compared up to whole turns.
+    /// pace * x`. Angles are compared up to whole revolutions.
     ///
     /// # Errors
     /// [`ObjectiveError`], if there is no such quantity, no pair, or a block without closed form.
@@ -256,7 +256,7 @@ impl Objective {
         }
         self.range = InputRange {
             ends: range,
-            is_turn: false,
+            is_revolution: false,
         };
         Ok(self)
     }
@@ -279,7 +279,7 @@ impl Objective {
         }
     }
 
-    /// Lets a dimension change between bounds. All others keep the values of the candidate.
+    /// Lets a dimension change between bounds. Other dimensions keep the values of the candidate.
     ///
     /// # Errors
     /// [`ObjectiveError::NoSuchQuantity`], or the bounds are not in order.
@@ -291,9 +291,9 @@ impl Objective {
         Ok(self)
     }
 
-    /// Where the mechanism stands in the plane of the targets: the place of the origin of its own frame, and the angle
-    /// (rad) by which that frame is turned. Each is a number, or bounds between which it is sought. Without this call
-    /// the two frames are the same.
+    /// The placement of the mechanism in the plane of the targets: the coordinates of the origin of its frame, and the
+    /// angle of rotation of that frame (rad). Each is a number, or bounds between which it is sought. Without this
+    /// call, the frame of the mechanism is that of the targets.
     ///
     /// # Errors
     /// [`ObjectiveError::NoSuchPart`] for a function, or bounds that are not in order.
@@ -301,7 +301,7 @@ impl Objective {
         mut self,
         x: impl Into<Adjustable>,
         y: impl Into<Adjustable>,
-        turn: impl Into<Adjustable>,
+        rotation: impl Into<Adjustable>,
     ) -> Result<Self, ObjectiveError> {
         if !self.goal.is_placed() {
             return Err(ObjectiveError::NoSuchPart {
@@ -311,7 +311,7 @@ impl Objective {
         }
         self.set(Part::X, x.into())?;
         self.set(Part::Y, y.into())?;
-        self.set(Part::Turn, turn.into())?;
+        self.set(Part::Rotation, rotation.into())?;
         Ok(self)
     }
 
@@ -402,8 +402,8 @@ impl Objective {
         self
     }
 
-    /// Adds a term of one's own: a function that gives rows of the sum of squares, or `None` where the mechanism does
-    /// not close. Its numbers carry derivatives, so it must be written in them.
+    /// Adds a custom term: a function that gives rows of the sum of squares, or `None` where the mechanism does not
+    /// close. The function calculates with [`Change`], a number that carries a derivative.
     ///
     /// ```
     /// use kin_core::any::Of;
@@ -413,7 +413,7 @@ impl Objective {
     /// // the rocker shall be twice as long as the crank
     /// let objective = Objective::function(Of::<FourBar>::FUNCTIONS, "theta4", [[0.5, 1.0], [1.0, 1.2]])?
     ///     .bounds("r4", 40.0..=80.0)?
-    ///     .own_term(|at| {
+    ///     .custom_term(|at| {
     ///         let [_, r2, _, r4] = [0, 1, 2, 3].map(|index| at.parameters()[index]);
     ///         Some([r4 - Change::new(2.0, 0.0) * r2])
     ///     });
@@ -421,32 +421,32 @@ impl Objective {
     /// # Ok::<(), kin_fit::ObjectiveError>(())
     /// ```
     #[must_use]
-    pub fn own_term<const N: usize>(
+    pub fn custom_term<const N: usize>(
         mut self,
         rows: impl Fn(&TermAt<'_>) -> Option<[Change; N]> + Send + Sync + 'static,
     ) -> Self {
-        self.own_terms.push(OwnTerm {
+        self.custom_terms.push(CustomTerm {
             count: N,
             rows: Arc::new(move |at| rows(at).map(Vec::from)),
         });
         self
     }
 
-    /// Which part of the motion must close and keep to the terms; otherwise from the first target to the last.
+    /// Sets the part of the motion that must close and keep to the terms; otherwise from the first target to the last.
     #[must_use]
     pub fn travel(mut self, travel: Travel) -> Self {
         self.travel = travel;
         self
     }
 
-    /// In which direction of the input the targets follow each other; otherwise in either.
+    /// Sets the direction of the input in which the targets follow each other; otherwise either direction.
     #[must_use]
     pub fn sense(mut self, sense: Sense) -> Self {
         self.sense = sense;
         self
     }
 
-    /// The input that moves; otherwise the first one.
+    /// Sets the input that moves; otherwise the first input.
     ///
     /// # Errors
     /// [`ObjectiveError::NoSuchQuantity`].
@@ -455,7 +455,7 @@ impl Objective {
         Ok(self)
     }
 
-    /// Where one of the other inputs stands; otherwise at zero.
+    /// Sets the value at which another input stands; otherwise zero.
     ///
     /// # Errors
     /// [`ObjectiveError::NoSuchQuantity`], or a number that is not finite.

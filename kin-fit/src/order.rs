@@ -7,12 +7,12 @@ use crate::objective::Objective;
 use crate::rows::share;
 use crate::term::{Sense, Travel};
 
-/// The places of a turn, or of the range of the input, between which inputs are sought.
+/// The samples of a revolution, or of the range of the input, between which inputs are sought.
 const SAMPLES: usize = 144;
-/// The places at which the first target of a closed path is tried.
+/// The number of samples at which the first target of a closed path is tried.
 const FIRST: usize = 6;
 
-/// The square of an error, and how far beside the sample the target is met best.
+/// The square of an error, and the distance from the sample to the input at which the error is smallest.
 type Near = (f64, f64);
 
 /// Inputs in order, with half of the sum of squares of their errors.
@@ -27,11 +27,11 @@ impl Objective {
     ///
     /// The share of samples at which the mechanism does not close is returned if it passes no sequence of the targets.
     pub(crate) fn assign(&self, values: &[f64], choice: &Choice) -> Result<Assigned, f64> {
-        let ([low, high], is_turn) = (self.range.ends, self.range.is_turn);
+        let ([low, high], is_revolution) = (self.range.ends, self.range.is_revolution);
         // the inputs alone have derivatives
         let posed = self.posed(values, choice);
         let step = (high - low) / share(SAMPLES, 1);
-        let count = if is_turn { SAMPLES } else { SAMPLES + 1 };
+        let count = if is_revolution { SAMPLES } else { SAMPLES + 1 };
         let targets = self.targets.len();
         let mut near: Vec<Vec<Near>> = vec![Vec::with_capacity(count); targets];
         let mut is_closed = Vec::with_capacity(count);
@@ -61,12 +61,12 @@ impl Objective {
                 near.push((square + beside * (2.0 * along + beside * rates), beside));
             }
         }
-        let open = is_closed.iter().filter(|closed| !**closed).count();
-        if open > 0 && self.travel == Travel::Turn || open == count {
-            return Err(share(open, count));
+        let unclosed = is_closed.iter().filter(|closed| !**closed).count();
+        if unclosed > 0 && self.travel == Travel::Revolution || unclosed == count {
+            return Err(share(unclosed, count));
         }
         let mut best: Option<Assigned> = None;
-        for (list, is_loop) in sequences(&is_closed, is_turn, self.sense, &near[0]) {
+        for (list, is_loop) in sequences(&is_closed, is_revolution, self.sense, &near[0]) {
             let (cost, chosen) = in_order(&near, &list, count, is_loop);
             if best.as_ref().is_none_or(|best| cost < best.cost) {
                 let inputs = chosen.iter().enumerate().map(|(target, &sample)| {
@@ -79,19 +79,19 @@ impl Objective {
                 });
             }
         }
-        let mut best = best.ok_or_else(|| share(open, count))?;
-        if is_turn {
-            // The first input lies in the turn, and the others follow it.
-            let turns = TAU * ((best.inputs[0] - low) / TAU).floor();
+        let mut best = best.ok_or_else(|| share(unclosed, count))?;
+        if is_revolution {
+            // The first input lies in the first revolution, and the others follow it.
+            let offset = TAU * ((best.inputs[0] - low) / TAU).floor();
             for input in &mut best.inputs {
-                *input -= turns;
+                *input -= offset;
             }
         }
         best.cost *= 0.5;
         if best.cost.is_finite() {
             Ok(best)
         } else {
-            Err(share(open, count))
+            Err(share(unclosed, count))
         }
     }
 }
@@ -102,25 +102,25 @@ fn whole(sample: isize) -> f64 {
     sample as f64
 }
 
-/// A sample on the first turn.
+/// A sample on the first revolution.
 fn wrapped(sample: isize, count: usize) -> usize {
     sample.rem_euclid(count.cast_signed()).cast_unsigned()
 }
 
 /// The sequences of closed samples along which the targets may follow each other, and whether a sequence is a full
-/// turn. On a full turn the first target is met at the first sample.
-fn sequences(is_closed: &[bool], is_turn: bool, sense: Sense, first: &[Near]) -> Vec<(Vec<isize>, bool)> {
+/// revolution. On a full revolution the first target is met at the first sample.
+fn sequences(is_closed: &[bool], is_revolution: bool, sense: Sense, first: &[Near]) -> Vec<(Vec<isize>, bool)> {
     let count = is_closed.len().cast_signed();
     let closed = |sample: isize| is_closed[wrapped(sample, is_closed.len())];
     let mut sequences = Vec::new();
-    if is_turn && is_closed.iter().all(|closed| *closed) {
-        for first in first_places(first) {
+    if is_revolution && is_closed.iter().all(|closed| *closed) {
+        for first in first_samples(first) {
             sequences.push(((first..first + count).collect(), true));
             sequences.push(((0..count).map(|step| first - step).collect(), true));
         }
     } else {
-        // On a turn, a run that passes its end goes on at its beginning.
-        let gap = if is_turn {
+        // On a revolution, a run that passes the end goes on at the beginning.
+        let gap = if is_revolution {
             (0..count).find(|sample| !closed(*sample))
         } else {
             None
@@ -144,48 +144,48 @@ fn sequences(is_closed: &[bool], is_turn: bool, sense: Sense, first: &[Near]) ->
     sequences
 }
 
-/// The samples at which the first target is closer than at both neighbours, the closest of them.
-fn first_places(near: &[Near]) -> Vec<isize> {
+/// The samples at which the first target is closer than at both neighbouring samples, as far as they are the closest.
+fn first_samples(near: &[Near]) -> Vec<isize> {
     let count = near.len();
     let square = |sample: usize| near[sample % count].0;
-    let mut places: Vec<usize> = (0..count)
+    let mut samples: Vec<usize> = (0..count)
         .filter(|&sample| square(sample) <= square(sample + 1) && square(sample) <= square(sample + count - 1))
         .collect();
-    places.sort_by(|one, other| square(*one).total_cmp(&square(*other)));
-    places.truncate(FIRST);
-    places.into_iter().map(usize::cast_signed).collect()
+    samples.sort_by(|one, other| square(*one).total_cmp(&square(*other)));
+    samples.truncate(FIRST);
+    samples.into_iter().map(usize::cast_signed).collect()
 }
 
 /// The sum of squares of the best choice of samples in the order of a list, and the choice.
 fn in_order(near: &[Vec<Near>], list: &[isize], count: usize, is_first_fixed: bool) -> (f64, Vec<isize>) {
-    let square = |target: usize, place: usize| near[target][wrapped(list[place], count)].0;
-    let mut sums: Vec<f64> = (0..list.len()).map(|place| square(0, place)).collect();
+    let square = |target: usize, entry: usize| near[target][wrapped(list[entry], count)].0;
+    let mut sums: Vec<f64> = (0..list.len()).map(|entry| square(0, entry)).collect();
     if is_first_fixed {
         sums[1..].fill(f64::INFINITY);
     }
-    // for each further target and place, the place of the target before
+    // for each further target and entry of the list, the entry of the target before
     let mut before: Vec<Vec<usize>> = Vec::with_capacity(near.len());
     for target in 1..near.len() {
         let (mut least, mut at) = (f64::INFINITY, 0);
-        let mut places = Vec::with_capacity(list.len());
-        for (place, sum) in sums.iter_mut().enumerate() {
+        let mut entries = Vec::with_capacity(list.len());
+        for (entry, sum) in sums.iter_mut().enumerate() {
             if *sum < least {
-                (least, at) = (*sum, place);
+                (least, at) = (*sum, entry);
             }
-            places.push(at);
-            *sum = least + square(target, place);
+            entries.push(at);
+            *sum = least + square(target, entry);
         }
-        before.push(places);
+        before.push(entries);
     }
     let last = (0..list.len()).min_by(|one, other| sums[*one].total_cmp(&sums[*other]));
-    let Some(mut place) = last else {
+    let Some(mut entry) = last else {
         return (f64::INFINITY, Vec::new());
     };
-    let cost = sums[place];
-    let mut chosen = vec![list[place]];
-    for places in before.iter().rev() {
-        place = places[place];
-        chosen.push(list[place]);
+    let cost = sums[entry];
+    let mut chosen = vec![list[entry]];
+    for entries in before.iter().rev() {
+        entry = entries[entry];
+        chosen.push(list[entry]);
     }
     chosen.reverse();
     (cost, chosen)

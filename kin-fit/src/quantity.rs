@@ -5,9 +5,9 @@ use kin_core::any::{Description, Quantity};
 
 use crate::error::ObjectiveError;
 
-/// An unknown or a scalar output of a mechanism, by its place.
+/// The index of an unknown or of a scalar output of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Place {
+pub(crate) enum QuantityIndex {
     /// An unknown by its index.
     Unknown(usize),
     /// A scalar output by its index.
@@ -19,8 +19,8 @@ pub(crate) enum Place {
 pub(crate) struct Traced {
     pub(crate) name: &'static str,
     pub(crate) dimension: Dimension,
-    pub(crate) place: Place,
-    /// By what its errors are multiplied.
+    pub(crate) index: QuantityIndex,
+    /// The factor of its errors.
     pub(crate) unit: f64,
 }
 
@@ -33,10 +33,10 @@ fn known(quantities: &[Quantity<'_>]) -> String {
     }
 }
 
-/// The place of a quantity in a list.
+/// The index of a quantity in a list.
 pub(crate) fn index(quantities: &[Quantity<'_>], name: &str, kind: &'static str) -> Result<usize, ObjectiveError> {
-    let place = quantities.iter().position(|quantity| quantity.name == name);
-    place.ok_or_else(|| ObjectiveError::NoSuchQuantity {
+    let index = quantities.iter().position(|quantity| quantity.name == name);
+    index.ok_or_else(|| ObjectiveError::NoSuchQuantity {
         name: name.to_owned(),
         kind,
         known: known(quantities),
@@ -49,12 +49,12 @@ impl Traced {
         let unknowns = description.unknowns.iter().enumerate();
         let outputs = description.outputs.iter().enumerate();
         let all = unknowns
-            .map(|(index, quantity)| (Place::Unknown(index), quantity))
-            .chain(outputs.map(|(index, quantity)| (Place::Output(index), quantity)));
-        all.map(|(place, quantity)| Self {
+            .map(|(index, quantity)| (QuantityIndex::Unknown(index), quantity))
+            .chain(outputs.map(|(index, quantity)| (QuantityIndex::Output(index), quantity)));
+        all.map(|(index, quantity)| Self {
             name: quantity.name,
             dimension: quantity.dimension,
-            place,
+            index,
             unit: 1.0,
         })
     }
@@ -90,9 +90,9 @@ impl Traced {
 
     /// The value in a position, whose outputs are given too.
     pub(crate) fn of<T: Copy>(&self, unknowns: &[T], outputs: &[T]) -> T {
-        match self.place {
-            Place::Unknown(index) => unknowns[index],
-            Place::Output(index) => outputs[index],
+        match self.index {
+            QuantityIndex::Unknown(index) => unknowns[index],
+            QuantityIndex::Output(index) => outputs[index],
         }
     }
 }

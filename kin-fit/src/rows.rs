@@ -9,12 +9,12 @@ use crate::margins::{driver_turns, grashof};
 use crate::objective::{Objective, PARTS, Part};
 use crate::term::{Term, TermAt, Travel};
 
-/// The places of the travel at which terms are evaluated.
-pub(crate) const PLACES: usize = 24;
+/// The number of samples of the travel at which terms are evaluated.
+pub(crate) const SAMPLES: usize = 24;
 
-/// The error of a position that does not close, in spreads of the targets: larger than any that does. The
-/// [crate](crate) tells the rule.
-pub(crate) const OPEN: f64 = 100.0;
+/// The error of a position that does not close, in spreads of the targets: larger than that of any position that
+/// closes. The [crate](crate) states the rule.
+pub(crate) const UNCLOSED: f64 = 100.0;
 
 #[expect(clippy::cast_precision_loss, reason = "counts are small")]
 pub(crate) fn share(part: usize, of: usize) -> f64 {
@@ -22,27 +22,27 @@ pub(crate) fn share(part: usize, of: usize) -> f64 {
 }
 
 impl Objective {
-    /// The place of a part among the values.
-    pub(crate) fn place(&self, part: Part) -> usize {
+    /// The index of a part among the values.
+    pub(crate) fn part_index(&self, part: Part) -> usize {
         self.parameters.len() + part as usize
     }
 
-    /// The place among the values behind the parts, where the sought inputs begin.
+    /// The index of the first sought input among the values, which follows the parts.
     pub(crate) fn first_input(&self) -> usize {
         self.parameters.len() + PARTS
     }
 
-    /// The place of the input of a target among the values, if it is sought.
-    pub(crate) fn input_place(&self, target: usize) -> Option<usize> {
-        self.targets[target].sought.map(|place| self.first_input() + place)
+    /// The index of the input of a target among the values, if it is sought.
+    pub(crate) fn input_index(&self, target: usize) -> Option<usize> {
+        self.targets[target].sought.map(|index| self.first_input() + index)
     }
 
     /// The input of a target.
     pub(crate) fn input(&self, posed: &Posed<'_>, target: usize) -> Change {
-        if let Some(place) = self.input_place(target) {
-            return posed.values[place];
+        if let Some(index) = self.input_index(target) {
+            return posed.values[index];
         }
-        let [phase, pace] = [Part::Phase, Part::Pace].map(|part| posed.values[self.place(part)]);
+        let [phase, pace] = [Part::Phase, Part::Pace].map(|part| posed.values[self.part_index(part)]);
         phase + pace * Change::constant(self.targets[target].input.unwrap_or(0.0))
     }
 
@@ -51,7 +51,7 @@ impl Objective {
         self.inputs_beside(&self.others, input)
     }
 
-    /// All inputs where the moving one has this value, in the order of the declaration.
+    /// All inputs where the moving input has this value, in the order of the declaration.
     #[must_use]
     pub fn inputs_at(&self, moving: f64) -> Vec<f64> {
         let mut inputs = self.others.clone();
@@ -74,7 +74,8 @@ impl Objective {
         }
     }
 
-    /// The traced quantities in the frame of the targets, at the inputs of a target with this moving one.
+    /// The traced quantities in the frame of the targets, at the inputs of a target with this value of the moving
+    /// input.
     pub(crate) fn traced(&self, posed: &Posed<'_>, target: usize, input: Change) -> Option<Vec<Change>> {
         let others = self.targets[target].others.as_ref().unwrap_or(&self.others);
         let solved = posed.solve(self.inputs_beside(others, input))?;
@@ -85,25 +86,25 @@ impl Objective {
             .map(|one| one.of(&solved.unknowns, &outputs))
             .collect();
         if self.goal.is_placed() {
-            let [x, y, turn] = [Part::X, Part::Y, Part::Turn].map(|part| posed.values[self.place(part)]);
-            let (sine, cosine) = turn.sin_cos();
+            let [x, y, rotation] = [Part::X, Part::Y, Part::Rotation].map(|part| posed.values[self.part_index(part)]);
+            let (sine, cosine) = rotation.sin_cos();
             let [along, beside] = [found[0], found[1]];
             found[0] = x + (cosine * along - sine * beside);
             found[1] = y + (sine * along + cosine * beside);
             if let Some(angle) = found.get_mut(2) {
-                *angle = turn + *angle;
+                *angle = rotation + *angle;
             }
         }
         Some(found)
     }
 
     /// The error of a traced quantity, without weight; zero where no value is given. Angles are compared up to whole
-    /// turns.
+    /// revolutions.
     pub(crate) fn error(&self, posed: &Posed<'_>, target: usize, quantity: usize, value: Change) -> Change {
         let Some(given) = self.targets[target].values[quantity] else {
             return Change::constant(0.0);
         };
-        let [offset, scale] = [Part::Offset, Part::Scale].map(|part| posed.values[self.place(part)]);
+        let [offset, scale] = [Part::Offset, Part::Scale].map(|part| posed.values[self.part_index(part)]);
         let error = value - (offset + scale * Change::constant(given));
         if self.traced[quantity].dimension == Dimension::Angle {
             unturned(error)
@@ -122,16 +123,18 @@ impl Objective {
         Some(weighted.collect())
     }
 
-    /// The positions at the places of the travel.
+    /// The positions at the samples of the travel.
     fn along_travel(&self, posed: &Posed<'_>) -> Option<Vec<Solved>> {
-        let place = |place: usize| match self.travel {
-            Travel::Turn => Change::constant(TAU * share(place, PLACES)),
+        let sample = |sample: usize| match self.travel {
+            Travel::Revolution => Change::constant(TAU * share(sample, SAMPLES)),
             Travel::Targets => {
                 let [first, last] = [0, self.targets.len() - 1].map(|target| self.input(posed, target));
-                first + (last - first) * Change::constant(share(place, PLACES - 1))
+                first + (last - first) * Change::constant(share(sample, SAMPLES - 1))
             }
         };
-        (0..PLACES).map(|step| posed.solve(self.inputs(place(step)))).collect()
+        (0..SAMPLES)
+            .map(|step| posed.solve(self.inputs(sample(step))))
+            .collect()
     }
 
     /// The number of rows of a term.
@@ -140,18 +143,18 @@ impl Objective {
             Term::Lengths { .. } => 1,
             Term::Box { .. } => 2,
             Term::Grashof { .. } | Term::DriverTurns { .. } => self.description().blocks.len(),
-            Term::Transmission { .. } => PLACES,
+            Term::Transmission { .. } => SAMPLES,
         }
     }
 
     /// The number of rows.
     pub(crate) fn row_count(&self) -> usize {
         let terms = self.terms.iter().map(|term| self.term_row_count(term)).sum::<usize>();
-        let own = self.own_terms.iter().map(|term| term.count).sum::<usize>();
-        self.targets.len() * self.traced.len() + terms + own
+        let custom = self.custom_terms.iter().map(|term| term.count).sum::<usize>();
+        self.targets.len() * self.traced.len() + terms + custom
     }
 
-    /// The rows of a term, or `None` where a position of it does not close.
+    /// The rows of a term, or `None` where one of its positions does not close.
     fn term_rows(&self, term: &Term, posed: &Posed<'_>) -> Option<Vec<Change>> {
         let constant = Change::constant;
         let deficit = |short: Change, weight: f64| {
@@ -211,59 +214,62 @@ impl Objective {
         })
     }
 
-    /// The rows of all terms, each `None` where a position of it does not close, with the number of rows that it has.
+    /// The rows of all terms, each with their number. The rows of a term are `None` where one of its positions does not
+    /// close.
     pub(crate) fn all_term_rows(&self, posed: &Posed<'_>) -> Vec<(usize, Option<Vec<Change>>)> {
         let terms = self.terms.iter();
         let mut all: Vec<_> = terms
             .map(|term| (self.term_row_count(term), self.term_rows(term, posed)))
             .collect();
         let at = TermAt { posed };
-        all.extend(self.own_terms.iter().map(|term| (term.count, (term.rows)(&at))));
+        all.extend(self.custom_terms.iter().map(|term| (term.count, (term.rows)(&at))));
         all
     }
 
-    /// Whether the mechanism closes at the places of the travel, if that is a full turn.
+    /// Whether the mechanism closes at the samples of the travel, if the travel is a full revolution.
     pub(crate) fn closes(&self, values: &[f64], choice: &Choice) -> bool {
         let posed = self.posed(values, choice);
         self.travel == Travel::Targets
-            || (0..PLACES).all(|place| {
+            || (0..SAMPLES).all(|sample| {
                 posed
-                    .solve(self.inputs(Change::constant(TAU * share(place, PLACES))))
+                    .solve(self.inputs(Change::constant(TAU * share(sample, SAMPLES))))
                     .is_some()
             })
     }
 
     /// The size of a row whose position does not close.
-    fn open(&self) -> f64 {
-        OPEN * self.spread()
+    fn unclosed(&self) -> f64 {
+        UNCLOSED * self.spread()
     }
 
-    /// All rows, and how many of them have no position.
+    /// All rows, and the number of rows without a position.
     pub(crate) fn rows(&self, values: &[f64], choice: &Choice) -> (Vec<f64>, usize) {
         let count = self.row_count();
         if !self.closes(values, choice) {
-            return (vec![self.open(); count], count);
+            return (vec![self.unclosed(); count], count);
         }
         let posed = self.posed(values, choice);
-        let (mut rows, mut open) = (Vec::with_capacity(count), 0);
-        let mut add = |own: Option<Vec<Change>>, count: usize, size: f64| match own {
-            Some(own) if own.iter().all(|row| row.value.is_finite()) => rows.extend(own.iter().map(|row| row.value)),
+        let (mut rows, mut unclosed) = (Vec::with_capacity(count), 0);
+        let mut add = |found: Option<Vec<Change>>, count: usize, size: f64| match found {
+            Some(found) if found.iter().all(|row| row.value.is_finite()) => {
+                rows.extend(found.iter().map(|row| row.value));
+            }
             _ => {
-                open += count;
+                unclosed += count;
                 rows.extend(std::iter::repeat_n(size, count));
             }
         };
-        for (target, one) in self.targets.iter().enumerate() {
-            let size = one.weight * self.open();
-            add(self.errors(&posed, target), self.traced.len(), size);
+        for (index, target) in self.targets.iter().enumerate() {
+            let size = target.weight * self.unclosed();
+            add(self.errors(&posed, index), self.traced.len(), size);
         }
-        for (count, own) in self.all_term_rows(&posed) {
-            add(own, count, self.open());
+        for (count, found) in self.all_term_rows(&posed) {
+            add(found, count, self.unclosed());
         }
-        (rows, open)
+        (rows, unclosed)
     }
 
-    /// The derivatives of all rows by the values at the given places, row by row: zero in rows without a position.
+    /// The derivatives of all rows by the values at the given indices, row by row: zero in rows without a position.
     pub(crate) fn derivatives(&self, values: &[f64], choice: &Choice, by: &[usize]) -> Vec<f64> {
         let columns = by.len();
         let mut derivatives = vec![0.0; self.row_count() * columns];
@@ -271,30 +277,30 @@ impl Objective {
             return derivatives;
         }
         let (quantities, first, targets) = (self.traced.len(), self.first_input(), self.targets.len());
-        let ends = [0, targets - 1].map(|target| self.input_place(target));
+        let ends = [0, targets - 1].map(|target| self.input_index(target));
         let mut posed = self.posed(values, choice);
-        for (column, &place) in by.iter().enumerate() {
-            posed.values[place].change = 1.0;
-            let mut write = |row: usize, own: Option<Vec<Change>>| {
-                for (offset, value) in own.into_iter().flatten().enumerate() {
+        for (column, &index) in by.iter().enumerate() {
+            posed.values[index].change = 1.0;
+            let mut write = |row: usize, found: Option<Vec<Change>>| {
+                for (offset, value) in found.into_iter().flatten().enumerate() {
                     derivatives[(row + offset) * columns + column] = value.change;
                 }
             };
             for target in 0..targets {
                 // the input of a target has no influence on the others
-                if place < first || self.input_place(target) == Some(place) {
+                if index < first || self.input_index(target) == Some(index) {
                     write(target * quantities, self.errors(&posed, target));
                 }
             }
-            // on a full turn terms do not depend on the inputs of targets, and otherwise on the first and the last
-            if place < first || self.travel == Travel::Targets && ends.contains(&Some(place)) {
+            // over a full revolution, terms do not depend on the inputs of targets; otherwise on the first and the last
+            if index < first || self.travel == Travel::Targets && ends.contains(&Some(index)) {
                 let mut row = targets * quantities;
-                for (count, own) in self.all_term_rows(&posed) {
-                    write(row, own);
+                for (count, found) in self.all_term_rows(&posed) {
+                    write(row, found);
                     row += count;
                 }
             }
-            posed.values[place].change = 0.0;
+            posed.values[index].change = 0.0;
         }
         derivatives
     }

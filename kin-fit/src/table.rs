@@ -19,8 +19,8 @@ fn cells(line: &str) -> Vec<String> {
     record.iter().map(str::to_owned).collect()
 }
 
-/// The candidates of the first rows of a table, each with what the other columns of its line say. A row without an
-/// assembly is a candidate in each. Rows without an id count from 0.
+/// The candidates of the first rows of a table, each with the text of the other columns of its line. A row without an
+/// assembly is a candidate in each assembly. Rows without an id count from 0.
 ///
 /// # Errors
 /// [`JobError::Candidate`].
@@ -41,52 +41,57 @@ pub fn read(
             .iter()
             .position(|name| name == wanted || name.to_lowercase() == plain)
     };
-    let mut places = Vec::new();
+    let mut columns = Vec::new();
     for quantity in functions.description().parameters {
-        let place = column(quantity.name);
-        places.push(place.ok_or_else(|| wrong(line, format!("no column is called `{}`", quantity.name)))?);
+        let index = column(quantity.name);
+        columns.push(index.ok_or_else(|| wrong(line, format!("no column is called `{}`", quantity.name)))?);
     }
-    let [id_place, own_assembly, phase, mechanism] = ["id", "assembly", "input_phase", "mechanism"].map(column);
+    let [id_column, assembly_column, phase, mechanism] = ["id", "assembly", "input_phase", "mechanism"].map(column);
     let placement = ["placed_x", "placed_y", "placed_turn"].map(column);
     let assembly_names: Vec<String> = functions.assembly_names();
     let mut candidates = Vec::new();
     for (row, (text, line)) in lines.take(best).enumerate() {
         let cells = cells(text);
-        let cell = |place: usize| cells.get(place).map_or("", String::as_str);
-        let number = |place: usize| {
-            let value = cell(place).parse::<f64>().ok().filter(|value| value.is_finite());
+        let cell = |column: usize| cells.get(column).map_or("", String::as_str);
+        let number = |column: usize| {
+            let value = cell(column).parse::<f64>().ok().filter(|value| value.is_finite());
             value.ok_or_else(|| {
                 wrong(
                     line,
-                    format!("`{}` in the column `{}` is no number", cell(place), names[place]),
+                    format!("`{}` in the column `{}` is no number", cell(column), names[column]),
                 )
             })
         };
-        let parameters: Vec<f64> = places.iter().map(|place| number(*place)).collect::<Result<_, _>>()?;
-        let id = match id_place {
-            Some(place) => {
-                let id = cell(place).parse::<u64>();
-                id.map_err(|_| wrong(line, format!("`{}` in the column `id` is no whole number", cell(place))))?
+        let parameters: Vec<f64> = columns.iter().map(|column| number(*column)).collect::<Result<_, _>>()?;
+        let id = match id_column {
+            Some(column) => {
+                let id = cell(column).parse::<u64>();
+                id.map_err(|_| {
+                    wrong(
+                        line,
+                        format!("`{}` in the column `id` is no whole number", cell(column)),
+                    )
+                })?
             }
             None => row as u64,
         };
         let placement = match placement {
-            [Some(x), Some(y), Some(turn)] => Some([number(x)?, number(y)?, number(turn)?]),
+            [Some(x), Some(y), Some(angle)] => Some([number(x)?, number(y)?, number(angle)?]),
             _ => None,
         };
         let phase = phase.map(number).transpose()?;
-        let known = [id_place, own_assembly, mechanism];
-        let other = (0..names.len()).filter(|place| !places.contains(place) && !known.contains(&Some(*place)));
+        let known = [id_column, assembly_column, mechanism];
+        let other = (0..names.len()).filter(|column| !columns.contains(column) && !known.contains(&Some(*column)));
         let said: Vec<String> = other
-            .map(|place| format!("{}: {}", names[place], cell(place)))
+            .map(|column| format!("{}: {}", names[column], cell(column)))
             .collect();
         let said = said.join("; ");
-        let assemblies: Vec<usize> = match own_assembly {
-            Some(place) => {
-                let found = assembly_named(&assembly_names, cell(place));
+        let assemblies: Vec<usize> = match assembly_column {
+            Some(column) => {
+                let found = assembly_named(&assembly_names, cell(column));
                 vec![found.ok_or_else(|| {
                     let known = assembly_names.join("`, `");
-                    wrong(line, format!("`{}` is no assembly; there are `{known}`", cell(place)))
+                    wrong(line, format!("`{}` is no assembly; there are `{known}`", cell(column)))
                 })?]
             }
             None => (0..functions.assembly_count()).collect(),

@@ -1,4 +1,4 @@
-//! What a design is to keep to beside its targets.
+//! Terms beside the targets, to which a design is to keep.
 
 use std::fmt;
 use std::sync::Arc;
@@ -21,8 +21,8 @@ pub enum Term {
         /// The weight.
         weight: f64,
     },
-    /// The box around all joints, along the axes of the mechanism's own frame: how far its width and height exceed
-    /// these.
+    /// The box around all joints, along the axes of the frame of the mechanism: how far its width and height exceed
+    /// these bounds.
     Box {
         /// The width that is free of charge.
         width: f64,
@@ -31,7 +31,7 @@ pub enum Term {
         /// The weight.
         weight: f64,
     },
-    /// Grashof's margin of each four-bar: both middle links less the shortest and the longest one. Its deficit from
+    /// Grashof's margin of each four-bar: both middle links less the shortest and the longest link. Its deficit from
     /// `aim` counts; a result in which it is not positive is dropped. (F. Grashof, *Theoretische Maschinenlehre* 2,
     /// 1883.)
     Grashof {
@@ -49,7 +49,7 @@ pub enum Term {
         /// The weight.
         weight: f64,
     },
-    /// The transmission angle of the worst dyad, folded to at most a right angle, at 24 places of the travel. Its
+    /// The transmission angle of the worst dyad, folded to at most a right angle, at 24 samples of the travel. Its
     /// deficit from `aim` counts. A result whose smallest angle over the exact travel lies below `floor` is dropped. An
     /// aim a little above the floor lets the result keep to it.
     Transmission {
@@ -62,22 +62,23 @@ pub enum Term {
     },
 }
 
-/// Which part of the motion must close, stay in its branch, and keep to the terms.
+/// The part of the motion that must close, stay in its branch, and keep to the terms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Travel {
     /// From the first target to the last.
     #[default]
     Targets,
-    /// The full turn of the input.
-    Turn,
+    /// The full revolution of the input.
+    #[serde(rename = "turn")]
+    Revolution,
 }
 
-/// In which direction of the input the targets follow each other.
+/// The direction of the input in which the targets follow each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Sense {
-    /// All with a growing input, or all with a falling one.
+    /// With a growing input, or with a falling input.
     #[default]
     Either,
     /// With a growing input.
@@ -88,20 +89,20 @@ pub enum Sense {
 
 /// A term that a user has written.
 #[derive(Clone)]
-pub(crate) struct OwnTerm {
+pub(crate) struct CustomTerm {
     pub(crate) count: usize,
     pub(crate) rows: Arc<OwnRows>,
 }
 
 type OwnRows = dyn Fn(&TermAt<'_>) -> Option<Vec<Change>> + Send + Sync;
 
-impl fmt::Debug for OwnTerm {
+impl fmt::Debug for CustomTerm {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(formatter, "OwnTerm({} rows)", self.count)
+        write!(formatter, "CustomTerm({} rows)", self.count)
     }
 }
 
-/// A design at which a term of one's own is evaluated, in numbers that carry derivatives.
+/// A design at which a custom term is evaluated, in numbers that carry derivatives.
 pub struct TermAt<'t> {
     pub(crate) posed: &'t Posed<'t>,
 }

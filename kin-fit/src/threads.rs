@@ -5,8 +5,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
-/// The results of a task for each of `count` places, in the order of the places. Each result depends on its place
-/// alone, so the number of threads has no influence. 0 threads stand for all that the machine has.
+/// The results of a task for each of `count` indices, in their order. Each result depends on its index alone, so the
+/// number of threads has no influence. 0 threads stand for all threads of the machine.
 pub(crate) fn each<R: Send>(count: usize, threads: usize, task: impl Fn(usize) -> R + Sync) -> Vec<R> {
     let all = || thread::available_parallelism().map_or(1, NonZero::get);
     let threads = if threads == 0 { all() } else { threads }.min(count).max(1);

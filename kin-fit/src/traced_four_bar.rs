@@ -3,11 +3,11 @@
 use kin_core::prelude::*;
 
 mechanism! {
-    /// A four-bar linkage with a tracer on its coupler, turned and moved to any place of the plane.
+    /// A four-bar linkage with a tracer on its coupler, rotated and moved to any position in the plane.
     ///
     /// The crank's angle is measured from the ground link. These are the nine dimensions of the papers on path
     /// generation: r1, r2, r3, r4, the tracer's coordinates `r_cx` and `r_cy` along and beside the coupler, the angle
-    /// θ0 of the ground link, and the place (x0, y0) of the crank's pivot.
+    /// θ0 of the ground link, and the coordinates (x0, y0) of the crank's pivot.
     ///
     /// ```
     /// use kin_core::prelude::*;
@@ -57,10 +57,11 @@ mechanism! {
 }
 
 impl TracedFourBar {
-    /// By how much the crank fails to make full turns, as a share of the longest link; zero or less if it makes them.
+    /// By how much the crank fails to make full revolutions, as a share of the longest link; zero or less if it makes
+    /// them.
     ///
-    /// The crank makes full turns if the diagonal from its pin to the rocker's pivot, which lies between |r1 - r2| and
-    /// r1 + r2, always stays between |r3 - r4| and r3 + r4.
+    /// The crank makes full revolutions if the diagonal from its pin to the rocker's pivot, which lies between |r1 -
+    /// r2| and r1 + r2, always stays between |r3 - r4| and r3 + r4.
     #[must_use]
     pub fn shortfall(&self) -> f64 {
         let longest = self.r1.max(self.r2).max(self.r3).max(self.r4);

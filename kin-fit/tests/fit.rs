@@ -1,4 +1,4 @@
-//! The example `fit` prints what its head says.
+//! The example `fit` prints the text in its head.
 
 #[allow(dead_code, reason = "the test calls what `main` calls")]
 #[path = "../examples/fit.rs"]

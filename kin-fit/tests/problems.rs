@@ -1,4 +1,4 @@
-//! Published problems: what is printed is computed again, and reached by a search.
+//! Published problems: printed results are computed again, and reached by a search.
 
 #[allow(dead_code, reason = "the example uses the rest")]
 #[path = "../examples/published/mod.rs"]
@@ -8,10 +8,10 @@ use kin_core::library::{JansenLeg, StephensonIII, StephensonIIIAssembly};
 use kin_core::prelude::*;
 use kin_fit::{Effort, TracedFourBar};
 use published::dwell::{self, Dwell};
-use published::half_turn::Stroke;
 use published::logarithm::{self, chebyshev, three_points};
 use published::path::{CASES, CLOSED, HALF_CIRCLE, LINE, PathCase, TIMED};
-use published::straight_line::{MOST_EVEN, STRAIGHTEST, TRANSMISSION, best_hoeken, straightest, turn_of};
+use published::straight_line::{MOST_EVEN, STRAIGHTEST, TRANSMISSION, best_hoeken, samples_of, straightest};
+use published::stroke::Stroke;
 use published::walking::{better_jansen, jansen, klann};
 
 /// A second of least squares or less.
@@ -41,7 +41,7 @@ fn errors_of_the_literature_follow_from_its_dimensions() {
 
 fn search(case: &PathCase) -> f64 {
     let found = case.search(EFFORT).unwrap().unwrap();
-    // what the search says of its result holds by the solver alone
+    // the solver alone confirms the numbers of the search
     let error = case.error(&found.linkage, found.assembly, &found.angles).unwrap();
     assert!(
         (error - found.error).abs() <= 1e-9 * error + 1e-24,
@@ -100,7 +100,7 @@ fn a_search_is_repeated_exactly() {
     assert_eq!(TIMED.search(effort), TIMED.search(effort));
 }
 
-/// Whether a number is the printed one but for a unit of its last digit.
+/// Whether a number is the printed number, but for a unit of its last digit.
 fn agrees(computed: f64, printed: f64, digits: i32) -> bool {
     (computed - printed).abs() <= 10.0_f64.powi(-digits)
 }
@@ -122,11 +122,11 @@ fn norton_s_table_follows_from_its_proportions() {
     }
 }
 
-/// The straightest linkage that is no less even than Norton's straightest one over half a turn, as the command finds
-/// it.
+/// The straightest linkage over half a revolution that is no less even than Norton's straightest linkage, as the
+/// command finds it.
 #[test]
 #[ignore = "seconds of search"]
-fn a_four_bar_linkage_is_straighter_than_hoeken_s_and_no_less_even() {
+fn straighter_than_hoekens_linkage() {
     let effort = Effort {
         starts: 2,
         generations: 100,
@@ -143,7 +143,7 @@ fn a_four_bar_linkage_is_straighter_than_hoeken_s_and_no_less_even() {
         let linkage = TracedFourBar::from_parameters([r1, 1.0, r3, r3, along, beside, 0.0, 0.0, 0.0]);
         assert!(linkage.shortfall() <= 0.0);
         let start = std::f64::consts::FRAC_PI_2;
-        let samples = turn_of(&linkage, Assembly::Open, start, 7200).unwrap();
+        let samples = samples_of(&linkage, Assembly::Open, start, 7200).unwrap();
         let stroke = Stroke::of(&samples, start, 3600).unwrap();
         assert!(stroke.deviation < 0.85 * hoeken.deviation, "{stroke:?}, {hoeken:?}");
         assert!(stroke.unevenness < hoeken.unevenness + 1e-3, "{stroke:?}, {hoeken:?}");
@@ -192,20 +192,20 @@ fn jansen_s_leg_steps_flatter_with_other_dimensions() {
     let better = better.step;
     assert!(better.deviation < 0.5 * old.deviation, "{better:?}");
     assert!(better.unevenness < old.unevenness + 1e-2 && better.lift > old.lift - 1e-2);
-    for (own, his) in leg
+    for (found, his) in leg
         .parameters()
         .as_ref()
         .iter()
         .zip(JansenLeg::HOLY_NUMBERS.parameters().as_ref())
     {
-        assert!((own - his).abs() <= 0.1 * his + 1e-12, "{own}, {his}");
+        assert!((found - his).abs() <= 0.1 * his + 1e-12, "{found}, {his}");
     }
 }
 
 /// The linkage that the command finds.
 #[test]
 #[ignore = "seconds of search"]
-fn link_6_rests_for_a_third_of_the_turn() {
+fn link_6_rests_for_a_third() {
     let linkage = StephensonIII {
         r1: 3.881_868_165,
         r2: 1.0,
@@ -246,7 +246,7 @@ fn three_precision_points_are_met() {
 /// (F. Freudenstein, "Structural error analysis in plane kinematic synthesis", Journal of Engineering for Industry 81,
 /// 1959).
 #[test]
-fn equal_errors_are_a_quarter_of_those_of_five_precision_points() {
+fn equal_errors_and_five_precision_points() {
     let best = logarithm::NEAR_EQUAL.equalised(2000).unwrap();
     let error = best.quality(20_000).unwrap().error;
     let extremes: Vec<f64> = (0..=20_000)

@@ -40,7 +40,7 @@ fn milliseconds(time: Duration) -> f64 {
     time.as_secs_f64() * 1e3
 }
 
-/// The poses of one turn.
+/// The poses of one revolution.
 const POSES: usize = 1000;
 
 fn compare<M: Mechanism<Scalar = f64>>(file: &str, mechanism: &M, input: impl Fn(f64) -> f64, near: &[f64]) {
@@ -57,7 +57,7 @@ fn compare<M: Mechanism<Scalar = f64>>(file: &str, mechanism: &M, input: impl Fn
     let [mut unknowns, mut outputs] =
         [description.unknowns.len(), description.outputs.len()].map(|count| vec![0.0; count * orders]);
     let mut inputs = vec![0.0; description.inputs.len() * orders];
-    let mut run = |own: &dyn Both| {
+    let mut run = |solver: &dyn Both| {
         let mut solved = 0_usize;
         for pose in 0..POSES {
             for motion in inputs.chunks_exact_mut(orders) {
@@ -65,9 +65,9 @@ fn compare<M: Mechanism<Scalar = f64>>(file: &str, mechanism: &M, input: impl Fn
                 motion[1] = 10.0;
             }
             let result = if M::ASSEMBLY_COUNT == 0 {
-                own.motion_near(parameters, &inputs, near, &mut unknowns, &mut outputs)
+                solver.motion_near(parameters, &inputs, near, &mut unknowns, &mut outputs)
             } else {
-                own.motion_of_assembly(parameters, &inputs, 0, &mut unknowns, &mut outputs)
+                solver.motion_of_assembly(parameters, &inputs, 0, &mut unknowns, &mut outputs)
             };
             solved += usize::from(result.is_ok());
             black_box((&unknowns, &outputs));
@@ -75,9 +75,9 @@ fn compare<M: Mechanism<Scalar = f64>>(file: &str, mechanism: &M, input: impl Fn
         // a leg may not close all around
         assert!(solved > POSES / 2, "{}", description.name);
     };
-    let (mut own, mut expected) = (Duration::MAX, Duration::MAX);
+    let (mut solved, mut expected) = (Duration::MAX, Duration::MAX);
     for _ in 0..30 {
-        own = own.min(shortest(1, || run(&live)));
+        solved = solved.min(shortest(1, || run(&live)));
         expected = expected.min(shortest(1, || run(compiled)));
     }
     let nanoseconds = |time: Duration| time.as_secs_f64() * 1e9 / POSES as f64;
@@ -85,9 +85,9 @@ fn compare<M: Mechanism<Scalar = f64>>(file: &str, mechanism: &M, input: impl Fn
         "{:20} declared in {:5.1} ms, solved in {:6.0} ns, compiled {:6.0} ns: {:4.1} times",
         description.name,
         milliseconds(declared),
-        nanoseconds(own),
+        nanoseconds(solved),
         nanoseconds(expected),
-        nanoseconds(own) / nanoseconds(expected),
+        nanoseconds(solved) / nanoseconds(expected),
     );
     let given: Vec<Column<'_>> = parameters.iter().map(|value| Column::Same(*value)).collect();
     let positions: Vec<f64> = (0..POSES).map(|pose| input(pose as f64 / POSES as f64)).collect();
@@ -103,56 +103,56 @@ fn compare<M: Mechanism<Scalar = f64>>(file: &str, mechanism: &M, input: impl Fn
             ColumnChoice::Assembly(0)
         },
     };
-    let mut places: Vec<Slot> = Vec::new();
+    let mut slots: Vec<Slot> = Vec::new();
     for order in 0..orders {
-        places.extend((0..description.unknowns.len()).map(|index| Slot::Unknown(index, order)));
+        slots.extend((0..description.unknowns.len()).map(|index| Slot::Unknown(index, order)));
     }
-    let mut numbers = vec![vec![0.0; POSES]; places.len()];
+    let mut numbers = vec![vec![0.0; POSES]; slots.len()];
     let mut outcomes = vec![Outcome::Unsolved; POSES];
     for vectors in [Vectors::Compiled, Vectors::Avx2, Vectors::Avx512] {
         if !vectors.are_there() {
             continue;
         }
-        let mut run = |own: &dyn AnyBatch| {
-            let wanted = places.iter().zip(&mut numbers);
-            let wanted = wanted.map(|(place, column)| (*place, column.as_mut_slice())).collect();
+        let mut run = |batch: &dyn AnyBatch| {
+            let wanted = slots.iter().zip(&mut numbers);
+            let wanted = wanted.map(|(slot, column)| (*slot, column.as_mut_slice())).collect();
             let mut wanted = WantedColumns::new(wanted);
-            let summary = own.solve_batch(given, &mut wanted, &mut outcomes, vectors);
+            let summary = batch.solve_batch(given, &mut wanted, &mut outcomes, vectors);
             assert!(summary.expect("the columns have one length").solved > POSES / 2);
         };
-        let (mut own, mut expected) = (Duration::MAX, Duration::MAX);
+        let (mut solved, mut expected) = (Duration::MAX, Duration::MAX);
         for _ in 0..100 {
-            own = own.min(shortest(1, || run(&live)));
+            solved = solved.min(shortest(1, || run(&live)));
             expected = expected.min(shortest(1, || run(compiled)));
         }
         println!(
             "{:20} in batches of {vectors:?} {:6.1} ns, compiled {:6.1} ns: {:4.1} times",
             "",
-            nanoseconds(own),
+            nanoseconds(solved),
             nanoseconds(expected),
-            nanoseconds(own) / nanoseconds(expected),
+            nanoseconds(solved) / nanoseconds(expected),
         );
         if M::ASSEMBLY_COUNT == 0 {
             continue;
         }
-        let turn = InputGrid::revolution(0, POSES);
+        let grid = InputGrid::revolution(0, POSES);
         let mut folds = [Fold::of(Slot::Unknown(0, orders - 1))];
         let mut memory = KeptMemory::default();
-        let mut run = |own: &dyn AnyFold| {
-            let summary = own.fold_batch(turn, given, &mut folds, &mut memory, vectors);
+        let mut run = |fold: &dyn AnyFold| {
+            let summary = fold.fold_batch(grid, given, &mut folds, &mut memory, vectors);
             black_box((summary.expect("the columns have one length"), &folds));
         };
-        let (mut own, mut expected) = (Duration::MAX, Duration::MAX);
+        let (mut folded, mut expected) = (Duration::MAX, Duration::MAX);
         for _ in 0..100 {
-            own = own.min(shortest(1, || run(&live)));
+            folded = folded.min(shortest(1, || run(&live)));
             expected = expected.min(shortest(1, || run(compiled)));
         }
         println!(
-            "{:20} folded over a turn {vectors:?} {:6.1} ns, compiled {:6.1} ns: {:4.1} times",
+            "{:20} folded over a revolution {vectors:?} {:6.1} ns, compiled {:6.1} ns: {:4.1} times",
             "",
-            nanoseconds(own),
+            nanoseconds(folded),
             nanoseconds(expected),
-            nanoseconds(own) / nanoseconds(expected),
+            nanoseconds(folded) / nanoseconds(expected),
         );
     }
 }
@@ -167,7 +167,7 @@ fn main() {
     let live = kin_live::Mechanism::declare(four_bar).expect("it is one of the library");
     assert_eq!(live.description().name, "FourBar");
     println!("the first four-bar: {:.1} ms", milliseconds(start.elapsed()));
-    let turn = |part: f64| 6.2 * part;
+    let angle = |part: f64| 6.2 * part;
     let four_bar = FourBar {
         r1: 90.0,
         r2: 30.0,
@@ -177,14 +177,14 @@ fn main() {
     compare(
         include_str!("../../kin-core/src/library/four_bar.rs"),
         &four_bar,
-        turn,
+        angle,
         &[],
     );
     let slider_crank = SliderCrank { r: 0.1, l: 0.3 };
     compare(
         include_str!("../../kin-core/src/library/slider_crank.rs"),
         &slider_crank,
-        turn,
+        angle,
         &[],
     );
     let watt = WattI {
@@ -200,14 +200,14 @@ fn main() {
     compare(
         include_str!("../../kin-core/src/library/watt_six_bars.rs"),
         &watt,
-        turn,
+        angle,
         &[],
     );
     let jansen: JansenLeg = JansenLeg::HOLY_NUMBERS;
     compare(
         include_str!("../../kin-core/src/library/jansen_leg.rs"),
         &jansen,
-        turn,
+        angle,
         &[],
     );
     let root = 3.0_f64.sqrt();

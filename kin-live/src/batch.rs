@@ -125,12 +125,12 @@ impl AnyBatch for Mechanism {
 impl AnyFold for Mechanism {
     fn fold_batch(
         &self,
-        turn: InputGrid,
+        grid: InputGrid,
         given: GivenColumns<'_>,
         folds: &mut [Fold],
         memory: &mut KeptMemory,
         vectors: Vectors,
     ) -> Result<Summary, FoldError> {
-        fold_slices(self, turn, given, folds, memory, vectors)
+        fold_slices(self, grid, given, folds, memory, vectors)
     }
 }

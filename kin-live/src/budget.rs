@@ -1,6 +1,6 @@
-//! Limits to what a mechanism of others may cost.
+//! Limits on the cost of a mechanism that strangers declare.
 
-/// What a declared mechanism may cost at most.
+/// The greatest cost of a declared mechanism.
 ///
 /// | cost | limit | beyond it |
 /// |---|---|---|
@@ -15,7 +15,7 @@
 /// | Newton's method | 64 steps, each shortened up to 20 times | `NotConverged` |
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Budget {
-    /// What the compiler may take.
+    /// The budget of the compiler.
     pub compiler: kin_compiler::Budget,
     /// The paths that a search for all positions may follow: assemblies, or combinations of solutions of coupled
     /// blocks.

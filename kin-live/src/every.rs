@@ -77,7 +77,7 @@ impl Every {
         })
     }
 
-    /// A position, as the choices on the way say.
+    /// The position to which the choices on the way lead.
     pub(crate) fn one(
         &self,
         parameters: &[f64],
@@ -95,8 +95,8 @@ impl Every {
                 way: AllPositions { every: self, choices },
             };
             run.routine(0, 1)?;
-            for (place, register) in unknowns.iter_mut().zip(&self.unknowns) {
-                *place = run.memory.registers[usize::from(*register)][0];
+            for (slot, register) in unknowns.iter_mut().zip(&self.unknowns) {
+                *slot = run.memory.registers[usize::from(*register)][0];
             }
             Ok(())
         })
@@ -175,7 +175,7 @@ impl Way<f64> for AllPositions<'_, '_> {
 
     fn solution(&mut self, block: usize, coefficients: &[f64], solution: &mut [f64]) -> Result<(), Failure> {
         let mut systems = self.every.systems.iter();
-        let Some((_, system)) = systems.find(|(own, _)| *own == block) else {
+        let Some((_, system)) = systems.find(|(index, _)| *index == block) else {
             unreachable!("the code names the blocks that have a system");
         };
         let all = |found: &mut dyn FnMut(&[f64])| system.solve(coefficients, found);

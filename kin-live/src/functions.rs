@@ -23,7 +23,7 @@ use crate::sheet::SheetCode;
 impl Mechanism {
     /// The error of a fault at the given inputs. If a parameter or an input is not finite, the failure names it.
     ///
-    /// Of several poses, nobody reads the error.
+    /// Nobody reads the error of several poses.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn error<T: Scalar>(&self, fault: Fault, parameters: &[T], inputs: Inputs<'_, T>) -> SolveError {
         if T::DOUBT > 0.0 {
@@ -166,8 +166,8 @@ impl Mechanism {
         angles: &mut [TransmissionAngle<T>],
     ) {
         self.transmission.run(parameters, inputs, unknowns, |result| {
-            for (index, (place, name)) in angles.iter_mut().zip(&self.dyads).enumerate() {
-                *place = TransmissionAngle::of(*name, result(2 * index), result(2 * index + 1));
+            for (index, (slot, name)) in angles.iter_mut().zip(&self.dyads).enumerate() {
+                *slot = TransmissionAngle::of(*name, result(2 * index), result(2 * index + 1));
             }
         });
     }
@@ -333,10 +333,12 @@ impl<T: Scalar> OutputsOver<T> for Mechanism {
 impl<T: Scalar> SkeletonOver<T> for Mechanism {
     fn skeleton_points(&self, parameters: &[T], inputs: &[T], unknowns: &[T], found: &mut dyn FnMut(&[T])) {
         let Some(any) = inputs.first() else { return };
-        // written over, as the memory of a run is
-        let mut places = vec![*any; self.places.results()];
-        run_sheet(&self.places, [parameters, inputs, unknowns], &mut places);
-        places.chunks_exact(if self.is_space() { 3 } else { 2 }).for_each(found);
+        // any number fills the vector, which the run overwrites
+        let mut coordinates = vec![*any; self.skeleton_points.results()];
+        run_sheet(&self.skeleton_points, [parameters, inputs, unknowns], &mut coordinates);
+        coordinates
+            .chunks_exact(if self.is_space() { 3 } else { 2 })
+            .for_each(found);
     }
 }
 

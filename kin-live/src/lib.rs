@@ -1,7 +1,7 @@
 //! Mechanisms that are declared while a program runs.
 //!
-//! A declaration is a text. [`Mechanism::declare`] compiles it without rustc, and a machine runs the result. It gives
-//! the numbers of the compiled mechanism to the last bit, and all answers of [`kin_core::linkage`].
+//! A declaration is a text. [`Mechanism::declare`] compiles it without rustc, and a machine runs the result. The
+//! machine gives the numbers of the compiled mechanism to the last bit, and all answers of [`kin_core::linkage`].
 //!
 //! ```
 //! use kin_live::Mechanism;
@@ -14,8 +14,8 @@
 //!     r * cis(theta) + l * cis(phi) == vec2(s, 0);
 //! ")?;
 //! let press = slider_crank.linkage(&[("r", 0.1), ("l", 0.3)])?;
-//! let turn = press.sweep(AssemblyChoice::Index(0)).between(&[0.0], &[6.0], 361).speed(10.0);
-//! println!("{}", turn.of("s_jerk").peak()?);
+//! let sweep = press.sweep(AssemblyChoice::Index(0)).between(&[0.0], &[6.0], 361).speed(10.0);
+//! println!("{}", sweep.of("s_jerk").peak()?);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

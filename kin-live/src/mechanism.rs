@@ -40,7 +40,7 @@ pub struct Mechanism {
     /// The translated methods.
     pub(crate) closure: SheetCode,
     pub(crate) outputs: SheetCode,
-    pub(crate) places: SheetCode,
+    pub(crate) skeleton_points: SheetCode,
     pub(crate) choices: Vec<String>,
     /// Formulas, once they are asked for.
     formulas: OnceLock<OwnedFormulas>,
@@ -60,7 +60,7 @@ impl Mechanism {
     /// [`Budget`] allows.
     ///
     /// # Errors
-    /// Every mistake of the declaration, in the order of the text; or what it takes too much of.
+    /// Every mistake of the declaration, in the order of the text; or the limit that the declaration exceeds.
     pub fn declare(text: &str) -> Result<Self, DeclareError> {
         Self::declare_within(text, &Budget::default())
     }
@@ -68,7 +68,7 @@ impl Mechanism {
     /// Compiles a declaration, as far as a budget allows it.
     ///
     /// # Errors
-    /// Every mistake of the declaration, in the order of the text; or what it takes too much of.
+    /// Every mistake of the declaration, in the order of the text; or the limit that the declaration exceeds.
     pub fn declare_within(text: &str, budget: &Budget) -> Result<Self, DeclareError> {
         Self::of_within(Declaration::parse_within(text, &budget.compiler)?, budget)
     }
@@ -113,12 +113,12 @@ impl Mechanism {
             description.inputs.len(),
             description.unknowns.len(),
         ];
-        let [closure, outputs, places] = {
+        let [closure, outputs, skeleton_points] = {
             let sheets = declaration.sheets();
             [&sheets.closure, &sheets.outputs, &sheets.skeleton_points].map(|sheet| {
                 let [parameters, inputs, unknowns] = counts;
                 SheetCode::new(sheet, parameters, inputs, unknowns)
-                    .unwrap_or_else(|| unreachable!("a compiled declaration names its own quantities"))
+                    .unwrap_or_else(|| unreachable!("a compiled declaration names only its quantities"))
             })
         };
         let dyads = program.dyads.iter().map(|unknowns| labels.unknowns(unknowns)).collect();
@@ -138,7 +138,7 @@ impl Mechanism {
             every,
             closure,
             outputs,
-            places,
+            skeleton_points,
             formulas: OnceLock::new(),
             declaration,
             most_paths,
@@ -178,15 +178,16 @@ impl Mechanism {
     ///
     /// # Errors
     /// A dimension that is missing, unknown, or given twice.
-    // All answers are compiled for whoever calls it, so a program with other ways to them does not compile them twice.
+    // Inlined, because every caller compiles all answers: a program that reaches them by `AnyLinkage` compiles them
+    // once.
     #[inline]
     pub fn linkage(&self, dimensions: &[(&str, f64)]) -> Result<AnyLinkage<'_>, DimensionError> {
         let parameters = self.description().parameters;
         let mut row = vec![None; parameters.len()];
         for (name, value) in dimensions {
             let index = parameters.iter().position(|parameter| parameter.name == *name);
-            let place = index.ok_or_else(|| DimensionError::Unknown((*name).to_owned()))?;
-            if row[place].replace(*value).is_some() {
+            let index = index.ok_or_else(|| DimensionError::Unknown((*name).to_owned()))?;
+            if row[index].replace(*value).is_some() {
                 return Err(DimensionError::Twice((*name).to_owned()));
             }
         }
@@ -204,7 +205,7 @@ impl Mechanism {
 pub enum DeclareError {
     /// The mistakes, in the order of the text.
     Mistakes(Vec<Mistake>),
-    /// The declaration takes more of something than is allowed.
+    /// The declaration exceeds a limit of the budget or of the machine.
     TooLarge(TooLarge),
 }
 

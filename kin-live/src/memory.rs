@@ -18,12 +18,12 @@ pub(crate) struct Lengths {
     pub(crate) rows: usize,
 }
 
-/// The memory of a run over as many chunks of poses as `C` says.
+/// The memory of a run over `C` chunks of poses.
 #[derive(Debug)]
 pub(crate) struct Memory<'m, T, const C: usize> {
     /// Registers, each with its number in every chunk.
     pub(crate) registers: &'m mut [[T; C]],
-    /// Entries of factors, those of a chunk behind those of the chunk before, as are rows.
+    /// Entries of factors, chunk by chunk. Rows are in the same order.
     pub(crate) entries: &'m mut [T],
     pub(crate) row: &'m mut [T],
     pub(crate) reals: &'m mut [f64],
@@ -32,14 +32,14 @@ pub(crate) struct Memory<'m, T, const C: usize> {
 
 /// The numbers for which memory stands on the stack.
 const MOST: usize = 256;
-/// The same for a small mechanism.
+/// The numbers for which memory stands on the stack, for a small mechanism.
 const FEW: usize = 96;
 /// The rows of factors, and the real numbers of Newton's method, for which memory stands on the stack.
 const ROWS: usize = 24;
 const REALS: usize = 128;
 
 impl Lengths {
-    /// Calls a function with memory of these lengths. It is on the stack, unless the mechanism is very large.
+    /// Calls a function with memory of these lengths. The memory is on the stack, unless the mechanism is very large.
     ///
     /// The memory holds one of the numbers that are `given`, since making another one would be recorded in a tape.
     #[cfg_attr(not(debug_assertions), inline(always))]

@@ -82,10 +82,10 @@ impl Motion {
         let unknowns = unknowns.collect();
         let mut first = 0;
         let outputs = mechanism.outputs.iter().map(|(_, parts)| {
-            let own = first..first + parts;
+            let range = first..first + parts;
             first += parts;
             (0..=order)
-                .flat_map(|order| own.clone().map(move |part| Symbol::OutputRate(part, order)))
+                .flat_map(|order| range.clone().map(move |part| Symbol::OutputRate(part, order)))
                 .map(|symbol| assembler.register(symbol))
                 .collect()
         });
@@ -169,8 +169,8 @@ impl<T: Scalar, const C: usize> FoundMotion<'_, T, C> {
     /// Writes the unknowns.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn write_position(&self, near: Option<&[T]>, unknowns: &mut [T]) {
-        for (index, place) in unknowns.iter_mut().enumerate() {
-            *place = self.value(index, near);
+        for (index, slot) in unknowns.iter_mut().enumerate() {
+            *slot = self.value(index, near);
         }
     }
 
@@ -179,25 +179,25 @@ impl<T: Scalar, const C: usize> FoundMotion<'_, T, C> {
     pub(crate) fn write_unknowns(&self, near: Option<&[T]>, unknowns: &mut [T]) {
         let orders = self.motion.order + 1;
         let of_each = unknowns.chunks_exact_mut(orders).zip(&self.motion.unknowns);
-        for (index, (places, unknown)) in of_each.enumerate() {
-            places[0] = self.value(index, near);
-            for (place, register) in places[1..].iter_mut().zip(&unknown.rates) {
-                *place = self.at(*register);
+        for (index, (slots, unknown)) in of_each.enumerate() {
+            slots[0] = self.value(index, near);
+            for (slot, register) in slots[1..].iter_mut().zip(&unknown.rates) {
+                *slot = self.at(*register);
             }
         }
     }
 
-    /// Writes the motions of the scalar outputs that there is a place for.
+    /// Writes the motions of as many scalar outputs as the slice holds.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn write_outputs(&self, outputs: &mut [T]) {
         let orders = self.motion.order + 1;
-        let mut places = outputs.chunks_exact_mut(orders);
+        let mut slots = outputs.chunks_exact_mut(orders);
         for registers in &self.motion.outputs {
             let parts = registers.len() / orders;
             for part in 0..parts {
-                let Some(places) = places.next() else { return };
-                for (order, place) in places.iter_mut().enumerate() {
-                    *place = self.at(registers[order * parts + part]);
+                let Some(slots) = slots.next() else { return };
+                for (order, slot) in slots.iter_mut().enumerate() {
+                    *slot = self.at(registers[order * parts + part]);
                 }
             }
         }
@@ -214,8 +214,8 @@ impl<T: Scalar, const C: usize> FoundMotion<'_, T, C> {
         let telltales = &self.motion.telltales;
         let rates_are_finite = telltales.is_empty() || {
             let rates = &mut row[..telltales.len()];
-            for (place, register) in rates.iter_mut().zip(telltales) {
-                *place = self.at(*register);
+            for (slot, register) in rates.iter_mut().zip(telltales) {
+                *slot = self.at(*register);
             }
             T::are_finite(rates)
         };
@@ -346,8 +346,8 @@ impl Motion {
         let mut assembly = 0;
         if self.choices > 0 {
             self.orientations.run(parameters, inputs, values, |result| {
-                for (index, place) in orientations.iter_mut().enumerate() {
-                    *place = result(index);
+                for (index, slot) in orientations.iter_mut().enumerate() {
+                    *slot = result(index);
                 }
             });
             for orientation in &*orientations {

@@ -5,7 +5,7 @@ use kin_core::any::{Block, Body, Description, Outline, Quantity};
 use kin_core::{Operations, Slide};
 use self_cell::self_cell;
 
-/// What a description borrows from.
+/// The names that a description borrows.
 pub(crate) struct Names {
     pub(crate) description: lowered::Description,
     /// The names of groups in errors.
@@ -80,7 +80,7 @@ impl OwnedDescription {
         self.borrow_owner().borrow_owner().outline.shape == ValueShape::Space
     }
 
-    /// Which joints belong together.
+    /// The joints of the ground, of bodies and of slides.
     pub(crate) fn outline(&self) -> Outline<'_> {
         let tables = self.borrow_owner();
         let Tables {

@@ -7,7 +7,7 @@ use crate::code::{Assembler, Code, Labels, Register, TooLarge};
 use crate::memory::Lengths;
 use crate::run::arithmetic;
 
-/// Where quantities stand before a run.
+/// The registers of quantities before a run.
 #[derive(Debug, Default)]
 pub(crate) struct Given {
     /// Parameters, each by its index.

@@ -56,7 +56,7 @@ impl Error for PageError {
     }
 }
 
-/// What the page says about a result.
+/// The documentation of a result on its page.
 fn summary(result: &Refined, objective: &Objective) -> String {
     let error = |misfit: Option<Misfit>| {
         misfit.map_or_else(
@@ -75,16 +75,16 @@ fn summary(result: &Refined, objective: &Objective) -> String {
         result.polished.largest,
         result.polished.target,
     );
-    let [x, y, turn] = result.design.placement();
-    if [x, y, turn] != [0.0; 3] {
+    let [x, y, rotation] = result.design.placement();
+    if [x, y, rotation] != [0.0; 3] {
         let _ = write!(
             text,
             " Its frame stands at ({x:.6}, {y:.6}) in the plane of the targets, turned by {:.4} degrees.",
-            turn.to_degrees()
+            rotation.to_degrees()
         );
     }
     text += if result.figures.is_full_revolution {
-        " The input turns fully."
+        " The input makes full revolutions."
     } else {
         " The input swings."
     };
@@ -115,7 +115,7 @@ fn draft<'f>(
     }
 }
 
-/// The report about a result, in its assembly, over its travel or the full turn.
+/// The report about a result, in its assembly, over its travel or the full revolution.
 fn drafted<'f>(functions: &'f dyn RefinedFunctions, result: &Refined, objective: &Objective) -> Draft<'f, Untyped> {
     let inputs = objective.inputs_at(result.inputs[0]);
     let (design, said) = (&result.design, summary(result, objective));
@@ -132,7 +132,7 @@ fn drafted<'f>(functions: &'f dyn RefinedFunctions, result: &Refined, objective:
 }
 
 /// Writes a page for each result into a folder, which is made if need be, and returns their paths. The functions are
-/// those of the objective. The files are called after the mechanism, the place of the result and the number of its
+/// those of the objective. The files are called after the mechanism, the rank of the result and the number of its
 /// candidate.
 ///
 /// # Errors
@@ -150,8 +150,8 @@ pub fn write_pages(
 
 /// Writes a page for each row of a table into a folder, which is made if need be, and returns their paths.
 ///
-/// The table is one that a query writes, as for [`Job::candidates`](kin_fit::Job::candidates). What its other columns
-/// say stands on the page. The input moves as far as the mechanism closes.
+/// The table has the form that a query writes, as for [`Job::candidates`](kin_fit::Job::candidates). The page shows the
+/// values of its other columns. The input moves as far as the mechanism closes.
 ///
 /// # Errors
 /// [`PageError`].
@@ -184,7 +184,7 @@ pub fn write_pages_of(
     write(functions, reports, folder.as_ref())
 }
 
-/// Writes reports, each with the number of its candidate. The files are called after the mechanism, the place of the
+/// Writes reports, each with the number of its candidate. The files are called after the mechanism, the rank of the
 /// report and this number.
 fn write<'f>(
     functions: &dyn RefinedFunctions,
@@ -196,8 +196,8 @@ fn write<'f>(
         error,
     })?;
     let name = file_name(functions.description().name);
-    let pages = reports.enumerate().map(|(place, (id, draft))| {
-        let path = folder.join(format!("{name}-{}-{id}.html", place + 1));
+    let pages = reports.enumerate().map(|(index, (id, draft))| {
+        let path = folder.join(format!("{name}-{}-{id}.html", index + 1));
         let written = draft.write(&path);
         written.map_err(|error| PageError::Report {
             id,

@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 use datafusion::arrow::datatypes::DataType;
 use datafusion::logical_expr::{ColumnarValue, Volatility, create_udf};
 use kin_search::Functions;
-use kin_search::cluster::{Executor, Place};
+use kin_search::cluster::{Endpoint, Executor};
 
 /// How long a line may take. It is long enough for a machine that does many other things.
 const LIMIT: Duration = Duration::from_mins(2);
@@ -438,11 +438,11 @@ fn ticks(process: &Process) -> u64 {
     ticks.map(|ticks| ticks.parse::<u64>().expect("a number")).sum()
 }
 
-/// A query whose first stage takes minutes, and a search whose first range does. Neither has told the client anything
-/// when it is interrupted.
+/// A query whose first stage takes minutes, and a search whose first range does. Neither has reported anything to the
+/// client when it is interrupted.
 #[cfg(target_os = "linux")]
 #[test]
-fn an_interrupt_before_the_first_stage_is_finished_ends_the_work() {
+fn interrupt_before_the_first_stage_is_finished() {
     let folder = Folder::new("idle");
     let (mut scheduler, address) = scheduler(&[]);
     let executor = executor(&address);
@@ -558,7 +558,7 @@ fn more_ids_than_can_be_listed_are_refused() {
 }
 
 #[test]
-fn a_query_that_needs_more_memory_than_an_executor_has_fails_alone() {
+fn query_beyond_the_memory_of_an_executor() {
     let folder = Folder::new("memory");
     let query = folder.file(
         "large.sql",
@@ -656,7 +656,7 @@ fn executor_of_another_list() {
     };
     let (host, port) = address.rsplit_once(':').expect("a host and a port");
     let executor = Executor {
-        scheduler: Place {
+        scheduler: Endpoint {
             host: host.to_owned(),
             port: port.parse().expect("a port"),
         },
@@ -740,9 +740,9 @@ fn rows_are_inserted_into_a_table_of_the_client() {
 
 #[test]
 fn an_address_that_others_reach_is_warned_of() {
-    let mut open = Process::program(&["scheduler", "--listen", "0.0.0.0"]);
-    let warning = open.wait_for("warning: 0.0.0.0 can be reached from other machines");
+    let mut reachable = Process::program(&["scheduler", "--listen", "0.0.0.0"]);
+    let warning = reachable.wait_for("warning: 0.0.0.0 can be reached from other machines");
     assert!(warning.contains("reads and writes files as the user"), "{warning}");
     // Executors could not call it back.
-    open.wait_for("give one with --host");
+    reachable.wait_for("give one with --host");
 }

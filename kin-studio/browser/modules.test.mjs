@@ -3,10 +3,10 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
-import { anatomyOf, followedAt, placeOf } from "../src/page/kinematics/anatomy.mjs";
+import { anatomyOf, followedAt, coordinatesOf } from "../src/page/kinematics/anatomy.mjs";
 import { isMathematics, seemsMathematics, withClasses } from "../src/page/formulas.mjs";
 import { createRoom, keepLines, placeName } from "../src/page/labels.mjs";
-import { isBroken, motionOf, pieceAt, placesOf } from "../src/page/kinematics/drive.mjs";
+import { isBroken, motionOf, pieceAt, samplesOf } from "../src/page/kinematics/drive.mjs";
 import { curvesOf } from "../src/page/curves.mjs";
 import { allForces, forcesOn } from "../src/page/freebody.mjs";
 import { forcesAt, scalesOfForces, sizeOf } from "../src/page/kinematics/forces.mjs";
@@ -76,7 +76,7 @@ test("units follow the order and the choice of degrees", () => {
   assert.deepEqual([withUnit("5", "°"), withUnit("5", "mm"), withUnit("5", "")], ["5°", "5 mm", "5"]);
 });
 
-test("ticks are round, and parts of a turn in degrees", () => {
+test("ticks are round, and parts of a revolution in degrees", () => {
   assert.deepEqual(ticks(0, 10, 5), [0, 2, 4, 6, 8, 10]);
   assert.deepEqual(ticks(0, 360, 4, true), [0, 90, 180, 270, 360]);
   assert.deepEqual(ticks(1, 1, 5), []);
@@ -99,7 +99,7 @@ test("Taylor polynomials lead from pose to pose", () => {
   assert.ok(Math.abs(movedOn(one.s, 0.01 / design.speed) - other.s[0]) < 100 * 0.01 ** 5);
 });
 
-test("a whole turn is one stretch, and passes from its end to its beginning", () => {
+test("a whole revolution is one stretch, and passes from its end to its beginning", () => {
   const { model, sweep } = prepared();
   assert.ok(sweep.full);
   const moved = movedInput(sweep, 6.2, 0.2);
@@ -119,18 +119,18 @@ test("limits are found to 1e-9, and motion stops there", () => {
   assert.ok(moved.stopped && Math.abs(moved.x - limits[0]) < 2e-9);
   const marks = marksOf(sweep);
   assert.equal(marks.length, 4);
-  assert.ok(marks.every(({ own }) => own));
+  assert.ok(marks.every(({ foundByPage }) => foundByPage));
   assert.equal(stopText(sweep, marks, moved.x, true), "Limit at θ = 30°: the links of s do not meet.");
 });
 
-test("the report's exact limits take the place of the page's own", () => {
+test("the report's exact limits replace those of the page", () => {
   const end = (input, kind = { Limit: "TurningPoint" }) => ({ kind, input, block: "s" });
   const branch = (...ends) => ({ circuit: 0, assembly: 0, ends });
   const cycle = (...branches) => ({ incomplete: [], circuits: [], branches });
   const { model, sweep } = prepared({ ...SHORT_ROD, cycle: cycle(branch(end(-Math.PI / 6), end(Math.PI / 6))) });
   const marks = marksOf(sweep);
   assert.deepEqual(
-    marks.map(({ own }) => own),
+    marks.map(({ foundByPage }) => foundByPage),
     [false, true, true, false],
   );
   assert.equal(marks[0].x, Math.PI / 6);
@@ -142,7 +142,7 @@ test("the report's exact limits take the place of the page's own", () => {
       branch(end(0.3, "Lost"), end(0.4, "FullTurn")),
     ),
   });
-  const texts = marksOf(others.sweep).filter(({ own }) => !own);
+  const texts = marksOf(others.sweep).filter(({ foundByPage }) => !foundByPage);
   assert.deepEqual(
     texts.map(({ kind, text }) => [kind, text]),
     [
@@ -152,7 +152,7 @@ test("the report's exact limits take the place of the page's own", () => {
   );
 });
 
-test("a coupled mechanism goes on from its last pose, and tells where it is lost", () => {
+test("a coupled mechanism goes on from its last pose, and reports where it is lost", () => {
   const near = { coupled: true, assemblies: [{ name: "assembly 1", argument: { s: 100 }, at: 0.1, circuit: 0 }] };
   const byGuess = {
     solve: (parameters, inputs, { s }) => {
@@ -212,7 +212,7 @@ test("a dragged crank follows the pointer, and stops at a limit", () => {
   const free = nearestInput(sweep, 0.3, placed, [20, 20]);
   assert.ok(Math.abs(free.x - Math.PI / 4) < 1e-4 && !free.beyond);
   const backwards = nearestInput(sweep, 0.1, placed, [20, -5]);
-  assert.ok(Math.abs(backwards.x - (2 * Math.PI - Math.atan(0.25))) < 1e-4, "it passes the end of the turn");
+  assert.ok(Math.abs(backwards.x - (2 * Math.PI - Math.atan(0.25))) < 1e-4, "it passes the end of the revolution");
   const stuck = prepared(SHORT_ROD);
   const held = nearestInput(stuck.sweep, 0.3, placed, [0, 30]);
   assert.ok(held.beyond && Math.abs(held.x - Math.PI / 6) < 2e-9);
@@ -236,7 +236,7 @@ test("pins, the driven body and the floating body are found", () => {
   );
   assert.deepEqual([followed.along, followed.across], [0.5, 0.2]);
   assert.deepEqual(
-    placeOf(model, followed, [
+    coordinatesOf(model, followed, [
       [0, 0],
       [0, 0],
       [0, 10],
@@ -305,7 +305,7 @@ test("names avoid lines, other names and the edge", () => {
   assert.equal(placeName(createRoom(10, 10), [[5, 5]], "much too long", 14, undefined), null);
 });
 
-test("views fit, zoom about a place and orbit about a centre", () => {
+test("views fit, zoom about a point and orbit about a centre", () => {
   const view = createView(false);
   fitView(
     view,
@@ -399,7 +399,7 @@ test("what is not mathematics is not even parsed", () => {
   }
 });
 
-test("a pose is told in words", () => {
+test("a pose is stated in words", () => {
   const { model, design, sweep, assembly } = prepared();
   const row = rowAt(sweep, 0);
   assert.equal(poseText(model, row, true, "open", [0]), "θ = 0°, s = 110 mm; open");
@@ -454,7 +454,7 @@ test("the pace 1 is as fast as the mechanism", () => {
   assert.deepEqual([0.001, 0.2, 1, 50].map(paceText), ["1/1000×", "1/5×", "1×", "50×"]);
 });
 
-test("a gap is told by a length only where its margin is one", () => {
+test("a gap is stated by a length only where its margin is one", () => {
   const { model } = prepared({});
   const gap = (check, margin) => ({ check, margin, block: "s", from: 0, to: 1, at: 0, lost: false });
   const amount = (length) => `${length} mm`;
@@ -473,7 +473,7 @@ test("a gap is told by a length only where its margin is one", () => {
   assert.equal(shortfallOf(gap("reach of a link", -2)), 2);
 });
 
-test("what is typed and not taken is told, and so are lengths that no link has", () => {
+test("what is typed and not taken is reported, and so are lengths that no link has", () => {
   const entry = { group: "parameters", dimension: "length", declared: "r2", name: "r2" };
   const said = (changes, typed, usual = 30) => cautionOf({ ...entry, ...changes }, typed, usual, "30 mm");
   assert.equal(said({}, ""), "This is no number: 30 mm is still shown.");
@@ -505,24 +505,24 @@ test("a drive has the rates of its series, and both sides of its joints", () => 
   assert.deepEqual(motionOf(drive, 0, 0.3, 1, 2, 3), [0.5, 7.5, 0, -1500]);
   const [before, behind] = [0, 1].map((piece) => motionOf(drive, 0, 0.1, piece, 1, 2));
   [0, 0, 37.5].forEach((value, order) => assert.ok(Math.abs(behind[order] - value) < 1e-12 && before[order] === 0));
-  const places = placesOf(drive, 0, 0.6, 360, 8);
+  const samples = samplesOf(drive, 0, 0.6, 360, 8);
   assert.deepEqual(
-    places.filter(({ x }) => x === 0.1).map(({ piece }) => piece),
+    samples.filter(({ x }) => x === 0.1).map(({ piece }) => piece),
     [0, 1],
   );
-  assert.ok(places.every(({ x }, index) => index === 0 || x >= places[index - 1].x));
+  assert.ok(samples.every(({ x }, index) => index === 0 || x >= samples[index - 1].x));
   const line = { pieces: [{ from: 0, to: 1, at: 0, inputs: [[0, 1]] }], joints: [], overTime: false };
-  assert.equal(placesOf(line, 0, 1, 360, 8).length, 361);
+  assert.equal(samplesOf(line, 0, 1, 360, 8).length, 361);
 });
 
-test("a short piece has rows of its own", () => {
+test("a short piece has rows for itself", () => {
   const pieces = [
     [0, 0.5],
     [0.5, 0.501],
     [0.501, 1],
   ].map(([from, to]) => ({ from, to, at: from, inputs: [[0]] }));
-  const places = placesOf({ pieces, joints: [], overTime: true }, 0, 1, 360, 8);
-  assert.ok(places.filter(({ x }) => x > 0.5 && x < 0.501).length >= 7);
+  const samples = samplesOf({ pieces, joints: [], overTime: true }, 0, 1, 360, 8);
+  assert.ok(samples.filter(({ x }) => x > 0.5 && x < 0.501).length >= 7);
 });
 
 test("under a law, curves have gaps where a derivative jumps", () => {
@@ -658,7 +658,7 @@ test("several inputs move along one line, and those that stand have values", () 
   );
 });
 
-/** Places of a range, its ends among them. */
+/** Samples of a range, its ends among them. */
 function placesIn([from, to], count) {
   return [...Array(count).keys()].map((index) => from + ((to - from) * index) / (count - 1));
 }

@@ -178,10 +178,10 @@ test("every page of the gallery loads, and its numbers are those of the solver i
           const { pose, input } = JSON.parse(await saved(page, "#save-json"));
           assert.ok(Math.abs(input - at) <= 1e-12 * (1 + Math.abs(at)), `the input is ${input}, asked for ${at}`);
           const shown = pose[quantity][order];
-          const turns = order === 0 ? Math.round((shown - value) / (2 * Math.PI)) * 2 * Math.PI : 0;
+          const revolutions = order === 0 ? Math.round((shown - value) / (2 * Math.PI)) * 2 * Math.PI : 0;
           // the page's solver and Rust's go the same way; rounding is enlarged by the condition of the pose
           assert.ok(
-            Math.abs(shown - turns - value) <= 1e-7 * size + 1e-9,
+            Math.abs(shown - revolutions - value) <= 1e-7 * size + 1e-9,
             `${quantity} of order ${order} at ${at}: ${shown} and ${value}`,
           );
         }
@@ -274,7 +274,7 @@ test("the scrubber follows the pointer and the keys", () =>
     assert.match(await page.textContent("#spoken"), /θ₂ = .*°, θ₃ = .*°, θ₄ = .*°/);
   }));
 
-test("a dragged crank turns, and stops at the limit with its place", () =>
+test("a dragged crank turns, and stops at the limit with its position", () =>
   withPage(addressOf("four_bar", asDoubleRocker), async (page) => {
     const { pivot, arm } = await crank(page);
     const long = Math.hypot(arm[0] - pivot[0], arm[1] - pivot[1]);
@@ -320,7 +320,7 @@ test("the assembly changes by a click on its ghost, and by its name", () =>
   withPage(addressOf("four_bar"), async (page) => {
     const names = await page.locator("#assembly option").allTextContents();
     assert.ok(names.length === 2);
-    const place = await page.evaluate(() => {
+    const point = await page.evaluate(() => {
       const path = document.querySelector(".hit-ghost");
       const box = document.querySelector("#picture").getBoundingClientRect();
       for (let part = 0.02; part < 1; part += 0.02) {
@@ -332,7 +332,7 @@ test("the assembly changes by a click on its ghost, and by its name", () =>
       return null;
     });
     const before = await saved(page, "#save-json").then(JSON.parse);
-    await page.mouse.click(...place);
+    await page.mouse.click(...point);
     await settle(page);
     const other = await saved(page, "#save-json").then(JSON.parse);
     assert.notEqual(other.assembly, before.assembly);
@@ -342,7 +342,7 @@ test("the assembly changes by a click on its ghost, and by its name", () =>
     assert.equal((await saved(page, "#save-json").then(JSON.parse)).assembly, before.assembly);
   }));
 
-test("a slider solves the whole turn again within a frame, and marks its own limits", () =>
+test("a slider solves the whole revolution again within a frame, and marks its limits", () =>
   withPage(addressOf("four_bar"), async (page) => {
     await page.click("#open-dimensions");
     const times = await page.evaluate(async () => {
@@ -356,7 +356,7 @@ test("a slider solves the whole turn again within a frame, and marks its own lim
       }
       return found.slice(5).sort((one, other) => one - other);
     });
-    console.log(`four-bar: the whole turn is solved again in ${times[17]} ms (median), ${times[34]} ms (worst)`);
+    console.log(`four-bar: the whole revolution is solved again in ${times[17]} ms (median), ${times[34]} ms (worst)`);
     assert.ok(times[17] < 16, `${times[17]} ms`);
     // with a crank as long as the ground link, the coupler and the rocker do not reach around
     const [ground] = reportOf("four_bar").parameters;
@@ -373,7 +373,7 @@ test("a slider solves the whole turn again within a frame, and marks its own lim
     );
   }));
 
-test("A stays as a reference beside B, and they change places", () =>
+test("A stays as a reference beside B, and they are exchanged", () =>
   withPage(addressOf("four_bar"), async (page) => {
     await page.click("#open-dimensions");
     await page.click("#keep");
@@ -479,7 +479,7 @@ test("a mechanism of space turns under the pointer, and its links are dragged", 
     assert.notEqual(await inputNow(page), input);
   }));
 
-test("a coupled mechanism goes on at other dimensions, and tells where its assembly ends", () =>
+test("a coupled mechanism goes on at other dimensions, and reports where its assembly ends", () =>
   withPage(addressOf("class_three_triad"), async (page) => {
     const report = reportOf("class_three_triad");
     const limits = await page.locator("#scrubber .limit-mark title").allTextContents();
@@ -491,8 +491,8 @@ test("a coupled mechanism goes on at other dimensions, and tells where its assem
     const [first] = report.parameters;
     await page.fill(`input[aria-label="${first.text}, as a number"]`, String(1.02 * first.value));
     await settle(page);
-    const own = await page.locator("#scrubber .limit-mark title").allTextContents();
-    assert.ok(own.length > 0 && own.every((text) => text.includes("found by the page")), own.join());
+    const found = await page.locator("#scrubber .limit-mark title").allTextContents();
+    assert.ok(found.length > 0 && found.every((text) => text.includes("found by the page")), found.join());
     assert.match(await page.textContent("#scrubber"), /assembly lost/);
   }));
 
@@ -573,8 +573,8 @@ test("a newer form of report is refused with both numbers", () =>
 
 /** The four-bar with forces: that of its knee on the coupler, and one of the ground. */
 function withForces(report) {
-  const places = [...Array(181).keys()].map((index) => (report.range[1] * index) / 180);
-  const forces = forcesOf(places, report.speed);
+  const samples = [...Array(181).keys()].map((index) => (report.range[1] * index) / 180);
+  const forces = forcesOf(samples, report.speed);
   Object.assign(forces.joints[0], { name: "knee", joint: 1 });
   Object.assign(forces.joints[1], { name: "pivot", on: 2, joint: report.outline.ground.at(-1), is_slide: false });
   Object.assign(report, { forces });

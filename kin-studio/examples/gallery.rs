@@ -16,7 +16,7 @@ use kin_studio::figures::{self, Entry};
 use kin_studio::library::{self, Visitor};
 use kin_studio::report::{ReportError, file_name};
 
-/// The chapter that says what each mechanism is.
+/// The chapter that describes each mechanism.
 const CHAPTER: &str = include_str!("../../docs/library.md");
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -59,7 +59,7 @@ impl Visitor for Pages {
     }
 }
 
-/// Writes the page of a mechanism, and prints what it took.
+/// Writes the page of a mechanism, and prints its time and size.
 fn write<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
     inputs: M::Inputs<f64>,
@@ -83,7 +83,7 @@ fn write<M: Mechanism<Scalar = f64>>(
     Ok(())
 }
 
-/// What the book says about a mechanism, without its emphasis.
+/// The description of a mechanism in the book, without emphasis.
 fn described(name: &str) -> String {
     let heading = format!("### {name}\n");
     let part = CHAPTER.split(&heading).nth(1).and_then(|rest| rest.split("\n#").next());

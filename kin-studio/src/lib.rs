@@ -1,4 +1,5 @@
-//! What kin shows to people: pages on which mechanisms move, drawings, files of tables, and the figures of the book.
+//! The output of kin for people: pages on which mechanisms move, drawings, files of tables, and the figures of the
+//! book.
 //!
 //! [`report()`] makes a page of any mechanism. [`drawing`] draws its skeleton. [`library`] leads through all mechanisms
 //! of the library, each with dimensions. [`tables`] writes the table of a sweep as CSV or JSON. [`figures`] are the

@@ -36,14 +36,14 @@ fn of_identifier(name: &str) -> String {
     text
 }
 
-/// The letters that take the place of their names. π is a number, and the other letters look like Latin ones.
+/// The letters that replace their names. π is a number, and the letters that are missing look like Latin letters.
 const NAMED: &str = "αβγδεζηθικλμνξρστυφχψωΓΔΘΛΞΠΣΦΨΩ";
 
 fn greek(word: &str) -> String {
     let is_capital = word.starts_with(char::is_uppercase);
     let is_name = !word.chars().skip(1).any(char::is_uppercase);
     let name = word.to_lowercase();
-    let found = GREEK.iter().find(|(_, own)| is_name && *own == name);
+    let found = GREEK.iter().find(|(_, greek)| is_name && *greek == name);
     let letter = found.map(|(letter, _)| {
         if is_capital {
             letter.to_uppercase().to_string()

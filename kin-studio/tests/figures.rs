@@ -1,4 +1,4 @@
-//! The book's figures are what is drawn, and the drawings are right.
+//! The figures of the book are up to date, and the drawings are right.
 
 use std::fs;
 use std::path::Path;
@@ -6,7 +6,8 @@ use std::path::Path;
 use kin_core::Space;
 use kin_studio::figures::{all, gallery};
 
-/// The mechanisms whose rod keeps its length approximately, and by how much of it: what the series leaves out.
+/// The mechanisms whose rod keeps its length approximately, and the relative error of that length, which the series
+/// leaves out.
 const APPROXIMATE: [(&str, f64); 2] = [
     ("SliderCrankFirstApproximation", 0.005),
     ("SliderCrankHigherApproximation", 0.0001),
@@ -51,7 +52,7 @@ fn every_mechanism_of_the_library_is_drawn() {
         assert!(!outline.ground.is_empty(), "{} has no ground", entry.name);
         assert!(!outline.bodies.is_empty(), "{} has no bodies", entry.name);
         assert!(!entry.scene.sweep.is_empty(), "{} does not move", entry.name);
-        // the angle between two links that share no joint has no place of its own
+        // the angle between two links that share no joint has no mark
         assert_eq!(
             entry.scene.drives.is_empty(),
             entry.name == "WattIIByCouplers",
@@ -64,7 +65,7 @@ fn every_mechanism_of_the_library_is_drawn() {
 /// The joints of a body keep their distances, what stands on the ground stands still, and slides stay on their lines.
 ///
 /// Sweeps end beside limit positions, where rounding is magnified by the reciprocal of a step's square root: some
-/// hundred times beside Newton's own tolerance, so that 1e-9 of the size is far from what a wrong body would show.
+/// hundred times beside Newton's tolerance, so that 1e-9 of the size is far below the error of a wrong body.
 #[test]
 fn bodies_are_rigid() {
     for entry in gallery().expect("every mechanism closes") {
@@ -72,13 +73,13 @@ fn bodies_are_rigid() {
         let size = scene.joints.iter().map(|joint| joint.norm()).fold(1e-3, f64::max);
         let allowed = APPROXIMATE
             .iter()
-            .find(|(own, _)| *own == name)
+            .find(|(known, _)| *known == name)
             .map_or(1e-9, |&(_, part)| part);
         let distance = |joints: &[Space], one: usize, other: usize| (joints[one] - joints[other]).norm();
-        for places in &scene.sweep {
+        for points in &scene.sweep {
             for body in scene.outline.bodies {
                 for (&one, &other) in body.joints.iter().zip(body.joints.iter().skip(1)) {
-                    let change = distance(places, one, other) - distance(&scene.joints, one, other);
+                    let change = distance(points, one, other) - distance(&scene.joints, one, other);
                     assert!(
                         change.abs() <= allowed * size,
                         "{name}: {} stretches by {change:e}",
@@ -87,15 +88,15 @@ fn bodies_are_rigid() {
                 }
             }
             for &joint in scene.outline.ground {
-                assert_eq!(places[joint], scene.joints[joint], "{name}: ground moves");
+                assert_eq!(points[joint], scene.joints[joint], "{name}: ground moves");
             }
             for (number, slide) in scene.outline.slides.iter().enumerate() {
-                let direction = places[scene.joints.len() + number];
+                let direction = points[scene.joints.len() + number];
                 let from = match slide.guide {
                     None => scene.joints[slide.joint],
-                    Some(body) => places[scene.outline.bodies[body].joints[0]],
+                    Some(body) => points[scene.outline.bodies[body].joints[0]],
                 };
-                let beside = (places[slide.joint] - from).cross(direction).norm() / direction.norm();
+                let beside = (points[slide.joint] - from).cross(direction).norm() / direction.norm();
                 assert!(
                     beside <= 1e-9 * size,
                     "{name}: a slide is beside its line by {beside:e}"

@@ -1,4 +1,4 @@
-//! A six-bar linkage whose output rests for a third of the crank's turn.
+//! A six-bar linkage whose output rests for a third of the crank's revolution.
 
 use std::f64::consts::{PI, TAU};
 
@@ -9,11 +9,11 @@ use kin_fit::{Effort, TracedFourBar, penalised, smallest};
 
 use super::{number, smallest_of};
 
-/// The part of the crank's turn for which the output is to rest.
+/// The part of the crank's revolution for which the output is to rest.
 pub(crate) const REST: f64 = 2.0 * PI / 3.0;
-/// The smallest swing of the output over the turn.
+/// The smallest swing of the output over the revolution.
 pub(crate) const SWING: f64 = 30.0 * PI / 180.0;
-/// The smallest transmission angle of both dyads over the whole turn.
+/// The smallest transmission angle of both dyads over the whole revolution.
 pub(crate) const TRANSMISSION: f64 = 40.0 * PI / 180.0;
 /// The longest link, in cranks.
 pub(crate) const LONGEST: f64 = 8.0;
@@ -23,19 +23,19 @@ pub(crate) const LONGEST: f64 = 8.0;
 pub(crate) struct Dwell {
     /// The linkage. Its crank has the length 1.
     pub(crate) linkage: StephensonIII,
-    /// How its dyads meet.
+    /// The assemblies of its dyads.
     pub(crate) assembly: StephensonIIIAssembly,
     /// The crank's angle at the start of the rest.
     pub(crate) start: f64,
     /// The width of the range in which link 6 stays during the rest.
     pub(crate) deviation: f64,
-    /// The width of the range of link 6 over the turn.
+    /// The width of the range of link 6 over the revolution.
     pub(crate) swing: f64,
-    /// The smallest transmission angle over the turn.
+    /// The smallest transmission angle over the revolution.
     pub(crate) transmission: f64,
 }
 
-/// The steps of a turn in a search, and of a result. A third of them is a whole number.
+/// The steps of a revolution in a search, and of a result. A third of them is a whole number.
 const COARSE: usize = 144;
 const FINE: usize = 3600;
 
@@ -53,7 +53,7 @@ fn four_bar(numbers: &[f64]) -> TracedFourBar {
     }
 }
 
-/// A six-bar linkage from its four-bar linkage, the place where the end of link 5 is to rest, and link 6 from there.
+/// A six-bar linkage from its four-bar linkage, the point at which the end of link 5 is to rest, and link 6 from there.
 fn with_dyad(four_bar: &TracedFourBar, centre: Plane, radius: f64, arm: Plane) -> StephensonIII {
     StephensonIII {
         r1: four_bar.r1,
@@ -67,7 +67,7 @@ fn with_dyad(four_bar: &TracedFourBar, centre: Plane, radius: f64, arm: Plane) -
     }
 }
 
-/// The circle through the places of the coupler point at the start, in the middle and at the end of the rest.
+/// The circle through the positions of the coupler point at the start, in the middle and at the end of the rest.
 fn circle(four_bar: &TracedFourBar, assembly: Assembly, start: f64) -> Option<(Plane, f64)> {
     let at = |share: f64| {
         let pose = four_bar.position(start + share * REST, assembly).ok()?;
@@ -87,7 +87,7 @@ fn circle(four_bar: &TracedFourBar, assembly: Assembly, start: f64) -> Option<(P
 }
 
 impl Dwell {
-    /// The rest of a linkage that starts at an angle of the crank, measured at some steps of the turn.
+    /// The rest of a linkage that starts at an angle of the crank, measured at some steps of the revolution.
     #[must_use]
     pub(crate) fn of(
         linkage: &StephensonIII,
@@ -125,11 +125,11 @@ impl Dwell {
     }
 }
 
-/// What a limit that is broken costs, for each unit by which it is broken.
+/// The cost of a broken limit, for each unit by which it is broken.
 const PRICE: f64 = 100.0;
 
 fn cost(linkage: &StephensonIII, assembly: StephensonIIIAssembly, start: f64) -> Result<f64, f64> {
-    // where it opens is not known
+    // the angle at which the linkage ceases to close is not known
     let dwell = Dwell::of(linkage, assembly, start, COARSE).ok_or(0.0)?;
     let over = |value: f64, limit: f64| (value - limit).max(0.0);
     let tip = linkage.p.norm();
@@ -163,13 +163,13 @@ const KINDS: [(Assembly, Assembly); 4] = [
 /// The ranges of the numbers of the four-bar linkage, of the crank's angle at the start, and of link 6.
 fn ranges() -> [[f64; 2]; 8] {
     let size = [1.0_f64.ln(), LONGEST.ln()];
-    let place = [-LONGEST, LONGEST];
+    let coordinate = [-LONGEST, LONGEST];
     [
         size,
         size,
         size,
-        place,
-        place,
+        coordinate,
+        coordinate,
         [-PI, PI],
         [0.5_f64.ln(), LONGEST.ln()],
         [-PI, PI],
@@ -177,7 +177,7 @@ fn ranges() -> [[f64; 2]; 8] {
 }
 
 /// The construction of the textbooks: a symmetrical coupler curve, the circle through three of its points, and a link
-/// from its centre. The best one over all proportions of the four-bar linkage, places of the coupler point, starts and
+/// from its centre. The result is the best over all proportions of the four-bar linkage, coupler points, starts and
 /// links 6.
 ///
 /// A coupler curve is symmetrical if coupler, rocker and the distance of the coupler point from their joint are equal
@@ -189,13 +189,13 @@ pub(crate) fn constructed(effort: Effort) -> Option<Dwell> {
     let of = |numbers: &[f64], assembly: (Assembly, Assembly)| {
         let equal = numbers[1].exp();
         let point = Plane::new(equal, 0.0) + Plane::polar(equal, numbers[2]);
-        let own = four_bar(&[numbers[0], numbers[1], numbers[1], point.x, point.y]);
-        dwell_on_a_circle(&own, assembly, numbers[3], numbers[4], numbers[5])
+        let symmetric = four_bar(&[numbers[0], numbers[1], numbers[1], point.x, point.y]);
+        dwell_on_a_circle(&symmetric, assembly, numbers[3], numbers[4], numbers[5])
     };
     best_of(&bounds, effort, of)
 }
 
-/// The best linkage whose end of link 5 rests at the centre of the circle through three places of the coupler point,
+/// The best linkage whose end of link 5 rests at the centre of the circle through three positions of the coupler point,
 /// polished over all of its dimensions.
 #[must_use]
 pub(crate) fn best(effort: Effort) -> Option<Dwell> {
@@ -245,7 +245,7 @@ fn best_of(
     Dwell::of(&linkage, assembly, start, FINE)
 }
 
-/// The best linkage near another one, over all of its dimensions.
+/// The best linkage near a given linkage, over all dimensions.
 fn polished(dwell: &Dwell, effort: Effort) -> Dwell {
     let numbers = |linkage: &StephensonIII, start: f64| {
         let StephensonIII {

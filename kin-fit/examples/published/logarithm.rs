@@ -21,7 +21,7 @@ pub(crate) const LINKS: [f64; 2] = [0.1, 10.0];
 pub(crate) struct Generator {
     /// The linkage, with a ground link of 1.
     pub(crate) linkage: FourBar,
-    /// How the coupler meets the follower.
+    /// The assembly of coupler and follower.
     pub(crate) assembly: Assembly,
     /// The crank's angle at x = 1.
     pub(crate) crank: f64,
@@ -45,7 +45,7 @@ pub(crate) const NEAR_EQUAL: Generator = Generator {
     direction: -1.0,
 };
 
-/// How well a generator follows its function.
+/// The quality of a generator.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Quality {
     /// The largest structural error: the follower's angle less the angle that is wanted, in radians.
@@ -144,7 +144,7 @@ impl Generator {
         Some(best)
     }
 
-    /// Where the error is extreme: the ends of the range and the places between them.
+    /// The values of x at which the error is extreme: the ends of the range and the extremes between them.
     fn extremes(&self, steps: u32) -> Option<Vec<(f64, f64)>> {
         let mut errors = Vec::new();
         for step in 0..=steps {
@@ -185,11 +185,11 @@ impl Generator {
         };
         let functions = Of::<WithErrors>::FUNCTIONS;
         let mut objective = Objective::measured(functions, &rows, 0, &[0.0; 2], [0.0, CRANK]).ok()?;
-        for (name, own) in [("r2", r2), ("r3", r3), ("r4", r4)] {
-            objective = objective.bounds(name, 0.5 * own..=2.0 * own).ok()?;
+        for (name, value) in [("r2", r2), ("r3", r3), ("r4", r4)] {
+            objective = objective.bounds(name, 0.5 * value..=2.0 * value).ok()?;
         }
-        for (name, own) in [("crank", self.crank), ("follower", self.follower)] {
-            objective = objective.bounds(name, own - 0.5..=own + 0.5).ok()?;
+        for (name, value) in [("crank", self.crank), ("follower", self.follower)] {
+            objective = objective.bounds(name, value - 0.5..=value + 0.5).ok()?;
         }
         if equalise {
             objective = objective.bounds("level", level - 0.5..=level + 0.5).ok()?;
@@ -224,7 +224,7 @@ mechanism! {
     output travel: Angle = theta4 - follower - multiple * level;
 }
 
-/// Chebyshev's places of precision points for x from 1 to 2.
+/// Chebyshev's spacing of precision points for x from 1 to 2.
 #[must_use]
 pub(crate) fn chebyshev<const N: usize>() -> [f64; N] {
     std::array::from_fn(|index| 1.5 - 0.5 * (PI * number(2 * index + 1) / number(2 * N)).cos())
@@ -251,7 +251,7 @@ pub(crate) fn three_points(points: [f64; 3], crank: f64, follower: f64, directio
     if !(squared.is_finite() && squared > 0.0) {
         return Vec::new();
     }
-    // a negative crank is one that points the other way
+    // a negative crank points the other way
     let turned = |length: f64| if length < 0.0 { PI } else { 0.0 };
     [Assembly::Open, Assembly::Crossed]
         .map(|assembly| Generator {
@@ -269,15 +269,15 @@ pub(crate) fn three_points(points: [f64; 3], crank: f64, follower: f64, directio
         .to_vec()
 }
 
-/// The steps at which a search looks, and those at which a result is measured.
+/// The steps of a search, and those at which a result is measured.
 const COARSE: u32 = 60;
 const FINE: u32 = 2000;
-/// What a limit that is broken costs, for each unit by which it is broken.
+/// The cost of a broken limit, for each unit by which it is broken.
 const PRICE: f64 = 10.0;
 
 fn cost(generator: &Generator, transmission: f64, steps: u32) -> f64 {
     let Ok(quality) = generator.quality(steps) else {
-        // where it opens is not known
+        // the angle at which the linkage ceases to close is not known
         return penalised(Err(0.0), 1.0);
     };
     let FourBar { r2, r3, r4, .. } = generator.linkage;
@@ -299,7 +299,7 @@ const KINDS: [(Assembly, f64); 4] = [
     (Assembly::Crossed, -1.0),
 ];
 
-/// The best generator with three precision points at Chebyshev's places, over all start angles, with at least a given
+/// The best generator with three precision points at Chebyshev's spacing, over all start angles, with at least a given
 /// transmission angle.
 #[must_use]
 pub(crate) fn best_of_three_points(transmission: f64, effort: Effort) -> Option<Generator> {

@@ -1,11 +1,11 @@
-//! Published problems, each with what the literature reached and what this project reaches.
+//! Published problems, each with the results of the literature and those of this project.
 
 pub(crate) mod dwell;
-pub(crate) mod half_turn;
 pub(crate) mod logarithm;
 pub(crate) mod path;
 pub(crate) mod report;
 pub(crate) mod straight_line;
+pub(crate) mod stroke;
 pub(crate) mod walking;
 
 use kin_fit::{Effort, Found, smallest};

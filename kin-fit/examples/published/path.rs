@@ -9,7 +9,7 @@ use kin_fit::{Candidate, Design, Effort, Objective, ObjectiveError, TracedFourBa
 
 use super::number;
 
-/// When the crank is where.
+/// The timing of the crank.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Timing {
     /// The crank's angle from the ground link is given at every point.
@@ -23,7 +23,7 @@ pub(crate) enum Timing {
 /// A linkage from a publication.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Published {
-    /// Who found it, and where it stands.
+    /// The author and the source.
     pub(crate) source: &'static str,
     /// The error that is printed there.
     pub(crate) error: f64,
@@ -42,9 +42,9 @@ pub(crate) struct Published {
 pub(crate) struct PathCase {
     /// Its name.
     pub(crate) name: &'static str,
-    /// What is wanted.
+    /// The task.
     pub(crate) title: &'static str,
-    /// Where points and bounds stand.
+    /// The source of points and bounds.
     pub(crate) source: &'static str,
     /// The points.
     pub(crate) points: &'static [[f64; 2]],
@@ -59,7 +59,7 @@ pub(crate) struct PathCase {
     pub(crate) pivot: Option<[f64; 2]>,
     /// The linkages of the literature whose error this project has computed from their dimensions.
     pub(crate) published: &'static [Published],
-    /// What else the literature says, and what could not be found.
+    /// Remarks on the literature.
     pub(crate) remark: &'static str,
 }
 
@@ -257,7 +257,7 @@ impl PathCase {
         [self.links[0].max(SHORTEST * self.links[1]), self.links[1]]
     }
 
-    /// The case as a fit. Angles may leave their turn, so that a start near its end is no disadvantage.
+    /// The case as a fit. Angles may leave their revolution, so that a start near its end is no disadvantage.
     ///
     /// # Errors
     /// None for the cases above.
@@ -278,8 +278,8 @@ impl PathCase {
         }
     }
 
-    /// Whether the crank makes full turns and, where its angles are free, passes the points in their order within one
-    /// turn.
+    /// Whether the crank makes full revolutions and, where its angles are free, passes the points in their order within
+    /// one revolution.
     #[must_use]
     pub(crate) fn accepts(&self, linkage: &TracedFourBar, angles: &[f64]) -> bool {
         let [r1, r2, r3, r4] = [linkage.r1, linkage.r2, linkage.r3, linkage.r4];

@@ -1,4 +1,4 @@
-//! What each problem prints.
+//! The printed results of each problem.
 
 use std::fmt::Write as _;
 use std::time::Instant;
@@ -7,9 +7,9 @@ use kin_core::library::FourBar;
 use kin_core::prelude::*;
 use kin_fit::Effort;
 
-use super::half_turn::Stroke;
 use super::path::{CASES, PathCase};
 use super::straight_line::{MOST_EVEN, STRAIGHTEST, StraightLine, best_hoeken, straightest};
+use super::stroke::Stroke;
 use super::walking::{Leg, Limits};
 use super::{dwell, logarithm, walking};
 
@@ -41,7 +41,7 @@ pub(crate) static PROBLEMS: [Problem; 5] = [
 ];
 
 impl Problem {
-    /// Searches, and writes what the literature reached and what was found.
+    /// Searches, and writes the results of the literature and of the search.
     ///
     /// The text depends on the effort alone, but for the seconds in its last line.
     pub(crate) fn solve(&self, effort: Effort) -> String {
@@ -142,8 +142,14 @@ fn straight_line(effort: Effort) -> String {
         ]);
     }
     text += &table(&rows);
-    text += "\nhalf a turn, transmission angle at least 40° in it, links between 0.1 and 10 lines\n";
-    let mut rows = vec![cells(&["", "deviation", "unevenness", "transmission", "over the turn"])];
+    text += "\nhalf a revolution, transmission angle at least 40° in it, links between 0.1 and 10 lines\n";
+    let mut rows = vec![cells(&[
+        "",
+        "deviation",
+        "unevenness",
+        "transmission",
+        "over the revolution",
+    ])];
     let mut found = Vec::new();
     let line = |name: String, stroke: &Stroke| {
         vec![
@@ -155,12 +161,12 @@ fn straight_line(effort: Effort) -> String {
         ]
     };
     for row in [STRAIGHTEST[3], MOST_EVEN[3]] {
-        let Some(own) = row.stroke(20) else { continue };
-        rows.push(line(format!("Norton {} : 1 : {}", row.ground, row.coupler), &own));
-        if let Some(hoeken) = best_hoeken(own.unevenness, Effort { starts: 4, ..effort }) {
+        let Some(stroke) = row.stroke(20) else { continue };
+        rows.push(line(format!("Norton {} : 1 : {}", row.ground, row.coupler), &stroke));
+        if let Some(hoeken) = best_hoeken(stroke.unevenness, Effort { starts: 4, ..effort }) {
             rows.push(line("best of Hoeken's, no less even".to_owned(), &hoeken.stroke));
         }
-        if let Some(any) = straightest(own.unevenness, effort) {
+        if let Some(any) = straightest(stroke.unevenness, effort) {
             rows.push(line("best four-bar linkage, no less even".to_owned(), &any.stroke));
             found.push(any);
         }
@@ -197,9 +203,9 @@ fn legs(effort: Effort) -> String {
             lift: jansen.step.lift,
             transmission: jansen.step.worst_transmission,
         };
-        if let Some((own, leg)) = walking::four_bar(&limits, effort) {
+        if let Some((linkage, leg)) = walking::four_bar(&limits, effort) {
             rows.push(line("four-bar linkage, no worse than Jansen's".to_owned(), &leg));
-            let _ = writeln!(notes, "found: {}", lengths(&own));
+            let _ = writeln!(notes, "found: {}", lengths(&linkage));
         }
     }
     if let Some(klann) = walking::klann() {
@@ -210,12 +216,12 @@ fn legs(effort: Effort) -> String {
         }
     }
     format!(
-        "the straightest half turn of the foot, in shares of the step\n{}{notes}",
+        "the straightest half revolution of the foot, in shares of the step\n{}{notes}",
         table(&rows)
     )
 }
 
-/// How far the dimensions of a leg may leave those of its inventor.
+/// The part by which the dimensions of a leg may differ from those of its inventor.
 const WITHIN: f64 = 0.1;
 
 fn dwells(effort: Effort) -> String {

@@ -1,4 +1,4 @@
-//! A straight line at an even speed, over half a turn of the crank.
+//! A straight line at an even speed, over half a revolution of the crank.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -7,8 +7,8 @@ use kin_core::library::HoekenLinkage;
 use kin_core::prelude::*;
 use kin_fit::{Effort, TracedFourBar, penalised, smallest};
 
-use super::half_turn::{Sample, Stroke, turn};
 use super::smallest_of;
+use super::stroke::{Sample, Stroke, samples};
 
 /// A row of a table of Hoeken's linkages, for a crank of length 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,12 +60,12 @@ pub(crate) const TRANSMISSION: f64 = 40.0 * PI / 180.0;
 /// The shortest and the longest link that are allowed, as shares of the line.
 pub(crate) const LINKS: [f64; 2] = [0.1, 10.0];
 
-/// A linkage of the literature or of the search with its stroke of half a turn.
+/// A linkage of the literature or of the search with its stroke of half a revolution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct StraightLine {
     /// The linkage. Its crank has the length 1.
     pub(crate) linkage: TracedFourBar,
-    /// How the coupler meets the rocker.
+    /// The assembly of coupler and rocker.
     pub(crate) assembly: Assembly,
     /// The stroke.
     pub(crate) stroke: Stroke,
@@ -82,15 +82,15 @@ impl HoekenRow {
         }
     }
 
-    /// The stroke over its own range, measured at some steps for each degree.
+    /// The stroke over the range of the row, measured at some steps for each degree.
     #[must_use]
     pub(crate) fn stroke(&self, steps_per_degree: usize) -> Option<Stroke> {
         let linkage = self.linkage();
         let start = PI - 0.5 * f64::from(self.range).to_radians();
-        let samples = turn(360 * steps_per_degree, start, |angle| {
+        let samples = samples(360 * steps_per_degree, start, |angle| {
             let pose = linkage.position(angle, Assembly::Open).ok()?.velocity(1.0);
             Some(Sample {
-                place: pose.tracer.value(),
+                position: pose.tracer.value(),
                 rate: pose.tracer.velocity(),
                 transmission: folded(linkage.coupler, linkage.coupler, linkage.ground, 1.0, angle),
             })
@@ -106,20 +106,20 @@ fn folded(coupler: f64, rocker: f64, ground: f64, crank: f64, angle: f64) -> f64
     cosine.abs().min(1.0).acos()
 }
 
-/// The turn of a tracer from an angle of the crank.
+/// The samples of a tracer over a revolution from an angle of the crank.
 #[must_use]
-pub(crate) fn turn_of(linkage: &TracedFourBar, assembly: Assembly, start: f64, steps: usize) -> Option<Vec<Sample>> {
-    turn(steps, start, |angle| {
+pub(crate) fn samples_of(linkage: &TracedFourBar, assembly: Assembly, start: f64, steps: usize) -> Option<Vec<Sample>> {
+    samples(steps, start, |angle| {
         let pose = linkage.position(angle, assembly).ok()?.velocity(1.0);
         Some(Sample {
-            place: pose.tracer.value(),
+            position: pose.tracer.value(),
             rate: pose.tracer.velocity(),
             transmission: folded(linkage.r3, linkage.r4, linkage.r1, linkage.r2, angle),
         })
     })
 }
 
-/// A linkage with a crank of length 1, and the start of its half turn, from the numbers that are searched.
+/// A linkage with a crank of length 1, and the start of its half revolution, from the numbers that are searched.
 pub(crate) fn linkage(numbers: &[f64]) -> (TracedFourBar, f64) {
     let length = |exponent: f64| exponent.exp();
     let linkage = TracedFourBar {
@@ -134,11 +134,11 @@ pub(crate) fn linkage(numbers: &[f64]) -> (TracedFourBar, f64) {
     (linkage, numbers[5])
 }
 
-/// What a limit that is broken costs, for each unit by which it is broken.
+/// The cost of a broken limit, for each unit by which it is broken.
 const PRICE: f64 = 1e3;
 
-/// The straightest half turn of any four-bar linkage whose crank makes full turns, with a speed that is at least as
-/// even as wanted, in both assemblies.
+/// The straightest half revolution of any four-bar linkage whose crank makes full revolutions, with a speed that is at
+/// least as even as wanted, in both assemblies.
 ///
 /// Each link, and the tracer's distance from both joints of the coupler, lie within [`LINKS`]; the transmission angle
 /// stays above [`TRANSMISSION`] during the stroke.
@@ -150,7 +150,7 @@ pub(crate) fn straightest(unevenness: f64, effort: Effort) -> Option<StraightLin
 }
 
 /// The four-bar linkage, in either assembly, with the smallest worth of its stroke. Its links have lengths in a range,
-/// and its stroke is found in `fine` steps of a turn.
+/// and its stroke is found in `fine` steps of a revolution.
 pub(crate) fn best(
     links: [f64; 2],
     fine: usize,
@@ -177,7 +177,7 @@ pub(crate) fn best(
     })
 }
 
-/// The steps of a turn in a search, and of a result.
+/// The steps of a revolution in a search, and of a result.
 const COARSE: usize = 144;
 const FINE: usize = 7200;
 
@@ -191,13 +191,13 @@ fn cost(
     penalised(stroke.map(|stroke| worth(linkage, &stroke)), 1.0)
 }
 
-/// The stroke of a linkage whose crank makes full turns; otherwise by how much it fails to.
+/// The stroke of a linkage whose crank makes full revolutions; otherwise by how much the crank fails to.
 pub(crate) fn stroke_of(linkage: &TracedFourBar, assembly: Assembly, start: f64, steps: usize) -> Result<Stroke, f64> {
     let shortfall = linkage.shortfall();
     if shortfall > 0.0 {
         return Err(shortfall);
     }
-    let samples = turn_of(linkage, assembly, start, steps);
+    let samples = samples_of(linkage, assembly, start, steps);
     samples
         .and_then(|samples| Stroke::of(&samples, start, steps / 2))
         .ok_or(1.0)
@@ -217,7 +217,8 @@ fn worth(linkage: &TracedFourBar, stroke: &Stroke, unevenness: f64) -> f64 {
     stroke.deviation + PRICE * (wrong + over(TRANSMISSION, stroke.transmission)) + 10.0 * uneven
 }
 
-/// The straightest of Hoeken's linkages over the half turn about 180°, with a speed that is at least as even as wanted.
+/// The straightest of Hoeken's linkages over the half revolution about 180°, with a speed that is at least as even as
+/// wanted.
 ///
 /// Hoeken's linkages have two free proportions, ground to crank and coupler to crank.
 #[must_use]

@@ -1,34 +1,34 @@
-//! A foot that walks: straight and even for half a turn of the crank, and lifted for the other half.
+//! A foot that walks: straight and even for half a revolution of the crank, and lifted for the other half.
 
 use kin_core::library::{JansenLeg, KlannLeg};
 use kin_core::prelude::*;
 use kin_core::{Plane, TransmissionAngle};
 use kin_fit::{Effort, TracedFourBar, penalised, smallest};
 
-use super::half_turn::{Sample, Stroke, turn};
 use super::straight_line::{StraightLine, best};
+use super::stroke::{Sample, Stroke, samples};
 
 /// A leg with its step.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Leg {
     /// The number of its moving links.
     pub(crate) links: usize,
-    /// Its straightest half turn, on which it stands.
+    /// Its straightest half revolution, on which it stands.
     pub(crate) step: Stroke,
 }
 
-/// What the leg of a search has to keep.
+/// The limits that the leg of a search has to keep.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Limits {
     /// The largest unevenness of the speed on the ground.
     pub(crate) unevenness: f64,
     /// The smallest lift, in shares of the step.
     pub(crate) lift: f64,
-    /// The smallest transmission angle over the whole turn.
+    /// The smallest transmission angle over the whole revolution.
     pub(crate) transmission: f64,
 }
 
-/// The steps of a turn in a search, and of a result.
+/// The steps of a revolution in a search, and of a result.
 const COARSE: usize = 144;
 const FINE: usize = 3600;
 
@@ -42,7 +42,7 @@ fn least_of(angles: impl AsRef<[TransmissionAngle]>) -> f64 {
 }
 
 impl Limits {
-    /// By how much a step breaks them. A foot that falls below its ground breaks them too.
+    /// By how much a step breaks the limits. A foot that falls below its ground breaks them too.
     fn broken(&self, step: &Stroke) -> f64 {
         let over = |value: f64, limit: f64| (value - limit).max(0.0);
         over(step.unevenness, self.unevenness)
@@ -65,7 +65,7 @@ impl Walker for JansenLeg {
     fn sample(&self, angle: f64) -> Option<Sample> {
         let pose = self.position(angle, Self::WALKING).ok()?.velocity(1.0);
         Some(Sample {
-            place: pose.foot.value(),
+            position: pose.foot.value(),
             rate: pose.foot.velocity(),
             transmission: least_of(self.transmission_angles(&pose)),
         })
@@ -78,15 +78,15 @@ impl Walker for KlannLeg {
     fn sample(&self, angle: f64) -> Option<Sample> {
         let pose = self.position(angle, Self::WALKING).ok()?.velocity(1.0);
         Some(Sample {
-            place: pose.foot.value(),
+            position: pose.foot.value(),
             rate: pose.foot.velocity(),
             transmission: least_of(self.transmission_angles(&pose)),
         })
     }
 }
 
-fn walking<M: Walker>(own: &M) -> Option<Leg> {
-    let samples = turn(FINE, 0.0, |angle| own.sample(angle))?;
+fn walking<M: Walker>(leg: &M) -> Option<Leg> {
+    let samples = samples(FINE, 0.0, |angle| leg.sample(angle))?;
     let step = Stroke::straightest_half(&samples, 0.0)?;
     Some(Leg { links: M::LINKS, step })
 }
@@ -133,30 +133,30 @@ fn better<M: Walker>(given: &M, within: f64, effort: Effort) -> Option<(M, Leg)>
     let of = |numbers: &[f64]| M::from_parameters(Row::from_fn(|index| numbers[index]));
     let found = smallest(&ranges, effort, |point| {
         let start = point[numbers.len()];
-        let own = of(point);
-        let samples = turn(COARSE, start, |angle| own.sample(angle));
+        let leg = of(point);
+        let samples = samples(COARSE, start, |angle| leg.sample(angle));
         let step = samples.and_then(|samples| Stroke::of(&samples, start, COARSE / 2));
         let cost = step.map(|step| step.deviation + PRICE * limits.broken(&step));
         penalised(cost.ok_or(0.0), 1.0)
     });
-    let own = of(&found.point);
+    let leg = of(&found.point);
     let start = found.point[numbers.len()];
-    let samples = turn(FINE, start, |angle| own.sample(angle))?;
+    let samples = samples(FINE, start, |angle| leg.sample(angle))?;
     let step = Stroke::of(&samples, start, FINE / 2)?;
-    Some((own, Leg { links: M::LINKS, step }))
+    Some((leg, Leg { links: M::LINKS, step }))
 }
 
 /// The four-bar linkage whose tracer stands flattest within some limits, with links up to [`LONGEST`] steps.
 #[must_use]
 pub(crate) fn four_bar(limits: &Limits, effort: Effort) -> Option<(StraightLine, Leg)> {
-    let own = best([0.5, 10.0], FINE, effort, |linkage, step| worth(linkage, step, limits))?;
-    let step = own.stroke;
-    Some((own, Leg { links: 3, step }))
+    let line = best([0.5, 10.0], FINE, effort, |linkage, step| worth(linkage, step, limits))?;
+    let step = line.stroke;
+    Some((line, Leg { links: 3, step }))
 }
 
 /// The longest link of [`four_bar`], in steps.
 pub(crate) const LONGEST: f64 = 3.0;
-/// What a limit that is broken costs, for each unit by which it is broken.
+/// The cost of a broken limit, for each unit by which it is broken.
 const PRICE: f64 = 100.0;
 
 fn worth(linkage: &TracedFourBar, step: &Stroke, limits: &Limits) -> f64 {

@@ -82,7 +82,7 @@ impl<S: Squares> Jacobian for Scaled<'_, S> {
     }
 }
 
-/// The better one of the start and of what a method finds from there, and the number of its steps.
+/// The better of the start and of the result of a method from there, and the number of its steps.
 fn searched<'s, S: Squares, M>(squares: &'s S, method: M, start: &[f64], ending: Ending) -> (Vec<f64>, u64)
 where
     M: Solver<Scaled<'s, S>, PointState<Vec<f64>>>,
@@ -106,7 +106,7 @@ where
 }
 
 /// The method of normal equations, which is fast. It cuts a whole step where one number meets its bound, so that all
-/// may stand still there.
+/// numbers may stand still there.
 pub(crate) fn levenberg_marquardt(squares: &impl Squares, start: &[f64], ending: Ending) -> (Vec<f64>, u64) {
     let method = BoundedLevenbergMarquardt::new()
         .with_absolute_scaled_gradient_tolerance(None)
@@ -114,10 +114,10 @@ pub(crate) fn levenberg_marquardt(squares: &impl Squares, start: &[f64], ending:
     searched(squares, method, start, ending)
 }
 
-/// The method of singular values, which lose no digits to their squares, and which goes on along bounds. Its steps take
-/// long for many rows.
+/// The method of singular values, which loses no digits to squares and goes on along bounds. Its steps take long for
+/// many rows.
 pub(crate) fn trust_region(squares: &impl Squares, start: &[f64], ending: Ending) -> (Vec<f64>, u64) {
-    // the slopes have no scale of their own, so that only the sum of squares says when to end
+    // the slopes have no scale, so that only the sum of squares decides when to end
     let method = TrustRegionReflective::new()
         .with_absolute_scaled_gradient_tolerance(None)
         .with_relative_cost_change_tolerance(ending.change)

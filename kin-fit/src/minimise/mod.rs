@@ -1,4 +1,4 @@
-//! Minimisers between bounds. [basin](https://basin.rs) has the methods; here they get numbers that run from 0 to 1.
+//! Minimisers between bounds. [basin](https://basin.rs) has the methods; this module gives them numbers from 0 to 1.
 
 mod evolution;
 mod least_squares;

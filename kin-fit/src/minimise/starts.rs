@@ -4,7 +4,7 @@ use super::Cube;
 use super::evolution::{Evolution, evolve};
 use crate::threads::each;
 
-/// How much is searched, and with which random numbers. The result depends on nothing else.
+/// The effort of a search, and the seed of its random numbers. The result depends on nothing else.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Effort {
     /// The number of starts; 0 is one start.
@@ -35,9 +35,9 @@ pub fn spread(index: u64, dimensions: usize) -> Vec<f64> {
         ratio = (1.0 + ratio).powf(1.0 / (f64::from(u32::try_from(dimensions).unwrap_or(u32::MAX)) + 1.0));
     }
     // a sequence that starts again after 2³² points
-    let place = 1.0 + f64::from(u32::try_from(index % (1 << 32)).unwrap_or(0));
+    let point = 1.0 + f64::from(u32::try_from(index % (1 << 32)).unwrap_or(0));
     (1..=dimensions)
-        .map(|dimension| (0.5 + place / ratio.powi(i32::try_from(dimension).unwrap_or(i32::MAX))).fract())
+        .map(|dimension| (0.5 + point / ratio.powi(i32::try_from(dimension).unwrap_or(i32::MAX))).fract())
         .collect()
 }
 
@@ -51,7 +51,7 @@ const STEPS: [f64; 3] = [0.2, 0.02, 0.002];
 const NARROW: f64 = 1e-13;
 
 /// The smallest cost between bounds, by the covariance matrix adaptation evolution strategy, for costs that are no sums
-/// of squares. What does not close costs as [`penalised`](crate::penalised) says.
+/// of squares. [`penalised`](crate::penalised) gives the cost of a design that does not close.
 ///
 /// Each start is the best of many points that are spread evenly; further runs from its result, with smaller steps,
 /// sharpen it. The starts run in parallel; the best cost wins, and of equal costs the earliest start, so the result

@@ -14,7 +14,7 @@ use crate::margins::{driver_turns, grashof};
 use crate::objective::Objective;
 use crate::term::{Sense, Term, Travel};
 
-/// The part of a turn by which targets may pass it as a whole: the rounding of a few sums of inputs.
+/// The part of a revolution by which targets may exceed it: the rounding of a few sums of inputs.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// The part of a branch from the first target to the last: where it begins, and the signed way from there.
@@ -37,8 +37,8 @@ pub(super) fn check(objective: &Objective, design: &Design) -> Result<Figures, D
     let cycle = linkage
         .cycle_along(&from, &direction)
         .map_err(|error| undecided(error.to_string()))?;
-    let mut open = cycle.undecided_assemblies().iter();
-    if let Some((_, [low, high])) = open.find(|(index, _)| *index == assembly) {
+    let mut assemblies = cycle.undecided_assemblies().iter();
+    if let Some((_, [low, high])) = assemblies.find(|(index, _)| *index == assembly) {
         return Err(undecided(format!(
             "the assembly between the inputs {low:.6} and {high:.6}"
         )));
@@ -51,11 +51,10 @@ pub(super) fn check(objective: &Objective, design: &Design) -> Result<Figures, D
         return Err(undecided(reason.to_string()));
     }
     let inputs = objective.inputs_of(design);
-    let places = one_branch(&cycle, assembly, &inputs)?;
-    let index = places.branch;
+    let OneBranch { branch: index, periods } = one_branch(&cycle, assembly, &inputs)?;
     let branch = &cycle.branches()[index];
-    let way = in_order(objective, branch, cycle.period(), &inputs, &places.turns)?;
-    if objective.travel == Travel::Turn && !branch.is_full_revolution() {
+    let way = in_order(objective, branch, cycle.period(), &inputs, &periods)?;
+    if objective.travel == Travel::Revolution && !branch.is_full_revolution() {
         return Err(Defect::Closure {
             input: branch.ends()[1].input,
         });
@@ -76,13 +75,13 @@ pub(super) fn check(objective: &Objective, design: &Design) -> Result<Figures, D
 }
 
 /// The first target at which a design does not close.
-pub(super) fn first_open(objective: &Objective, design: &Design) -> Defect {
+pub(super) fn first_unclosed(objective: &Objective, design: &Design) -> Defect {
     let inputs = objective.inputs_of(design);
     let posed = objective.posed(&design.values, &design.choice);
-    let is_open = |input: &&f64| posed.solve(objective.inputs(Change::constant(**input))).is_none();
-    let open = inputs.iter().find(is_open).or(inputs.first());
+    let is_unclosed = |input: &&f64| posed.solve(objective.inputs(Change::constant(**input))).is_none();
+    let unclosed = inputs.iter().find(is_unclosed).or(inputs.first());
     Defect::Closure {
-        input: open.copied().unwrap_or(f64::NAN),
+        input: unclosed.copied().unwrap_or(f64::NAN),
     }
 }
 
@@ -109,14 +108,14 @@ fn margins(objective: &Objective, design: &Design) -> Result<(), Defect> {
 }
 
 /// The branch that holds all targets, and how many periods each input lies beyond the range of the branch.
-struct Places {
+struct OneBranch {
     branch: usize,
-    turns: Vec<f64>,
+    periods: Vec<f64>,
 }
 
-fn one_branch(cycle: &AnyCycle<'_>, assembly: usize, inputs: &[f64]) -> Result<Places, Defect> {
+fn one_branch(cycle: &AnyCycle<'_>, assembly: usize, inputs: &[f64]) -> Result<OneBranch, Defect> {
     let mut first: Option<(usize, usize)> = None;
-    let mut turns = Vec::with_capacity(inputs.len());
+    let mut periods = Vec::with_capacity(inputs.len());
     for (target, &input) in inputs.iter().enumerate() {
         let mut at = cycle
             .at(input)
@@ -140,33 +139,37 @@ fn one_branch(cycle: &AnyCycle<'_>, assembly: usize, inputs: &[f64]) -> Result<P
             });
         }
         let period = cycle.period().unwrap_or(f64::INFINITY);
-        turns.push(if period.is_finite() {
+        periods.push(if period.is_finite() {
             ((input - branch.range().start()) / period).floor()
         } else {
             0.0
         });
     }
-    Ok(Places {
+    Ok(OneBranch {
         branch: first.map_or(0, |(index, _)| index),
-        turns,
+        periods,
     })
 }
 
-/// Whether the targets follow each other in one direction of the input, within one turn and without leaving the branch.
+/// Whether the targets follow each other in one direction of the input, within one revolution and on one branch.
 fn in_order(
     objective: &Objective,
     branch: &Branch,
     period: Option<f64>,
     inputs: &[f64],
-    turns: &[f64],
+    periods: &[f64],
 ) -> Result<Way, Defect> {
     let is_closed = branch.is_full_revolution();
     let period = period.unwrap_or(TAU);
-    if !is_closed && let Some(target) = (1..turns.len()).find(|target| turns[*target] != turns[target - 1]) {
+    if !is_closed && let Some(target) = (1..periods.len()).find(|target| periods[*target] != periods[target - 1]) {
         // The way between them leaves the branch.
         let [low, high] = branch.ends().map(|end| end.input);
         return Err(Defect::Closure {
-            input: if turns[target] > turns[target - 1] { high } else { low },
+            input: if periods[target] > periods[target - 1] {
+                high
+            } else {
+                low
+            },
         });
     }
     let way = |sense: f64| {

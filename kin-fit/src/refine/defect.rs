@@ -22,11 +22,11 @@ pub enum Defect {
         /// Their branches, as the cycle counts them.
         branches: [usize; 2],
     },
-    /// A target is not passed after the one before it.
+    /// A target is not passed after the target before it.
     Order {
         /// The target.
         target: usize,
-        /// The inputs of the target before and of this one.
+        /// The inputs of the target before and of this target.
         inputs: [f64; 2],
     },
     /// The mechanism does not close somewhere on its travel.
@@ -50,9 +50,9 @@ pub enum Defect {
         /// The floor, rad.
         floor: f64,
     },
-    /// The full cycle could not be found with certainty, or a figure of it could not be computed.
+    /// The full cycle could not be found with certainty, or a figure of the cycle could not be computed.
     Undecided {
-        /// What was not decided.
+        /// The question that was not decided.
         reason: String,
     },
 }
@@ -67,13 +67,13 @@ pub enum DefectKind {
     Branch,
     /// Targets that are not passed in order.
     Order,
-    /// A travel on which the mechanism opens.
+    /// A travel on which the mechanism does not close.
     Closure,
     /// A margin that is not positive.
     Margin,
     /// A transmission angle below its floor.
     Transmission,
-    /// A cycle that is not decided.
+    /// A cycle that could not be decided.
     Undecided,
 }
 

@@ -25,10 +25,10 @@ pub struct Least {
     pub input: f64,
 }
 
-/// How far a quantity goes, or the largest size of a rate.
+/// The range of a quantity, or the largest size of a rate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Range {
-    /// The name of the quantity, in the mechanism's own frame.
+    /// The name of the quantity, in the frame of the mechanism.
     pub name: String,
     /// The smallest value.
     pub low: Least,
@@ -44,19 +44,19 @@ pub struct Figures {
     pub circuit: usize,
     /// The index of its branch in the cycle.
     pub branch: usize,
-    /// Whether the input turns fully.
+    /// Whether the input makes full revolutions.
     pub is_full_revolution: bool,
     /// The smallest and the largest input of the branch.
     pub limits: [f64; 2],
-    /// Where its travel begins and ends, in the order in which it passes its targets.
+    /// The ends of its travel, in the order in which it passes its targets.
     pub travel: [f64; 2],
     /// The smallest transmission angle of all dyads over the travel, folded to at most a right angle (rad); `None`
     /// without dyads.
     pub transmission: Option<Least>,
-    /// How far each traced quantity goes over the travel.
+    /// The range of each traced quantity over the travel.
     pub strokes: Vec<Range>,
     /// The largest velocity, acceleration, jerk and snap over the travel, at the speed 1 of the input: of a point their
-    /// lengths. Empty if the travel is a single place.
+    /// lengths. Empty if the travel is a single position.
     pub peaks: Vec<(String, Least)>,
 }
 
@@ -70,7 +70,7 @@ pub(super) fn figures(
 ) -> Result<Figures, String> {
     let ends = branch.ends().map(|end| end.input);
     let travel = match objective.travel {
-        Travel::Turn => [way.from, way.from + (ends[1] - ends[0]).copysign(way.way)],
+        Travel::Revolution => [way.from, way.from + (ends[1] - ends[0]).copysign(way.way)],
         Travel::Targets => [way.from, way.from + way.way],
     };
     let mut figures = Figures {
@@ -129,7 +129,7 @@ pub(super) fn figures(
                 ends: [&from, &to],
                 rows: ROWS,
                 speed,
-                place: [x.place, y.place],
+                quantities: [x.index, y.index],
                 order,
             });
             let Some(peak) = found else { break };

@@ -2,11 +2,11 @@
 //!
 //! [`polish`] takes each candidate through a bounded evolution strategy (CMA-ES) and through bounded least squares
 //! (Levenberg-Marquardt, then a reflective trust region) with exact derivatives. Then the full cycle of the result
-//! decides: a result stays in one circuit and one branch, passes its targets in order, and closes between them. Results
-//! that fail are dropped, each with its [`Defect`].
+//! decides: a good result stays in one circuit and one branch, passes its targets in order, and closes between them.
+//! Other results are dropped, each with its [`Defect`].
 //!
-//! Candidates are refined on several threads. Each has random numbers of its own, from the seed and its place in the
-//! list, so the results are the same to the last bit whatever the number of threads.
+//! Candidates are refined on several threads. The random numbers of a candidate follow from the seed and from its index
+//! in the list, so the results are the same to the last bit for any number of threads.
 //!
 //! ```
 //! use kin_core::any::Of;
@@ -54,14 +54,14 @@ use crate::minimise::{self, Evolution, Squares as _, evolve};
 use crate::objective::{Goal, Objective};
 use crate::threads::each;
 
-/// How candidates are polished.
+/// The settings by which candidates are polished.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
     /// The seed of all random numbers.
     pub seed: u64,
     /// The evolution strategy; `None` leaves it out.
     pub evolution: Option<Evolution>,
-    /// The largest number of steps of each of the two methods of least squares; the second one takes 50 at most.
+    /// The largest number of steps of each of the two methods of least squares; the second method takes 50 at most.
     pub steps: u64,
     /// The number of threads; 0 stands for all that the machine has. It has no influence on the results.
     pub threads: usize,
@@ -123,7 +123,7 @@ pub fn check(objective: &Objective, design: &Design) -> Result<Figures, Defect> 
 }
 
 /// Random numbers of a candidate: the finaliser of `SplitMix64` (G. L. Steele, D. Lea and C. H. Flood, *Fast splittable
-/// pseudorandom number generators*, OOPSLA 2014), so that neighbouring places have unrelated seeds.
+/// pseudorandom number generators*, OOPSLA 2014), so that neighbouring indices have unrelated seeds.
 fn seed_of(seed: u64, index: usize) -> u64 {
     let mut mixed = seed.wrapping_add((index as u64).wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15));
     mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -177,7 +177,7 @@ fn one(
     if let Some(evolution) = settings.evolution {
         best = evolved(objective, &best, evolution, seed_of(settings.seed, index));
     }
-    // The better one of the start, with its own inputs, and of the result.
+    // The better of the start, with its own inputs, and of the result.
     if cost(objective, &begun) < cost(objective, &best) {
         best = begun.clone();
     }
@@ -192,7 +192,7 @@ fn one(
     let [at_start, at_evolved, Some(at_polished)] = misfits else {
         return Err(Box::new(Dropped {
             id,
-            defect: check::first_open(objective, &polished),
+            defect: check::first_unclosed(objective, &polished),
             design: polished,
             misfit: None,
         }));

@@ -42,7 +42,7 @@ pub struct Dropped {
     pub misfit: Option<Misfit>,
 }
 
-/// What has become of all candidates.
+/// The results of all candidates.
 #[derive(Clone, Debug)]
 pub struct Refinement {
     pub(crate) functions: &'static dyn FitFunctions,
@@ -69,7 +69,7 @@ impl Refinement {
         }
     }
 
-    /// How many results were dropped, by the reason.
+    /// The number of results that were dropped, by the reason.
     #[must_use]
     pub fn counts(&self) -> BTreeMap<DefectKind, usize> {
         let mut counts = BTreeMap::new();

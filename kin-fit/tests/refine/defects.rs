@@ -23,7 +23,7 @@ fn judged(objective: &Objective, candidates: &[Coupler]) -> Refinement {
 }
 
 /// The path of a linkage at given inputs.
-fn own_path(linkage: &Coupler, inputs: &[f64]) -> Objective {
+fn path_of(linkage: &Coupler, inputs: &[f64]) -> Objective {
     let targets = inputs
         .iter()
         .map(|input| placed(linkage, *input, [0.0; 3]))
@@ -46,10 +46,10 @@ fn in_two_circuits() {
         ..KNOWN
     };
     assert_eq!(swinging.cycle().expect("finite lengths").circuits().len(), 2);
-    let above = judged(&own_path(&swinging, &[0.7, 0.8, 0.9]), &[swinging]);
+    let above = judged(&path_of(&swinging, &[0.7, 0.8, 0.9]), &[swinging]);
     assert_eq!((above.results.len(), above.dropped.len()), (1, 0));
     assert!(!above.results[0].figures.is_full_revolution);
-    let both = judged(&own_path(&swinging, &[0.7, 0.8, -0.8]), &[swinging]);
+    let both = judged(&path_of(&swinging, &[0.7, 0.8, -0.8]), &[swinging]);
     assert!(both.results.is_empty());
     let Defect::Circuit {
         targets,
@@ -60,7 +60,7 @@ fn in_two_circuits() {
     };
     assert_eq!(targets, [0, 2]);
     assert_ne!(one, other);
-    // its error is zero all the same: only the cycle tells
+    // its error is zero all the same: only the cycle shows the defect
     assert!(both.dropped[0].misfit.expect("it closes").largest < 1e-14);
 }
 
@@ -113,14 +113,14 @@ fn in_two_branches() {
 
 #[test]
 fn out_of_order() {
-    let in_order = judged(&own_path(&KNOWN, &[0.5, 1.0, 1.5, 2.0]), &[KNOWN]);
+    let in_order = judged(&path_of(&KNOWN, &[0.5, 1.0, 1.5, 2.0]), &[KNOWN]);
     assert_eq!(in_order.results.len(), 1);
-    // the way back is an order too, and the turn has no beginning
+    // the way back is an order too, and the revolution has no beginning
     assert_eq!(
-        judged(&own_path(&KNOWN, &[1.0, 0.5, 6.0, 5.0]), &[KNOWN]).results.len(),
+        judged(&path_of(&KNOWN, &[1.0, 0.5, 6.0, 5.0]), &[KNOWN]).results.len(),
         1
     );
-    let out = judged(&own_path(&KNOWN, &[0.5, 1.5, 1.0, 2.0]), &[KNOWN]);
+    let out = judged(&path_of(&KNOWN, &[0.5, 1.5, 1.0, 2.0]), &[KNOWN]);
     assert_eq!(out.results.len(), 0);
     let Defect::Order { target, inputs } = out.dropped[0].defect else {
         panic!("{}", out.dropped[0].defect)
@@ -129,9 +129,9 @@ fn out_of_order() {
 }
 
 #[test]
-fn open_between_samples() {
-    // The links are too short by a little when the crank points away, between two places at which closure is looked at.
-    let open = Coupler {
+fn gap_between_samples() {
+    // The links are too short by a little when the crank points away, between two samples at which closure is tested.
+    let short = Coupler {
         r1: 2.0,
         r2: 0.6,
         r3: 1.5,
@@ -143,30 +143,34 @@ fn open_between_samples() {
         .map(|step| 15.0 * f64::from(step))
         .map(f64::to_radians)
         .collect();
-    assert!(inputs.iter().all(|input| open.position(*input, Assembly::Open).is_ok()));
-    let gap = std::f64::consts::PI - open.mark;
-    assert!(open.position(gap, Assembly::Open).is_err());
-    let objective = own_path(&open, &inputs[..8]).travel(Travel::Turn);
-    let found = judged(&objective, &[open, Coupler { r4: 1.2, ..open }]);
+    assert!(
+        inputs
+            .iter()
+            .all(|input| short.position(*input, Assembly::Open).is_ok())
+    );
+    let gap = std::f64::consts::PI - short.mark;
+    assert!(short.position(gap, Assembly::Open).is_err());
+    let objective = path_of(&short, &inputs[..8]).travel(Travel::Revolution);
+    let found = judged(&objective, &[short, Coupler { r4: 1.2, ..short }]);
     assert_eq!(found.results.iter().map(|result| result.id).collect::<Vec<_>>(), [1]);
     let Defect::Closure { input } = found.dropped[0].defect else {
         panic!("{}", found.dropped[0].defect)
     };
     // an end of the branch beside the gap, to rounding: by the law of cosines
     let width = ((2.0_f64.powi(2) + 0.6_f64.powi(2) - 2.5997_f64.powi(2)) / (2.0 * 2.0 * 0.6)).acos();
-    let limit = width - open.mark;
+    let limit = width - short.mark;
     assert!((input - limit).abs() < 1e-9, "{input} instead of {limit}");
     // between targets on both sides of the gap too
-    let across = judged(&own_path(&open, &[gap - 0.2, gap - 0.1, gap + 0.1]), &[open]);
+    let across = judged(&path_of(&short, &[gap - 0.2, gap - 0.1, gap + 0.1]), &[short]);
     assert_eq!(across.dropped[0].defect.kind(), DefectKind::Closure);
-    let before = judged(&own_path(&open, &[gap - 0.3, gap - 0.2, gap - 0.1]), &[open]);
+    let before = judged(&path_of(&short, &[gap - 0.3, gap - 0.2, gap - 0.1]), &[short]);
     assert_eq!(before.results.len(), 1);
 }
 
 #[test]
 fn below_its_margins() {
-    let objective = own_path(&KNOWN, &[0.5, 1.0, 1.5]);
-    // The smallest transmission angle over the turn, by the law of cosines at both ends of the diagonal.
+    let objective = path_of(&KNOWN, &[0.5, 1.0, 1.5]);
+    // The smallest transmission angle over the revolution, by the law of cosines at both ends of the diagonal.
     let angle = |diagonal: f64| ((1.8_f64.powi(2) + 1.5_f64.powi(2) - diagonal.powi(2)) / (2.0 * 1.8 * 1.5)).acos();
     let least = angle(1.4).min(std::f64::consts::PI - angle(2.6));
     let term = |floor: f64| Term::Transmission {
@@ -174,19 +178,19 @@ fn below_its_margins() {
         floor,
         weight: 1.0,
     };
-    let turn = objective.clone().travel(Travel::Turn);
+    let full = objective.clone().travel(Travel::Revolution);
     assert_eq!(
-        judged(&turn.clone().term(term(least - 1e-9)), &[KNOWN]).results.len(),
+        judged(&full.clone().term(term(least - 1e-9)), &[KNOWN]).results.len(),
         1
     );
-    let found = judged(&turn.term(term(least + 1e-9)), &[KNOWN]);
+    let found = judged(&full.term(term(least + 1e-9)), &[KNOWN]);
     let Defect::Transmission { angle, .. } = found.dropped[0].defect else {
         panic!("{}", found.dropped[0].defect)
     };
     assert!((angle - least).abs() < 1e-12, "{angle} instead of {least}");
     // a linkage without Grashof's margin closes at all targets
     let short = Coupler { r4: 0.7, ..KNOWN };
-    let objective = own_path(&short, &[0.5, 1.0, 1.5]);
+    let objective = path_of(&short, &[0.5, 1.0, 1.5]);
     assert_eq!(judged(&objective, &[short]).results.len(), 1);
     let found = judged(&objective.term(Term::Grashof { aim: 0.1, weight: 1.0 }), &[short]);
     let Defect::Margin { margin, .. } = found.dropped[0].defect else {
@@ -204,7 +208,7 @@ fn all_of_them_counted() {
         r4: 1.0,
         ..KNOWN
     };
-    let objective = own_path(&swinging, &[0.7, 0.8, -0.8]);
+    let objective = path_of(&swinging, &[0.7, 0.8, -0.8]);
     let closed_nowhere = Coupler { r1: 9.0, ..swinging };
     let found = judged(&objective, &[swinging, closed_nowhere, KNOWN, swinging]);
     let counts: Vec<_> = found.counts().into_iter().collect();
@@ -215,7 +219,7 @@ fn all_of_them_counted() {
 
 #[test]
 fn mistakes_are_named() {
-    let path = || own_path(&KNOWN, &[0.5, 1.0]);
+    let path = || path_of(&KNOWN, &[0.5, 1.0]);
     let error = path().bounds("r9", 0.0..=1.0).expect_err("no such parameter");
     assert_eq!(
         error.to_string(),

@@ -81,7 +81,7 @@ fn of_a_path_with_free_timing() {
         .placement(-1.0..=1.0, -1.0..=1.0, -1.0..=1.0)
         .and_then(|objective| objective.weights([1.0, 2.0, 0.5, 1.0, 1.0, 3.0, 1.0]))
         .expect("a path of seven points");
-    for travel in [Travel::Targets, Travel::Turn] {
+    for travel in [Travel::Targets, Travel::Revolution] {
         let objective = with_terms(objective.clone()).travel(travel);
         let candidate = Candidate {
             placement: Some([0.0, 0.1, 0.2]),

@@ -98,7 +98,7 @@ fn assemblies_by_their_words() {
 }
 
 #[test]
-fn mistakes_have_a_place() {
+fn mistakes_have_a_line() {
     let error = Job::read("{\n \"mechanism\": \"coupler\",\n \"gaol\": 3 }")
         .expect_err("no such field")
         .to_string();

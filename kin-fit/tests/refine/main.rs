@@ -40,15 +40,15 @@ pub(crate) const KNOWN: Coupler = Coupler {
 };
 
 /// The point of a linkage at an input, turned and moved.
-pub(crate) fn placed(linkage: &Coupler, input: f64, [x, y, turn]: [f64; 3]) -> [f64; 3] {
+pub(crate) fn placed(linkage: &Coupler, input: f64, [x, y, angle]: [f64; 3]) -> [f64; 3] {
     let pose = linkage.position(input, Assembly::Open).expect("it closes");
     let point = pose.point.value();
-    let (sine, cosine) = turn.sin_cos();
+    let (sine, cosine) = angle.sin_cos();
     let [along, across] = [cosine * point.x - sine * point.y, sine * point.x + cosine * point.y];
-    [x + along, y + across, turn + pose.theta3.position()]
+    [x + along, y + across, angle + pose.theta3.position()]
 }
 
-/// A candidate with all lengths off by a part, in turn more and less.
+/// A candidate with all lengths off by a part, alternately longer and shorter.
 pub(crate) fn off(part: f64) -> Candidate {
     let more = |length: f64| length * (1.0 + part);
     let less = |length: f64| length * (1.0 - part);

@@ -82,7 +82,7 @@ fn a_path_with_free_timing() {
     let targets = inputs(14)
         .map(|input| placed(&KNOWN, input, PLACED))
         .map(|[x, y, _]| [x, y]);
-    let objective = bounded(Objective::path(COUPLER, "point", targets).expect("a point")).travel(Travel::Turn);
+    let objective = bounded(Objective::path(COUPLER, "point", targets).expect("a point")).travel(Travel::Revolution);
     let found = polish(&objective, &[off(0.03)], &settings()).expect("a good objective");
     is_known(&found);
     // the inputs are those at which the points were taken
@@ -127,7 +127,7 @@ fn a_path_in_the_other_direction() {
     is_known(&found);
     let [from, to] = found.results[0].figures.travel;
     assert!(to < from);
-    // the known linkage cannot pass the points in this order with a growing input, and no other one passes them exactly
+    // the known linkage cannot pass the points in this order with a growing input, and no other linkage passes them
     let forward = polish(&objective.sense(Sense::Forward), &[off(0.03)], &settings()).expect("a good objective");
     for result in &forward.results {
         let [from, to] = result.figures.travel;

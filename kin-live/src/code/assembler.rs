@@ -22,7 +22,7 @@ pub(crate) struct Assembler {
     /// Registers whose values are not read any more.
     free: Vec<Register>,
     next: usize,
-    /// The number of statements so far, without those inside other ones.
+    /// The number of statements so far, without those inside other statements.
     statement: usize,
     /// The last statement in which each symbol occurs.
     last: BTreeMap<Symbol, usize>,
@@ -60,14 +60,14 @@ impl Assembler {
         for result in results.into_iter().chain([NOBODY]) {
             draft.last.remove(&result);
         }
-        let mut own = Self::default();
+        let mut assembler = Self::default();
         for (symbol, statement) in draft.last {
-            own.ended.entry(statement).or_default().push(symbol);
+            assembler.ended.entry(statement).or_default().push(symbol);
         }
         for statements in routines {
-            own.routine(statements, labels);
+            assembler.routine(statements, labels);
         }
-        own
+        assembler
     }
 
     /// The register of a symbol.
@@ -77,7 +77,7 @@ impl Assembler {
             return register;
         }
         let register = match symbol {
-            // they are written before the run
+            // parameters and inputs are written before the run
             Symbol::Parameter(_) | Symbol::Input(_) | Symbol::InputRate(..) | Symbol::Unknown(_) => self.new_register(),
             _ => self.temporary(),
         };
@@ -166,7 +166,7 @@ impl Assembler {
         to
     }
 
-    /// Writes a value to a register of its own choice.
+    /// Writes a value, and returns the register that it chose.
     fn value(&mut self, value: &Value, operations: &mut Vec<Operation>) -> Held {
         if let Value::Symbol(symbol) = value {
             return Held {
@@ -269,7 +269,7 @@ impl Assembler {
         (held.iter().map(|held| held.register).collect(), held)
     }
 
-    /// A number that decides. With terms it is a copy, so that the number itself stays as it is.
+    /// The register of a decisive number. A number with terms is copied, so that its own register stays as it is.
     fn decisive(&mut self, decisive: &lowered::Decisive, operations: &mut Vec<Operation>) -> Held {
         let held = self.value(&decisive.value, operations);
         if decisive.terms.is_empty() {
@@ -295,16 +295,16 @@ impl Assembler {
 
     /// Writes terms, and the call that takes them. Numbers that always decide skip both.
     fn doubt(&mut self, terms: &[Value], operations: &mut Vec<Operation>, call: impl FnOnce(Box<[Register]>) -> Call) {
-        let place = operations.len();
+        let index = operations.len();
         operations.push(Operation::Doubt { skip: 0 });
         let (registers, held) = self.values(terms, operations);
         self.release(&held);
         self.call(call(registers), operations);
-        let skip = u16::try_from(operations.len() - place - 1).unwrap_or_else(|_| {
+        let skip = u16::try_from(operations.len() - index - 1).unwrap_or_else(|_| {
             self.is_too_large = true;
             0
         });
-        operations[place] = Operation::Doubt { skip };
+        operations[index] = Operation::Doubt { skip };
     }
 
     fn argument(&mut self, argument: &lowered::Argument, operations: &mut Vec<Operation>) -> (Argument, Vec<Held>) {
@@ -431,9 +431,9 @@ impl Assembler {
                 label,
             } => {
                 let ranges = ranges.iter().filter_map(|range| {
-                    let own = Symbol::Unknown(range.unknown);
+                    let unknown = Symbol::Unknown(range.unknown);
                     Some(call::Range {
-                        kept: kept.iter().position(|&symbol| symbol == own)?,
+                        kept: kept.iter().position(|&symbol| symbol == unknown)?,
                         name: Name::by_index(NameKind::Unknown, range.unknown),
                         is_periodic: range.is_periodic,
                         bounds: [range.low, range.high],
@@ -443,7 +443,7 @@ impl Assembler {
                 // a closed form has one unknown, or two
                 self.is_too_large |= ranges.len() > 2;
                 self.call(Call::Candidate, operations);
-                let place = operations.len();
+                let start = operations.len();
                 for statement in body {
                     self.statement(statement, labels, operations);
                 }
@@ -453,7 +453,7 @@ impl Assembler {
                 };
                 let candidates = [row(), row()];
                 let call = Call::Choose {
-                    back: operations.len() - place,
+                    back: operations.len() - start,
                     kept: kept.iter().map(|&symbol| self.register(symbol)).collect(),
                     candidates,
                     ranges,
@@ -586,8 +586,8 @@ impl Assembler {
     }
 }
 
-/// The operation that adds two products, if the last one has found the first of them, or the rest with it, for this
-/// value alone.
+/// The operation that adds two products, if the last operation has calculated the first product, or the first two terms
+/// of the sum, for this value alone.
 fn products(value: &Value, parts: &[Held], to: Register, last: Option<&Operation>) -> Option<Operation> {
     use Operation::{
         DifferenceOfProducts, MinusProduct, MinusProducts, Multiply, PlusMinusProducts, PlusProduct, PlusProducts,

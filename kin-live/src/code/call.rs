@@ -65,9 +65,9 @@ pub(crate) enum Call {
         unknown: Register,
         index: usize,
     },
-    /// The beginning of a part of which both solutions are found.
+    /// The beginning of a part of the code that is run for both solutions.
     Candidate,
-    /// The end of such a part. For the second solution it goes back.
+    /// The end of such a part, from which the run goes back for the second solution.
     Choose {
         /// The number of operations from the beginning.
         back: usize,

@@ -1,10 +1,10 @@
-//! The names of the places of failures.
+//! The names that failures state.
 
 use kin_compiler::lowered::{Description, Label};
 use kin_core::any::{Name, NameKind};
 
-/// The names of the places of failures. Unknowns that are no block, and outputs of several numbers, are groups: their
-/// names are kept here, as the description of the mechanism needs them.
+/// The names that failures state. Unknowns that are no block, and outputs of several numbers, are groups: their names
+/// are kept here, as the description of the mechanism needs them.
 pub(crate) struct Labels<'d> {
     description: &'d Description,
     outputs: &'d [(String, usize)],
@@ -20,7 +20,7 @@ impl<'d> Labels<'d> {
         }
     }
 
-    /// The name of a place.
+    /// The name that a label stands for.
     pub(crate) fn name(&mut self, label: &Label) -> Name {
         match label {
             Label::Unknowns(unknowns) => self.unknowns(unknowns),

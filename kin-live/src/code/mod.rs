@@ -189,7 +189,7 @@ pub(crate) struct Code {
     pub(crate) lengths: Lengths,
 }
 
-/// Where the factors of a matrix are kept.
+/// The memory of the factors of a matrix.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct KeptFactors {
     /// The first entry.

@@ -9,21 +9,21 @@ use crate::routine::Inputs;
 use crate::run::{Choice, Fault, Run, SinglePosition};
 
 impl<T: Scalar, const C: usize> FoundMotion<'_, T, C> {
-    /// Writes the motions as columns: a direction has its cosine in the place of its angle, and a sine.
+    /// Writes the motions as columns: a direction has its cosine instead of its angle, and its sine.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn write_columns(&self, numbers: &mut Numbers<T>) {
         let orders = self.motion.order + 1;
         let of_each = numbers.unknowns.chunks_exact_mut(orders).zip(&mut numbers.sines);
-        for ((places, sine), unknown) in of_each.zip(&self.motion.unknowns) {
-            places[0] = match (unknown.value, unknown.vector) {
-                (_, Some([cosine, own])) => {
-                    *sine = Some(self.at(own));
+        for ((slots, sine), unknown) in of_each.zip(&self.motion.unknowns) {
+            slots[0] = match (unknown.value, unknown.vector) {
+                (_, Some([cosine, register])) => {
+                    *sine = Some(self.at(register));
                     self.at(cosine)
                 }
                 (Value::Number(register) | Value::Direction { cosine: register, .. }, None) => self.at(register),
             };
-            for (place, register) in places[1..].iter_mut().zip(&unknown.rates) {
-                *place = self.at(*register);
+            for (slot, register) in slots[1..].iter_mut().zip(&unknown.rates) {
+                *slot = self.at(*register);
             }
         }
         self.write_outputs(&mut numbers.outputs);

@@ -1,8 +1,8 @@
 //! The machine: it runs code over any number with which a mechanism is solved.
 //!
-//! It calls the functions of `kin_core::solve` that the generated code of a declared mechanism calls, in the same
-//! order, so its numbers are the same to the last bit. For several numbers at once all of it is inlined, because a
-//! batch compiles it for the vectors of each machine. For each other number it is compiled once.
+//! The machine calls the functions of `kin_core::solve` that the generated code of a declared mechanism calls, in the
+//! same order, so its numbers are the same to the last bit. For several numbers at once the machine is inlined, because
+//! a batch compiles it for the vectors of each processor. For every other type of number the machine is compiled once.
 
 mod closed_form;
 mod newton;
@@ -20,7 +20,7 @@ use kin_core::{Assembly, Failure, Plane, Scalar};
 use crate::code::{Call, Code, Operation, Range, Register};
 use crate::memory::Memory;
 
-/// A failure and its place.
+/// A failure, and the name of what has failed.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Fault {
     pub(crate) failure: Failure,
@@ -30,7 +30,7 @@ pub(crate) struct Fault {
 /// The choices of a run.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Choice<'n, T> {
-    /// The values of the unknowns to which angles are turned, and from which Newton's method starts, of all chunks.
+    /// The values of the unknowns of all chunks to which angles are unwrapped, and from which Newton's method starts.
     pub(crate) near: Option<&'n [T]>,
     /// The number of unknowns.
     pub(crate) unknowns: usize,
@@ -88,8 +88,8 @@ pub(crate) struct Run<'r, 'm, T, W, const C: usize> {
 impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
     /// Runs a routine.
     ///
-    /// Numbers of several poses have it inlined, so that it is compiled for the vectors of the machine. For numbers of
-    /// one pose it is compiled once.
+    /// For numbers of several poses it is inlined, so that it is compiled for the vectors of the processor. For numbers
+    /// of one pose it is compiled once.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn routine(&mut self, index: usize, chunks: usize) -> Result<(), Fault> {
         if const { T::DOUBT > 0.0 } {
@@ -146,8 +146,8 @@ impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
         let Memory {
             registers: values, row, ..
         } = &mut self.memory;
-        for (place, register) in row.iter_mut().zip(registers) {
-            *place = values[usize::from(*register)][self.chunk];
+        for (slot, register) in row.iter_mut().zip(registers) {
+            *slot = values[usize::from(*register)][self.chunk];
         }
         &row[..registers.len()]
     }
@@ -231,8 +231,8 @@ impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
                 self.set(*unknown, value.map_err(at(label))?);
             }
             Call::Unwrap { unknown, index } => {
-                let place = self.chunk * self.choice.unknowns + index;
-                if let Some(guess) = self.choice.near.and_then(|near| near.get(place)) {
+                let index = self.chunk * self.choice.unknowns + index;
+                if let Some(guess) = self.choice.near.and_then(|near| near.get(index)) {
                     let angle = unwrap_near(self.get(*unknown), *guess);
                     self.set(*unknown, angle);
                 }
@@ -257,8 +257,8 @@ impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
                 label,
             } => {
                 let row = usize::from(candidates[usize::from(*candidate == Assembly::Crossed)]);
-                for (place, register) in kept.iter().enumerate() {
-                    self.memory.registers[row + place][self.chunk] = self.get(*register);
+                for (position, register) in kept.iter().enumerate() {
+                    self.memory.registers[row + position][self.chunk] = self.get(*register);
                 }
                 if *candidate == Assembly::Open {
                     *candidate = Assembly::Crossed;
@@ -267,8 +267,8 @@ impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
                     return Ok(());
                 }
                 let chosen = self.chosen(ranges, *candidates).map_err(at(label))?;
-                for (place, register) in kept.iter().enumerate() {
-                    let [open, crossed] = self.candidates(*candidates, place);
+                for (position, register) in kept.iter().enumerate() {
+                    let [open, crossed] = self.candidates(*candidates, position);
                     self.set(*register, T::assembled(chosen, || open, || crossed));
                 }
             }
@@ -349,8 +349,8 @@ impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
 
     /// A kept value of both candidates.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn candidates(&self, candidates: [Register; 2], place: usize) -> [T; 2] {
-        candidates.map(|first| self.memory.registers[usize::from(first) + place][self.chunk])
+    fn candidates(&self, candidates: [Register; 2], position: usize) -> [T; 2] {
+        candidates.map(|first| self.memory.registers[usize::from(first) + position][self.chunk])
     }
 
     /// The choice between the candidates by ranges.

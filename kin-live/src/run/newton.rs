@@ -49,7 +49,7 @@ impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
         }
         let first_row = rows.len() - NewtonMemory::<T>::lengths(count)[2];
         let Some(memory) = NewtonMemory::new(count, numbers, reals, &mut rows[first_row..]) else {
-            unreachable!("the code tells how much memory it needs");
+            unreachable!("the code states how much memory it needs");
         };
         newton_in(solution, sizes, memory, |unknowns, found, partials| {
             for (register, unknown) in registers.iter().zip(unknowns) {
@@ -58,11 +58,11 @@ impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
             for operation in &**body {
                 arithmetic(values, chunk..chunk + 1, constants, *operation);
             }
-            for (place, register) in found.iter_mut().zip(residuals) {
-                *place = values[usize::from(*register)][chunk];
+            for (slot, register) in found.iter_mut().zip(residuals) {
+                *slot = values[usize::from(*register)][chunk];
             }
-            for (place, register) in partials.iter_mut().zip(jacobian) {
-                *place = values[usize::from(*register)][chunk];
+            for (slot, register) in partials.iter_mut().zip(jacobian) {
+                *slot = values[usize::from(*register)][chunk];
             }
         })?;
         for (register, unknown) in registers.iter().zip(&*solution) {

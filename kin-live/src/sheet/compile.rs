@@ -22,13 +22,13 @@ pub(super) fn compiled(sheet: &Sheet, given: [usize; 3]) -> Option<SheetCode> {
         registers: top,
     };
     for binding in &sheet.bindings {
-        let place = compiler.value(&binding.value)?;
-        compiler.locals.insert(binding.local, place);
+        let register = compiler.value(&binding.value)?;
+        compiler.locals.insert(binding.local, register);
     }
     let mut results = Vec::new();
     for result in &sheet.results {
-        let place = compiler.value(result)?;
-        results.extend(place..place + length(result.shape));
+        let first = compiler.value(result)?;
+        results.extend(first..first + length(result.shape));
     }
     Some(SheetCode {
         given,
@@ -45,7 +45,7 @@ struct Compiler {
     instructions: Vec<Instruction>,
     /// The first register that is free.
     top: usize,
-    /// The registers that have been in use.
+    /// The number of registers that have been in use.
     registers: usize,
 }
 
@@ -71,7 +71,7 @@ impl Compiler {
             }
             TreeKind::Chain { first, steps } => self.chain(first, steps)?,
             TreeKind::Call(operation, arguments) => {
-                let places: Vec<usize> = arguments
+                let operands: Vec<usize> = arguments
                     .iter()
                     .map(|argument| self.value(argument))
                     .collect::<Option<_>>()?;
@@ -80,7 +80,7 @@ impl Compiler {
                     .first()
                     .filter(|_| !made)
                     .map_or(tree.shape, |first| first.shape);
-                self.add(begin, Code::Call(*operation, shape), &places, tree.shape)
+                self.add(begin, Code::Call(*operation, shape), &operands, tree.shape)
             }
             TreeKind::Power(base, exponent) => {
                 let base = self.value(base)?;
@@ -120,7 +120,7 @@ impl Compiler {
         Some(value)
     }
 
-    /// Adds an instruction whose value stands at a place, in front of all free registers.
+    /// Adds an instruction that writes its value from the register `to` on, and frees all registers behind the value.
     fn add(&mut self, to: usize, code: Code, operands: &[usize], shape: ValueShape) -> usize {
         let mut from = [0; 3];
         for (from, operand) in from.iter_mut().zip(operands) {

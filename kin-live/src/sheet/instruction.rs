@@ -16,7 +16,7 @@ pub(super) struct Instruction {
     pub(super) from: [usize; 3],
 }
 
-/// What an instruction calculates. A shape is that of the first operand.
+/// The calculation of an instruction. A shape is that of the first operand.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Code {
     Number(f64),
@@ -31,7 +31,7 @@ pub(super) enum Code {
     ComplexTimes,
     RotationTimes,
     Rotate,
-    /// Of a vector that is made of scalars, the shape is its own.
+    /// The shape of a vector that is made of scalars is that of the vector.
     Call(Operation, ValueShape),
 }
 
@@ -39,10 +39,10 @@ impl Instruction {
     pub(super) fn run<T: Number>(&self, registers: &mut [T]) {
         let [a, b, c] = self.from;
         let to = self.to;
-        let scalar = |place: usize| T::at(registers, place);
-        let plane = |place: usize| Plane::at(registers, place);
-        let space = |place: usize| Space::at(registers, place);
-        let rotation = |place: usize| Rotation::at(registers, place);
+        let scalar = |register: usize| T::at(registers, register);
+        let plane = |register: usize| Plane::at(registers, register);
+        let space = |register: usize| Space::at(registers, register);
+        let rotation = |register: usize| Rotation::at(registers, register);
         let one = || T::constant(1.0);
         match self.code {
             Code::Number(value) => T::constant(value).put(registers, to),

@@ -1,6 +1,6 @@
 //! Declarations as texts, compared with the mechanisms that rustc compiled, to the last bit.
 
+mod constructs;
 mod library;
-mod own;
 mod proofs;
 mod tapes;

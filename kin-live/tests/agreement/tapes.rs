@@ -9,7 +9,7 @@ use kin_core::tape::{Options, RecordedFunctions, record_any};
 
 use kin_agreement::declaration;
 
-/// All that is printed of the solver of a mechanism.
+/// All files that are printed of the solver of a mechanism.
 fn printed(mechanism: &dyn RecordedFunctions<f64>, options: &Options) -> [String; 6] {
     let tape = record_any(mechanism, options).unwrap_or_else(|error| panic!("{error}"));
     let c = tape.c();
@@ -26,11 +26,11 @@ fn printed(mechanism: &dyn RecordedFunctions<f64>, options: &Options) -> [String
 fn assert_same_tapes<M: Mechanism<Scalar = f64>>(file: &str) {
     let live = kin_live::Mechanism::declare(declaration(file, M::DESCRIPTION.name)).expect("there is no mistake");
     for options in [Options::new().with_skeleton(), Options::new().up_to(1)] {
-        let (own, expected) = (printed(&live, &options), printed(Of::<M>::FUNCTIONS, &options));
-        for (own, expected) in own.iter().zip(&expected) {
-            let mut lines = own.lines().zip(expected.lines());
-            let other = lines.find(|(own, expected)| own != expected);
-            assert_eq!((other, own.len()), (None, expected.len()), "{}", M::DESCRIPTION.name);
+        let (found, expected) = (printed(&live, &options), printed(Of::<M>::FUNCTIONS, &options));
+        for (found, expected) in found.iter().zip(&expected) {
+            let mut lines = found.lines().zip(expected.lines());
+            let other = lines.find(|(found, expected)| found != expected);
+            assert_eq!((other, found.len()), (None, expected.len()), "{}", M::DESCRIPTION.name);
         }
     }
 }

@@ -20,7 +20,7 @@ pub(crate) fn functions() -> [ScalarUDF; 2] {
     [Scale::Linear, Scale::Logarithmic].map(|scale| ScalarUDF::from(CandidateFunction::new(scale)))
 }
 
-/// How a range is filled.
+/// The distribution over a range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Scale {
     /// Evenly.

@@ -1,7 +1,7 @@
 //! Dimensions from an id, by a low-discrepancy sequence.
 //!
-//! A candidate of a search is no row of a table but a number, its id: the dimensions follow from it. So nothing is
-//! stored or sent but ids, every process finds the same candidates, and a search is continued by the ids that follow.
+//! A candidate of a search is no row of a table but a number, its id, from which the dimensions follow. So only ids are
+//! stored and sent, every process finds the same candidates, and a search is continued by the ids that follow.
 //!
 //! The sequence is `R_d` of M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences" (2018): coordinate j
 //! of the point n in d dimensions is the fractional part of 1/2 + n α^j, where α is the inverse of the root of x^(d+1)

@@ -81,7 +81,7 @@ pub(crate) const fn at(id: u64, step: u64) -> f64 {
     let bits = (id.wrapping_mul(step)).wrapping_add(1 << 63) >> 11;
     #[expect(clippy::cast_precision_loss, reason = "53 bits are exact")]
     let whole = bits as f64;
-    // Half a unit keeps it above 0. Of the largest of all it would make 1.
+    // Half a unit keeps the coordinate above 0, but would raise the largest number to 1.
     let value = (whole + 0.5) * (1.0 / 9_007_199_254_740_992.0);
     if value < 1.0 { value } else { 1.0 - f64::EPSILON / 2.0 }
 }
@@ -91,7 +91,7 @@ mod tests {
     use super::{MOST_DIMENSIONS, Sequence};
 
     #[test]
-    fn the_first_steps_are_powers_of_the_inverse_golden_ratio_and_of_its_relatives() {
+    fn first_steps_are_powers_of_golden_ratios() {
         // the golden ratio, the plastic number, and the root of x⁴ = x + 1
         for (dimensions, root) in [
             (1, 1.618_033_988_749_895_f64),
@@ -102,7 +102,7 @@ mod tests {
             for coordinate in 0..dimensions {
                 let step = root.powi(-i32::try_from(coordinate + 1).unwrap());
                 let found = sequence.coordinate(1, coordinate);
-                // one point is half a turn and one step from nothing
+                // the first point is one half and one step from zero
                 assert!(
                     (found - (0.5 + step).fract()).abs() < 4.0 * f64::EPSILON,
                     "{dimensions} {coordinate}"

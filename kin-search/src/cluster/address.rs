@@ -1,4 +1,4 @@
-//! Where a process listens.
+//! The addresses of processes.
 
 use std::fmt;
 use std::io::{self, Write};
@@ -9,7 +9,7 @@ use crate::say;
 use tokio::net::{TcpListener, TcpStream};
 use tokio::time::sleep;
 
-/// Where a process listens: on this machine alone, and on a free port, unless told otherwise.
+/// The address on which a process listens: by default a free port of this machine, which no other machine reaches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Listen(pub SocketAddr);
 
@@ -20,7 +20,7 @@ impl Default for Listen {
 }
 
 impl Listen {
-    /// What to warn of, if other machines can reach the address.
+    /// A warning, if other machines can reach the address.
     #[must_use]
     pub fn warning(self) -> Option<String> {
         (!self.0.ip().is_loopback()).then(|| {
@@ -61,17 +61,17 @@ impl Listen {
     }
 }
 
-/// Where a scheduler is: a host and a port.
+/// The address of a scheduler: a host and a port.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct Endpoint {
     /// The name or the address of the machine.
     pub host: String,
     /// The port.
     pub port: u16,
 }
 
-impl Place {
-    /// Waits until something listens there.
+impl Endpoint {
+    /// Waits until a process listens on the port.
     pub(super) async fn reach(&self) {
         let mut said = false;
         while let Err(error) = TcpStream::connect((self.host.as_str(), self.port)).await {
@@ -84,16 +84,16 @@ impl Place {
     }
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for Endpoint {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(formatter, "{}:{}", self.host, self.port)
     }
 }
 
-/// Between two attempts to reach a scheduler.
+/// The pause between two attempts to reach a scheduler.
 pub(super) const PAUSE: Duration = Duration::from_millis(300);
 
-/// Prints where a process listens, for people and for programs that started it.
+/// Prints the address on which a process listens, for people and for programs that started the process.
 pub(super) fn announce(address: SocketAddr) {
     // A reader that has gone away is no reason to end.
     let _ = writeln!(io::stdout(), "listening on {address}");

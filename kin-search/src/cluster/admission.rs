@@ -28,7 +28,7 @@ pub(super) struct Admission {
     identity: Identity,
     cores: Mutex<FreeCores>,
     assigned: Mutex<Assigned>,
-    /// Whom this state serves.
+    /// The scheduler that this state serves.
     scheduler: OnceLock<SchedulerServer<LogicalPlanNode, PhysicalPlanNode>>,
 }
 
@@ -43,7 +43,7 @@ impl Admission {
         }
     }
 
-    /// Tells whose jobs are called off when an executor is lost.
+    /// Sets the scheduler whose jobs are called off when an executor is lost.
     pub(super) fn serve(&self, scheduler: SchedulerServer<LogicalPlanNode, PhysicalPlanNode>) {
         let _ = self.scheduler.set(scheduler);
     }

@@ -1,8 +1,8 @@
 //! The jobs that executors work for, so that these are called off when an executor is lost.
 //!
-//! Ballista 55 gives the tasks of a lost executor to others, and makes the rows that it held again. Once in about a
-//! hundred times a query ended without its rows then, and without an error. A job that is called off and begins anew
-//! has no lost parts.
+//! Ballista 55 gives the tasks of a lost executor to other executors, and makes the rows that it held again. Once in
+//! about a hundred times a query then ended without its rows, and without an error. A job that is called off and begins
+//! anew has no lost parts.
 
 use std::collections::{HashMap, HashSet};
 

@@ -1,4 +1,4 @@
-//! The process that asks.
+//! The process that runs queries.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -22,7 +22,7 @@ use tokio::sync::watch;
 use crate::function::Settings;
 use crate::session::Signals;
 
-use super::address::Place;
+use super::address::Endpoint;
 use super::codec::Codec;
 use super::cut::{Cut, named, rows_as};
 use super::fault::Fault;
@@ -36,28 +36,29 @@ use super::stop::{Stop, reached};
 use super::tables;
 use crate::say;
 
-/// How often a query is tried whose rows were lost with an executor after it was finished.
+/// The number of attempts of a query whose rows were lost with an executor after the query was finished.
 const ATTEMPTS: usize = 5;
 
-/// How many executors a query may lose while it is worked on. One machine can fail. A query that loses a second one may
-/// be what ends them.
+/// The number of executors that a running query may lose. One machine can fail. A query that loses a second executor
+/// may itself be the cause.
 const MOST_LOST: usize = 1;
 
 /// The most ranges of a search. The scheduler keeps something of each.
 const MOST_RANGES: i64 = 1_000_000;
 
-/// How a client searches.
+/// The settings of a client.
 #[derive(Clone, Debug)]
 pub struct Client {
-    /// Where the scheduler is.
-    pub scheduler: Place,
-    /// Where finished ranges are kept, so that the same search goes on where it stopped.
+    /// The address of the scheduler.
+    pub scheduler: Endpoint,
+    /// The folder of finished ranges, by which the same search goes on where it stopped.
     pub parts: Option<PathBuf>,
-    /// How many ids a range has.
+    /// The number of ids of a range.
     pub range: u64,
-    /// How many ranges are searched at a time: while the last tasks of one are finished, executors begin the next.
+    /// The number of ranges that are searched at a time: executors begin the next range while the last tasks of the
+    /// range before are finished.
     pub at_once: usize,
-    /// Into how many tasks a range is divided.
+    /// The number of tasks of a range.
     pub tasks: usize,
 }
 
@@ -69,7 +70,7 @@ impl Client {
 
     /// A client of a scheduler: ranges of a million ids in 16 tasks, two at a time, and nothing kept.
     #[must_use]
-    pub fn new(scheduler: Place) -> Self {
+    pub fn new(scheduler: Endpoint) -> Self {
         Self {
             scheduler,
             parts: None,
@@ -114,10 +115,10 @@ pub struct Connection {
 }
 
 impl Connection {
-    /// Does on the cluster what a statement reads there, and gives what is left of it for this process.
+    /// Runs on the cluster the part of a statement that reads ids or files, and returns the rest for this process.
     ///
-    /// What reads ids or files is done on the cluster, and nothing else. `create table … as`, `insert into` and
-    /// `copy … to` fetch their rows from the cluster; the table or the file is in this process.
+    /// `create table … as`, `insert into` and `copy … to` fetch their rows from the cluster; the table or the file is
+    /// in this process.
     ///
     /// # Errors
     ///
@@ -238,7 +239,7 @@ impl Connection {
                     rows
                 }
             });
-        // Every range that has begun is waited for: it calls its own work off.
+        // Every range that has begun is waited for: it calls its work off.
         let ranges: Vec<Result<Vec<RecordBatch>, Fault>> = stream::iter(searches)
             .buffered(self.client.at_once.max(1))
             .collect()
@@ -350,14 +351,14 @@ impl Connection {
     }
 }
 
-/// The rows of all ranges, or the error for which the search ended. Ranges that were called off because of it do not
-/// tell the reason.
+/// The rows of all ranges, or the error for which the search ended. Ranges that were called off because of this error
+/// do not report it.
 fn all_rows(ranges: Vec<Result<Vec<RecordBatch>, Fault>>) -> Result<Vec<RecordBatch>, Fault> {
     let mut rows = Vec::new();
     let mut called_off = None;
     for range in ranges {
         match range {
-            Ok(own) => rows.extend(own),
+            Ok(found) => rows.extend(found),
             Err(fault @ Fault::Interrupted { .. }) => called_off = Some(fault),
             Err(fault) => return Err(fault),
         }
@@ -371,7 +372,7 @@ fn vectors(remote: &SessionState) -> &str {
     caller.map_or("", |caller| &caller.vectors)
 }
 
-/// How an unfinished search goes on.
+/// The advice on how an unfinished search goes on.
 fn advice(parts: Option<&Parts>) -> String {
     match parts {
         Some(parts) => format!(

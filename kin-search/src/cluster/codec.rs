@@ -1,5 +1,5 @@
-//! How plans with ranges of ids, with small tables of the client, and with functions of declarations are written for
-//! the scheduler and for executors.
+//! The encoding, for the scheduler and for executors, of plans with ranges of ids, with small tables of the client, and
+//! with functions of declarations.
 
 use std::sync::Arc;
 

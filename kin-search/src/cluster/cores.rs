@@ -1,7 +1,7 @@
 //! The cores of executors that are free, counted anew for each distribution of tasks.
 //!
-//! Ballista 55 gives back the cores of a task when the task reports its end, and looks the task up to see how many
-//! there were. It does not find tasks that it has taken back: those of a stage that reads rows of a lost executor, and
+//! Ballista 55 frees the cores of a task when the task reports its end, and looks the task up to see how many cores it
+//! had. Ballista does not find tasks that it has taken back: those of a stage that reads rows of a lost executor, and
 //! those of a job that has ended. Their cores would stay taken for ever, and an executor of one core would never work
 //! again.
 

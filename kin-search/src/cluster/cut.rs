@@ -1,8 +1,8 @@
 //! Searches cut into ranges of ids.
 //!
 //! A search whose rows depend on one id each can be done range by range: each finished range is kept, so a search that
-//! was interrupted goes on where it stopped. If the rows are sorted and only the first are asked for, each range yields
-//! its own first, and the first of all are among them.
+//! was interrupted goes on where it stopped. If a query sorts its rows and keeps the first, each range yields its first
+//! rows, and the first rows of the search are among them.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -15,14 +15,14 @@ use datafusion::datasource::{MemTable, provider_as_source};
 use datafusion::logical_expr::{Expr, LogicalPlan, LogicalPlanBuilder};
 
 use super::ids::{self, Ids};
-use crate::function::{declaration_of, is_own};
+use crate::function::{declaration_of, is_solver};
 
 /// A search that can be done range by range.
 #[derive(Clone, Debug)]
 pub(super) struct Cut {
-    /// What is done with each range.
+    /// The query of each range.
     part: LogicalPlan,
-    /// What is done with the rows of all ranges: the whole query.
+    /// The whole query, for the rows of all ranges.
     whole: LogicalPlan,
     /// The ids of the whole search.
     pub(super) ids: Ids,
@@ -59,7 +59,7 @@ impl Cut {
         ids::replace(&self.part, range)
     }
 
-    /// What the rows of a range depend on besides the ids, as text.
+    /// Everything but the ids on which the rows of a range depend, as text.
     pub(super) fn text(&self) -> Result<String> {
         let mut text = self.part.display_indent_schema().to_string();
         let mut declarations: BTreeSet<String> = BTreeSet::new();
@@ -108,7 +108,7 @@ pub(super) fn named(columns: &SchemaRef, rows: &RecordBatch) -> Result<RecordBat
     Ok(RecordBatch::try_new(Arc::clone(columns), rows.columns().to_vec())?)
 }
 
-/// The rows that a query has yielded, in place of the query.
+/// The rows that a query has yielded, as a replacement of the query.
 pub(super) fn rows_as(query: &LogicalPlan, rows: &[RecordBatch]) -> Result<LogicalPlan> {
     let columns = columns(query);
     let rows = rows
@@ -143,7 +143,7 @@ fn first_rows(query: &LogicalPlan, rows: &LogicalPlan) -> LogicalPlan {
     node.clone()
 }
 
-/// What stands above the rows in a query, above a scan instead.
+/// The part of a query above its rows, moved onto a scan.
 fn above(node: &LogicalPlan, scan: &LogicalPlan) -> Result<LogicalPlan> {
     if rows(node).is_some() {
         return Ok(scan.clone());
@@ -178,7 +178,7 @@ fn depends_on_more(expression: &Expr) -> bool {
             Ok(match part {
                 Expr::ScalarSubquery(_) | Expr::Exists(_) | Expr::InSubquery(_) | Expr::SetComparison(_) => true,
                 // Searches of a mechanism are marked as volatile, though they depend on their arguments alone.
-                Expr::ScalarFunction(call) => part.is_volatile_node() && !is_own(&call.func),
+                Expr::ScalarFunction(call) => part.is_volatile_node() && !is_solver(&call.func),
                 _ => part.is_volatile_node(),
             })
         })

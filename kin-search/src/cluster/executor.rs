@@ -1,4 +1,4 @@
-//! The process that works.
+//! The process that runs tasks.
 
 use std::path::PathBuf;
 use std::pin::pin;
@@ -17,30 +17,29 @@ use tokio::time::{sleep, timeout};
 use crate::function::Functions;
 use crate::session::Signals;
 
-use super::address::{Listen, PAUSE, Place, announce};
+use super::address::{Endpoint, Listen, PAUSE, announce};
 use super::codec::PhysicalCodec;
 use super::fault::Fault;
 use super::identity::{Identity, executor_name};
 use super::scheduler::settings;
 use crate::say;
 
-/// How long an executor that was told to end may work on.
+/// The longest time that an executor may work on after a signal to end.
 const GRACE: Duration = Duration::from_secs(5);
 
-/// How an executor runs.
+/// The settings of an executor.
 #[derive(Clone, Debug)]
 pub struct Executor {
-    /// Where the scheduler is.
-    pub scheduler: Place,
-    /// Where it listens. The port is that of the results; orders come to a free port beside it.
+    /// The address of the scheduler.
+    pub scheduler: Endpoint,
+    /// The address on which the executor listens. The port is that of the results; orders come to another free port.
     pub listen: Listen,
-    /// How many tasks it works on at a time.
+    /// The number of tasks that the executor works on at a time.
     pub cores: usize,
-    /// The memory that its tasks may take together, in bytes; [`SHARE`](Self::SHARE) of the machine's, or as much less
-    /// as it works on fewer tasks than the machine has cores, if not given.
+    /// The memory that all tasks may take together, in bytes. By default it is [`SHARE`](Self::SHARE) of the machine's
+    /// memory, reduced in proportion if the executor works on fewer tasks than the machine has cores.
     pub memory: Option<u64>,
-    /// Where it keeps results of stages until they are fetched; a folder of its own in that for temporary files if not
-    /// given.
+    /// The folder for results of stages until they are fetched; by default a new folder among the temporary files.
     pub folder: Option<PathBuf>,
 }
 
@@ -113,7 +112,7 @@ impl Executor {
             let worked = tokio::select! {
                 worked = &mut work => worked,
                 () = signals.come() => {
-                    // The executor has heard the same signal: it tells the scheduler, and finishes its tasks.
+                    // The executor has heard the same signal: it reports to the scheduler, and finishes its tasks.
                     let _ = timeout(GRACE, work).await;
                     return Ok(());
                 }
@@ -135,7 +134,7 @@ impl Executor {
     }
 }
 
-/// A folder of the executor's own, which ends with it.
+/// A folder of one executor, which ends with it.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -164,7 +163,7 @@ mod tests {
         let all = std::thread::available_parallelism().map_or(1, usize::from);
         let share = |cores| {
             let executor = Executor {
-                scheduler: Place {
+                scheduler: Endpoint {
                     host: "localhost".to_owned(),
                     port: 1,
                 },

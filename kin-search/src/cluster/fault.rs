@@ -1,4 +1,4 @@
-//! What can go wrong in a cluster.
+//! The errors of a cluster.
 
 use std::path::PathBuf;
 use std::{error, fmt, io};
@@ -6,7 +6,7 @@ use std::{error, fmt, io};
 use ballista_core::error::BallistaError;
 use datafusion::error::DataFusionError;
 
-use super::address::{Listen, Place};
+use super::address::{Endpoint, Listen};
 use super::identity::Identity;
 
 /// Why a process of a cluster ended, or a search did not finish.
@@ -21,46 +21,46 @@ pub enum Fault {
     Signals(io::Error),
     /// The scheduler refuses this process: it has another version, other functions or other vectors.
     Refused {
-        /// What this process is.
+        /// The identity of this process.
         here: String,
-        /// What the scheduler said.
+        /// The identity of the scheduler, as the scheduler reports it.
         there: String,
     },
     /// The scheduler cannot be reached, or was lost while it worked.
     Lost {
         /// Its address.
-        scheduler: Place,
-        /// What the connection reported.
+        scheduler: Endpoint,
+        /// The report of the connection.
         report: String,
-        /// What is left of the search, and how it goes on.
+        /// The rest of the search, and advice on how it goes on.
         advice: String,
     },
     /// The scheduler was started again while it worked, and does not know the query.
     Restarted {
         /// Its address.
-        scheduler: Place,
-        /// What is left of the search, and how it goes on.
+        scheduler: Endpoint,
+        /// The rest of the search, and advice on how it goes on.
         advice: String,
     },
-    /// What listens at the address of the scheduler is none: it may be an executor.
-    Another(Place),
+    /// The process at the address of the scheduler is no scheduler: it may be an executor.
+    Another(Endpoint),
     /// A query lost more executors than one machine that failed explains.
     Executors {
-        /// What of the search it is.
+        /// The part of the search that was queried.
         name: String,
-        /// How many executors were lost.
+        /// The number of executors that were lost.
         count: usize,
-        /// What is left of the search, and how it goes on.
+        /// The rest of the search, and advice on how it goes on.
         advice: String,
     },
     /// A query needs more memory than an executor has.
     Memory {
-        /// What was asked for, and what there was.
+        /// The memory that was asked for, and the memory that was free.
         report: String,
     },
     /// The search was interrupted, and its work on executors has been called off.
     Interrupted {
-        /// What is left of the search, and how it goes on.
+        /// The rest of the search, and advice on how it goes on.
         advice: String,
     },
     /// A folder or file cannot be read or written.
@@ -74,7 +74,7 @@ pub enum Fault {
 impl Fault {
     /// The refusal of a scheduler, if the text of an error holds one.
     pub(super) fn refusal(here: &Identity, text: &str) -> Option<Self> {
-        // The errors around it quote it.
+        // The errors around the refusal quote it.
         let there = text[text.find("refused: ")?..].split(['"', '\\', '\n']).next()?;
         Some(Self::Refused {
             here: here.to_string(),
@@ -118,9 +118,9 @@ impl fmt::Display for Fault {
                 f,
                 "the scheduler at {scheduler} was started again, and does not know the query. {advice}"
             ),
-            Self::Another(place) => write!(
+            Self::Another(endpoint) => write!(
                 f,
-                "what listens at {place} is no scheduler; give the address that `kin-search scheduler` has printed"
+                "what listens at {endpoint} is no scheduler; give the address that `kin-search scheduler` has printed"
             ),
             Self::Executors { name, count, advice } => write!(
                 f,

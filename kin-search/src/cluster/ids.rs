@@ -22,11 +22,11 @@ use datafusion::physical_plan::ExecutionPlan;
 use datafusion::physical_plan::projection::ProjectionExec;
 use datafusion::physical_plan::unnest::{ListUnnest, UnnestExec};
 
-/// How many ids are listed at a time: a batch of the engine, or 8 MB if there are very many. A query can be called off
-/// after every 128 lists, when the engine lets other work go on.
+/// The number of ids that are listed at a time: a batch of the engine, or 8 MB of a very large range. A query can be
+/// called off after every 128 lists, when the engine lets other work go on.
 const LIST: std::ops::RangeInclusive<i64> = 1 << 13..=1 << 20;
 
-/// The most lists, which all stand in the plan of a query, as long as they hold no more than they may.
+/// The largest number of lists, which all stand in the plan of a query.
 const LISTS: i64 = 1 << 16;
 
 /// The most ids of a range that executors list.
@@ -40,7 +40,7 @@ pub(super) struct Ids {
 }
 
 impl Ids {
-    /// How many ids there are.
+    /// The number of ids.
     pub(super) fn count(self) -> i64 {
         self.end - self.first
     }
@@ -56,7 +56,7 @@ impl Ids {
         )
     }
 
-    /// How many [`pieces`](Self::pieces) there are.
+    /// The number of [`pieces`](Self::pieces).
     pub(super) fn count_of_pieces(self, length: i64) -> i64 {
         quotient(self.count(), length.max(1))
     }

@@ -21,16 +21,16 @@ use tonic::Code;
 use super::progress::Progress;
 use super::stop::Stop;
 
-/// Between two questions for the stages of a job.
+/// The pause between two questions for the stages of a job.
 const GLANCE: Duration = Duration::from_millis(500);
 
-/// How long a scheduler may take to answer before it counts as lost.
+/// The time after which a scheduler that does not answer counts as lost.
 const ANSWER: Duration = Duration::from_secs(10);
 
 /// The error of a job that was called off.
 const CALLED_OFF: &str = "Cancelled";
 
-/// How a query on the cluster ended without rows.
+/// The reason why a query on the cluster ended without rows.
 #[derive(Debug)]
 pub(super) enum End {
     /// It was interrupted, and called off.
@@ -43,7 +43,7 @@ pub(super) enum End {
     CalledOff,
     /// The query is finished, and its rows are not there: the executor that has them was lost.
     Gone(DataFusionError),
-    /// What answers is no scheduler.
+    /// The process that answers is no scheduler.
     Another,
     /// The query failed.
     Failed(DataFusionError),
@@ -115,7 +115,7 @@ fn number(plan: &Arc<dyn ExecutionPlan>) -> Option<String> {
         .map(|job| job.to_string())
 }
 
-/// What an error of a query means.
+/// The meaning of an error of a query.
 async fn reason(scheduler: &str, job: Option<String>, error: DataFusionError) -> End {
     let asked = timeout(ANSWER, async {
         let mut client = SchedulerGrpcClient::connect(scheduler.to_owned()).await.ok()?;
@@ -177,7 +177,7 @@ async fn clean(scheduler: &str, job_id: String) {
     .await;
 }
 
-/// How many stages of a job are finished, and how many rows the last of them has written.
+/// The number of finished stages of a job, and the number of rows that the last finished stage has written.
 async fn finished_stages(scheduler: &str, job_id: String) -> Option<(usize, u64)> {
     timeout(GLANCE, async {
         let mut client = SchedulerGrpcClient::connect(scheduler.to_owned()).await.ok()?;

@@ -1,7 +1,7 @@
 //! The same queries on several machines.
 //!
-//! A [`Scheduler`] distributes, [`Executor`]s work, and a [`Client`] asks: three kinds of processes, which run the same
-//! program and hold the same functions.
+//! A [`Scheduler`] distributes tasks, [`Executor`]s run them, and a [`Client`] sends queries: three kinds of processes,
+//! which run the same program and hold the same functions.
 
 mod address;
 mod admission;
@@ -22,7 +22,7 @@ mod scheduler;
 mod stop;
 mod tables;
 
-pub use address::{Listen, Place};
+pub use address::{Endpoint, Listen};
 pub use client::{Client, Connection};
 pub use executor::Executor;
 pub use fault::Fault;

@@ -5,12 +5,12 @@ use std::any::Any;
 use datafusion::common::config::{ConfigEntry, ConfigExtension, ExtensionOptions};
 use datafusion::common::{Result, plan_err};
 
-/// What a client says of itself and of its query, in the settings that go with the query to all processes.
+/// The identity of a client and the settings of its query, which go with the query to all processes.
 ///
-/// It is written by hand, since settings that are made by the engine's macro go without their prefix, and are lost.
+/// The structure is written by hand: settings of the engine's macro are sent without their prefix, and are lost.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Caller {
-    /// The tag of the client's identity. The scheduler refuses another than its own.
+    /// The tag of the client's identity. The scheduler refuses every other tag than its own.
     pub(super) identity: String,
     /// The kind of vectors of kin's functions.
     pub(super) vectors: String,

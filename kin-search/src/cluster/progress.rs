@@ -1,4 +1,4 @@
-//! How far a search is, on the standard error stream.
+//! The progress of a search, on the standard error stream.
 
 use crate::say;
 use std::io::{IsTerminal, Write};
@@ -6,7 +6,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicI64, Ordering};
 use std::time::Instant;
 
-/// How far a search is. On a terminal one line changes; elsewhere each message is a line.
+/// The progress of a search. On a terminal one line changes; elsewhere each message is a line.
 #[derive(Debug)]
 pub(super) struct Progress {
     since: Instant,
@@ -14,7 +14,7 @@ pub(super) struct Progress {
     all: i64,
     done: AtomicI64,
     terminal: bool,
-    open: Mutex<bool>,
+    has_line: Mutex<bool>,
 }
 
 impl Progress {
@@ -24,7 +24,7 @@ impl Progress {
             all,
             done: AtomicI64::new(0),
             terminal: std::io::stderr().is_terminal(),
-            open: Mutex::new(false),
+            has_line: Mutex::new(false),
         }
     }
 
@@ -44,12 +44,12 @@ impl Progress {
     }
 
     fn say(&self, text: &str) {
-        let mut open = self.open.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        let mut has_line = self.has_line.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         if self.terminal {
             // The rest of a longer line is cleared.
             let mut stream = std::io::stderr();
             let _ = write!(stream, "\r\x1b[K{text}").and_then(|()| stream.flush());
-            *open = true;
+            *has_line = true;
         } else {
             say(format_args!("{text}"));
         }
@@ -58,7 +58,7 @@ impl Progress {
 
 impl Drop for Progress {
     fn drop(&mut self) {
-        if *self.open.lock().unwrap_or_else(std::sync::PoisonError::into_inner) {
+        if *self.has_line.lock().unwrap_or_else(std::sync::PoisonError::into_inner) {
             say(format_args!(""));
         }
     }

@@ -28,14 +28,14 @@ use super::identity::Identity;
 use super::options::Caller;
 use crate::say;
 
-/// How a scheduler runs.
+/// The settings of a scheduler.
 #[derive(Clone, Debug)]
 pub struct Scheduler {
-    /// Where it listens.
+    /// The address on which the scheduler listens.
     pub listen: Listen,
     /// The host name or address by which executors reach it, if it is not that on which it listens.
     pub host: Option<String>,
-    /// After how many seconds without a sign of life an executor is given up, and its work is done by others.
+    /// The number of seconds without a sign of life after which an executor is given up, and others do its work.
     pub patience: u64,
 }
 
@@ -106,13 +106,13 @@ impl Scheduler {
     }
 }
 
-/// Between two distributions of tasks.
+/// The pause between two distributions of tasks.
 const PAUSE: Duration = Duration::from_secs(1);
 
 /// Lets the scheduler distribute tasks from time to time, without an end.
 ///
-/// Ballista 55 distributes them when a task ends. If the last task of an executor was taken back, because the rows that
-/// it reads were lost with another executor, none ends. A report without tasks has the effect of one that ends.
+/// Ballista 55 distributes tasks when a task ends. If the last task of an executor was taken back, because the rows
+/// that the task reads were lost with another executor, no task ends. A report without tasks has the effect of an end.
 ///
 /// If all executors are lost, Ballista fails the jobs of that time after a minute, unless an executor comes. Jobs that
 /// come later would wait for ever. The loss of an executor that was never there begins another minute, in which

@@ -4,8 +4,8 @@ use std::future::pending;
 
 use tokio::sync::watch;
 
-/// Tells a query that it is called off: because the process is interrupted, or because another range of its search has
-/// failed.
+/// Reports to a query that it is called off: because the process is interrupted, or because another range of its search
+/// has failed.
 #[derive(Clone, Debug)]
 pub(super) struct Stop {
     pub(super) interrupted: watch::Receiver<bool>,

@@ -43,9 +43,9 @@ impl Argument {
 
 /// The signature of a function with these arguments, of which the last can be left out.
 ///
-/// All of them stand in the information schema, which is why they are listed. The types of a call are those of
-/// [`accepted`], which come first and always fit: a list that is tried as well would make texts of numbers. A call
-/// without arguments is let through as well.
+/// The arguments are listed because the information schema shows them. The types of a call are those of [`accepted`],
+/// which come first and always fit: the engine would convert numbers to texts if it tried another list. A call without
+/// arguments is accepted as well.
 pub(crate) fn signature(arguments: &[Argument], volatility: Volatility) -> Signature {
     let all = arguments.iter().map(|argument| data_type(argument.is_text)).collect();
     let types = TypeSignature::OneOf(vec![
@@ -80,9 +80,9 @@ pub(crate) fn coerced(
             names(arguments)
         );
     }
-    let one = |(place, given): (usize, &DataType)| {
+    let one = |(index, given): (usize, &DataType)| {
         let is_text = match given {
-            DataType::Null => arguments[place].is_text,
+            DataType::Null => arguments[index].is_text,
             DataType::Utf8 | DataType::LargeUtf8 | DataType::Utf8View => true,
             DataType::Dictionary(_, value) => {
                 matches!(**value, DataType::Utf8 | DataType::LargeUtf8 | DataType::Utf8View)
@@ -91,16 +91,16 @@ pub(crate) fn coerced(
             other => {
                 return plan_err!(
                     "argument {} of {function}, {}, is no number but {other}",
-                    place + 1,
-                    arguments[place].name
+                    index + 1,
+                    arguments[index].name
                 );
             }
         };
-        if is_text && place < required && !arguments[place].is_text {
+        if is_text && index < required && !arguments[index].is_text {
             return plan_err!(
                 "argument {} of {function}, {}, is a text instead of a number",
-                place + 1,
-                arguments[place].name
+                index + 1,
+                arguments[index].name
             );
         }
         Ok(data_type(is_text))
@@ -110,7 +110,7 @@ pub(crate) fn coerced(
 
 /// The types to which the arguments of a call are converted; those that are given, if the call is wrong.
 ///
-/// The engine replaces an error of a conversion by one of its own, which names types and no arguments. So the function
+/// The engine replaces an error of a conversion by another error, which names types and no arguments. So the function
 /// itself reports the mistake, when it is asked for the type of its result.
 pub(crate) fn accepted(coerced: Result<Vec<DataType>>, given: &[DataType]) -> Vec<DataType> {
     coerced.unwrap_or_else(|_| given.to_vec())

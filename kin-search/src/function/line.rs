@@ -1,4 +1,4 @@
-//! The function of a mechanism that tells for each row how straight a point moves.
+//! The function of a mechanism that measures for each row how straight a point moves.
 
 use datafusion::arrow::array::StructArray;
 use datafusion::arrow::datatypes::{DataType, Fields};
@@ -19,9 +19,9 @@ pub(crate) struct LineFunction {
 
 const FIELDS: [&str; 4] = ["closed", "length", "deviation", "unevenness"];
 
-const TEXT: &str = "How straight and how evenly a point moves over a part of a turn, measured along and across the \
-chord between its ends. closed is the share of the poses that close; length is the length of the chord; deviation is \
-the width of the path across the chord, as a share of the chord; unevenness is the largest less the smallest speed \
+const TEXT: &str = "How straight and how evenly a point moves over a part of a revolution, measured along and across \
+the chord between its ends. closed is the share of the poses that close; length is the length of the chord; deviation \
+is the width of the path across the chord, as a share of the chord; unevenness is the largest less the smallest speed \
 along the chord, as a share of the mean speed (R. L. Norton, Design of Machinery, table of Hoeken's linkages). The \
 point is the first output in the plane.";
 
@@ -44,12 +44,12 @@ impl LineFunction {
             };
             if candidate.is_whole {
                 return exec_err!(
-                    "{} measures a part of a turn: give `from` and `to`, in radians",
+                    "{} measures a part of a revolution: give `from` and `to`, in radians",
                     self.search.name
                 );
             }
-            let turn = candidate.turn;
-            let inputs = (0..turn.poses).map(|pose| turn.value(pose));
+            let grid = candidate.grid;
+            let inputs = (0..grid.poses).map(|pose| grid.value(pose));
             trace.solve(&*self.search.mechanism, &candidate, inputs, self.point, call.vectors)?;
             let closed = share(trace.closed(), trace.poses());
             let [length, deviation, unevenness] = stroke(&trace).map_or([None; 3], |stroke| stroke.map(Some));
@@ -66,7 +66,7 @@ fn stroke(trace: &Trace) -> Option<[f64; 3]> {
     if poses < 2 || trace.closed() < poses {
         return None;
     }
-    let ([x, y], [end_x, end_y]) = (trace.place(0), trace.place(poses - 1));
+    let ([x, y], [end_x, end_y]) = (trace.point(0), trace.point(poses - 1));
     let length = (end_x - x).hypot(end_y - y);
     if length == 0.0 {
         return None;
@@ -76,8 +76,8 @@ fn stroke(trace: &Trace) -> Option<[f64; 3]> {
     let (mut slowest, mut fastest) = (f64::INFINITY, f64::NEG_INFINITY);
     let mut sum = 0.0;
     for pose in 0..poses {
-        let ([own_x, own_y], [x_velocity, y_velocity]) = (trace.place(pose), trace.velocity(pose));
-        let across = (own_y - y) * along_x - (own_x - x) * along_y;
+        let ([point_x, point_y], [x_velocity, y_velocity]) = (trace.point(pose), trace.velocity(pose));
+        let across = (point_y - y) * along_x - (point_x - x) * along_y;
         (low, high) = (low.min(across), high.max(across));
         let speed = x_velocity * along_x + y_velocity * along_y;
         (slowest, fastest) = (slowest.min(speed), fastest.max(speed));

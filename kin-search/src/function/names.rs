@@ -18,14 +18,14 @@ pub(crate) fn of_order(name: &str, order: usize) -> String {
 
 /// The unit of a quantity's derivative of some order.
 pub(crate) fn unit(dimension: Dimension, order: usize) -> String {
-    let own = match dimension {
+    let base = match dimension {
         Dimension::Length => "length",
         Dimension::Angle => "rad",
         Dimension::Scalar => "1",
     };
     match order {
-        0 => own.to_owned(),
-        1 => format!("{own}/s"),
-        _ => format!("{own}/s^{order}"),
+        0 => base.to_owned(),
+        1 => format!("{base}/s"),
+        _ => format!("{base}/s^{order}"),
     }
 }

@@ -1,4 +1,4 @@
-//! The function of a mechanism that tells for each row how far the path of a point is from wanted points.
+//! The function of a mechanism that measures for each row how far the path of a point is from wanted points.
 
 use datafusion::arrow::array::StructArray;
 use datafusion::arrow::datatypes::{DataType, Fields};
@@ -50,16 +50,16 @@ impl PathFunction {
             let (Some(candidate), Some(text)) = (call.candidate(row)?, call.texts[0].at(row)) else {
                 return Ok([None; 3]);
             };
-            if known.as_ref().is_none_or(|(own, _)| own != text) {
+            if known.as_ref().is_none_or(|(known_text, _)| known_text != text) {
                 known = Some((text.to_owned(), Points::parse(text)?));
             }
             let Some((_, points)) = &known else {
                 return exec_err!("{} has no points", self.search.name);
             };
-            let (turn, solver) = (candidate.turn, &*self.search.mechanism);
+            let (grid, solver) = (candidate.grid, &*self.search.mechanism);
             let squares = match points {
                 Points::Free(free) => {
-                    let inputs = (0..turn.poses).map(|pose| turn.value(pose));
+                    let inputs = (0..grid.poses).map(|pose| grid.value(pose));
                     trace.solve(solver, &candidate, inputs, self.point, call.vectors)?;
                     distances(&trace, free, candidate.is_whole)
                 }
@@ -88,8 +88,8 @@ fn distances(trace: &Trace, points: &[[f64; 2]], is_round: bool) -> Option<(f64,
         for pose in (0..poses).filter(|pose| trace.is_closed(*pose)) {
             let next = if pose + 1 < poses { pose + 1 } else { 0 };
             let goes_on = (next > pose || is_round) && trace.is_closed(next);
-            let end = if goes_on { trace.place(next) } else { trace.place(pose) };
-            nearest = nearest.min(from_segment(*point, trace.place(pose), end));
+            let end = if goes_on { trace.point(next) } else { trace.point(pose) };
+            nearest = nearest.min(from_segment(*point, trace.point(pose), end));
         }
         if nearest == f64::INFINITY {
             return None;
@@ -108,8 +108,8 @@ fn timed_distances(trace: &Trace, points: &[[f64; 3]]) -> Option<(f64, f64)> {
         if !trace.is_closed(pose) {
             return None;
         }
-        let [own_x, own_y] = trace.place(pose);
-        let square = (own_x - x).powi(2) + (own_y - y).powi(2);
+        let [point_x, point_y] = trace.point(pose);
+        let square = (point_x - x).powi(2) + (point_y - y).powi(2);
         sum += square;
         largest = largest.max(square);
     }
@@ -119,14 +119,14 @@ fn timed_distances(trace: &Trace, points: &[[f64; 3]]) -> Option<(f64, f64)> {
 /// The squared distance of a point from a segment.
 fn from_segment([x, y]: [f64; 2], [from_x, from_y]: [f64; 2], [to_x, to_y]: [f64; 2]) -> f64 {
     let (way_x, way_y) = (to_x - from_x, to_y - from_y);
-    let (own_x, own_y) = (x - from_x, y - from_y);
+    let (offset_x, offset_y) = (x - from_x, y - from_y);
     let square = way_x * way_x + way_y * way_y;
     let part = if square > 0.0 {
-        ((own_x * way_x + own_y * way_y) / square).clamp(0.0, 1.0)
+        ((offset_x * way_x + offset_y * way_y) / square).clamp(0.0, 1.0)
     } else {
         0.0
     };
-    (own_x - part * way_x).powi(2) + (own_y - part * way_y).powi(2)
+    (offset_x - part * way_x).powi(2) + (offset_y - part * way_y).powi(2)
 }
 
 #[cfg(test)]

@@ -77,15 +77,15 @@ mod tests {
     }
 
     #[test]
-    fn mistakes_are_told() {
-        for (text, told) in [
+    fn mistakes_are_named() {
+        for (text, wanted) in [
             ("", "no wanted points"),
             ("1 2; 3", "two numbers each"),
             ("line", "no point"),
             ("1 nan", "no point"),
         ] {
             let message = Points::parse(text).unwrap_err().to_string();
-            assert!(message.contains(told), "{message}");
+            assert!(message.contains(wanted), "{message}");
         }
     }
 }

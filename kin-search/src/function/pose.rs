@@ -29,7 +29,7 @@ pub(crate) const SECTION: DocSection = DocSection {
 
 /// Whether a function is one of kin's solvers.
 #[cfg(feature = "cluster")]
-pub(crate) fn is_own(function: &datafusion::logical_expr::ScalarUDF) -> bool {
+pub(crate) fn is_solver(function: &datafusion::logical_expr::ScalarUDF) -> bool {
     function
         .documentation()
         .is_some_and(|documentation| documentation.doc_section.label == SECTION.label)
@@ -61,11 +61,11 @@ pub(crate) struct PoseFunction {
     documentation: Documentation,
 }
 
-/// The meaning of the arguments of a call, by their places.
+/// The meaning of the arguments of a call, by their indices.
 struct Layout {
-    /// The place of the assembly.
+    /// The index of the assembly.
     assembly: Option<usize>,
-    /// The places of the rates of the inputs: the velocities of all, then the accelerations, and so on.
+    /// The indices of the rates of the inputs: the velocities of all inputs, then the accelerations, and so on.
     rates: Vec<usize>,
     /// The highest order given.
     order: usize,
@@ -153,9 +153,9 @@ impl PoseFunction {
     }
 
     fn layout(&self, types: &[DataType]) -> Result<Layout> {
-        let is_text = |place: &usize| types[*place] != DataType::Float64;
+        let is_text = |index: &usize| types[*index] != DataType::Float64;
         let assembly = (self.required..types.len()).find(is_text);
-        let rates: Vec<usize> = (self.required..types.len()).filter(|place| !is_text(place)).collect();
+        let rates: Vec<usize> = (self.required..types.len()).filter(|index| !is_text(index)).collect();
         let inputs = self.mechanism.description().inputs.len();
         if rates.len() + usize::from(assembly.is_some()) + self.required != types.len() {
             return plan_err!("{} takes one text at most, the assembly", self.name);
@@ -184,8 +184,7 @@ impl PoseFunction {
                 fields.push(Field::new(of_order(&plain(quantity), order), DataType::Float64, true));
             }
         }
-        // A plain text: executors of a cluster send a dictionary as its texts, and the next stage would wait for a
-        // dictionary.
+        // Not a dictionary: executors of a cluster send its texts alone, while the next stage waits for a dictionary.
         fields.push(Field::new("outcome", DataType::Utf8, true));
         fields.push(Field::new("margin", DataType::Float64, true));
         fields.into()
@@ -198,8 +197,8 @@ impl PoseFunction {
         let description = self.mechanism.description();
         let vectors = settings::vectors(&args.config_options)?;
         let valid = valid_rows(&args.args, rows);
-        let numbers = |places: &mut dyn Iterator<Item = usize>| -> Result<Vec<Numbers>> {
-            places.map(|place| Numbers::new(&args.args[place])).collect()
+        let numbers = |indices: &mut dyn Iterator<Item = usize>| -> Result<Vec<Numbers>> {
+            indices.map(|index| Numbers::new(&args.args[index])).collect()
         };
         let (parameters, inputs) = (description.parameters.len(), description.inputs.len());
         let first_near = parameters + inputs;
@@ -208,24 +207,24 @@ impl PoseFunction {
         let near = numbers(&mut (first_near..self.required))?;
         let rates = numbers(&mut layout.rates.iter().copied())?;
         let assembly = match layout.assembly {
-            Some(place) => Texts::new(&args.args[place])?,
+            Some(index) => Texts::new(&args.args[index])?,
             None => Texts::Same(None),
         };
 
         let dimensions: Vec<Column<'_>> = dimensions.iter().map(Numbers::column).collect();
         let near: Vec<Column<'_>> = near.iter().map(Numbers::column).collect();
         let motion = |input: usize| -> Vec<Column<'_>> {
-            let own = rates.iter().skip(input).step_by(inputs);
+            let rates = rates.iter().skip(input).step_by(inputs);
             [&positions[input]]
                 .into_iter()
-                .chain(own)
+                .chain(rates)
                 .map(Numbers::column)
                 .collect()
         };
         let motions: Vec<Vec<Column<'_>>> = (0..inputs).map(motion).collect();
         let motions: Vec<&[Column<'_>]> = motions.iter().map(Vec::as_slice).collect();
         let mut poses: Option<Poses> = None;
-        for (text, own_rows) in assembly.groups(rows) {
+        for (text, text_rows) in assembly.groups(rows) {
             let choice = match text {
                 _ if self.assemblies.is_empty() => ColumnChoice::Near(&near),
                 None => ColumnChoice::Assembly(0),
@@ -237,8 +236,8 @@ impl PoseFunction {
                 choice,
             };
             let found = Poses::solve(&*self.mechanism, given, layout.order, rows, vectors)?;
-            match (&mut poses, own_rows) {
-                (Some(poses), Some(own_rows)) => poses.take(&found, &own_rows),
+            match (&mut poses, text_rows) {
+                (Some(poses), Some(text_rows)) => poses.take(&found, &text_rows),
                 (poses, _) => *poses = Some(found),
             }
         }
@@ -255,7 +254,7 @@ struct Poses {
     outcomes: Vec<Outcome>,
 }
 
-/// What no sine is. An entry stays as it is if its unknown is not a direction.
+/// A number that is no sine. An entry keeps it if its unknown is not a direction.
 const NO_SINE: f64 = 2.0;
 
 impl Poses {
@@ -276,20 +275,20 @@ impl Poses {
         let sine = |unknown| vec![NO_SINE; if is_angle(unknown) { padded } else { 0 }];
         let mut sines: Vec<Vec<f64>> = (0..unknowns).map(sine).collect();
 
-        let mut places = Vec::new();
+        let mut wanted = Vec::new();
         for (index, column) in columns.iter_mut().enumerate() {
             let (quantity, order) = (index / (order + 1), index % (order + 1));
-            let place = match quantity.checked_sub(unknowns) {
+            let slot = match quantity.checked_sub(unknowns) {
                 None => Slot::Unknown(quantity, order),
                 Some(output) => Slot::Output(output, order),
             };
-            places.push((place, column.as_mut_slice()));
+            wanted.push((slot, column.as_mut_slice()));
         }
         for (unknown, sine) in sines.iter_mut().enumerate().filter(|(unknown, _)| is_angle(*unknown)) {
-            places.push((Slot::Sine(unknown), sine.as_mut_slice()));
+            wanted.push((Slot::Sine(unknown), sine.as_mut_slice()));
         }
         solver
-            .solve_batch(given, &mut WantedColumns::new(places), &mut outcomes, vectors)
+            .solve_batch(given, &mut WantedColumns::new(wanted), &mut outcomes, vectors)
             .map_err(|mismatch| exec_datafusion_err!("{mismatch}"))?;
         for (unknown, sines) in sines.iter().enumerate() {
             if sines.first().is_some_and(|sine| *sine != NO_SINE) {
@@ -304,8 +303,8 @@ impl Poses {
     /// Takes over some rows.
     fn take(&mut self, other: &Self, rows: &[usize]) {
         for row in rows.iter().copied() {
-            for (own, other) in self.columns.iter_mut().zip(&other.columns) {
-                own[row] = other[row];
+            for (column, other) in self.columns.iter_mut().zip(&other.columns) {
+                column[row] = other[row];
             }
             self.outcomes[row] = other.outcomes[row];
         }
@@ -376,7 +375,7 @@ fn documentation(name: &str, solver: &dyn Solver, arguments: &[Argument]) -> Doc
          the links do not reach. Numbers are null without a pose.",
         description.name,
         description.equations.join("; "),
-        told(arguments),
+        meanings(arguments),
         listed(description.unknowns),
         OUTCOMES.join("', '"),
     );
@@ -384,7 +383,7 @@ fn documentation(name: &str, solver: &dyn Solver, arguments: &[Argument]) -> Doc
 }
 
 /// Arguments with their meanings.
-pub(crate) fn told(arguments: &[Argument]) -> String {
+pub(crate) fn meanings(arguments: &[Argument]) -> String {
     let one = |argument: &Argument| format!("{}: {}", argument.name, argument.meaning);
     arguments.iter().map(one).collect::<Vec<_>>().join("; ")
 }

@@ -1,4 +1,4 @@
-//! The part that the functions of whole turns have in common: their arguments, and the rows of a call.
+//! The common part of the functions of revolutions: their arguments, and the rows of a call.
 
 use datafusion::arrow::buffer::NullBuffer;
 use datafusion::arrow::datatypes::DataType;
@@ -15,12 +15,12 @@ use super::settings;
 use super::solver::{SearchedMechanism, Solver};
 use super::used;
 
-/// The number of poses of a turn, unless it is given.
+/// The number of poses of a revolution, unless it is given.
 const POSES: f64 = 360.0;
-/// The largest number of poses of a turn.
+/// The largest number of poses of a revolution.
 const MOST_POSES: f64 = 1e6;
 
-/// A function of the poses of a turn, or of a part of it: its name and its arguments.
+/// A function of the poses of a revolution, or of a part of it: its name and its arguments.
 #[derive(Debug)]
 pub(crate) struct Search {
     pub(crate) name: String,
@@ -58,16 +58,16 @@ pub(crate) struct Candidate<'s> {
     assembly: usize,
     /// The positions of the inputs that stand.
     standing: Vec<f64>,
-    /// The speed of the input that turns.
+    /// The speed of the input that moves.
     speed: f64,
     /// The poses.
-    pub(crate) turn: InputGrid,
-    /// Whether the poses are a whole turn, so that the first follows the last.
+    pub(crate) grid: InputGrid,
+    /// Whether the poses are a full revolution, so that the first follows the last.
     pub(crate) is_whole: bool,
 }
 
 impl Search {
-    /// Whether a mechanism has a turn: its first input is an angle, and every block has a closed form.
+    /// Whether a mechanism has a revolution: its first input is an angle, and every block has a closed form.
     pub(crate) fn is_possible(solver: &dyn Solver) -> bool {
         let first = solver.description().inputs.first();
         first.is_some_and(|input| input.dimension == Dimension::Angle) && !solver.assembly_names().is_empty()
@@ -93,19 +93,22 @@ impl Search {
             Argument::number("speed", format!("The speed of {turning}; 1 if it is left out (rad/s)")),
             Argument::number(
                 "from",
-                format!("The first value of {turning}, for a part of a turn (rad)"),
+                format!("The first value of {turning}, for a part of a revolution (rad)"),
             ),
-            Argument::number("to", format!("The last value of {turning}, for a part of a turn (rad)")),
+            Argument::number(
+                "to",
+                format!("The last value of {turning}, for a part of a revolution (rad)"),
+            ),
         ]);
         // A condition on a result would be moved below the call, and the call made twice, once for the condition. The
         // engine leaves it where it is if the function is volatile.
         let signature = signature(&arguments, Volatility::Volatile);
         let text = format!(
-            "{result} The mechanism is {}: {}. Its input {turning} turns, by default once round. Arguments: {}. \
+            "{result} The mechanism is {}: {}. Its input {turning} moves, by default by one revolution. Arguments: {}. \
              Numbers are null where they do not exist.",
             description.name,
             description.equations.join("; "),
-            super::pose::told(&arguments),
+            super::pose::meanings(&arguments),
         );
         let documentation = documented(&name, text, &arguments);
         Self {
@@ -133,14 +136,14 @@ impl Search {
     fn coerced(&self, types: &[DataType]) -> Result<Vec<DataType>> {
         let (types, used) = used::split_types(types);
         let mut types = coerced(&self.name, &self.arguments, self.required, types)?;
-        self.places(&types)?;
+        self.indices(&types)?;
         types.extend(used.cloned());
         Ok(types)
     }
 
-    /// The place of the assembly, and those of the options.
-    fn places(&self, types: &[DataType]) -> Result<(Option<usize>, Vec<usize>)> {
-        let is_text = |place: &usize| types[*place] != DataType::Float64;
+    /// The index of the assembly, and the indices of the options.
+    fn indices(&self, types: &[DataType]) -> Result<(Option<usize>, Vec<usize>)> {
+        let is_text = |index: &usize| types[*index] != DataType::Float64;
         let (texts, options): (Vec<usize>, Vec<usize>) = (self.required..types.len()).partition(is_text);
         if texts.len() > usize::from(self.assemblies.len() > 1) {
             let texts = if self.assemblies.len() > 1 {
@@ -165,16 +168,16 @@ impl Search {
     pub(crate) fn call(&self, args: &ScalarFunctionArgs) -> Result<Call<'_>> {
         let (given, used) = used::split(&args.args);
         let types: Vec<DataType> = given.iter().map(ColumnarValue::data_type).collect();
-        let (assembly, options) = self.places(&types)?;
+        let (assembly, options) = self.indices(&types)?;
         if options.len() == 3 {
             return exec_err!("{} takes `from` together with `to`", self.name);
         }
-        let number = |place: usize| Numbers::new(&given[place]);
+        let number = |index: usize| Numbers::new(&given[index]);
         Ok(Call {
             search: self,
             texts: given[..self.texts].iter().map(Texts::new).collect::<Result<_>>()?,
             numbers: (self.texts..self.required).map(number).collect::<Result<_>>()?,
-            assembly: assembly.map_or(Ok(Texts::Same(None)), |place| Texts::new(&given[place]))?,
+            assembly: assembly.map_or(Ok(Texts::Same(None)), |index| Texts::new(&given[index]))?,
             options: options.into_iter().map(number).collect::<Result<_>>()?,
             valid: valid_rows(given, args.number_rows),
             rows: args.number_rows,
@@ -202,7 +205,7 @@ impl<'s> Call<'s> {
             reason = "it is a whole number between 1 and a million"
         )]
         let poses = poses as usize;
-        let (turn, is_whole) = match (option(2), option(3)) {
+        let (grid, is_whole) = match (option(2), option(3)) {
             (Some(from), Some(to)) => (InputGrid::between(0, from, to, poses), false),
             _ => (InputGrid::revolution(0, poses), true),
         };
@@ -217,14 +220,14 @@ impl<'s> Call<'s> {
             assembly,
             standing: standing.iter().map(|numbers| numbers.at(row)).collect(),
             speed: option(1).unwrap_or(1.0),
-            turn,
+            grid,
             is_whole,
         }))
     }
 }
 
 impl Candidate<'_> {
-    /// Calls `then` with the columns of the candidate. The input that turns has these positions.
+    /// Calls `then` with the columns of the candidate. The moving input has these positions.
     pub(crate) fn given<R>(&self, positions: Column<'_>, then: impl FnOnce(GivenColumns<'_>) -> R) -> R {
         let turning = [positions, Column::Same(self.speed)];
         let given = |inputs: &[&[Column<'_>]]| {

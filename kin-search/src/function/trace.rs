@@ -95,8 +95,8 @@ impl Trace {
         self.poses
     }
 
-    /// The place in a pose.
-    pub(crate) fn place(&self, pose: usize) -> [f64; 2] {
+    /// The point in a pose.
+    pub(crate) fn point(&self, pose: usize) -> [f64; 2] {
         [self.x[pose], self.y[pose]]
     }
 

@@ -1,4 +1,4 @@
-//! The function of a mechanism that summarises a whole turn for each row.
+//! The function of a mechanism that summarises a revolution for each row.
 
 use std::sync::Arc;
 
@@ -42,10 +42,10 @@ impl Summarised {
     }
 }
 
-const TEXT: &str = "A turn of a mechanism in one row. closed is the share of the poses that close, and rotates whether \
-all do; min_transmission is the smallest transmission angle of all dyads, at most a right angle (rad). Each unknown \
-and each output q has q_least, q_greatest and their difference q_swing; and the largest absolute values of its rates, \
-as in q_peak_velocity. A name that begins with where_ or contains _where_ is the value of the input there.";
+const TEXT: &str = "A revolution of a mechanism in one row. closed is the share of the poses that close, and rotates \
+whether all do; min_transmission is the smallest transmission angle of all dyads, at most a right angle (rad). Each \
+unknown and each output q has q_least, q_greatest and their difference q_swing; and the largest absolute values of its \
+rates, as in q_peak_velocity. A name that begins with where_ or contains _where_ is the value of the input there.";
 
 impl TurnFunction {
     pub(crate) fn new(mechanism: &SearchedMechanism) -> Self {
@@ -61,12 +61,12 @@ impl TurnFunction {
         let unknowns = unknowns.map(|(index, quantity)| (quantity, Slot::Unknown as fn(usize, usize) -> Slot, index));
         let outputs = description.outputs.iter().enumerate();
         let outputs = outputs.map(|(index, quantity)| (quantity, Slot::Output as fn(usize, usize) -> Slot, index));
-        for (quantity, place, index) in unknowns.chain(outputs) {
+        for (quantity, slot, index) in unknowns.chain(outputs) {
             let name = plain(quantity);
-            numbers.push((place(index, 0).into(), Summarised::Range));
+            numbers.push((slot(index, 0).into(), Summarised::Range));
             fields.extend(["least", "greatest", "swing"].map(|word| number(&format!("{name}_{word}"))));
             for (rate, order) in RATES.iter().zip(1..=description.order) {
-                numbers.push((place(index, order).into(), Summarised::Peak));
+                numbers.push((slot(index, order).into(), Summarised::Peak));
                 fields.extend(["peak", "where_peak"].map(|word| number(&format!("{name}_{word}_{rate}"))));
             }
         }
@@ -119,15 +119,15 @@ impl TurnFunction {
             let mechanism = &self.search.mechanism;
             let summary = candidate
                 .given(Column::Same(0.0), |given| {
-                    mechanism.fold_batch(candidate.turn, given, &mut folds, &mut memory, call.vectors)
+                    mechanism.fold_batch(candidate.grid, given, &mut folds, &mut memory, call.vectors)
                 })
                 .map_err(|error| exec_datafusion_err!("{}: {error}", self.search.name))?;
             let count = |poses: usize| f64::from(u32::try_from(poses).unwrap_or(u32::MAX));
-            closed.append_value(count(summary.solved) / count(candidate.turn.poses));
+            closed.append_value(count(summary.solved) / count(candidate.grid.poses));
             rotates.push(Some(summary.failed == 0));
             let mut builders = numbers.iter_mut();
             for (fold, (_, summarised)) in folds.iter().zip(used()) {
-                let values = Self::values(fold, summarised, &candidate.turn);
+                let values = Self::values(fold, summarised, &candidate.grid);
                 for (value, builder) in values.into_iter().take(summarised.fields()).zip(&mut builders) {
                     builder.append_option(value);
                 }
@@ -149,13 +149,13 @@ impl TurnFunction {
     }
 
     /// The fields of a number, as many as it has.
-    fn values(fold: &Fold, summarised: Summarised, turn: &InputGrid) -> [Option<f64>; 3] {
+    fn values(fold: &Fold, summarised: Summarised, grid: &InputGrid) -> [Option<f64>; 3] {
         let folded = fold.folded();
-        let found = |found: Option<(usize, f64)>| (found.map(|found| found.1), found.map(|found| turn.value(found.0)));
+        let found = |found: Option<(usize, f64)>| (found.map(|found| found.1), found.map(|found| grid.value(found.0)));
         match summarised {
             Summarised::Least => {
-                let (least, place) = found(folded.least);
-                [least, place, None]
+                let (least, at) = found(folded.least);
+                [least, at, None]
             }
             Summarised::Range => [
                 folded.least.map(|found| found.1),
@@ -163,8 +163,8 @@ impl TurnFunction {
                 folded.range(),
             ],
             Summarised::Peak => {
-                let (peak, place) = found(folded.peak());
-                [peak.map(f64::abs), place, None]
+                let (peak, at) = found(folded.peak());
+                [peak.map(f64::abs), at, None]
             }
         }
     }

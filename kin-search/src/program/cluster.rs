@@ -1,15 +1,15 @@
-//! `scheduler`, `executor`, and what `query` takes for a cluster.
+//! `scheduler`, `executor`, and the options of `query` for a cluster.
 
 use std::net::{IpAddr, SocketAddr};
 use std::path::PathBuf;
 
 use kin_search::Functions;
-use kin_search::cluster::{Client, Connection, Executor, Identity, Listen, Place, Scheduler};
+use kin_search::cluster::{Client, Connection, Endpoint, Executor, Identity, Listen, Scheduler};
 
 use super::fault::Fault;
 use super::memory::bytes;
 
-/// What `scheduler` takes.
+/// The options of `scheduler`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct SchedulerArguments {
     /// Where to listen: an address of this machine, and a port after a colon, or a free port. Other machines reach only
@@ -35,12 +35,12 @@ impl SchedulerArguments {
     }
 }
 
-/// What `executor` takes.
+/// The options of `executor`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct ExecutorArguments {
     /// The scheduler, as it has printed it
-    #[arg(long, value_name = "HOST:PORT", value_parser = place)]
-    scheduler: Place,
+    #[arg(long, value_name = "HOST:PORT", value_parser = endpoint)]
+    scheduler: Endpoint,
     /// Where to listen: an address of this machine, and a port after a colon, or a free port
     #[arg(long, value_name = "ADDRESS", value_parser = listen, default_value = "127.0.0.1")]
     listen: Listen,
@@ -73,12 +73,12 @@ impl ExecutorArguments {
     }
 }
 
-/// What `query` takes for a cluster.
+/// The options of `query` for a cluster.
 #[derive(Debug, clap::Args)]
 pub(crate) struct ClusterArguments {
     /// Search on the cluster of this scheduler, and not in this process
-    #[arg(long, value_name = "HOST:PORT", value_parser = place)]
-    cluster: Option<Place>,
+    #[arg(long, value_name = "HOST:PORT", value_parser = endpoint)]
+    cluster: Option<Endpoint>,
     /// Keep finished ranges of ids here: the same command goes on where it stopped
     #[arg(long, value_name = "FOLDER", requires = "cluster")]
     parts: Option<PathBuf>,
@@ -124,14 +124,14 @@ fn listen(text: &str) -> Result<Listen, String> {
 }
 
 /// `HOST:PORT`.
-fn place(text: &str) -> Result<Place, String> {
+fn endpoint(text: &str) -> Result<Endpoint, String> {
     text.rsplit_once(':')
         .and_then(|(host, port)| {
-            Some(Place {
+            Some(Endpoint {
                 host: host.to_owned(),
                 port: port.parse().ok()?,
             })
         })
-        .filter(|place| !place.host.is_empty() && !place.host.contains(':'))
+        .filter(|endpoint| !endpoint.host.is_empty() && !endpoint.host.contains(':'))
         .ok_or_else(|| "write it as `HOST:PORT`, for instance `127.0.0.1:50050`; IPv6 is not spoken".to_owned())
 }

@@ -8,7 +8,7 @@ use kin_search::Functions;
 
 use super::fault::Fault;
 
-/// What commands take in which mechanisms have names.
+/// The options of commands in which mechanisms have names.
 #[derive(Debug, clap::Args)]
 pub(crate) struct DeclaredArguments {
     /// A mechanism of a .kin file, which is there beside those of the library. May be given again

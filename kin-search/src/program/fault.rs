@@ -1,4 +1,4 @@
-//! What ends the program early.
+//! The reasons why the program ends early.
 
 use std::fmt;
 use std::process::ExitCode;
@@ -11,7 +11,7 @@ pub(crate) const INTERRUPTED: u8 = 130;
 /// The reason why the program ends without an answer.
 #[derive(Debug)]
 pub(crate) enum Fault {
-    /// Something is wrong with what was asked, or with a file.
+    /// The request or a file has a mistake.
     Wrong(String),
     /// Somebody has pressed Ctrl-C.
     Interrupted,

@@ -1,4 +1,4 @@
-//! `functions`: what can be called in a query.
+//! `functions`: the functions of queries.
 
 use std::fmt::Write as _;
 
@@ -8,7 +8,7 @@ use super::declared::DeclaredArguments;
 use super::fault::Fault;
 use super::print::print;
 
-/// What `functions` takes.
+/// The options of `functions`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct FunctionsArguments {
     /// The function to describe; all are listed without it

@@ -14,7 +14,7 @@ use super::mechanisms::mechanism;
 use super::print::separated;
 use kin_search::say;
 
-/// What `query` takes for pages.
+/// The options of `query` for pages.
 #[derive(Debug, clap::Args)]
 pub(crate) struct PagesArguments {
     /// Write a page for each row of the last statement into this folder. Its column `mechanism` names the mechanism,
@@ -32,7 +32,7 @@ impl PagesArguments {
         self.pages.is_some()
     }
 
-    /// Writes the pages that are wanted, and tells their paths.
+    /// Writes the pages that are wanted, and prints their paths.
     pub(crate) fn write(&self, rows: &[RecordBatch], declared: &DeclaredArguments) -> Result<(), Fault> {
         let Some(folder) = &self.pages else {
             return Ok(());

@@ -1,9 +1,9 @@
-//! What processes have taken of the machine so far, where the system tells it by files (Linux).
+//! The processor time and the traffic of processes, where the system reports them by files (Linux).
 
 use std::fs;
 
-/// The processor time of a process in seconds, its own being `self`: fields 14 and 15 of `stat`, in hundredths of a
-/// second.
+/// The processor time of a process in seconds: fields 14 and 15 of `stat`, in hundredths of a second. `self` names this
+/// process.
 pub(crate) fn seconds(process: &str) -> Option<f64> {
     let stat = fs::read_to_string(format!("/proc/{process}/stat")).ok()?;
     // The second field is a name in parentheses, which may hold spaces.

@@ -21,7 +21,7 @@ use super::memory::bytes;
 use super::print::to_output;
 use super::table::write_table;
 
-/// What `query` takes.
+/// The options of `query`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct QueryArguments {
     /// The file of SQL; several statements are separated by semicolons
@@ -146,7 +146,7 @@ async fn answer(
     Ok(())
 }
 
-/// Does what is left of a statement in this process. The rows of the last one go to the file and the pages that are
+/// Runs the rest of a statement in this process. The rows of the last statement go to the file and the pages that are
 /// wanted.
 async fn finish(
     session: &SessionContext,

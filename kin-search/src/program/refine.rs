@@ -14,7 +14,7 @@ use super::fault::Fault;
 use super::mechanisms::mechanism;
 use super::print::{print, separated};
 
-/// What `refine` takes.
+/// The options of `refine`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct RefineArguments {
     /// The job: a file of JSON with the targets and the bounds

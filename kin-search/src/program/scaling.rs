@@ -1,4 +1,4 @@
-//! `scaling`: one search in this process, on one executor, and on more.
+//! `scaling`: one search in this process, on one executor, and on several.
 
 use std::io::{BufRead, BufReader};
 use std::net::Ipv4Addr;
@@ -10,16 +10,16 @@ use datafusion::arrow::array::{ArrayRef, RecordBatch};
 use datafusion::arrow::compute::concat_batches;
 use datafusion::arrow::datatypes::Schema;
 use datafusion::prelude::SessionContext;
-use kin_search::cluster::{Client, Connection, Identity, Place};
+use kin_search::cluster::{Client, Connection, Endpoint, Identity};
 use kin_search::{Functions, Options, session};
 
 use super::fault::Fault;
 use super::processor::{loopback_bytes, seconds};
 
-/// What `scaling` takes.
+/// The options of `scaling`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct ScalingArguments {
-    /// How many four-bars are searched, each over a turn of the crank
+    /// How many four-bars are searched, each over a revolution of the crank
     #[arg(long, default_value_t = 4_000_000)]
     pub(crate) ids: u64,
     /// The largest number of executors
@@ -27,7 +27,7 @@ pub(crate) struct ScalingArguments {
     pub(crate) executors: usize,
 }
 
-/// What a search on executors takes.
+/// The cost of a search on executors.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cost {
     /// The ids for each second of an executor's processor.
@@ -48,7 +48,7 @@ impl ScalingArguments {
     /// Prints a line for each number of executors, and gives the cost with all of them.
     pub(crate) async fn measure(&self, functions: &Functions) -> Result<Option<Cost>, Fault> {
         let query = query(self.ids);
-        println!("{} ids, each with a turn of 360 poses\n", self.ids);
+        println!("{} ids, each with a revolution of 360 poses\n", self.ids);
         println!("                      seconds   processor s        ids/s   ids per processor second");
         let here = session(functions, &Options::default())?;
         let (began, spent) = (Instant::now(), seconds("self"));
@@ -61,7 +61,7 @@ impl ScalingArguments {
                 .map(|_| Process::start(&["executor", "--cores", "1", "--scheduler", &scheduler.address]))
                 .collect::<Result<Vec<_>, _>>()?;
             let (_, port) = scheduler.address.rsplit_once(':').unwrap_or_default();
-            let client = Client::new(Place {
+            let client = Client::new(Endpoint {
                 host: Ipv4Addr::LOCALHOST.to_string(),
                 port: port.parse().map_err(wrong)?,
             });
@@ -152,7 +152,8 @@ fn columns(rows: &[RecordBatch]) -> Result<Vec<ArrayRef>, Fault> {
     Ok(all.columns().to_vec())
 }
 
-/// The five four-bars with the largest swing of the rocker among those that turn: a whole turn is solved for each id.
+/// The five four-bars with the largest swing of the rocker among those whose crank makes full revolutions: a revolution
+/// is solved for each id.
 fn query(ids: u64) -> String {
     format!(
         "select id, turn['theta4_swing'] as swing from (

@@ -60,7 +60,7 @@ impl Drafts {
         drafts
     }
 
-    /// Gives all files their names, each in place of the file that was there.
+    /// Gives all files their names. Each replaces the file that had its name.
     ///
     /// # Errors
     /// Returns the error of the system if a file cannot be renamed, with the path of the file.
@@ -82,7 +82,7 @@ impl Drafts {
     pub fn discard(&self) {
         if let Begun::Files(files) = mem::replace(&mut *self.begun(), Begun::Discarded) {
             for path in files {
-                // A draft that cannot be removed has a name that says what it is.
+                // A draft that cannot be removed is known by its name.
                 let _ = fs::remove_file(draft_of(&path));
             }
         }

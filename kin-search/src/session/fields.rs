@@ -1,4 +1,4 @@
-//! A rule of the optimizer: a turn is summarised in those fields only that the query uses.
+//! A rule of the optimizer: a revolution is summarised in those fields only that the query uses.
 
 use std::any::Any;
 use std::collections::{BTreeSet, HashMap, HashSet};
@@ -13,7 +13,7 @@ use datafusion::optimizer::{OptimizerConfig, OptimizerRule};
 
 use crate::function::{TurnFunction, used};
 
-/// Tells each call of a function such as `four_bar_turn` which of its fields are used.
+/// Adds to each call of a function such as `four_bar_turn` the names of the fields that are used.
 ///
 /// A column is known by its name alone, without its table. Two columns of one name share their uses, so that a field
 /// too many is calculated, and none too few.
@@ -26,12 +26,12 @@ impl OptimizerRule for OnlyUsedFields {
     }
 
     fn rewrite(&self, plan: LogicalPlan, _: &dyn OptimizerConfig) -> Result<Transformed<LogicalPlan>> {
-        if !has_turns(&plan)? {
+        if !has_revolutions(&plan)? {
             return Ok(Transformed::no(plan));
         }
         let uses = Uses::of(&plan)?;
         plan.transform_down_with_subqueries(|node| {
-            // Other expressions, such as keys of joins, are sent to executors in ways of their own.
+            // Other expressions, such as keys of joins, are sent to executors in other ways.
             if !matches!(node, LogicalPlan::Projection(_)) {
                 return Ok(Transformed::no(node));
             }
@@ -39,7 +39,7 @@ impl OptimizerRule for OnlyUsedFields {
             node.map_expressions(|expression| {
                 let name = names.save(&expression);
                 Ok(uses
-                    .told(expression)?
+                    .with_used_fields(expression)?
                     .update_data(|expression| name.restore(expression)))
             })
         })
@@ -78,9 +78,9 @@ impl Uses {
     }
 
     /// An expression of a projection, with the used fields at its calls.
-    fn told(&self, expression: Expr) -> Result<Transformed<Expr>> {
+    fn with_used_fields(&self, expression: Expr) -> Result<Transformed<Expr>> {
         if let Expr::Alias(alias) = &expression
-            && is_turn(&alias.expr)
+            && is_revolution(&alias.expr)
         {
             let Some(fields) = self.0.get(&alias.name) else {
                 return Ok(Transformed::no(expression));
@@ -89,7 +89,7 @@ impl Uses {
             return expression.map_children(|call| Ok(Transformed::yes(with_fields(call, fields.clone()))));
         }
         expression.transform_down(|part| {
-            if !field_of(&part).is_some_and(|(whole, _)| is_turn(whole)) {
+            if !field_of(&part).is_some_and(|(whole, _)| is_revolution(whole)) {
                 return Ok(Transformed::no(part));
             }
             let Expr::ScalarFunction(mut of_field) = part else {
@@ -143,8 +143,8 @@ fn field_of(expression: &Expr) -> Option<(&Expr, &str)> {
     }
 }
 
-/// Whether an expression is a call of a function of turns that does not tell its fields yet.
-fn is_turn(expression: &Expr) -> bool {
+/// Whether an expression is a call of a function of revolutions that does not name its fields yet.
+fn is_revolution(expression: &Expr) -> bool {
     let Expr::ScalarFunction(ScalarFunction { func, args }) = expression else {
         return false;
     };
@@ -152,11 +152,11 @@ fn is_turn(expression: &Expr) -> bool {
     function.is::<TurnFunction>() && !matches!(args.last(), Some(Expr::Literal(ScalarValue::List(_), _)))
 }
 
-fn has_turns(plan: &LogicalPlan) -> Result<bool> {
+fn has_revolutions(plan: &LogicalPlan) -> Result<bool> {
     let mut found = false;
     plan.apply_with_subqueries(|node| {
         node.apply_expressions(|expression| {
-            found |= expression.exists(|part| Ok(is_turn(part)))?;
+            found |= expression.exists(|part| Ok(is_revolution(part)))?;
             Ok(if found {
                 TreeNodeRecursion::Stop
             } else {

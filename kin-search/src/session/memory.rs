@@ -9,7 +9,7 @@ use datafusion::execution::memory_pool::{
     GreedyMemoryPool, MemoryLimit, MemoryPool, MemoryReservation, TrackConsumersPool,
 };
 
-/// How many of the largest operators an error names.
+/// The number of the largest operators that an error names.
 const NAMED: NonZero<usize> = NonZero::new(5).unwrap();
 
 /// The operator that hands rows from threads to threads.
@@ -23,9 +23,9 @@ pub(super) fn pool(bytes: usize) -> Arc<dyn MemoryPool> {
 /// The engine's greedy pool, in which a repartition is counted and never refused.
 ///
 /// A repartition that is refused writes rows to files. The engine up to its version 55.2 then stands still for ever if
-/// two threads do so at a time: the reader waits for the older file, and its row is in the other one
-/// (apache/datafusion, issue 24883). The rows of a repartition wait for others to take them, so they are few. What they
-/// take beyond the limit is refused to all others.
+/// two threads do so at a time: the reader waits for the older file, and its row is in the newer file
+/// (apache/datafusion, issue 24883). The rows of a repartition wait for operators to take them, so they are few. The
+/// memory that they take beyond the limit is refused to all other operators.
 #[derive(Debug)]
 struct Pool(GreedyMemoryPool);
 

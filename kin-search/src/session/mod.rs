@@ -40,7 +40,7 @@ pub fn config(options: &Options) -> SessionConfig {
     let mut config = SessionConfig::new()
         .with_information_schema(true)
         .with_option_extension(Settings::default());
-    // The engine would copy a call of a turn to each use of its fields, and solve the turn once for each of them.
+    // The engine would copy a call to each use of its fields, and solve the revolution once for each use.
     config.options_mut().optimizer.enable_leaf_expression_pushdown = false;
     match options.partitions {
         Some(partitions) => config.with_target_partitions(partitions.max(1)),
@@ -50,7 +50,7 @@ pub fn config(options: &Options) -> SessionConfig {
 
 /// The state of a session: these functions beside those of SQL.
 ///
-/// A cluster's scheduler makes its sessions by it too, with the settings of the client.
+/// A cluster's scheduler makes its sessions by this function too, with the settings of the client.
 ///
 /// # Errors
 /// Returns an error of the engine if it cannot be set up.
@@ -111,12 +111,12 @@ mod tests {
         plan.display_indent().to_string()
     }
 
-    const TURN: &str = "four_bar_turn(1, candidate(value, 1, 1, 0.1, 1.0), 1.5, 1.5)";
+    const CALL: &str = "four_bar_turn(1, candidate(value, 1, 1, 0.1, 1.0), 1.5, 1.5)";
 
     #[tokio::test]
-    async fn a_turn_is_solved_once_for_all_its_fields() {
+    async fn one_solution_for_all_fields() {
         let text = optimized(&format!(
-            "select min(turn['theta4_peak_snap']) as snap from (select {TURN} as turn from range(0, 100))
+            "select min(turn['theta4_peak_snap']) as snap from (select {CALL} as turn from range(0, 100))
             where turn['rotates'] and turn['theta4_swing'] > 1"
         ))
         .await;
@@ -128,20 +128,20 @@ mod tests {
     }
 
     #[tokio::test]
-    async fn a_turn_that_is_handed_on_is_summarised_in_all_fields() {
+    async fn handed_on_with_all_fields() {
         let range = "range(0, 100)";
         for whole in [
-            format!("select {TURN} as turn from {range}"),
-            format!("select turn, turn['closed'] as closed from (select {TURN} as turn from {range})"),
+            format!("select {CALL} as turn from {range}"),
+            format!("select turn, turn['closed'] as closed from (select {CALL} as turn from {range})"),
             format!(
-                "select turn['closed'] as closed, turn is null as missing from (select {TURN} as turn from {range})"
+                "select turn['closed'] as closed, turn is null as missing from (select {CALL} as turn from {range})"
             ),
-            format!("select distinct turn from (select {TURN} as turn from {range})"),
+            format!("select distinct turn from (select {CALL} as turn from {range})"),
             format!(
-                "select turn['closed'] as closed from (select {TURN} as turn from {range} union all select {TURN} from \
+                "select turn['closed'] as closed from (select {CALL} as turn from {range} union all select {CALL} from \
                  {range})"
             ),
-            format!("select first_value(turn order by turn['closed']) from (select {TURN} as turn from {range})"),
+            format!("select first_value(turn order by turn['closed']) from (select {CALL} as turn from {range})"),
         ] {
             let text = optimized(&whole).await;
             assert!(
@@ -153,7 +153,7 @@ mod tests {
 
     #[tokio::test]
     async fn rows_are_the_same_with_all_fields() {
-        let own = session(&Functions::library(), &Options::default()).expect("a session");
+        let few_fields = session(&Functions::library(), &Options::default()).expect("a session");
         let all = state(&Functions::library(), config(&Options::default()), &Options::default()).expect("a state");
         let mut rules = all.optimizers().to_vec();
         rules.retain(|rule| rule.name() != fields::OnlyUsedFields.name());
@@ -162,7 +162,7 @@ mod tests {
             .build();
         let all = datafusion::prelude::SessionContext::new_with_state(all);
         for query in [
-            "select id, turn['where_min_transmission'] as place, turn['theta4_least'] as least, \
+            "select id, turn['where_min_transmission'] as input, turn['theta4_least'] as least, \
              turn['theta3_where_peak_jerk'] as jerk
             from (select value as id, four_bar_turn(1, 0.2 + 0.01 * value, 1.5, 1.5, 'crossed', 100) as turn
                   from range(0, 100))
@@ -179,7 +179,7 @@ mod tests {
             "select count(*) from range(0, 9) as r where 1.0 > (select max(turn['theta4_swing']) from
             (select four_bar_turn(1, 0.2, 1.5, 1.5) as turn from range(0, 2)))",
         ] {
-            let (few, many) = (own.sql(query).await, all.sql(query).await);
+            let (few, many) = (few_fields.sql(query).await, all.sql(query).await);
             let few = few.expect("the query is right").collect().await.expect("rows");
             let many = many.expect("the query is right").collect().await.expect("rows");
             assert_eq!(

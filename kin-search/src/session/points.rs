@@ -23,9 +23,9 @@ pub fn statements(sql: &str) -> Result<VecDeque<Statement>> {
 
 /// The plan of a statement, with the tables of wanted points that it names written into it.
 ///
-/// The functions of path errors name a table of points. It is read here, once, and its points take the place of the
-/// name. So they go with the query, as any constant does: to all threads, and to the executors of a cluster, which have
-/// no tables of their own.
+/// The functions of path errors name a table of points. This function reads the table once, and replaces its name by
+/// its points. So the points go with the query, as any constant does: to all threads, and to the executors of a
+/// cluster, which have no tables.
 ///
 /// # Errors
 /// Returns the errors of the engine, and an error if a table of points is not there, or does not have the columns x and
@@ -64,7 +64,7 @@ pub async fn plan(session: &SessionContext, statement: Statement) -> Result<Logi
     Ok(written.data)
 }
 
-/// Whether a function takes points first.
+/// Whether the first argument of a function is a text of points.
 fn is_of_points(function: &str) -> bool {
     function.strip_suffix(ENDING).is_some_and(|name| name.ends_with('_'))
 }

@@ -6,7 +6,7 @@ use datafusion::dataframe::DataFrame;
 use datafusion::execution::memory_pool::MemoryConsumer;
 use futures::TryStreamExt as _;
 
-/// All rows of a query. They count as memory of the session, which the engine's own `collect` does not see to.
+/// All rows of a query. The rows count as memory of the session, unlike those of the engine's `collect`.
 ///
 /// # Errors
 /// Returns the errors of the engine, one of which says that the rows need more memory than the session may take.

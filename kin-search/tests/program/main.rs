@@ -99,7 +99,7 @@ fn rows_are_printed_or_written_to_a_file() {
 #[test]
 fn mistakes_end_with_a_message() {
     let query = file("wrong.sql", "select five_bars(1)");
-    for (arguments, told) in [
+    for (arguments, wanted) in [
         (vec![query.display().to_string()], "five_bars"),
         (vec!["nowhere.sql".to_owned()], "nowhere.sql cannot be read"),
         (
@@ -121,7 +121,7 @@ fn mistakes_end_with_a_message() {
     ] {
         let output = program().arg("query").args(arguments).output().unwrap();
         let message = String::from_utf8(output.stderr).unwrap();
-        assert!(output.status.code() == Some(1) && message.contains(told), "{message}");
+        assert!(output.status.code() == Some(1) && message.contains(wanted), "{message}");
     }
 }
 
@@ -146,10 +146,10 @@ fn files_declare_mechanisms() {
     assert!(code == Some(0) && found.contains("| transmission"), "{found}{message}");
     let (code, _, message) = run("query", &[&query], &[]);
     assert!(code == Some(1) && message.contains("wiper_turn"), "{message}");
-    let (_, told, _) = run("functions", &["wiper_turn"], &[&wiper]);
+    let (_, printed, _) = run("functions", &["wiper_turn"], &[&wiper]);
     assert!(
-        told.contains("wiper_turn(crank, rod, lever, frame, arm") && told.contains("crank: Crank. (length)"),
-        "{told}"
+        printed.contains("wiper_turn(crank, rod, lever, frame, arm") && printed.contains("crank: Crank. (length)"),
+        "{printed}"
     );
 
     let mistake = file(
@@ -162,9 +162,9 @@ fn files_declare_mechanisms() {
         "{message}"
     );
     let (code, _, message) = run("functions", &[], &[&wiper, &wiper]);
-    let told = "the mechanism `Wiper` would have the function `wiper`, which another declaration has already";
+    let wanted = "the mechanism `Wiper` would have the function `wiper`, which another declaration has already";
     assert!(
-        code == Some(1) && message.contains(told) && message.contains("wiper.kin: "),
+        code == Some(1) && message.contains(wanted) && message.contains("wiper.kin: "),
         "{message}"
     );
     let (code, _, message) = run("query", &[&query], &[&PathBuf::from("nowhere.kin")]);
@@ -222,7 +222,7 @@ fn a_reader_that_goes_away_is_no_mistake() {
 }
 
 #[test]
-fn letters_that_are_patterns_of_the_engine_stand_in_names_of_files() {
+fn letters_of_patterns_in_names_of_files() {
     let name = "a?[1] é%20*.csv";
     let path = file(name, "");
     let query = file("one.sql", "select 1 as one");

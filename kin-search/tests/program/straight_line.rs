@@ -10,10 +10,10 @@ use kin_core::prelude::*;
 use kin_fit::TracedFourBar;
 use serde_json::Value;
 
-use super::published::half_turn::Stroke;
-use super::published::straight_line::{LINKS, TRANSMISSION, turn_of};
+use super::published::straight_line::{LINKS, TRANSMISSION, samples_of};
+use super::published::stroke::Stroke;
 
-/// The steps of a turn whose half has the poses at which the last query measures.
+/// The steps of a revolution whose half has the poses at which the last query measures.
 const STEPS: usize = 7200;
 
 /// Searches, and checks the linkages without SQL: each is as straight as the query says, and the first is better than
@@ -65,10 +65,10 @@ fn checked(row: &Value) -> (Stroke, &str) {
         pivot: Plane::new(number("pivot_x"), number("pivot_y")),
     };
     let start = number("start");
-    let turn = turn_of(&linkage, Assembly::Open, start, STEPS).unwrap();
-    let stroke = Stroke::of(&turn, start, STEPS / 2).unwrap();
-    for (found, told, error) in [
-        // Some ten roundings of places of about ten cranks.
+    let samples = samples_of(&linkage, Assembly::Open, start, STEPS).unwrap();
+    let stroke = Stroke::of(&samples, start, STEPS / 2).unwrap();
+    for (found, stated, error) in [
+        // Some ten roundings of coordinates of about ten cranks.
         (stroke.chord, "length", 1e-13),
         (stroke.deviation, "deviation", 1e-13),
         // The query has the mean speed by the trapezoidal rule. Its error is h²/12 times the change of the
@@ -76,8 +76,8 @@ fn checked(row: &Value) -> (Stroke, &str) {
         (stroke.unevenness, "unevenness", (PI / 3600.0).powi(2) / 12.0 * 10.0),
         (stroke.transmission.to_degrees(), "transmission", 1e-11),
     ] {
-        let told = number(told);
-        assert!((found - told).abs() <= error, "{found} and {told}");
+        let stated = number(stated);
+        assert!((found - stated).abs() <= error, "{found} and {stated}");
     }
     assert!(linkage.shortfall() <= 0.0 && stroke.transmission >= TRANSMISSION);
     for link in [linkage.r1, linkage.r2, linkage.r3, linkage.r4] {
@@ -89,7 +89,7 @@ fn checked(row: &Value) -> (Stroke, &str) {
 const WHOLE: &str = include_str!("../../examples/straight_line.sql");
 
 #[test]
-fn a_part_of_the_search_finds_a_straighter_line_than_hoekens() {
+fn straighter_than_hoekens_linkage() {
     let part = WHOLE
         .replace("range(0, 200000)", "range(0, 4000)")
         .replace("range(0, 20000)", "range(0, 500)")

@@ -58,7 +58,7 @@ impl Drop for Folder {
     }
 }
 
-/// How rows get into a file.
+/// The ways in which rows get into a file.
 #[derive(Clone, Copy, Debug)]
 enum Way {
     Output,
@@ -169,7 +169,7 @@ fn wait_for_draft(folder: &Folder, bytes: u64) {
 
 #[cfg(unix)]
 #[test]
-fn a_query_that_is_killed_at_any_moment_leaves_the_old_file() {
+fn killed_query_leaves_the_old_file() {
     let long = "select value, candidate(value, 1, 1, 0, 1) as r2 from range(0, 1000000000)";
     for (name, way, signal, bytes) in [
         ("rows.csv", Way::Output, "TERM", None),
@@ -192,7 +192,7 @@ fn a_query_that_is_killed_at_any_moment_leaves_the_old_file() {
         let status = process.0.wait().unwrap();
         assert_eq!(status.code(), (signal != "KILL").then_some(130), "{name} {signal}");
         assert_eq!(fs::read_to_string(&path).unwrap(), OLD, "{name} {signal}");
-        // What cannot be removed any more has a name that says what it is, and no ending by which tables are read.
+        // Drafts that cannot be removed any more are known by their names, whose endings are not those of tables.
         let mut left = folder.names();
         left.retain(|left| signal != "KILL" || left == name);
         assert_eq!(left, [name], "{signal}");

@@ -144,8 +144,8 @@ export const LAW = {
   },
 };
 
-/** Forces by formulas of the variable at some places: one on the rod by the crank, one of the guide, and an effort. */
-export function forcesOf(places, speed) {
+/** Forces by formulas of the variable at some samples: one on the rod by the crank, one of the guide, and an effort. */
+export function forcesOf(samples, speed) {
   const sample = (x) => ({
     input: x,
     forces: [
@@ -167,7 +167,7 @@ export function forcesOf(places, speed) {
       { body: 1, kind: "mass", is_couple: false },
       { body: 0, kind: "drive", is_couple: true },
     ],
-    samples: places.map(sample),
+    samples: samples.map(sample),
     unknown: null,
   };
 }

@@ -22,8 +22,8 @@ impl Canvas {
     /// A line through some points, closed if wanted; `style` holds the attributes of stroke and fill.
     pub fn path(&mut self, points: &[Plane], closed: bool, style: &str) {
         let mut data = String::new();
-        for (place, point) in points.iter().enumerate() {
-            let command = if place == 0 { 'M' } else { 'L' };
+        for (index, point) in points.iter().enumerate() {
+            let command = if index == 0 { 'M' } else { 'L' };
             // a String never refuses what is written to it
             let _ = write!(data, "{command}{} {}", number(point.x), number(point.y));
         }
@@ -70,7 +70,7 @@ impl Canvas {
         self.path(&corners, true, &format!(r#"fill="{colour}" stroke="none""#));
     }
 
-    /// Another picture, its upper left corner at a place.
+    /// Another picture, its upper left corner at a point.
     pub fn place(&mut self, other: &Self, at: Plane) {
         let [x, y] = [at.x, at.y].map(number);
         self.raw(&format!(r#"<g transform="translate({x} {y})">"#));
@@ -81,13 +81,13 @@ impl Canvas {
     /// Defines a motion through keyframes at equal times, the last of which is the first again, and which begins at a
     /// part of its period.
     ///
-    /// Where a person wants no motion, parts stay where [`Canvas::follow`] puts them.
+    /// If the reader's system asks for reduced motion, parts stay where [`Canvas::follow`] puts them.
     pub fn motion(&mut self, name: &str, keyframes: &[Keyframe], seconds: f64, start: f64) {
         let mut rules = String::new();
         let steps = keyframes.len().saturating_sub(1).max(1);
-        for (place, Keyframe { at, degrees }) in keyframes.iter().enumerate() {
+        for (index, Keyframe { at, degrees }) in keyframes.iter().enumerate() {
             #[expect(clippy::cast_precision_loss, reason = "some hundred keyframes")]
-            let percent = 100.0 * place as f64 / steps as f64;
+            let percent = 100.0 * index as f64 / steps as f64;
             let [x, y] = [at.x, at.y].map(number);
             // a String never refuses what is written to it
             let _ = write!(
@@ -136,12 +136,12 @@ impl Canvas {
     }
 }
 
-/// Where a part that moves has its origin, and how far it is turned, clockwise on the page.
+/// The position of a moving part: its origin, and its angle of rotation, clockwise on the page.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Keyframe {
     /// The origin of the part.
     pub at: Plane,
-    /// The angle, which counts full turns.
+    /// The angle, which counts full revolutions.
     pub degrees: f64,
 }
 

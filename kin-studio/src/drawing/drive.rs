@@ -3,39 +3,39 @@
 use kin_core::prelude::*;
 use kin_core::{Dimension, Outline};
 
-use super::sweep::places;
+use super::sweep::points_of;
 
 /// The part of a mechanism that an input drives.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Drive {
-    /// A body turns about a joint: the centre, a place on the body, and the direction in which that moves.
-    Turn {
-        /// The centre of the turn.
+    /// A body rotates about a joint: the centre, a point of the body, and the direction in which the point moves.
+    Rotation {
+        /// The centre of rotation.
         centre: Space,
-        /// A place of the body.
+        /// A point of the body.
         arm: Space,
-        /// Where it moves to.
+        /// The direction in which the point moves.
         forward: Space,
     },
-    /// One body turns relative to another about their joint: the centre and the two bodies' further joints.
+    /// A body rotates relative to another about their joint: the centre, and a further joint of each body.
     Between {
         /// The joint.
         centre: Space,
-        /// Places on the two bodies.
+        /// Points of the two bodies.
         arms: [Space; 2],
     },
     /// A joint is shifted along a line.
     Shift {
         /// The joint.
         joint: usize,
-        /// Where it moves to.
+        /// The direction in which the joint moves.
         forward: Space,
     },
 }
 
-/// How far an input is moved.
+/// The step by which an input is moved.
 const STEP: f64 = 1e-5;
-/// To what part of the step a motion has to agree.
+/// The part of the step to which a motion has to agree.
 const AGREEMENT: f64 = 1e-3;
 
 /// The part that each input drives, where one can be found.
@@ -44,7 +44,7 @@ pub(super) fn drives<M: Mechanism<Scalar = f64>>(
     inputs: M::Inputs<f64>,
     unknowns: M::Unknowns<f64>,
 ) -> Vec<Drive> {
-    let here = places(mechanism, inputs, unknowns);
+    let here = points_of(mechanism, inputs, unknowns);
     let mut drives = Vec::new();
     for (number, quantity) in M::DESCRIPTION.inputs.iter().enumerate() {
         let mut moved = inputs;
@@ -54,7 +54,7 @@ pub(super) fn drives<M: Mechanism<Scalar = f64>>(
         let Ok(unknowns) = mechanism.position_near(moved, unknowns) else {
             continue;
         };
-        let there = places(mechanism, moved, unknowns);
+        let there = points_of(mechanism, moved, unknowns);
         let shifts: Vec<Space> = here
             .iter()
             .zip(&there)
@@ -67,9 +67,10 @@ pub(super) fn drives<M: Mechanism<Scalar = f64>>(
         };
         drives.extend(match quantity.dimension {
             Dimension::Length => pair.shift(),
-            Dimension::Angle | Dimension::Scalar => {
-                pair.turn().or_else(|| pair.floating_turn()).or_else(|| pair.between())
-            }
+            Dimension::Angle | Dimension::Scalar => pair
+                .rotation()
+                .or_else(|| pair.floating_rotation())
+                .or_else(|| pair.between()),
         });
     }
     drives
@@ -83,7 +84,7 @@ struct Motions<'a> {
 }
 
 impl Motions<'_> {
-    fn turn(&self) -> Option<Drive> {
+    fn rotation(&self) -> Option<Drive> {
         for body in self.outline.bodies {
             let fixed: Vec<usize> = body
                 .joints
@@ -104,7 +105,7 @@ impl Motions<'_> {
                     let forward = self.shifts[joint];
                     if arm.norm() > 1e-9 && (forward.norm() / arm.norm() - 1.0).abs() < AGREEMENT {
                         let centre = self.here[pivot] + along;
-                        return Some(Drive::Turn {
+                        return Some(Drive::Rotation {
                             centre,
                             arm: self.here[joint],
                             forward,
@@ -116,18 +117,18 @@ impl Motions<'_> {
         None
     }
 
-    /// How fast the line from one joint to another turns, in the plane.
+    /// The angular velocity of the line from one joint to another, in the plane.
     fn speed(&self, from: usize, to: usize) -> f64 {
         let (arm, shift) = (self.here[to] - self.here[from], self.shifts[to] - self.shifts[from]);
         (arm.x * shift.y - arm.y * shift.x) / arm.norm_squared()
     }
 
-    /// A body without a fixed pivot turns as the input does.
-    fn floating_turn(&self) -> Option<Drive> {
+    /// A body without a fixed pivot that rotates as fast as the input.
+    fn floating_rotation(&self) -> Option<Drive> {
         self.outline.bodies.iter().find_map(|body| {
             let [from, to, ..] = body.joints else { return None };
-            let turns = (self.speed(*from, *to).abs() - 1.0).abs() < AGREEMENT;
-            turns.then(|| Drive::Turn {
+            let rotates = (self.speed(*from, *to).abs() - 1.0).abs() < AGREEMENT;
+            rotates.then(|| Drive::Rotation {
                 centre: self.here[*from],
                 arm: self.here[*to],
                 forward: self.shifts[*to] - self.shifts[*from],
@@ -138,8 +139,8 @@ impl Motions<'_> {
     fn between(&self) -> Option<Drive> {
         let bodies = self.outline.bodies;
         let speed = |from, to| self.speed(from, to);
-        for (place, one) in bodies.iter().enumerate() {
-            for other in &bodies[place + 1..] {
+        for (index, one) in bodies.iter().enumerate() {
+            for other in &bodies[index + 1..] {
                 let shared = one.joints.iter().copied().find(|joint| other.joints.contains(joint));
                 let Some(shared) = shared else { continue };
                 let end = |joints: &[usize]| joints.iter().copied().find(|&joint| joint != shared);

@@ -1,4 +1,4 @@
-//! From the mechanism's own coordinates to those of the picture.
+//! From the coordinates of the mechanism to those of the picture.
 
 use kin_core::{Plane, Space};
 

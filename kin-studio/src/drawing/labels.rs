@@ -1,12 +1,12 @@
-//! Texts where nothing else is.
+//! Labels at free positions of a picture.
 
 use kin_core::Plane;
 
 use super::Canvas;
 
-/// How wide a letter is, for each pixel of its height.
+/// The width of a letter, for each pixel of its height.
 const LETTER: f64 = 0.62;
-/// The angles at which a text may stand beside its place, in the order of preference, in eighths of a turn.
+/// The angles at which a text may stand beside its point, in the order of preference, in eighths of a revolution.
 const SIDES: [f64; 8] = [7.0, 5.0, 1.0, 3.0, 6.0, 2.0, 0.0, 4.0];
 
 /// The space that is taken, as boxes and lines.
@@ -37,41 +37,41 @@ impl Labels {
         self.lines.push(([from, to], 5.0));
     }
 
-    /// Keeps a square around a place free.
+    /// Keeps a square around a point free.
     pub(super) fn keep(&mut self, centre: Plane, half: f64) {
         let half = Plane::new(half, half);
         self.boxes.push([centre - half, centre + half]);
     }
 
-    /// Writes a text at the freest place of several. It is left out if there is no room for it.
+    /// Writes a text beside the freest of several points. The text is left out if there is no room.
     pub(super) fn write(&mut self, canvas: &mut Canvas, around: &[Plane], text: &str, size: f64, style: &str) {
         let mut best: Option<(f64, [Plane; 2])> = None;
         let half = Plane::new(0.5 * LETTER * size * width(text), 0.5 * size);
         for distance in [5.0, 9.0, 14.0, 20.0, 27.0] {
-            for &place in around {
+            for &point in around {
                 for side in SIDES {
                     let outward = Plane::cis(side * std::f64::consts::FRAC_PI_4);
                     let across = Plane::new(half.x * outward.x, half.y * outward.y);
-                    let centre = place + across + outward.scale(distance);
-                    let own = [centre - half, centre + half];
-                    let cost = self.cost(own) + distance * 0.05;
+                    let centre = point + across + outward.scale(distance);
+                    let text_box = [centre - half, centre + half];
+                    let cost = self.cost(text_box) + distance * 0.05;
                     if best.is_none_or(|(least, _)| cost < least - 1e-9) {
-                        best = Some((cost, own));
+                        best = Some((cost, text_box));
                     }
                 }
             }
         }
-        let Some((_, own)) = best.filter(|(cost, _)| *cost < 40.0) else {
+        let Some((_, text_box)) = best.filter(|(cost, _)| *cost < 40.0) else {
             return;
         };
-        self.boxes.push(own);
-        let foot = Plane::new(0.5 * (own[0].x + own[1].x), own[1].y - 0.16 * size);
+        self.boxes.push(text_box);
+        let foot = Plane::new(0.5 * (text_box[0].x + text_box[1].x), text_box[1].y - 0.16 * size);
         canvas.text(foot, size, "middle", style, text);
     }
 
-    /// How bad a place is: 100 for what it covers of the page's edge or of other texts, less for lines.
-    fn cost(&self, own: [Plane; 2]) -> f64 {
-        let [low, high] = own;
+    /// The cost of a box: 100 for each overlap with the page's edge or with another text, less for lines.
+    fn cost(&self, text_box: [Plane; 2]) -> f64 {
+        let [low, high] = text_box;
         let outside = low.x < 3.0 || low.y < 3.0 || high.x > self.size.x - 3.0 || high.y > self.size.y - 3.0;
         let mut cost = if outside { 100.0 } else { 0.0 };
         for [other_low, other_high] in &self.boxes {
@@ -85,13 +85,13 @@ impl Labels {
         for ([from, to], room) in &self.lines {
             let length = (*to - *from).norm();
             let steps = (length / 3.0).ceil().clamp(1.0, 400.0);
-            let mut place = 0.0;
-            while place <= steps {
-                let offset = *from + (*to - *from).scale(place / steps) - middle;
+            let mut step = 0.0;
+            while step <= steps {
+                let offset = *from + (*to - *from).scale(step / steps) - middle;
                 if offset.x.abs() < half.x + room && offset.y.abs() < half.y + room {
                     cost += 6.0;
                 }
-                place += 1.0;
+                step += 1.0;
             }
         }
         cost

@@ -1,4 +1,4 @@
-//! A drawing that moves: each body follows the poses of a turn.
+//! A drawing that moves: each body follows the poses of a revolution.
 
 use kin_core::{Plane, Space};
 
@@ -36,7 +36,7 @@ pub fn moving(scene: &Scene, style: &Style, seconds: f64) -> Option<Canvas> {
         follow(&mut pen, name, keyframes, |pen| pen.body(number));
     }
     for joint in pen.marked() {
-        // a mark is round: any body that it belongs to may carry it
+        // a mark is round, so that any of its bodies may carry it
         let mut bodies = scene.outline.bodies.iter().zip(&motions);
         match bodies.find(|(body, _)| body.joints.contains(&joint)) {
             Some((_, (name, keyframes))) => follow(&mut pen, name, keyframes, |pen| pen.mark(joint)),
@@ -47,14 +47,14 @@ pub fn moving(scene: &Scene, style: &Style, seconds: f64) -> Option<Canvas> {
     Some(pen.canvas)
 }
 
-/// Where a body's first joint goes, and how the line from it to the next one turns.
+/// The motion of a body: of its first joint, and the rotation of the line from this joint to the next.
 fn keyframes(pen: &Pen<'_>, scene: &Scene, joints: &[usize]) -> Vec<Keyframe> {
     let mut degrees = 0.0_f64;
     let mut last: Option<Plane> = None;
     let poses = scene.sweep.iter().step_by(STRIDE);
     poses
-        .map(|places| {
-            let corner = |number: usize| joints.get(number).map(|&joint| pen.frame.point(places[joint]));
+        .map(|points| {
+            let corner = |number: usize| joints.get(number).map(|&joint| pen.frame.point(points[joint]));
             let at = corner(0).unwrap_or(Plane::new(0.0, 0.0));
             if let Some(here) = corner(1).map(|other| other - at) {
                 let before = last.replace(here).unwrap_or(here);
@@ -65,7 +65,7 @@ fn keyframes(pen: &Pen<'_>, scene: &Scene, joints: &[usize]) -> Vec<Keyframe> {
         .collect()
 }
 
-/// What is drawn follows a motion that begins where the scene stands.
+/// Lets a part of the drawing follow a motion that begins where the scene stands.
 fn follow(pen: &mut Pen<'_>, name: &str, keyframes: &[Keyframe], draw: impl FnOnce(&mut Pen<'_>)) {
     let Some(&start) = keyframes.first() else { return };
     let before = std::mem::take(&mut pen.canvas);
@@ -103,16 +103,20 @@ mod tests {
             for body in scene.outline.bodies {
                 let keyframes = keyframes(&pen, &scene, body.joints);
                 let start = keyframes[0].at;
-                for (keyframe, places) in keyframes.iter().zip(scene.sweep.iter().step_by(STRIDE)) {
+                for (keyframe, points) in keyframes.iter().zip(scene.sweep.iter().step_by(STRIDE)) {
                     for &joint in body.joints {
                         let arm = pen.frame.point(scene.joints[joint]) - start;
                         let carried = keyframe.at + arm.times(Plane::cis(keyframe.degrees.to_radians()));
-                        let off = (carried - pen.frame.point(places[joint])).norm();
+                        let off = (carried - pen.frame.point(points[joint])).norm();
                         assert!(off < 1e-6, "{}: {off} pixels", body.name);
                     }
                 }
-                let turns = (keyframes[keyframes.len() - 1].degrees / 360.0).abs();
-                assert!((turns - turns.round()).abs() < 1e-6, "{} ends turned", body.name);
+                let revolutions = (keyframes[keyframes.len() - 1].degrees / 360.0).abs();
+                assert!(
+                    (revolutions - revolutions.round()).abs() < 1e-6,
+                    "{} ends turned",
+                    body.name
+                );
             }
         }
     }

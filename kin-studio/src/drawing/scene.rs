@@ -11,7 +11,7 @@ use super::sweep::{self, extent};
 /// A mechanism as it is drawn.
 #[derive(Clone, Debug)]
 pub struct Scene {
-    /// Which joints belong together.
+    /// The joints of the ground, of bodies and of slides.
     pub outline: Outline,
     /// The joints.
     pub joints: Vec<Space>,
@@ -30,9 +30,9 @@ pub struct Scene {
 /// A mark that a figure asks for.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Note {
-    /// A text beside a place.
+    /// A text beside a point.
     Text {
-        /// The place.
+        /// The point.
         at: Space,
         /// The text.
         text: String,
@@ -48,9 +48,9 @@ pub enum Note {
     },
     /// A dashed line.
     Dashes {
-        /// Where it begins.
+        /// Its first point.
         from: Space,
-        /// Where it ends.
+        /// Its last point.
         to: Space,
     },
 }
@@ -75,20 +75,20 @@ impl Scene {
         }
     }
 
-    /// A mechanism at given inputs, with a sweep of the first input by a turn, or as far as it goes, and with what the
-    /// inputs drive.
+    /// A mechanism at given inputs, with a sweep of the first input by a revolution, or as far as it goes, and with the
+    /// parts that the inputs drive.
     ///
     /// # Errors
-    /// Where the mechanism does not close.
+    /// [`SolveError`], if the mechanism does not close.
     pub fn of_mechanism<M: Mechanism<Scalar = f64>>(
         mechanism: &M,
         inputs: M::Inputs<f64>,
         assembly: M::Assembly,
     ) -> Result<Self, SolveError> {
         let unknowns = mechanism.position(inputs, assembly)?;
-        let places = sweep::places(mechanism, inputs, unknowns);
-        let count = places.len().saturating_sub(M::OUTLINE.slides.len());
-        let (joints, directions) = places.split_at(count);
+        let points = sweep::points_of(mechanism, inputs, unknowns);
+        let count = points.len().saturating_sub(M::OUTLINE.slides.len());
+        let (joints, directions) = points.split_at(count);
         let range = match M::DESCRIPTION.inputs.first().map(|input| input.dimension) {
             Some(Dimension::Length) => 0.25 * extent(joints),
             _ => TAU,
@@ -115,7 +115,7 @@ impl Scene {
     pub(super) fn path(&self, joint: usize) -> Vec<Space> {
         self.sweep
             .iter()
-            .filter_map(|places| places.get(joint).copied())
+            .filter_map(|points| points.get(joint).copied())
             .collect()
     }
 
@@ -139,25 +139,25 @@ impl Scene {
             .collect()
     }
 
-    /// How far a slide's joint moves along its line, beside where it is: the least and the largest shift, and its shift
-    /// from the first joint of a body that guides it.
+    /// The travel of a slide's joint along its line: the least and the largest shift, from the first joint of the body
+    /// that guides it, or else from the joint itself.
     pub(super) fn travel(&self, slide: usize) -> [f64; 2] {
         let Some((slide_of, &direction)) = self.outline.slides.get(slide).zip(self.directions.get(slide)) else {
             return [0.0; 2];
         };
-        let origin = |places: &[Space]| match slide_of
+        let origin = |points: &[Space]| match slide_of
             .guide
             .and_then(|body| self.outline.bodies.get(body)?.joints.first())
         {
-            Some(&first) => places[first],
+            Some(&first) => points[first],
             None => self.joints[slide_of.joint],
         };
-        let along = |places: &[Space], direction: Space| {
-            (places[slide_of.joint] - origin(places)).dot(direction.scale(1.0 / direction.norm()))
+        let along = |points: &[Space], direction: Space| {
+            (points[slide_of.joint] - origin(points)).dot(direction.scale(1.0 / direction.norm()))
         };
         let mut travel = [along(&self.joints, direction); 2];
-        for places in &self.sweep {
-            let here = along(places, places[self.joints.len() + slide]);
+        for points in &self.sweep {
+            let here = along(points, points[self.joints.len() + slide]);
             travel = [travel[0].min(here), travel[1].max(here)];
         }
         travel
@@ -165,8 +165,8 @@ impl Scene {
 
     /// Whether a slide's line keeps its direction through the sweep.
     pub(super) fn keeps_direction(&self, slide: usize) -> bool {
-        self.sweep.iter().all(|places| {
-            let (here, there) = (self.directions[slide], places[self.joints.len() + slide]);
+        self.sweep.iter().all(|points| {
+            let (here, there) = (self.directions[slide], points[self.joints.len() + slide]);
             here.cross(there).norm() <= 1e-9 * here.norm() * there.norm()
         })
     }

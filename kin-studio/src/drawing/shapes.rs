@@ -9,7 +9,7 @@ use super::frame::Frame;
 use super::labels::Labels;
 use super::{Canvas, DRIVE, Drive, GREY, INK, Note, PATH, Scene};
 
-/// How a scene is drawn.
+/// The style of a drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Style {
     /// Width of the picture, in pixels.
@@ -86,7 +86,7 @@ pub(super) struct Pen<'a> {
 }
 
 impl<'a> Pen<'a> {
-    /// A pen whose picture has room for the scene and for further places.
+    /// A pen whose picture has room for the scene and for further points.
     pub(super) fn new(scene: &'a Scene, style: &'a Style, further: &[Space]) -> Self {
         let mut seen = [&scene.joints, further].concat();
         for joint in scene.traced() {
@@ -114,14 +114,14 @@ impl<'a> Pen<'a> {
         pen
     }
 
-    /// Whether something turns at a joint.
+    /// Whether a body rotates about a joint.
     fn is_pin(&self, joint: usize) -> bool {
         let outline = &self.scene.outline;
         let bodies = outline.bodies.iter().enumerate();
         let turning = bodies.filter(|(number, body)| {
             let mut slides = outline.slides.iter().enumerate();
             let glides = body.joints.len() == 1
-                && slides.any(|(slide, own)| own.guide == Some(*number) && self.scene.keeps_direction(slide));
+                && slides.any(|(slide, slide_of)| slide_of.guide == Some(*number) && self.scene.keeps_direction(slide));
             body.joints.contains(&joint) && !glides
         });
         let slides = outline.slides.iter().any(|slide| slide.joint == joint);
@@ -190,13 +190,13 @@ impl<'a> Pen<'a> {
     fn corners(&self, number: usize) -> Vec<Plane> {
         let body = &self.scene.outline.bodies[number];
         let mut corners: Vec<Plane> = body.joints.iter().map(|&joint| self.joints[joint]).collect();
-        for (slide, own) in self.scene.outline.slides.iter().enumerate() {
-            if own.guide == Some(number) && !self.is_cylinder(slide) {
+        for (slide, slide_of) in self.scene.outline.slides.iter().enumerate() {
+            if slide_of.guide == Some(number) && !self.is_cylinder(slide) {
                 let [from, to] = guide(self.scene, slide).map(|end| self.frame.point(end));
                 let along = unit(to - from);
                 corners.extend([from - along.scale(BLOCK[0]), to + along.scale(BLOCK[0])]);
-            } else if own.guide == Some(number) {
-                corners.push(self.joints[own.joint]);
+            } else if slide_of.guide == Some(number) {
+                corners.push(self.joints[slide_of.joint]);
             }
         }
         corners
@@ -204,19 +204,19 @@ impl<'a> Pen<'a> {
 
     /// Whether a slide is the stroke of a cylinder: it is driven, or seen in space.
     fn is_cylinder(&self, slide: usize) -> bool {
-        let own = &self.scene.outline.slides[slide];
-        let driven = |drive: &Drive| matches!(drive, Drive::Shift { joint, .. } if *joint == own.joint);
-        own.guide.is_some() && (!self.scene.is_plane || self.scene.drives.iter().any(driven))
+        let slide_of = &self.scene.outline.slides[slide];
+        let driven = |drive: &Drive| matches!(drive, Drive::Shift { joint, .. } if *joint == slide_of.joint);
+        slide_of.guide.is_some() && (!self.scene.is_plane || self.scene.drives.iter().any(driven))
     }
 
     pub(super) fn body(&mut self, number: usize) {
         let corners = self.corners(number);
         let fill = if self.is_driven(number) { DRIVEN } else { PLAIN };
         let mut slides = self.scene.outline.slides.iter().enumerate();
-        let is_cylinder = slides.any(|(slide, own)| own.guide == Some(number) && self.is_cylinder(slide));
+        let is_cylinder = slides.any(|(slide, slide_of)| slide_of.guide == Some(number) && self.is_cylinder(slide));
         let outer = hull(&corners);
-        for place in 0..outer.len() {
-            self.labels.keep_bar(outer[place], outer[(place + 1) % outer.len()]);
+        for index in 0..outer.len() {
+            self.labels.keep_bar(outer[index], outer[(index + 1) % outer.len()]);
         }
         if is_cylinder && outer.len() == 2 {
             let [from, to] = [corners[0], corners[1]];
@@ -234,7 +234,7 @@ impl<'a> Pen<'a> {
     fn is_driven(&self, number: usize) -> bool {
         let body = &self.scene.outline.bodies[number];
         self.scene.drives.iter().any(|drive| match drive {
-            Drive::Turn { arm, centre, .. } => {
+            Drive::Rotation { arm, centre, .. } => {
                 let has = |wanted: Space| body.joints.iter().any(|&joint| self.scene.joints[joint] == wanted);
                 let fixed = body.joints.iter().any(|&joint| self.is_fixed(joint));
                 has(*arm) && (fixed || has(*centre))
@@ -286,7 +286,7 @@ impl<'a> Pen<'a> {
     pub(super) fn drives(&mut self) {
         for drive in &self.scene.drives {
             match drive {
-                Drive::Turn { centre, arm, forward } => {
+                Drive::Rotation { centre, arm, forward } => {
                     let radius = (*arm - *centre).norm();
                     let u = (*arm - *centre).scale(1.0 / radius);
                     let v = forward.scale(1.0 / forward.norm());
@@ -311,14 +311,14 @@ impl<'a> Pen<'a> {
                         let leg = self.frame.point(arm) - middle;
                         leg.y.atan2(leg.x)
                     });
-                    let turn = (to - from).rem_euclid(std::f64::consts::TAU);
-                    let turn = if turn > std::f64::consts::PI {
-                        turn - std::f64::consts::TAU
+                    let angle = (to - from).rem_euclid(std::f64::consts::TAU);
+                    let angle = if angle > std::f64::consts::PI {
+                        angle - std::f64::consts::TAU
                     } else {
-                        turn
+                        angle
                     };
                     let arc: Vec<Plane> = (0..=16)
-                        .map(|step| middle + Plane::polar(17.0, from + turn * (0.15 + 0.7 * f64::from(step) / 16.0)))
+                        .map(|step| middle + Plane::polar(17.0, from + angle * (0.15 + 0.7 * f64::from(step) / 16.0)))
                         .collect();
                     arc_with_arrow(&mut self.canvas, &mut self.labels, &arc, true);
                 }
@@ -362,9 +362,9 @@ impl<'a> Pen<'a> {
                         .collect();
                     arc_with_arrow(&mut self.canvas, &mut self.labels, &arc, false);
                     let (sine, cosine) = (0.5 * angle).sin_cos();
-                    let place = vertex + Plane::new(1.3 * radius * cosine, -1.3 * radius * sine);
+                    let foot = vertex + Plane::new(1.3 * radius * cosine, -1.3 * radius * sine);
                     self.labels
-                        .write(&mut self.canvas, &[place], text, 13.0, r#"font-style="italic""#);
+                        .write(&mut self.canvas, &[foot], text, 13.0, r#"font-style="italic""#);
                 }
                 Note::Dashes { from, to } => {
                     let points = [*from, *to].map(|end| self.frame.point(end));
@@ -395,8 +395,8 @@ impl<'a> Pen<'a> {
         for (number, body) in self.scene.outline.bodies.iter().enumerate() {
             let outer = hull(&self.corners(number));
             let mut around = Vec::new();
-            for place in 0..outer.len() {
-                let (from, to) = (outer[place], outer[(place + 1) % outer.len()]);
+            for index in 0..outer.len() {
+                let (from, to) = (outer[index], outer[(index + 1) % outer.len()]);
                 for part in [0.5, 0.35, 0.65, 0.2, 0.8] {
                     around.push(from + (to - from).scale(part));
                 }
@@ -444,7 +444,7 @@ fn guide(scene: &Scene, number: usize) -> [Space; 2] {
         None => joint,
     };
     let here = (joint - origin).dot(along);
-    // the line goes through the joint, whatever the body's first joint is
+    // the line goes through the joint, which need not be the body's first joint
     scene.travel(number).map(|travel| joint + along.scale(travel - here))
 }
 
@@ -453,24 +453,24 @@ fn hatch(canvas: &mut Canvas, from: Plane, to: Plane, below: Plane) {
     let length = (to - from).norm();
     let along = unit(to - from);
     let count = (length / 5.0).floor().max(1.0);
-    let mut place = 0.5;
-    while place < count + 0.1 {
-        let start = from + along.scale(length * place / count);
-        if place < count {
+    let mut step = 0.5;
+    while step < count + 0.1 {
+        let start = from + along.scale(length * step / count);
+        if step < count {
             canvas.line(start, start + below.scale(4.5) - along.scale(4.0), GREY, 0.8);
         }
-        place += 1.0;
+        step += 1.0;
     }
 }
 
-/// A plate of space, through which others are seen.
+/// A plate of space, through which other bodies are seen.
 fn pane(canvas: &mut Canvas, corners: &[Plane], fill: &str) {
     let style =
         format!(r#"fill="{fill}" fill-opacity="0.6" stroke="{INK}" stroke-width="1.4" stroke-linejoin="round""#);
     canvas.path(corners, true, &style);
 }
 
-/// A bar between two places, or a plate around several.
+/// A bar between two points, or a plate around several.
 fn bar(canvas: &mut Canvas, corners: &[Plane], width: f64, fill: &str) {
     let mut style = String::new();
     let closed = corners.len() > 2;
@@ -502,22 +502,22 @@ fn arc_with_arrow(canvas: &mut Canvas, labels: &mut Labels, arc: &[Plane], is_dr
     }
 }
 
-/// The corners of the smallest convex polygon around some places; two if all lie on one line.
-fn hull(places: &[Plane]) -> Vec<Plane> {
-    let mut sorted: Vec<Plane> = places.to_vec();
+/// The corners of the smallest convex polygon around some points; two if all lie on one line.
+fn hull(points: &[Plane]) -> Vec<Plane> {
+    let mut sorted: Vec<Plane> = points.to_vec();
     sorted.sort_by(|one, other| one.x.total_cmp(&other.x).then(one.y.total_cmp(&other.y)));
-    let chain = |places: &mut dyn Iterator<Item = Plane>| {
+    let chain = |points: &mut dyn Iterator<Item = Plane>| {
         let mut chain: Vec<Plane> = Vec::new();
-        for place in places {
+        for point in points {
             while let [.., before, last] = chain.as_slice() {
                 // less than a pixel beside the line is on it
-                if (*last - *before).cross(place - *last) > 0.5 * (place - *before).norm() {
+                if (*last - *before).cross(point - *last) > 0.5 * (point - *before).norm() {
                     break;
                 }
                 chain.pop();
             }
-            if chain.last().is_none_or(|last| (place - *last).norm() > 0.5) {
-                chain.push(place);
+            if chain.last().is_none_or(|last| (point - *last).norm() > 0.5) {
+                chain.push(point);
             }
         }
         chain
@@ -536,16 +536,16 @@ mod tests {
 
     #[test]
     fn hulls_are_convex() {
-        let place = |x: f64, y: f64| Plane::new(x, y);
+        let point = |x: f64, y: f64| Plane::new(x, y);
         let square = [
-            place(0.0, 0.0),
-            place(9.0, 9.0),
-            place(9.0, 0.0),
-            place(4.0, 5.0),
-            place(0.0, 9.0),
+            point(0.0, 0.0),
+            point(9.0, 9.0),
+            point(9.0, 0.0),
+            point(4.0, 5.0),
+            point(0.0, 9.0),
         ];
         assert_eq!(hull(&square).len(), 4);
-        let line = [place(0.0, 0.0), place(9.0, 9.0), place(4.0, 4.0)];
-        assert_eq!(hull(&line), [place(0.0, 0.0), place(9.0, 9.0)]);
+        let line = [point(0.0, 0.0), point(9.0, 9.0), point(4.0, 4.0)];
+        assert_eq!(hull(&line), [point(0.0, 0.0), point(9.0, 9.0)]);
     }
 }

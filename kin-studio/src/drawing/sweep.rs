@@ -3,17 +3,17 @@
 use kin_core::prelude::*;
 use kin_core::{PlaneOrSpace, PointArray};
 
-/// So many steps are made for a turn.
+/// The number of steps of a revolution.
 const STEPS: u32 = 180;
 
-/// The places of a mechanism's joints and directions, position by position.
+/// The coordinates of a mechanism's joints and directions, position by position.
 pub(super) fn sweep<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
     inputs: M::Inputs<f64>,
     unknowns: M::Unknowns<f64>,
     range: f64,
 ) -> Vec<Vec<Space>> {
-    let start = places(mechanism, inputs, unknowns);
+    let start = points_of(mechanism, inputs, unknowns);
     let size = extent(&start);
     let side = |direction: f64, most: u32| {
         let mut found = Vec::new();
@@ -26,7 +26,7 @@ pub(super) fn sweep<M: Mechanism<Scalar = f64>>(
             let Ok(next) = mechanism.position_near(inputs, near) else {
                 break;
             };
-            let here = places(mechanism, inputs, next);
+            let here = points_of(mechanism, inputs, next);
             // beyond a limit position lies another branch
             if here
                 .iter()
@@ -42,9 +42,9 @@ pub(super) fn sweep<M: Mechanism<Scalar = f64>>(
     };
     let ahead = side(1.0, STEPS);
     if u32::try_from(ahead.len()) == Ok(STEPS) {
-        let mut turn = vec![start.clone()];
-        turn.extend(ahead);
-        return turn;
+        let mut revolution = vec![start.clone()];
+        revolution.extend(ahead);
+        return revolution;
     }
     let mut back = side(-1.0, STEPS);
     back.reverse();
@@ -54,13 +54,13 @@ pub(super) fn sweep<M: Mechanism<Scalar = f64>>(
 }
 
 /// The joints and directions at one position.
-pub(super) fn places<M: Mechanism<Scalar = f64>>(
+pub(super) fn points_of<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
     inputs: M::Inputs<f64>,
     unknowns: M::Unknowns<f64>,
 ) -> Vec<Space> {
-    let places = mechanism.skeleton_points(inputs, unknowns);
-    places.as_slice().iter().map(|place| place.in_space()).collect()
+    let points = mechanism.skeleton_points(inputs, unknowns);
+    points.as_slice().iter().map(|point| point.in_space()).collect()
 }
 
 /// The largest distance from the first point.

@@ -16,13 +16,13 @@ const MAP: Plane = Plane { x: 300.0, y: 300.0 };
 const SPACE: Plane = Plane { x: 70.0, y: 64.0 };
 /// The colours of branches, of Okabe's and Ito's palette.
 const COLOURS: [&str; 4] = ["#0072B2", "#D55E00", "#009E73", "#CC79A7"];
-/// So many steps has each branch.
+/// The number of steps of each branch.
 const STEPS: u32 = 240;
 
 /// One map, its upper left corner at the origin. The crank's angle runs from -180 to 180 degrees, the rocker's from 0
 /// to 360.
 fn map(cycle: &Cycle<FourBar>, title: &str) -> Canvas {
-    let place =
+    let point =
         |crank: f64, rocker: f64| Plane::new(MAP.x * (crank + PI) / TAU, MAP.y * (1.0 - rocker.rem_euclid(TAU) / TAU));
     let mut page = Canvas::default();
     page.text(Plane::new(0.0, -12.0), 12.0, "start", "", title);
@@ -74,7 +74,7 @@ fn map(cycle: &Cycle<FourBar>, title: &str) -> Canvas {
         let mut before: Option<Plane> = None;
         for (crank, rocker) in inner {
             let wrapped = |angle: f64| angle - TAU * (angle / TAU).round();
-            let at = place(wrapped(crank), rocker);
+            let at = point(wrapped(crank), rocker);
             if before.is_some_and(|before| (at - before).norm() > 0.5 * MAP.x) {
                 page.path(&run, false, &style);
                 run.clear();
@@ -87,7 +87,7 @@ fn map(cycle: &Cycle<FourBar>, title: &str) -> Canvas {
             if end.limit() == Some(LimitKind::TurningPoint) {
                 let rocker = end.unknowns[1] - TAU * (end.unknowns[1] / TAU).round();
                 page.circle(
-                    place(end.input, rocker),
+                    point(end.input, rocker),
                     4.0,
                     r##"fill="#ffffff" stroke="#222222" stroke-width="1.4""##,
                 );

@@ -15,7 +15,7 @@ const LINKAGE: FourBar = FourBar {
     r4: 60.0,
 };
 
-/// A place in the plane.
+/// A point of the plane.
 fn at(x: f64, y: f64) -> Space {
     Space::new(x, y, 0.0)
 }
@@ -112,7 +112,7 @@ fn dyad(outline: Outline, joints: &[Space], directions: &[Space]) -> Scene {
     }
 }
 
-/// The three dyads that have a closed form of their own; their outer joints are given.
+/// The three dyads with a closed form; their outer joints are given.
 pub(super) fn dyads() -> Figure {
     let turning = const {
         Outline {
@@ -171,12 +171,12 @@ pub(super) fn torn_triad() -> Figure {
     };
     // two legs and the platform close; the third leg ends elsewhere
     let (first, platform) = (at(2.3, 1.6), 0.25_f64);
-    let turn = |vector: Plane| {
+    let rotated = |vector: Plane| {
         let turned = vector.times(Plane::cis(platform));
         at(turned.x, turned.y)
     };
     let [base_b, base_c] = [triad.base_b, triad.base_c].map(|base| at(base.x, base.y));
-    let [second, third] = [triad.platform_b, triad.platform_c].map(|corner| first + turn(corner));
+    let [second, third] = [triad.platform_b, triad.platform_c].map(|corner| first + rotated(corner));
     let loose = at(3.9, 3.6);
     let outline = const {
         Outline {
@@ -254,9 +254,9 @@ pub(super) fn pipeline() -> Figure {
     };
     let (top, step) = (30.0, 168.0);
     let mut left = 28.0;
-    for (place, item) in boxes.into_iter().enumerate() {
+    for (index, item) in boxes.into_iter().enumerate() {
         frame(&mut page, Plane::new(left, top), item);
-        if place > 0 {
+        if index > 0 {
             arrow(
                 &mut page,
                 Plane::new(left - step + wide, top + 0.5 * high),
@@ -268,9 +268,9 @@ pub(super) fn pipeline() -> Figure {
     // the plan tries several ways through three rooms
     let mut left = 28.0 + step;
     let below = 150.0;
-    for (place, item) in tried.into_iter().enumerate() {
+    for (index, item) in tried.into_iter().enumerate() {
         frame(&mut page, Plane::new(left + step, below), item);
-        if place > 0 {
+        if index > 0 {
             arrow(
                 &mut page,
                 Plane::new(left + wide, below + 0.5 * high),

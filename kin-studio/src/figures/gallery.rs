@@ -10,7 +10,7 @@ use crate::library::{self, Visitor};
 /// All mechanisms of the library, in the order of the book's table.
 ///
 /// # Errors
-/// Where a mechanism does not close.
+/// If a mechanism does not close.
 pub fn gallery() -> Result<Vec<Entry>, SolveError> {
     let mut drawn = Drawn(Ok(Vec::new()));
     library::visit(&mut drawn);

@@ -25,14 +25,14 @@ const ORDERS: [(&str, [f64; 3]); 5] = [
     ("snap, in h/T⁴", [-1000.0, 1000.0, 500.0]),
 ];
 
-/// So many steps has each piece of a curve.
+/// The number of steps of each piece of a curve.
 const STEPS: u32 = 80;
 
 /// The size of one plot, and the space around it.
 const PLOT: Plane = Plane { x: 200.0, y: 150.0 };
 const SPACE: Plane = Plane { x: 58.0, y: 54.0 };
 
-/// Every piece of a curve, joined by upright lines where the derivative jumps, with rest on both sides.
+/// All pieces of a curve, joined by upright lines where the derivative jumps, with rest on both sides.
 fn curve(rise: &Rise, order: usize) -> Vec<Plane> {
     let mut points = vec![Plane::new(0.0, 0.0)];
     let mut start = 0.0;
@@ -55,7 +55,7 @@ fn curve(rise: &Rise, order: usize) -> Vec<Plane> {
 /// One plot, its upper left corner at the origin.
 fn plot(order: usize) -> Result<Canvas, LawError> {
     let (title, [low, high, step]) = ORDERS[order];
-    let place = |point: Plane| {
+    let point = |point: Plane| {
         let height = (point.y - low) / (high - low);
         Plane::new(PLOT.x * point.x, PLOT.y * (1.0 - height))
     };
@@ -72,7 +72,7 @@ fn plot(order: usize) -> Result<Canvas, LawError> {
     }
     let mut value = low;
     while value <= high {
-        let y = place(Plane::new(0.0, value)).y;
+        let y = point(Plane::new(0.0, value)).y;
         let colour = if value == 0.0 { GREY } else { "#dddddd" };
         page.line(Plane::new(0.0, y), Plane::new(PLOT.x, y), colour, 0.8);
         let shown = format!("{value}").replace('-', "−");
@@ -81,7 +81,7 @@ fn plot(order: usize) -> Result<Canvas, LawError> {
     }
     for (_, shape, colour, dashes) in LAWS {
         let rise = Rise::new(shape, 0.0, 1.0, 1.0)?;
-        let points: Vec<Plane> = curve(&rise, order).into_iter().map(place).collect();
+        let points: Vec<Plane> = curve(&rise, order).into_iter().map(point).collect();
         let style = format!(r#"fill="none" stroke="{colour}" stroke-width="1.4" stroke-linejoin="round"{dashes}"#);
         page.path(&points, false, &style);
     }
@@ -103,15 +103,15 @@ fn key() -> Canvas {
 /// Five plots and their key, in two rows.
 pub(super) fn motion_laws() -> Result<Figure, LawError> {
     let mut page = Canvas::default();
-    let corner = |place: u8| {
-        let (column, row) = (f64::from(place % 3), f64::from(place / 3));
+    let corner = |index: u8| {
+        let (column, row) = (f64::from(index % 3), f64::from(index / 3));
         Plane::new(
             SPACE.x - 10.0 + column * (PLOT.x + SPACE.x),
             34.0 + row * (PLOT.y + SPACE.y),
         )
     };
-    for (place, order) in (0_u8..).zip(0..ORDERS.len()) {
-        page.place(&plot(order)?, corner(place));
+    for (index, order) in (0_u8..).zip(0..ORDERS.len()) {
+        page.place(&plot(order)?, corner(index));
     }
     page.place(&key(), corner(5) + Plane::new(0.0, 4.0));
     let width = 3.0 * (PLOT.x + SPACE.x) + 6.0;

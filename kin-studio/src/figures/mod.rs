@@ -26,8 +26,7 @@ pub struct Figure {
 /// All figures, in the order in which they are written.
 ///
 /// # Errors
-/// Where a mechanism does not close, or where there is no such motion law; the numbers of the figures are such that
-/// neither happens.
+/// If a mechanism does not close, or if there is no such motion law. With the numbers of the figures, neither happens.
 pub fn all() -> Result<Vec<Figure>, Box<dyn Error>> {
     let mut figures = vec![
         page::page()?,

@@ -1,4 +1,4 @@
-//! What a page shows, at a glance: a mechanism that moves, and its motion through snap over one turn.
+//! The content of a page at a glance: a mechanism that moves, and its motion through snap over one revolution.
 
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -19,7 +19,7 @@ const PLOT: Plane = Plane { x: 240.0, y: 50.0 };
 const STEP: f64 = 62.0;
 /// The crank's position where nothing moves.
 const CRANK: f64 = 65.0;
-/// The time of a turn.
+/// The time of a revolution.
 const SECONDS: f64 = 6.0;
 
 mechanism! {
@@ -59,12 +59,12 @@ pub(super) fn page() -> Result<Figure, Box<dyn Error>> {
     })
 }
 
-/// The place of an angle of the crank along the axis of the plots.
+/// The position of an angle of the crank along the axis of the plots.
 fn along(crank: f64) -> f64 {
     CORNER.x + PLOT.x * crank / TAU
 }
 
-/// A part that goes with the crank from one end of its turn to the other.
+/// A part that goes with the crank from one end of its revolution to the other.
 fn carry(page: &mut Canvas, name: &str, part: &Canvas, ends: [Plane; 2]) {
     let keyframe = |at| Keyframe { at, degrees: 0.0 };
     let start = CRANK / 360.0;
@@ -74,8 +74,8 @@ fn carry(page: &mut Canvas, name: &str, part: &Canvas, ends: [Plane; 2]) {
 
 /// Five plots below each other, each with coupler and rocker, and one cursor through all.
 fn plots(page: &mut Canvas, linkage: &FourBar) -> Result<(), Box<dyn Error>> {
-    let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 181).speed(10.0);
-    let table = turn.table()?;
+    let sweep = linkage.sweep(Assembly::Open).over(0.0..=TAU, 181).speed(10.0);
+    let table = sweep.table()?;
     let cranks = table.column("theta2")?;
     let rates = RATES.map(|rate| (rate, format!("_{rate}")));
     let orders = std::iter::once(("position", String::new())).chain(rates);
@@ -89,19 +89,19 @@ fn plots(page: &mut Canvas, linkage: &FourBar) -> Result<(), Box<dyn Error>> {
             all().fold(f64::INFINITY, f64::min),
             all().fold(f64::NEG_INFINITY, f64::max),
         );
-        let place =
+        let point =
             |crank: f64, value: f64| Plane::new(along(crank), top + PLOT.y * (1.0 - (value - low) / (high - low)));
         for quarter in [0.0, 0.25, 0.5, 0.75, 1.0] {
-            page.line(place(quarter * TAU, low), place(quarter * TAU, high), "#dddddd", 0.8);
+            page.line(point(quarter * TAU, low), point(quarter * TAU, high), "#dddddd", 0.8);
         }
         if low < 0.0 && high > 0.0 {
-            page.line(place(0.0, 0.0), place(TAU, 0.0), "#bbbbbb", 0.8);
+            page.line(point(0.0, 0.0), point(TAU, 0.0), "#bbbbbb", 0.8);
         }
         for (values, colour) in curves {
             let points: Vec<Plane> = cranks
                 .iter()
                 .zip(values)
-                .map(|(crank, value)| place(*crank, *value))
+                .map(|(crank, value)| point(*crank, *value))
                 .collect();
             let style = format!(r#"fill="none" stroke="{colour}" stroke-width="1.6" stroke-linejoin="round""#);
             page.path(&points, false, &style);
@@ -131,21 +131,21 @@ fn plots(page: &mut Canvas, linkage: &FourBar) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The bar of the input, with the place of the rocker's largest snap.
+/// The bar of the input, with a mark at the rocker's largest snap.
 fn scrubber(page: &mut Canvas, linkage: &FourBar) -> Result<(), Box<dyn Error>> {
     let (left, right, height) = (30.0, SIZE.x - 30.0, SIZE.y - 42.0);
-    let place = |crank: f64| Plane::new(left + (right - left) * crank / TAU, height);
-    page.line(place(0.0), place(TAU), "#cccccc", 6.0);
+    let point = |crank: f64| Plane::new(left + (right - left) * crank / TAU, height);
+    page.line(point(0.0), point(TAU), "#cccccc", 6.0);
     let mut knob = Canvas::default();
     let style = format!(r##"fill="#ffffff" stroke="{PATH}" stroke-width="2""##);
     knob.circle(Plane::new(0.0, 0.0), 8.0, &style);
-    carry(page, "knob", &knob, [0.0, TAU].map(place));
+    carry(page, "knob", &knob, [0.0, TAU].map(point));
     for quarter in 0..=4_u8 {
-        let at = place(TAU * f64::from(quarter) / 4.0) + Plane::new(0.0, 26.0);
+        let at = point(TAU * f64::from(quarter) / 4.0) + Plane::new(0.0, 26.0);
         page.text(at, 11.0, "middle", "", &format!("{}°", 90 * u16::from(quarter)));
     }
-    let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 181).speed(10.0);
-    let at = place(turn.of("theta4_snap").peak()?.at);
+    let sweep = linkage.sweep(Assembly::Open).over(0.0..=TAU, 181).speed(10.0);
+    let at = point(sweep.of("theta4_snap").peak()?.at);
     page.circle(at, 3.5, &format!(r#"fill="{DRIVE}" stroke="none""#));
     let above = at + Plane::new(-4.0, -12.0);
     page.text(

@@ -1,4 +1,4 @@
-//! The rocker's acceleration over a turn of the crank, with its extremes.
+//! The rocker's acceleration over a revolution of the crank, with its extremes.
 
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -24,9 +24,9 @@ pub(super) fn peaks() -> Result<Figure, Box<dyn Error>> {
         r3: 70.0,
         r4: 60.0,
     };
-    let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 13).speed(10.0);
-    let table = turn.adaptive_table(1e-3, 2, 1000)?;
-    let place = |at: f64, value: f64| {
+    let sweep = linkage.sweep(Assembly::Open).over(0.0..=TAU, 13).speed(10.0);
+    let table = sweep.adaptive_table(1e-3, 2, 1000)?;
+    let point = |at: f64, value: f64| {
         let height = (value - LOWEST) / (HIGHEST - LOWEST);
         CORNER + Plane::new(PLOT.x * at / TAU, PLOT.y * (1.0 - height))
     };
@@ -40,31 +40,31 @@ pub(super) fn peaks() -> Result<Figure, Box<dyn Error>> {
     );
     for quarter in 0..=4_u8 {
         let at = TAU * f64::from(quarter) / 4.0;
-        page.line(place(at, LOWEST), place(at, HIGHEST), "#dddddd", 0.8);
-        let below = place(at, LOWEST) + Plane::new(0.0, 16.0);
+        page.line(point(at, LOWEST), point(at, HIGHEST), "#dddddd", 0.8);
+        let below = point(at, LOWEST) + Plane::new(0.0, 16.0);
         page.text(below, 11.0, "middle", "", &format!("{}°", 90 * u16::from(quarter)));
     }
     for step in -3..=5_i8 {
         let value = 25.0 * f64::from(step);
         let colour = if step == 0 { GREY } else { "#dddddd" };
-        page.line(place(0.0, value), place(TAU, value), colour, 0.8);
-        let beside = place(0.0, value) + Plane::new(-6.0, 4.0);
+        page.line(point(0.0, value), point(TAU, value), colour, 0.8);
+        let beside = point(0.0, value) + Plane::new(-6.0, 4.0);
         page.text(beside, 11.0, "end", "", &format!("{value}").replace('-', "−"));
     }
-    let (places, values) = (table.column("theta2")?, table.column("theta4_acceleration")?);
-    let points: Vec<Plane> = places
+    let (angles, values) = (table.column("theta2")?, table.column("theta4_acceleration")?);
+    let points: Vec<Plane> = angles
         .iter()
         .zip(values)
-        .map(|(at, value)| place(*at, *value))
+        .map(|(at, value)| point(*at, *value))
         .collect();
     page.path(
         &points,
         false,
         &format!(r#"fill="none" stroke="{PATH}" stroke-width="1.6""#),
     );
-    for extreme in turn.of("theta4_acceleration").extremes()? {
+    for extreme in sweep.of("theta4_acceleration").extremes()? {
         let Some(value) = extreme.value else { continue };
-        let at = place(extreme.at, value);
+        let at = point(extreme.at, value);
         for (one, other) in [((-4.0, 0.0), (4.0, 0.0)), ((0.0, -4.0), (0.0, 4.0))] {
             page.line(
                 at + Plane::new(one.0, one.1),
@@ -83,7 +83,7 @@ pub(super) fn peaks() -> Result<Figure, Box<dyn Error>> {
         svg: page.finish(
             PLOT.x + CORNER.x + 30.0,
             PLOT.y + CORNER.y + 30.0,
-            "The acceleration of a rocker over a turn of the crank, with its four extremes",
+            "The acceleration of a rocker over a revolution of the crank, with its four extremes",
         ),
     })
 }

@@ -1,4 +1,4 @@
-//! Published problems: the paths of the literature's linkages, and of those that a search found.
+//! Published problems: the paths of the linkages of the literature, and of linkages that a search found.
 
 use std::f64::consts::{PI, TAU};
 
@@ -8,11 +8,11 @@ use kin_core::prelude::*;
 use super::Figure;
 use crate::drawing::{Canvas, DRIVE, GREY, PATH};
 
-/// A four-bar linkage with a point of its coupler, turned and moved.
+/// A four-bar linkage with a point of its coupler, rotated and moved.
 struct Traced {
     linkage: FourBar,
     point: Plane,
-    turn: f64,
+    rotation: f64,
     pivot: Plane,
     assembly: Assembly,
 }
@@ -21,18 +21,18 @@ impl Traced {
     fn at(&self, angle: f64) -> Result<Plane, SolveError> {
         let pose = self.linkage.position(angle, self.assembly)?;
         let theta3 = Plane::polar(1.0, pose.theta3.value());
-        let place = Plane::polar(self.linkage.r2, angle) + times(self.point, theta3);
-        Ok(self.pivot + times(place, Plane::polar(1.0, self.turn)))
+        let tracer = Plane::polar(self.linkage.r2, angle) + times(self.point, theta3);
+        Ok(self.pivot + times(tracer, Plane::polar(1.0, self.rotation)))
     }
 }
 
-/// A vector turned by the angle of another one of length 1.
+/// A vector rotated by the angle of a unit vector.
 fn times(one: Plane, other: Plane) -> Plane {
     Plane::new(one.x * other.x - one.y * other.y, one.x * other.y + one.y * other.x)
 }
 
-/// A path over a turn of the crank, along and above the chord of the half turn that starts at an angle, in shares of
-/// the chord.
+/// A path over a revolution of the crank, along and above the chord of the half revolution that starts at an angle, in
+/// shares of the chord.
 fn shares(start: f64, at: impl Fn(f64) -> Result<Plane, SolveError>) -> Result<Vec<Plane>, SolveError> {
     let from = at(start)?;
     let way = at(start + PI)? - from;
@@ -40,14 +40,14 @@ fn shares(start: f64, at: impl Fn(f64) -> Result<Plane, SolveError>) -> Result<V
     let back = Plane::new(way.x / chord, -way.y / chord);
     let mut path = Vec::new();
     for step in 0..=720 {
-        let place = at(start + TAU * f64::from(step) / 720.0)? - from;
-        path.push(times(place, back).scale(1.0 / chord));
+        let point = at(start + TAU * f64::from(step) / 720.0)? - from;
+        path.push(times(point, back).scale(1.0 / chord));
     }
     // the foot returns above the line
-    let mean: f64 = path[360..].iter().map(|place| place.y).sum();
+    let mean: f64 = path[360..].iter().map(|point| point.y).sum();
     if mean < 0.0 {
-        for place in &mut path {
-            place.y = -place.y;
+        for point in &mut path {
+            point.y = -point.y;
         }
     }
     Ok(path)
@@ -61,7 +61,7 @@ const WIDTH: f64 = 330.0;
 const WHOLE: f64 = 190.0;
 const LINE: f64 = 120.0;
 
-/// Whole paths at the left, and their half turns with the heights magnified at the right.
+/// Whole paths at the left, and their half revolutions with the heights magnified at the right.
 fn flat(file: &str, title: &str, curves: &[Curve<'_>], magnified: f64, unit: f64) -> Figure {
     let mut page = Canvas::default();
     let (left, ground) = (40.0, 40.0 + WHOLE);
@@ -119,7 +119,7 @@ fn flat(file: &str, title: &str, curves: &[Curve<'_>], magnified: f64, unit: f64
         11.0,
         "middle",
         "",
-        "the half turn, heights in per cent of its length",
+        "the half revolution, heights in per cent of its length",
     );
     Figure {
         file: file.to_owned(),
@@ -180,7 +180,7 @@ fn symmetrical(r1: f64, equal: f64, along: f64, beside: f64) -> Traced {
             r4: equal,
         },
         point: Plane::new(along, beside),
-        turn: 0.0,
+        rotation: 0.0,
         pivot: Plane::new(0.0, 0.0),
         assembly: Assembly::Open,
     }
@@ -236,7 +236,7 @@ pub(super) fn eighteen_points() -> Result<Figure, SolveError> {
             r4: 2.056_456,
         },
         point: Plane::new(0.767_038, 1.850_828),
-        turn: 1.002_168,
+        rotation: 1.002_168,
         pivot: Plane::new(1.776_808, -0.641_991),
         assembly: Assembly::Open,
     };
@@ -248,7 +248,7 @@ pub(super) fn eighteen_points() -> Result<Figure, SolveError> {
             r4: 0.674_563,
         },
         point: Plane::new(-0.040_786, -0.354_563),
-        turn: -0.348_723,
+        rotation: -0.348_723,
         pivot: Plane::new(0.548_309, 0.716_512),
         assembly: Assembly::Crossed,
     };
@@ -279,10 +279,10 @@ pub(super) fn eighteen_points() -> Result<Figure, SolveError> {
         (1.0, "found: 0.0090", found, 0.891_556),
     ] {
         let corner = Plane::new(60.0 + 300.0 * column, 360.0);
-        let place = |at: Plane| corner + Plane::new(scale * at.x, -scale * at.y);
+        let point = |at: Plane| corner + Plane::new(scale * at.x, -scale * at.y);
         let mut path = Vec::new();
         for step in 0..=720 {
-            path.push(place(linkage.at(TAU * f64::from(step) / 720.0)?));
+            path.push(point(linkage.at(TAU * f64::from(step) / 720.0)?));
         }
         page.path(
             &path,
@@ -290,8 +290,8 @@ pub(super) fn eighteen_points() -> Result<Figure, SolveError> {
             &format!(r#"fill="none" stroke="{PATH}" stroke-width="1.6""#),
         );
         for (index, (x, y)) in (0_u8..).zip(points) {
-            let target = place(Plane::new(x, y));
-            let reached = place(linkage.at(first + f64::from(index) * PI / 9.0)?);
+            let target = point(Plane::new(x, y));
+            let reached = point(linkage.at(first + f64::from(index) * PI / 9.0)?);
             page.line(target, reached, DRIVE, 1.2);
             page.circle(
                 target,

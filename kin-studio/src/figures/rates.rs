@@ -1,4 +1,4 @@
-//! Jerk and snap of a four-bar linkage's rocker over a turn of its crank.
+//! Jerk and snap of a four-bar linkage's rocker over a revolution of its crank.
 
 use std::f64::consts::TAU;
 
@@ -8,7 +8,7 @@ use kin_core::prelude::*;
 use super::Figure;
 use crate::drawing::{Canvas, DRIVE, GREY, PATH};
 
-/// So many points have a curve.
+/// The number of points of a curve.
 const POINTS: u32 = 240;
 
 /// The plot.
@@ -36,7 +36,7 @@ pub(super) fn jerk_and_snap() -> Result<Figure, SolveError> {
         .flatten()
         .fold(0.0_f64, |most, point| most.max(point.y.abs()))
         .ceil();
-    let place = |point: Plane| {
+    let plotted = |point: Plane| {
         Plane::new(
             left + (right - left) * point.x / TAU,
             0.5 * (top + bottom) - 0.5 * (bottom - top) * point.y / most,
@@ -44,12 +44,12 @@ pub(super) fn jerk_and_snap() -> Result<Figure, SolveError> {
     };
     let mut page = Canvas::default();
     for degrees in (0..=360).step_by(60) {
-        let x = place(Plane::new(f64::from(degrees).to_radians(), 0.0)).x;
+        let x = plotted(Plane::new(f64::from(degrees).to_radians(), 0.0)).x;
         page.line(Plane::new(x, top), Plane::new(x, bottom), "#dddddd", 0.8);
         page.text(Plane::new(x, bottom + 16.0), 11.0, "middle", "", &format!("{degrees}°"));
     }
     for part in [-1.0, -0.5, 0.0, 0.5, 1.0] {
-        let y = place(Plane::new(0.0, part * most)).y;
+        let y = plotted(Plane::new(0.0, part * most)).y;
         let colour = if part == 0.0 { GREY } else { "#dddddd" };
         page.line(Plane::new(left, y), Plane::new(right, y), colour, 0.8);
         page.text(
@@ -64,7 +64,7 @@ pub(super) fn jerk_and_snap() -> Result<Figure, SolveError> {
         ("jerk of θ₄", "", 0.0),
         ("snap of θ₄", r#" stroke-dasharray="6 3""#, 1.0),
     ]) {
-        let points: Vec<Plane> = curve.iter().map(|&point| place(point)).collect();
+        let points: Vec<Plane> = curve.iter().map(|&point| plotted(point)).collect();
         let style = format!(r#"fill="none" stroke="{colour}" stroke-width="1.6"{dashes}"#);
         page.path(&points, false, &style);
         let key = Plane::new(right - 130.0, top + 12.0 + 18.0 * row);
@@ -75,6 +75,10 @@ pub(super) fn jerk_and_snap() -> Result<Figure, SolveError> {
     page.text(middle, 12.0, "middle", "", "θ₂, at the speed of 1 rad/s");
     Ok(Figure {
         file: "jerk-and-snap.svg".to_owned(),
-        svg: page.finish(width, height, "Jerk and snap of a rocker over a turn of the crank"),
+        svg: page.finish(
+            width,
+            height,
+            "Jerk and snap of a rocker over a revolution of the crank",
+        ),
     })
 }

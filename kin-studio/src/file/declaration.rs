@@ -9,7 +9,7 @@ use super::sections::{Sections, blank};
 /// The first line of every file.
 const FIRST_LINE: &str = "kin 1";
 
-/// The declaration of a file, and what stands beside it.
+/// The declaration of a file, and the sections beside it.
 #[derive(Debug)]
 pub(crate) struct KinDeclaration {
     /// The mechanism.
@@ -27,7 +27,7 @@ impl KinDeclaration {
         let (blanked, stream) = lexed(text)?;
         let tokens: Vec<TokenTree> = stream.into_iter().collect();
         let mut sections = Sections::read(text, &tokens).map_err(|mistake| vec![mistake])?;
-        // with blanks in the place of all else, so that every token keeps its own
+        // blanks replace everything else, so that every token keeps its position
         let declaration = blank(&blanked, sections.places.iter().map(|section| &section.whole));
         match Mechanism::declare(&declaration) {
             Ok(mechanism) => {
@@ -48,7 +48,8 @@ impl KinDeclaration {
     }
 }
 
-/// The tokens of a file whose statements can be told apart, whatever they say. Each token is where it was typed.
+/// The tokens of a file whose statements can be separated, with or without other mistakes. Each token has the position
+/// at which it was typed.
 pub(crate) fn tokens(text: &str) -> Result<TokenStream, Vec<Mistake>> {
     let (_, stream) = lexed(text)?;
     let tokens: Vec<TokenTree> = stream.clone().into_iter().collect();
@@ -56,7 +57,7 @@ pub(crate) fn tokens(text: &str) -> Result<TokenStream, Vec<Mistake>> {
     sections.map(|_| stream).map_err(|mistake| vec![mistake])
 }
 
-/// The text with blanks in the place of its first line, and its tokens.
+/// The text with blanks instead of its first line, and its tokens.
 fn lexed(text: &str) -> Result<(String, TokenStream), Vec<Mistake>> {
     let first = text.lines().next().unwrap_or("");
     if first.trim_end() != FIRST_LINE {
@@ -73,23 +74,23 @@ fn lexed(text: &str) -> Result<(String, TokenStream), Vec<Mistake>> {
     Ok((blanked, stream))
 }
 
-/// Mistakes of a text in the order of their places, or else its comment as other languages have them: the sign that
-/// begins it may be taken for many things.
+/// Mistakes of a text in the order of their positions. A comment in the form of another language is reported alone,
+/// since the sign with which it begins causes many other mistakes.
 pub(crate) fn in_order(mut mistakes: Vec<Mistake>, text: &str) -> Vec<Mistake> {
     mistakes.sort_by_key(|mistake| mistake.range.start);
     other_comment(text).map_or(mistakes, |comment| vec![comment])
 }
 
-/// A comment as other languages have them.
+/// The mistake of a comment in the form of another language.
 fn other_comment(text: &str) -> Option<Mistake> {
     let mut start = 0;
     for line in text.split_inclusive('\n') {
         let code = line.split("//").next().unwrap_or(line);
         let mut signs = code.match_indices('#');
-        let is_attribute = |place: usize| code[place + 1..].starts_with(['[', '!']);
-        if let Some((place, _)) = signs.find(|(place, _)| !is_attribute(*place)) {
-            let place = start + place;
-            return Some(Mistake::new("a comment begins with `//`", place..place + 1));
+        let is_attribute = |index: usize| code[index + 1..].starts_with(['[', '!']);
+        if let Some((index, _)) = signs.find(|(index, _)| !is_attribute(*index)) {
+            let index = start + index;
+            return Some(Mistake::new("a comment begins with `//`", index..index + 1));
         }
         start += line.len();
     }

@@ -1,4 +1,4 @@
-//! Mistakes with their places in a file.
+//! Mistakes with their positions in a file.
 
 use std::fmt::Write as _;
 use std::ops::Range;
@@ -6,7 +6,7 @@ use std::ops::Range;
 /// A mistake in a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Mistake {
-    /// What is wrong and what to do.
+    /// The message, with advice.
     pub(crate) message: String,
     /// The bytes of the file that are at fault.
     pub(crate) range: Range<usize>,
@@ -20,7 +20,7 @@ impl Mistake {
         }
     }
 
-    /// The message, the place, and the line at fault with a mark below it.
+    /// The message, the line number and the column, and the line at fault with a mark below it.
     pub(crate) fn shown(&self, file: &str, text: &str) -> String {
         let start = self.range.start.min(text.len());
         let before = &text[..start];
@@ -48,7 +48,7 @@ impl Mistake {
 /// The longest line that is shown whole, in characters.
 const LONGEST: usize = 200;
 
-/// A line, or the part of a long one around a column, with the place of the column in it.
+/// A line, or the part of a long line around a column, with the position of the column in the part.
 fn excerpt(line: &str, column: usize) -> (String, usize) {
     let count = line.chars().count();
     if count <= LONGEST {
@@ -82,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn of_a_long_line_the_part_around_the_fault_is_shown() {
+    fn long_lines_are_cut_around_the_fault() {
         for (before, behind) in [(0, 100_000), (70_000, 0), (70_000, 70_000), (150, 150)] {
             let text = format!("kin 1\n{}FAULT{}\nend", "ä".repeat(before), "ö".repeat(behind));
             let start = text.find("FAULT").unwrap();
@@ -92,8 +92,8 @@ mod tests {
                 panic!("{shown}")
             };
             assert!(line.chars().count() < 220, "{line}");
-            let place = marks.find('^').unwrap();
-            let marked: String = line.chars().skip(place).take(5).collect();
+            let position = marks.find('^').unwrap();
+            let marked: String = line.chars().skip(position).take(5).collect();
             assert_eq!((marked.as_str(), marks.matches('^').count()), ("FAULT", 5), "{shown}");
             assert!(shown.contains(&format!("a.kin:2:{}", before + 1)), "{shown}");
         }

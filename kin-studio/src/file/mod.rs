@@ -18,8 +18,8 @@ pub(crate) use mistake::Mistake;
 #[cfg(feature = "program")]
 pub(crate) use sections::{Entry, Part, Section, is_ident, is_punct, parts, range_of};
 
-/// The declaration in a `.kin` file, as [`kin_live::Mechanism::declare`] takes it. The numbers of the file are not
-/// read.
+/// The declaration in a `.kin` file, in the form that [`kin_live::Mechanism::declare`] takes. The numbers of the file
+/// are not read.
 ///
 /// # Errors
 /// The reason why the file cannot be read, or every mistake of the declaration, each with its line and a mark below it.
@@ -48,7 +48,7 @@ pub(crate) fn text_of(path: &Path) -> Result<String, String> {
     Ok(text.trim_start_matches('\u{feff}').replace("\r\n", "\n"))
 }
 
-/// The mistakes in a text, each at its place.
+/// The mistakes in a text, each with its line and a mark.
 pub(crate) fn shown(mistakes: &[Mistake], path: &Path, text: &str) -> String {
     let file = path.display().to_string();
     let shown: Vec<String> = mistakes.iter().map(|mistake| mistake.shown(&file, text)).collect();

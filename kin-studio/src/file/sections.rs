@@ -1,4 +1,4 @@
-//! The sections of a file: which statements are the declaration, and which say more.
+//! The sections of a file: the statements beside the declaration.
 
 use std::ops::Range;
 
@@ -14,9 +14,9 @@ pub(crate) struct Sections {
     pub(crate) loads: Vec<Entry>,
     pub(crate) assembly: Option<Part>,
     pub(crate) columns: Vec<Part>,
-    /// Where they stand.
+    /// The ranges of all sections in the text.
     pub(crate) places: Vec<Section>,
-    /// What is wrong in them.
+    /// The mistakes in the sections.
     pub(crate) mistakes: Vec<Mistake>,
 }
 
@@ -38,7 +38,7 @@ pub(crate) struct Part {
     pub(crate) range: Range<usize>,
 }
 
-/// What stands before an `=`, and behind it.
+/// The text before an `=`, and the text behind it.
 #[derive(Clone, Debug)]
 pub(crate) struct Entry {
     pub(crate) head: Part,
@@ -50,11 +50,11 @@ pub(crate) struct Entry {
 impl Part {
     /// A part without the blanks around it.
     pub(crate) fn new(text: &str, range: Range<usize>) -> Self {
-        let own = &text[range.clone()];
-        let start = range.start + (own.len() - own.trim_start().len());
+        let part = &text[range.clone()];
+        let start = range.start + (part.len() - part.trim_start().len());
         Self {
-            text: own.trim().to_owned(),
-            range: start..start + own.trim().len(),
+            text: part.trim().to_owned(),
+            range: start..start + part.trim().len(),
         }
     }
 
@@ -67,7 +67,7 @@ impl Part {
         parts(&self.text).into_iter().map(part).collect()
     }
 
-    /// What stands behind a word at the beginning.
+    /// The text behind a word at the beginning.
     pub(crate) fn behind(&self, word: &str) -> Option<Self> {
         let text = self.text.strip_prefix(word)?;
         let range = self.range.end - text.len()..self.range.end;
@@ -75,15 +75,15 @@ impl Part {
         Some(Self { text, range })
     }
 
-    /// What stands before a word and behind it.
+    /// The text before a word, and the text behind it.
     pub(crate) fn around(&self, word: &str) -> Option<(Self, Self)> {
-        let place = self.text.find(word)?;
+        let index = self.text.find(word)?;
         let part = |range: Range<usize>| {
             let Self { text, range } = Self::new(&self.text, range);
             let range = self.range.start + range.start..self.range.start + range.end;
             Self { text, range }
         };
-        Some((part(0..place), part(place + word.len()..self.text.len())))
+        Some((part(0..index), part(index + word.len()..self.text.len())))
     }
 
     /// The parts of `(x, y)`.
@@ -105,15 +105,15 @@ impl Part {
 /// The parts of a text between commas that stand in no parentheses, without the blanks around them.
 pub(crate) fn parts(text: &str) -> Vec<Range<usize>> {
     let (mut found, mut start, mut depth) = (Vec::new(), 0, 0_usize);
-    for (place, letter) in text.char_indices().chain([(text.len(), ',')]) {
+    for (index, letter) in text.char_indices().chain([(text.len(), ',')]) {
         match letter {
             '(' => depth += 1,
             ')' => depth = depth.saturating_sub(1),
-            ',' if depth == 0 || place == text.len() => {
-                let part = &text[start..place];
+            ',' if depth == 0 || index == text.len() => {
+                let part = &text[start..index];
                 let from = start + (part.len() - part.trim_start().len());
                 found.push(from..from + part.trim().len());
-                start = place + 1;
+                start = index + 1;
             }
             _ => {}
         }
@@ -145,58 +145,58 @@ impl Sections {
     pub(crate) fn read(text: &str, tokens: &[TokenTree]) -> Result<Self, Mistake> {
         let mut sections = Self::default();
         let mut declared: Vec<TokenTree> = Vec::new();
-        let mut place = 0;
-        while let Some(token) = tokens.get(place) {
+        let mut position = 0;
+        while let Some(token) = tokens.get(position) {
             check_end(&declared, token)?;
-            let Some(name) = section_at(&declared, &tokens[place..]) else {
+            let Some(name) = section_at(&declared, &tokens[position..]) else {
                 declared.push(token.clone());
-                place += 1;
+                position += 1;
                 continue;
             };
             if sections.places.iter().any(|section| section.name == name) {
                 let message = format!("there are two sections `{name}`");
                 sections.mistakes.push(Mistake::new(message, range_of(token)));
             }
-            let end = if let Some(group) = braces(tokens.get(place + 1)) {
+            let end = if let Some(group) = braces(tokens.get(position + 1)) {
                 sections.entries_of(name, group, text);
-                place + 1
+                position + 1
             } else {
-                sections.statement(name, place, tokens, text)?
+                sections.statement(name, position, tokens, text)?
             };
             sections.places.push(Section {
                 name,
                 word: range_of(token),
                 whole: range_of(token).start..range_of(&tokens[end]).end,
             });
-            place = end + 1;
+            position = end + 1;
         }
         check_form(&declared, true)?;
         Ok(sections)
     }
 
-    /// The word of a section; nothing if there is none.
+    /// The bytes of the first word of a section, if the file has the section.
     pub(crate) fn place_of(&self, name: &str) -> Option<Range<usize>> {
         let section = self.places.iter().find(|section| section.name == name);
         section.map(|section| section.word.clone())
     }
 
-    /// A section of one statement, of which the place of the `;` is returned.
+    /// Reads a section of one statement, and returns the index of its `;`.
     fn statement(
         &mut self,
         name: &'static str,
-        place: usize,
+        position: usize,
         tokens: &[TokenTree],
         text: &str,
     ) -> Result<usize, Mistake> {
-        let end = (place..tokens.len()).find(|index| is_punct(tokens.get(*index), ';'));
+        let end = (position..tokens.len()).find(|index| is_punct(tokens.get(*index), ';'));
         let Some(end) = end else {
             let message = match name {
                 "columns" => "the columns end with `;`, as in `columns psi, psi_velocity;`",
                 _ => "the assembly ends with `;`, as in `assembly = open;`",
             };
-            return Err(Mistake::new(message, range_of(&tokens[place])));
+            return Err(Mistake::new(message, range_of(&tokens[position])));
         };
-        let begin = if name == "columns" { place } else { place + 1 };
+        let begin = if name == "columns" { position } else { position + 1 };
         let whole = Part::new(text, range_of(&tokens[begin]).end..range_of(&tokens[end]).start);
         if name == "columns" {
             let is_empty = |part: &Part| part.text.is_empty();
@@ -230,7 +230,7 @@ impl Sections {
     }
 }
 
-/// The section that begins here, behind these tokens of the declaration.
+/// The section that begins with these tokens, if one does. The tokens of the declaration before them decide.
 fn section_at(declared: &[TokenTree], tokens: &[TokenTree]) -> Option<&'static str> {
     let (first, next) = (tokens.first(), tokens.get(1));
     let in_braces = ["dimensions", "motion", "loads"];
@@ -266,7 +266,7 @@ fn entry(section: &str, part: &[TokenTree], whole: Range<usize>, text: &str) -> 
     Ok(Entry { head, words, value })
 }
 
-/// A text with blanks in some ranges, so that every token keeps its place.
+/// A text with blanks in some ranges, so that every token keeps its position.
 pub(crate) fn blank<'r>(text: &str, ranges: impl Iterator<Item = &'r Range<usize>>) -> String {
     let mut blanked = text.to_owned();
     for range in ranges {
@@ -282,14 +282,15 @@ pub(crate) fn blank<'r>(text: &str, ranges: impl Iterator<Item = &'r Range<usize
     blanked
 }
 
-/// Refuses attributes, which a file does not have, and sections of other names. All else is left to the compiler.
+/// Refuses attributes, which a file does not have, and sections of unknown names. The compiler finds all other
+/// mistakes.
 fn check_form(tokens: &[TokenTree], is_outside: bool) -> Result<(), Mistake> {
     let mut braces_seen = 0;
-    for (place, token) in tokens.iter().enumerate() {
+    for (index, token) in tokens.iter().enumerate() {
         match token {
             TokenTree::Punct(punct) if punct.as_char() == '#' => {
-                let is_inner = is_punct(tokens.get(place + 1), '!');
-                let attribute = tokens.get(place + 1 + usize::from(is_inner));
+                let is_inner = is_punct(tokens.get(index + 1), '!');
+                let attribute = tokens.get(index + 1 + usize::from(is_inner));
                 if !is_documentation(attribute) {
                     let range = range_of(token);
                     let end = attribute.map_or(range.end, |attribute| range_of(attribute).end);
@@ -300,7 +301,7 @@ fn check_form(tokens: &[TokenTree], is_outside: bool) -> Result<(), Mistake> {
                 }
             }
             TokenTree::Group(group) => {
-                let repeats = is_outside && is_repetition(&tokens[..place]);
+                let repeats = is_outside && is_repetition(&tokens[..index]);
                 if group.delimiter() == Delimiter::Brace && !repeats {
                     braces_seen += 1;
                     if !is_outside || braces_seen > 1 {
@@ -327,7 +328,7 @@ fn is_repetition(tokens: &[TokenTree]) -> bool {
     is_ident(statement.and_then(<[TokenTree]>::first), "for")
 }
 
-/// Whether it is what a doc comment becomes: `[doc = "text"]`.
+/// Whether an attribute is a doc comment: `[doc = "text"]`.
 fn is_documentation(attribute: Option<&TokenTree>) -> bool {
     let Some(TokenTree::Group(group)) = attribute else {
         return false;
@@ -339,7 +340,7 @@ fn is_documentation(attribute: Option<&TokenTree>) -> bool {
     is_ident(Some(doc), "doc") && is_punct(Some(equals), '=') && text.to_string().starts_with(['"', 'r'])
 }
 
-/// The words behind which a statement goes on, and those with which a line may go on.
+/// The words behind which a statement goes on, and the words with which a line may go on.
 const HEADS: [&str; 11] = [
     "struct", "pub", "input", "unknown", "output", "let", "ground", "body", "slide", "on", "with",
 ];

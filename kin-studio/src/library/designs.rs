@@ -18,9 +18,9 @@ pub(crate) struct Design {
 /// The assembly of a design.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum DesignAssembly {
-    /// The one of this name, which is empty if there is only one.
+    /// The assembly of this name. The name is empty if the mechanism has one assembly.
     Named(&'static str),
-    /// The one to which these values of the unknowns belong.
+    /// The assembly to which these values of the unknowns belong.
     Near(&'static [f64]),
 }
 

@@ -18,10 +18,10 @@ pub fn declarations() -> impl Iterator<Item = &'static str> {
     designs::DESIGNS.iter().map(Design::declaration)
 }
 
-/// Something that is to be done with every mechanism of the library.
+/// An operation on every mechanism of the library.
 #[cfg(feature = "gallery")]
 pub trait Visitor {
-    /// Does it with one of them. The mechanism closes at the inputs, in the assembly.
+    /// Visits a mechanism, which closes at the inputs, in the assembly.
     fn visit<M: Mechanism<Scalar = f64> + 'static>(
         &mut self,
         mechanism: &M,
@@ -86,7 +86,7 @@ mod tests {
         assert_eq!(closing.0, names);
     }
 
-    /// What the library publishes is shown with these dimensions.
+    /// The published results of the library hold for these dimensions.
     #[test]
     fn published_dimensions_are_shown() {
         fn assert_shown<M: Mechanism<Scalar = f64>>(mechanism: &M) {

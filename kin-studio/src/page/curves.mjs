@@ -1,4 +1,4 @@
-/** What the plots show: quantities with their rates, and forces with theirs. */
+/** The curves of the plots: quantities with their rates, and forces with theirs. */
 import { ABOVE, forcesAt, sizeOf } from "./kinematics/forces.mjs";
 import { isUnbounded, valueAt } from "./kinematics/sweep.mjs";
 import { capital, ORDERS, unitFactor, unitText } from "./numbers.mjs";
@@ -74,10 +74,10 @@ function ofForce(model, { column, text, documentation, unit, peak }, index, valu
     factor: () => 1,
     unit: (order) => `${unit}${order > 0 ? `/${model.units.time}` : ""}`,
     scale(sweep, order) {
-      scales ??= [0, 1].map((own) =>
+      scales ??= [0, 1].map((order) =>
         sweep.spans
           .flatMap(({ rows }) => rows)
-          .reduce((size, row) => Math.max(size, Math.abs(value(row, own)) || 0), 0),
+          .reduce((size, row) => Math.max(size, Math.abs(value(row, order)) || 0), 0),
       );
       return scales[order];
     },
@@ -94,8 +94,8 @@ function forceGroup(model) {
   const { joints, curves } = model.report.forces;
   const ofJoints = joints.map((joint, index) => {
     const documentation = `on ${memberText(model, joint.on)}, by ${memberText(model, joint.by)}`;
-    const own = { column: `${joint.name}_force`, text: joint.name, documentation, unit: "N", peak: joint.peak };
-    return { ...ofForce(model, own, index, ({ forces }) => forces[index] && sizeOf(forces[index])), joint: index };
+    const head = { column: `${joint.name}_force`, text: joint.name, documentation, unit: "N", peak: joint.peak };
+    return { ...ofForce(model, head, index, ({ forces }) => forces[index] && sizeOf(forces[index])), joint: index };
   });
   const others = ofKind(model, curves, "force", ofJoints.length);
   return {
@@ -112,9 +112,9 @@ function momentGroup(model) {
 }
 
 function ofKind(model, all, kind, first) {
-  const own = all.flatMap((curve, index) => (curve.kind === kind ? [{ ...curve, index }] : []));
-  return own.map(({ name, text, peak, index }, place) => {
+  const ofThisKind = all.flatMap((curve, index) => (curve.kind === kind ? [{ ...curve, index }] : []));
+  return ofThisKind.map(({ name, text, peak, index }, offset) => {
     const head = { column: name, text, documentation: "", unit: kind === "force" ? "N" : "N m", peak };
-    return ofForce(model, head, first + place, ({ curves }) => curves[index]);
+    return ofForce(model, head, first + offset, ({ curves }) => curves[index]);
   });
 }

@@ -1,5 +1,5 @@
 /** The drawer: a slider and a field for each dimension, for the inputs that stand, and for the speed of a line. */
-import { made, tell } from "./elements.mjs";
+import { made, setText } from "./elements.mjs";
 import { numberText, quantityText, unitFactor, unitText } from "./numbers.mjs";
 
 /**
@@ -7,7 +7,7 @@ import { numberText, quantityText, unitFactor, unitText } from "./numbers.mjs";
  *   note: string, dimension: string}} Entry
  */
 
-export function createSliders(place, model, given, changed) {
+export function createSliders(parent, model, given, changed) {
   const lengths = model.parameters
     .filter(({ dimension }) => dimension === "length")
     .map(({ value }) => Math.abs(value));
@@ -23,12 +23,12 @@ export function createSliders(place, model, given, changed) {
     const note = entry.note ? [made("p", { className: "quiet-text" }, entry.note)] : [];
     const caution = made("p", { className: "caution", role: "status" });
     const box = made("div", { className: "dimension" }, head, slider, caution, ...note);
-    place.append(box);
+    parent.append(box);
     const factor = () => unitFactor(entry.dimension, degrees);
     const last = () => quantityText(Number(slider.value) / factor(), entry, model, degrees);
     for (const input of [slider, field]) {
       input.addEventListener("input", () => {
-        tell(caution, cautionOf(entry, input.value, valueIn(given, entry), last()));
+        setText(caution, cautionOf(entry, input.value, valueIn(given, entry), last()));
         if (isTaken(entry, input.value)) {
           changed(entry.group, entry.name, Number(input.value) / factor());
         }
@@ -37,7 +37,7 @@ export function createSliders(place, model, given, changed) {
     field.addEventListener("blur", () => {
       if (!isTaken(entry, field.value)) {
         field.value = String(Number(Number(slider.value).toPrecision(8)));
-        tell(caution, cautionOf(entry, field.value, valueIn(given, entry), ""));
+        setText(caution, cautionOf(entry, field.value, valueIn(given, entry), ""));
       }
     });
     const [low, high] = boundsOf(entry, valueIn(given, entry), size);
@@ -46,7 +46,7 @@ export function createSliders(place, model, given, changed) {
   if (model.drive.overTime && model.moving.length > 0) {
     const names = model.moving.map(({ text }) => text).join(", ");
     const words = model.moving.length > 1 ? "move under laws, which keep" : "moves under a law, which keeps";
-    place.append(
+    parent.append(
       made(
         "p",
         { className: "quiet-text" },
@@ -65,7 +65,7 @@ export function createSliders(place, model, given, changed) {
         const text = String(Number(value.toPrecision(8)));
         if (document.activeElement !== field) {
           field.value = text;
-          tell(caution, cautionOf(entry, text, valueIn(given, entry), ""));
+          setText(caution, cautionOf(entry, text, valueIn(given, entry), ""));
         }
         unit.textContent = unitText(entry.dimension, entry.order, model.units, degrees);
         slider.setAttribute("aria-valuetext", `${numberText(value)} ${unit.textContent}`);
@@ -82,7 +82,7 @@ function isTaken({ group }, typed) {
 }
 
 /**
- * What is to be said of a value that was typed, or nothing.
+ * The remark on a value that was typed, or an empty text.
  * @param {number} usual the value of the report
  * @param {string} last the value that is shown, with its unit
  */
@@ -129,7 +129,7 @@ function entriesOf(model) {
     note: "",
     dimension,
   };
-  // laws tell the speed themselves
+  // laws determine the speed
   return [...parameters.map(entry("parameters", 0)), ...standing, ...(model.drive.overTime ? [] : [speed])];
 }
 
@@ -137,7 +137,7 @@ function valueIn(design, { group, name }) {
   return group === "speed" ? design.speed : design[group][name];
 }
 
-/** How far a slider reaches. */
+/** The range of a slider. */
 function boundsOf({ dimension, group }, value, size) {
   if (group !== "speed" && dimension === "angle") {
     return [value - Math.PI, value + Math.PI];

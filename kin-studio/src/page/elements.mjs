@@ -83,7 +83,7 @@ export function tenth(value) {
 }
 
 /** Sets a text if it differs, which spares the browser work. */
-export function tell(element, text) {
+export function setText(element, text) {
   if (element.textContent !== text) {
     element.textContent = text;
   }

@@ -1,11 +1,11 @@
 /** Pointers on the picture, the plots and the scrubber. */
-import { followedAt, placeOf } from "./kinematics/anatomy.mjs";
+import { followedAt, coordinatesOf } from "./kinematics/anatomy.mjs";
 import { flat, onPage, orbitView, zoomView } from "./view.mjs";
 
-/** How far a pointer moves before a click becomes a drag, in pixels. */
+/** The motion of a pointer from which a click is a drag, in pixels. */
 const STILL = 4;
 
-/** The place of a pointer within an element. */
+/** The position of a pointer within an element. */
 function within(element, event) {
   const box = element.getBoundingClientRect();
   return [event.clientX - box.left, event.clientY - box.top];
@@ -14,13 +14,13 @@ function within(element, event) {
 /** Follows a pointer from where it went down until it is lifted. */
 function follow(element, event, move, end) {
   element.setPointerCapture(event.pointerId);
-  const own = (handler) => (next) => {
+  const ofPointer = (handler) => (next) => {
     if (next.pointerId === event.pointerId) {
       handler(next);
     }
   };
-  const onMove = own(move);
-  const onEnd = own((next) => {
+  const onMove = ofPointer(move);
+  const onEnd = ofPointer((next) => {
     element.removeEventListener("pointermove", onMove);
     element.removeEventListener("pointerup", onEnd);
     element.removeEventListener("pointercancel", onEnd);
@@ -56,7 +56,7 @@ export function handlePicture(svg, model, actions) {
     }
     if (body !== null) {
       const followed = grabbed(Number(body), start);
-      const placed = (pose) => onPage(view, placeOf(model, followed, pose.joints));
+      const placed = (pose) => onPage(view, coordinatesOf(model, followed, pose.joints));
       svg.classList.add("dragging");
       let moved = false;
       const move = (next) => {

@@ -50,9 +50,9 @@ export function createHodographs(svg, model) {
     const rows = Math.ceil(shown.length / columns);
     const [wide, high] = [(width - 8) / columns, (height - 22) / rows];
     const radius = Math.max(8, 0.5 * Math.min(wide - GAP, high - HEAD));
-    const places = allRows(sweep);
+    const sweepRows = allRows(sweep);
     shown.forEach((curve, index) => {
-      const paths = places.map((row) => vectorOf(row, curve.joint, turning));
+      const paths = sweepRows.map((row) => vectorOf(row, curve.joint, turning));
       const size = paths.reduce((most, force) => Math.max(most, force ? Math.hypot(...force) : 0), 0);
       const centre = [8 + wide * ((index % columns) + 0.5), top + 22 + high * Math.floor(index / columns) + HEAD - 4];
       centre[1] += radius;
@@ -64,7 +64,7 @@ export function createHodographs(svg, model) {
       drawn("tspan", { dx: 3 }, name).textContent = fitting(curve.text, wide);
       const body = { x: tenth(centre[0]), y: tenth(centre[1] - radius - 5), class: "quiet middle" };
       drawn("text", body, still).textContent = fitting(curve.documentation.split(",")[0], wide);
-      // one round circle within, and the axes
+      // circles at round values, and the axes
       const rings = ticks(0, size, 3).filter((value) => value > 0);
       for (const ring of rings) {
         const circle = { cx: tenth(centre[0]), cy: tenth(centre[1]), r: tenth(ring * scale), class: "grid-line" };

@@ -1,11 +1,11 @@
-/** Names where nothing else is. */
+/** Names at free positions of the picture. */
 
-/** How wide a letter is, for each pixel of its height. */
+/** The width of a letter, for each pixel of its height. */
 const LETTER = 0.58;
-/** The sides of its place on which a name may stand, the best first, in eighths of a turn. */
+/** The sides of its point on which a name may stand, the best first, in eighths of a revolution. */
 const SIDES = [7, 5, 1, 3, 6, 2, 0, 4];
 
-/** How far from its place a name may stand, in pixels. */
+/** The distances at which a name may stand from its point, in pixels. */
 const DISTANCES = [6, 10, 15, 22];
 
 /**
@@ -26,21 +26,21 @@ export function keepSquare(room, [x, y], half) {
  * Keeps lines free.
  * @param {number} half half their width
  */
-export function keepLines(room, places, half, closed = false) {
-  for (let index = 1; index < places.length + (closed ? 1 : 0); index += 1) {
-    room.lines.push([places[index - 1], places[index % places.length], half]);
+export function keepLines(room, points, half, closed = false) {
+  for (let index = 1; index < points.length + (closed ? 1 : 0); index += 1) {
+    room.lines.push([points[index - 1], points[index % points.length], half]);
   }
 }
 
 /**
- * The middle of the freest place for a name, which is taken then; null if there is no room. The last choice is kept as
- * long as it is good enough, so that names do not jump about in motion.
+ * The middle of the freest position for a name, which is taken then; null if there is no room. The last choice is kept
+ * as long as it is good enough, so that names do not jump about in motion.
  * @returns {{x: number, y: number, choice: number} | null}
  */
 export function placeName(room, around, text, size, last) {
   const half = [0.5 * LETTER * size * text.length + 1, 0.55 * size];
   if (last) {
-    const centre = placeOfChoice(around, half, last.choice);
+    const centre = centreOfChoice(around, half, last.choice);
     if (centre !== null && costOf(room, centre, half, 9) < 9) {
       room.boxes.push([centre[0] - half[0], centre[1] - half[1], centre[0] + half[0], centre[1] + half[1]]);
       return { x: centre[0], y: centre[1], choice: last.choice };
@@ -50,7 +50,7 @@ export function placeName(room, around, text, size, last) {
   let choice = 0;
   for (const distance of DISTANCES) {
     for (let option = 0; option < around.length * SIDES.length; option += 1) {
-      const centre = placeOfChoice(around, half, choice);
+      const centre = centreOfChoice(around, half, choice);
       const allowed = best === null ? Infinity : best.cost;
       const cost = costOf(room, centre, half, allowed - distance * 0.05) + distance * 0.05;
       if (cost < allowed - 1e-9) {
@@ -69,19 +69,19 @@ export function placeName(room, around, text, size, last) {
   return best;
 }
 
-/** The middle of a name at one of its places, counted by distance, then by place, then by side. */
-function placeOfChoice(around, [wide, high], choice) {
+/** The middle of a name at one of its positions, counted by distance, then by point, then by side. */
+function centreOfChoice(around, [wide, high], choice) {
   const [options, sides] = [around.length * SIDES.length, SIDES.length];
-  const place = around[Math.floor((choice % options) / sides)];
+  const point = around[Math.floor((choice % options) / sides)];
   const distance = DISTANCES[Math.floor(choice / options)];
-  if (place === undefined || distance === undefined) {
+  if (point === undefined || distance === undefined) {
     return null;
   }
   const angle = (SIDES[choice % sides] * Math.PI) / 4;
-  return [place[0] + Math.cos(angle) * (wide + distance), place[1] + Math.sin(angle) * (high + distance)];
+  return [point[0] + Math.cos(angle) * (wide + distance), point[1] + Math.sin(angle) * (high + distance)];
 }
 
-/** How bad a place is: 100 for what it covers of other names and of the edge, less for lines. */
+/** The cost of a position: 100 for each overlap with another name or with the edge, less for lines. */
 function costOf(room, [x, y], [wide, high], allowed) {
   let cost = 0;
   if (x - wide < 2 || y - high < 2 || x + wide > room.width - 2 || y + high > room.height - 2) {

@@ -1,11 +1,11 @@
 /** The page: what is shown, and what happens when a reader acts. */
 import { curvesOf } from "./curves.mjs";
 import { createSliders } from "./dimensions.mjs";
-import { button, change, choice, made, part, tell, tick } from "./elements.mjs";
+import { button, change, choice, made, part, setText, tick } from "./elements.mjs";
 import { allForces, forcesOn } from "./freebody.mjs";
 import { handlePicture, handlePlots, handleScrubber } from "./hands.mjs";
 import { createHodographs } from "./hodographs.mjs";
-import { anatomyOf, placeOf } from "./kinematics/anatomy.mjs";
+import { anatomyOf, coordinatesOf } from "./kinematics/anatomy.mjs";
 import { motionOf } from "./kinematics/drive.mjs";
 import { scalesOfForces } from "./kinematics/forces.mjs";
 import { inputText, marksOf, stopText } from "./kinematics/marks.mjs";
@@ -38,7 +38,7 @@ import { createScrubber } from "./scrubber.mjs";
 import { createView, fitView, flat, onPage } from "./view.mjs";
 import { poseText } from "./words.mjs";
 
-/** What can be shown in the picture, with its words and whether it is at first. */
+/** The options of the picture: their words, and whether they are shown at first. */
 const OPTIONS = [
   ["names", "Names", true],
   ["paths", "Paths", true],
@@ -199,7 +199,7 @@ function start(report, solver) {
     const spent = performance.now() - begin;
     document.body.dataset.solved = spent.toFixed(2);
     const gaps = sweep.given ? "" : " Limits are the page's own.";
-    tell(part("solved"), `The whole motion was solved again in ${numberText(spent, 2)} ms.${gaps}`);
+    setText(part("solved"), `The whole motion was solved again in ${numberText(spent, 2)} ms.${gaps}`);
     state.x = heldInput(sweep, state.x);
     if (sweep.spans.length === 0) {
       say(`It closes nowhere in this assembly: ${gapText(model, sweep.gaps[0], amount)}.`, true);
@@ -210,7 +210,7 @@ function start(report, solver) {
   }
 
   let laterTimer = 0;
-  /** What may wait until the reader rests. */
+  /** Work that may wait until the reader rests. */
   function later() {
     clearTimeout(laterTimer);
     laterTimer = setTimeout(() => {
@@ -236,13 +236,13 @@ function start(report, solver) {
   }
 
   function say(text, stops) {
-    tell(part("message"), text);
+    setText(part("message"), text);
     part("message").classList.toggle("stops", stops);
   }
 
   function sayPose() {
     if (row !== null && !state.playing) {
-      tell(
+      setText(
         part("spoken"),
         poseText(model, row, state.degrees, report.assemblies.length > 1 ? assemblyNow().name : "", shownNow()),
       );
@@ -287,7 +287,7 @@ function start(report, solver) {
 
   function setPlaying(playing) {
     state.playing = playing;
-    tell(part("play"), playing ? "Pause" : "Play");
+    setText(part("play"), playing ? "Pause" : "Play");
     if (playing) {
       last = performance.now();
       ask();
@@ -333,7 +333,7 @@ function start(report, solver) {
     return model.quantities.flatMap(({ name }, index) => (names.includes(name) ? [index] : []));
   }
 
-  /** Whether the forces are those of what is seen: the report has them for its own dimensions, speed and assembly. */
+  /** Whether the forces belong to the picture: the report has them for its dimensions, speed and assembly only. */
   function knowsForces() {
     return forceScales !== null && (sweep.reported || (model.frames !== null && sweep.given));
   }
@@ -354,7 +354,7 @@ function start(report, solver) {
       .map(([name, words]) => made("span", {}, made("i", { className: `key-${name}` }), words));
     part("key").replaceChildren(...(key.length > 1 ? key : []));
     sliders.show(state.design, state.degrees);
-    [...part("assembly").options].forEach((option, index) => tell(option, nameOfAssembly(report.assemblies[index])));
+    [...part("assembly").options].forEach((option, index) => setText(option, nameOfAssembly(report.assemblies[index])));
     part("swap").disabled = part("drop").disabled = state.reference === null;
   }
 
@@ -378,7 +378,7 @@ function start(report, solver) {
       speed: state.design.speed,
     });
     hodographs.draw({ width, top: top + 6, height: height - top - 6, shown: vectors, turning: state.turning, sweep });
-    tell(part("forces-note"), isOfForces ? noteOfForces() : "");
+    setText(part("forces-note"), isOfForces ? noteOfForces() : "");
   }
 
   /** Why forces are not shown, if some are not. */
@@ -411,13 +411,13 @@ function start(report, solver) {
 
   function fit() {
     const rows = someRows();
-    const places = rows.flatMap(({ pose }) => [
+    const points = rows.flatMap(({ pose }) => [
       ...pose.joints,
-      ...state.followed.map((followed) => placeOf(model, followed, pose.joints)),
+      ...state.followed.map((followed) => coordinatesOf(model, followed, pose.joints)),
     ]);
     if (state.shows.ghosts) {
       for (const other of otherSweeps()) {
-        places.push(
+        points.push(
           ...allRows(other.sweep)
             .filter((_, index) => index % 6 === 0)
             .flatMap(({ pose }) => pose.joints),
@@ -427,13 +427,13 @@ function start(report, solver) {
     const [width, height] = state.size;
     const side = Math.min(54, 0.09 * width);
     const room = { left: side, right: width - side, top: 34, bottom: height - (forceScales ? 76 : 58) };
-    fitView(view, places, room);
+    fitView(view, points, room);
     if (seesForces()) {
-      fitArrows(rows, places, room);
+      fitArrows(rows, points, room);
     }
   }
 
-  /** The ends of the arrows of forces at some rows, by their places and their ways in pixels. */
+  /** The ends of the arrows of forces at some rows, by their points and their ways in pixels. */
   function tipsOf(rows) {
     return rows.flatMap((each) => {
       const forces = state.free === null ? allForces(model, each) : forcesOn(model, each, state.free);
@@ -441,11 +441,11 @@ function start(report, solver) {
     });
   }
 
-  /** How far some arrows go beyond the picture, to the left, right, up and down. */
+  /** The overhang of some arrows beyond the picture, to the left, right, up and down. */
   function overhang(tips) {
     const [width, height] = state.size;
     const seen = tips.map(({ at, by }) => onPage(view, at).map((value, axis) => value + by[axis]));
-    const over = (measure) => seen.reduce((most, place) => Math.max(most, measure(place)), 0);
+    const over = (measure) => seen.reduce((most, tip) => Math.max(most, measure(tip)), 0);
     return [
       over(([x]) => 10 - x),
       over(([x]) => x - width + 10),
@@ -455,7 +455,7 @@ function start(report, solver) {
   }
 
   /** Leaves room for the arrows of forces, which keep their lengths whatever the scale is. */
-  function fitArrows(rows, places, room) {
+  function fitArrows(rows, points, room) {
     const tips = tipsOf(rows);
     for (let round = 0; round < 4; round += 1) {
       const [left, right, up, down] = overhang(tips);
@@ -463,7 +463,7 @@ function start(report, solver) {
       room.right -= right;
       room.top += up;
       room.bottom -= down;
-      fitView(view, places, room);
+      fitView(view, points, room);
     }
   }
 
@@ -476,18 +476,18 @@ function start(report, solver) {
   }
 
   function colourOfCircuit(assembly, index) {
-    const circuitOf = (one, place) => (sweep.given ? (one.circuit ?? place) : place);
+    const circuitOf = (one, index) => (sweep.given ? (one.circuit ?? index) : index);
     const circuit = circuitOf(assembly, index);
-    const own = circuitOf(assemblyNow(), state.assembly);
+    const current = circuitOf(assemblyNow(), state.assembly);
     // the circuit on which the mechanism is has the first colour
-    const rank = circuit === own ? 0 : circuit < own ? circuit + 1 : circuit;
+    const rank = circuit === current ? 0 : circuit < current ? circuit + 1 : circuit;
     return `c${[0, 3, 1, 2, 5, 4][rank % 6]}`;
   }
 
   function trailsOf(of, colour) {
     return state.followed.flatMap((followed) =>
       of.spans.map(({ rows }) => ({
-        points: rows.map(({ pose }) => placeOf(model, followed, pose.joints)),
+        points: rows.map(({ pose }) => coordinatesOf(model, followed, pose.joints)),
         colour,
         closed: of.full,
       })),
@@ -497,7 +497,7 @@ function start(report, solver) {
   function allTrails() {
     const others = state.shows.ghosts ? otherSweeps() : [];
     return [
-      ...others.flatMap(({ assembly, index, sweep: own }) => trailsOf(own, colourOfCircuit(assembly, index))),
+      ...others.flatMap(({ assembly, index, sweep: other }) => trailsOf(other, colourOfCircuit(assembly, index))),
       ...trailsOf(sweep, colourOfCircuit(assemblyNow(), state.assembly)),
     ];
   }
@@ -547,8 +547,8 @@ function start(report, solver) {
       moves: state.playing,
     };
     if (state.shows.ghosts) {
-      for (const { assembly, index, sweep: own } of otherSweeps()) {
-        const pose = rowAt(own, state.x)?.pose;
+      for (const { assembly, index, sweep: other } of otherSweeps()) {
+        const pose = rowAt(other, state.x)?.pose;
         if (pose) {
           const title = `${nameOfAssembly(assembly)}: click to change to it`;
           scene.ghosts.push({ pose, index, colour: colourOfCircuit(assembly, index), title });
@@ -571,7 +571,7 @@ function start(report, solver) {
     picture.draw(scene);
   }
 
-  /** The places whose rates are drawn: followed ones, or else the pins that move. */
+  /** The points whose rates are drawn: followed points, or else the pins that move. */
   function carriers() {
     if (state.followed.length > 0) {
       return state.followed;
@@ -589,29 +589,29 @@ function start(report, solver) {
     arrowScales ??= scalesOfArrows();
     const ofOrder = (order) => rates.map((joint) => joint[order]);
     for (const followed of carriers()) {
-      const place = placeOf(model, followed, row.pose.joints);
+      const point = coordinatesOf(model, followed, row.pose.joints);
       ARROWS.forEach((name, order) => {
         if (state.shows[name] && arrowScales[order] > 0) {
-          const rate = placeOf(model, followed, ofOrder(order));
+          const rate = coordinatesOf(model, followed, ofOrder(order));
           const long =
             0.24 * Math.min(...state.size) * Math.min(1, (1.6 * arrowScales[order]) / (Math.hypot(...rate) || 1));
           const by = flat(view, rate).map((value) => (value / arrowScales[order]) * long);
-          scene.arrows.push({ from: place, by, order });
+          scene.arrows.push({ from: point, by, order });
         }
       });
       if (state.shows.curvature && !model.space && (state.followed.length > 0 || !onCrank(followed))) {
-        const [velocity, acceleration] = [0, 1].map((order) => placeOf(model, followed, ofOrder(order)));
-        const circle = circleOfCurvature(place, velocity, acceleration);
+        const [velocity, acceleration] = [0, 1].map((order) => coordinatesOf(model, followed, ofOrder(order)));
+        const circle = circleOfCurvature(point, velocity, acceleration);
         if (circle) {
-          scene.circles.push({ ...circle, at: place });
+          scene.circles.push({ ...circle, at: point });
         }
       }
     }
     if (state.shows.centres && !model.space) {
       const floating = model.outline.bodies.filter(({ joints }) => joints.length > 1 && !joints.some(isFixed));
       floating.forEach(({ name, joints: [one, other] }) => {
-        const places = [row.pose.joints[one], row.pose.joints[other]];
-        const at = instantCentre(...places, rates[one][0], rates[other][0]);
+        const points = [row.pose.joints[one], row.pose.joints[other]];
+        const at = instantCentre(...points, rates[one][0], rates[other][0]);
         if (at) {
           scene.centres.push({ at, name: `centre of ${name}` });
         }
@@ -677,7 +677,7 @@ function start(report, solver) {
     return model.outline.bodies.some(({ joints }) => joints.includes(joint) && joints.some(isFixed));
   }
 
-  /** The largest rates of the turn, unless few are far larger than the others, so that arrows keep their scale. */
+  /** The largest rates of a revolution, unless few are far larger than the rest, so that arrows keep their scale. */
   function scalesOfArrows() {
     const rows = innerRows(sweep);
     const sizes = [[], [], []];
@@ -687,7 +687,7 @@ function start(report, solver) {
       for (const followed of rates ? carriers() : []) {
         const sizeOf = (order) =>
           Math.hypot(
-            ...placeOf(
+            ...coordinatesOf(
               model,
               followed,
               rates.map((joint) => joint[order]),
@@ -721,8 +721,8 @@ function start(report, solver) {
   function listQuantities() {
     const entries = groups.map(({ name, words }) => [name, words]);
     const group = entries.length > 1 ? [choice("Quantities", entries, state.group, setGroup)] : [];
-    const own = groupNow()?.curves ?? [];
-    const boxes = own.map(({ name, text, documentation, colour, dashed }) => {
+    const curves = groupNow()?.curves ?? [];
+    const boxes = curves.map(({ name, text, documentation, colour, dashed }) => {
       const box = tick({ checked: !state.hidden.has(name) }, (shown) => {
         state.hidden[shown ? "delete" : "add"](name);
         redraw();
@@ -747,7 +747,7 @@ function start(report, solver) {
       state.turning = axes === "turning";
       redraw();
     });
-    frame.hidden = !own.some(({ joint }) => joint !== undefined);
+    frame.hidden = !curves.some(({ joint }) => joint !== undefined);
     const whole = button("Whole range", { id: "whole", hidden: isWhole() }, () => zoomTo([model.from, model.to]));
     part("plot-options").replaceChildren(...group, ...boxes, made("span", { className: "pushed" }, frame, over), whole);
   }
@@ -812,8 +812,8 @@ function start(report, solver) {
   }
 
   function trace(followed) {
-    const own = state.followed.filter(({ joint }) => joint === undefined).length;
-    state.followed = [...state.followed, { ...followed, name: followed.name || `P${own > 0 ? own + 1 : ""}` }];
+    const unnamed = state.followed.filter(({ joint }) => joint === undefined).length;
+    state.followed = [...state.followed, { ...followed, name: followed.name || `P${unnamed > 0 ? unnamed + 1 : ""}` }];
     arrowScales = null;
     ask();
   }
@@ -830,18 +830,18 @@ function start(report, solver) {
     solve();
   }
 
-  function openDrawer(open) {
-    part("dimensions").hidden = !open;
-    part("board").classList.toggle("with-drawer", open);
-    part("open-dimensions").setAttribute("aria-expanded", String(open));
+  function openDrawer(isOpen) {
+    part("dimensions").hidden = !isOpen;
+    part("board").classList.toggle("with-drawer", isOpen);
+    part("isOpen-dimensions").setAttribute("aria-expanded", String(isOpen));
     redraw();
   }
 
   function setUp() {
     document.title = report.title;
-    tell(part("title"), report.title);
+    setText(part("title"), report.title);
     const [summary] = (report.documentation ?? "").split(/\n\s*\n/);
-    tell(part("subtitle"), summary.replaceAll("\n", " ").replaceAll("`", ""));
+    setText(part("subtitle"), summary.replaceAll("\n", " ").replaceAll("`", ""));
     const option = (value, selected, words) => made("option", { value: String(value), selected }, words);
     part("pace").append(...pacesAround(watchable).map((pace) => option(pace, pace === watchable, paceText(pace))));
     const assemblies = report.assemblies.map((one, index) =>
@@ -881,9 +881,9 @@ function start(report, solver) {
       say(`Dimensions cannot be changed here${report.unrecorded ? `: ${report.unrecorded}` : ""}.`, false);
     } else if (report.not_closed) {
       const { text, unknowns, margin, at } = report.not_closed;
-      const place = `${model.variable.text} = ${inputText(model, at, state.degrees)}`;
+      const position = `${model.variable.text} = ${inputText(model, at, state.degrees)}`;
       const block = unknowns ? ` (${blockText(model, unknowns)})` : "";
-      const reason = margin === null ? text : `out of reach by ${amount(Math.abs(margin))} at ${place}${block}`;
+      const reason = margin === null ? text : `out of reach by ${amount(Math.abs(margin))} at ${position}${block}`;
       say(`It does not close everywhere: ${reason}.`, false);
     }
   }

@@ -81,13 +81,14 @@ export function quantityText(value, { dimension, order = 0 }, { units }, degrees
   );
 }
 
-/** What radians are multiplied by. */
+/** The factor from radians. */
 export function unitFactor(dimension, degrees) {
   return dimension === "angle" && degrees ? 180 / Math.PI : 1;
 }
 
 /**
- * Round numbers that divide a range: multiples of 1, 2 or 5 times a power of ten, or of parts of a turn for degrees.
+ * Round numbers that divide a range: multiples of 1, 2 or 5 times a power of ten, or of parts of a revolution in
+ * degrees.
  * @param {number} count about how many
  * @returns {number[]}
  */
@@ -101,9 +102,9 @@ export function ticks(low, high, count, degrees = false) {
   if (degrees && rough > 5 && rough < 400) {
     step = [10, 15, 30, 45, 60, 90, 180, 360].find((part) => part >= rough * 0.74) ?? 720;
   }
-  const places = [];
+  const numbers = [];
   for (let index = Math.ceil(low / step - 1e-9); index * step <= high + 1e-9 * step; index += 1) {
-    places.push(index * step || 0);
+    numbers.push(index * step || 0);
   }
-  return places;
+  return numbers;
 }

@@ -1,4 +1,4 @@
-/** How fast the page plays: at the pace 1 as fast as the mechanism moves. */
+/** The pace at which the page plays: at the pace 1 as fast as the mechanism moves. */
 
 /** The times of a range that are watched with ease, in seconds; within them, the pace nearest to 1 is taken. */
 const WATCHED = [3, 12];
@@ -7,7 +7,7 @@ const PACES = [-6, -5, -4, -3, -2, -1, 0, 1, 2, 3, 4, 5, 6].flatMap((power) =>
   [1, 2, 5].map((part) => Number(`${part}e${power}`)),
 );
 
-/** So many units of the report's time pass in a second. Other units than these count as seconds. */
+/** The units of the report's time in a second. Units that are not listed count as seconds. */
 export function secondsOf(unit) {
   const units = { ms: 1e3, s: 1, min: 1 / 60, h: 1 / 3600 };
   return units[unit] ?? 1;
@@ -22,8 +22,8 @@ export function watchablePace(model, design) {
 
 /** The paces to choose from, ascending: some around one, and 1. @returns {number[]} */
 export function pacesAround(pace) {
-  const place = PACES.indexOf(pace);
-  const some = PACES.slice(Math.max(0, place - 2), place + 3);
+  const index = PACES.indexOf(pace);
+  const some = PACES.slice(Math.max(0, index - 2), index + 3);
   return [...new Set([...some, 1])].sort((one, other) => one - other);
 }
 

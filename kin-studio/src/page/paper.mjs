@@ -1,4 +1,4 @@
-/** What stands below the fold: peaks, sensitivities, equations, how it was solved, the declaration. */
+/** The part of the page below the fold: peaks, sensitivities, equations, their solution, the declaration. */
 import { memberText } from "./curves.mjs";
 import { inputAt } from "./kinematics/drive.mjs";
 import { button, choice, definitions, drawn, made, table } from "./elements.mjs";
@@ -12,13 +12,13 @@ import { quotedCell } from "./saving.mjs";
 const ROUNDING = 1e-14;
 
 /**
- * @param {(x: number) => void} go moves the mechanism to a place of the range
+ * @param {(x: number) => void} go moves the mechanism to a value of the variable
  */
-export function createPaper(place, model, go) {
+export function createPaper(parent, model, go) {
   const { report } = model;
   const add = (title, ...content) => {
     const section = made("section", {}, made("h2", {}, title), ...content);
-    place.append(section);
+    parent.append(section);
     return section;
   };
   if (report.documentation) {
@@ -76,17 +76,17 @@ function numbersOf(model, { highest, lowest, rms }, quantity, degrees) {
   return [quantity.declared, ORDERS[quantity.order], unit, ...both(highest), ...both(lowest), number(rms, quantity)];
 }
 
-/** A row of the peaks in words, with buttons that go to their places. */
+/** A row of the peaks in words, with buttons that go to them. */
 function textsOf(model, { highest, lowest, rms }, quantity, degrees, go) {
   const text = (value) => quantityText(value, quantity, model, degrees, 6);
-  // beside the other extreme, what is left of a zero by rounding is zero
+  // an extreme is zero if it is far below the other extreme
   const size = Math.max(Math.abs(highest?.value ?? 0), Math.abs(lowest?.value ?? 0));
   const rounded = (value) => (Math.abs(value) > ROUNDING * size ? value : 0);
   const both = (peak) => {
     if (!peak) {
       return ["–", ""];
     }
-    const there = placeButton(model, peak.at, degrees, go);
+    const there = goToButton(model, peak.at, degrees, go);
     return [peak.value === null ? "unbounded" : text(rounded(peak.value)), there];
   };
   return [...both(highest), ...both(lowest), rms === null ? "–" : text(rms)];
@@ -106,26 +106,26 @@ async function copyText(text) {
   }
 }
 
-/** What the joints and the drives bear: what a catalogue of bearings asks for. */
+/** The forces of joints and drives that a catalogue of bearings asks for. */
 function forces(add, model, go) {
-  const { forces: own } = model.report;
-  if (!own) {
+  const { forces: given } = model.report;
+  if (!given) {
     return () => {};
   }
-  const place = made("div", { className: "scroll" });
+  const box = made("div", { className: "scroll" });
   const remarks = [
     "At the given dimensions, speed and assembly. The mean is the root of the mean square over time.",
-    own.unknown && `Not all forces are known: ${own.unknown}`,
+    given.unknown && `Not all forces are known: ${given.unknown}`,
   ];
-  add("Forces", place, ...remarks.filter(Boolean).map((text) => made("p", { className: "quiet-text" }, text)));
-  const joints = own.joints.map(({ name, on, by, peak }) => [
+  add("Forces", box, ...remarks.filter(Boolean).map((text) => made("p", { className: "quiet-text" }, text)));
+  const joints = given.joints.map(({ name, on, by, peak }) => [
     name,
     memberText(model, on),
     memberText(model, by),
     "N",
     peak,
   ]);
-  const curves = own.curves.map(({ text, kind, peak }) => [text, "", "", kind === "force" ? "N" : "N m", peak]);
+  const curves = given.curves.map(({ text, kind, peak }) => [text, "", "", kind === "force" ? "N" : "N m", peak]);
   return (degrees) => {
     const rows = [...joints, ...curves].map(([name, on, by, unit, peak]) => {
       const text = (value, end = "") => (typeof value === "number" ? `${numberText(value, 6)} ${unit}${end}` : "–");
@@ -138,21 +138,21 @@ function forces(add, model, go) {
       }
       const largest = peak.value === null ? "unbounded" : text(peak.value);
       const rate = text(peak.rate, `/${model.units.time}`);
-      return [...words, largest, placeButton(model, peak.at, degrees, go), text(peak.rms), rate];
+      return [...words, largest, goToButton(model, peak.at, degrees, go), text(peak.rms), rate];
     });
-    place.replaceChildren(table(["Force", "on", "by", "Peak", "at", "RMS", "Largest rate"], rows));
+    box.replaceChildren(table(["Force", "on", "by", "Peak", "at", "RMS", "Largest rate"], rows));
   };
 }
 
-/** A button that goes to a place of the range. */
-function placeButton(model, at, degrees, go) {
-  const place = inputText(model, at, degrees);
-  const there = button(place, { "aria-label": `Go to ${model.variable.text} = ${place}` }, () => go(at));
+/** A button that goes to a value of the variable. */
+function goToButton(model, at, degrees, go) {
+  const text = inputText(model, at, degrees);
+  const there = button(text, { "aria-label": `Go to ${model.variable.text} = ${text}` }, () => go(at));
   there.dataset.at = String(at);
   return there;
 }
 
-/** Which dimension moves the peak: bars for the same part of each dimension, and the change for each unit of it. */
+/** The influence of dimensions on a peak: bars for the same part of each dimension, and the change for each unit. */
 function sensitivities(add, model) {
   const all = model.report.sensitivities ?? [];
   if (all.length === 0) {
@@ -177,14 +177,14 @@ function sensitivities(add, model) {
     const unit = unitText(dimension, order, model.units, degrees);
     const effects = model.parameters.map(({ value }, index) => values[index] * value);
     const most = Math.max(...effects.map(Math.abs), 1e-300);
-    const rows = model.parameters.flatMap(({ text, dimension: own }, index) => {
+    const rows = model.parameters.flatMap(({ text, dimension: ofParameter }, index) => {
       const effect = (98 * effects[index]) / most;
       const bar = drawn("svg", { viewBox: "-100 0 200 14", preserveAspectRatio: "none", "aria-hidden": "true" });
       const rect = { x: Math.min(0, effect), width: Math.abs(effect), y: 2, height: 10 };
       drawn("rect", { ...rect, class: effect < 0 ? "bar-down" : "bar-up" }, bar);
       drawn("path", { d: "M0 0V14", class: "zero-line" }, bar);
-      const rate = (values[index] * unitFactor(dimension, degrees)) / unitFactor(own, degrees);
-      const each = unitText(own, 0, model.units, degrees);
+      const rate = (values[index] * unitFactor(dimension, degrees)) / unitFactor(ofParameter, degrees);
+      const each = unitText(ofParameter, 0, model.units, degrees);
       const number = `${withUnit(numberText(rate, 4), unit)}${each ? ` per ${each}` : ""}`;
       return [made("span", {}, text), bar, made("span", { className: "number" }, number)];
     });
@@ -228,7 +228,7 @@ function howSolved(add, model) {
   }
 }
 
-/** What dragging does: an input alone is free, and several keep to their common motion. */
+/** The effect of dragging: one input moves freely, and several inputs keep to their common motion. */
 function dragText(model) {
   const stops = "it stops at limits";
   if (model.drive.overTime) {
@@ -239,7 +239,7 @@ function dragText(model) {
     : `moves the mechanism to the nearest pose; ${stops}`;
 }
 
-/** What hands can do. */
+/** The gestures of the picture. */
 function manual(add, model) {
   const beside = model.space
     ? ["Drag beside the links", "turns the view; with Shift it shifts the view"]
@@ -283,7 +283,7 @@ function declaration(add, model) {
   add("Declaration", ...source, made("h3", {}, "This report"), definitions(entries.filter(([, text]) => text)));
 }
 
-/** How the inputs move, with all digits. */
+/** The motion of the inputs, with all digits. */
 function motionText(model, unit) {
   const { drive, variable } = model;
   const range = (from, to, dimension) =>
@@ -300,7 +300,7 @@ function motionText(model, unit) {
     { x: model.to, piece: drive.pieces.length - 1 },
   ];
   const ways = model.moving.map(({ declared, index, dimension, name }) => {
-    const value = (place) => (name === variable.name ? place.x : inputAt(drive, index, place));
+    const value = (sample) => (name === variable.name ? sample.x : inputAt(drive, index, sample));
     return `${declared} ${range(value(first), value(last), dimension)}`;
   });
   const speed = withUnit(String(model.report.speed), unit(variable.dimension, 1));

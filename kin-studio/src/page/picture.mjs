@@ -1,6 +1,6 @@
 /** The mechanism to scale: ground, links, sliders, pins, paths, arrows and names. */
-import { placeOf } from "./kinematics/anatomy.mjs";
-import { change, drawn, line, tell, tenth } from "./elements.mjs";
+import { coordinatesOf } from "./kinematics/anatomy.mjs";
+import { change, drawn, line, setText, tenth } from "./elements.mjs";
 import { createRoom, keepLines, keepSquare, placeName } from "./labels.mjs";
 import { numberText, ticks, withUnit } from "./numbers.mjs";
 import { alongSlide } from "./kinematics/sweep.mjs";
@@ -47,7 +47,7 @@ const LAYERS = [
  * @property {{long: number, text: string} | null} newton how long the arrow of a force is, in pixels
  * @property {number | null} free the body that is seen alone
  * @property {number[]} senses for each body the sense in which its input turns it: 1, -1, or 0 if none does
- * @property {boolean} moves whether names should keep their places
+ * @property {boolean} moves whether names should keep their positions
  */
 
 export function createPicture(svg, model) {
@@ -127,7 +127,7 @@ function grid(layer, model, { view, width, height }, room) {
   const [left, foot] = [12, height - 12];
   layer.add("path", { d: `M${left} ${foot - 4}V${foot}H${tenth(left + length)}V${foot - 4}`, class: "scale-line" });
   const text = withUnit(numberText(step), model.units.length);
-  tell(layer.add("text", { x: tenth(left + length + 7), y: foot, class: "quiet" }), text);
+  setText(layer.add("text", { x: tenth(left + length + 7), y: foot, class: "quiet" }), text);
   keepSquare(room, [left + 0.5 * length, foot], 0.5 * length);
   if (model.space) {
     const corner = [width - 40, height - 34];
@@ -139,23 +139,23 @@ function grid(layer, model, { view, width, height }, room) {
       const [x, y] = flat(view, axis);
       layer.add("path", { d: line([corner, [corner[0] + 20 * x, corner[1] + 20 * y]]), class: "scale-line" });
       const at = { x: tenth(corner[0] + 28 * x), y: tenth(corner[1] + 28 * y + 4), class: "quiet middle" };
-      tell(layer.add("text", at), name);
+      setText(layer.add("text", at), name);
     }
   }
   layer.end();
 }
 
 function gridStep(scale) {
-  const places = ticks(0, 320 / scale, 5);
-  return places.length > 1 ? places[1] : 1 / scale;
+  const marks = ticks(0, 320 / scale, 5);
+  return marks.length > 1 ? marks[1] : 1 / scale;
 }
 
 function trails(layer, { view, trails: all }, room) {
   layer.begin();
   for (const { points, colour, closed } of all()) {
-    const places = points.map((point) => onPage(view, point));
-    layer.add("path", { d: line(places, closed), class: `trail ${colour}` });
-    const sparse = places.filter((_, index) => index % 12 === 0);
+    const seen = points.map((point) => onPage(view, point));
+    layer.add("path", { d: line(seen, closed), class: `trail ${colour}` });
+    const sparse = seen.filter((_, index) => index % 12 === 0);
     keepLines(room, sparse, 1.5);
   }
   layer.end();
@@ -177,7 +177,7 @@ function ghosts(layer, model, scene) {
     layer.add("path", { d, class: `ghost ${colour}` });
     const hit = layer.add("path", { d, class: "ghost hit-ghost", "data-assembly": index });
     const name = hit.firstChild ?? drawn("title", {}, hit);
-    tell(name, title);
+    setText(name, title);
   }
   layer.end();
 }
@@ -210,7 +210,7 @@ function isCylinder(model, scene, slide) {
   return model.outline.slides[slide].guide !== null && (model.space || scene.anatomy.drivenSlides[slide]);
 }
 
-/** Whether a slide stands: its joint keeps its place on the body, which is as long as an input that does not move. */
+/** Whether a slide stands: its joint keeps its position on the body, whose length is an input that does not move. */
 function standsStill(model, scene, slide) {
   const [low, high] = scene.sweep.travel[slide];
   return model.outline.slides[slide].guide !== null && high - low <= ROUNDING * Math.max(Math.abs(low), Math.abs(high));
@@ -246,8 +246,8 @@ function hatch(from, to, below) {
   const count = Math.max(1, Math.floor(length / 6));
   let data = "";
   for (let index = 0; index < count; index += 1) {
-    const place = (length * (index + 0.5)) / count;
-    const start = [from[0] + x * place, from[1] + y * place];
+    const distance = (length * (index + 0.5)) / count;
+    const start = [from[0] + x * distance, from[1] + y * distance];
     data += line([start, [start[0] + 5.5 * below[0] - 5 * x, start[1] + 5.5 * below[1] - 5 * y]]);
   }
   return data;
@@ -265,9 +265,9 @@ function ground(layer, model, scene, joints, room) {
     if (below[1] < -1e-9 || (Math.abs(below[1]) <= 1e-9 && below[0] < 0)) {
       below = [y, -x];
     }
-    const shift = (place, sign) => [
-      place[0] + sign * 18 * x + below[0] * (BLOCK[1] + 1),
-      place[1] + sign * 18 * y + below[1] * (BLOCK[1] + 1),
+    const shift = (point, sign) => [
+      point[0] + sign * 18 * x + below[0] * (BLOCK[1] + 1),
+      point[1] + sign * 18 * y + below[1] * (BLOCK[1] + 1),
     ];
     const forward = (end[0] - start[0]) * x + (end[1] - start[1]) * y >= 0;
     const [from, to] = forward ? [shift(start, -1), shift(end, 1)] : [shift(end, -1), shift(start, 1)];
@@ -336,8 +336,8 @@ function bodies(layer, hits, model, scene, joints, room) {
       layer.add("path", { d, class: `bar${plate} ${colour}${faded}` });
     }
     if (outer.length > 0) {
-      const own = driven[body] || shifted ? "hit hit-driven" : "hit";
-      hits.add("path", { d: outer.length > 1 ? d : line([outer[0], outer[0]]), class: own, "data-body": body });
+      const style = driven[body] || shifted ? "hit hit-driven" : "hit";
+      hits.add("path", { d: outer.length > 1 ? d : line([outer[0], outer[0]]), class: style, "data-body": body });
     }
     keepLines(room, outer, 6, outer.length > 2);
   });
@@ -378,7 +378,7 @@ function pins(layer, model, scene, joints, room) {
     }
   });
   scene.followed.forEach((followed) => {
-    const [x, y] = onPage(scene.view, placeOf(model, followed, scene.pose.joints));
+    const [x, y] = onPage(scene.view, coordinatesOf(model, followed, scene.pose.joints));
     if (followed.joint === undefined || !scene.anatomy.pins[followed.joint]) {
       layer.add("circle", { cx: tenth(x), cy: tenth(y), r: 3.4, class: "tracer" });
       keepSquare(room, [x, y], 5);
@@ -391,9 +391,9 @@ function pins(layer, model, scene, joints, room) {
 function marks(layer, model, scene, joints, room) {
   layer.begin();
   scene.anatomy.driven.forEach((driven, body) => {
-    const own = model.outline.bodies[body].joints;
-    const centre = own.find((joint) => scene.anatomy.fixed[joint]);
-    const arm = own.find((joint) => joint !== centre);
+    const ofBody = model.outline.bodies[body].joints;
+    const centre = ofBody.find((joint) => scene.anatomy.fixed[joint]);
+    const arm = ofBody.find((joint) => joint !== centre);
     const sign = scene.senses[body];
     if (!driven || sign === 0 || scene.free !== null || model.space || centre === undefined || arm === undefined) {
       return;
@@ -412,11 +412,11 @@ function marks(layer, model, scene, joints, room) {
     );
   });
   for (const { centre, radius, at } of scene.circles) {
-    const [[x, y], place] = [onPage(scene.view, centre), onPage(scene.view, at)];
+    const [[x, y], point] = [onPage(scene.view, centre), onPage(scene.view, at)];
     const size = radius * scene.view.scale;
     if (size < 20 * Math.max(scene.width, scene.height)) {
       layer.add("circle", { cx: tenth(x), cy: tenth(y), r: tenth(size), class: "osculating" });
-      layer.add("path", { d: line([place, [x, y]]), class: "thin-dash" });
+      layer.add("path", { d: line([point, [x, y]]), class: "thin-dash" });
       layer.add("circle", { cx: tenth(x), cy: tenth(y), r: 2.2, class: "dot" });
     }
   }
@@ -429,7 +429,7 @@ function marks(layer, model, scene, joints, room) {
   layer.end();
 }
 
-/** The head of an arrow whose shaft ends at a place. */
+/** The head of an arrow whose shaft ends at a point. */
 export function arrowHead(tip, from) {
   const [x, y] = unitOf(from, tip);
   const end = [tip[0] + 4 * x, tip[1] + 4 * y];
@@ -462,7 +462,7 @@ function forces(layer, scene, room) {
   layer.begin();
   const titled = (attributes, title) => {
     const element = layer.add("path", attributes);
-    tell(element.firstChild ?? drawn("title", {}, element), title);
+    setText(element.firstChild ?? drawn("title", {}, element), title);
   };
   for (const { at, by, part, kind, title } of scene.forces) {
     const start = onPage(scene.view, at);
@@ -496,13 +496,13 @@ function forces(layer, scene, room) {
       class: "arrow force joint",
     });
     layer.add("path", { d: arrowHead([left + long - 4, foot], [left, foot]), class: "arrow-head force joint" });
-    tell(layer.add("text", { x: tenth(left + long + 7), y: foot + 4, class: "quiet" }), text);
+    setText(layer.add("text", { x: tenth(left + long + 7), y: foot + 4, class: "quiet" }), text);
     room.boxes.push([left, foot - 8, left + long + 7 + 8 * text.length, foot + 8]);
   }
   layer.end();
 }
 
-/** The arc of a couple around a place: the larger the part, the longer. */
+/** The arc of a couple around a point: the larger the part, the longer. */
 function arcOf([x, y], part) {
   const way = 0.35 + 4.4 * Math.min(1, Math.abs(part));
   if (Math.abs(part) < 0.02) {
@@ -517,10 +517,10 @@ function arcOf([x, y], part) {
 function names(layer, model, scene, joints, room, choices) {
   layer.begin();
   const write = (key, around, text, style) => {
-    const place = placeName(room, around, text, 14, scene.moves ? choices.get(key) : undefined);
-    if (place) {
-      choices.set(key, place);
-      tell(layer.add("text", { x: tenth(place.x), y: tenth(place.y + 4.6), class: `name ${style}` }), text);
+    const position = placeName(room, around, text, 14, scene.moves ? choices.get(key) : undefined);
+    if (position) {
+      choices.set(key, position);
+      setText(layer.add("text", { x: tenth(position.x), y: tenth(position.y + 4.6), class: `name ${style}` }), text);
     }
   };
   if (scene.shows.names) {
@@ -536,16 +536,21 @@ function names(layer, model, scene, joints, room, choices) {
       if (!isSeen(followed.joint)) {
         return;
       }
-      write(`p${index}`, [onPage(scene.view, placeOf(model, followed, scene.pose.joints))], followed.name, "of-point");
+      write(
+        `p${index}`,
+        [onPage(scene.view, coordinatesOf(model, followed, scene.pose.joints))],
+        followed.name,
+        "of-point",
+      );
     });
     scene.centres.forEach(({ at, name }, index) => write(`i${index}`, [onPage(scene.view, at)], name, "of-centre"));
-    model.outline.bodies.forEach(({ name, joints: own }, body) => {
+    model.outline.bodies.forEach(({ name, joints: ofBody }, body) => {
       if (scene.free !== null && scene.free !== body) {
         return;
       }
       const corners = cornersOf(model, scene, body, joints, scene.pose);
       // a plate has the name of the line from its first joint to the second
-      const outer = own.length > 2 ? corners.slice(0, 2) : hull(corners);
+      const outer = ofBody.length > 2 ? corners.slice(0, 2) : hull(corners);
       const around = [];
       for (const part of [0.5, 0.35, 0.65, 0.2, 0.8]) {
         outer.forEach((from, index) => {
@@ -561,24 +566,24 @@ function names(layer, model, scene, joints, room, choices) {
   layer.end();
 }
 
-/** The corners of the smallest convex polygon around some places; two if all lie on one line. @returns {number[][]} */
-export function hull(places) {
-  const sorted = [...places].sort((one, other) => one[0] - other[0] || one[1] - other[1]);
+/** The corners of the smallest convex polygon around some points; two if all lie on one line. @returns {number[][]} */
+export function hull(points) {
+  const sorted = [...points].sort((one, other) => one[0] - other[0] || one[1] - other[1]);
   const chain = (all) => {
     const found = [];
-    for (const place of all) {
+    for (const point of all) {
       while (found.length > 1) {
         const [before, last] = found.slice(-2);
-        const cross = (last[0] - before[0]) * (place[1] - last[1]) - (last[1] - before[1]) * (place[0] - last[0]);
+        const cross = (last[0] - before[0]) * (point[1] - last[1]) - (last[1] - before[1]) * (point[0] - last[0]);
         // less than a pixel beside the line is on it
-        if (cross > 0.5 * Math.hypot(place[0] - before[0], place[1] - before[1])) {
+        if (cross > 0.5 * Math.hypot(point[0] - before[0], point[1] - before[1])) {
           break;
         }
         found.pop();
       }
       const last = found[found.length - 1];
-      if (!last || Math.hypot(place[0] - last[0], place[1] - last[1]) > 0.5) {
-        found.push(place);
+      if (!last || Math.hypot(point[0] - last[0], point[1] - last[1]) > 0.5) {
+        found.push(point);
       }
     }
     return found;

@@ -1,6 +1,6 @@
 /** Position through snap over one common axis, with one cursor. */
 import { isBroken } from "./kinematics/drive.mjs";
-import { change, drawn, line, tell, tenth } from "./elements.mjs";
+import { change, drawn, line, setText, tenth } from "./elements.mjs";
 import { inputText } from "./kinematics/marks.mjs";
 import { numberText, steadyText, ticks, unitFactor, withUnit } from "./numbers.mjs";
 import { innerRows, rowBefore } from "./kinematics/sweep.mjs";
@@ -75,7 +75,7 @@ export function createPlots(svg, model) {
       drawn("path", { d: `M${LEFT} ${y}H${now.width - RIGHT}`, class: value === 0 ? "zero-line" : "grid-line" }, still);
       drawn("text", { x: LEFT - 7, y: y + 4, class: "quiet end" }, still).textContent = numberText(value, 4);
     }
-    for (const x of axisPlaces()) {
+    for (const x of axisTicks()) {
       drawn("path", { d: `M${tenth(across(x))} ${upper}V${tenth(lower)}`, class: "grid-line" }, still);
     }
     for (const { x, kind } of now.marks) {
@@ -101,13 +101,13 @@ export function createPlots(svg, model) {
     const [dots, dotsBefore] = [now.shown.map(dot), now.shown.map(dot)];
     const wide = now.shown.reduce((sum, { text }) => sum + DIGIT * (text.length + 9) + 14, 0);
     const named = wide < now.width - LEFT - RIGHT - 120;
-    const own = now.shown.slice(
+    const labelled = now.shown.slice(
       0,
       named ? 99 : Math.max(1, Math.floor((now.width - LEFT - RIGHT - 118) / (DIGIT * 8))),
     );
     const values = drawn("text", { x: now.width - RIGHT, y: top + 14, class: "plot-values end" }, moving);
-    const texts = own.map(({ colour, text }, place) => {
-      const swatch = drawn("tspan", { class: `swatch c${colour}`, ...(place > 0 ? { dx: 7 } : {}) }, values);
+    const texts = labelled.map(({ colour, text }, index) => {
+      const swatch = drawn("tspan", { class: `swatch c${colour}`, ...(index > 0 ? { dx: 7 } : {}) }, values);
       swatch.textContent = "●";
       return { element: drawn("tspan", { dx: 3 }, values), name: named ? `${text} ` : "" };
     });
@@ -126,7 +126,7 @@ export function createPlots(svg, model) {
 
   const scaleOf = (curve, order) => curve.scale(now.sweep, order) * curve.factor(now.degrees);
 
-  /** Marks the peaks that are known, and says how large the largest one is. */
+  /** Marks the known peaks, and labels the largest with its value. */
   function drawPeaks(down) {
     const seen = now.shown.filter(({ peak }) => peak && peak.at >= now.zoom[0] && peak.at <= now.zoom[1]);
     const largest = seen.reduce((best, one) => (best && best.peak.value >= one.peak.value ? best : one), null);
@@ -150,8 +150,8 @@ export function createPlots(svg, model) {
       for (const span of sweep.spans) {
         // where a derivative jumps, the curve has a gap
         const pieces = [[]];
-        span.rows.forEach((row, place) => {
-          if (place > 0 && isBroken(model.drive, span.rows[place - 1], row, order + curve.above)) {
+        span.rows.forEach((row, index) => {
+          if (index > 0 && isBroken(model.drive, span.rows[index - 1], row, order + curve.above)) {
             pieces.push([]);
           }
           const value = valueOf(row, curve, order);
@@ -197,7 +197,7 @@ export function createPlots(svg, model) {
     return [low - room, high + room];
   }
 
-  function axisPlaces() {
+  function axisTicks() {
     const count = (now.width - LEFT - RIGHT) / 70;
     if (now.time) {
       const [from, to] = now.zoom.map((x) => (x - model.from) / now.speed);
@@ -209,11 +209,11 @@ export function createPlots(svg, model) {
 
   function drawAxis(y) {
     drawn("path", { d: `M${LEFT} ${y}H${now.width - RIGHT}`, class: "axis-line" }, still);
-    for (const x of axisPlaces()) {
+    for (const x of axisTicks()) {
       const at = across(x);
       const text = drawn("text", { x: tenth(at), y: y + 14, class: "quiet middle" }, still);
-      const own = model.drive.overTime ? numberText(x, 4) : inputText(model, x, now.degrees, 4);
-      text.textContent = now.time ? numberText((x - model.from) / now.speed, 4) : own;
+      const ofVariable = model.drive.overTime ? numberText(x, 4) : inputText(model, x, now.degrees, 4);
+      text.textContent = now.time ? numberText((x - model.from) / now.speed, 4) : ofVariable;
       drawn("path", { d: `M${tenth(at)} ${y}v4`, class: "axis-line" }, still);
     }
     const label = drawn("text", { x: now.width - RIGHT, y: y + 29, class: "quiet end" }, still);
@@ -231,26 +231,26 @@ export function createPlots(svg, model) {
       d: rows.map(({ upper, lower }) => `M${tenth(x)} ${tenth(upper)}V${tenth(lower)}`).join(""),
       display: inside ? "inline" : "none",
     });
-    // at a joint there is a value before it and one behind it
+    // at a joint there are two values, before it and behind it
     const before = rowBefore(now.sweep, row);
     rows.forEach(({ down, dots, dotsBefore, texts, scales, visible }, order) => {
-      now.shown.forEach((curve, place) => {
+      now.shown.forEach((curve, index) => {
         const jumps = before !== null && isBroken(model.drive, before, row, order + curve.above);
-        const put = (element, own, shown) => {
-          const value = valueOf(own, curve, order);
+        const put = (element, shownRow, shown) => {
+          const value = valueOf(shownRow, curve, order);
           const y = Number.isNaN(value) ? Infinity : down(value);
           const isSeen = shown && inside && visible(y);
           change(element, { cx: tenth(x), ...(isSeen ? { cy: tenth(y) } : {}), display: isSeen ? "inline" : "none" });
         };
-        put(dots[place], row, true);
-        put(dotsBefore[place], before ?? row, jumps);
-        if (texts[place]) {
-          const text = (own) =>
-            curve.isUnbounded(now.sweep, own, order)
+        put(dots[index], row, true);
+        put(dotsBefore[index], before ?? row, jumps);
+        if (texts[index]) {
+          const text = (shownRow) =>
+            curve.isUnbounded(now.sweep, shownRow, order)
               ? "unbounded"
-              : steadyText(valueOf(own, curve, order), scales[place]);
+              : steadyText(valueOf(shownRow, curve, order), scales[index]);
           const both = jumps && 2 * texts.length * DIGIT * 11 < now.width - LEFT - RIGHT;
-          tell(texts[place].element, `${texts[place].name}${both ? `${text(before)} → ` : ""}${text(row)}`);
+          setText(texts[index].element, `${texts[index].name}${both ? `${text(before)} → ` : ""}${text(row)}`);
         }
       });
     });

@@ -1,4 +1,4 @@
-/** What can be taken away: tables as CSV, the picture as SVG and PNG, the report and the design as JSON. */
+/** The files that a reader may save: tables as CSV, the picture as SVG and PNG, the report and the design as JSON. */
 import { inputAt } from "./kinematics/drive.mjs";
 import { change, drawn, made } from "./elements.mjs";
 import { ORDERS, unitFactor, unitText } from "./numbers.mjs";
@@ -43,7 +43,7 @@ export function quotedCell(text) {
   return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 }
 
-/** A picture of the page as a file of its own. */
+/** A picture of the page as a separate file. */
 export function pictureFile(svg, title) {
   const copy = svg.cloneNode(true);
   const originals = [...svg.querySelectorAll("*")];

@@ -1,5 +1,5 @@
 /** The range of the variable: where it closes, limits, dead points, poor transmission, and what is out of reach. */
-import { change, drawn, line, tell, tenth } from "./elements.mjs";
+import { change, drawn, line, setText, tenth } from "./elements.mjs";
 import { inputText, kindText } from "./kinematics/marks.mjs";
 import { sameLimit } from "./kinematics/tolerances.mjs";
 import { ticks, unitFactor } from "./numbers.mjs";
@@ -37,7 +37,7 @@ export function createScrubber(svg, model) {
           ),
         );
         const known = marks.some(
-          (mark) => !mark.own && (sameLimit(model, mark.x, from) || sameLimit(model, mark.x, to)),
+          (mark) => !mark.foundByPage && (sameLimit(model, mark.x, from) || sameLimit(model, mark.x, to)),
         );
         const text =
           lost && !known
@@ -87,10 +87,10 @@ export function createScrubber(svg, model) {
         drawn("title", {}, drawn("rect", band, still)).textContent = "transmission angle below 40°";
       }
       const factor = unitFactor(model.variable.dimension, degrees);
-      for (const place of ticks(model.from * factor, model.to * factor, (width - 2 * SIDE) / 90, factor !== 1)) {
-        const x = across(place / factor);
+      for (const tick of ticks(model.from * factor, model.to * factor, (width - 2 * SIDE) / 90, factor !== 1)) {
+        const x = across(tick / factor);
         drawn("path", { d: `M${tenth(x)} ${TRACK + 8}v4`, class: "axis-line" }, still);
-        const text = inputText(model, place / factor, degrees, 4);
+        const text = inputText(model, tick / factor, degrees, 4);
         const at = { x: tenth(withinWidth(x, text)), y: TRACK + 25, class: "quiet middle" };
         drawn("text", at, still).textContent = text;
       }
@@ -101,11 +101,11 @@ export function createScrubber(svg, model) {
       const factor = unitFactor(model.variable.dimension, true);
       change(svg, { "aria-valuenow": Math.round(x * factor * 1000) / 1000, "aria-valuetext": text });
     },
-    /** The variable at a place of the picture. */
+    /** The variable at a coordinate of the picture. */
     inputAt: (x) => model.from + Math.min(1, Math.max(0, (x - SIDE) / (width - 2 * SIDE))) * model.width,
   };
 
-  /** The middle of a text as near to a place as it can stand without being cut. */
+  /** The middle of a text, as near to a coordinate as the text can stand without being cut. */
   function withinWidth(x, text) {
     const half = 3.6 * text.length;
     return Math.min(width - half - 2, Math.max(half + 2, x));
@@ -124,13 +124,13 @@ export function createScrubber(svg, model) {
       drawn("title", {}, tick).textContent =
         mark.kind === "Joint"
           ? `${text}, where two pieces of a law meet`
-          : `${text}${mark.text ? `: ${mark.text}` : ""}${mark.own ? " (found by the page)" : ""}`;
+          : `${text}${mark.text ? `: ${mark.text}` : ""}${mark.foundByPage ? " (found by the page)" : ""}`;
       const half = 3.6 * text.length;
       const at = withinWidth(x, text);
       if (at - half > last + 8) {
         last = at + half;
         const label = drawn("text", { x: tenth(at), y: 14, class: "mark-text middle" }, parent);
-        tell(label, text);
+        setText(label, text);
       }
     }
   }

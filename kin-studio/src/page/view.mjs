@@ -7,31 +7,31 @@ export function createView(space) {
   return { space, scale: 1, x: 0, y: 0, yaw: Math.PI / 4, pitch: Math.PI / 6 };
 }
 
-/** A place or direction without scale and offset; y points down. @returns {[number, number]} */
-export function flat(view, place) {
+/** A point or direction without scale and offset; y points down. @returns {[number, number]} */
+export function flat(view, point) {
   if (!view.space) {
-    return [place[0], -place[1]];
+    return [point[0], -point[1]];
   }
-  const [x, y, z] = place;
+  const [x, y, z] = point;
   const [sine, cosine] = [Math.sin(view.yaw), Math.cos(view.yaw)];
   const towards = x * cosine + y * sine;
   return [y * cosine - x * sine, towards * Math.sin(view.pitch) - z * Math.cos(view.pitch)];
 }
 
 /** @returns {[number, number]} */
-export function onPage(view, place) {
-  const [x, y] = flat(view, place);
+export function onPage(view, point) {
+  const [x, y] = flat(view, point);
   return [x * view.scale + view.x, y * view.scale + view.y];
 }
 
-/** Shows some places as large as a rectangle allows. */
-export function fitView(view, places, room) {
-  const seen = places.map((place) => flat(view, place)).filter(([x, y]) => Number.isFinite(x) && Number.isFinite(y));
+/** Shows some points as large as a rectangle allows. */
+export function fitView(view, points, room) {
+  const seen = points.map((point) => flat(view, point)).filter(([x, y]) => Number.isFinite(x) && Number.isFinite(y));
   if (seen.length === 0) {
     return;
   }
-  const low = [0, 1].map((axis) => seen.reduce((least, place) => Math.min(least, place[axis]), Infinity));
-  const high = [0, 1].map((axis) => seen.reduce((most, place) => Math.max(most, place[axis]), -Infinity));
+  const low = [0, 1].map((axis) => seen.reduce((least, point) => Math.min(least, point[axis]), Infinity));
+  const high = [0, 1].map((axis) => seen.reduce((most, point) => Math.max(most, point[axis]), -Infinity));
   const size = Math.max(high[0] - low[0], high[1] - low[1], 1e-9);
   const width = Math.max(high[0] - low[0], 0.05 * size);
   const height = Math.max(high[1] - low[1], 0.05 * size);
@@ -40,7 +40,7 @@ export function fitView(view, places, room) {
   view.y = 0.5 * (room.top + room.bottom) - 0.5 * (low[1] + high[1]) * view.scale;
 }
 
-/** Enlarges about a place of the picture. */
+/** Enlarges about a point of the picture. */
 export function zoomView(view, at, factor) {
   view.scale *= factor;
   view.x = at[0] + (view.x - at[0]) * factor;
@@ -48,9 +48,9 @@ export function zoomView(view, at, factor) {
 }
 
 /**
- * Turns a view of space about a place of the picture.
+ * Turns a view of space about a point of the picture.
  * @param {[number, number]} by in pixels
- * @param {number[]} centre what stays where it is
+ * @param {number[]} centre the point that stays
  */
 export function orbitView(view, by, centre) {
   const before = onPage(view, centre);

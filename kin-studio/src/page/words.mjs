@@ -8,7 +8,7 @@ import { quantityText } from "./numbers.mjs";
 export function poseText(model, row, degrees, assembly, shown) {
   const entry = (quantity, value) => `${quantity.text} = ${quantityText(value, quantity, model, degrees)}`;
   const values = shown.map((index) => entry(model.quantities[index], valueAt(model, row, index, 0)));
-  const place = `${model.variable.text} = ${inputText(model, row.x, degrees)}`;
+  const position = `${model.variable.text} = ${inputText(model, row.x, degrees)}`;
   const others = model.others.map((input) => entry(input, inputAt(model.drive, input.index, row)));
-  return `${[place, ...others, ...values].join(", ")}${assembly ? `; ${assembly}` : ""}`;
+  return `${[position, ...others, ...values].join(", ")}${assembly ? `; ${assembly}` : ""}`;
 }

@@ -1,4 +1,4 @@
-//! What people type in place of what the program takes, and what to type.
+//! Advice on arguments that the program does not take.
 
 use std::ffi::OsString;
 use std::path::Path;
@@ -8,12 +8,12 @@ use super::command::{FORCES, Task};
 /// The languages of `code`.
 const LANGUAGES: [&str; 6] = ["c", "js", "javascript", "python", "py", "numpy"];
 
-/// What to type in place of these arguments, whose first one is the program. `has_library` tells that a mechanism is
-/// named behind the command.
+/// The advice on these arguments, of which the first is the program. `has_library` states that a mechanism is named
+/// behind the command.
 pub(super) fn advice(arguments: &[OsString], has_library: bool) -> Option<String> {
     let words: Vec<&str> = arguments.iter().skip(1).filter_map(|word| word.to_str()).collect();
-    let own = |word: &&str| !word.starts_with('-');
-    let mut named = words.iter().copied().filter(own);
+    let is_argument = |word: &&str| !word.starts_with('-');
+    let mut named = words.iter().copied().filter(is_argument);
     let (first, second, third) = (named.next()?, named.next(), named.next());
     let is_file = |word: &str| Path::new(word).extension().is_some_and(|ending| ending == "kin");
     if has_library && is_file(first) {
@@ -48,7 +48,7 @@ pub(super) fn advice(arguments: &[OsString], has_library: bool) -> Option<String
     let mut before = "";
     for word in &words {
         let is_taken = before.starts_with('-') && !before.contains('=') && before != "--radians";
-        if own(word) && !is_taken && is_value(word) {
+        if is_argument(word) && !is_taken && is_value(word) {
             return Some(format!("`{word}` is the value of a dimension: write `--set {word}`"));
         }
         before = word;
@@ -96,7 +96,7 @@ mod tests {
     }
 
     #[test]
-    fn what_others_take_is_told() {
+    fn arguments_of_other_programs() {
         for (line, advice) in [
             ("kin w.kin", "`kin run w.kin report`"),
             ("kin w.kin sweep", "`kin run w.kin sweep`"),
@@ -107,10 +107,10 @@ mod tests {
             ("kin sweep four_bar --step 10", "`--rows 37`"),
             ("kin sweep four_bar --steps=10", "`--rows 37`"),
         ] {
-            let told = of(line, true).unwrap_or_default();
-            assert!(told.contains(advice), "{line}: {told}");
+            let advice_given = of(line, true).unwrap_or_default();
+            assert!(advice_given.contains(advice), "{line}: {advice_given}");
         }
-        let told = of("pump sweep crank=45mm", false).unwrap_or_default();
-        assert!(told.contains("`--set crank=45mm`"), "{told}");
+        let advice_given = of("pump sweep crank=45mm", false).unwrap_or_default();
+        assert!(advice_given.contains("`--set crank=45mm`"), "{advice_given}");
     }
 }

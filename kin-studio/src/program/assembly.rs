@@ -7,7 +7,7 @@ use super::fault::{listed, similar};
 use super::subject::Wanted;
 use super::value::{self, Lengths};
 
-/// Each of the assemblies between `or`, or all of them.
+/// The assemblies between `or`, or all assemblies.
 pub(super) fn each(text: &str, names: &[String]) -> Vec<String> {
     if text.trim() == "all" {
         return names.to_vec();

@@ -1,4 +1,4 @@
-//! What is asked of a mechanism: its dimensions, how its inputs move, and its assembly.
+//! The case to be solved: the dimensions of a mechanism, the motions of its inputs, and its assembly.
 
 use kin_core::Dimension;
 use kin_core::any::{Description, Quantity};
@@ -13,7 +13,7 @@ use super::text::Units;
 use super::value::{self, Lengths};
 use crate::forces::Stated;
 
-/// What was typed, before it is compared with the mechanism.
+/// The case as it was typed, before it is compared with the mechanism.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Typed {
     /// Names of dimensions or of inputs that stand, with their values.
@@ -36,7 +36,7 @@ pub(crate) struct Typed {
     pub(crate) loads: Loads,
 }
 
-/// What is asked of a mechanism.
+/// The case to be solved.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Case {
     /// A value for each scalar parameter.
@@ -74,7 +74,7 @@ impl Typed {
         !self.over.is_empty()
     }
 
-    /// What was typed with each of its assemblies alone, and the name of each.
+    /// The case as it was typed, with each of its assemblies alone, and the name of each assembly.
     pub(crate) fn each_assembly(&self, subject: &Subject) -> Vec<(String, Self)> {
         let names = self
             .assembly
@@ -98,13 +98,14 @@ impl Typed {
         all
     }
 
-    /// What was typed with the first of its assemblies, where all are answered for or none is read.
+    /// The case as it was typed, with the first of its assemblies: for commands that answer for all assemblies or for
+    /// none.
     pub(crate) fn first_assembly(&self, subject: &Subject) -> Self {
         let first = self.each_assembly(subject).into_iter().next();
         first.map_or_else(|| self.clone(), |(_, typed)| typed)
     }
 
-    /// Compares what was typed with a mechanism.
+    /// Compares the typed case with a mechanism.
     pub(crate) fn case(&self, subject: &Subject) -> Result<Case, Fault> {
         self.compared(subject, None)
     }
@@ -210,16 +211,16 @@ impl Typed {
                 return Err(several(text));
             }
             for (name, value) in parts(name.trim(), value.trim())? {
-                let (quantity, place) = match place_of(description.parameters, &name) {
+                let (quantity, slot) = match index_of(description.parameters, &name) {
                     Some(index) => (description.parameters[index], &mut parameters[index]),
-                    None => match place_of(description.inputs, &name) {
+                    None => match index_of(description.inputs, &name) {
                         Some(index) => (description.inputs[index], &mut standing[index]),
                         None => return Err(no_dimension(description, &name)),
                     },
                 };
                 let value = value::quantity(quantity.dimension, value, lengths)
                     .map_err(|message| Fault::wrong(format!("{name}: {message}")))?;
-                *place = Some(value);
+                *slot = Some(value);
             }
         }
         let missing: Vec<&str> = description
@@ -266,7 +267,7 @@ impl Typed {
         let mut motions: Vec<Option<InputMotion>> =
             standing.iter().map(|value| value.map(InputMotion::Stands)).collect();
         for text in &self.over {
-            if let Some(index) = place_of(inputs, text.trim()) {
+            if let Some(index) = index_of(inputs, text.trim()) {
                 let Quantity { name, dimension, .. } = inputs[index];
                 let range = if dimension == Dimension::Angle {
                     "0..360deg"
@@ -279,7 +280,7 @@ impl Typed {
             }
             let (index, text) = match text.split_once('=').filter(|(name, _)| !name.contains('.')) {
                 Some((name, text)) => {
-                    let index = place_of(inputs, name.trim()).ok_or_else(|| {
+                    let index = index_of(inputs, name.trim()).ok_or_else(|| {
                         let names = inputs.iter().map(|input| input.name);
                         Fault::wrong(format!("there is no input `{}`; {}", name.trim(), similar(name, names)))
                     })?;
@@ -315,9 +316,9 @@ impl Typed {
             let lead = leading(&motions);
             let said = motions[lead].take();
             let range = default_range(subject, lead, said.as_ref());
-            let own = example.map(|example| InputMotion::Stands(example.inputs[lead]));
+            let stated = example.map(|example| InputMotion::Stands(example.inputs[lead]));
             motions[lead] = Some(match (range, otherwise) {
-                (Err(_), Some(value)) => said.or(own).unwrap_or(InputMotion::Stands(value)),
+                (Err(_), Some(value)) => said.or(stated).unwrap_or(InputMotion::Stands(value)),
                 (range, _) => range?,
             });
         }
@@ -415,7 +416,7 @@ impl Case {
         (has_law || is_uneven).then_some(longest)
     }
 
-    /// The speed of the leading input, without its sign. Without one of its own, it takes the time of the others.
+    /// The speed of the leading input, without its sign. An input without a speed takes the time of the other inputs.
     pub(crate) fn speed(&self) -> f64 {
         let Some(InputMotion::Moves { from, to, speed }) = self.motions.get(self.lead) else {
             return 1.0;
@@ -460,12 +461,12 @@ fn leading(said: &[Option<InputMotion>]) -> usize {
     moving.or_else(|| said.iter().position(Option::is_none)).unwrap_or(0)
 }
 
-/// The range of an input of which nothing is said: a turn.
+/// The range of an input of which nothing is said: a revolution.
 fn default_range(subject: &Subject, index: usize, said: Option<&InputMotion>) -> Result<InputMotion, Fault> {
     let input = &subject.description().inputs[index];
     if input.dimension != Dimension::Angle {
         return Err(Fault::wrong(format!(
-            "the input `{}` is no angle, so it has no full turn: give its range, as in `--over {0}=10..60`",
+            "the input `{}` is no angle, so it has no full revolution: give its range, as in `--over {0}=10..60`",
             input.name
         )));
     }
@@ -529,13 +530,13 @@ fn parts<'v>(name: &str, value: &'v str) -> Result<Vec<(String, &'v str)>, Fault
         .collect())
 }
 
-fn place_of(quantities: &[Quantity<'_>], name: &str) -> Option<usize> {
+fn index_of(quantities: &[Quantity<'_>], name: &str) -> Option<usize> {
     quantities.iter().position(|quantity| quantity.name == name)
 }
 
 fn no_dimension(description: &Description<'_>, name: &str) -> Fault {
     let point = format!("{name}.x");
-    if place_of(description.parameters, &point).is_some() {
+    if index_of(description.parameters, &point).is_some() {
         return Fault::wrong(format!(
             "`{name}` is a point: write `{name}=(1.4, 1.5)`, or `{name}.x=1.4`"
         ));
@@ -568,7 +569,7 @@ mod tests {
 
     const FIVE: [&str; 5] = ["ground=2", "left=2", "left_rod=3", "right_rod=3", "right=2"];
 
-    /// A length has no range of its own, so that a motion must be given where one is needed.
+    /// A length has no usual range, so that a motion must be given where one is needed.
     #[test]
     fn a_range_is_asked_for_where_it_is_needed() {
         let subject = Subject::of::<Pantograph>();
@@ -605,13 +606,13 @@ mod tests {
         }
         // the option is that of the first input, which the other follows
         let speed = Some("60rpm".to_owned());
-        let own = typed(&FIVE, &["alpha=0..90deg", "beta=0..45deg at 60rpm"]);
-        let case = Typed { speed, ..own }.case(&subject).unwrap();
+        let both = typed(&FIVE, &["alpha=0..90deg", "beta=0..45deg at 60rpm"]);
+        let case = Typed { speed, ..both }.case(&subject).unwrap();
         assert_eq!(case.time_of_laws(), None);
     }
 
     #[test]
-    fn lengths_that_no_link_has_are_told() {
+    fn remarks_on_lengths_that_no_link_has() {
         let subject = Subject::of::<FiveBar>();
         let mut set = FIVE;
         assert!(typed(&set, &[]).remarks(&subject).is_empty());
@@ -631,13 +632,22 @@ mod tests {
     #[test]
     fn options_beside_a_law_are_refused() {
         let subject = Subject::of::<FiveBar>();
-        let own = || typed(&FIVE, &["alpha=0..90deg by cycloidal in 1s", "beta=50deg"]);
-        assert!(own().case(&subject).is_ok());
+        let under_law = || typed(&FIVE, &["alpha=0..90deg by cycloidal in 1s", "beta=50deg"]);
+        assert!(under_law().case(&subject).is_ok());
         let text = || Some("1s".to_owned());
         for other in [
-            Typed { time: text(), ..own() },
-            Typed { speed: text(), ..own() },
-            Typed { law: text(), ..own() },
+            Typed {
+                time: text(),
+                ..under_law()
+            },
+            Typed {
+                speed: text(),
+                ..under_law()
+            },
+            Typed {
+                law: text(),
+                ..under_law()
+            },
         ] {
             let fault = other.case(&subject).unwrap_err();
             assert!(fault.to_string().contains("--over 'alpha=…'"), "{fault}");

@@ -32,29 +32,35 @@ pub(super) fn names(description: &Description<'_>, forces: &ForceColumns) -> Vec
 
 /// The columns of a name: one, or the coordinates of a point, as in `tip` and `tip_velocity`.
 pub(super) fn named<'n>(name: &str, names: &'n [String]) -> Result<Vec<&'n str>, String> {
-    let own: Vec<&str> = names.iter().map(String::as_str).filter(|own| *own == name).collect();
-    if !own.is_empty() {
-        return Ok(own);
+    let exact: Vec<&str> = names
+        .iter()
+        .map(String::as_str)
+        .filter(|column| *column == name)
+        .collect();
+    if !exact.is_empty() {
+        return Ok(exact);
     }
-    let point = |own: &str| {
-        let (point, rest) = own.split_once('.')?;
+    let point = |column: &str| {
+        let (point, rest) = column.split_once('.')?;
         // behind the letter of the axis
         Some(format!("{point}{}", rest.get(1..)?))
     };
     let coordinates = names.iter().map(String::as_str);
-    let coordinates: Vec<&str> = coordinates.filter(|own| point(own).as_deref() == Some(name)).collect();
+    let coordinates: Vec<&str> = coordinates
+        .filter(|column| point(column).as_deref() == Some(name))
+        .collect();
     if !coordinates.is_empty() {
         return Ok(coordinates);
     }
-    // a beginning comes before what is similar
+    // columns that begin with the name come before similar columns
     let begun = names
         .iter()
-        .filter(|own| own.starts_with(name))
-        .min_by_key(|own| own.len());
-    let advice = if let Some(own) = begun {
-        format!("did you mean `{own}`?")
+        .filter(|column| column.starts_with(name))
+        .min_by_key(|column| column.len());
+    let advice = if let Some(column) = begun {
+        format!("did you mean `{column}`?")
     } else {
-        let points: Vec<String> = names.iter().filter_map(|own| point(own)).collect();
+        let points: Vec<String> = names.iter().filter_map(|column| point(column)).collect();
         similar(name, names.iter().chain(&points).map(String::as_str))
     };
     let example = names.get(1).map_or("", String::as_str);
@@ -69,9 +75,9 @@ pub(super) fn named<'n>(name: &str, names: &'n [String]) -> Result<Vec<&'n str>,
 pub(super) fn chosen(wanted: &[String], names: &[String]) -> Result<Vec<String>, String> {
     let mut all: Vec<String> = Vec::new();
     for name in wanted.iter().filter(|name| *name != ALL) {
-        for own in named(name, names)? {
-            if !all.iter().any(|known| known == own) {
-                all.push(own.to_owned());
+        for column in named(name, names)? {
+            if !all.iter().any(|known| known == column) {
+                all.push(column.to_owned());
             }
         }
     }

@@ -7,10 +7,10 @@ use clap::{Args, Subcommand, ValueEnum};
 use super::case::Typed;
 use super::file::Told;
 
-/// The command that takes a file in the place of a mechanism of the library, which has no loads.
+/// The command that takes a file instead of a mechanism of the library, which has no loads.
 pub(crate) const FORCES: &str = "forces";
 
-/// What is to be done with a mechanism.
+/// The commands for a mechanism.
 #[derive(Clone, Debug, Subcommand)]
 pub(crate) enum Task {
     /// Show the dimensions, inputs, unknowns, outputs and assemblies
@@ -29,7 +29,7 @@ pub(crate) enum Task {
     Code(Code),
     /// Fit dimensions to points of a path or to values of an unknown
     Fit(Fit),
-    /// Write a table from which every place of the motion can be read, exact to a tolerance
+    /// Write a table from which every position can be read, exact to a tolerance
     Table(ExactTable),
     /// Write a page on which the mechanism moves, one file without network
     Report(Report),
@@ -92,7 +92,7 @@ pub(crate) struct Setup {
 }
 
 impl Setup {
-    /// What was typed, behind what the file says.
+    /// The typed case, in which options follow the statements of the file.
     pub(crate) fn typed(&self, told: &Told) -> Typed {
         let behind = |told: &[String], own: &[String]| told.iter().chain(own).cloned().collect();
         Typed {
@@ -323,8 +323,8 @@ pub(crate) fn with_examples(command: clap::Command, program: &str, mechanism: &s
             .iter()
             .map(|line| {
                 let mechanism = match (name, mechanism) {
-                    (FORCES, own) if !own.is_empty() => "press.kin",
-                    (_, own) => own,
+                    (FORCES, arguments) if !arguments.is_empty() => "press.kin",
+                    (_, arguments) => arguments,
                 };
                 let line = if mechanism.is_empty() {
                     line.replace(" {m}", "")
@@ -335,12 +335,12 @@ pub(crate) fn with_examples(command: clap::Command, program: &str, mechanism: &s
             })
             .collect();
         let text = format!("Examples:\n{}", examples.join("\n"));
-        command = command.mut_subcommand(name, |own| own.after_help(text));
+        command = command.mut_subcommand(name, |subcommand| subcommand.after_help(text));
     }
     command
 }
 
-/// What stands under the help of the program.
+/// The text under the help of the program.
 pub(crate) const EXIT_CODES: &str = "Exit codes:
   0  done
   1  the mechanism does not close somewhere it was asked for, or a fit ended before a minimum;

@@ -8,7 +8,7 @@ use std::process::ExitCode;
 pub(crate) enum Fault {
     /// The mechanism does not close where it is asked for, or a fit ended before a minimum. The code is 1.
     Open(String),
-    /// What was typed, or a file that was named, is not what the program can use. The code is 2.
+    /// The program cannot use an argument or a file. The code is 2.
     Wrong(String),
 }
 

@@ -1,6 +1,6 @@
 //! The program: a mechanism's sweeps, cycles, peaks, code and pages from the command line.
 //!
-//! [`main`] makes a program of one's own mechanism, [`library()`] is the binary `kin`.
+//! [`main`] makes a program of a declared mechanism, [`library()`] is the binary `kin`.
 
 mod advice;
 mod assembly;
@@ -57,14 +57,14 @@ use crate::library::DESIGNS;
 /// ```
 ///
 /// Then `cargo run -- sweep --set crank=30mm --set rod=80mm --over 60..100mm` prints a table, and `cargo run -- --help`
-/// tells the rest.
+/// explains the rest.
 #[must_use]
 pub fn main<M: Mechanism<Scalar = f64>>() -> ExitCode {
     let subject = Subject::of::<M>();
     let arguments: Vec<OsString> = std::env::args_os().collect();
     let name = program_name(&arguments);
     let about = format!("The mechanism {}", subject.description().name);
-    let done = own_task(about, &name, &arguments).and_then(|task| match task {
+    let done = task_of_one_mechanism(about, &name, &arguments).and_then(|task| match task {
         Some(task) => tasks::run(&subject, &task, &Told::default()),
         None => Ok(()),
     });
@@ -92,7 +92,7 @@ fn ended(result: Result<(), Fault>) -> ExitCode {
     }
 }
 
-/// What every program has.
+/// The command line that all programs have in common.
 fn base(name: &str) -> Command {
     Command::new(name.to_owned())
         .version(env!("CARGO_PKG_VERSION"))
@@ -151,7 +151,7 @@ fn program_name(arguments: &[OsString]) -> String {
 }
 
 /// The task of a program of one mechanism, unless all is done already.
-fn own_task(about: String, name: &str, arguments: &[OsString]) -> Result<Option<Task>, Fault> {
+fn task_of_one_mechanism(about: String, name: &str, arguments: &[OsString]) -> Result<Option<Task>, Fault> {
     let command = completed(Task::augment_subcommands(base(name)).about(about), name);
     let mut command = command::with_examples(command, name, "").bin_name(name);
     let matches = parsed(&command, arguments, false)?;
@@ -167,11 +167,11 @@ fn run_library(arguments: &[OsString]) -> Result<(), Fault> {
     match matches.subcommand() {
         Some(("completions", matches)) => completions(&mut command, "kin", matches),
         Some(("list", _)) => tasks::list(),
-        Some(("run", own)) => run_file(own),
-        Some(("check", own)) => {
-            let path = own.get_one::<PathBuf>("file").cloned().unwrap_or_default();
-            if !own.get_flag("json") {
-                return tasks::print(&file::check(&path, own.get_flag("steps"))?);
+        Some(("run", given)) => run_file(given),
+        Some(("check", given)) => {
+            let path = given.get_one::<PathBuf>("file").cloned().unwrap_or_default();
+            if !given.get_flag("json") {
+                return tasks::print(&file::check(&path, given.get_flag("steps"))?);
             }
             let (text, mistakes) = file::check_as_json(&path)?;
             tasks::print(&text)?;
@@ -181,18 +181,18 @@ fn run_library(arguments: &[OsString]) -> Result<(), Fault> {
                 count => Err(Fault::wrong(format!("there are {count} mistakes"))),
             }
         }
-        Some(("fmt", own)) => {
-            let path = own.get_one::<PathBuf>("file").cloned().unwrap_or_default();
-            tasks::fmt(&path, own.get_flag("check"))
+        Some(("fmt", given)) => {
+            let path = given.get_one::<PathBuf>("file").cloned().unwrap_or_default();
+            tasks::fmt(&path, given.get_flag("check"))
         }
-        Some((FORCES, own)) => {
-            let path = own.get_one::<PathBuf>("file").cloned().unwrap_or_default();
+        Some((FORCES, given)) => {
+            let path = given.get_one::<PathBuf>("file").cloned().unwrap_or_default();
             let task = Task::from_arg_matches(&matches).map_err(Fault::wrong)?;
             let (subject, told) = file::read(&path)?;
             tasks::run(&subject, &task, &told)
         }
-        Some((_, own)) => {
-            let wanted = own.get_one::<String>("mechanism").map_or("", String::as_str);
+        Some((_, given)) => {
+            let wanted = given.get_one::<String>("mechanism").map_or("", String::as_str);
             let subject = match (find(wanted), advice::advice(arguments, true)) {
                 (Err(_), Some(advice)) => return Err(Fault::wrong(advice)),
                 (found, _) => found?,
@@ -213,20 +213,20 @@ fn library_command() -> Command {
     );
     let mut command = completed(of_files(Task::augment_subcommands(command).about(about)), "kin");
     for name in Task::NAMES {
-        command = command.mut_subcommand(name, |own| {
+        command = command.mut_subcommand(name, |subcommand| {
             if name == FORCES {
-                return own.arg(file_argument().index(1).help("The file"));
+                return subcommand.arg(file_argument().index(1).help("The file"));
             }
-            let own = own.arg(
+            let subcommand = subcommand.arg(
                 Arg::new("mechanism")
                     .required(true)
                     .index(1)
                     .help("The mechanism, as `kin list` names it"),
             );
             if name == "code" {
-                own.mut_arg("language", |language| language.index(2))
+                subcommand.mut_arg("language", |language| language.index(2))
             } else {
-                own
+                subcommand
             }
         });
     }
@@ -306,7 +306,7 @@ fn run_file(matches: &clap::ArgMatches) -> Result<(), Fault> {
     let name = format!("kin run {}", path.display());
     let words = matches.get_many::<OsString>("command").into_iter().flatten();
     let arguments: Vec<OsString> = iter::once(OsString::from(&name)).chain(words.cloned()).collect();
-    match own_task(format!("The mechanism of {}", path.display()), &name, &arguments)? {
+    match task_of_one_mechanism(format!("The mechanism of {}", path.display()), &name, &arguments)? {
         None => Ok(()),
         Some(Task::Serve(options)) => tasks::watch(&path, &options),
         Some(task) => {

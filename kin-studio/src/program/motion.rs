@@ -1,4 +1,5 @@
-//! How an input moves, as people type it: `30deg`, `0..360deg at 60rpm`, `0..90deg by cycloidal in 0.4s, rest 0.1s`.
+//! The motion of an input, as people type it: `30deg`, `0..360deg at 60rpm`, `0..90deg by cycloidal in 0.4s, rest
+//! 0.1s`.
 
 use std::ops::Range;
 
@@ -13,9 +14,9 @@ use crate::file::parts;
 /// The motion of one input.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum InputMotion {
-    /// It stands.
+    /// The input stands.
     Stands(f64),
-    /// It moves from one value to another, at a speed if one was given.
+    /// The input moves from one value to another, at a speed if one was given.
     Moves {
         /// The first value.
         from: f64,
@@ -24,11 +25,11 @@ pub(crate) enum InputMotion {
         /// The speed by second, without its sign.
         speed: Option<f64>,
     },
-    /// It moves under laws, one after the other.
+    /// The input moves under laws, one after the other.
     Runs(Vec<Step>),
 }
 
-/// A part of a motion that takes a time of its own.
+/// A part of a motion, which takes a known time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Step {
     /// The first value.
@@ -62,14 +63,14 @@ impl Step {
     }
 }
 
-/// What is wrong in a motion, and the bytes of its text that are at fault.
+/// The mistake in a motion, and the bytes of its text that are at fault.
 pub(crate) type WrongPart = (String, Range<usize>);
 
 /// A motion law from rest to rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct LawName(Shape);
 
-/// The laws by their names. The first name of a shape is the one that help and messages use.
+/// The laws by their names. Help and messages use the first name of a shape.
 fn laws() -> [(&'static str, Shape); 8] {
     [
         ("constant-speed", Shape::ConstantSpeed),
@@ -98,7 +99,7 @@ impl LawName {
         let bare = |name: &str| name.replace('-', "");
         laws()
             .into_iter()
-            .find(|(own, _)| bare(own) == bare(plain))
+            .find(|(known, _)| bare(known) == bare(plain))
             .map(|(_, shape)| Self(shape))
             .ok_or_else(|| {
                 let names = laws().map(|(name, _)| name);
@@ -125,7 +126,7 @@ impl InputMotion {
         Self::read_parts(dimension, text, lengths).map_err(|(message, _)| message)
     }
 
-    /// Reads a motion. A mistake in one of several parts has its place.
+    /// Reads a motion. The mistakes in its parts have their positions.
     pub(crate) fn read_parts(dimension: Dimension, text: &str, lengths: &mut Lengths) -> Result<Self, WrongPart> {
         let parts = parts(text);
         let [_, _, ..] = parts.as_slice() else {
@@ -154,9 +155,9 @@ impl InputMotion {
                     in_degrees: true,
                     length: lengths.name(),
                 };
-                let [end, own] = [end, step.from].map(|value| units.text(dimension, 0, value));
+                let [end, start] = [end, step.from].map(|value| units.text(dimension, 0, value));
                 return Err(at(format!(
-                    "the motion jumps from {end} to {own}: a part begins where the one before it ends"
+                    "the motion jumps from {end} to {start}: a part begins where the one before it ends"
                 )));
             }
             steps.extend(waits.drain(..).map(|time| Step::at_rest(step.from, time)));
@@ -263,7 +264,7 @@ impl InputMotion {
         }
     }
 
-    /// The motion as a law over a time. What takes less time rests at its end.
+    /// The motion as a law over a time. A shorter motion rests at its end.
     pub(crate) fn law(&self, duration: f64) -> Result<Box<dyn Piecewise<f64>>, LawError> {
         let alone = |from, to, time| Step {
             from,
@@ -372,12 +373,12 @@ fn bare_speed(text: &str) -> Option<String> {
     })
 }
 
-/// A speed without its sign: the range tells the direction.
+/// A speed without its sign: the range gives the direction.
 pub(crate) fn checked(speed: f64) -> Result<f64, String> {
     if speed > 0.0 {
         Ok(speed)
     } else {
-        Err("a speed is positive: the range tells the direction, as in `360..0deg`".to_owned())
+        Err("a speed is positive: the range gives the direction, as in `360..0deg`".to_owned())
     }
 }
 
@@ -389,8 +390,8 @@ mod tests {
     fn motions_are_read() {
         let read = |text| InputMotion::read(Dimension::Angle, text, &mut Lengths::default());
         assert_eq!(read("1rad"), Ok(InputMotion::Stands(1.0)));
-        let turn = read("0..2rad at 4rad/s").unwrap();
-        assert_eq!((turn.start(), turn.end(), turn.duration()), (0.0, 2.0, Some(0.5)));
+        let motion = read("0..2rad at 4rad/s").unwrap();
+        assert_eq!((motion.start(), motion.end(), motion.duration()), (0.0, 2.0, Some(0.5)));
         let servo = read("0 .. 90deg by modified_sine in 400ms").unwrap();
         assert_eq!(servo.duration(), Some(0.4));
         for name in ["3-4-5", "polynomial_345", "345", "Modified Sine", "scca(0.2, 0, 0.6)"] {

@@ -1,4 +1,4 @@
-//! A bar for what takes longer than a second, on a terminal only.
+//! A progress bar for work that takes longer than a second, on a terminal only.
 
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;

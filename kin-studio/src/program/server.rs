@@ -13,13 +13,13 @@ const LONGEST_REST: u64 = 1024 * 1024;
 /// The longest wait for each read and each write.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// What is sent for a path.
+/// The content that is sent for a path.
 pub(crate) struct Answer {
     /// The type of the content.
     pub(crate) kind: &'static str,
     /// The content.
     pub(crate) body: String,
-    /// The policy for pages that carry none of their own.
+    /// The policy for pages that carry none.
     pub(crate) policy: Option<String>,
 }
 
@@ -75,7 +75,9 @@ fn connection(mut stream: &TcpStream, port: u16, answer: &dyn Fn(&str) -> Option
     let (method, path, version) = (words.next(), words.next(), words.next());
     let (status, answer) = match (method, path, version) {
         _ if !is_whole => ("400 Bad Request", None),
-        (Some(_), Some(_), Some("HTTP/1.1" | "HTTP/1.0")) if !is_own(&hosts, port) => ("403 Forbidden", None),
+        (Some(_), Some(_), Some("HTTP/1.1" | "HTTP/1.0")) if !is_for_this_machine(&hosts, port) => {
+            ("403 Forbidden", None)
+        }
         (Some("GET" | "HEAD"), Some(path), Some("HTTP/1.1" | "HTTP/1.0")) => match answer(path) {
             Some(answer) => ("200 OK", Some(answer)),
             None => ("404 Not Found", None),
@@ -103,15 +105,15 @@ fn connection(mut stream: &TcpStream, port: u16, answer: &dyn Fn(&str) -> Option
         stream.write_all(answer.body.as_bytes())?;
     }
     stream.flush()?;
-    // what has not been read would turn the end of the connection into an error
+    // bytes that have not been read would turn the end of the connection into an error
     stream.shutdown(Shutdown::Write)?;
     io::copy(&mut stream.take(LONGEST_REST), &mut io::sink())?;
     Ok(())
 }
 
-/// Whether the request is for this machine by its own name. A page of another site, whose name was made to lead here,
-/// has the name of that site.
-fn is_own(hosts: &[String], port: u16) -> bool {
+/// Whether the request names this machine. A page of another site, whose name was made to lead to this machine, sends
+/// the name of that site.
+fn is_for_this_machine(hosts: &[String], port: u16) -> bool {
     let [host] = hosts else { return false };
     let (name, of_host) = match host.split_once(':') {
         Some((name, port)) => (name, port),
@@ -145,10 +147,10 @@ mod tests {
     fn only_this_machine_is_answered() {
         let hosts = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect::<Vec<_>>();
         for name in ["127.0.0.1:80", "localhost:80", "127.0.0.1", "localhost"] {
-            assert!(is_own(&hosts(&[name]), 80), "{name}");
+            assert!(is_for_this_machine(&hosts(&[name]), 80), "{name}");
         }
         for name in ["127.0.0.1", "localhost"] {
-            assert!(!is_own(&hosts(&[name]), 8080), "{name}");
+            assert!(!is_for_this_machine(&hosts(&[name]), 8080), "{name}");
         }
         for names in [
             &[][..],
@@ -159,7 +161,7 @@ mod tests {
             &["127.0.0.1:"],
             &["127.0.0.1:80", "evil.example"],
         ] {
-            assert!(!is_own(&hosts(names), 80), "{names:?}");
+            assert!(!is_for_this_machine(&hosts(names), 80), "{names:?}");
         }
         assert_eq!(escaped("<b a=\"&\">"), "&lt;b a=&quot;&amp;&quot;&gt;");
     }

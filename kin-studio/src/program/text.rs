@@ -24,19 +24,19 @@ impl Units {
     /// The unit of a derivative.
     pub(crate) fn unit(self, dimension: Dimension, order: usize) -> String {
         const POWERS: [&str; 10] = ["⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"];
-        let own = match dimension {
+        let name = match dimension {
             Dimension::Angle if self.in_degrees => "deg",
             Dimension::Angle => "rad",
             Dimension::Length => self.length,
             Dimension::Scalar => "",
         };
-        let own = if own.is_empty() && order > 0 && dimension == Dimension::Length {
+        let name = if name.is_empty() && order > 0 && dimension == Dimension::Length {
             "L"
         } else {
-            own
+            name
         };
         let second = match order {
-            0 => return own.to_owned(),
+            0 => return name.to_owned(),
             1 => "s".to_owned(),
             order => {
                 let digits = order.to_string();
@@ -44,10 +44,10 @@ impl Units {
                 format!("s{}", power.collect::<String>())
             }
         };
-        if own.is_empty() {
+        if name.is_empty() {
             format!("1/{second}")
         } else {
-            format!("{own}/{second}")
+            format!("{name}/{second}")
         }
     }
 
@@ -55,7 +55,7 @@ impl Units {
     pub(crate) fn text(self, dimension: Dimension, order: usize, value: f64) -> String {
         let unit = self.unit(dimension, order);
         let value = self.value(dimension, value);
-        // what rounding leaves of a zero among angles
+        // an angle of zero, but for rounding
         let is_zero = dimension == Dimension::Angle && order == 0 && value.abs() < 1e-12;
         let number = digits(if is_zero { 0.0 } else { value });
         if unit.is_empty() {
@@ -131,9 +131,9 @@ pub(crate) fn aligned(values: &[f64]) -> Vec<String> {
 
 /// The width of the terminal. In a pipe it is that of the variable `COLUMNS`, or 100.
 pub(crate) fn width() -> usize {
-    let told = std::env::var("COLUMNS").ok().and_then(|text| text.parse().ok());
-    let own = Term::stdout().size_checked().map(|(_, columns)| usize::from(columns));
-    own.or(told).unwrap_or(100).max(40)
+    let from_environment = std::env::var("COLUMNS").ok().and_then(|text| text.parse().ok());
+    let of_terminal = Term::stdout().size_checked().map(|(_, columns)| usize::from(columns));
+    of_terminal.or(from_environment).unwrap_or(100).max(40)
 }
 
 /// A column of a table.

@@ -18,7 +18,7 @@ pub(crate) struct Kind {
     pub(crate) name: &'static str,
     /// The power of lengths in it.
     pub(crate) lengths: i32,
-    /// The units, of which the first is the one that messages write.
+    /// The units. Messages write the first.
     pub(crate) units: &'static [Unit],
 }
 

@@ -9,7 +9,7 @@ use super::units::{self, Kind, Unit};
 /// The unit of the lengths of one run: the first one that is typed. Numbers without a unit are in it, too.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Lengths {
-    /// The unit, if one was typed.
+    /// The unit, if a unit was typed.
     pub(crate) unit: Option<Unit>,
 }
 
@@ -32,11 +32,11 @@ impl Lengths {
     }
 
     fn converted(&mut self, number: f64, unit: Unit) -> f64 {
-        let own = *self.unit.get_or_insert(unit);
-        if own == unit {
+        let common = *self.unit.get_or_insert(unit);
+        if common == unit {
             number
         } else {
-            number * (unit.size / own.size)
+            number * (unit.size / common.size)
         }
     }
 }
@@ -50,7 +50,7 @@ fn wrong_unit(kind: Kind, name: &str) -> String {
     format!("`{name}` is not a unit of {quantity}; write {}", kind.listed())
 }
 
-/// A number with a unit, which zero alone does without, in SI.
+/// A number with a unit, in SI. Only zero needs no unit.
 pub(crate) fn in_si(kind: Kind, text: &str) -> Result<f64, String> {
     let (number, unit) = split(text)?;
     match kind.unit(unit) {

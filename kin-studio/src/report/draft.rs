@@ -25,7 +25,7 @@ pub struct Draft<'l, M> {
     mechanism: PhantomData<M>,
 }
 
-/// A mechanism without a type, in the place of the type in a [`Draft`].
+/// A mechanism without a type, which stands for the type in a [`Draft`].
 #[derive(Clone, Copy, Debug)]
 pub struct Untyped;
 
@@ -36,7 +36,7 @@ pub(crate) struct Wishes<'l> {
     pub(crate) linkage: AnyLinkage<'l>,
     pub(crate) assembly: Option<AssemblyChoice>,
     pub(crate) way: WayWished<'l>,
-    /// Where the inputs stand that do not move.
+    /// The values of the inputs that do not move.
     pub(crate) at: Option<Vec<f64>>,
     pub(crate) moving: Option<String>,
     pub(crate) range: Option<[f64; 2]>,
@@ -59,19 +59,19 @@ pub(crate) struct WishedLoads {
     pub(crate) metres: f64,
 }
 
-/// Which inputs move.
+/// The motion of the inputs.
 #[derive(Clone, Default)]
 pub(crate) enum WayWished<'l> {
-    /// One, at a constant speed, through a range.
+    /// One input moves, at a constant speed, through a range.
     #[default]
     OneInput,
-    /// All, along the straight line between two places.
+    /// All inputs move, along the straight line between two points.
     Between([Vec<f64>; 2]),
-    /// All, each under a law, over a range of the time.
+    /// All inputs move, each under a law, over a range of the time.
     UnderLaws(Vec<&'l dyn Piecewise<f64>>, [f64; 2]),
 }
 
-/// Laws are functions, which cannot be shown.
+/// Not derived: laws are functions, which cannot be printed.
 impl fmt::Debug for WayWished<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -109,7 +109,7 @@ impl<'l> Wishes<'l> {
         gather::report(self)
     }
 
-    /// A text of kin-core with the names of the mechanism in the place of their indices.
+    /// A text of kin-core with the names of the mechanism instead of their indices.
     pub(super) fn named(&self, text: impl fmt::Display) -> String {
         Named::new(text, self.linkage.description()).to_string()
     }
@@ -123,20 +123,20 @@ impl<'l, M: Mechanism<Scalar = f64>> Draft<'l, M> {
         }
     }
 
-    /// The assembly that is shown first; otherwise the first one that closes. [`Near`](kin_core::Near) values hold
-    /// where [`at`](Self::at) says, or where the line of [`between`](Self::between) or the laws begin.
+    /// The assembly that is shown first; otherwise the first that closes. [`Near`](kin_core::Near) values hold at the
+    /// inputs of [`at`](Self::at), or where the line of [`between`](Self::between) or the laws begin.
     pub fn assembly(mut self, assembly: M::Assembly) -> Self {
         self.wishes.assembly = Some(AssemblyChoice::of::<M>(assembly));
         self
     }
 
-    /// Where the inputs stand that do not move, and where values nearby hold; otherwise zero.
+    /// The values of the inputs that do not move, and at which values nearby hold; otherwise zero.
     pub fn at(mut self, inputs: M::Inputs<f64>) -> Self {
         self.wishes.at = Some(inputs.as_ref().to_vec());
         self
     }
 
-    /// All inputs move together, along the straight line between two places in the space of the inputs. The variable of
+    /// All inputs move together, along the straight line between two points in the space of the inputs. The variable of
     /// the page is the first input that moves, as for a [sweep](kin_core::sweep::Assembled::between).
     ///
     /// ```
@@ -185,13 +185,13 @@ impl<'l> Draft<'l, Untyped> {
         }
     }
 
-    /// The assembly that is shown first, by its index; otherwise the first one that closes.
+    /// The assembly that is shown first, by its index; otherwise the first that closes.
     pub fn assembly(mut self, index: usize) -> Self {
         self.wishes.assembly = Some(AssemblyChoice::Index(index));
         self
     }
 
-    /// Where the inputs stand that do not move; otherwise zero.
+    /// The values of the inputs that do not move; otherwise zero.
     pub fn at(mut self, inputs: &[f64]) -> Self {
         self.wishes.at = Some(inputs.to_vec());
         self
@@ -199,7 +199,7 @@ impl<'l> Draft<'l, Untyped> {
 }
 
 impl<M> Draft<'_, M> {
-    /// The input that moves, by its name; otherwise the first one.
+    /// The input that moves, by its name; otherwise the first.
     pub fn moving(mut self, input: impl Into<String>) -> Self {
         self.wishes.moving = Some(input.into());
         self
@@ -211,7 +211,7 @@ impl<M> Draft<'_, M> {
         self
     }
 
-    /// The speed of the moving input, or of the first one that moves along the line of [`between`](Self::between);
+    /// The speed of the moving input, or of the first input that moves along the line of [`between`](Self::between);
     /// otherwise 1, so that rates are per unit of the input.
     pub fn speed(mut self, speed: f64) -> Self {
         self.wishes.speed = Some(speed);
@@ -230,7 +230,7 @@ impl<M> Draft<'_, M> {
         self
     }
 
-    /// What the mechanism is, in a few sentences.
+    /// The description of the mechanism, in a few sentences.
     pub fn documentation(mut self, text: impl Into<String>) -> Self {
         self.wishes.documentation = text.into();
         self
@@ -299,8 +299,8 @@ impl<M> Draft<'_, M> {
     /// The report.
     ///
     /// # Errors
-    /// [`ReportError`] if the mechanism closes nowhere, if a number or a name is not one, or if the inputs cannot move
-    /// so.
+    /// [`ReportError`] if the mechanism closes nowhere, if a number is not finite, if there is no such name, or if the
+    /// inputs cannot move so.
     pub fn report(&self) -> Result<Report, ReportError> {
         self.wishes.report()
     }

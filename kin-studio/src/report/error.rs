@@ -11,9 +11,9 @@ use kin_core::{InputValues, SolveError};
 /// The reason why there is no report, or why it cannot be read or written.
 #[non_exhaustive]
 pub enum ReportError {
-    /// The mechanism closes nowhere: at no place of the moving input, or not where it was asked for.
+    /// The mechanism closes nowhere: at no value of the moving input, or not where it was asked for.
     ClosesNowhere {
-        /// The error at the place that was tried last.
+        /// The error at the value that was tried last.
         error: SolveError,
     },
     /// No position of coupled equations was found, anywhere along the moving input.
@@ -49,16 +49,16 @@ pub enum ReportError {
         /// Its end.
         to: f64,
     },
-    /// The two places between which the inputs would move are the same.
+    /// The two points between which the inputs would move are the same.
     NoWay {
         /// The inputs there.
         inputs: InputValues,
     },
-    /// A wish about the motion beside another one that already tells it.
+    /// A wish about the motion beside another wish that already determines the motion.
     SaidTwice {
-        /// The wish that says nothing.
+        /// The wish without an effect.
         wish: &'static str,
-        /// The wish that tells the motion.
+        /// The wish that determines the motion.
         beside: &'static str,
     },
     /// The inputs cannot move so: a law jumps.
@@ -67,12 +67,12 @@ pub enum ReportError {
     NotSmooth {
         /// The input.
         input: String,
-        /// The time near which they are not.
+        /// The time near which the derivatives differ.
         at: f64,
     },
     /// The laws have more pieces than a page can hold.
     TooManyPieces {
-        /// So many are held.
+        /// The largest number of pieces.
         most: usize,
     },
     /// A report that was written by an earlier version, in another format.
@@ -129,17 +129,17 @@ impl fmt::Display for ReportError {
             ),
             Self::NoWay { inputs } => write!(
                 formatter,
-                "nothing moves between two places that are the same, {inputs}: give `between` two different ones"
+                "nothing moves between two points that are the same, {inputs}: give `between` two different ones"
             ),
             Self::SaidTwice { wish, beside } => write!(
                 formatter,
-                "`{wish}` says nothing beside `{beside}`, which tells how all inputs move: leave one of them out"
+                "`{wish}` has no effect beside `{beside}`, which determines how all inputs move: leave one of them out"
             ),
             Self::Motion(error) => write!(formatter, "the inputs cannot move so: {error}"),
             Self::NotSmooth { input, at } => write!(
                 formatter,
                 "the derivatives that the law of `{input}` writes near the time {at} are not those of one smooth \
-                 function: let it have a piece of its own for each formula, and derivatives to the order 16"
+                 function: let it have a piece for each formula, and derivatives to the order 16"
             ),
             Self::TooManyPieces { most } => write!(
                 formatter,

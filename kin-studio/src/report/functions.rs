@@ -1,4 +1,4 @@
-//! What a report needs of a mechanism beside its answers.
+//! The functions of a mechanism that a report needs beside its answers.
 
 use kin_core::any::{Pictured, SkeletonOver};
 use kin_core::linkage::LinkageFunctions;

@@ -16,10 +16,10 @@ const STYLE: &str = include_str!("../page/bundle/page.css");
 const SCRIPT: &str = include_str!("../page/bundle/main.js");
 
 impl Report {
-    /// The page: one HTML file that needs no other and no network. The same report gives the same bytes.
+    /// The page: one HTML file that needs no other file and no network. The same report gives the same bytes.
     ///
-    /// Texts of the report are data in JSON, which the page's script sets as text. A content security policy admits the
-    /// page's own script and style by their hashes, and nothing else.
+    /// Texts of the report are data in JSON, which the page's script sets as text. A content security policy admits
+    /// only the page's script and style, by their hashes.
     #[must_use]
     pub fn html(&self) -> String {
         let script = script(self.solver.as_deref());
@@ -65,8 +65,8 @@ fn source(content: &str) -> String {
     format!("sha256-{}", BASE64.encode(&Hash::hash(content.as_bytes())))
 }
 
-/// The data as JSON that ends no element: `<` and the line separators of Unicode are escaped. The solver is a script of
-/// its own.
+/// The data as JSON that ends no element: `<` and the line separators of Unicode are escaped. The solver is a separate
+/// script.
 fn data(report: &Report) -> String {
     let mut report = report.clone();
     report.solver = None;
@@ -98,19 +98,19 @@ fn escaped(text: &str) -> String {
     escaped
 }
 
-/// The script: the solver in a scope of its own, and the modules of the page.
+/// The script: the solver in a separate scope, and the modules of the page.
 fn script(solver: Option<&str>) -> String {
     let solver = solver.map_or_else(
         || "null".to_owned(),
         |module| {
-            let own = closed(&module.replace("\nexport ", "\n"));
-            format!("(() => {{\n{own}return {{ solve }};\n}})()")
+            let solver = closed(&module.replace("\nexport ", "\n"));
+            format!("(() => {{\n{solver}return {{ solve }};\n}})()")
         },
     );
     format!("\nconst kinSolver = {solver};\n{SCRIPT}")
 }
 
-/// A solver that ends no element, whatever its texts and comments say.
+/// A solver whose texts and comments end no element.
 ///
 /// In a script `<!--`, `<script` and `</script` mean something to HTML. In the solver they occur in texts of the
 /// declaration. Within quotes a backslash before the sign changes nothing, and in comments it does no harm.

@@ -1,6 +1,6 @@
-//! What a page shows, as data.
+//! The content of a page, as data.
 //!
-//! Angles are in radians, lengths in the mechanism's own unit, rates per unit of time.
+//! Angles are in radians, lengths in the unit of the mechanism, rates per unit of time.
 
 use std::collections::BTreeMap;
 
@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 /// The version of the format that this crate writes.
 pub const FORMAT: u32 = 3;
 
-/// A mechanism with its motion, its limits, its peaks and its equations: all that a page shows.
+/// A mechanism with its motion, its limits, its peaks and its equations: the whole content of a page.
 ///
 /// [`Draft`](super::Draft) makes it, and [`Report::html`] writes the page. It holds numbers and texts alone, so that it
 /// can be stored and read again.
@@ -27,7 +27,7 @@ pub struct Report {
     pub name: String,
     /// The same in small letters, for files: `four_bar`.
     pub module: String,
-    /// What the mechanism is; may be empty.
+    /// The description of the mechanism; may be empty.
     pub documentation: String,
     /// The declaration as it was typed, if it is known.
     pub declaration: Option<String>,
@@ -51,7 +51,7 @@ pub struct Report {
     pub plots: Vec<String>,
     /// The index of the first input that moves.
     pub moving: usize,
-    /// How the inputs move over the variable.
+    /// The motion of the inputs over the variable.
     pub drive: Drive,
     /// The range of the variable.
     pub range: [f64; 2],
@@ -78,17 +78,17 @@ pub struct Report {
     pub unanswered: Vec<Unanswered>,
     /// The transmission angles, if there is a dyad.
     pub transmission: Option<Transmission>,
-    /// How the peaks depend on the dimensions.
+    /// The dependence of the peaks on the dimensions.
     pub sensitivities: Vec<Sensitivity>,
     /// The equations.
     pub formulas: Formulas,
-    /// How the blocks are solved.
+    /// The solutions of the blocks.
     pub blocks: Vec<Block>,
     /// The cost of each order.
     pub operations: Vec<Cost>,
-    /// The place of the range where the mechanism is furthest from closing, if it does not close everywhere.
+    /// The position of the range at which the mechanism is furthest from closing, if it does not close everywhere.
     pub not_closed: Option<NotClosed>,
-    /// Which joints belong together.
+    /// The joints of the ground, of bodies and of slides.
     pub outline: Outline,
     /// The forces that loads cause, if there are loads.
     #[serde(skip_serializing_if = "Option::is_none", default)]
@@ -110,22 +110,22 @@ pub struct Units {
     pub time: String,
 }
 
-/// How the inputs move: a function of one variable for each of them.
+/// The motion of the inputs: a function of one variable for each input.
 ///
 /// In each piece of the range an input is a power series, whose derivatives with respect to the variable are exact
 /// through snap, up to rounding. With respect to time, the derivative of order `k` is that with respect to the variable
 /// times the `k`-th power of [`speed`](Report::speed).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Drive {
-    /// What the inputs move over.
+    /// The variable over which the inputs move.
     pub variable: Variable,
     /// The pieces of the range, one after the other.
     pub pieces: Vec<Piece>,
-    /// The places within the range where the motion of an input is not smooth.
+    /// The values of the variable within the range at which the motion of an input is not smooth.
     pub joints: Vec<Joint>,
 }
 
-/// What the inputs move over.
+/// The variable over which the inputs move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Variable {
@@ -138,22 +138,22 @@ pub enum Variable {
 /// A piece of the range.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Piece {
-    /// Where it begins.
+    /// The first value of the variable.
     pub from: f64,
-    /// Where it ends.
+    /// The last value of the variable.
     pub to: f64,
-    /// The place about which the series are.
+    /// The value of the variable about which the series are.
     pub at: f64,
-    /// For each input the coefficients of its series, the value at that place first.
+    /// For each input the coefficients of its series, from the constant term on.
     pub inputs: Vec<Vec<f64>>,
 }
 
-/// A place where two pieces of a law meet that do not fit together in all derivatives.
+/// A value of the variable at which two pieces of a law meet and a derivative jumps.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Joint {
     /// The value of the variable.
     pub at: f64,
-    /// The lowest order of a derivative that has one value before and another one behind.
+    /// The lowest order of a derivative that jumps.
     pub order: usize,
 }
 
@@ -187,7 +187,7 @@ pub enum Dimension {
     Number,
 }
 
-/// An assembly: what the solver is given to choose it.
+/// An assembly, with the argument by which the solver chooses it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Assembly {
     /// Its name.
@@ -212,12 +212,12 @@ pub enum Argument {
 
 /// All circuits and branches.
 ///
-/// This is what a report keeps of a [`CycleData`](kin_core::cycle::CycleData). That can be written but not read again,
+/// A report keeps this part of a [`CycleData`](kin_core::cycle::CycleData), which can be written but not read again,
 /// because it borrows the names of unknowns from the mechanism. A page needs no positions along branches, and has
-/// assemblies of its own.
+/// another list of assemblies.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Cycle {
-    /// The reasons why there may be other branches, each a clause; none if it is proved that there is no other one.
+    /// The reasons why there may be other branches, each a clause; none if it is proved that there is no other branch.
     pub incomplete: Vec<String>,
     /// The circuits.
     pub circuits: Vec<Circuit>,
@@ -262,11 +262,12 @@ pub struct Extreme {
     pub value: Option<f64>,
     /// The value of the variable.
     pub at: f64,
-    /// What is at that place.
-    pub place: Place,
+    /// The reason why the value is extreme.
+    #[serde(rename = "place")]
+    pub cause: Cause,
 }
 
-/// Which extreme it is.
+/// The side of an extreme.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Side {
@@ -276,10 +277,10 @@ pub enum Side {
     Lowest,
 }
 
-/// What is at the place of an extreme.
+/// The reason why a value is extreme.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Place {
+pub enum Cause {
     /// The slope vanishes.
     Inner,
     /// The mechanism closes no further.
@@ -334,7 +335,7 @@ pub struct WorstAngle {
     pub at: f64,
 }
 
-/// The transmission angles at one place.
+/// The transmission angles at one value of the variable.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Angles {
     /// The variable.
@@ -343,7 +344,7 @@ pub struct Angles {
     pub angles: Vec<f64>,
 }
 
-/// How a peak depends on the dimensions.
+/// The dependence of a peak on the dimensions.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sensitivity {
     /// The name of the unknown or output.
@@ -384,7 +385,7 @@ pub struct Formula {
     pub mathml: String,
 }
 
-/// How a block is solved.
+/// The solution of a block.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Block {
     /// Its unknowns.
@@ -404,7 +405,7 @@ pub struct Cost {
     pub text: String,
 }
 
-/// A place where the mechanism does not close.
+/// A position at which the mechanism does not close.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct NotClosed {
     /// The reason in words.
@@ -417,7 +418,7 @@ pub struct NotClosed {
     pub at: f64,
 }
 
-/// Which joints belong together, by their places.
+/// The joints of the ground, of bodies and of slides, by their indices.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Outline {
     /// The joints that stand still.

@@ -15,10 +15,10 @@ impl Report {
     /// A report from JSON.
     ///
     /// # Errors
-    /// [`ReportError::NewerFormat`] and [`ReportError::OlderFormat`] if another version has written it in its own
+    /// [`ReportError::NewerFormat`] and [`ReportError::OlderFormat`] if another version has written it in another
     /// format, and [`ReportError::Json`] if it is no report.
     pub fn from_json(text: &str) -> Result<Self, ReportError> {
-        /// The version alone, so that a later format is told as such.
+        /// The version alone, so that a later format is reported as such.
         #[derive(Deserialize)]
         struct Version {
             format: u32,

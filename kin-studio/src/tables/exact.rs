@@ -31,8 +31,8 @@ const VERSION: u64 = 1;
 pub trait ExactJson: Sized {
     /// One object: `format` and `version`; `name`; the `parameter` and the `columns` with `name` and `dimension`, which
     /// is `angle`, `length` or `number`; for each column its `turn`, the change over a period, and its measured
-    /// `errors`; `order`; `closed`, whether the table repeats itself; and `rows`, each a list of the place and, column
-    /// after column, the value and its derivatives.
+    /// `errors`; `order`; `closed`, whether the table repeats itself; and `rows`, each a list of the parameter and,
+    /// column after column, the value and its derivatives.
     fn to_json(&self) -> String;
 
     /// The table of such an object.
@@ -48,7 +48,7 @@ pub trait ExactJson: Sized {
 pub enum JsonError {
     /// The text is no JSON.
     Syntax {
-        /// What is wrong, with the line and the column.
+        /// The mistake, with the line and the column.
         what: String,
     },
     /// The text is another object than an exact table.
@@ -219,8 +219,8 @@ mod tests {
             r3: 70.0,
             r4: 60.0,
         };
-        let turn = linkage.sweep(Assembly::Open).over(0.0..=std::f64::consts::TAU, 9);
-        turn.exact_table(1e-5).unwrap()
+        let sweep = linkage.sweep(Assembly::Open).over(0.0..=std::f64::consts::TAU, 9);
+        sweep.exact_table(1e-5).unwrap()
     }
 
     #[test]
@@ -285,13 +285,13 @@ mod tests {
             for _ in 0..=below(3) {
                 // the head has most of the decisions
                 let end = if below(2) == 0 { 600 } else { bytes.len() };
-                let place = below(end.min(bytes.len()));
+                let index = below(end.min(bytes.len()));
                 match below(4) {
                     0 => {
-                        bytes.remove(place);
+                        bytes.remove(index);
                     }
-                    1 => bytes.insert(place, letters[below(letters.len())]),
-                    _ => bytes[place] = letters[below(letters.len())],
+                    1 => bytes.insert(index, letters[below(letters.len())]),
+                    _ => bytes[index] = letters[below(letters.len())],
                 }
             }
             let text = String::from_utf8(bytes).unwrap();

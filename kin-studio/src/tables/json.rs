@@ -4,9 +4,9 @@ use serde_json::{Map, Value, json};
 
 use super::Columns;
 
-pub(super) fn text(own: &Columns<'_>) -> String {
-    let table = own.table;
-    let columns: Vec<Value> = own
+pub(super) fn text(selected: &Columns<'_>) -> String {
+    let table = selected.table;
+    let columns: Vec<Value> = selected
         .of(table.columns())
         .into_iter()
         .map(|column| {
@@ -25,12 +25,12 @@ pub(super) fn text(own: &Columns<'_>) -> String {
         .limits()
         .iter()
         .map(|limit| {
-            let names = own
+            let names = selected
                 .of(table.columns())
                 .into_iter()
                 .map(|column| column.label.to_string());
             let known = names
-                .zip(own.of(table.values_at(limit)))
+                .zip(selected.of(table.values_at(limit)))
                 .filter(|(_, value)| !value.is_nan())
                 .map(|(name, value)| (name, value.into()));
             json!({

@@ -41,9 +41,9 @@ pub trait Export {
     /// is the missing length of a row that does not close, as a negative number. Numbers that are not there are left
     /// empty.
     ///
-    /// A limit that lies between two rows has a line of its own between theirs. It holds the inputs and the unknowns
-    /// there, and its kind as the outcome: `limit position`, `change point`, `pole` or `end of a domain or range`. Its
-    /// rates and outputs are empty.
+    /// A limit that lies between two rows has a line between theirs. The line holds the inputs and the unknowns there,
+    /// and the kind of the limit as the outcome: `limit position`, `change point`, `pole` or `end of a domain or
+    /// range`. Its rates and outputs are empty.
     fn to_csv(&self) -> String;
 
     /// One object: `variable`, the name of the column over which the sweep runs; `columns`, each with `name`, `unit`,
@@ -79,7 +79,7 @@ impl Export for Table {
     }
 }
 
-/// Some columns of a table, in an order of their own.
+/// Some columns of a table, in a chosen order.
 ///
 /// ```
 /// use kin_core::library::FourBar;
@@ -126,7 +126,7 @@ impl<'t> Columns<'t> {
         Ok(Self { table, indices })
     }
 
-    /// Of something for each column of the table, those of these columns.
+    /// The entries of these columns, from a list with an entry for each column of the table.
     fn of<T: Clone>(&self, all: impl Iterator<Item = T>) -> Vec<T> {
         let all: Vec<T> = all.collect();
         self.indices.iter().map(|index| all[*index].clone()).collect()

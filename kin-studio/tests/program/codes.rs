@@ -7,9 +7,9 @@ use crate::typed::{Folder, kin, typed_in};
 /// A crank that swings by 112° to both sides.
 const SWINGS: &str = "--set r3=60 --set r4=45";
 
-/// For each command: what is asked for closes, and it does not.
+/// For each command, a case that closes and a case that does not.
 #[test]
-fn what_does_not_close_is_told_by_every_command() {
+fn codes_of_mechanisms_that_do_not_close() {
     let folder = Folder::new("codes");
     typed_in(&folder, "kin sweep four_bar --set r3=82 --rows 7 --csv wanted.csv");
     for (command, code) in [
@@ -52,11 +52,11 @@ fn what_does_not_close_is_told_by_every_command() {
         ("report four_bar --set r1=900 -o d.html", 1),
     ] {
         let line = format!("kin {}", command.replace("SWINGS", SWINGS));
-        let told = typed_in(&folder, &line);
-        assert!(told.ends_with(&format!("-- code {code}\n")), "{told}");
-        assert!(code == 0 || told.contains("close"), "{told}");
+        let printed = typed_in(&folder, &line);
+        assert!(printed.ends_with(&format!("-- code {code}\n")), "{printed}");
+        assert!(code == 0 || printed.contains("close"), "{printed}");
     }
-    // what was written is good, and said so
+    // the files that were written are good, and their messages say so
     for file in ["b.csv", "b.json", "c.html"] {
         assert!(
             std::fs::metadata(folder.path().join(file)).unwrap().len() > 1000,
@@ -64,23 +64,29 @@ fn what_does_not_close_is_told_by_every_command() {
         );
     }
     assert!(!folder.path().join("d.html").exists());
-    let told = typed_in(&folder, &format!("kin sweep four_bar {SWINGS} --csv b.csv"));
-    assert!(told.contains("b.csv: ") && told.contains("of 361 rows"), "{told}");
+    let printed = typed_in(&folder, &format!("kin sweep four_bar {SWINGS} --csv b.csv"));
+    assert!(
+        printed.contains("b.csv: ") && printed.contains("of 361 rows"),
+        "{printed}"
+    );
 }
 
 /// The joint has no motion there, and no number stands for one.
 #[test]
 fn a_singular_joint_has_no_rates() {
     let folder = Folder::new("singular");
-    let told = typed_in(&folder, "kin sweep universal_joint --set beta=90deg --rows 5");
-    assert_eq!(told.matches("singular\n").count(), 3, "{told}");
-    assert!(!told.contains("e1") && told.contains("in 3 of 5 rows"), "{told}");
+    let printed = typed_in(&folder, "kin sweep universal_joint --set beta=90deg --rows 5");
+    assert_eq!(printed.matches("singular\n").count(), 3, "{printed}");
+    assert!(
+        !printed.contains("e1") && printed.contains("in 3 of 5 rows"),
+        "{printed}"
+    );
 }
 
-/// The program that reads poses tells what it cannot read.
+/// The program that reads poses reports lines that it cannot read.
 #[test]
 #[cfg(unix)]
-fn the_example_in_c_tells_what_it_cannot_read() {
+fn example_in_c_with_wrong_poses() {
     use std::io::Write as _;
     use std::process::Stdio;
     let Ok(_) = Command::new("cc").arg("--version").output() else {
@@ -120,15 +126,15 @@ fn the_example_in_c_tells_what_it_cannot_read() {
             .unwrap();
         child.stdin.take().unwrap().write_all(input.as_bytes()).unwrap();
         let output = child.wait_with_output().unwrap();
-        let [own, told] = [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap());
-        assert_eq!(output.status.code(), Some(code), "{input}: {own}{told}");
+        let [output_text, messages] = [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap());
+        assert_eq!(output.status.code(), Some(code), "{input}: {output_text}{messages}");
         assert!(
-            own.starts_with(out) && own.is_empty() == out.is_empty(),
-            "{input}: {own}"
+            output_text.starts_with(out) && output_text.is_empty() == out.is_empty(),
+            "{input}: {output_text}"
         );
         assert!(
-            told.contains(message) && told.is_empty() == message.is_empty(),
-            "{input}: {told}"
+            messages.contains(message) && messages.is_empty() == message.is_empty(),
+            "{input}: {messages}"
         );
     }
 }

@@ -1,4 +1,4 @@
-//! Every command, with what it prints.
+//! The output of every command.
 
 use insta::assert_snapshot;
 use kin_core::exact::ExactTable;
@@ -85,8 +85,11 @@ fn sweeps_go_to_files() {
     let folder = Folder::new("files-of-sweeps");
     let csv = typed_in(&folder, "kin sweep four_bar --rows 3 --csv");
     assert_snapshot!("sweep as csv", csv);
-    let told = typed_in(&folder, "kin sweep four_bar --csv turn.csv");
-    assert!(told.contains("turn.csv: ") && told.ends_with("code 0\n"), "{told}");
+    let printed = typed_in(&folder, "kin sweep four_bar --csv turn.csv");
+    assert!(
+        printed.contains("turn.csv: ") && printed.ends_with("code 0\n"),
+        "{printed}"
+    );
     let lines = std::fs::read_to_string(folder.path().join("turn.csv"))
         .unwrap()
         .lines()
@@ -104,11 +107,14 @@ fn cycle() {
         "cycle with limits",
         typed("cycle-limits", "kin cycle four_bar --set r3=60 --set r4=45")
     );
-    // a length has no range of its own, and a cycle needs none
-    let told = typed("cycle-length", "kin cycle pantograph");
-    assert!(told.contains("Pantograph over x: 2 circuits, 4 branches"), "{told}");
-    let told = typed("cycle-standing", "kin cycle pantograph --set x=3");
-    assert!(told.contains("Pantograph over y: "), "{told}");
+    // a length has no usual range, and a cycle needs none
+    let printed = typed("cycle-length", "kin cycle pantograph");
+    assert!(
+        printed.contains("Pantograph over x: 2 circuits, 4 branches"),
+        "{printed}"
+    );
+    let printed = typed("cycle-standing", "kin cycle pantograph --set x=3");
+    assert!(printed.contains("Pantograph over y: "), "{printed}");
 }
 
 #[test]
@@ -128,9 +134,9 @@ fn peaks() {
 
 #[test]
 fn verify() {
-    let told = typed("verify", "kin verify four_bar");
-    assert!(told.contains("FourBar: passed, 200 poses"), "{told}");
-    assert!(told.ends_with("code 0\n"), "{told}");
+    let printed = typed("verify", "kin verify four_bar");
+    assert!(printed.contains("FourBar: passed, 200 poses"), "{printed}");
+    assert!(printed.ends_with("code 0\n"), "{printed}");
 }
 
 #[test]
@@ -141,8 +147,11 @@ fn code() {
         typed_in(&folder, "kin code slider_crank c -o firmware --order 2")
     );
     for (language, file) in [("js", "scotch_yoke.mjs"), ("python", "scotch_yoke.py")] {
-        let told = typed_in(&folder, &format!("kin code scotch_yoke {language}"));
-        assert!(told.contains(file) && folder.path().join(file).is_file(), "{told}");
+        let printed = typed_in(&folder, &format!("kin code scotch_yoke {language}"));
+        assert!(
+            printed.contains(file) && folder.path().join(file).is_file(),
+            "{printed}"
+        );
     }
 }
 
@@ -151,18 +160,18 @@ fn code() {
 fn the_example_in_c_spares_other_files() {
     let folder = Folder::new("code-spares");
     for mechanism in ["four_bar", "slider_crank"] {
-        let told = typed_in(&folder, &format!("kin code {mechanism} c"));
-        assert!(told.ends_with("code 0\n"), "{told}");
+        let printed = typed_in(&folder, &format!("kin code {mechanism} c"));
+        assert!(printed.ends_with("code 0\n"), "{printed}");
     }
-    let own = "int main(void) { return 0; }\n";
-    let path = folder.write("main.c", own);
-    let told = typed_in(&folder, "kin code scotch_yoke c");
+    let program = "int main(void) { return 0; }\n";
+    let path = folder.write("main.c", program);
+    let printed = typed_in(&folder, "kin code scotch_yoke c");
     assert!(
-        told.contains("main.c is there already") && told.contains("`--output FOLDER`"),
-        "{told}"
+        printed.contains("main.c is there already") && printed.contains("`--output FOLDER`"),
+        "{printed}"
     );
-    assert!(told.ends_with("code 2\n"), "{told}");
-    assert_eq!(std::fs::read_to_string(path).unwrap(), own);
+    assert!(printed.ends_with("code 2\n"), "{printed}");
+    assert_eq!(std::fs::read_to_string(path).unwrap(), program);
     assert!(!folder.path().join("scotch_yoke.c").exists());
 }
 
@@ -192,22 +201,22 @@ fn hoeken_path(folder: &Folder, options: &str) {
     typed_in(folder, &format!("kin sweep hoeken_linkage {options} --csv all.csv"));
     let all = std::fs::read_to_string(folder.path().join("all.csv")).unwrap();
     let head: Vec<&str> = all.lines().next().unwrap().split(',').collect();
-    let places: Vec<usize> = head
+    let indices: Vec<usize> = head
         .iter()
         .enumerate()
         .filter(|(_, name)| name.ends_with(".x [L]") || name.ends_with(".y [L]"))
-        .map(|(place, _)| place)
+        .map(|(index, _)| index)
         .collect();
-    assert_eq!(places.len(), 2, "{head:?}");
+    assert_eq!(indices.len(), 2, "{head:?}");
     let points = all.lines().map(|line| {
         let cells: Vec<&str> = line.split(',').collect();
-        format!("{},{}\n", cells[places[0]], cells[places[1]])
+        format!("{},{}\n", cells[indices[0]], cells[indices[1]])
     });
     folder.write("path.csv", &points.collect::<String>());
 }
 
-/// Points beside the seam of a turn, from where the search starts exactly at the seam, and a dimension that starts at
-/// its bound. Neither holds the others back.
+/// Points beside the seam of a revolution, a search that starts exactly at the seam, and a dimension that starts at its
+/// bound: none of them holds the other numbers back.
 #[test]
 fn fit_of_a_path() {
     let folder = Folder::new("fit-path");
@@ -221,34 +230,36 @@ fn fit_of_a_path() {
         ("20..160deg", small, "--over 20..160deg"),
     ] {
         hoeken_path(&folder, &format!("--rows 10 --over {over} {right}"));
-        let told = typed_in(&folder, &format!("kin fit hoeken_linkage --data path.csv {options}"));
-        let deviations = told.lines().filter_map(|line| line.split_once("deviates by "));
+        let printed = typed_in(&folder, &format!("kin fit hoeken_linkage --data path.csv {options}"));
+        let deviations = printed.lines().filter_map(|line| line.split_once("deviates by "));
         let deviations: Vec<f64> = deviations
             .filter_map(|(_, behind)| behind.split_whitespace().next()?.parse().ok())
             .collect();
         assert!(
-            deviations.len() == 2 && deviations.iter().all(|own| *own < 1e-6) && told.ends_with("code 0\n"),
-            "{told}"
+            deviations.len() == 2
+                && deviations.iter().all(|deviation| *deviation < 1e-6)
+                && printed.ends_with("code 0\n"),
+            "{printed}"
         );
     }
 }
 
 /// A row that does not close is left out of the deviations, and does not stop the search.
 #[test]
-fn fit_with_an_open_row() {
+fn fit_with_a_row_that_does_not_close() {
     let folder = Folder::new("fit-open");
     folder.write("wanted.csv", "theta2 [deg],theta4 [deg]\n65,110\n170,150\n");
-    let told = typed_in(
+    let printed = typed_in(
         &folder,
         "kin fit four_bar --set r3=60 --set r4=45 --data wanted.csv --vary r4 --within r4=40..50",
     );
-    assert!(told.contains("in the mean of 1 row; at the start by "), "{told}");
+    assert!(printed.contains("in the mean of 1 row; at the start by "), "{printed}");
     assert!(
-        told.contains("does not close in 1 of 2 rows") && told.ends_with("code 1\n"),
-        "{told}"
+        printed.contains("does not close in 1 of 2 rows") && printed.ends_with("code 1\n"),
+        "{printed}"
     );
-    let told = typed_in(&folder, "kin fit four_bar --set r1=900 --data wanted.csv --vary r4");
-    assert!(told.contains("closes in no row"), "{told}");
+    let printed = typed_in(&folder, "kin fit four_bar --set r1=900 --data wanted.csv --vary r4");
+    assert!(printed.contains("closes in no row"), "{printed}");
 }
 
 /// A comma between quotation marks ends no cell.
@@ -265,8 +276,8 @@ fn fit_with_quoted_cells() {
     });
     assert!(plain.contains("does not close in 1 of 2 rows"), "{plain}");
     assert_eq!(
-        plain.split_once('\n').map(|(_, told)| told),
-        quoted.split_once('\n').map(|(_, told)| told)
+        plain.split_once('\n').map(|(_, printed)| printed),
+        quoted.split_once('\n').map(|(_, printed)| printed)
     );
 }
 
@@ -278,11 +289,14 @@ fn fit_without_a_range() {
         &folder,
         "kin sweep pantograph --over x=2.5..3.5 --set y=-1.5 --rows 5 --csv wanted.csv",
     );
-    let told = typed_in(
+    let printed = typed_in(
         &folder,
         "kin fit pantograph --data wanted.csv --vary factor --set factor=1.9",
     );
-    assert!(told.contains("--set factor=") && told.ends_with("code 0\n"), "{told}");
+    assert!(
+        printed.contains("--set factor=") && printed.ends_with("code 0\n"),
+        "{printed}"
+    );
 }
 
 /// The values of an assembly are those where the motion begins. Each row is reached from there, and not from the
@@ -296,13 +310,14 @@ fn fit_follows_the_assembly() {
         &folder,
         &format!("kin sweep stephenson_ii {options} --rows 7 --csv wanted.csv"),
     );
-    let told = typed_in(
+    let printed = typed_in(
         &folder,
         &format!("kin fit stephenson_ii {options} --data wanted.csv --vary r5"),
     );
     assert!(
-        told.contains("theta6: deviates by 0 deg in the mean of 7 rows; at the start by 0 deg in the mean of 7 rows"),
-        "{told}"
+        printed
+            .contains("theta6: deviates by 0 deg in the mean of 7 rows; at the start by 0 deg in the mean of 7 rows"),
+        "{printed}"
     );
 }
 
@@ -318,7 +333,7 @@ fn table() {
     assert_eq!(ExactTable::from_json(&json), Ok(table));
 }
 
-/// A mechanism that does not close is told from what was typed wrong.
+/// A mechanism that does not close and a mistake in the arguments have different codes.
 #[test]
 fn tables_that_cannot_be_made_have_codes() {
     for (options, code) in [
@@ -330,16 +345,16 @@ fn tables_that_cannot_be_made_have_codes() {
         ("--set r1=900", 1),
         ("--set r3=60 --set r4=45 --over 0..180deg", 1),
     ] {
-        let told = typed("table-codes", &format!("kin table four_bar {options}"));
-        assert!(told.ends_with(&format!("code {code}\n")), "{told}");
+        let printed = typed("table-codes", &format!("kin table four_bar {options}"));
+        assert!(printed.ends_with(&format!("code {code}\n")), "{printed}");
     }
 }
 
 #[test]
 fn report() {
     let folder = Folder::new("report");
-    let told = typed_in(&folder, "kin report scotch_yoke --speed 60rpm --title Yoke");
-    assert!(told.contains("scotch_yoke.html: "), "{told}");
+    let printed = typed_in(&folder, "kin report scotch_yoke --speed 60rpm --title Yoke");
+    assert!(printed.contains("scotch_yoke.html: "), "{printed}");
     let page = std::fs::read_to_string(folder.path().join("scotch_yoke.html")).unwrap();
     assert!(page.starts_with("<!doctype html>") && page.contains("Yoke"));
 }
@@ -349,8 +364,8 @@ fn report() {
 fn report_of_motions() {
     let folder = Folder::new("report-motions");
     let page = |options: &str| {
-        let told = typed_in(&folder, &format!("kin report {options} -o page.html"));
-        assert!(told.ends_with("code 0\n"), "{told}");
+        let printed = typed_in(&folder, &format!("kin report {options} -o page.html"));
+        assert!(printed.ends_with("code 0\n"), "{printed}");
         std::fs::read_to_string(folder.path().join("page.html")).unwrap()
     };
     let law = page("slider_crank --over '0..90deg by cycloidal in 0.4s'");

@@ -29,8 +29,8 @@ fn wait(server: &Server, is_there: impl Fn(&str) -> bool) -> String {
     }
 }
 
-fn says(told: &str, text: &str) {
-    assert!(told.contains(text), "{told}");
+fn says(printed: &str, text: &str) {
+    assert!(printed.contains(text), "{printed}");
 }
 
 /// A file is run, changed and spoilt, where nothing but the program is installed.
@@ -65,12 +65,12 @@ fn a_file_is_run() {
         ("sweep --set rod=120mm --json -", "\"phi, psi\""),
         ("report --set rod=12mm", "phi, psi"),
     ] {
-        let told = typed_in(&folder, &format!("kin run wiper.kin {line}"));
-        assert!(told.contains(text) && !told.contains('‹'), "{told}");
+        let printed = typed_in(&folder, &format!("kin run wiper.kin {line}"));
+        assert!(printed.contains(text) && !printed.contains('‹'), "{printed}");
     }
 
-    // mistakes that the compiler finds have their places in the file
-    for (own, other, message, place) in [
+    // mistakes that the compiler finds have their positions in the file
+    for (old, new, message, position) in [
         (
             "rocker * cis(psi);",
             "rocker * cis(chi);",
@@ -84,11 +84,11 @@ fn a_file_is_run() {
             "wiper.kin:6:26\n",
         ),
     ] {
-        folder.write("wiper.kin", &WIPER.replacen(own, other, 1));
-        let told = typed_in(&folder, "kin run wiper.kin report");
-        says(&told, message);
-        says(&told, place);
-        says(&told, "-- code 2\n");
+        folder.write("wiper.kin", &WIPER.replacen(old, new, 1));
+        let printed = typed_in(&folder, "kin run wiper.kin report");
+        says(&printed, message);
+        says(&printed, position);
+        says(&printed, "-- code 2\n");
     }
 }
 
@@ -123,8 +123,8 @@ fn efforts_are_in_si() {
     folder.write("metres.kin", &ROBOT.replacen("ground = 200mm", "ground = 0.2m", 1));
     let efforts = ["robot", "metres"].map(|name| {
         let words = format!("kin run {name}.kin sweep --rows 5 --assembly open --columns alpha_effort,beta_effort");
-        let told = typed_in(&folder, &words);
-        told.lines().skip(1).map(str::to_owned).collect::<Vec<_>>()
+        let printed = typed_in(&folder, &words);
+        printed.lines().skip(1).map(str::to_owned).collect::<Vec<_>>()
     });
     assert!(efforts[0].len() > 6, "{efforts:?}");
     assert_eq!(efforts[0], efforts[1]);
@@ -148,16 +148,16 @@ loads { gravity = (0, -10m/s2); mass tip = 2kg; inertia phi = 1.5kgm2; torque ph
 columns theta, theta_effort, theta_acceleration;
 ",
     );
-    let told = typed_in(&folder, "kin run crank.kin sweep --rows 5 --radians --csv");
+    let printed = typed_in(&folder, "kin run crank.kin sweep --rows 5 --radians --csv");
     let mut count = 0;
-    for line in told.lines().filter(|line| line.ends_with(",closes,")) {
+    for line in printed.lines().filter(|line| line.ends_with(",closes,")) {
         let numbers: Vec<f64> = line.split(',').take(4).map(|number| number.parse().unwrap()).collect();
         let [_, theta, effort, acceleration] = numbers.try_into().unwrap();
         let expected = 2.0 * 10.0 * 0.5 * theta.cos() + (2.0 * 0.25 + 1.5) * acceleration + 3.0;
         assert!((effort - expected).abs() < 1e-12 * 20.0, "{effort} {expected}");
         count += 1;
     }
-    assert_eq!(count, 5, "{told}");
+    assert_eq!(count, 5, "{printed}");
 }
 
 /// Bodies have masses, and joints have forces.
@@ -231,8 +231,8 @@ fn forces_are_in_si() {
     folder.write("metres.kin", &PRESS.replacen("ground = 200mm", "ground = 0.2m", 1));
     let forces = ["press", "metres"].map(|name| {
         let words = format!("kin run {name}.kin sweep --rows 5 --columns theta_effort,knee_x,knee_force_rate,pivot_y");
-        let told = typed_in(&folder, &words);
-        told.lines().skip(1).map(str::to_owned).collect::<Vec<_>>()
+        let printed = typed_in(&folder, &words);
+        printed.lines().skip(1).map(str::to_owned).collect::<Vec<_>>()
     });
     assert!(forces[0].len() > 6, "{forces:?}");
     assert_eq!(forces[0], forces[1]);
@@ -326,9 +326,9 @@ fn forces_follow_the_speed() {
     let light = CRANK_PRESS.replacen("gravity = (0, -9.81m/s2);", "", 1);
     folder.write("light.kin", &light.replacen("force wrist = (0, 800N);", "", 1));
     let peaks = ["200rpm", "600rpm"].map(|speed| {
-        let told = typed_in(&folder, &format!("kin forces light.kin --speed {speed} --csv"));
+        let printed = typed_in(&folder, &format!("kin forces light.kin --speed {speed} --csv"));
         let cells = |name: &str| -> f64 {
-            let line = told.lines().find(|line| line.starts_with(name)).unwrap();
+            let line = printed.lines().find(|line| line.starts_with(name)).unwrap();
             line.split(',').nth(4).unwrap().parse().unwrap()
         };
         ["pin_force", "wrist_slide_moment", "theta_effort", "theta_power"].map(cells)
@@ -366,17 +366,17 @@ fn an_outline_of_the_input() {
 fn a_platform_is_run() {
     let folder = Folder::new("platform");
     folder.write("platform.kin", PLATFORM);
-    let told = typed_in(&folder, "kin run platform.kin sweep --rows 2 --columns x,y,pitch");
-    says(&told, "170.000  -9.75846  6.71925  -0.99571");
+    let printed = typed_in(&folder, "kin run platform.kin sweep --rows 2 --columns x,y,pitch");
+    says(&printed, "170.000  -9.75846  6.71925  -0.99571");
     says(&typed_in(&folder, "kin run platform.kin verify"), "Platform: passed, ");
     // one leg is wrong, and the list says which
     folder.write("platform.kin", &PLATFORM.replace("a5, b5, l5", "a5, l5, b5"));
-    let told = typed_in(&folder, "kin check platform.kin");
+    let printed = typed_in(&folder, "kin check platform.kin");
     says(
-        &told,
+        &printed,
         "but this is a scalar: write `vec3(x, y, z)`\n  --> platform.kin:15:36\n",
     );
-    assert_eq!(told.matches("-->").count(), 1, "{told}");
+    assert_eq!(printed.matches("-->").count(), 1, "{printed}");
 }
 
 #[test]
@@ -384,9 +384,9 @@ fn a_file_is_formatted() {
     let folder = Folder::new("formatted");
     let path = folder.write("wiper.kin", &WIPER.replace(' ', "  ").replacen("kin  1", "kin 1", 1));
     let read = || std::fs::read_to_string(&path).unwrap();
-    let told = typed_in(&folder, "kin fmt --check wiper.kin");
-    says(&told, "wiper.kin is in another form");
-    says(&told, "-- code 1\n");
+    let printed = typed_in(&folder, "kin fmt --check wiper.kin");
+    says(&printed, "wiper.kin is in another form");
+    says(&printed, "-- code 1\n");
     assert_ne!(read(), WIPER);
     assert_eq!(
         typed_in(&folder, "kin fmt wiper.kin"),
@@ -399,9 +399,9 @@ fn a_file_is_formatted() {
     // what has mistakes in its form is left alone
     let spoilt = WIPER.replacen("psi: Angle;", "psi:  Angle", 1);
     folder.write("wiper.kin", &spoilt);
-    let told = typed_in(&folder, "kin fmt wiper.kin");
-    says(&told, "a statement ends with `;`\n --> wiper.kin:5:");
-    says(&told, "-- code 2\n");
+    let printed = typed_in(&folder, "kin fmt wiper.kin");
+    says(&printed, "a statement ends with `;`\n --> wiper.kin:5:");
+    says(&printed, "-- code 2\n");
     assert_eq!(read(), spoilt);
 }
 

@@ -1,4 +1,4 @@
-//! What is typed wrong, with what the program says.
+//! Mistakes in arguments and files, with the messages of the program.
 
 use insta::assert_snapshot;
 
@@ -94,7 +94,7 @@ fn files_of_numbers_are_checked() {
 }
 
 #[test]
-fn mistakes_in_kin_files_have_places() {
+fn mistakes_in_kin_files() {
     let folder = Folder::new("kin-files");
     let right = include_str!("wiper.kin");
     let all = [
@@ -114,8 +114,8 @@ fn mistakes_in_kin_files_have_places() {
         ("/// A windscreen", "# it's a comment\n/// A windscreen"),
         ("crank = 40mm", "crank = 40,5mm"),
     ]
-    .map(|(own, other)| {
-        folder.write("wiper.kin", &right.replacen(own, other, 1));
+    .map(|(old, new)| {
+        folder.write("wiper.kin", &right.replacen(old, new, 1));
         typed_in(&folder, "kin run wiper.kin report")
     });
     assert_snapshot!("mistakes in kin files", all.join("\n"));
@@ -134,21 +134,21 @@ fn mistakes_in_kin_files_have_places() {
         "wiper.kin",
         &right.replacen(wrong.0, wrong.1, 1).replacen(other.0, other.1, 1),
     );
-    let told = ["check wiper.kin", "run wiper.kin report"].map(|words| typed_in(&folder, &format!("kin {words}")));
-    assert_snapshot!("mistakes in the declaration of a kin file", told.join("\n"));
-    // without any of them, the first line is told
+    let printed = ["check wiper.kin", "run wiper.kin report"].map(|words| typed_in(&folder, &format!("kin {words}")));
+    assert_snapshot!("mistakes in the declaration of a kin file", printed.join("\n"));
+    // without any of these mistakes, the first is reported
     folder.write("wiper.kin", &right.replace(';', ""));
-    let told = typed_in(&folder, "kin run wiper.kin report");
+    let printed = typed_in(&folder, "kin run wiper.kin report");
     assert!(
-        told.contains("a statement ends with `;`") && told.contains("wiper.kin:4:14\n"),
-        "{told}"
+        printed.contains("a statement ends with `;`") && printed.contains("wiper.kin:4:14\n"),
+        "{printed}"
     );
     // a line that is longer than formats are wide
     folder.write("wiper.kin", &format!("kin 1\n//{}", "a".repeat(70_000)));
-    let told = typed_in(&folder, "kin run wiper.kin report");
+    let printed = typed_in(&folder, "kin run wiper.kin report");
     assert!(
-        told.contains("more than 32768 bytes") && told.ends_with("code 2\n"),
-        "{told}"
+        printed.contains("more than 32768 bytes") && printed.ends_with("code 2\n"),
+        "{printed}"
     );
 }
 
@@ -172,9 +172,9 @@ fn mistakes_in_masses_of_bodies() {
         (", inertia 0.016kg*m2", ", inertia 0.016kg*m2, 3"),
         ("knee_force,", "knee_forc,"),
     ]
-    .map(|(own, other)| {
-        assert!(right.contains(own), "{own}");
-        folder.write("press.kin", &right.replacen(own, other, 1));
+    .map(|(old, new)| {
+        assert!(right.contains(old), "{old}");
+        folder.write("press.kin", &right.replacen(old, new, 1));
         typed_in(&folder, "kin check press.kin")
     });
     assert_snapshot!("mistakes in masses of bodies", all.join("\n"));
@@ -207,15 +207,15 @@ fn mistakes_in_friction() {
         ("body arm: 0, pin;\nbody conrod: pin, piston;\nbody block: piston;", ""),
         ("friction_heat;", "friction_haet;"),
     ]
-    .map(|(own, other)| {
-        assert!(right.contains(own), "{own}");
-        folder.write("pump.kin", &right.replacen(own, other, 1));
+    .map(|(old, new)| {
+        assert!(right.contains(old), "{old}");
+        folder.write("pump.kin", &right.replacen(old, new, 1));
         typed_in(&folder, "kin check pump.kin")
     });
     assert_snapshot!("mistakes in friction", all.join("\n"));
 }
 
-/// Every statement beside the declaration has its mistakes, all of which are told at once.
+/// Every statement beside the declaration has its mistakes, all of which are reported at once.
 #[test]
 fn mistakes_in_loads_motions_and_columns() {
     let folder = Folder::new("loads");
@@ -256,16 +256,16 @@ fn mistakes_in_loads_motions_and_columns() {
         ("beta_effort;", "beta_effort"),
         ("columns hand", "columns hand; columns alpha"),
     ]
-    .map(|(own, other)| {
-        assert!(right.contains(own), "{own}");
-        folder.write("robot.kin", &right.replacen(own, other, 1));
+    .map(|(old, new)| {
+        assert!(right.contains(old), "{old}");
+        folder.write("robot.kin", &right.replacen(old, new, 1));
         typed_in(&folder, "kin check robot.kin")
     });
     assert_snapshot!("mistakes in loads, motions and columns", all.join("\n"));
     let bare = right.replace("mm", "").replace("N/,", "N/mm,");
     folder.write("robot.kin", &bare.replace("hnd", "hand"));
-    let told = typed_in(&folder, "kin check robot.kin");
-    assert!(told.contains("loads need the unit of the lengths"), "{told}");
+    let printed = typed_in(&folder, "kin check robot.kin");
+    assert!(printed.contains("loads need the unit of the lengths"), "{printed}");
     let several = [
         ("mass hand", "mass hnd"),
         ("columns hand", "columns hnad"),
@@ -273,7 +273,7 @@ fn mistakes_in_loads_motions_and_columns() {
     ];
     let spoilt = several
         .iter()
-        .fold(right.to_owned(), |text, (own, other)| text.replacen(own, other, 1));
+        .fold(right.to_owned(), |text, (old, new)| text.replacen(old, new, 1));
     folder.write("robot.kin", &spoilt);
     let all = ["robot.kin", "robot.kin --json"].map(|words| typed_in(&folder, &format!("kin check {words}")));
     assert_snapshot!("mistakes for an editor", all.join("\n"));

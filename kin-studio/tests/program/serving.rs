@@ -63,19 +63,19 @@ fn only_the_page_and_only_this_machine() {
     let page = server.get("/");
     assert!(page.starts_with("HTTP/1.1 200 OK\r\n"), "{}", &page[..60]);
     assert!(page.contains("Content-Type: text/html") && page.contains("nosniff") && page.contains("<!doctype html>"));
-    let own = "Host: 127.0.0.1:PORT";
+    let host = "Host: 127.0.0.1:PORT";
     for (request, status) in [
-        (format!("HEAD / HTTP/1.1\r\n{own}\r\n\r\n"), "200"),
+        (format!("HEAD / HTTP/1.1\r\n{host}\r\n\r\n"), "200"),
         ("GET / HTTP/1.1\r\nHost: localhost:PORT\r\n\r\n".to_owned(), "200"),
         ("GET / HTTP/1.1\r\nHost: evil.example\r\n\r\n".to_owned(), "403"),
         ("GET / HTTP/1.1\r\n\r\n".to_owned(), "403"),
-        (format!("GET / HTTP/1.1\r\n{own}\r\nHost: evil.example\r\n\r\n"), "403"),
-        (format!("GET /etc/passwd HTTP/1.1\r\n{own}\r\n\r\n"), "404"),
-        (format!("GET /../Cargo.toml HTTP/1.1\r\n{own}\r\n\r\n"), "404"),
-        (format!("POST / HTTP/1.1\r\n{own}\r\n\r\n"), "405"),
+        (format!("GET / HTTP/1.1\r\n{host}\r\nHost: evil.example\r\n\r\n"), "403"),
+        (format!("GET /etc/passwd HTTP/1.1\r\n{host}\r\n\r\n"), "404"),
+        (format!("GET /../Cargo.toml HTTP/1.1\r\n{host}\r\n\r\n"), "404"),
+        (format!("POST / HTTP/1.1\r\n{host}\r\n\r\n"), "405"),
         ("nonsense\r\n\r\n".to_owned(), "400"),
         (
-            format!("GET / HTTP/1.1\r\n{own}\r\n{}\r\n\r\n", "a".repeat(20_000)),
+            format!("GET / HTTP/1.1\r\n{host}\r\n{}\r\n\r\n", "a".repeat(20_000)),
             "400",
         ),
     ] {

@@ -1,10 +1,10 @@
-//! What is typed, and what comes back.
+//! Lines that are typed, and the output of the program.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// A folder of a test's own, which is taken away at the end.
+/// A temporary folder of a test, which is removed at the end.
 pub(crate) struct Folder(PathBuf);
 
 impl Folder {
@@ -42,8 +42,7 @@ pub(crate) fn kin(folder: &Folder) -> Command {
     command
 }
 
-/// Everything that comes back from a line that is typed: the output, the messages and the code. Single quotes hold
-/// words together.
+/// The output, the messages and the code of a line that is typed. Single quotes hold words together.
 pub(crate) fn typed_in(folder: &Folder, line: &str) -> String {
     let mut words: Vec<String> = Vec::new();
     for (index, part) in line.split('\'').enumerate() {
@@ -55,15 +54,15 @@ pub(crate) fn typed_in(folder: &Folder, line: &str) -> String {
     }
     let output = kin(folder).args(words.iter().skip(1)).output().unwrap();
     let mut text = format!("$ {line}\n{}", String::from_utf8(output.stdout).unwrap());
-    let told = String::from_utf8(output.stderr).unwrap();
-    if !told.is_empty() {
-        let _ = write!(text, "-- messages\n{told}");
+    let messages = String::from_utf8(output.stderr).unwrap();
+    if !messages.is_empty() {
+        let _ = write!(text, "-- messages\n{messages}");
     }
     let _ = writeln!(text, "-- code {}", output.status.code().unwrap());
     text.replace(&*folder.path().to_string_lossy(), "FOLDER")
 }
 
-/// The same in a folder of its own.
+/// The same in a new folder.
 pub(crate) fn typed(name: &str, line: &str) -> String {
     typed_in(&Folder::new(name), line)
 }

@@ -1,4 +1,4 @@
-//! Reports tell what kin-core finds, and pages are single files that nothing can break out of.
+//! Reports hold the answers of kin-core, and pages are single files whose texts stay texts.
 
 mod forces;
 mod motions;
@@ -10,7 +10,7 @@ use kin_core::extremes::Over;
 use kin_core::library::{ClassThreeTriad, FiveBar, FourBar, Rssr};
 use kin_core::prelude::*;
 use kin_core::{LimitKind, mechanism, track};
-use kin_studio::report::{Argument, FORMAT, Place, Report, ReportError, Side};
+use kin_studio::report::{Argument, Cause, FORMAT, Report, ReportError, Side};
 
 const CRANK_ROCKER: FourBar = FourBar {
     r1: 90.0,
@@ -78,50 +78,50 @@ fn numbers_are_those_of_sweeps() {
     let report = crank_rocker();
     assert_eq!(report.range, [0.0, TAU]);
     assert!(report.unanswered.is_empty());
-    let turn = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 91).speed(10.0);
+    let sweep = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 91).speed(10.0);
     for (order, rate) in ["", "_velocity", "_acceleration", "_jerk", "_snap"].iter().enumerate() {
         for quantity in ["theta3", "theta4"] {
             let name = format!("{quantity}{rate}");
-            // the sweeps have different rows, so that their roots are refined from different places
+            // the sweeps have different rows, so that their roots are refined from different starts
             let agrees = |one: f64, other: f64, size: f64| (one - other).abs() <= 1e-11 * size;
-            for (kind, own) in [
-                (Side::Highest, turn.of(&name).highest()),
-                (Side::Lowest, turn.of(&name).lowest()),
+            for (kind, expected) in [
+                (Side::Highest, sweep.of(&name).highest()),
+                (Side::Lowest, sweep.of(&name).lowest()),
             ] {
-                let own = own.expect("it is bounded");
+                let expected = expected.expect("it is bounded");
                 let of = |extreme: &&kin_studio::report::Extreme| {
                     (extreme.quantity.as_str(), extreme.order, extreme.kind) == (quantity, order, kind)
                 };
-                let told = report.extremes.iter().find(of).expect("it is in the list");
-                let value = told.value.expect("it is bounded");
+                let reported = report.extremes.iter().find(of).expect("it is in the list");
+                let value = reported.value.expect("it is bounded");
                 assert!(
-                    agrees(value, own.value, own.value.abs()),
+                    agrees(value, expected.value, expected.value.abs()),
                     "{name}: {value} {}",
-                    own.value
+                    expected.value
                 );
             }
-            let mean = turn.of(&name).rms(Over::Time).expect("it is bounded").value;
-            let told = report
+            let mean = sweep.of(&name).rms(Over::Time).expect("it is bounded").value;
+            let reported = report
                 .rms
                 .iter()
                 .find(|rms| (rms.quantity.as_str(), rms.order) == (quantity, order));
-            let value = told.and_then(|told| told.value).expect("it is in the list");
+            let value = reported.and_then(|reported| reported.value).expect("it is in the list");
             assert!(agrees(value, mean, mean), "{name}: {value} {mean}");
-            let own = turn.of(&name).peak_sensitivities().expect("the peak is inside");
-            let told = report
+            let expected = sweep.of(&name).peak_sensitivities().expect("the peak is inside");
+            let reported = report
                 .sensitivities
                 .iter()
                 .find(|one| (one.quantity.as_str(), one.order) == (quantity, order));
-            let told = told.expect("it is in the list");
-            let size = own.by.iter().map(|by| by.value.abs()).fold(0.0, f64::max);
-            for (value, by) in told.values.iter().zip(own.by) {
+            let reported = reported.expect("it is in the list");
+            let size = expected.by.iter().map(|by| by.value.abs()).fold(0.0, f64::max);
+            for (value, by) in reported.values.iter().zip(expected.by) {
                 assert!((value - by.value).abs() <= 1e-8 * size, "{name}: {value} {}", by.value);
             }
         }
     }
 }
 
-/// An assembly that closes only beyond the range would show the numbers of another one.
+/// An assembly that closes only beyond the range would show the numbers of another assembly.
 #[test]
 fn assemblies_of_coupled_blocks_lie_in_the_range() {
     let triad = triad();
@@ -158,18 +158,32 @@ fn assemblies_of_coupled_blocks_lie_in_the_range() {
         };
         let near = ["alpha", "beta", "gamma", "phi"].map(|name| near[name]);
         let position = triad.position_near(at, b, c, near).unwrap().unknowns();
-        assert!(position.iter().zip(near).all(|(own, near)| (own - near).abs() < 1e-6));
-        // brought to the same place, no two are the same
+        assert!(
+            position
+                .iter()
+                .zip(near)
+                .all(|(value, near)| (value - near).abs() < 1e-6)
+        );
+        // brought to the same value of the variable, no two assemblies are the same
         let there = track(&triad, [at, b, c], position, [0.5 * (range[0] + range[1]), b, c]);
         if let Ok(there) = there {
-            let is_new = |other: &[f64; 4]| other.iter().zip(there).any(|(one, own)| (one - own).sin().abs() > 1e-6);
+            let is_new = |other: &[f64; 4]| {
+                other
+                    .iter()
+                    .zip(there)
+                    .any(|(one, known)| (one - known).sin().abs() > 1e-6)
+            };
             assert!(found.iter().all(is_new), "{range:?}: {index}");
             found.push(there);
         }
     }
     // a branch beyond the range belongs to no assembly
-    let told = report.cycle.unwrap();
-    let named = told.branches.iter().filter(|branch| branch.assembly.is_some()).count();
+    let reported = report.cycle.unwrap();
+    let named = reported
+        .branches
+        .iter()
+        .filter(|branch| branch.assembly.is_some())
+        .count();
     assert_eq!(named, report.assemblies.len());
 }
 
@@ -178,22 +192,22 @@ fn assemblies_of_coupled_blocks_lie_in_the_range() {
 fn limits_are_those_of_the_cycle() {
     let report = kin_studio::report(&DOUBLE_ROCKER).report().expect("it closes at zero");
     let cycle = DOUBLE_ROCKER.cycle().expect("the numbers are finite");
-    let told = report.cycle.as_ref().expect("there is one");
-    assert!(told.incomplete.is_empty());
-    assert_eq!(told.circuits, cycle.circuits());
-    assert_eq!(told.branches.len(), cycle.branches().len());
-    for (index, (told, own)) in told.branches.iter().zip(cycle.branches()).enumerate() {
+    let reported = report.cycle.as_ref().expect("there is one");
+    assert!(reported.incomplete.is_empty());
+    assert_eq!(reported.circuits, cycle.circuits());
+    assert_eq!(reported.branches.len(), cycle.branches().len());
+    for (index, (reported, branch)) in reported.branches.iter().zip(cycle.branches()).enumerate() {
         assert_eq!(
-            told.ends.each_ref().map(|end| end.input),
-            own.ends().map(|end| end.input)
+            reported.ends.each_ref().map(|end| end.input),
+            branch.ends().map(|end| end.input)
         );
-        assert_eq!(told.circuit, own.circuit());
-        let Argument::One(sign) = report.assemblies[told.assembly.unwrap()].argument else {
+        assert_eq!(reported.circuit, branch.circuit());
+        let Argument::One(sign) = report.assemblies[reported.assembly.unwrap()].argument else {
             panic!("a four-bar has one choice");
         };
         assert_eq!(cycle.assembly_of(index), Some(Assembly::from_sign(sign)));
         let limit = EndKind::Limit(LimitKind::TurningPoint);
-        assert!(told.ends.iter().all(|end| end.kind == limit));
+        assert!(reported.ends.iter().all(|end| end.kind == limit));
     }
     let [low, high] = cycle.branches()[0].ends().map(|end| end.input);
     assert!(report.range[0] < low && report.range[1] > high);
@@ -202,7 +216,7 @@ fn limits_are_those_of_the_cycle() {
         .extremes
         .iter()
         .find(|extreme| (extreme.quantity.as_str(), extreme.order) == ("theta4", 1));
-    assert!(speed.is_some_and(|speed| speed.place == Place::Unbounded && speed.value.is_none()));
+    assert!(speed.is_some_and(|speed| speed.cause == Cause::Unbounded && speed.value.is_none()));
     let missing = report.not_closed.expect("the range goes beyond the limits");
     assert!(missing.margin.is_some_and(|margin| margin < 0.0) && !(low..=high).contains(&missing.at));
     assert_eq!(report.period, None);
@@ -218,8 +232,8 @@ fn coupled_blocks_have_nearby_values() {
         .assembly(Near([0.5, 2.6, -1.5, 0.2]));
     let report = draft.report().expect("it closes there");
     assert!(report.coupled);
-    let own = &report.assemblies[report.assembly];
-    let (Argument::Several(near), Some(at)) = (&own.argument, own.at) else {
+    let shown = &report.assemblies[report.assembly];
+    let (Argument::Several(near), Some(at)) = (&shown.argument, shown.at) else {
         panic!("coupled blocks have nearby values");
     };
     let near = Near(["alpha", "beta", "gamma", "phi"].map(|name| near[name]));
@@ -228,11 +242,11 @@ fn coupled_blocks_have_nearby_values() {
         .expect("the values are those of a position");
     assert!((pose.phi.position() - near.0[3]).abs() <= 1e-12);
     // the leg that moves has its extremes over the whole branch
-    let turn = report
+    let extreme = report
         .extremes
         .iter()
         .find(|extreme| (extreme.quantity.as_str(), extreme.order) == ("phi", 0));
-    assert!(turn.is_some());
+    assert!(extreme.is_some());
 }
 
 #[test]
@@ -268,7 +282,7 @@ fn several_inputs_and_space() {
     assert!(kin_studio::report(&shaft).report().expect("it closes").space);
 }
 
-/// Nothing moves at a speed of zero, which is another mistake than a number that is none.
+/// A speed of zero, at which nothing moves, and a speed that is no number are different mistakes.
 #[test]
 fn speeds_are_not_zero() {
     let at = |speed: f64| {
@@ -336,7 +350,7 @@ fn element<'p>(page: &'p str, tag: &str) -> &'p str {
     rest.split_once(&format!("</{name}>")).expect("the element ends").0
 }
 
-/// Whatever a person writes stays text: no element begins or ends by it.
+/// All texts of a person stay texts: they begin and end no element.
 #[test]
 fn texts_stay_texts() {
     let text = "</script><b>\u{2028}\u{2029}<!-- </title> \" ' & \\ ${x}`";
@@ -366,7 +380,7 @@ fn texts_stay_texts() {
     assert_eq!(data.solver, None);
 }
 
-/// The policy admits the page's own script and style, by hashes of what stands there.
+/// The policy admits the page's script and style, by the hashes of their texts.
 #[test]
 fn the_policy_names_the_hashes_of_the_content() {
     let page = crank_rocker().html();

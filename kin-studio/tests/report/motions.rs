@@ -1,4 +1,4 @@
-//! Pages of several inputs and of motion laws: what they hold agrees with tables and extremes of sweeps.
+//! Pages of several inputs and of motion laws agree with tables and extremes of sweeps.
 
 use std::f64::consts::TAU;
 
@@ -42,18 +42,18 @@ fn motion(report: &Report, input: usize, at: f64) -> [f64; 5] {
 
 /// The inputs of the page are those of a table, and its extremes and means those of a sweep.
 fn agrees(report: &Report, table: &Table, inputs: &[&str], extremes: &dyn Fn(&str) -> [f64; 3]) {
-    let places = table.variable().values;
+    let times = table.variable().values;
     for (input, name) in inputs.iter().enumerate() {
         for (order, rate) in RATES.iter().enumerate() {
             let column = table.column(&format!("{name}{rate}")).unwrap();
             let size = column.iter().fold(1e-300, |size: f64, value| size.max(value.abs()));
             // at a joint a table has one of the two values, which need not be that of the later piece
             let is_joint = |at: f64| report.drive.joints.iter().any(|joint| (joint.at - at).abs() < 1e-12);
-            for (at, value) in places.iter().zip(column).filter(|(at, _)| !is_joint(**at)) {
-                let own = motion(report, input, *at)[order];
+            for (at, value) in times.iter().zip(column).filter(|(at, _)| !is_joint(**at)) {
+                let found = motion(report, input, *at)[order];
                 assert!(
-                    (own - value).abs() <= 1e-11 * size,
-                    "{name}{rate} at {at}: {own} {value}"
+                    (found - value).abs() <= 1e-11 * size,
+                    "{name}{rate} at {at}: {found} {value}"
                 );
             }
         }
@@ -231,17 +231,17 @@ fn series_are_exact_through_snap() {
             .report()
             .unwrap();
         assert!(report.drive.pieces.len() <= 64, "{}", report.drive.pieces.len());
-        let places: Vec<f64> = (0..997)
+        let times: Vec<f64> = (0..997)
             .map(|part| 1.2 * end * (f64::from(part) + 0.5) / 997.0)
             .collect();
         for order in 0..5 {
-            let values = || places.iter().map(|at| (*at, law.at::<5>(*at).derivatives()[order]));
+            let values = || times.iter().map(|at| (*at, law.at::<5>(*at).derivatives()[order]));
             let size = values().fold(0.0, |size: f64, (_, value)| size.max(value.abs()));
             for (at, value) in values() {
-                let own = motion(&report, 0, at)[order];
+                let found = motion(&report, 0, at)[order];
                 assert!(
-                    (own - value).abs() <= 4e-12 * size,
-                    "{at} of {end}, order {order}: {own} {value}"
+                    (found - value).abs() <= 4e-12 * size,
+                    "{at} of {end}, order {order}: {found} {value}"
                 );
             }
         }
@@ -263,10 +263,10 @@ fn repeated_laws_have_a_period() {
     assert_eq!(period(&cam, 1.0), Some(1.0));
     assert_eq!(period(&cam, 0.8), None);
     assert_eq!(period(&cycle, 0.5), None);
-    // a crank begins a new turn at zero, which is no jump
-    let turns = ConstantSpeed::new(0.0, TAU, 1.0).unwrap().repeated();
+    // a crank begins a new revolution at zero, which is no jump
+    let revolutions = ConstantSpeed::new(0.0, TAU, 1.0).unwrap().repeated();
     let report = kin_studio::report(&CRANK_ROCKER)
-        .under_laws([&turns], 0.0..=2.0)
+        .under_laws([&revolutions], 0.0..=2.0)
         .report()
         .unwrap();
     assert_eq!((report.period, report.drive.joints.len()), (Some(2.0), 0));
@@ -289,14 +289,14 @@ fn coupled_blocks_move_under_laws() {
     assert_eq!(report.assemblies[report.assembly].at, Some(0.0));
     let sweep = triad.sweep(near).under_laws([&leg, &b, &c], 0.0..=0.4, 21);
     let highest = sweep.of("phi").highest().unwrap();
-    let told = report
+    let reported = report
         .extremes
         .iter()
         .find(|one| (one.quantity.as_str(), one.order, one.kind) == ("phi", 0, Side::Highest));
-    assert!((told.unwrap().value.unwrap() - highest.value).abs() < 1e-10);
+    assert!((reported.unwrap().value.unwrap() - highest.value).abs() < 1e-10);
 }
 
-/// Where a law leads beyond a limit, the page tells where and by how much.
+/// Where a law leads beyond a limit, the page reports where, and the missing length.
 #[test]
 fn laws_may_lead_beyond_a_limit() {
     let rocker = FourBar {
@@ -360,7 +360,7 @@ fn mistakes_say_what_to_do() {
     ] {
         let message = draft.report().unwrap_err().to_string();
         let wanted = format!(
-            "`{wish}` says nothing beside `under_laws`, which tells how all inputs move: leave one of them out"
+            "`{wish}` has no effect beside `under_laws`, which determines how all inputs move: leave one of them out"
         );
         assert_eq!(message, wanted);
     }

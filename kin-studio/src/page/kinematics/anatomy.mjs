@@ -1,4 +1,4 @@
-/** What belongs to what in a mechanism's picture: pins, driven bodies, and the unknown that a body's angle is. */
+/** The parts of a mechanism's picture: pins, driven bodies, and the unknown that is a body's angle. */
 import { inputAt } from "./drive.mjs";
 import { alongSlide, innerRows } from "./sweep.mjs";
 import { DESCRIBES, ROUNDING, TURNS } from "./tolerances.mjs";
@@ -117,13 +117,13 @@ export function angleOf(model, pose, body) {
 }
 
 /**
- * A place that is followed: a joint, or a place of a body as parts of the way from its first joint to the second, along
+ * A point that is followed: a joint, or a point of a body as parts of the way from its first joint to the second, along
  * and across.
  * @typedef {{name: string, joint: number} | {name: string, body: number, along: number, across: number}} Followed
  */
 
-/** The coordinates of a followed place, or its rates if those of the joints are given. @returns {number[]} */
-export function placeOf(model, followed, joints) {
+/** The coordinates of a followed point, or its rates if those of the joints are given. @returns {number[]} */
+export function coordinatesOf(model, followed, joints) {
   if (followed.joint !== undefined) {
     return joints[followed.joint];
   }
@@ -134,7 +134,7 @@ export function placeOf(model, followed, joints) {
 }
 
 /**
- * The place of a body under the pointer, as something to follow.
+ * The point of a body under the pointer, to be followed.
  * @param {number[][]} flatJoints the joints in the picture's plane, y upwards
  */
 export function followedAt(model, body, flatJoints, at) {

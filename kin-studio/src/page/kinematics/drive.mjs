@@ -1,9 +1,9 @@
-/** How the inputs move over the variable: power series, piece by piece. */
+/** The motion of the inputs over the variable: power series, piece by piece. */
 import { lastIndex } from "./search.mjs";
 import { SAME } from "./tolerances.mjs";
 
 /**
- * A place where derivatives jump, from an order on, with the index of the piece that begins there.
+ * A value of the variable at which derivatives jump, from an order on, with the index of the piece that begins there.
  * @typedef {{at: number, order: number, piece: number}} Joint
  */
 
@@ -18,7 +18,7 @@ export function driveOf({ drive }) {
   return { overTime: drive.variable === "time", pieces, joints };
 }
 
-/** The index of the piece on which a place lies. Where two pieces meet, it is the later one. */
+/** The index of the piece to which a value of the variable belongs. Where two pieces meet, it is the later piece. */
 export function pieceAt({ pieces }, x) {
   return lastIndex(pieces, x, ({ from }) => from);
 }
@@ -47,31 +47,31 @@ export function motionOf({ pieces }, input, x, piece, speed, orders) {
   return motion;
 }
 
-/** The value of an input, by its index, at a place. */
+/** The value of an input, by its index, at a sample. */
 export function inputAt(drive, input, { x, piece }) {
   return motionOf(drive, input, x, piece, 1, 0)[0];
 }
 
 /**
- * Places from the beginning of the range to its end: parts of it, some in each short piece, and both sides of every
- * joint.
+ * Samples from the beginning of the range to its end: at parts of the range, some in each short piece, and on both
+ * sides of every joint.
  * @param {number} least the parts of each piece
  * @returns {{x: number, piece: number}[]}
  */
-export function placesOf(drive, from, to, parts, least) {
+export function samplesOf(drive, from, to, parts, least) {
   const width = to - from;
-  const places = [];
+  const values = [];
   for (let index = 0; index <= parts; index += 1) {
-    places.push(from + (width * index) / parts);
+    values.push(from + (width * index) / parts);
   }
   for (const piece of drive.pieces) {
-    const own = piece.to - piece.from;
-    for (let index = 1; index < least && own * parts < least * width; index += 1) {
-      places.push(piece.from + (own * index) / least);
+    const length = piece.to - piece.from;
+    for (let index = 1; index < least && length * parts < least * width; index += 1) {
+      values.push(piece.from + (length * index) / least);
     }
   }
   const apart = (x) => drive.joints.every(({ at }) => Math.abs(x - at) > SAME * width);
-  const all = places.filter(apart).map((x) => ({ x, piece: pieceAt(drive, x) }));
+  const all = values.filter(apart).map((x) => ({ x, piece: pieceAt(drive, x) }));
   for (const { at, piece } of drive.joints) {
     all.push({ x: at, piece: piece - 1 }, { x: at, piece });
   }
@@ -81,7 +81,7 @@ export function placesOf(drive, from, to, parts, least) {
   );
 }
 
-/** Whether a derivative has two values between two places: then no line leads from the one to the other. */
+/** Whether a derivative jumps between two samples, so that no line leads from one to the other. */
 export function isBroken(drive, one, other, order) {
   const [low, high] = [Math.min(one.piece, other.piece), Math.max(one.piece, other.piece)];
   return low < high && drive.joints.some((joint) => low < joint.piece && joint.piece <= high && joint.order <= order);

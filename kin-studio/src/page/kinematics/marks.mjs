@@ -1,4 +1,4 @@
-/** The ends of what closes and the places in it that matter, of the report or the page's own, and joints of laws. */
+/** The marks of a sweep: limits and special positions, by the report or found by the page, and joints of laws. */
 import { capital, ORDERS, quantityText } from "../numbers.mjs";
 import { gapText } from "../reasons.mjs";
 import { blockText } from "./model.mjs";
@@ -15,21 +15,22 @@ const KINDS = {
   Lost: "Lost",
 };
 
-/** @typedef {{x: number, kind: string, text: string, own: boolean}} Mark own: found by the page */
+/** @typedef {{x: number, kind: string, text: string, foundByPage: boolean}} Mark */
 
 /** The marks of a sweep in the order of the variable. @returns {Mark[]} */
 export function marksOf(sweep) {
   const { model, gaps } = sweep;
   const exact = sweep.given ? exactMarks(sweep) : [];
-  const own = gaps.flatMap((gap) => {
+  const found = gaps.flatMap((gap) => {
     const ends = [gap.from, gap.to].filter((x) => !same(model, x, model.from) && !same(model, x, model.to));
     const unknown = ends.filter((x) => !exact.some((mark) => sameLimit(model, mark.x, x)));
-    return unknown.map((x) => ({ x, kind: gap.lost ? "Lost" : "Limit", text: gapText(model, gap, null), own: true }));
+    const kind = gap.lost ? "Lost" : "Limit";
+    return unknown.map((x) => ({ x, kind, text: gapText(model, gap, null), foundByPage: true }));
   });
   const joints = model.drive.joints.map(({ at, order }) => {
-    return { x: at, kind: "Joint", text: `${capital(ORDERS[order])} jumps at`, own: false };
+    return { x: at, kind: "Joint", text: `${capital(ORDERS[order])} jumps at`, foundByPage: false };
   });
-  return [...exact, ...own, ...joints].sort((one, other) => one.x - other.x);
+  return [...exact, ...found, ...joints].sort((one, other) => one.x - other.x);
 }
 
 /** Why a branch ends, with the names as they are printed. */
@@ -50,8 +51,8 @@ function exactMarks({ model, assembly }) {
   const marks = branches
     .flatMap(({ ends }) => ends)
     .map(({ kind, input, block }) => {
-      const own = kind.Limit ?? kind;
-      return { x: intoRange(model, input), kind: own, text: reasonOf(model, own, block), own: false };
+      const name = kind.Limit ?? kind;
+      return { x: intoRange(model, input), kind: name, text: reasonOf(model, name, block), foundByPage: false };
     });
   const known = marks.filter(({ kind, x }) => kind !== "FullTurn" && kind !== "Range" && x !== null);
   return known.filter(
@@ -59,14 +60,14 @@ function exactMarks({ model, assembly }) {
   );
 }
 
-/** An input of the cycle as one of the page's range, or null. */
+/** An input of the cycle, moved by whole periods into the range of the page, or null. */
 function intoRange(model, input) {
-  const turns = model.period > 0 ? Math.floor((input - model.from) / model.period + SAME) : 0;
-  const x = input - model.period * turns;
+  const periods = model.period > 0 ? Math.floor((input - model.from) / model.period + SAME) : 0;
+  const x = input - model.period * periods;
   return same(model, clamped(x, model.from, model.to), x) ? x : null;
 }
 
-/** What a mark is, in words. */
+/** The kind of a mark in words. */
 export function kindText({ kind, text }) {
   return kind === "Joint" ? text : (KINDS[kind] ?? kind);
 }
@@ -76,14 +77,14 @@ export function inputText(model, x, degrees, digits = 6) {
   return quantityText(x, model.variable, model, degrees, digits);
 }
 
-/** What is said where the mechanism stops. */
+/** The message where the mechanism stops. */
 export function stopText({ model, gaps }, marks, x, degrees) {
   const mark = marks.find((one) => one.kind !== "Joint" && sameLimit(model, one.x, x));
-  const place = `${model.variable.text} = ${inputText(model, mark?.x ?? x, degrees)}`;
+  const position = `${model.variable.text} = ${inputText(model, mark?.x ?? x, degrees)}`;
   if (!mark) {
-    return `End of the range at ${place}.`;
+    return `End of the range at ${position}.`;
   }
   const gap = gaps.find(({ from, to }) => sameLimit(model, from, x) || sameLimit(model, to, x));
   const reason = mark.text || (gap ? gapText(model, gap, null) : "");
-  return `${kindText(mark)} at ${place}${reason ? `: ${reason}` : ""}.`;
+  return `${kindText(mark)} at ${position}${reason ? `: ${reason}` : ""}.`;
 }

@@ -5,14 +5,14 @@ import { driveOf, motionOf, pieceAt } from "./drive.mjs";
 export const FORMAT = 3;
 
 /**
- * Dimensions, places of the inputs that stand, and the change of the variable for each unit of time.
+ * Dimensions, values of the inputs that stand, and the change of the variable for each unit of time.
  * @typedef {{parameters: Record<string, number>, standing: Record<string, number>, speed: number}} Design
  * @typedef {Record<string, any>} Pose
  * @typedef {{ok: true, pose: Pose} | {ok: false, check: string, block: string, margin: number}} Solved
  * @typedef {{name: string, text: string, documentation: string, dimension: string, colour: number}} Quantity
  */
 
-/** What is wrong with a report, or an empty text. */
+/** The mistake in a report, or an empty text. */
 export function reasonToRefuse(report) {
   if (typeof report?.format !== "number") {
     return "This page holds no report.";
@@ -65,7 +65,7 @@ export function createModel(report, solver) {
     drive,
     /** The moving inputs that are neither the variable nor, over time, among the quantities. */
     others: drive.overTime ? [] : moving.filter(({ name }) => name !== variable.name),
-    /** What the range is of. */
+    /** The variable of the range. */
     variable,
     parameters: report.parameters.map(named),
     unknowns,
@@ -88,9 +88,9 @@ export function createModel(report, solver) {
 function framesOf({ frames, order, speed }, drive, quantities) {
   return (frames ?? []).map(({ input, values, joints, slides }) => {
     const piece = pieceAt(drive, input);
-    const entries = quantities.map(({ name, isInput, index: own }, index) => [
+    const entries = quantities.map(({ name, isInput, index: position }, index) => [
       name,
-      isInput ? motionOf(drive, own, input, piece, speed, order) : values[index],
+      isInput ? motionOf(drive, position, input, piece, speed, order) : values[index],
     ]);
     return { x: input, piece, pose: values.length > 0 ? { ...Object.fromEntries(entries), joints, slides } : null };
   });

@@ -1,5 +1,5 @@
-/** Extremes and root mean squares of each quantity: the report's, or the page's own at other dimensions. */
-import { highestPlace } from "./search.mjs";
+/** Extremes and root mean squares of each quantity: those of the report, or at other dimensions those of the page. */
+import { highestAt } from "./search.mjs";
 import { allRows, isUnbounded, rowAt, spanAt, valueAt } from "./sweep.mjs";
 import { HALVED, ROUNDING } from "./tolerances.mjs";
 
@@ -37,7 +37,7 @@ export function ownPeaks(sweep) {
   return ofEach(sweep.model, ({ name }, index, order) => {
     const value = (row) => valueAt(sweep.model, row, index, order);
     // the sign is that of the row beside the limit, where rounding is less
-    const ends = sweep.spans.flatMap(({ rows: own }) => [own.slice(0, 2), own.slice(-2).reverse()]);
+    const ends = sweep.spans.flatMap(({ rows: spanRows }) => [spanRows.slice(0, 2), spanRows.slice(-2).reverse()]);
     const poles = ends.filter(([end]) => isUnbounded(sweep, end, index, order));
     const pole = (sign) => poles.find(([end, beside]) => sign * value(beside ?? end) > 0)?.[0].x ?? null;
     const [impulseUp, impulseDown] = impulsesOf(sweep.model, rows, name, order);
@@ -79,17 +79,17 @@ function highestOf(sweep, rows, value, sign) {
     return null;
   }
   const best = rows.reduce(higher);
-  const place = rows.indexOf(best);
-  // the ends of a whole turn are one place
-  const isEnd = sweep.full && (place === 0 || place === rows.length - 1);
-  const found = (isEnd ? [0, rows.length - 1] : [place]).map((top) => {
+  const index = rows.indexOf(best);
+  // the ends of a full revolution are one position
+  const isEnd = sweep.full && (index === 0 || index === rows.length - 1);
+  const found = (isEnd ? [0, rows.length - 1] : [index]).map((top) => {
     const span = spanAt(sweep, rows[top].x);
     const [low, high] = [rows[top - 1], rows[top + 1]].map((row) =>
       row && spanAt(sweep, row.x) === span ? row : rows[top],
     );
     const isFlat = signed(low) === signed(best) && signed(high) === signed(best);
     const at = (x) => signed(rowAt(sweep, x));
-    return isFlat ? best : rowAt(sweep, highestPlace(at, low.x, high.x, HALVED * sweep.model.width));
+    return isFlat ? best : rowAt(sweep, highestAt(at, low.x, high.x, HALVED * sweep.model.width));
   });
   const highest = [best, ...found].reduce(higher);
   return { value: value(highest), at: highest.x };

@@ -3,7 +3,7 @@ import { solveAt, valuesNear } from "./model.mjs";
 import { DIFFERENCE, DIFFERENCE_OF_PIECE, ROUNDING } from "./tolerances.mjs";
 
 /**
- * Central differences of seven places: the first, second and third derivative, whose errors go with the sixth, sixth
+ * Central differences of seven nodes: the first, second and third derivative, whose errors go with the sixth, sixth
  * and fourth power.
  */
 const WEIGHTS = [
@@ -13,19 +13,19 @@ const WEIGHTS = [
 ];
 
 /**
- * The velocity, acceleration and jerk of every joint at a row; null next to a limit. They are drawn, and never told as
- * numbers.
+ * The velocity, acceleration and jerk of every joint at a row; null next to a limit. They are drawn, and never printed
+ * as numbers.
  * @returns {number[][][] | null}
  */
 export function ratesOfJoints({ model, design, assembly }, row) {
-  // the series of the row's own piece goes on beyond its ends, though from a short piece not far
+  // the series of the row's piece goes on beyond its ends, though from a short piece not far
   const { from, to } = model.drive.pieces[row.piece];
   const step = Math.min(model.width * DIFFERENCE, (to - from) * DIFFERENCE_OF_PIECE);
   const poses = [];
-  for (let place = -3; place <= 3; place += 1) {
-    const argument = model.coupled ? valuesNear(model, design, row.pose, place * step) : assembly.argument;
+  for (let node = -3; node <= 3; node += 1) {
+    const argument = model.coupled ? valuesNear(model, design, row.pose, node * step) : assembly.argument;
     const found =
-      place === 0 ? { ok: true, pose: row.pose } : solveAt(model, design, row.x + place * step, argument, row.piece);
+      node === 0 ? { ok: true, pose: row.pose } : solveAt(model, design, row.x + node * step, argument, row.piece);
     if (!found.ok) {
       return null;
     }
@@ -36,7 +36,7 @@ export function ratesOfJoints({ model, design, assembly }, row) {
     WEIGHTS.map((weights, order) =>
       joint.map(
         (_, axis) =>
-          weights.reduce((sum, weight, place) => sum + weight * poses[place][index][axis], 0) / time ** (order + 1),
+          weights.reduce((sum, weight, node) => sum + weight * poses[node][index][axis], 0) / time ** (order + 1),
       ),
     ),
   );
@@ -46,14 +46,14 @@ export function ratesOfJoints({ model, design, assembly }, row) {
  * The circle of curvature of a plane path, or null where the path is straight or stands still.
  * @returns {{centre: number[], radius: number} | null}
  */
-export function circleOfCurvature(place, [vx, vy], [ax, ay]) {
+export function circleOfCurvature(point, [vx, vy], [ax, ay]) {
   const square = vx * vx + vy * vy;
   const bend = vx * ay - vy * ax;
   if (!(square > 0) || !(Math.abs(bend) > ROUNDING * Math.hypot(ax, ay) * Math.sqrt(square))) {
     return null;
   }
   const part = square / bend;
-  return { centre: [place[0] - vy * part, place[1] + vx * part], radius: Math.abs(part) * Math.sqrt(square) };
+  return { centre: [point[0] - vy * part, point[1] + vx * part], radius: Math.abs(part) * Math.sqrt(square) };
 }
 
 /**
@@ -63,10 +63,11 @@ export function circleOfCurvature(place, [vx, vy], [ax, ay]) {
 export function instantCentre(one, other, velocityOne, velocityOther) {
   const [dx, dy] = [other[0] - one[0], other[1] - one[1]];
   const square = dx * dx + dy * dy;
-  // the velocity of one joint relative to the other is the body's rate of turn, at right angles to their distance
-  const turn = (dx * (velocityOther[1] - velocityOne[1]) - dy * (velocityOther[0] - velocityOne[0])) / square;
-  if (!(square > 0) || !(Math.abs(turn) * Math.sqrt(square) > ROUNDING * Math.hypot(...velocityOne))) {
+  // the velocity of one joint relative to the other is at right angles to their distance, times the angular velocity
+  const angularVelocity =
+    (dx * (velocityOther[1] - velocityOne[1]) - dy * (velocityOther[0] - velocityOne[0])) / square;
+  if (!(square > 0) || !(Math.abs(angularVelocity) * Math.sqrt(square) > ROUNDING * Math.hypot(...velocityOne))) {
     return null;
   }
-  return [one[0] - velocityOne[1] / turn, one[1] + velocityOne[0] / turn];
+  return [one[0] - velocityOne[1] / angularVelocity, one[1] + velocityOne[0] / angularVelocity];
 }

@@ -1,10 +1,10 @@
-/** Searches along a line: the one root finder of the page, and what is made of it. */
+/** Searches along a line: the root finder of the page, and its uses. */
 
 /**
- * The last place at which something holds, between one where it does and one where it does not, by halving.
- * @param {number} apart how far the place may be from the next one where it does not hold
+ * The last value at which a condition holds, between a value where it holds and a value where it does not, by halving.
+ * @param {number} apart the largest distance to the next value where it does not hold
  */
-export function lastPlace(holds, inside, outside, apart) {
+export function bisected(holds, inside, outside, apart) {
   while (Math.abs(outside - inside) > apart) {
     const x = 0.5 * (inside + outside);
     if (x === inside || x === outside) {
@@ -15,18 +15,18 @@ export function lastPlace(holds, inside, outside, apart) {
   return inside;
 }
 
-/** The highest place of a curve that rises and then falls: where it is no longer higher a little further on. */
-export function highestPlace(value, low, high, apart) {
+/** The value at which a curve that rises and then falls is highest: from there on, the curve falls. */
+export function highestAt(value, low, high, apart) {
   const little = 1e-5 * (high - low);
-  return lastPlace((x) => value(x + little) > value(x), low, high - little, apart) + 0.5 * little;
+  return bisected((x) => value(x + little) > value(x), low, high - little, apart) + 0.5 * little;
 }
 
-/** The index of the last of some ascending entries that is not beyond a place; the first one's if all are. */
-export function lastIndex(entries, x, placeOf) {
+/** The index of the last of some ascending entries that is not beyond a value; the first index if all are beyond. */
+export function lastIndex(entries, x, keyOf) {
   let [low, high] = [0, entries.length];
   while (high - low > 1) {
     const middle = (low + high) >> 1;
-    [low, high] = placeOf(entries[middle]) <= x ? [middle, high] : [low, middle];
+    [low, high] = keyOf(entries[middle]) <= x ? [middle, high] : [low, middle];
   }
   return low;
 }

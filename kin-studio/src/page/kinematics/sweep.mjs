@@ -1,7 +1,7 @@
 /** The whole range of a design in one assembly: its poses, where it closes, and where it does not. */
-import { pieceAt, placesOf } from "./drive.mjs";
+import { pieceAt, samplesOf } from "./drive.mjs";
 import { givenDesign, movedOn, sameDesign, solveAt, valuesNear } from "./model.mjs";
-import { clamped, lastIndex, lastPlace } from "./search.mjs";
+import { clamped, lastIndex, bisected } from "./search.mjs";
 import {
   APART,
   ASTRAY,
@@ -16,7 +16,8 @@ import {
 } from "./tolerances.mjs";
 
 /**
- * @typedef {{x: number, piece: number, pose: any, shifts: number[]}} Row shifts: the turns of each angle, in radians
+ * @typedef {{x: number, piece: number, pose: any, shifts: number[]}} Row shifts: the full revolutions of each angle, in
+ * radians
  * @typedef {{from: number, to: number, rows: Row[]}} Span
  * @typedef {{from: number, to: number, check: string, block: string, margin: number, at: number, lost: boolean}} Gap
  * @typedef {object} Sweep
@@ -26,7 +27,7 @@ import {
  * @property {boolean} reported whether the assembly is as well, so that the numbers of the report hold
  * @property {Span[]} spans where it closes
  * @property {Gap[]} gaps where it does not
- * @property {boolean} full whether it closes over a whole turn
+ * @property {boolean} full whether it closes over a full revolution
  * @property {number[][]} travel the range of each slide
  * @property {number[][]} scales the size of each quantity's derivatives
  */
@@ -63,7 +64,7 @@ export function createSweep(model, design, assembly) {
   return sweep;
 }
 
-/** Looks at every part of the range for itself, and halves where it begins or ceases to close. */
+/** Solves at samples all over the range, and finds by halving where the mechanism begins or ceases to close. */
 function lookAround(model, design, { argument }) {
   const at = (x, piece = pieceAt(model.drive, x)) => ({
     x,
@@ -71,9 +72,9 @@ function lookAround(model, design, { argument }) {
     shifts: [],
     ...solveAt(model, design, x, argument, piece),
   });
-  const places = placesOf(model.drive, model.from, model.to, PARTS, PARTS_OF_PIECE);
-  const seen = places.map(({ x, piece }) => at(x, piece));
-  const edgeOf = (inside, outside) => lastPlace((x) => at(x).ok, inside.x, outside.x, HALVED * model.width);
+  const samples = samplesOf(model.drive, model.from, model.to, PARTS, PARTS_OF_PIECE);
+  const seen = samples.map(({ x, piece }) => at(x, piece));
+  const edgeOf = (inside, outside) => bisected((x) => at(x).ok, inside.x, outside.x, HALVED * model.width);
   // denser towards a limit, where the motion goes like a square root
   const graded = (edge, inside) =>
     [0, 1, 2, 3, 4, 5, 6, 7].map((part) => at(edge + (inside.x - edge) * (part / 8) ** 2)).filter(({ ok }) => ok);
@@ -130,7 +131,7 @@ function between(at, before, row, size) {
   return rows.filter(({ ok }) => ok);
 }
 
-/** Goes on from pose to pose on both sides of the place where the assembly is given. */
+/** Goes on from pose to pose on both sides of the value at which the assembly is given. */
 function goOn(model, design, assembly) {
   const start = clamped(assembly.at ?? model.from, model.from, model.to);
   const piece = pieceAt(model.drive, start);
@@ -151,7 +152,7 @@ function walk(model, design, start, sign) {
   const whole = model.width / PARTS;
   const isAhead = ({ x, piece }) =>
     same(model, x, start.x) ? x === start.x && sign * (piece - start.piece) > 0 : sign * (x - start.x) > 0;
-  const ahead = placesOf(model.drive, model.from, model.to, PARTS, PARTS_OF_PIECE).filter(isAhead);
+  const ahead = samplesOf(model.drive, model.from, model.to, PARTS, PARTS_OF_PIECE).filter(isAhead);
   let last = start;
   let step = whole;
   for (const aim of sign > 0 ? ahead : ahead.reverse()) {
@@ -182,7 +183,7 @@ function isNextTo(model, design, one, other, size) {
   return model.unknowns.every(({ name, dimension }) => {
     const allowed = ASTRAY * (dimension === "length" ? size : 1);
     const isNear = (value, wanted) =>
-      Math.abs(value - wanted + (dimension === "angle" ? turnsBetween(value, wanted) : 0)) <= allowed;
+      Math.abs(value - wanted + (dimension === "angle" ? revolutionsBetween(value, wanted) : 0)) <= allowed;
     return (
       isNear(movedOn(one.pose[name], time), other.pose[name][0]) &&
       isNear(movedOn(other.pose[name], -time), one.pose[name][0])
@@ -199,13 +200,13 @@ export function sizeOf({ joints }) {
 }
 
 /**
- * Counts the turns of angles from row to row, so that curves do not jump. Behind a gap they go on from the last row of
- * the grid before it, as the rows of kin's tables do.
+ * Unwraps angles from row to row, so that curves do not jump. Behind a gap they go on from the last row of the grid
+ * before the gap, as in kin's tables.
  */
 function unwind(model, spans) {
   const isOnGrid = ({ x }) => {
-    const place = ((x - model.from) / model.width) * PARTS;
-    return same(model, (place - Math.round(place)) * model.width, 0);
+    const part = ((x - model.from) / model.width) * PARTS;
+    return same(model, (part - Math.round(part)) * model.width, 0);
   };
   let last = null;
   for (const { rows } of spans) {
@@ -223,18 +224,20 @@ function unwind(model, spans) {
   }
 }
 
-/** The turns, in radians, to add to each angle of a pose so that it comes nearest to that of a row. */
+/** The full revolutions, in radians, to add to each angle of a pose so that it comes nearest to that of a row. */
 function shiftsBeside(model, pose, row) {
   return model.quantities.map(({ name, dimension }, index) =>
-    row === null || dimension !== "angle" ? 0 : turnsBetween(pose[name][0], row.pose[name][0] + row.shifts[index]),
+    row === null || dimension !== "angle"
+      ? 0
+      : revolutionsBetween(pose[name][0], row.pose[name][0] + row.shifts[index]),
   );
 }
 
-function turnsBetween(angle, wanted) {
+function revolutionsBetween(angle, wanted) {
   return 2 * Math.PI * Math.round((wanted - angle) / (2 * Math.PI)) || 0;
 }
 
-/** How far a slide's joint is along its line, from the first joint of the body that guides it, or from the origin. */
+/** The shift of a slide's joint along its line, from the first joint of the body that guides it, or from the origin. */
 export function alongSlide(model, pose, slide) {
   const { joint, guide } = model.outline.slides[slide];
   const direction = pose.slides[slide];
@@ -246,7 +249,7 @@ export function alongSlide(model, pose, slide) {
   );
 }
 
-/** A derivative of a quantity, by its index, at a row; angles with their turns. */
+/** A derivative of a quantity, by its index, at a row; angles are unwrapped. */
 export function valueAt(model, { pose, shifts }, index, order) {
   return pose[model.quantities[index].name][order] + (order === 0 ? shifts[index] : 0);
 }
@@ -268,12 +271,12 @@ export function innerRows(sweep) {
   });
 }
 
-/** The stretch on which a place lies, or null. @returns {Span | null} */
+/** The stretch that holds a value of the variable, or null. @returns {Span | null} */
 export function spanAt({ model, spans }, x) {
   return spans.find(({ from, to }) => same(model, clamped(x, from, to), x)) ?? null;
 }
 
-/** Whether a place is at an end of what closes, apart from those of the range. */
+/** Whether a value of the variable is a limit, at which the mechanism ceases to close. */
 export function isAtLimit({ model, gaps }, x) {
   return gaps.some(({ from, to }) => sameLimit(model, from, x) || sameLimit(model, to, x));
 }
@@ -286,13 +289,13 @@ export function isUnbounded(sweep, { x, pose }, index, order) {
   );
 }
 
-/** At a joint of laws, the row before it, at the same place; otherwise null. @returns {Row | null} */
+/** At a joint of laws, the row before it, at the same value; otherwise null. @returns {Row | null} */
 export function rowBefore(sweep, { x, piece }) {
   const isJoint = sweep.model.drive.joints.some((joint) => joint.at === x && joint.piece === piece);
   return (isJoint && spanAt(sweep, x)?.rows.find((one) => one.x === x && one.piece < piece)) || null;
 }
 
-/** The pose at a place, with the turns of its angles; null where it does not close. @returns {Row | null} */
+/** The pose at a value of the variable, with unwrapped angles; null where it does not close. @returns {Row | null} */
 export function rowAt(sweep, x) {
   const { model, design, assembly } = sweep;
   const rows = spanAt(sweep, x)?.rows;
@@ -311,14 +314,15 @@ export function rowAt(sweep, x) {
   return found.ok ? { x, piece, pose: found.pose, shifts: shiftsBeside(model, found.pose, near) } : near;
 }
 
-/** The place nearest to one at which it closes. */
+/** The nearest value at which the mechanism closes. */
 export function heldInput(sweep, x) {
   const held = sweep.spans.map(({ from, to }) => clamped(x, from, to));
   return held.reduce((best, one) => (Math.abs(one - x) < Math.abs(best - x) ? one : best), held[0] ?? x);
 }
 
 /**
- * Where the variable comes to when it moves: it stops at limits, and passes from the end of a turn to its beginning.
+ * The value that the variable reaches by a motion: it stops at limits, and passes from the end of a revolution to its
+ * beginning.
  * @returns {{x: number, stopped: boolean}}
  */
 export function movedInput(sweep, x, change) {

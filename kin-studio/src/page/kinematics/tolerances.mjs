@@ -1,6 +1,6 @@
-/** What is near, small or often enough in the page's kinematics. Places of the variable are in parts of the range. */
+/** The tolerances and counts of the page's kinematics. Values of the variable are in parts of the range. */
 
-/** Between places that are the same but for rounding. */
+/** Between values that are the same but for rounding. */
 export const SAME = 1e-9;
 /** Of what is found by halving. */
 export const HALVED = 1e-10;
@@ -8,7 +8,7 @@ export const HALVED = 1e-10;
 export const LIMIT = 1e-5;
 /** The part of a stretch beside a limit in which rates grow beyond bounds. */
 export const BESIDE_LIMIT = 0.04;
-/** How often a rate at a limit is as large as elsewhere before it counts as unbounded. */
+/** The ratio to the rates elsewhere from which a rate at a limit counts as unbounded. */
 export const UNBOUNDED = 100;
 
 /** The parts of the range, and of each piece of the drive, at whose ends a sweep has rows. */
@@ -21,9 +21,9 @@ export const SMALLEST_STEP = 2 ** -22;
 /** Between its position and the one that its rates before lead to: radians, or parts of its size. */
 export const ASTRAY = 1e-3;
 
-/** How far the mechanism may go from where it is in one step of the pointer. */
+/** The longest way of the mechanism in one step of the pointer. */
 export const REACH_OF_POINTER = 0.22;
-/** How far from the pointer a dragged place may be before it counts as held by a limit, in pixels. */
+/** The distance to the pointer from which a dragged point counts as held by a limit, in pixels. */
 export const HELD = 6;
 
 /** The distance of the poses from which the rates of joints come, at most in parts of a piece of the drive. */
@@ -39,12 +39,12 @@ export const TURNS = 1e-3;
 /** A transmission angle below it is poor, in radians. */
 export const POOR = (40 * Math.PI) / 180;
 
-/** Whether two places are the same but for rounding. */
+/** Whether two values are the same but for rounding. */
 export function same(model, one, other) {
   return Math.abs(one - other) <= SAME * model.width;
 }
 
-/** Whether two places are one limit. */
+/** Whether two values are one limit. */
 export function sameLimit(model, one, other) {
   return Math.abs(one - other) <= LIMIT * model.width;
 }

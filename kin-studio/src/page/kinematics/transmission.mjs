@@ -1,9 +1,9 @@
-/** Where the transmission angle of a dyad is poor. */
+/** The ranges in which the transmission angle of a dyad is poor. */
 import { givenDesign } from "./model.mjs";
 import { createSweep, rowAt } from "./sweep.mjs";
 import { DESCRIBES, POOR } from "./tolerances.mjs";
 
-/** Where it is: by the report's angles, or at other dimensions by the page's own. @returns {[number, number][]} */
+/** Its ranges: by the report, or at other dimensions by the page. @returns {[number, number][]} */
 export function poorTransmission({ model, reported, spans }) {
   const { samples = [], dyads = [] } = model.report.transmission ?? {};
   if (reported) {
@@ -38,27 +38,27 @@ function angleBetween(model, dyad, index) {
   return some.every(agrees) ? angle : null;
 }
 
-/** The stretches on which a curve is poor, by straight lines between its points; they reach the ends of what closes. */
+/** The parts of a stretch on which a curve is poor, by straight lines between its points. */
 function bandsBelow(points, { from, to }) {
   const bands = [];
-  let open = null;
+  let start = null;
   points.forEach(([x, angle], index) => {
     const [before, last] = points[index - 1] ?? [x, angle];
     const crossing = before + ((x - before) * (POOR - last)) / (angle - last || 1);
-    if (angle < POOR && open === null) {
-      open = index === 0 ? from : crossing;
-    } else if (angle >= POOR && open !== null) {
-      bands.push([open, crossing]);
-      open = null;
+    if (angle < POOR && start === null) {
+      start = index === 0 ? from : crossing;
+    } else if (angle >= POOR && start !== null) {
+      bands.push([start, crossing]);
+      start = null;
     }
   });
-  if (open !== null) {
-    bands.push([open, to]);
+  if (start !== null) {
+    bands.push([start, to]);
   }
   return bands;
 }
 
-/** The least transmission angle of the report, with its place, or null. */
+/** The least transmission angle of the report, with its value of the variable, or null. */
 export function worstTransmission(model) {
   const worst = model.report.transmission?.worst ?? [];
   return worst.reduce((least, one) => (least === null || one.angle < least.angle ? one : least), null);

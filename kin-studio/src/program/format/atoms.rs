@@ -57,7 +57,7 @@ impl Row<'_> {
     fn tokens(&mut self, tokens: &TokenStream) {
         for token in tokens.clone() {
             let range = token.span().byte_range();
-            // a doc comment is a row of tokens, each of them at the whole comment
+            // a doc comment is a row of tokens, each of which has the range of the whole comment
             if range.start < self.end {
                 continue;
             }
@@ -101,7 +101,7 @@ impl Row<'_> {
 
     /// The comments up to a byte.
     fn gap(&mut self, end: usize) {
-        while let Some(start) = self.text[self.end..end].find('/').map(|place| self.end + place) {
+        while let Some(start) = self.text[self.end..end].find('/').map(|offset| self.end + offset) {
             let rest = &self.text[start..end];
             if rest.starts_with("//") {
                 let length = rest.find('\n').unwrap_or(rest.len());
@@ -115,19 +115,19 @@ impl Row<'_> {
 
 /// The length of a comment with two ends, which may hold others.
 fn length_of_comment(text: &str) -> usize {
-    let (mut depth, mut place) = (0_usize, 0);
-    while place < text.len() {
-        let rest = &text.as_bytes()[place..];
+    let (mut depth, mut end) = (0_usize, 0);
+    while end < text.len() {
+        let rest = &text.as_bytes()[end..];
         let is_mark = rest.starts_with(b"/*") || rest.starts_with(b"*/");
         if is_mark && rest[0] == b'/' {
             depth += 1;
         } else if is_mark {
             depth -= 1;
         }
-        place += if is_mark { 2 } else { 1 };
+        end += if is_mark { 2 } else { 1 };
         if depth == 0 {
             break;
         }
     }
-    place
+    end
 }

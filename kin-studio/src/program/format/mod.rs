@@ -12,7 +12,7 @@ use spaces::{Break, breaks, space};
 const WIDTH: usize = 100;
 const STEP: usize = 4;
 
-/// The text in one form. The tokens are those of the text with blanks in the place of its first line.
+/// The text in one form. The tokens are those of the text with blanks instead of its first line.
 pub(super) fn formatted(text: &str, tokens: &TokenStream) -> String {
     let (first, rest) = text.split_once('\n').unwrap_or((text, ""));
     let skipped = text.len() - rest.len();
@@ -31,14 +31,14 @@ pub(super) fn is_same(one: (&str, &TokenStream), other: (&str, &TokenStream)) ->
     words(one).eq(words(other))
 }
 
-/// What stands on the lines of a block.
+/// The content of the lines of a block.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Style {
     /// Each statement on its own.
     Statements,
     /// As many elements as were typed on a line.
     Rows,
-    /// The same, with the blanks within values as typed.
+    /// As many elements as were typed on a line, with the blanks within values as typed.
     Values,
 }
 
@@ -80,32 +80,32 @@ impl Page {
         let hang = if style == Style::Statements { STEP } else { 0 };
         let fits = self.column() + width(atoms, as_typed) <= WIDTH;
         let mut start = 0;
-        let mut place = 0;
-        while place < atoms.len() {
-            let (open, end) = (&atoms[place], place + length_of_group(&atoms[place..]));
-            let is_block = open.is("{") || open.is("[");
-            let inner = if is_block { &atoms[place + 1..end - 1] } else { &[] };
+        let mut index = 0;
+        while index < atoms.len() {
+            let (atom, end) = (&atoms[index], index + length_of_group(&atoms[index..]));
+            let is_block = atom.is("{") || atom.is("[");
+            let inner = if is_block { &atoms[index + 1..end - 1] } else { &[] };
             let inner_style = match atoms[0].text {
-                "for" if open.is("{") => Style::Statements,
+                "for" if atom.is("{") => Style::Statements,
                 "for" | "struct" | "pub" => Style::Rows,
                 _ => Style::Values,
             };
-            let is_open = inner_style == Style::Statements
+            let is_divided = inner_style == Style::Statements
                 || !fits
                 || inner
                     .iter()
                     .chain(&atoms[end - 1..end])
                     .any(|atom| atom.lines_before > 0)
                 || inner.iter().any(|atom| atom.kind == Kind::Line);
-            if !is_block || !is_open || inner.is_empty() {
-                place += 1;
+            if !is_block || !is_divided || inner.is_empty() {
+                index += 1;
                 continue;
             }
-            self.flat(&atoms[start..=place], indent, hang, as_typed);
+            self.flat(&atoms[start..=index], indent, hang, as_typed);
             self.block(inner, indent + STEP, inner_style, false);
             self.new_line(indent);
             start = end - 1;
-            place = end;
+            index = end;
         }
         self.flat(&atoms[start..], indent, hang, as_typed);
     }
@@ -127,20 +127,20 @@ impl Page {
                 end += 1;
             }
             let is_full = end < atoms.len() && breaks[end] != Break::Always;
-            let best = (start + 1..=end).filter_map(|place| breaks.get(place)?.level()).min();
+            let best = (start + 1..=end).filter_map(|index| breaks.get(index)?.level()).min();
             let end = match best {
                 Some(best) if is_full => (start + 1..=end)
                     .rev()
-                    .find(|&place| breaks[place].level() == Some(best)),
-                None if is_full => (end..atoms.len()).find(|&place| breaks[place] != Break::Never),
+                    .find(|&index| breaks[index].level() == Some(best)),
+                None if is_full => (end..atoms.len()).find(|&index| breaks[index] != Break::Never),
                 _ => Some(end),
             };
             let end = end.unwrap_or(atoms.len());
-            for place in start..end {
-                if place > start {
-                    self.text.push_str(space(atoms, place, as_typed));
+            for index in start..end {
+                if index > start {
+                    self.text.push_str(space(atoms, index, as_typed));
                 }
-                self.text.push_str(atoms[place].text);
+                self.text.push_str(atoms[index].text);
             }
             if end < atoms.len() {
                 let is_between = breaks[end] == Break::BETWEEN_ELEMENTS;
@@ -151,17 +151,17 @@ impl Page {
     }
 }
 
-/// The number of atoms up to the end of the group that the first one opens, or one.
+/// The number of atoms up to the end of the group that the first atom begins, or one.
 fn length_of_group(atoms: &[Atom<'_>]) -> usize {
     let mut depth = 0_usize;
-    for (place, atom) in atoms.iter().enumerate() {
+    for (index, atom) in atoms.iter().enumerate() {
         match atom.kind {
             Kind::Open => depth += 1,
             Kind::Close => depth = depth.saturating_sub(1),
             _ => {}
         }
         if depth == 0 {
-            return place + 1;
+            return index + 1;
         }
     }
     atoms.len()
@@ -205,7 +205,7 @@ fn width(atoms: &[Atom<'_>], as_typed: bool) -> usize {
         [before @ .., comment] if comment.kind == Kind::Line => before,
         _ => atoms,
     };
-    let widths = (0..atoms.len()).map(|place| space(atoms, place, as_typed).len() + atoms[place].text.chars().count());
+    let widths = (0..atoms.len()).map(|index| space(atoms, index, as_typed).len() + atoms[index].text.chars().count());
     widths.sum()
 }
 

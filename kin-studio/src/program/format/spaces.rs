@@ -7,37 +7,37 @@ use super::is_documentation;
 const BETWEEN: [&str; 6] = ["in", "where", "along", "on", "at", "by"];
 
 /// Whether an operand ends with an atom.
-fn is_operand(atoms: &[Atom<'_>], place: usize) -> bool {
-    let atom = &atoms[place];
+fn is_operand(atoms: &[Atom<'_>], index: usize) -> bool {
+    let atom = &atoms[index];
     match atom.kind {
-        Kind::Word => !is_between(atoms, place),
+        Kind::Word => !is_between(atoms, index),
         Kind::Close => true,
         _ => false,
     }
 }
 
-fn is_between(atoms: &[Atom<'_>], place: usize) -> bool {
-    let before = place.checked_sub(1).map(|before| atoms[before].kind);
-    BETWEEN.contains(&atoms[place].text) && matches!(before, Some(Kind::Word | Kind::Close))
+fn is_between(atoms: &[Atom<'_>], index: usize) -> bool {
+    let before = index.checked_sub(1).map(|before| atoms[before].kind);
+    BETWEEN.contains(&atoms[index].text) && matches!(before, Some(Kind::Word | Kind::Close))
 }
 
-/// Whether a sign is one of a single operand.
-fn is_unary(atoms: &[Atom<'_>], place: usize) -> bool {
-    atoms[place].is("-") && (place == 0 || !is_operand(atoms, place - 1))
+/// Whether a sign has a single operand.
+fn is_unary(atoms: &[Atom<'_>], index: usize) -> bool {
+    atoms[index].is("-") && (index == 0 || !is_operand(atoms, index - 1))
 }
 
-/// Whether an atom and the one before it are of one value, behind the `=` of its name.
-fn is_in_value(atoms: &[Atom<'_>], place: usize) -> bool {
-    let before = atoms[..place.saturating_sub(1)].iter().rev();
+/// Whether an atom and the atom before it belong to one value, behind the `=` of its name.
+fn is_in_value(atoms: &[Atom<'_>], index: usize) -> bool {
+    let before = atoms[..index.saturating_sub(1)].iter().rev();
     before.take_while(|atom| !atom.is(";")).any(|atom| atom.is("="))
 }
 
-/// What stands between an atom and the one before it.
-pub(super) fn space(atoms: &[Atom<'_>], place: usize, as_typed: bool) -> &'static str {
-    let Some(before) = place.checked_sub(1).map(|before| &atoms[before]) else {
+/// The text between an atom and the atom before it.
+pub(super) fn space(atoms: &[Atom<'_>], index: usize, as_typed: bool) -> &'static str {
+    let Some(before) = index.checked_sub(1).map(|before| &atoms[before]) else {
         return "";
     };
-    let atom = &atoms[place];
+    let atom = &atoms[index];
     let text = atom.text;
     let together = format!("{}{text}", before.text);
     // together they would be another sign, or a comment
@@ -55,7 +55,7 @@ pub(super) fn space(atoms: &[Atom<'_>], place: usize, as_typed: bool) -> &'stati
         let is_empty = before.is("{") && atom.is("}");
         return if is_empty { "" } else { " " };
     }
-    if as_typed && is_in_value(atoms, place) {
+    if as_typed && is_in_value(atoms, index) {
         return if atom.is_apart { " " } else { "" };
     }
     if before.is(",") {
@@ -64,9 +64,9 @@ pub(super) fn space(atoms: &[Atom<'_>], place: usize, as_typed: bool) -> &'stati
     let is_tight = |atom: &Atom<'_>| matches!(atom.text, "." | ".." | "..=" | "::") && atom.kind == Kind::Sign;
     // `1.` before `..` would be another number; `'` is the beginning of a name
     let is_joined = is_tight(atom) && !before.text.ends_with('.') || is_tight(before) || before.is("'");
-    let is_call = atom.is("(") && before.kind == Kind::Word && before.text != "for" && !is_between(atoms, place - 1);
+    let is_call = atom.is("(") && before.kind == Kind::Word && before.text != "for" && !is_between(atoms, index - 1);
     let is_inside = matches!(before.text, "(" | "[") || matches!(text, ")" | "]");
-    if is_joined || is_call || is_inside || is_unary(atoms, place - 1) {
+    if is_joined || is_call || is_inside || is_unary(atoms, index - 1) {
         ""
     } else {
         " "
@@ -98,28 +98,28 @@ impl Break {
 pub(super) fn breaks(atoms: &[Atom<'_>], as_typed: bool) -> Vec<Break> {
     let mut depth = 0_usize;
     let mut breaks = Vec::new();
-    for (place, atom) in atoms.iter().enumerate() {
+    for (index, atom) in atoms.iter().enumerate() {
         if atom.kind == Kind::Close {
             depth = depth.saturating_sub(1);
         }
-        let before = place.checked_sub(1).map(|before| &atoms[before]);
-        let own = match (before, atom.text) {
+        let before = index.checked_sub(1).map(|before| &atoms[before]);
+        let level = match (before, atom.text) {
             (None, _) => Break::Never,
             (Some(before), _) if before.kind == Kind::Line => Break::Always,
             _ if atom.kind == Kind::Line && (atom.lines_before > 0 || is_documentation(atom)) => Break::Always,
             _ if atom.kind == Kind::Line => Break::Never,
-            _ if as_typed && is_in_value(atoms, place) => Break::Never,
+            _ if as_typed && is_in_value(atoms, index) => Break::Never,
             (Some(before), _) if before.is(",") || before.is(";") => Break::At(8 * depth + 1),
             (_, "==") => Break::At(8 * depth),
-            (_, "+" | "-") if !is_unary(atoms, place) => Break::At(8 * depth + 2),
+            (_, "+" | "-") if !is_unary(atoms, index) => Break::At(8 * depth + 2),
             (_, "*" | "/") => Break::At(8 * depth + 3),
-            _ if is_between(atoms, place) => Break::At(8 * depth + 1),
+            _ if is_between(atoms, index) => Break::At(8 * depth + 1),
             _ => Break::Never,
         };
         if atom.kind == Kind::Open {
             depth += 1;
         }
-        breaks.push(own);
+        breaks.push(level);
     }
     breaks
 }

@@ -4,13 +4,13 @@ use proc_macro2::TokenStream;
 use super::{WIDTH, atoms, formatted, is_same};
 use crate::library::DESIGNS;
 
-/// The tokens of a text with blanks in the place of its first line, if they can be told apart.
+/// The tokens of a text with blanks instead of its first line, if the text can be read.
 fn tokens(text: &str) -> Option<TokenStream> {
     let (first, rest) = text.split_once('\n').unwrap_or((text, ""));
     format!("{}\n{rest}", " ".repeat(first.len())).parse().ok()
 }
 
-/// The text in one form, in which it stays.
+/// The text in one form, which a second run leaves unchanged.
 fn checked(text: &str) -> Option<String> {
     let before = tokens(text)?;
     let once = formatted(text, &before);

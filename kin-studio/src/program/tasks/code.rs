@@ -63,15 +63,15 @@ pub(super) fn run(subject: &Subject, code: &Code, told: &Told) -> Result<(), Fau
     print(&out)
 }
 
-/// Refuses to write an example over a file that is none. All examples begin alike, up to the name of the mechanism.
+/// Refuses to replace a file that is no example. All examples begin alike, up to the name of the mechanism.
 fn spare(path: &Path, example: &str, mechanism: &str) -> Result<(), Fault> {
     let head = example.split(mechanism).next().unwrap_or(example).trim_end();
     match std::fs::read(path) {
-        Ok(own) if !own.starts_with(head.as_bytes()) => Err(Fault::wrong(format!(
+        Ok(content) if !content.starts_with(head.as_bytes()) => Err(Fault::wrong(format!(
             "{} is there already and was not written by kin: give another folder by `--output FOLDER`",
             path.display()
         ))),
-        // what cannot be read for another reason cannot be written either, and that is told then
+        // a file that cannot be read for another reason cannot be written either, which then is the error
         _ => Ok(()),
     }
 }

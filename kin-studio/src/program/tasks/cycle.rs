@@ -14,7 +14,7 @@ use super::super::text::{self, Column, Units};
 use super::print;
 
 pub(super) fn run(subject: &Subject, setup: &Setup, told: &Told) -> Result<(), Fault> {
-    // the input passes all its values in all assemblies, wherever it begins
+    // the cycle covers all values of the input in all assemblies
     let typed = setup.typed(told).first_assembly(subject);
     let case = typed.case_without_range(subject, 0.0)?;
     let description = subject.description();
@@ -67,10 +67,10 @@ pub(super) fn run(subject: &Subject, setup: &Setup, told: &Told) -> Result<(), F
         let strokes: Vec<_> = names
             .filter_map(|quantity| Some((quantity, found.along(index).of(quantity.name).stroke().ok()?)))
             .collect();
-        let column = |end: usize, is_place: bool| {
+        let column = |end: usize, is_input: bool| {
             let cells = strokes.iter().map(|(quantity, stroke)| {
                 let end = [stroke.low, stroke.high][end];
-                if is_place {
+                if is_input {
                     format!("at {}", at(end.input))
                 } else {
                     units.text(quantity.dimension, 0, end.value)
@@ -92,8 +92,8 @@ pub(super) fn run(subject: &Subject, setup: &Setup, told: &Told) -> Result<(), F
         out.push_str(&text::table(&table));
         if let Ok(worst) = found.along(index).worst_transmission() {
             let angle = units.text(kin_core::Dimension::Angle, 0, worst.angle);
-            let (place, block) = (at(worst.input), worst.block);
-            let _ = writeln!(out, "  worst transmission angle {angle} at {place}, of {block}");
+            let (input, block) = (at(worst.input), worst.block);
+            let _ = writeln!(out, "  worst transmission angle {angle} at {input}, of {block}");
         }
     }
     print(&subject.named(out))
@@ -101,8 +101,8 @@ pub(super) fn run(subject: &Subject, setup: &Setup, told: &Told) -> Result<(), F
 
 fn branch_columns(branches: &[&Branch], assemblies: &[String], at: &impl Fn(f64) -> String) -> Vec<Column> {
     let cells = |cell: &dyn Fn(&Branch) -> String| branches.iter().map(|branch| cell(branch)).collect::<Vec<_>>();
-    // a full turn begins anywhere
-    let place = |branch: &Branch, side: usize| {
+    // a full revolution has no ends
+    let input = |branch: &Branch, side: usize| {
         if branch.is_full_revolution() {
             "-".to_owned()
         } else {
@@ -117,9 +117,9 @@ fn branch_columns(branches: &[&Branch], assemblies: &[String], at: &impl Fn(f64)
         }
     };
     let mut columns = vec![
-        Column::numbers("from", cells(&|branch| place(branch, 0))),
+        Column::numbers("from", cells(&|branch| input(branch, 0))),
         Column::words("", cells(&|branch| kind(branch, 0))),
-        Column::numbers("to", cells(&|branch| place(branch, 1))),
+        Column::numbers("to", cells(&|branch| input(branch, 1))),
         Column::words("", cells(&|branch| kind(branch, 1))),
     ];
     let names = cells(&|branch| {
@@ -145,7 +145,7 @@ fn end(kind: EndKind) -> String {
     match kind {
         EndKind::Limit(kind) => kind.to_string(),
         EndKind::Range => "end of the range".to_owned(),
-        EndKind::FullRevolution => "full turn".to_owned(),
+        EndKind::FullRevolution => "full revolution".to_owned(),
         _ => "lost".to_owned(),
     }
 }

@@ -41,12 +41,12 @@ pub(super) fn run(subject: &Subject, options: &Options, told: &Told) -> Result<(
     }
     let fitted = watched("fitting", 1, |_| fit.least());
     print(&shown(subject, &case, &data, &fit, &fitted.design))?;
-    // what is not met is told by the code of the program
-    match fit.open_rows(&fitted.design) {
+    // the code of the program states whether the numbers are met
+    match fit.unclosed_rows(&fitted.design) {
         0 => {}
-        open => {
+        unclosed => {
             return Err(Fault::open(format!(
-                "with what was found, the mechanism does not close in {open} of {} rows",
+                "with what was found, the mechanism does not close in {unclosed} of {} rows",
                 data.values.len()
             )));
         }
@@ -87,17 +87,17 @@ fn fit(
             )));
         };
         let wanted = wanted.trim();
-        let place = varied.iter().position(|index| name(*index) == wanted).ok_or_else(|| {
+        let index = varied.iter().position(|index| name(*index) == wanted).ok_or_else(|| {
             let names = varied.iter().map(|index| name(*index));
             Fault::wrong(format!(
                 "no dimension `{wanted}` may change; {}",
                 similar(wanted, names)
             ))
         })?;
-        let dimension = description.parameters[varied[place]].dimension;
+        let dimension = description.parameters[varied[index]].dimension;
         let (low, high) =
             value::range(dimension, range, lengths).map_err(|message| Fault::wrong(format!("{wanted}: {message}")))?;
-        bounds[place] = low.min(high)..=low.max(high);
+        bounds[index] = low.min(high)..=low.max(high);
     }
     let standing: Vec<f64> = case.motions.iter().map(InputMotion::start).collect();
     let lead = &case.motions[case.lead];
@@ -330,11 +330,11 @@ fn varied(description: &Description<'_>, names: &[String]) -> Result<Vec<usize>,
     let mut varied = Vec::new();
     for name in names {
         let point = format!("{name}.");
-        let own = all
+        let indices = all
             .clone()
             .filter(|(_, quantity)| quantity.name == name || quantity.name.starts_with(&point));
         let before = varied.len();
-        varied.extend(own.map(|(index, _)| index));
+        varied.extend(indices.map(|(index, _)| index));
         if varied.len() == before {
             let names = description.parameters.iter().map(|quantity| quantity.name);
             return Err(Fault::wrong(format!(

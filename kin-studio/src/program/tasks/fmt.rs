@@ -6,7 +6,7 @@ use super::super::fault::Fault;
 use super::super::file;
 use super::print;
 
-/// Formats a file in place, or from the input to the output if its name is `-`; or tells whether it is in form.
+/// Formats a file in place, or from the input to the output if its name is `-`; or checks whether it is in form.
 pub(crate) fn fmt(path: &Path, only_check: bool) -> Result<(), Fault> {
     let text = crate::file::text_of(path).map_err(Fault::wrong)?;
     let formatted = file::formatted(path, &text)?;

@@ -1,4 +1,4 @@
-//! What the program does, one file for each command.
+//! The commands, one file for each.
 
 mod code;
 mod cycle;
@@ -27,7 +27,7 @@ use super::fault::Fault;
 use super::file::Told;
 use super::subject::Subject;
 
-/// Does what a command says.
+/// Runs a command.
 pub(super) fn run(subject: &Subject, task: &Task, told: &Told) -> Result<(), Fault> {
     if let Some(setup) = task.setup() {
         remark(subject, setup, told);
@@ -48,7 +48,7 @@ pub(super) fn run(subject: &Subject, task: &Task, told: &Told) -> Result<(), Fau
     done.map_err(|fault| fault.map(|words| subject.named(words)))
 }
 
-/// The page of a mechanism, with its remarks told.
+/// The page of a mechanism. Its remarks are printed.
 fn page(subject: &Subject, options: &Report, told: &Told) -> Result<String, Fault> {
     remark(subject, &options.setup, told);
     report::page(subject, options, told).map_err(|fault| fault.map(|words| subject.named(words)))

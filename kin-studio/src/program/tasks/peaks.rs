@@ -24,7 +24,7 @@ const HIGHEST: usize = 4;
 struct Sought {
     name: String,
     unit: String,
-    /// What one of the mechanism's units is in this unit.
+    /// The factor from the mechanism's unit to this unit.
     size: f64,
     force: Option<ForceColumn>,
 }
@@ -59,7 +59,8 @@ pub(super) fn run(subject: &Subject, options: &Peaks, told: &Told) -> Result<(),
     cases.iter().try_for_each(|case| subject.closes(case))
 }
 
-/// What is sought: the columns of the file, or what was typed, where the name of a quantity stands for all its rates.
+/// The quantities that are sought: the columns of the file, or the names that were typed, where the name of a quantity
+/// stands for all its rates.
 fn sought(subject: &Subject, case: &Case, options: &Peaks, told: &Told) -> Result<Vec<Sought>, Fault> {
     let description = subject.description();
     let units = case.units();
@@ -114,15 +115,15 @@ fn sought(subject: &Subject, case: &Case, options: &Peaks, told: &Told) -> Resul
         } else {
             let all: Vec<Sought> = results.clone().flat_map(rates).chain(forces.clone()).collect();
             let names: Vec<String> = all.iter().map(|one| one.name.clone()).collect();
-            let own = columns::named(name, &names);
-            let own = own.map_err(|message| Fault::Wrong(columns_of_forces.advice(name).unwrap_or(message)))?;
-            some.extend(all.iter().filter(|one| own.contains(&one.name.as_str())).cloned());
+            let chosen = columns::named(name, &names);
+            let chosen = chosen.map_err(|message| Fault::Wrong(columns_of_forces.advice(name).unwrap_or(message)))?;
+            some.extend(all.iter().filter(|one| chosen.contains(&one.name.as_str())).cloned());
         }
     }
     Ok(some)
 }
 
-/// How a place of the motion is shown: an input, or the time.
+/// The form in which a position of the motion is shown: as an input, or as the time.
 pub(super) struct Place {
     units: Units,
     /// The dimension of the input; none for the time.
@@ -142,28 +143,28 @@ impl Place {
         self.input.map_or("s".to_owned(), |input| self.units.unit(input, 0))
     }
 
-    /// A place in its unit.
+    /// A position in its unit.
     pub(super) fn value(&self, at: f64) -> f64 {
         self.input.map_or(at, |input| self.units.value(input, at))
     }
 
-    /// A place in words.
+    /// A position in words.
     pub(super) fn text(&self, at: f64, is_limit: bool) -> String {
-        let place = match self.input {
+        let value = match self.input {
             None => format!("{} s", text::digits(at)),
             Some(input) => self.units.text(input, 0, at),
         };
-        format!("at {place}{}", if is_limit { ", a limit" } else { "" })
+        format!("at {value}{}", if is_limit { ", a limit" } else { "" })
     }
 }
 
 fn shown(subject: &Subject, case: &Case, wanted: &[Sought], found: &[Extent]) -> String {
-    let place = Place::new(subject, case);
+    let variable = Place::new(subject, case);
     let value = |reached: &Reached, one: &Sought| match reached.value {
         None => "unbounded".to_owned(),
         Some(value) => text::digits(value * one.size),
     };
-    let where_ = |reached: &Reached| place.text(reached.at, reached.is_limit);
+    let where_ = |reached: &Reached| variable.text(reached.at, reached.is_limit);
     let all = || wanted.iter().zip(found);
     let rms = all().map(|(one, extent)| match &extent.rms {
         Ok(mean) => text::digits(mean.value * one.size),
@@ -188,7 +189,7 @@ fn shown(subject: &Subject, case: &Case, wanted: &[Sought], found: &[Extent]) ->
     text::table(&columns) + &moves_at(subject, case)
 }
 
-/// The speed of the input, in a line of its own; nothing under laws.
+/// The speed of the input, in a separate line; nothing under laws.
 pub(super) fn moves_at(subject: &Subject, case: &Case) -> String {
     if case.time_of_laws().is_some() {
         return String::new();

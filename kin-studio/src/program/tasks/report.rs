@@ -27,7 +27,7 @@ pub(super) fn run(subject: &Subject, options: &Report, told: &Told) -> Result<()
     if path.as_os_str() != "-" {
         eprintln!("open it in a browser");
     }
-    // without a range it is the mechanism that says how far the page goes
+    // without a range, the page goes as far as the mechanism closes
     let typed = options.setup.typed(told).first_assembly(subject);
     if typed.has_range() {
         subject.closes(&typed.case(subject)?)
@@ -41,7 +41,7 @@ fn is_page(path: &Path) -> Result<(), Fault> {
     let Some(ending) = path.extension() else { return Ok(()) };
     if ["html", "htm", "xhtml"]
         .iter()
-        .any(|own| ending.eq_ignore_ascii_case(own))
+        .any(|known| ending.eq_ignore_ascii_case(known))
     {
         return Ok(());
     }
@@ -79,10 +79,10 @@ fn plots(subject: &Subject, options: &Report, told: &Told) -> Result<Vec<String>
     let results = || description.unknowns.iter().chain(description.outputs);
     let forces = subject.forces(false).all;
     let shown = columns.iter().filter_map(|name| {
-        let is_own =
+        let is_wanted =
             |quantity: &&Quantity<'_>| (0..=description.order).any(|order| label(quantity.name, order) == *name);
         let force = || forces.iter().find(|force| force.name(description) == *name);
-        let quantity = results().find(is_own).map(|quantity| quantity.name.to_owned());
+        let quantity = results().find(is_wanted).map(|quantity| quantity.name.to_owned());
         quantity.or_else(|| force()?.plot(description))
     });
     let mut plots: Vec<String> = Vec::new();

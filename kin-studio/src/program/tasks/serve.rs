@@ -21,7 +21,7 @@ fn answer(path: &str) -> Option<Answer> {
     (path == "/").then(|| Answer {
         kind: "text/html; charset=utf-8",
         body: PAGE.get().cloned().unwrap_or_default(),
-        // the page carries its own
+        // the page carries its own policy
         policy: None,
     })
 }

@@ -57,7 +57,7 @@ pub(super) fn run(subject: &Subject, options: &Sweep, told: &Told) -> Result<(),
     Ok(())
 }
 
-/// Tells where the efforts of masses have no bounds, which no row shows.
+/// Prints where the efforts of masses have no bounds, which no row shows.
 pub(super) fn tell_jolts(subject: &Subject, case: &Case) -> Result<(), Fault> {
     if case.loads.is_some() {
         for time in subject.jolts(case)? {
@@ -83,7 +83,7 @@ pub(super) fn columns_of(subject: &Subject, typed: &[String], told: &Told) -> Re
     })
 }
 
-/// What is shown of one of several assemblies, below its name.
+/// The text of one of several assemblies, below its name.
 pub(super) fn headed(assembly: &str, count: usize, text: String) -> String {
     if count > 1 {
         format!("assembly {assembly}\n{text}")
@@ -103,7 +103,7 @@ fn table(subject: &Subject, case: &Case, rows: usize, wanted: &[String]) -> Resu
     forces.retain(is_wanted);
     let columns = subject
         .forces_of(case)
-        .map_or(Ok(Vec::new()), |own| own.columns(rows, &forces))?;
+        .map_or(Ok(Vec::new()), |loads| loads.columns(rows, &forces))?;
     for (force, values) in forces.iter().zip(columns) {
         table = table.with_column(&force.name(description), &force.unit(description), values);
     }
@@ -163,14 +163,14 @@ fn in_units(table: Table, case: &Case) -> Table {
     if case.in_degrees { table.in_degrees() } else { table }
 }
 
-/// Rows that do not close are shown, and tell by the code of the program that they are there.
+/// Rows that do not close are shown, and the code of the program reports them.
 fn closes(table: &Table) -> Result<(), Fault> {
-    let open = table.rows().filter(|row| !row.outcome().is_solved()).count();
-    if open == 0 {
+    let unclosed = table.rows().filter(|row| !row.outcome().is_solved()).count();
+    if unclosed == 0 {
         return Ok(());
     }
     Err(Fault::open(format!(
-        "the mechanism does not close in {open} of {} rows",
+        "the mechanism does not close in {unclosed} of {} rows",
         table.count()
     )))
 }

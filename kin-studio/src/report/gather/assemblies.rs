@@ -1,83 +1,87 @@
-//! The list of assemblies, and what the solver is given for each.
+//! The list of assemblies, and the argument of the solver for each.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use kin_core::any::AssemblyChoice;
 use kin_core::linkage::{AnyCycle, AnyLinkage};
 
-use super::place::{self, Own};
+use super::shown::{ShownAssembly, between_values, distance, part_in, samples};
 use super::solver::Solver;
 use crate::names::symbol;
 use crate::report::model::{Argument, Assembly};
 
-/// Positions that differ less are one: radians, or parts of a length.
+/// Positions that differ less are the same: radians, or parts of a length.
 const SAME: f64 = 1e-6;
 
-/// All assemblies along a line that close somewhere, and the index of the report's own.
-pub(super) fn on_line(solver: &Solver, cycle: &AnyCycle<'_>, own: &Own, range: [f64; 2]) -> (Vec<Assembly>, usize) {
-    if let Some(shown) = own.assembly.index() {
+/// All assemblies along a line that close somewhere, and the index of the shown assembly.
+pub(super) fn on_line(
+    solver: &Solver,
+    cycle: &AnyCycle<'_>,
+    shown_assembly: &ShownAssembly,
+    range: [f64; 2],
+) -> (Vec<Assembly>, usize) {
+    if let Some(shown) = shown_assembly.assembly.index() {
         let circuit = |number: usize| {
             let mut branches = cycle.branches().iter();
-            let own = branches.find(|branch| branch.assembly() == Some(number));
-            own.map(kin_core::cycle::Branch::circuit)
+            let branch = branches.find(|branch| branch.assembly() == Some(number));
+            branch.map(kin_core::cycle::Branch::circuit)
         };
         return numbered(solver, &numbers(cycle, shown), shown, &circuit);
     }
     let mut all: Vec<Assembly> = Vec::new();
-    let shown = shown(cycle, own, range);
+    let shown = shown(cycle, shown_assembly, range);
     for &index in &shown {
         let branch = &cycle.branches()[index];
-        let ([low, high], periods) =
-            place::part_in(cycle, branch, range).unwrap_or((branch.ends().map(|end| end.input), 0.0));
-        let place = place::between_places(low, high);
+        let ([low, high], periods) = part_in(cycle, branch, range).unwrap_or((branch.ends().map(|end| end.input), 0.0));
+        let at = between_values(low, high);
         // a branch is at least known by its samples
-        let found = cycle.position_on(index, place - periods);
+        let found = cycle.position_on(index, at - periods);
         let (sample, unknowns) = &branch.samples()[branch.samples().len() / 2];
-        let (place, unknowns) = match &found {
-            Ok(unknowns) => (place, unknowns.as_slice()),
+        let (at, unknowns) = match &found {
+            Ok(unknowns) => (at, unknowns.as_slice()),
             Err(_) => (*sample, unknowns.as_slice()),
         };
-        all.push(near(solver, place, unknowns, index + 1, Some(branch.circuit())));
+        all.push(near(solver, at, unknowns, index + 1, Some(branch.circuit())));
     }
-    let first = own.branches.first();
+    let first = shown_assembly.branches.first();
     let index = first.and_then(|first| shown.iter().position(|index| index == first));
     let index = index.unwrap_or_else(|| {
-        let (place, unknowns) = &own.start;
-        all.push(near(solver, *place, unknowns, all.len() + 1, None));
+        let (at, unknowns) = &shown_assembly.start;
+        all.push(near(solver, *at, unknowns, all.len() + 1, None));
         all.len() - 1
     });
     (all, index)
 }
 
-/// All assemblies under laws that close somewhere, and the index of the report's own. Those of coupled blocks are the
+/// All assemblies under laws that close somewhere, and the index of the shown assembly. Those of coupled blocks are the
 /// positions where the laws begin. `inputs` gives the inputs at a time.
 pub(super) fn under_laws(
     solver: &Solver,
     linkage: &AnyLinkage<'_>,
-    own: &Own,
+    shown_assembly: &ShownAssembly,
     range: [f64; 2],
     inputs: &dyn Fn(f64) -> Vec<f64>,
 ) -> (Vec<Assembly>, usize) {
-    if let Some(shown) = own.assembly.index() {
-        let places: Vec<Vec<f64>> = place::places(range).into_iter().map(inputs).collect();
+    if let Some(shown) = shown_assembly.assembly.index() {
+        let samples: Vec<Vec<f64>> = samples(range).into_iter().map(inputs).collect();
         let closes = |number: &usize| {
             let choice = AssemblyChoice::Index(*number);
-            let mut places = places.iter();
-            *number == shown || places.any(|inputs| linkage.position(inputs, choice.position()).is_ok())
+            let mut samples = samples.iter();
+            *number == shown || samples.any(|inputs| linkage.position(inputs, choice.position()).is_ok())
         };
         let numbers: Vec<usize> = (0..linkage.assembly_count()).filter(closes).collect();
         return numbered(solver, &numbers, shown, &|_| None);
     }
-    let (place, unknowns) = &own.start;
+    let (at, unknowns) = &shown_assembly.start;
     let description = linkage.description();
-    // the search answers for the other ones alone: the report's own is known
-    let others = linkage.positions_at(&inputs(*place)).map(|(all, _)| all);
-    let is_other = |position: &Vec<f64>| place::distance(description, position, unknowns) > SAME;
+    // the search answers for the other assemblies alone: the shown assembly is known
+    let others = linkage.positions_at(&inputs(*at)).map(|(all, _)| all);
+    let is_other = |position: &Vec<f64>| distance(description, position, unknowns) > SAME;
     let others = others.unwrap_or_default().into_iter().filter(is_other);
     let positions = std::iter::once(unknowns.clone()).chain(others);
     let all = positions
         .enumerate()
-        .map(|(index, own)| near(solver, *place, &own, index + 1, None));
+        .map(|(index, position)| near(solver, *at, &position, index + 1, None));
     (all.collect(), 0)
 }
 
@@ -99,48 +103,55 @@ fn numbered(
 }
 
 /// An assembly of a coupled block, by values nearby.
-fn near(solver: &Solver, place: f64, unknowns: &[f64], number: usize, circuit: Option<usize>) -> Assembly {
+fn near(solver: &Solver, at: f64, unknowns: &[f64], number: usize, circuit: Option<usize>) -> Assembly {
     Assembly {
         name: format!("assembly {number}"),
         argument: Argument::Several(solver.near.iter().cloned().zip(unknowns.iter().copied()).collect()),
-        at: Some(place),
+        at: Some(at),
         circuit,
     }
 }
 
 /// The index of the assembly to which a branch belongs, if it is listed.
-pub(super) fn of_branch(cycle: &AnyCycle<'_>, own: &Own, range: [f64; 2], branch: usize) -> Option<usize> {
-    let Some(index) = own.assembly.index() else {
-        return shown(cycle, own, range).iter().position(|index| *index == branch);
+pub(super) fn of_branch(
+    cycle: &AnyCycle<'_>,
+    shown_assembly: &ShownAssembly,
+    range: [f64; 2],
+    branch: usize,
+) -> Option<usize> {
+    let Some(index) = shown_assembly.assembly.index() else {
+        return shown(cycle, shown_assembly, range)
+            .iter()
+            .position(|index| *index == branch);
     };
     let assembly = cycle.branches()[branch].assembly();
     let mut numbers = numbers(cycle, index).into_iter();
     numbers.position(|number| assembly == Some(number))
 }
 
-/// The branches of which a part lies in the range, and the report's own. An assembly of another one would show the
-/// numbers of a branch to which Newton's method goes from values nearby.
-fn shown(cycle: &AnyCycle<'_>, own: &Own, range: [f64; 2]) -> Vec<usize> {
-    let is_own = |index: usize| own.branches.first() == Some(&index);
+/// The branches of which a part lies in the range, and the branch of the shown assembly. An assembly of another branch
+/// would show the numbers of the branch to which Newton's method goes from values nearby.
+fn shown(cycle: &AnyCycle<'_>, shown_assembly: &ShownAssembly, range: [f64; 2]) -> Vec<usize> {
+    let is_of_shown = |index: usize| shown_assembly.branches.first() == Some(&index);
     let branches = cycle.branches().iter().enumerate();
     branches
-        .filter(|(index, branch)| is_own(*index) || place::part_in(cycle, branch, range).is_some())
+        .filter(|(index, branch)| is_of_shown(*index) || part_in(cycle, branch, range).is_some())
         .map(|(index, _)| index)
         .collect()
 }
 
-/// The numbers of the assemblies that close somewhere, and of the report's own.
-fn numbers(cycle: &AnyCycle<'_>, own: usize) -> Vec<usize> {
+/// The numbers of the assemblies that close somewhere, and of the shown assembly.
+fn numbers(cycle: &AnyCycle<'_>, shown: usize) -> Vec<usize> {
     let closing = cycle.branches().iter().filter_map(kin_core::cycle::Branch::assembly);
-    let numbers: BTreeSet<usize> = closing.chain([own]).collect();
+    let numbers: BTreeSet<usize> = closing.chain([shown]).collect();
     numbers.into_iter().collect()
 }
 
 /// Whether each choice of the assembly with this number is crossed: the bits of the number, the first choice first.
 fn crossed(choices: &[String], number: usize) -> impl Iterator<Item = (&String, bool)> {
     let last = choices.len();
-    let own = choices.iter().enumerate();
-    own.map(move |(choice, name)| (name, (number >> (last - 1 - choice)) & 1 == 1))
+    let choices = choices.iter().enumerate();
+    choices.map(move |(choice, name)| (name, (number >> (last - 1 - choice)) & 1 == 1))
 }
 
 fn argument(choices: &[String], number: usize) -> Argument {
@@ -157,15 +168,16 @@ fn argument(choices: &[String], number: usize) -> Argument {
 
 fn name(choices: &[String], number: usize) -> String {
     let blocks = |wanted: bool| {
-        let own = crossed(choices, number).filter(move |(_, is_crossed)| *is_crossed == wanted);
-        own.map(|(name, _)| {
-            let unknowns: Vec<String> = name.split('_').map(symbol).collect();
-            unknowns.join(" ")
-        })
-        .collect::<Vec<_>>()
+        let blocks = crossed(choices, number).filter(move |(_, is_crossed)| *is_crossed == wanted);
+        blocks
+            .map(|(name, _)| {
+                let unknowns: Vec<String> = name.split('_').map(symbol).collect();
+                unknowns.join(" ")
+            })
+            .collect::<Vec<_>>()
     };
-    let (open, closed) = (blocks(false), blocks(true));
-    match (choices, open.as_slice(), closed.as_slice()) {
+    let (open, crossed) = (blocks(false), blocks(true));
+    match (choices, open.as_slice(), crossed.as_slice()) {
         ([], ..) => "the only assembly".to_owned(),
         ([_], [_], _) => "open".to_owned(),
         ([_], ..) => "crossed".to_owned(),

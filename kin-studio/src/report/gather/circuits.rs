@@ -2,15 +2,15 @@
 
 use kin_core::linkage::AnyCycle;
 
-use super::place::Own;
+use super::shown::ShownAssembly;
 use crate::report::draft::Wishes;
 use crate::report::model::{Branch, Cycle, End};
 
 /// The cycle without the positions along its branches.
-pub(super) fn of(wishes: &Wishes<'_>, cycle: &AnyCycle<'_>, own: &Own, range: [f64; 2]) -> Cycle {
+pub(super) fn of(wishes: &Wishes<'_>, cycle: &AnyCycle<'_>, shown: &ShownAssembly, range: [f64; 2]) -> Cycle {
     let branches = cycle.branches().iter().enumerate().map(|(index, branch)| Branch {
         circuit: branch.circuit(),
-        assembly: super::assemblies::of_branch(cycle, own, range, index),
+        assembly: super::assemblies::of_branch(cycle, shown, range, index),
         ends: branch.ends().map(|end| End {
             kind: end.kind,
             input: end.input,

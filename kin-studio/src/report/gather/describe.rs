@@ -1,4 +1,4 @@
-//! What the declaration tells: names, equations, blocks, costs and the outline.
+//! The content of the declaration: names, equations, blocks, costs and the outline.
 
 use kin_core::any::Description;
 use kin_core::{Dimension, Operations};
@@ -6,7 +6,7 @@ use kin_core::{Dimension, Operations};
 use crate::names::symbol;
 use crate::report::model::{self, Block, Body, Cost, Outline, Point, Slide};
 
-/// Quantities with their names in the solver, and with those values that there are.
+/// Quantities with their names in the solver, and with their values where they are known.
 pub(super) fn quantities(
     quantities: &[kin_core::any::Quantity<'_>],
     keys: &[String],
@@ -31,21 +31,21 @@ pub(super) fn quantities(
 }
 
 /// The equations and their solution.
-pub(super) fn formulas(own: &kin_core::any::Formulas<'_>) -> model::Formulas {
+pub(super) fn formulas(formulas: &kin_core::any::Formulas<'_>) -> model::Formulas {
     let formula = |formula: &kin_core::any::Formula<'_>| model::Formula {
         text: formula.text.to_owned(),
         mathml: formula.mathml.to_owned(),
     };
     model::Formulas {
-        closure: formula(&own.closure),
-        position: own.position.iter().map(formula).collect(),
-        velocity: own.velocity.iter().map(formula).collect(),
-        rates: formula(&own.rates),
-        outputs: formula(&own.outputs),
+        closure: formula(&formulas.closure),
+        position: formulas.position.iter().map(formula).collect(),
+        velocity: formulas.velocity.iter().map(formula).collect(),
+        rates: formula(&formulas.rates),
+        outputs: formula(&formulas.outputs),
     }
 }
 
-/// How the blocks are solved.
+/// The solutions of the blocks.
 pub(super) fn blocks(description: &Description<'_>) -> Vec<Block> {
     let blocks = description.blocks.iter();
     let block = |block: &kin_core::any::Block<'_>| Block {
@@ -86,11 +86,11 @@ fn in_words(cost: &Operations) -> String {
     }
 }
 
-/// Which joints belong together.
-pub(super) fn outline(own: &kin_core::any::Outline<'_>) -> Outline {
+/// The joints of the ground, of bodies and of slides.
+pub(super) fn outline(outline: &kin_core::any::Outline<'_>) -> Outline {
     Outline {
-        ground: own.ground.to_vec(),
-        bodies: own
+        ground: outline.ground.to_vec(),
+        bodies: outline
             .bodies
             .iter()
             .map(|body| Body {
@@ -98,7 +98,7 @@ pub(super) fn outline(own: &kin_core::any::Outline<'_>) -> Outline {
                 joints: body.joints.to_vec(),
             })
             .collect(),
-        slides: own
+        slides: outline
             .slides
             .iter()
             .map(|slide| Slide {
@@ -106,7 +106,7 @@ pub(super) fn outline(own: &kin_core::any::Outline<'_>) -> Outline {
                 guide: slide.guide,
             })
             .collect(),
-        points: own
+        points: outline
             .points
             .iter()
             .map(|&(name, joint)| Point {

@@ -13,20 +13,21 @@ use crate::report::model::{Drive, Joint, Piece, Variable};
 
 /// The highest derivative that a page shows, through which the series are exact.
 const SHOWN: usize = 4;
-/// How far a derivative may differ from that of the drive, in parts of its size.
+/// The largest error of a derivative, in parts of its size.
 const EXACT: f64 = 1e-12;
-/// How far it may differ where halving does not help, for laws whose own formulas cancel.
+/// The largest error where halving does not help, for laws whose formulas cancel.
 const ROUNDED: f64 = 1e-8;
-/// A jump below this part of a derivative's size is none.
+/// The smallest jump of a derivative, in parts of its size.
 const JUMPS: f64 = 1e-9;
-/// Joints that are nearer to each other, in parts of the range, are one: laws of several inputs round their times.
-const ONE_PLACE: f64 = 1e-12;
-/// How often a piece is halved.
+/// The smallest distance of two joints, in parts of the range. Nearer joints are one joint, since laws of several
+/// inputs round their times.
+const ONE_JOINT: f64 = 1e-12;
+/// The largest number of halvings of a piece.
 const HALVINGS: u32 = 12;
-/// The pieces that a page holds.
+/// The largest number of pieces of a page.
 const MOST: usize = 4096;
 
-/// The inputs with their derivatives at a place.
+/// The inputs with their derivatives at a value of the variable.
 type Inputs = Vec<Vec<f64>>;
 
 /// A drive over a range.
@@ -77,7 +78,7 @@ pub(super) fn standing(drive: &Drive, input: usize) -> Option<f64> {
     let mut series = drive.pieces.iter().map(|piece| piece.inputs[input].as_slice());
     let first = series.next()?;
     match first {
-        [value] if series.all(|own| own == first) => Some(*value),
+        [value] if series.all(|other| other == first) => Some(*value),
         _ => None,
     }
 }
@@ -91,7 +92,7 @@ pub(super) fn dwells(drive: &Drive) -> bool {
 impl<D: SmoothDrive> Read<'_, D> {
     /// The parts of the range between joints.
     fn stretches(&self, [low, high]: [f64; 2]) -> Result<Vec<[f64; 2]>, ReportError> {
-        let apart = ONE_PLACE * (high - low);
+        let apart = ONE_JOINT * (high - low);
         let mut ends = vec![low];
         let mut after = low;
         while let Some(joint) = self.sweep.next_joint(after).filter(|joint| *joint < high - apart) {
@@ -145,7 +146,10 @@ impl<D: SmoothDrive> Read<'_, D> {
         let middle = f64::midpoint(from, to);
         let half = 0.5 * (to - from);
         let inputs = self.inputs(middle)?;
-        let series = inputs.iter().zip(sizes).map(|(own, sizes)| terms(own, half, sizes));
+        let series = inputs
+            .iter()
+            .zip(sizes)
+            .map(|(derivatives, sizes)| terms(derivatives, half, sizes));
         let piece = Piece {
             from,
             to,
@@ -156,9 +160,9 @@ impl<D: SmoothDrive> Read<'_, D> {
         let mut worst: Option<(usize, f64)> = None;
         for part in [-0.97, 0.97] {
             let at = middle + part * half;
-            for (input, (own, sizes)) in self.inputs(at)?.iter().zip(sizes).enumerate() {
+            for (input, (derivatives, sizes)) in self.inputs(at)?.iter().zip(sizes).enumerate() {
                 for (order, size) in sizes.iter().enumerate() {
-                    let error = (derivative(&piece.inputs[input], order, at - middle) - own[order]).abs();
+                    let error = (derivative(&piece.inputs[input], order, at - middle) - derivatives[order]).abs();
                     let error = if error == 0.0 { 0.0 } else { error / size };
                     if worst.is_none_or(|(_, worst)| error > worst) {
                         worst = Some((input, error));
@@ -183,7 +187,8 @@ impl<D: SmoothDrive> Read<'_, D> {
         }
     }
 
-    /// The lowest derivative that jumps between two pieces. A jump of the value is one by whole turns, which is none.
+    /// The lowest derivative that jumps between two pieces. The value jumps by full revolutions only, which do not
+    /// count.
     fn jump(&self, left: &Piece, right: &Piece, before: &[Vec<f64>], behind: &[Vec<f64>]) -> Option<usize> {
         (1..=self.shown).find(|&order| {
             (0..self.description.inputs.len()).any(|input| {
@@ -195,7 +200,7 @@ impl<D: SmoothDrive> Read<'_, D> {
     }
 }
 
-/// The coefficients of the Taylor series, without those at the end that add nothing within a distance.
+/// The coefficients of the Taylor series, without the last coefficients that add nothing within a distance.
 fn terms(derivatives: &[f64], distance: f64, sizes: &[f64]) -> Vec<f64> {
     let mut factorial = 1.0;
     let mut terms = Vec::new();
@@ -215,10 +220,10 @@ fn terms(derivatives: &[f64], distance: f64, sizes: &[f64]) -> Vec<f64> {
     terms
 }
 
-/// A derivative of a series at a distance from its place.
+/// A derivative of a series at a distance from its centre.
 fn derivative(terms: &[f64], order: usize, distance: f64) -> f64 {
-    let own = terms.iter().enumerate().skip(order).rev();
-    own.fold(0.0, |sum, (power, term)| sum * distance + falling(power, order) * term)
+    let terms = terms.iter().enumerate().skip(order).rev();
+    terms.fold(0.0, |sum, (power, term)| sum * distance + falling(power, order) * term)
 }
 
 /// The factor that the derivative of an order takes from a power.

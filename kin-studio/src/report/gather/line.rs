@@ -13,15 +13,15 @@ use crate::report::draft::{WayWished, Wishes};
 pub(super) struct Line {
     /// The index of that input.
     pub(super) lead: usize,
-    /// Its value where the assembly was asked for.
-    pub(super) place: f64,
+    /// The value of that input where the assembly was asked for.
+    pub(super) start: f64,
     /// Its range, if one was given.
     pub(super) range: Option<[f64; 2]>,
     /// Its velocity.
     pub(super) speed: f64,
-    /// Places on the line that were given; the first one is where the assembly was asked for.
+    /// The given points of the line. The assembly was asked for at the first.
     given: Vec<Vec<f64>>,
-    /// The way of each input for each unit of the first one.
+    /// The way of each input for each unit of the variable.
     direction: Vec<f64>,
 }
 
@@ -39,7 +39,7 @@ impl Line {
                 let parts = from.iter().zip(to).map(|(from, to)| (to - from) / way);
                 Ok(Self {
                     lead,
-                    place: from[lead],
+                    start: from[lead],
                     range: Some([from[lead].min(to[lead]), from[lead].max(to[lead])]),
                     speed: way.signum() * speed,
                     given: vec![from.clone(), to.clone()],
@@ -53,7 +53,7 @@ impl Line {
                 direction[lead] = 1.0;
                 Ok(Self {
                     lead,
-                    place: at[lead],
+                    start: at[lead],
                     range: wishes.range,
                     speed,
                     given: vec![at],
@@ -63,14 +63,14 @@ impl Line {
         }
     }
 
-    /// The inputs where the first one is at a place. Those of the places that were given are exact.
-    pub(super) fn inputs_at(&self, place: f64) -> Vec<f64> {
-        if let Some(given) = self.given.iter().find(|given| given[self.lead] == place) {
+    /// The inputs at a value of the variable. Given points are returned exactly.
+    pub(super) fn inputs_at(&self, at: f64) -> Vec<f64> {
+        if let Some(given) = self.given.iter().find(|given| given[self.lead] == at) {
             return given.clone();
         }
-        let own = self.given[0].iter().zip(&self.direction);
-        let mut inputs: Vec<f64> = own.map(|(value, part)| value + part * (place - self.place)).collect();
-        inputs[self.lead] = place;
+        let parts = self.given[0].iter().zip(&self.direction);
+        let mut inputs: Vec<f64> = parts.map(|(value, part)| value + part * (at - self.start)).collect();
+        inputs[self.lead] = at;
         inputs
     }
 
@@ -79,14 +79,14 @@ impl Line {
         &self.given[0]
     }
 
-    /// The sweep from one place to another.
+    /// The sweep from one value of the variable to another.
     pub(super) fn sweep<'m>(
         &self,
         linkage: &AnyLinkage<'m>,
         assembly: &AssemblyChoice,
         [from, to]: [f64; 2],
     ) -> AnySweep<'m, StraightLine> {
-        let ends = [from, to].map(|place| self.inputs_at(place));
+        let ends = [from, to].map(|at| self.inputs_at(at));
         let sweep = linkage.sweep(assembly.clone()).between(&ends[0], &ends[1], ROWS);
         // a sweep downwards has a positive speed downwards
         sweep.speed(if to < from { -self.speed } else { self.speed })

@@ -7,7 +7,7 @@ mod drive;
 mod forces;
 mod line;
 mod peaks;
-mod place;
+mod shown;
 mod solver;
 mod transmission;
 mod way;
@@ -20,7 +20,7 @@ use kin_core::law::{Law, Piecewise};
 use kin_core::sweep::SmoothDrive;
 
 use self::line::Line;
-use self::place::Own;
+use self::shown::ShownAssembly;
 use self::solver::Solver;
 use self::way::Way;
 use super::ReportError;
@@ -37,12 +37,12 @@ pub(super) fn report(wishes: &Wishes<'_>) -> Result<Report, ReportError> {
     }
 }
 
-/// What is known of a motion beside its poses.
+/// The parts of a report that are known before its poses.
 struct Known {
     drive: Drive,
     range: [f64; 2],
     speed: f64,
-    /// The assemblies, and the index of the report's own.
+    /// The assemblies, and the index of the shown assembly.
     assemblies: (Vec<Assembly>, usize),
     period: Option<f64>,
     cycle: Option<Cycle>,
@@ -54,24 +54,24 @@ fn along_line(wishes: &Wishes<'_>, solver: Solver) -> Result<Report, ReportError
     let cycle = line
         .cycle(linkage)
         .map_err(|error| ReportError::ClosesNowhere { error })?;
-    let own = Own::on_line(wishes, &line, &cycle)?;
+    let shown = ShownAssembly::on_line(wishes, &line, &cycle)?;
     let range = match line.range {
         Some(range) => range,
-        None => own.range(&cycle, line.place)?,
+        None => shown.range(&cycle, line.start)?,
     };
-    let way = Way::along(linkage, &line, range, &cycle, &own)?;
+    let way = Way::along(linkage, &line, range, &cycle, &shown)?;
     let known = Known {
         drive: drive::of(
-            &line.sweep(linkage, &own.assembly, range),
+            &line.sweep(linkage, &shown.assembly, range),
             linkage.description(),
             Variable::Input,
             range,
         )?,
         range,
         speed: line.speed,
-        assemblies: assemblies::on_line(&solver, &cycle, &own, range),
+        assemblies: assemblies::on_line(&solver, &cycle, &shown, range),
         period: cycle.period(),
-        cycle: Some(circuits::of(wishes, &cycle, &own, range)),
+        cycle: Some(circuits::of(wishes, &cycle, &shown, range)),
     };
     moved(wishes, solver, &way, known)
 }
@@ -91,14 +91,14 @@ fn under_laws(
     let any = AssemblyChoice::Index(0);
     let drive = drive::of(&sweep(&any), linkage.description(), Variable::Time, range)?;
     let inputs = |time: f64| -> Vec<f64> { laws.iter().map(|law| law.at::<1>(time).value()).collect() };
-    let own = Own::under_laws(wishes, range, &inputs)?;
-    let way = Way::under_laws(sweep(&own.assembly));
+    let shown = ShownAssembly::under_laws(wishes, range, &inputs)?;
+    let way = Way::under_laws(sweep(&shown.assembly));
     let known = Known {
         period: period(laws, &drive, range),
         drive,
         range,
         speed: 1.0,
-        assemblies: assemblies::under_laws(&solver, linkage, &own, range, &inputs),
+        assemblies: assemblies::under_laws(&solver, linkage, &shown, range, &inputs),
         cycle: None,
     };
     moved(wishes, solver, &way, known)
@@ -175,7 +175,7 @@ fn moved<D: SmoothDrive>(
     })
 }
 
-/// What was said of the motion fits together, and all numbers that were given are numbers.
+/// Checks that the wishes about the motion fit together, and that all given numbers are finite.
 fn check(wishes: &Wishes<'_>) -> Result<(), ReportError> {
     let of_one = [
         ("at", wishes.at.is_some()),
@@ -231,8 +231,8 @@ fn not_finite<'d>(quantities: &[Quantity<'d>], values: &[f64]) -> Option<&'d str
 fn quantities<'d>(description: &Description<'d>, variable: Variable, standing: &[Option<f64>]) -> Vec<Quantity<'d>> {
     let inputs = description.inputs.iter().zip(standing);
     let moving = inputs.filter(|(_, stands)| variable == Variable::Time && stands.is_none());
-    let own = description.unknowns.iter().chain(description.outputs);
-    own.chain(moving.map(|(input, _)| input)).copied().collect()
+    let results = description.unknowns.iter().chain(description.outputs);
+    results.chain(moving.map(|(input, _)| input)).copied().collect()
 }
 
 /// The names of the quantities that are plotted at first. Forces are plotted at first only if they are named.
@@ -254,7 +254,7 @@ fn plots(
     }
 }
 
-/// The range, if all laws begin again at its end. A law that rests does so always.
+/// The length of the range, if all laws begin again at its end. A law that rests repeats itself in any range.
 fn period(laws: &[&dyn Piecewise<f64>], drive: &Drive, [from, to]: [f64; 2]) -> Option<f64> {
     let repeats = |law: &dyn Piecewise<f64>| {
         let cycles = (to - from) / law.duration();
@@ -265,25 +265,25 @@ fn period(laws: &[&dyn Piecewise<f64>], drive: &Drive, [from, to]: [f64; 2]) -> 
         .then_some(to - from)
 }
 
-/// Whether it closes all over the range, and comes back to where it began if the range is one period.
+/// Whether the mechanism closes all over the range, and returns to its first position if the range is one period.
 fn comes_back(description: &Description<'_>, [from, to]: [f64; 2], period: Option<f64>, poses: &[way::At]) -> bool {
     let all: Option<Vec<_>> = poses.iter().map(|(_, pose)| pose.as_ref().ok()).collect();
     let Some(all) = all else { return false };
     let is_one = period.is_some_and(|period| (to - from - period).abs() < 1e-9 * period);
     match all.as_slice() {
-        [first, .., last] if is_one => place::distance(description, first.unknowns(), last.unknowns()) < 1e-6,
+        [first, .., last] if is_one => shown::distance(description, first.unknowns(), last.unknowns()) < 1e-6,
         _ => true,
     }
 }
 
-/// The place of the range where the most is missing.
+/// The value of the variable at which the largest length is missing.
 fn not_closed(wishes: &Wishes<'_>, poses: &[way::At]) -> Option<NotClosed> {
     let failed = poses.iter().filter_map(|(at, pose)| Some((*at, pose.as_ref().err()?)));
     let margin = |error: &kin_core::SolveError| match error.failure {
         kin_core::Failure::OutOfReach { margin } => Some(margin),
         _ => None,
     };
-    // a failure without a margin is told only if no other has one
+    // a failure without a margin is reported only if no failure has a margin
     let least = |error| margin(error).unwrap_or(f64::INFINITY);
     let (at, error) = failed.min_by(|(_, one), (_, other)| least(one).total_cmp(&least(other)))?;
     Some(NotClosed {
@@ -294,7 +294,7 @@ fn not_closed(wishes: &Wishes<'_>, poses: &[way::At]) -> Option<NotClosed> {
     })
 }
 
-/// What tells one design from another, in hexadecimal digits.
+/// The digest that distinguishes designs, in hexadecimal digits.
 fn hash(wishes: &Wishes<'_>) -> String {
     let mut hash = Hash::new();
     let mut add = |text: &str| {
@@ -313,7 +313,7 @@ fn hash(wishes: &Wishes<'_>) -> String {
     HEXLOWER.encode(&hash.finalize())
 }
 
-/// A number to nine significant figures, for what is only drawn.
+/// A number to nine significant figures, for drawings.
 fn short(value: f64) -> f64 {
     format!("{value:.8e}").parse().unwrap_or(value)
 }

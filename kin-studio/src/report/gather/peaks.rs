@@ -9,7 +9,7 @@ use kin_core::sweep::{Label, SmoothDrive};
 use super::way::Way;
 use crate::names::symbol;
 use crate::report::draft::Wishes;
-use crate::report::model::{Extreme, Place, RootMeanSquare, Sensitivity, Side, Unanswered};
+use crate::report::model::{Cause, Extreme, RootMeanSquare, Sensitivity, Side, Unanswered};
 
 /// The answers.
 #[derive(Default)]
@@ -59,7 +59,7 @@ struct Question<'q> {
     column: String,
     text: String,
     order: usize,
-    /// Whether it may be extreme over a while, and not at a place.
+    /// Whether it may be extreme over an interval, and not at a single value of the variable.
     dwells: bool,
 }
 
@@ -76,23 +76,23 @@ impl Question<'_> {
                     .filter(|one| !one.is_maximum)
                     .min_by(|one, other| rank(one).total_cmp(&rank(other)));
                 for (extreme, kind) in [(highest, Side::Highest), (lowest, Side::Lowest)] {
-                    let known = extreme.map(|extreme| (extreme.value, extreme.at, place(extreme.kind)));
+                    let known = extreme.map(|extreme| (extreme.value, extreme.at, cause(extreme.kind)));
                     let flat = self.dwells.then(|| flat(way, &self.column, kind)).flatten();
                     let reached = match (known, flat) {
-                        (Some((Some(value), ..)), Some((further, at, place))) if exceeds(further, value, kind) => {
-                            Some((Some(further), at, place))
+                        (Some((Some(value), ..)), Some((further, at, cause))) if exceeds(further, value, kind) => {
+                            Some((Some(further), at, cause))
                         }
-                        (None, Some((value, at, place))) => Some((Some(value), at, place)),
+                        (None, Some((value, at, cause))) => Some((Some(value), at, cause)),
                         (known, _) => known,
                     };
-                    found.extremes.extend(reached.map(|(value, at, place)| Extreme {
+                    found.extremes.extend(reached.map(|(value, at, cause)| Extreme {
                         quantity: self.name.to_owned(),
                         text: self.text.clone(),
                         order: self.order,
                         kind,
                         value,
                         at,
-                        place,
+                        cause,
                     }));
                 }
             }
@@ -106,16 +106,16 @@ impl Question<'_> {
             }),
             Err(error) => found.unanswered.push(self.unanswered(&error)),
         }
-        // where there is no peak, or where it moves with a limit, there is no sensitivity, and no dimension moves that
-        // of an input
-        if let Some(own) = sensitivity(way, &self.column).filter(|own| own.by.iter().any(|by| by.value != 0.0)) {
-            let values = own.by.iter().map(|by| by.value).collect();
+        // a peak that moves with a limit has no sensitivity, and no dimension changes the peak of an input
+        if let Some(answer) = sensitivity(way, &self.column).filter(|answer| answer.by.iter().any(|by| by.value != 0.0))
+        {
+            let values = answer.by.iter().map(|by| by.value).collect();
             found.sensitivities.push(Sensitivity {
                 quantity: self.name.to_owned(),
                 text: format!("peak of {}", self.text),
                 order: self.order,
-                peak: own.peak.value,
-                at: own.peak.at,
+                peak: answer.peak.value,
+                at: answer.peak.at,
                 values,
             });
         }
@@ -130,7 +130,7 @@ impl Question<'_> {
     }
 }
 
-/// The size by which extremes are compared: what is unbounded is larger than all others.
+/// The size by which extremes are compared: an unbounded extreme is larger than all others.
 fn rank(extreme: &extremes::Extreme) -> f64 {
     extreme.value.unwrap_or(if extreme.is_maximum {
         f64::INFINITY
@@ -139,13 +139,13 @@ fn rank(extreme: &extremes::Extreme) -> f64 {
     })
 }
 
-fn place(kind: ExtremeKind) -> Place {
+fn cause(kind: ExtremeKind) -> Cause {
     match kind {
-        ExtremeKind::Inner => Place::Inner,
-        ExtremeKind::Limit => Place::Limit,
-        ExtremeKind::Kink => Place::Kink,
-        ExtremeKind::End => Place::End,
-        ExtremeKind::Unbounded => Place::Unbounded,
+        ExtremeKind::Inner => Cause::Inner,
+        ExtremeKind::Limit => Cause::Limit,
+        ExtremeKind::Kink => Cause::Kink,
+        ExtremeKind::End => Cause::End,
+        ExtremeKind::Unbounded => Cause::Unbounded,
     }
 }
 
@@ -156,7 +156,8 @@ fn extremes<D: SmoothDrive>(way: &Way<'_, D>, column: &str) -> Result<Vec<extrem
         all.extend(sweep.of(column).extremes()?);
     }
     let Some(start) = way.start() else { return Ok(all) };
-    // Two sweeps begin at one place, which is no end of the range. It is an extreme only if it is one for both.
+    // Two sweeps begin at one value, which is no end of the range. It is an extreme only if it is extreme in both
+    // sweeps.
     let is_start = |extreme: &extremes::Extreme| extreme.at == start && extreme.kind == ExtremeKind::End;
     let maxima: Vec<bool> = all
         .iter()
@@ -175,7 +176,7 @@ fn extremes<D: SmoothDrive>(way: &Way<'_, D>, column: &str) -> Result<Vec<extrem
     Ok(all)
 }
 
-/// Whether a value lies further to a side than another one by more than rounding.
+/// Whether a value lies further to a side than another value by more than rounding.
 fn exceeds(further: f64, value: f64, side: Side) -> bool {
     let by = if side == Side::Highest {
         further - value
@@ -185,8 +186,8 @@ fn exceeds(further: f64, value: f64, side: Side) -> bool {
     by > 1e-12 * value.abs().max(further.abs())
 }
 
-/// The extreme value, even if it is reached over a while and not at a place, as in a dwell.
-fn flat<D: SmoothDrive>(way: &Way<'_, D>, column: &str, side: Side) -> Option<(f64, f64, Place)> {
+/// The extreme value, even if it is reached over an interval, as in a dwell.
+fn flat<D: SmoothDrive>(way: &Way<'_, D>, column: &str, side: Side) -> Option<(f64, f64, Cause)> {
     let reached = way.sweeps.iter().map(|sweep| match side {
         Side::Highest => sweep.of(column).highest(),
         Side::Lowest => sweep.of(column).lowest(),
@@ -196,7 +197,7 @@ fn flat<D: SmoothDrive>(way: &Way<'_, D>, column: &str, side: Side) -> Option<(f
     let best = reached
         .into_iter()
         .max_by(|one, other| (sign * one.value).total_cmp(&(sign * other.value)))?;
-    Some((best.value, best.at, place(best.kind)))
+    Some((best.value, best.at, cause(best.kind)))
 }
 
 /// The root mean square over time from that of each sweep, or nothing if it grows beyond all bounds.
@@ -204,20 +205,23 @@ pub(super) fn over_all<D: SmoothDrive>(
     way: &Way<'_, D>,
     rms: impl Fn(&AnySweep<'_, D>) -> Result<f64, ExtremesError>,
 ) -> Result<Option<f64>, ExtremesError> {
-    let mut own = Vec::new();
+    let mut values = Vec::new();
     for sweep in &way.sweeps {
         match rms(sweep) {
-            Ok(value) => own.push(value),
+            Ok(value) => values.push(value),
             Err(ExtremesError::Diverges { .. } | ExtremesError::Unbounded { .. }) => return Ok(None),
             Err(error) => return Err(error),
         }
     }
-    if let [only] = own.as_slice() {
+    if let [only] = values.as_slice() {
         return Ok(Some(*only));
     }
     // at constant speed the times are as the ways
     let Some(lengths) = way.lengths() else { return Ok(None) };
-    let squares = own.iter().zip(&lengths).map(|(value, length)| value * value * length);
+    let squares = values
+        .iter()
+        .zip(&lengths)
+        .map(|(value, length)| value * value * length);
     Ok(Some((squares.sum::<f64>() / lengths.iter().sum::<f64>()).sqrt()))
 }
 
@@ -225,14 +229,14 @@ pub(super) fn over_all<D: SmoothDrive>(
 fn sensitivity<D: SmoothDrive>(way: &Way<'_, D>, column: &str) -> Option<extremes::PeakSensitivities> {
     let mut best: Option<extremes::PeakSensitivities> = None;
     for sweep in &way.sweeps {
-        let own = sweep.of(column).peak_sensitivities().ok()?;
+        let found = sweep.of(column).peak_sensitivities().ok()?;
         if best
             .as_ref()
-            .is_none_or(|best| own.peak.value.abs() > best.peak.value.abs())
+            .is_none_or(|best| found.peak.value.abs() > best.peak.value.abs())
         {
-            best = Some(own);
+            best = Some(found);
         }
     }
-    // the place where two sweeps begin is no peak of the range
+    // the value at which two sweeps begin is no peak of the range
     best.filter(|best| way.start() != Some(best.peak.at))
 }

@@ -66,8 +66,8 @@ pub(super) fn frames(wishes: &Wishes<'_>, poses: &[At]) -> Vec<Frame> {
             };
         };
         let mut points: Vec<Vec<f64>> = Vec::new();
-        functions.skeleton_points(parameters, pose.inputs(), pose.unknowns(), &mut |place| {
-            points.push(shortened(place));
+        functions.skeleton_points(parameters, pose.inputs(), pose.unknowns(), &mut |point| {
+            points.push(shortened(point));
         });
         let (joints, slides) = points.split_at(points.len().saturating_sub(slides));
         Frame {

@@ -5,7 +5,7 @@ use kin_core::linkage::{AnyCycle, AnyLinkage, AnyPose, AnySweep};
 use kin_core::sweep::{Laws, SmoothDrive, StraightLine};
 
 use super::line::Line;
-use super::place::{self, Own};
+use super::shown::{ShownAssembly, between_values};
 use crate::report::ReportError;
 
 /// The rows of a sweep over the range.
@@ -14,12 +14,12 @@ pub(super) const ROWS: usize = 181;
 /// A value of the variable, and the pose there.
 pub(super) type At = (f64, Result<AnyPose, SolveError>);
 
-/// The sweeps over the range. Closed forms and laws need one. Along a line, coupled blocks are followed from a position
-/// to both ends.
+/// The sweeps over the range. Closed forms and laws need one sweep. Along a line, coupled blocks are followed from a
+/// position to both ends.
 pub(super) struct Way<'m, D> {
     /// The sweep downwards comes first, if there are two.
     pub(super) sweeps: Vec<AnySweep<'m, D>>,
-    /// The places on the range where the assembly closes, as the branches tell.
+    /// The parts of the range in which the assembly closes, by its branches.
     closes: Vec<[f64; 2]>,
 }
 
@@ -38,39 +38,39 @@ impl<'m> Way<'m, StraightLine> {
         line: &Line,
         range: [f64; 2],
         cycle: &AnyCycle<'_>,
-        own: &Own,
+        shown: &ShownAssembly,
     ) -> Result<Self, ReportError> {
         let [low, high] = range;
-        let branch = own.branches.first().map(|index| &cycle.branches()[*index]);
+        let branch = shown.branches.first().map(|index| &cycle.branches()[*index]);
         let is_turning = branch.is_some_and(kin_core::cycle::Branch::is_full_revolution);
         let inside = |[from, to]: [f64; 2]| [from.max(low), to.min(high)];
         let closes = match branch {
             Some(_) if is_turning => vec![range],
-            Some(branch) if own.assembly.index().is_none() => vec![inside(branch.ends().map(|end| end.input))],
+            Some(branch) if shown.assembly.index().is_none() => vec![inside(branch.ends().map(|end| end.input))],
             _ => Vec::new(),
         };
-        if own.assembly.index().is_some() {
+        if shown.assembly.index().is_some() {
             return Ok(Self {
-                sweeps: vec![line.sweep(linkage, &own.assembly, range)],
+                sweeps: vec![line.sweep(linkage, &shown.assembly, range)],
                 closes,
             });
         }
-        let (place, near) = own.start.clone();
-        let start = match (own.branches.first(), branch) {
+        let (at, near) = shown.start.clone();
+        let start = match (shown.branches.first(), branch) {
             (Some(&index), Some(branch)) => {
                 let ends = branch.ends().map(|end| end.input);
                 let start = if is_turning {
                     low
                 } else {
                     let [from, to] = inside(ends);
-                    place::between_places(from, to)
+                    between_values(from, to)
                 };
                 let found = cycle.position_on(index, start);
                 Some((start, found.map_err(|error| ReportError::ClosesNowhere { error })?))
             }
             _ => None,
         };
-        let (start, near) = start.unwrap_or((place, near));
+        let (start, near) = start.unwrap_or((at, near));
         let assembly = linkage.assembly_at(&line.inputs_at(start), &near);
         let mut sweeps = Vec::new();
         if start > low {
@@ -84,7 +84,7 @@ impl<'m> Way<'m, StraightLine> {
 }
 
 impl<D: SmoothDrive> Way<'_, D> {
-    /// The place where two sweeps begin, if there are two.
+    /// The value at which two sweeps begin, if there are two.
     pub(super) fn start(&self) -> Option<f64> {
         match self.sweeps.as_slice() {
             [down, _] => Some(down.at(0)),
@@ -108,7 +108,7 @@ impl<D: SmoothDrive> Way<'_, D> {
         self.ascending(|sweep| sweep.rows())
     }
 
-    /// What each row of the sweeps has, in the order of [`poses`](Self::poses).
+    /// A property of each row of the sweeps, in the order of [`poses`](Self::poses).
     pub(super) fn ascending<T>(&self, of: impl Fn(&AnySweep<'_, D>) -> Vec<T>) -> Vec<T> {
         let mut all = Vec::new();
         for (number, sweep) in self.sweeps.iter().enumerate() {
@@ -116,7 +116,7 @@ impl<D: SmoothDrive> Way<'_, D> {
             if sweep.at(0) > sweep.at(sweep.count() - 1) {
                 rows.reverse();
             } else if number > 0 {
-                // the place where both begin is there already
+                // the row where both sweeps begin is there already
                 rows.drain(..1);
             }
             all.append(&mut rows);

@@ -1,4 +1,4 @@
-//! How straight and how even a tracer moves over half a turn of the crank.
+//! How straight and how evenly a tracer moves over half a revolution of the crank.
 
 use std::f64::consts::TAU;
 
@@ -9,15 +9,15 @@ use super::number;
 /// A tracer at one angle of the crank.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Sample {
-    /// Its place.
-    pub(crate) place: Plane,
+    /// Its position.
+    pub(crate) position: Plane,
     /// Its derivative by the crank's angle.
     pub(crate) rate: Plane,
     /// The smallest transmission angle of the dyads, 0 ..= π/2.
     pub(crate) transmission: f64,
 }
 
-/// The motion of a tracer over a part of the crank's turn, measured along and across the chord between its ends.
+/// The motion of a tracer over a part of the crank's revolution, measured along and across the chord between its ends.
 ///
 /// With Hoeken's linkage and a part that is symmetric about 180°, these are the measures of R. L. Norton, Design of
 /// Machinery, McGraw-Hill, table 3-1: "maximum `ΔCy`", "ΔV" and "Δx".
@@ -33,31 +33,31 @@ pub(crate) struct Stroke {
     pub(crate) unevenness: f64,
     /// The smallest transmission angle during the stroke.
     pub(crate) transmission: f64,
-    /// The smallest transmission angle over the whole turn.
+    /// The smallest transmission angle over the whole revolution.
     pub(crate) worst_transmission: f64,
-    /// How far the rest of the turn rises above the chord, as a share of the chord.
+    /// How far the rest of the revolution rises above the chord, as a share of the chord.
     pub(crate) lift: f64,
-    /// How far the rest of the turn falls below the lowest place of the stroke, as a share of the chord.
+    /// How far the rest of the revolution falls below the lowest point of the stroke, as a share of the chord.
     pub(crate) fall: f64,
 }
 
-/// The samples of a full turn at equal steps, or `None` where the linkage does not close.
+/// The samples of a revolution at equal steps, or `None` where the linkage does not close.
 #[must_use]
-pub(crate) fn turn(steps: usize, start: f64, sample: impl Fn(f64) -> Option<Sample>) -> Option<Vec<Sample>> {
+pub(crate) fn samples(steps: usize, start: f64, sample: impl Fn(f64) -> Option<Sample>) -> Option<Vec<Sample>> {
     (0..steps)
         .map(|step| sample(start + TAU * number(step) / number(steps)))
         .collect()
 }
 
 impl Stroke {
-    /// The stroke that starts at the first sample of a turn and ends a number of steps later. The turn is closed: it
-    /// goes on with the first sample after the last one.
+    /// The stroke that starts at the first sample of a revolution and ends a number of steps later. The revolution is
+    /// closed: the first sample follows the last.
     ///
     /// `None` if the ends coincide.
     #[must_use]
-    pub(crate) fn of(turn: &[Sample], start: f64, steps: usize) -> Option<Self> {
-        let (from, to) = (turn[0], turn[steps % turn.len()]);
-        let way = to.place - from.place;
+    pub(crate) fn of(samples: &[Sample], start: f64, steps: usize) -> Option<Self> {
+        let (from, to) = (samples[0], samples[steps % samples.len()]);
+        let way = to.position - from.position;
         let chord = way.norm();
         if !(chord.is_finite() && chord > 0.0) {
             return None;
@@ -65,8 +65,8 @@ impl Stroke {
         let along = way.scale(1.0 / chord);
         let mut up = Plane::new(-along.y, along.x);
         let dot = |one: Plane, other: Plane| one.x * other.x + one.y * other.y;
-        let (stroke, rest) = turn.split_at(steps.min(turn.len()));
-        let rest_mean: f64 = rest.iter().map(|sample| dot(sample.place - from.place, up)).sum();
+        let (stroke, rest) = samples.split_at(steps.min(samples.len()));
+        let rest_mean: f64 = rest.iter().map(|sample| dot(sample.position - from.position, up)).sum();
         if rest_mean < 0.0 {
             up = Plane::new(-up.x, -up.y);
         }
@@ -76,7 +76,7 @@ impl Stroke {
         let mut speeds = (f64::INFINITY, f64::NEG_INFINITY);
         let mut transmission = f64::INFINITY;
         for sample in stroke {
-            let height = dot(sample.place - from.place, up);
+            let height = dot(sample.position - from.position, up);
             heights = (heights.0.min(height), heights.1.max(height));
             let speed = dot(sample.rate, along);
             speeds = (speeds.0.min(speed), speeds.1.max(speed));
@@ -85,11 +85,11 @@ impl Stroke {
         let mut rise = (f64::INFINITY, f64::NEG_INFINITY);
         let mut worst_transmission = transmission;
         for sample in rest {
-            let height = dot(sample.place - from.place, up);
+            let height = dot(sample.position - from.position, up);
             rise = (rise.0.min(height), rise.1.max(height));
             worst_transmission = worst_transmission.min(sample.transmission);
         }
-        let mean = chord / (TAU * number(steps) / number(turn.len()));
+        let mean = chord / (TAU * number(steps) / number(samples.len()));
         Some(Self {
             start,
             chord,
@@ -102,19 +102,19 @@ impl Stroke {
         })
     }
 
-    /// The half turn with the smallest deviation among those that start at a sample of the turn.
+    /// The half revolution with the smallest deviation among those that start at a sample of the revolution.
     #[must_use]
-    pub(crate) fn straightest_half(turn: &[Sample], start: f64) -> Option<Self> {
-        let mut turn = turn.to_vec();
+    pub(crate) fn straightest_half(samples: &[Sample], start: f64) -> Option<Self> {
+        let mut samples = samples.to_vec();
         let mut best: Option<Self> = None;
-        for step in 0..turn.len() {
-            let angle = start + TAU * number(step) / number(turn.len());
-            if let Some(stroke) = Self::of(&turn, angle, turn.len() / 2)
+        for step in 0..samples.len() {
+            let angle = start + TAU * number(step) / number(samples.len());
+            if let Some(stroke) = Self::of(&samples, angle, samples.len() / 2)
                 && best.is_none_or(|best| stroke.deviation < best.deviation)
             {
                 best = Some(stroke);
             }
-            turn.rotate_left(1);
+            samples.rotate_left(1);
         }
         best
     }

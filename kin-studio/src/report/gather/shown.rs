@@ -11,23 +11,23 @@ use crate::report::draft::Wishes;
 
 /// The part of the range by which the scrubber goes on beyond a limit.
 const BEYOND: f64 = 0.1;
-/// The parts of a range in which an assembly is looked for.
-const PLACES: u32 = 180;
-/// A place between two ends at which nothing special is, however symmetric the mechanism.
+/// The number of parts of a range at whose ends an assembly is looked for.
+const SAMPLES: u32 = 180;
+/// The part of the way between two ends at which no position is special, even of a symmetric mechanism.
 const BETWEEN: f64 = 0.487_213;
 
 /// The assembly that a report shows.
-pub(super) struct Own {
+pub(super) struct ShownAssembly {
     pub(super) assembly: AssemblyChoice,
-    /// The indices of its branches, the branch of the wanted place first.
+    /// The indices of its branches, the branch at the wanted value of the variable first.
     pub(super) branches: Vec<usize>,
     /// A value of the variable, and the unknowns there.
     pub(super) start: (f64, Vec<f64>),
 }
 
-impl Own {
+impl ShownAssembly {
     pub(super) fn on_line(wishes: &Wishes<'_>, line: &Line, cycle: &AnyCycle<'_>) -> Result<Self, ReportError> {
-        let (linkage, place, inputs) = (&wishes.linkage, line.place, line.inputs());
+        let (linkage, at, inputs) = (&wishes.linkage, line.start, line.inputs());
         let of_assembly = |choice: &AssemblyChoice| linkage.position(inputs, choice.position());
         let wanted = wishes.assembly.as_ref().map(|choice| (choice, of_assembly(choice)));
         let found = if let Some((choice, solved)) = &wanted {
@@ -41,22 +41,22 @@ impl Own {
         };
         if let Some((assembly, unknowns)) = found {
             return Ok(Self {
-                branches: branches(cycle, place, &assembly, &unknowns, linkage.description()),
+                branches: branches(cycle, at, &assembly, &unknowns, linkage.description()),
                 assembly,
-                start: (place, unknowns),
+                start: (at, unknowns),
             });
         }
-        // It does not close at that place. A branch may be elsewhere.
+        // The mechanism does not close at that value. A branch may be elsewhere.
         let all = cycle.branches().iter().enumerate();
         let mut fitting = all.filter(|(_, branch)| match &wishes.assembly {
             Some(choice) => choice.index().is_some() && branch.assembly() == choice.index(),
             None => true,
         });
         let elsewhere = fitting.find_map(|(index, branch)| {
-            let place = between(branch);
-            Some((place, cycle.position_on(index, place).ok()?))
+            let at = between(branch);
+            Some((at, cycle.position_on(index, at).ok()?))
         });
-        let Some((place, unknowns)) = elsewhere else {
+        let Some((at, unknowns)) = elsewhere else {
             let mut all = 0..linkage.assembly_count();
             let refused = |index: usize| of_assembly(&AssemblyChoice::Index(index)).err();
             let error = wanted
@@ -69,15 +69,15 @@ impl Own {
                 },
             });
         };
-        let assembly = linkage.assembly_at(&line.inputs_at(place), &unknowns);
+        let assembly = linkage.assembly_at(&line.inputs_at(at), &unknowns);
         Ok(Self {
-            branches: branches(cycle, place, &assembly, &unknowns, linkage.description()),
+            branches: branches(cycle, at, &assembly, &unknowns, linkage.description()),
             assembly,
-            start: (place, unknowns),
+            start: (at, unknowns),
         })
     }
 
-    /// The assembly under laws: the wanted one, or the first one that closes. Values nearby hold where the laws begin.
+    /// The assembly under laws: the wanted assembly, or the first that closes. Values nearby hold where the laws begin.
     /// `inputs` gives the inputs at a time.
     pub(super) fn under_laws(
         wishes: &Wishes<'_>,
@@ -85,7 +85,7 @@ impl Own {
         inputs: &dyn Fn(f64) -> Vec<f64>,
     ) -> Result<Self, ReportError> {
         let (linkage, [begin, _]) = (&wishes.linkage, range);
-        let solved = |choice: &AssemblyChoice, place: f64| linkage.position(&inputs(place), choice.position());
+        let solved = |choice: &AssemblyChoice, at: f64| linkage.position(&inputs(at), choice.position());
         let count = linkage.assembly_count();
         let candidates: Vec<AssemblyChoice> = match &wishes.assembly {
             Some(choice) => vec![choice.clone()],
@@ -97,16 +97,16 @@ impl Own {
             }
         };
         // a coupled block is followed from the beginning, and a closed form may close only later
-        let places = if count > 0 { places(range) } else { vec![begin] };
-        let closing = places.iter().find_map(|place| {
-            let mut own = candidates.iter();
-            own.find_map(|choice| Some((choice.clone(), *place, solved(choice, *place).ok()?)))
+        let samples = if count > 0 { samples(range) } else { vec![begin] };
+        let closing = samples.iter().find_map(|at| {
+            let mut candidates = candidates.iter();
+            candidates.find_map(|choice| Some((choice.clone(), *at, solved(choice, *at).ok()?)))
         });
         match (closing, candidates.first()) {
-            (Some((assembly, place, unknowns)), _) => Ok(Self {
+            (Some((assembly, at, unknowns)), _) => Ok(Self {
                 assembly,
                 branches: Vec::new(),
-                start: (place, unknowns),
+                start: (at, unknowns),
             }),
             (None, Some(choice)) => Err(match solved(choice, begin) {
                 Err(error) => ReportError::ClosesNowhere { error },
@@ -121,13 +121,13 @@ impl Own {
     }
 
     /// The range of the moving input: as far as the assembly goes, and a bit beyond its limits.
-    pub(super) fn range(&self, cycle: &AnyCycle<'_>, place: f64) -> Result<[f64; 2], ReportError> {
+    pub(super) fn range(&self, cycle: &AnyCycle<'_>, at: f64) -> Result<[f64; 2], ReportError> {
         let of = |branch: &usize| &cycle.branches()[*branch];
-        let own = self.branches.iter().map(of);
-        if let (true, Some(period)) = (own.clone().any(Branch::is_full_revolution), cycle.period()) {
+        let branches = self.branches.iter().map(of);
+        if let (true, Some(period)) = (branches.clone().any(Branch::is_full_revolution), cycle.period()) {
             return Ok([0.0, period]);
         }
-        let ends = own.flat_map(Branch::ends);
+        let ends = branches.flat_map(Branch::ends);
         let reach = ends.fold(None, |reach: Option<[(f64, bool); 2]>, end| {
             let here = (end.input, end.kind != EndKind::Range);
             Some(match reach {
@@ -139,7 +139,7 @@ impl Own {
             })
         });
         let Some([low, high]) = reach else {
-            return Err(ReportError::NoRange { from: place, to: place });
+            return Err(ReportError::NoRange { from: at, to: at });
         };
         let beyond = BEYOND * (high.0 - low.0);
         let padded = |(end, is_limit): (f64, bool), side: f64| if is_limit { end + side * beyond } else { end };
@@ -158,10 +158,10 @@ impl Own {
     }
 }
 
-/// Some places of a range, from its beginning to its end.
-pub(super) fn places([from, to]: [f64; 2]) -> Vec<f64> {
-    let place = |part: u32| from + (to - from) * f64::from(part) / f64::from(PLACES);
-    (0..=PLACES).map(place).collect()
+/// Samples of a range, from its beginning to its end.
+pub(super) fn samples([from, to]: [f64; 2]) -> Vec<f64> {
+    let sample = |part: u32| from + (to - from) * f64::from(part) / f64::from(SAMPLES);
+    (0..=SAMPLES).map(sample).collect()
 }
 
 /// The largest part of a branch within a range, and the whole periods by which it is shifted there.
@@ -173,7 +173,7 @@ pub(super) fn part_in(cycle: &AnyCycle<'_>, branch: &Branch, range: [f64; 2]) ->
         Some(_) if branch.is_full_revolution() => vec![(range, 0.0)],
         Some(period) => {
             let first = ((range[0] - high) / period).floor();
-            (0..4).map(|turn| part(period * (first + f64::from(turn)))).collect()
+            (0..4).map(|shift| part(period * (first + f64::from(shift)))).collect()
         }
         None => vec![part(0.0)],
     };
@@ -183,58 +183,58 @@ pub(super) fn part_in(cycle: &AnyCycle<'_>, branch: &Branch, range: [f64; 2]) ->
     (length(&longest) > 0.0).then_some(longest)
 }
 
-/// A place inside of a branch.
+/// A value of the variable inside of a branch.
 pub(super) fn between(branch: &Branch) -> f64 {
     let [low, high] = branch.ends().map(|end| end.input);
-    between_places(low, high)
+    between_values(low, high)
 }
 
-/// A place between two others, at which nothing special is.
-pub(super) fn between_places(low: f64, high: f64) -> f64 {
+/// A value between two others, at which no position is special.
+pub(super) fn between_values(low: f64, high: f64) -> f64 {
     low + BETWEEN * (high - low)
 }
 
 /// The branches of an assembly: of closed forms all those of the assembly, otherwise those of the circuit.
 fn branches(
     cycle: &AnyCycle<'_>,
-    place: f64,
+    at: f64,
     assembly: &AssemblyChoice,
     unknowns: &[f64],
     description: &Description<'_>,
 ) -> Vec<usize> {
-    let here = cycle.at(place).map(|(index, _)| index);
+    let here = cycle.at(at).map(|(index, _)| index);
     let all = || cycle.branches().iter().enumerate();
     let (first, belonging): (Option<usize>, Vec<usize>) = if let Some(assembly) = assembly.index() {
-        let is_own = |branch: &Branch| branch.assembly() == Some(assembly);
-        let mut fitting = here.filter(|index| is_own(&cycle.branches()[*index]));
-        let own = all().filter(|(_, branch)| is_own(branch));
-        (fitting.next(), own.map(|(index, _)| index).collect())
+        let belongs = |branch: &Branch| branch.assembly() == Some(assembly);
+        let mut fitting = here.filter(|index| belongs(&cycle.branches()[*index]));
+        let all_of_assembly = all().filter(|(_, branch)| belongs(branch));
+        (fitting.next(), all_of_assembly.map(|(index, _)| index).collect())
     } else {
         let distances = here.filter_map(|index| {
-            let own = cycle.position_on(index, shifted(cycle, index, place)).ok()?;
-            Some((index, distance(description, &own, unknowns)))
+            let position = cycle.position_on(index, shifted(cycle, index, at)).ok()?;
+            Some((index, distance(description, &position, unknowns)))
         });
         let nearest = distances.min_by(|one, other| one.1.total_cmp(&other.1));
         let first = nearest.filter(|(_, distance)| *distance < 1e-6).map(|(index, _)| index);
         let circuit = first.map(|first| cycle.branches()[first].circuit());
-        let own = all().filter(|(_, branch)| Some(branch.circuit()) == circuit);
-        (first, own.map(|(index, _)| index).collect())
+        let all_of_circuit = all().filter(|(_, branch)| Some(branch.circuit()) == circuit);
+        (first, all_of_circuit.map(|(index, _)| index).collect())
     };
     let rest = belonging.into_iter().filter(|index| Some(*index) != first);
     first.into_iter().chain(rest).collect()
 }
 
-/// The place on a branch that is a whole number of periods from the given one.
-fn shifted(cycle: &AnyCycle<'_>, branch: usize, place: f64) -> f64 {
+/// The value on a branch that differs from the given value by a whole number of periods.
+fn shifted(cycle: &AnyCycle<'_>, branch: usize, at: f64) -> f64 {
     let [low, high] = cycle.branches()[branch].ends().map(|end| end.input);
     match cycle.period() {
-        Some(period) if place < low => place + period * ((low - place) / period).ceil(),
-        Some(period) if place > high => place - period * ((place - high) / period).ceil(),
-        _ => place,
+        Some(period) if at < low => at + period * ((low - at) / period).ceil(),
+        Some(period) if at > high => at - period * ((at - high) / period).ceil(),
+        _ => at,
     }
 }
 
-/// The largest difference of two positions: of angles without whole turns, of lengths relative to their size.
+/// The largest difference of two positions: of angles up to full revolutions, of lengths relative to their size.
 pub(super) fn distance(description: &Description<'_>, one: &[f64], other: &[f64]) -> f64 {
     let values = one.iter().zip(other);
     let named = description.unknowns.iter().zip(values);
@@ -242,8 +242,8 @@ pub(super) fn distance(description: &Description<'_>, one: &[f64], other: &[f64]
         let difference = one - other;
         largest.max(match quantity.dimension {
             Dimension::Angle => {
-                let turns = (difference / std::f64::consts::TAU).round();
-                (difference - turns * std::f64::consts::TAU).abs()
+                let revolutions = (difference / std::f64::consts::TAU).round();
+                (difference - revolutions * std::f64::consts::TAU).abs()
             }
             _ => difference.abs() / one.abs().max(1.0),
         })

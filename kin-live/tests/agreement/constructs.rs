@@ -6,7 +6,7 @@ use kin_live::sheet::SheetCode;
 
 use kin_agreement::assert_agreement;
 
-/// Declares a mechanism, and compares it with its own text.
+/// Declares a mechanism by the macro and by its text, and compares both.
 macro_rules! agrees {
     ($test:ident, $name:ident, { $($declaration:tt)* }) => {
         #[test]
