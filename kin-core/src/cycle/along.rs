@@ -274,7 +274,7 @@ impl QuantityOnCircuit<'_> {
     ///
     /// # Errors
     /// [`MeasureError::NoFullRevolution`], if the input does not make one revolution along the circuit,
-    /// [`MeasureError::NoReturn`], if the quantity makes full revolutions fully or stays where it is; otherwise as for
+    /// [`MeasureError::NoReturn`], if the quantity makes full revolutions or stays constant; otherwise as for
     /// [`stroke`](Self::stroke).
     ///
     /// ```

@@ -9,7 +9,7 @@ use crate::library;
 use crate::linkage::AnyLinkage;
 use crate::load::{NamedLoads, PointPlace};
 use crate::mechanism::Mechanism;
-use crate::reaction::{NamedReactions, Rolling};
+use crate::reaction::{NamedReactions, ProofError, ReactionPart, Rolling};
 use crate::verify::Random;
 
 crate::mechanism! {
@@ -300,4 +300,30 @@ fn what_does_not_roll() {
         )),
         "the contact `mesh`: gears and racks are those of the plane, and the mechanism is one of space"
     );
+}
+
+/// The force between gears is the torque by the radius, whatever the input is; a pressure angle has no proof.
+#[test]
+fn proofs_of_gears() {
+    let linkage = AnyLinkage::of(&Pair {
+        pinion: 0.02,
+        wheel: 0.06,
+        sense: -1.0,
+    });
+    let loads = linkage.loads().torque(-30.0, "phi").expect("an angle");
+    let turn = linkage.sweep(AssemblyChoice::Index(0)).between(&[0.0], &[1.0], 2);
+    let turn = turn.speed(5.0);
+    let reactions = |pressure_angle: f64| {
+        let gears = Rolling::gears(Plane::zero(), "pivot", [0.02, 0.06]).at_pressure_angle(pressure_angle);
+        let reactions = linkage.reactions(&loads).expect("bodies");
+        reactions.rolling("mesh", ["pinion", "wheel"], gears).expect("gears")
+    };
+    let bare = reactions(0.0);
+    let force = turn.proof(&bare).of("mesh", ReactionPart::Force).expect("a force");
+    let peak = force.peak(1e-6).expect("it is proved");
+    assert!(peak.lower.force <= 500.0 && peak.upper >= 500.0, "{peak:?}");
+    assert!(peak.upper - peak.lower.force < 1e-3, "{peak:?}");
+    let inclined = reactions(0.3);
+    let error = turn.proof(&inclined).of("mesh", ReactionPart::Force).err();
+    assert!(matches!(error, Some(ProofError::PressureAngle { .. })), "{error:?}");
 }
