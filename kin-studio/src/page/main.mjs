@@ -833,7 +833,7 @@ function start(report, solver) {
   function openDrawer(isOpen) {
     part("dimensions").hidden = !isOpen;
     part("board").classList.toggle("with-drawer", isOpen);
-    part("isOpen-dimensions").setAttribute("aria-expanded", String(isOpen));
+    part("open-dimensions").setAttribute("aria-expanded", String(isOpen));
     redraw();
   }
 
