@@ -233,7 +233,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for tolerance in TOLERANCES {
         let [before, after, heat] = coasted(tolerance)?;
         let open = (before - after - heat).abs() / before;
-        println!("  tolerance {tolerance:.0e}: {before:.2} J = {after:.2} J + {heat:.2} J of heat, to {open:.1e}");
+        println!("  tolerance {tolerance:.0e}: {before:.2} J = {after:.2} J + {heat:.2} J of heat, to {open:.0e}");
     }
     Ok(())
 }

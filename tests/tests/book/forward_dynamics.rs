@@ -31,7 +31,7 @@ fn friction_takes_what_is_lost() {
         let [before, after, heat] = example::coasted(tolerance).expect("it runs on");
         let open = (before - after - heat).abs() / before;
         let line =
-            format!("tolerance {tolerance:.0e}: {before:.2} J = {after:.2} J + {heat:.2} J of heat, to {open:.1e}");
+            format!("tolerance {tolerance:.0e}: {before:.2} J = {after:.2} J + {heat:.2} J of heat, to {open:.0e}");
         assert!(chapter.contains(&line), "the chapter has no line `{line}`");
         assert!(open < 2.0 * tolerance && heat > 0.3 * before, "{line}");
     }
