@@ -45,7 +45,7 @@ pub enum ProofError {
         tolerance: f64,
     },
     /// The inputs stand, or a dimension or a number of the motion is not finite.
-    Motion,
+    NoMotion,
     /// A limit is negative or not a number.
     Limit(f64),
     /// The bounds do not tell.
@@ -86,7 +86,7 @@ impl fmt::Display for ProofError {
                 formatter,
                 "the tolerance of `{name}` is {tolerance}: give a finite one from zero on"
             ),
-            Self::Motion => formatter.write_str(
+            Self::NoMotion => formatter.write_str(
                 "the inputs stand, or a dimension or a number of the motion is not finite: give a range that is finite \
                  and has a length",
             ),

@@ -269,7 +269,7 @@ impl<'r> ForceProof<'r> {
             &self.acceleration,
         ];
         if !numbers.into_iter().flatten().all(|number| number.is_finite()) || self.lead().is_none() {
-            return Err(ProofError::Motion);
+            return Err(ProofError::NoMotion);
         }
         if self.reactions.has_friction() {
             return Err(ProofError::Friction);

@@ -101,7 +101,7 @@ pub(super) fn peak(proof: &ForceProof<'_>, wanted: Wanted, part: f64) -> Result<
 impl<'p> Search<'p> {
     /// The poses over the whole range, from its beginning on.
     fn new(proof: &'p ForceProof<'p>, wanted: Wanted) -> Result<Self, ProofError> {
-        let lead = proof.lead().ok_or(ProofError::Motion)?;
+        let lead = proof.lead().ok_or(ProofError::NoMotion)?;
         let whole = proof.ranges(lead);
         let [from, to] = whole[0];
         let mut place = middle(&whole);
