@@ -247,7 +247,7 @@ fn of_the_library() -> Vec<SearchedMechanism> {
 fn of_the_library() -> Vec<SearchedMechanism> {
     let declare = |text| LiveMechanism::declare(text).expect("the library has no mistakes");
     kin_studio::library::declarations()
-        .map(|text| SearchedMechanism::of_program(declare(text)))
+        .map(|(_, text)| SearchedMechanism::of_program(declare(text)))
         .collect()
 }
 

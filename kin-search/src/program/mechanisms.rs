@@ -1,8 +1,5 @@
 //! The mechanisms that are refined, and that have pages.
 
-use std::iter::once;
-use std::sync::LazyLock;
-
 use kin_core::any::Of;
 use kin_core::in_small_letters;
 use kin_live::Mechanism;
@@ -11,36 +8,33 @@ use kin_search::pages::RefinedFunctions;
 use super::declared::DeclaredArguments;
 use super::fault::Fault;
 
-/// A mechanism that lasts as long as the program.
-type Lasting = Box<dyn RefinedFunctions + Send + Sync>;
-
-/// The mechanisms of the program.
-static OF_PROGRAM: LazyLock<Vec<Lasting>> = LazyLock::new(|| {
-    let traced: Lasting = Box::new(*Of::<kin_fit::TracedFourBar>::FUNCTIONS);
-    let library = kin_studio::library::declarations()
-        .map(|text| -> Lasting { Box::new(Mechanism::declare(text).expect("the library has no mistakes")) });
-    once(traced).chain(library).collect()
-});
-
 /// The mechanism of this name, such as `four_bar`, of the program or of a file. The fault lists all names if there is
 /// none.
 pub(crate) fn mechanism(name: &str, declared: &DeclaredArguments) -> Result<&'static dyn RefinedFunctions, Fault> {
-    let mut all: Vec<&'static dyn RefinedFunctions> = Vec::with_capacity(OF_PROGRAM.len());
-    for mechanism in OF_PROGRAM.iter() {
-        all.push(&**mechanism);
+    // objectives keep a mechanism as long as the program runs
+    let lasting = |mechanism: Mechanism| -> &'static dyn RefinedFunctions { Box::leak(Box::new(mechanism)) };
+    let name_of = |functions: &dyn RefinedFunctions| in_small_letters(functions.description().name, '_');
+    let traced: &'static dyn RefinedFunctions = Of::<kin_fit::TracedFourBar>::FUNCTIONS;
+    let library = kin_studio::library::declarations().map(|(own, text)| (in_small_letters(own, '_'), text));
+    let of_files = declared.mechanisms()?;
+    if name_of(traced) == name {
+        return Ok(traced);
     }
-    for mechanism in declared.mechanisms()? {
-        // objectives keep a mechanism as long as the program runs
-        all.push(Box::leak(Box::new(mechanism)));
+    // of the library, only this one is declared
+    if let Some((_, text)) = library.clone().find(|(own, _)| own == name) {
+        return Ok(lasting(Mechanism::declare(text).expect("the library has no mistakes")));
     }
-    let own = |functions: &dyn RefinedFunctions| in_small_letters(functions.description().name, '_');
-    let found = all.iter().find(|functions| own(**functions) == name);
-    found.copied().ok_or_else(|| {
-        let names: Vec<String> = all.iter().map(|functions| own(*functions)).collect();
-        Fault::Wrong(format!(
-            "`{name}` is no mechanism that this program refines or shows; there are {}, and those of files that \
-             `--mechanism` names",
-            names.join(", ")
-        ))
-    })
+    let names: Vec<String> = [name_of(traced)]
+        .into_iter()
+        .chain(library.map(|(own, _)| own))
+        .chain(of_files.iter().map(|mechanism| name_of(mechanism)))
+        .collect();
+    if let Some(found) = of_files.into_iter().find(|mechanism| name_of(mechanism) == name) {
+        return Ok(lasting(found));
+    }
+    Err(Fault::Wrong(format!(
+        "`{name}` is no mechanism that this program refines or shows; there are {}, and those of files that \
+         `--mechanism` names",
+        names.join(", ")
+    )))
 }

@@ -4,18 +4,19 @@ mod designs;
 
 #[cfg(feature = "program")]
 pub(crate) use designs::DESIGNS;
-pub(crate) use designs::Design;
 #[cfg(any(feature = "gallery", feature = "program"))]
-pub(crate) use designs::DesignAssembly;
+pub(crate) use designs::{Design, DesignAssembly};
 
 #[cfg(feature = "gallery")]
 use kin_core::{Mechanism, Row};
 
-/// The texts that declare all mechanisms, as [`kin_live::Mechanism::declare`] takes them, in the order of the book's
-/// table.
+/// The names of all mechanisms in the order of the book's table, each with the text that declares it, as
+/// [`kin_live::Mechanism::declare`] takes it.
 #[cfg(feature = "file")]
-pub fn declarations() -> impl Iterator<Item = &'static str> {
-    designs::DESIGNS.iter().map(Design::declaration)
+pub fn declarations() -> impl Iterator<Item = (&'static str, &'static str)> + Clone {
+    designs::DESIGNS
+        .iter()
+        .map(|design| (design.name, design.declaration()))
 }
 
 /// An operation on every mechanism of the library.

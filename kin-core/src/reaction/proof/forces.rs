@@ -6,7 +6,7 @@ use super::super::action::{Action, Influence, Influences};
 use super::super::demand::Demand;
 use super::super::equations::{Equations, Unknown};
 use super::super::rolling::Flank;
-use super::super::{MovedNumber, REACH, ReactionError, ReactionPart, ReactionPlace, undetermined};
+use super::super::{MovedNumber, REACH, ReactionError, ReactionPart, ReactionPlace, Solved, undetermined};
 use super::pose::{Closure, Enclosed, Given, moving, position, still};
 use super::{ForceProof, ProofError};
 use crate::any::PositionChoice;
@@ -232,8 +232,13 @@ impl<'p> Sample<'p> {
         let all = pose.influences(&parameters, &outline, connections, None)?;
         let otherwise = pose.otherwise(&outline, connections).unwrap_or_default();
         let flanks = reactions.flanks(&all)?;
-        let moved = pose.moved(&parameters, &pose.inputs).map_err(ReactionError::from)?;
-        let frames = moved.frames(&outline, connections)?;
+        let Solved {
+            solution,
+            drives,
+            moved,
+            frames,
+            ..
+        } = reactions.solved(&pose)?;
         let repeated = || otherwise.clone();
         let influences = Influences {
             outline: &outline,
@@ -241,7 +246,6 @@ impl<'p> Sample<'p> {
             all: &all,
             otherwise: &repeated,
         };
-        let drives = reactions.drives(&influences)?;
         let equations = Equations {
             outline: &outline,
             connections,
@@ -254,10 +258,9 @@ impl<'p> Sample<'p> {
             parity: 1.0,
         };
         let basis = equations.basis()?;
-        let found = reactions.solved(&pose)?.solution;
         let is_determined = match wanted {
-            Wanted::Part(index, part) => found.part(index, part).is_some(),
-            Wanted::Effort(input) => found.efforts[input].is_some(),
+            Wanted::Part(index, part) => solution.part(index, part).is_some(),
+            Wanted::Effort(input) => solution.efforts[input].is_some(),
         };
         if !is_determined {
             let names: Vec<_> = reactions.names().map(Into::into).collect();
@@ -265,7 +268,7 @@ impl<'p> Sample<'p> {
                 Wanted::Part(index, _) => reactions.connections[index].name.clone(),
                 Wanted::Effort(input) => super::super::drive_of(reactions.functions.description().inputs[input].name),
             };
-            return Err(undetermined(&found, &names, name).into());
+            return Err(undetermined(&solution, &names, name).into());
         }
         Ok(Self {
             proof,
