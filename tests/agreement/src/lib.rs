@@ -11,6 +11,7 @@ use std::cell::RefCell;
 use kin_core::Mechanism;
 use kin_core::batch::KeptMemory;
 use kin_core::series::Series;
+use kin_live::{Budget, CompilerBudget};
 
 /// The positions, possible or not, at which everything is compared.
 const SAMPLES: usize = 200;
@@ -52,7 +53,16 @@ thread_local! {
 /// If they differ.
 #[must_use]
 pub fn assert_agreement<M: Mechanism<Scalar = f64>>(text: &str) -> [usize; 3] {
-    let live = kin_live::Mechanism::declare(text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    // rustc compiles every mechanism, whatever it takes
+    let limitless = CompilerBudget {
+        text: usize::MAX,
+        work: usize::MAX,
+    };
+    let budget = Budget {
+        compiler: limitless,
+        ..Budget::default()
+    };
+    let live = kin_live::Mechanism::declare_within(text, &budget).unwrap_or_else(|error| panic!("{error}\n{text}"));
     let declaration = live.declaration();
     assert_eq!(declaration.name(), M::DESCRIPTION.name);
     solvers::assert_same_picture::<M>(&live);
