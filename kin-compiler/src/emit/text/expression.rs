@@ -51,8 +51,23 @@ impl ProgramText<'_> {
             Value::MinusProduct(rest, a, b) => self.method("minus_product", rest, [&**a, b]),
             Value::Call(function, arguments) => {
                 let (first, others) = arguments.split_first().expect("functions have arguments");
+                if self.goes_through_all {
+                    let (function, arguments) = (self.function(function), self.values(arguments));
+                    return quote!(#function(#(#arguments),*));
+                }
                 self.method(function, first, others)
             }
+        }
+    }
+
+    /// A function of the number type `T`. In double precision a type itself has functions of the same names, with other
+    /// rounding errors.
+    pub(super) fn function(&self, name: &str) -> TokenStream {
+        let (runtime, name) = (self.mechanism.runtime, local(name));
+        if self.goes_through_all {
+            quote!(#runtime::Number::#name)
+        } else {
+            quote!(T::#name)
         }
     }
 

@@ -48,8 +48,8 @@ impl ProgramText<'_> {
             }
             Statement::SineCosine { sine, cosine, angle } => {
                 let [sine, cosine] = [sine, cosine].map(|symbol| self.pattern(*symbol));
-                let angle = self.value(angle);
-                quote!(let (#sine, #cosine) = T::sin_cos(#angle);)
+                let (function, angle) = (self.function("sin_cos"), self.value(angle));
+                quote!(let (#sine, #cosine) = #function(#angle);)
             }
             Statement::Solve {
                 form,
@@ -71,7 +71,10 @@ impl ProgramText<'_> {
                 let names: Vec<_> = symbols.iter().map(|&symbol| self.name(symbol)).collect();
                 let [y, x, lengths] = [y, x, lengths].map(|values| self.values(values));
                 match (names.as_slice(), lengths.is_empty()) {
-                    ([name], true) => quote!(let #name = T::atan2(#(#y),*, #(#x),*);),
+                    ([name], true) => {
+                        let function = self.function("atan2");
+                        quote!(let #name = #function(#(#y),*, #(#x),*);)
+                    }
                     ([name], false) => {
                         quote!(let #name = #runtime::solve::direction(#(#y),*, #(#x),*, #(#lengths),*);)
                     }
