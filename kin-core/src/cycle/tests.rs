@@ -552,3 +552,21 @@ fn a_range_without_a_length_is_reported() {
         "direction of the inputs",
     );
 }
+
+/// On the second circuit of a pantograph the pen stands at the origin, up to rounding errors, which grow towards both
+/// limits.
+#[test]
+fn a_point_that_stands_has_a_stroke() {
+    let dividers = Pantograph {
+        upper: 3.0,
+        lower: 3.0,
+        factor: 2.0,
+    };
+    let cycle = dividers.cycle_along([0.0, -1.5], [1.0, 0.0]).unwrap();
+    for name in ["pen.x", "pen.y"] {
+        let stroke = cycle.along(1).of(name).stroke().unwrap();
+        assert!(stroke.length() < 1e-12, "{name}: {stroke:?}");
+        let moved = cycle.along(0).of(name).stroke().unwrap();
+        assert!(moved.high.value.abs() > 1.0, "{name}: {moved:?}");
+    }
+}

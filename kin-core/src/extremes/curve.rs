@@ -164,6 +164,9 @@ pub(super) struct Curve<'c> {
     cursor: RefCell<Option<Mark<'c>>>,
     /// The size of the quantity in all stretches, as far as it has been seen.
     pub(super) size: Cell<f64>,
+    /// The rounding errors of the poses for which pieces of a first piece have been accepted, without their growth
+    /// towards a limit.
+    pub(super) noise: Cell<f64>,
 }
 
 impl<'c> Curve<'c> {
@@ -176,6 +179,7 @@ impl<'c> Curve<'c> {
             met: Cell::new(None),
             cursor: RefCell::new(None),
             size: Cell::new(0.0),
+            noise: Cell::new(0.0),
         }
     }
 

@@ -92,6 +92,7 @@ impl<'c> Curve<'c> {
             if stretch.edge.is_none() || left.parameter.min(right.parameter) > BESIDE_LIMIT {
                 size = size.max(right.value.real().abs());
             }
+            self.noise.set(0.0);
             self.divide(stretch, [&left, &right], 0, size, &mut budget, visit)?;
             self.size.set(self.size.get().max(size));
             left = right;
@@ -181,8 +182,8 @@ impl<'c> Curve<'c> {
         }
         if depth >= MEASURED_DEPTH {
             // Where a quantity should be zero, some poses have a rounding error and others have none: those that
-            // differ, and the ends.
-            let mut rounding: f64 = 0.0;
+            // differ, the ends, and those of the pieces before.
+            let mut rounding = self.noise.get() * growth;
             // The ends are looked at now and then: at a kink, which is none of this, pieces are halved all the way.
             let nodes = [furthest.as_ref().unwrap_or(&middle), left, right];
             for node in nodes
@@ -191,12 +192,15 @@ impl<'c> Curve<'c> {
             {
                 rounding = rounding.max(self.rounding(stretch, node, BESIDE * (ends[1] - ends[0]))?);
                 let [agreement, flat] = MEASURED.map(|times| times * rounding);
-                if high - low <= flat && apart_most <= flat {
-                    return visit(&CurvePart::Flat, [left, right]);
-                }
-                if apart_most <= agreement {
-                    return visit(&CurvePart::Piece(piece), [left, right]);
-                }
+                let part = if high - low <= flat && apart_most <= flat {
+                    CurvePart::Flat
+                } else if apart_most <= agreement {
+                    CurvePart::Piece(piece)
+                } else {
+                    continue;
+                };
+                self.noise.set(rounding / growth);
+                return visit(&part, [left, right]);
             }
         }
         *budget = budget.checked_sub(1).ok_or(ExtremesError::Unresolved {
@@ -230,6 +234,17 @@ impl<'c> Curve<'c> {
             }
         }
         Ok(false)
+    }
+
+    /// Whether the quantity at a node is made of rounding errors, as points show that are much closer than a distance.
+    pub(super) fn is_rounding(
+        &self,
+        stretch: &Stretch<'c>,
+        node: &CurveNode<'c>,
+        distance: f64,
+    ) -> Result<bool, ExtremesError> {
+        let [_, flat] = MEASURED;
+        Ok(node.value.real().abs() <= flat * self.rounding(stretch, node, BESIDE * distance)?)
     }
 
     /// The rounding error of the quantity, as points that are close together show it: the difference between poses and

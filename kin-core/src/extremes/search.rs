@@ -230,8 +230,11 @@ impl<'c> Curve<'c> {
     /// The growth of a quantity from a point near a turning point to another one twice as near, in the parameter.
     pub(super) fn growth(&self, stretch: &Stretch<'c>, nearest: &CurveNode<'c>) -> Result<f64, ExtremesError> {
         let [near, far] = NEAR_LIMIT.map(|parameter| self.node(stretch, parameter, &nearest.mark));
-        let (near, far) = (near?.value.real(), far?.value.real());
-        Ok(if near == 0.0 { 0.0 } else { near.abs() / far.abs() })
+        let (near, far) = (near?, far?);
+        let [value, before] = [&near, &far].map(|node| node.value.real().abs());
+        // rounding errors grow as well
+        let is_rounding = self.is_rounding(stretch, &near, far.parameter - near.parameter)?;
+        Ok(if is_rounding { 0.0 } else { value / before })
     }
 
     /// The points where the quantity crosses a level.

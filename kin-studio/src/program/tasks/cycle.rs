@@ -64,9 +64,15 @@ pub(super) fn run(subject: &Subject, setup: &Setup, told: &Told) -> Result<(), F
         indent(&mut table);
         out.push_str(&text::table(&table));
         let names = description.unknowns.iter().chain(description.outputs);
-        let strokes: Vec<_> = names
-            .filter_map(|quantity| Some((quantity, found.along(index).of(quantity.name).stroke().ok()?)))
-            .collect();
+        let (mut strokes, mut without) = (Vec::new(), String::new());
+        for quantity in names {
+            match found.along(index).of(quantity.name).stroke() {
+                Ok(stroke) => strokes.push((quantity, stroke)),
+                Err(error) => {
+                    let _ = writeln!(without, "  {}: {error}", quantity.name);
+                }
+            }
+        }
         let column = |end: usize, is_input: bool| {
             let cells = strokes.iter().map(|(quantity, stroke)| {
                 let end = [stroke.low, stroke.high][end];
@@ -90,6 +96,7 @@ pub(super) fn run(subject: &Subject, setup: &Setup, told: &Told) -> Result<(), F
         ];
         indent(&mut table);
         out.push_str(&text::table(&table));
+        out.push_str(&without);
         if let Ok(worst) = found.along(index).worst_transmission() {
             let angle = units.text(kin_core::Dimension::Angle, 0, worst.angle);
             let (input, block) = (at(worst.input), worst.block);
