@@ -249,7 +249,7 @@ fn what_does_not_roll() {
         message(still(&reactions, &[0.4])),
         "the joints leave `rod`, `link`, `follower` 1 freedom while the inputs stand: declare the joint that \
          is missing; if gears or racks stand for `second * (beta - phase) == -first * alpha`, say by \
-         `rolling` which bodies they are"
+         `rolling`, in a file by `gears` or `rack`, which bodies they are"
     );
     assert_eq!(
         fails(gears([0.4, 0.6])),

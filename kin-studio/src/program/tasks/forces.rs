@@ -86,7 +86,12 @@ fn check(subject: &Subject, told: &Told) -> Result<(), Fault> {
                 .to_owned(),
         );
     }
-    missing.extend(subject.forces(false).no_joints().map(ToString::to_string));
+    missing.extend(
+        subject
+            .forces(&told.loads.stated(1.0))
+            .no_joints()
+            .map(ToString::to_string),
+    );
     if missing.is_empty() {
         return Ok(());
     }
