@@ -26,6 +26,7 @@ pub(crate) struct Stated {
 
 /// A point, of coordinates in metres, or a direction of any length.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(not(feature = "program"), expect(dead_code, reason = "files state them"))]
 pub(crate) enum StatedPlace {
     /// One of the mechanism, by its name.
     Named(String),
@@ -35,6 +36,7 @@ pub(crate) enum StatedPlace {
 
 /// The radius of a pitch circle.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(not(feature = "program"), expect(dead_code, reason = "files state them"))]
 pub(crate) enum StatedRadius {
     /// A dimension of the mechanism, by its name.
     Dimension(String),
@@ -54,6 +56,7 @@ pub(crate) struct StatedContact {
 
 /// The pitch curves of two bodies: circles by their centres and radii, and the line of a rack by its direction.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(not(feature = "program"), expect(dead_code, reason = "files state them"))]
 pub(crate) enum StatedPitch {
     Gears([(StatedPlace, StatedRadius); 2]),
     Rack((StatedPlace, StatedRadius), StatedPlace),

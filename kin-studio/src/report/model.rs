@@ -486,8 +486,8 @@ pub struct JointForce {
     pub on: Option<usize>,
     /// The index of the body that exerts it; nothing for the ground.
     pub by: Option<usize>,
-    /// The index of the joint.
-    pub joint: usize,
+    /// The index of the joint; nothing for a contact in which bodies roll on each other.
+    pub joint: Option<usize>,
     /// Whether it is the force of a guide.
     pub is_slide: bool,
     /// The size of the force over the range, if it is known.
@@ -569,6 +569,9 @@ pub struct ForceSample {
     /// For each load on a body the moment of the couple, or the force and the place where it acts. Empty where they are
     /// not known.
     pub loads: Vec<Vec<f64>>,
+    /// For each joint without an index the place where its force acts. Empty where they are not known.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub contacts: Vec<[f64; 2]>,
 }
 
 /// A pose, as the solver would find it.

@@ -89,6 +89,7 @@ impl<D: SmoothDrive> Gathered<'_, '_, D> {
             forces: Vec::new(),
             curves: Vec::new(),
             loads: Vec::new(),
+            contacts: Vec::new(),
         };
         let mut samples: Vec<ForceSample> = self.way.ascending(at).into_iter().map(sample).collect();
         let mut curves = Vec::new();
@@ -163,7 +164,7 @@ impl<D: SmoothDrive> Gathered<'_, '_, D> {
                 name: name.to_owned(),
                 on: member(&on),
                 by: member(&by),
-                joint: reactions.joint_of(name).unwrap_or_default(),
+                joint: reactions.joint_of(name).ok(),
                 is_slide,
                 peak: self.peak(1, &part(ReactionPart::Force)),
             });
@@ -178,6 +179,11 @@ impl<D: SmoothDrive> Gathered<'_, '_, D> {
                     peak: self.peak(2, &part(ReactionPart::Moment)),
                 });
             }
+        }
+        for (sample, row) in all.samples.iter_mut().zip(&rows) {
+            let Ok(row) = row else { continue };
+            let places = reactions.names().filter_map(|name| row.pitch_point(name));
+            sample.contacts = places.map(|at| [short(at.x), short(at.y)]).collect();
         }
         (joints, rows)
     }
