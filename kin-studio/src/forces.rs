@@ -4,7 +4,7 @@ use kin_core::Space;
 use kin_core::extremes::{AskedQuantity, ExtremeKind, ExtremesError, QuantityAlong, QuantitySource};
 use kin_core::linkage::{AnyLinkage, AnySweep};
 use kin_core::load::{NamedLoads, PointPlace};
-use kin_core::reaction::{Friction, NamedReactions, ReactionError, ReactionPart, Rolling};
+use kin_core::reaction::{Efficiency, Friction, NamedReactions, ReactionError, ReactionPart, Rolling};
 use kin_core::sweep::SmoothDrive;
 
 /// What is stated of joints and drives.
@@ -217,6 +217,15 @@ impl Causes<'_> {
         })
     }
 }
+
+/// The efficiency, unless friction locks the mechanism. It is zero where all power becomes heat but for rounding.
+pub(crate) fn ratio(mean: Efficiency) -> Option<f64> {
+    let ratio = mean.ratio().filter(|_| !mean.is_locked())?;
+    Some(if ratio.abs() < ROUNDING { 0.0 } else { ratio })
+}
+
+/// Below this part of the peak, what is left of a zero is rounding.
+pub(crate) const ROUNDING: f64 = 1e-12;
 
 /// A question to a force along a sweep.
 pub(crate) trait ForceQuestion {

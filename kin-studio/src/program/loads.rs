@@ -389,7 +389,7 @@ impl ForceColumn {
                 };
                 format!("{name}_{part}{rate}")
             }
-            Force::Heat => format!("friction_heat{rate}"),
+            Force::Heat => format!("{HEAT}{rate}"),
         }
     }
 
@@ -442,6 +442,9 @@ impl ForceColumn {
         metres.powi(self.base(description).1)
     }
 }
+
+/// The name of the power that friction turns into heat.
+pub(crate) const HEAT: &str = "friction_heat";
 
 /// The ends of the names of a force and its rates, each with the end of its unit.
 const RATES: [(&str, &str); 3] = [("", ""), ("_rate", "/s"), ("_second_rate", "/s²")];

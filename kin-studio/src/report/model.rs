@@ -473,8 +473,22 @@ pub struct Forces {
     pub body_loads: Vec<BodyLoad>,
     /// All of them over the range, in the order of the variable.
     pub samples: Vec<ForceSample>,
+    /// The mean powers over time, if joints have friction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub powers: Option<MeanPowers>,
     /// Why some or all forces in joints are not known.
     pub unknown: Option<String>,
+}
+
+/// What drives give and friction takes in the mean over time, in W.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MeanPowers {
+    /// The power of all drives.
+    pub input: f64,
+    /// The power that friction turns into heat.
+    pub heat: f64,
+    /// The efficiency; nothing if friction locks the mechanism, or if nothing has power.
+    pub efficiency: Option<f64>,
 }
 
 /// The force in a joint.

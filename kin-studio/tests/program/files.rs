@@ -11,6 +11,7 @@ use kin_core::library::Rssr;
 use kin_core::linkage::AnyLinkage;
 use kin_core::prelude::*;
 use kin_core::reaction::ReactionPart;
+use kin_studio::report::{Forces, Report};
 
 use crate::serving::Server;
 use crate::typed::{Folder, kin, typed_in};
@@ -292,6 +293,15 @@ fn forces_of_a_press() {
     );
 }
 
+/// The forces on the page of a file.
+fn forces_on_page(folder: &Folder, file: &str) -> Forces {
+    typed_in(folder, &format!("kin run {file} report --output page.html"));
+    let page = std::fs::read_to_string(folder.path().join("page.html")).unwrap();
+    let (_, data) = page.split_once("<script type=\"application/json\"").unwrap();
+    let data = data.split_once('>').unwrap().1.split_once("</script>").unwrap().0;
+    Report::from_json(data).unwrap().forces.unwrap()
+}
+
 /// Bodies that roll on each other, in a press whose rack a toothed sector moves.
 #[test]
 fn gears_and_racks() {
@@ -317,6 +327,20 @@ fn gears_and_racks() {
         "docs/laws-and-loads.md should show\n{RACK_PRESS}"
     );
     assert!(book.contains(shown), "docs/laws-and-loads.md should show\n{shown}");
+    // the page draws the force of the teeth where they touch, and tells the efficiency
+    let forces = forces_on_page(&folder, "rack_press.kin");
+    let teeth = forces.joints.last().unwrap();
+    assert_eq!((teeth.name.as_str(), teeth.joint), ("teeth", None));
+    for sample in &forces.samples {
+        let [[x, y]] = sample.contacts[..] else {
+            panic!("one contact")
+        };
+        assert!((x - 260.0).abs() < 1e-3 && y.abs() < 1e-9, "{x} {y}");
+    }
+    let powers = forces.powers.unwrap();
+    let efficiency = powers.efficiency.unwrap();
+    assert!((efficiency - (1.0 - powers.heat / powers.input)).abs() < 1e-12 && (0.9..0.95).contains(&efficiency));
+    says(&all[0], &format!("efficiency {efficiency:.6}"));
     // teeth without friction give the ram what it takes, and push it aside by their angle
     let smooth = without(
         RACK_PRESS,
@@ -344,6 +368,8 @@ fn hinges_in_space() {
     let printed =
         ["forces rssr.kin", "run rssr.kin sweep --rows 3"].map(|words| typed_in(&folder, &format!("kin {words}")));
     assert_snapshot!("hinges in space", printed.join("\n"));
+    let page = forces_on_page(&folder, "rssr.kin");
+    assert!(page.joints.is_empty() && page.unknown.is_none());
     let rssr = Rssr {
         crank: 0.04,
         pivot: Space::new(0.12, 0.02, 0.03),
@@ -373,6 +399,9 @@ fn hinges_in_space() {
         let row = csv.lines().find(|line| line.starts_with(column)).unwrap();
         let peak: f64 = row.split(',').nth(4).unwrap().parse().unwrap();
         assert!((peak - expected).abs() < 1e-9 * expected, "{row} {expected}");
+        let curve = page.curves.iter().find(|own| own.name == column).unwrap();
+        let on_page = curve.peak.unwrap().value.unwrap();
+        assert!((on_page - expected).abs() < 1e-9 * expected, "{on_page} {expected}");
     }
 }
 
