@@ -222,6 +222,7 @@ fn friction_in_joints() {
         "run begins.kin sweep --rows 3 --columns theta_effort",
         "forces pump.kin",
         "forces pump.kin --json",
+        "forces pump.kin --csv",
     ]
     .map(|words| typed_in(&folder, &format!("kin {words}")));
     assert_snapshot!("friction in joints", all.join("\n"));

@@ -32,17 +32,18 @@ const FRICTION: &str = "friction is that of a pin or a slide: write `friction of
                         `friction of piston = 0.15;`";
 
 /// How a hinge is written.
-const HINGE: &str = "a hinge of space is a joint with an axis, which is a vector of the mechanism or one of the ground: \
-                     write `hinge of pivot = axis;` or `hinge of pivot = (0, 0, 1);`";
+const HINGE: &str = "a hinge of space is a joint with an axis, which is a vector of the mechanism or one of the \
+                     ground: write `hinge of pivot = axis;` or `hinge of pivot = (0, 0, 1);`";
 
 /// How gears are written.
-const GEARS: &str = "gears are two bodies, each with its centre and the radius of its pitch circle: write `gears mesh = \
-                     crank at (0, 0) radius 40mm, wheel at pivot radius 50mm, pressure angle 20deg;`, or without \
+const GEARS: &str = "gears are two bodies, each with its centre and the radius of its pitch circle: write `gears mesh \
+                     = crank at (0, 0) radius 40mm, wheel at pivot radius 50mm, pressure angle 20deg;`, or without \
                      pressure angle";
 
 /// How a rack is written.
-const RACK: &str = "a gear or a wheel with its centre and its radius rolls on a body in a direction: write `rack mesh = \
-                    pinion at (0, 0) radius 20mm, bar along (1, 0), pressure angle 20deg;`, or without pressure angle";
+const RACK: &str = "a gear or a wheel with its centre and its radius rolls on a body in a direction: write `rack mesh \
+                    = pinion at (0, 0) radius 20mm, bar along (1, 0), pressure angle 20deg;`, or without pressure \
+                    angle";
 
 /// A pitch circle, or the direction of a rack.
 enum Flank {
