@@ -703,6 +703,19 @@ test("what is not known of a force is left out", () => {
   assert.ok(group.curves[0].scale(sweep, 0) > 0);
 });
 
+test("the force of a contact acts where two bodies touch", () => {
+  const forces = forcesOf([0, 1], 10);
+  forces.joints[1].joint = null;
+  forces.samples.forEach((sample) => (sample.contacts = [[30 + 10 * sample.input, 5]]));
+  const { model, sweep } = prepared({ forces });
+  const row = rowAt(sweep, 0.25);
+  assert.deepEqual(allForces(model, row)[1].at, [32.5, 5]);
+  assert.deepEqual(forcesOn(model, row, 1)[1].at, [32.5, 5]);
+  // without a pose there, no arrow stands anywhere
+  forces.samples.forEach((sample) => delete sample.contacts);
+  assert.equal(allForces(model, rowAt(sweep, 0.5)).length, 1);
+});
+
 test("a body alone has the opposite of the force that it exerts, and its loads", () => {
   const { model, sweep } = prepared({ forces: forcesOf(placesIn([0, 2 * Math.PI], 181), 10) });
   const row = rowAt(sweep, 0.5);

@@ -1,14 +1,21 @@
 //! The forces that loads cause, and questions to them along a sweep.
 
+use kin_core::Space;
 use kin_core::extremes::{AskedQuantity, ExtremeKind, ExtremesError, QuantityAlong, QuantitySource};
 use kin_core::linkage::{AnyLinkage, AnySweep};
-use kin_core::load::NamedLoads;
-use kin_core::reaction::{Friction, NamedReactions, ReactionError, ReactionPart};
+use kin_core::load::{NamedLoads, PointPlace};
+use kin_core::reaction::{Efficiency, Friction, NamedReactions, ReactionError, ReactionPart, Rolling};
 use kin_core::sweep::SmoothDrive;
 
 /// What is stated of joints and drives.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Stated {
+    /// The axes of hinges of space, behind the names of their forces.
+    pub(crate) hinges: Vec<(String, StatedPlace)>,
+    /// The contacts in which bodies roll on each other.
+    pub(crate) contacts: Vec<StatedContact>,
+    /// The metres of the unit of lengths.
+    pub(crate) metres: f64,
     /// The friction of joints, by the names of their forces.
     pub(crate) frictions: Vec<(String, Friction)>,
     /// The bodies that drives turn or push, behind the names of their inputs.
@@ -17,14 +24,125 @@ pub(crate) struct Stated {
     pub(crate) senses: Vec<(String, f64)>,
 }
 
+/// A point, of coordinates in metres, or a direction of any length.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(not(feature = "program"), expect(dead_code, reason = "files state them"))]
+pub(crate) enum StatedPlace {
+    /// One of the mechanism, by its name.
+    Named(String),
+    /// One of the ground.
+    Fixed(Space<f64>),
+}
+
+/// The radius of a pitch circle.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(not(feature = "program"), expect(dead_code, reason = "files state them"))]
+pub(crate) enum StatedRadius {
+    /// A dimension of the mechanism, by its name.
+    Dimension(String),
+    /// A length in metres.
+    Metres(f64),
+}
+
+/// Two bodies that roll on each other, of which the contact exerts its force on the second one.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct StatedContact {
+    /// The name of its force.
+    pub(crate) name: String,
+    pub(crate) bodies: [String; 2],
+    pub(crate) pitch: StatedPitch,
+    pub(crate) pressure_angle: f64,
+}
+
+/// The pitch curves of two bodies: circles by their centres and radii, and the line of a rack by its direction.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(not(feature = "program"), expect(dead_code, reason = "files state them"))]
+pub(crate) enum StatedPitch {
+    Gears([(StatedPlace, StatedRadius); 2]),
+    Rack((StatedPlace, StatedRadius), StatedPlace),
+}
+
+impl Default for Stated {
+    fn default() -> Self {
+        Self {
+            hinges: Vec::new(),
+            contacts: Vec::new(),
+            metres: 1.0,
+            frictions: Vec::new(),
+            drives: Vec::new(),
+            senses: Vec::new(),
+        }
+    }
+}
+
+impl StatedPlace {
+    pub(crate) fn own(&self, metres: f64) -> PointPlace<'_> {
+        match self {
+            Self::Named(name) => PointPlace::Named(name),
+            Self::Fixed(point) => PointPlace::Fixed(point.scale(1.0 / metres)),
+        }
+    }
+}
+
+impl StatedRadius {
+    /// In the unit of lengths. What is no dimension has no radius.
+    fn own(&self, linkage: &AnyLinkage<'_>, metres: f64) -> f64 {
+        let name = match self {
+            Self::Metres(radius) => return radius / metres,
+            Self::Dimension(name) => name,
+        };
+        let mut dimensions = linkage.description().parameters.iter().zip(linkage.parameters());
+        let own = dimensions.find(|(quantity, _)| quantity.name == name);
+        own.map_or(f64::NAN, |(_, value)| *value)
+    }
+}
+
+impl StatedContact {
+    /// Adds the contact to the joints of a mechanism.
+    pub(crate) fn added<'m>(
+        &self,
+        reactions: NamedReactions<'m>,
+        linkage: &AnyLinkage<'_>,
+        metres: f64,
+    ) -> Result<NamedReactions<'m>, Box<ReactionError>> {
+        let rolling = match &self.pitch {
+            StatedPitch::Gears([(one, first), (other, second)]) => {
+                let radii = [first, second].map(|radius| radius.own(linkage, metres));
+                Rolling::gears(one.own(metres), other.own(metres), radii)
+            }
+            StatedPitch::Rack((centre, radius), along) => {
+                Rolling::rack(centre.own(metres), radius.own(linkage, metres), along.own(metres))
+            }
+        };
+        let bodies = self.bodies.each_ref().map(String::as_str);
+        Ok(reactions.rolling(&self.name, bodies, rolling.at_pressure_angle(self.pressure_angle))?)
+    }
+}
+
 impl Stated {
+    /// The joints of a mechanism with its hinges and contacts.
+    pub(crate) fn joined<'m>(
+        &self,
+        linkage: &AnyLinkage<'m>,
+        loads: &NamedLoads,
+    ) -> Result<NamedReactions<'m>, Box<ReactionError>> {
+        let mut reactions = linkage.reactions(loads)?;
+        for (name, axis) in &self.hinges {
+            reactions = reactions.hinge(name, axis.own(self.metres))?;
+        }
+        for contact in &self.contacts {
+            reactions = contact.added(reactions, linkage, self.metres)?;
+        }
+        Ok(reactions)
+    }
+
     /// The forces in joints.
     pub(crate) fn reactions<'m>(
         &self,
         linkage: &AnyLinkage<'m>,
         loads: &NamedLoads,
     ) -> Result<NamedReactions<'m>, Box<ReactionError>> {
-        let mut reactions = linkage.reactions(loads)?;
+        let mut reactions = self.joined(linkage, loads)?;
         for (input, body) in &self.drives {
             reactions = reactions.driving(input, body)?;
         }
@@ -99,6 +217,15 @@ impl Causes<'_> {
         })
     }
 }
+
+/// The efficiency, unless friction locks the mechanism. It is zero where all power becomes heat but for rounding.
+pub(crate) fn ratio(mean: Efficiency) -> Option<f64> {
+    let ratio = mean.ratio().filter(|_| !mean.is_locked())?;
+    Some(if ratio.abs() < ROUNDING { 0.0 } else { ratio })
+}
+
+/// Below this part of the peak, what is left of a zero is rounding.
+pub(crate) const ROUNDING: f64 = 1e-12;
 
 /// A question to a force along a sweep.
 pub(crate) trait ForceQuestion {

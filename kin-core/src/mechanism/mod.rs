@@ -448,6 +448,16 @@ pub trait Mechanism: Copy + Debug + 'static {
     fn lend<R>(use_of_it: impl FnOnce(Lent<'_>) -> R) -> R;
 
     /// All assemblies; none if their number depends on the dimensions.
+    ///
+    /// A declared mechanism stands in angle brackets, which give it numbers of double precision. Without them rustc
+    /// asks which numbers are meant, by its error E0283.
+    ///
+    /// ```
+    /// use kin_core::library::FourBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// assert_eq!(<FourBar>::assemblies().count(), 2);
+    /// ```
     fn assemblies() -> impl Iterator<Item = Self::Assembly> {
         (0..Self::ASSEMBLY_COUNT).filter_map(Self::assembly)
     }

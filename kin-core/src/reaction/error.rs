@@ -182,7 +182,7 @@ impl fmt::Display for Balls<'_> {
         write!(
             formatter,
             "bodies that share one point have a ball joint there, as {}: for a hinge, list a second point of its axis \
-             in both bodies, or give the axis by `hinge`",
+             in both bodies, or give the axis by `hinge`, in a file by `hinge of .. = ..;`",
             Listed(self.0)
         )
     }
@@ -266,8 +266,8 @@ impl fmt::Display for ReactionError {
                 } else {
                     write!(
                         formatter,
-                        "declare the joint that is missing; if gears or racks stand for {}, say by `rolling` which \
-                         bodies they are",
+                        "declare the joint that is missing; if gears or racks stand for {}, say by `rolling`, in a \
+                         file by `gears` or `rack`, which bodies they are",
                         Listed(equations)
                     )
                 }

@@ -411,6 +411,7 @@ impl<'m> NamedReactions<'m> {
         let solved = self.solved(place)?;
         let input = self.input_of(place, &solved.solution);
         let body_loads = self.body_loads(&solved);
+        let pitch_points = self.pitch_points(place, &solved.moved)?;
         let mut solution = solved.solution.map(|series| by_time(series, place.rate));
         solution.heat = solution.heat * Series::constant(place.rate);
         Ok(Reactions {
@@ -421,6 +422,7 @@ impl<'m> NamedReactions<'m> {
             }),
             solution,
             body_loads,
+            pitch_points,
         })
     }
 
@@ -761,6 +763,8 @@ pub struct Reactions {
     efficiency: Option<Efficiency>,
     solution: Solution<REACH>,
     body_loads: Vec<BodyLoad>,
+    /// Those of contacts, empty if there is no contact.
+    pitch_points: Vec<Option<Space<f64>>>,
 }
 
 impl Reactions {
@@ -789,6 +793,13 @@ impl Reactions {
     /// All reactions with their names.
     pub fn all(&self) -> impl Iterator<Item = (&str, Result<Reaction, ReactionError>)> {
         self.names.iter().map(|name| (name.as_str(), self.of(name)))
+    }
+
+    /// The pitch point of a [contact](NamedReactions::rolling), at which its force acts; none of a joint.
+    #[must_use]
+    pub fn pitch_point(&self, name: &str) -> Option<Space<f64>> {
+        let index = self.names.iter().position(|own| own == name)?;
+        self.pitch_points.get(index).copied().flatten()
     }
 
     /// What acts on the bodies beside the forces in joints: masses, other loads, drives, and the moments of guides. An

@@ -1,12 +1,13 @@
 //! Contacts that roll: gears in mesh, a gear on a rack, a wheel on its track.
 
 use alloc::string::ToString;
+use alloc::vec::Vec;
 use core::fmt;
 
 use super::action::Influence;
 use super::connection::{Connection, Member};
-use super::frames::{MovedFrame, MovedMechanism, MovingNumber, across, slope_of, unit};
-use super::{NamedReactions, ReactionError};
+use super::frames::{MovedFrame, MovedMechanism, MovingNumber, across, real, slope_of, unit};
+use super::{MovedNumber, NamedReactions, ReactionError, ReactionPlace};
 use crate::geometry::Space;
 use crate::load::{NoSuchPlace, PlaceKind, PointIndex, PointPlace};
 use crate::number::Number;
@@ -243,6 +244,23 @@ impl NamedReactions<'_> {
         });
         self.solutions.forget();
         Ok(self)
+    }
+
+    /// Where contacts touch at a place, none of what is no contact.
+    pub(super) fn pitch_points(
+        &self,
+        place: &ReactionPlace<'_>,
+        moved: &MovedMechanism<MovedNumber>,
+    ) -> Result<Vec<Option<Space<f64>>>, ReactionError> {
+        if self.connections.iter().all(|own| own.mesh.is_none()) {
+            return Ok(Vec::new());
+        }
+        let outline = self.functions.outline();
+        let flanks = self.flanks(&place.influences(place.parameters, &outline, &self.connections, None)?)?;
+        let all = self.connections.iter().zip(flanks);
+        Ok(all
+            .map(|(own, flank)| Some(real(own.mesh?.pitch_point(moved, flank.side).at)))
+            .collect())
     }
 
     /// A body by its name.

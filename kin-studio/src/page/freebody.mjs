@@ -1,6 +1,6 @@
 /** The forces as arrows of the picture: all of them at their joints, or those on one body. */
 import { memberText } from "./curves.mjs";
-import { forcesAt } from "./kinematics/forces.mjs";
+import { forcesAt, placeOfForce } from "./kinematics/forces.mjs";
 import { numberText } from "./numbers.mjs";
 
 /** The words for what acts on a body beside its joints: as a force, and as a couple. */
@@ -24,7 +24,10 @@ export function allForces(model, row) {
   const now = forcesAt(model, row);
   return joints.flatMap((joint, index) => {
     const force = now.forces[index];
-    const at = row.pose.joints[joint.joint];
+    const at = placeOfForce(model, row, index);
+    if (!at) {
+      return [];
+    }
     const on = `on ${memberText(model, joint.on)}, by ${memberText(model, joint.by)}`;
     const moment = now.curves[curves.findIndex(({ name }) => name === `${joint.name}_moment`)];
     const own = { at, kind: "joint", text: "" };
@@ -41,15 +44,16 @@ export function allForces(model, row) {
 export function forcesOn(model, row, body) {
   const { joints, body_loads: loads } = model.report.forces;
   const now = forcesAt(model, row);
-  const ofJoints = joints.flatMap(({ name, on, by, joint }, index) => {
+  const ofJoints = joints.flatMap(({ name, on, by }, index) => {
     const force = now.forces[index];
+    const at = placeOfForce(model, row, index);
     const sign = on === body ? 1 : by === body ? -1 : 0;
-    if (!force || sign === 0) {
+    if (!force || !at || sign === 0) {
       return [];
     }
     const own = [sign * force[0], sign * force[1]];
     const text = `${name} ${newtons(own)}`;
-    return [{ key: name, at: row.pose.joints[joint], force: own, couple: 0, kind: "joint", title: text, text }];
+    return [{ key: name, at, force: own, couple: 0, kind: "joint", title: text, text }];
   });
   const own = loads.flatMap((load, index) =>
     load.body === body && now.loads[index] ? [{ ...load, key: `load ${index}`, values: now.loads[index] }] : [],

@@ -115,6 +115,7 @@ function forces(add, model, go) {
   const box = made("div", { className: "scroll" });
   const remarks = [
     "At the given dimensions, speed and assembly. The mean is the root of the mean square over time.",
+    given.powers && powersText(given.powers),
     given.unknown && `Not all forces are known: ${given.unknown}`,
   ];
   add("Forces", box, ...remarks.filter(Boolean).map((text) => made("p", { className: "quiet-text" }, text)));
@@ -142,6 +143,13 @@ function forces(add, model, go) {
     });
     box.replaceChildren(table(["Force", "on", "by", "Peak", "at", "RMS", "Largest rate"], rows));
   };
+}
+
+/** What drives give and friction takes in the mean. */
+function powersText({ input, heat, efficiency }) {
+  const [given, taken] = [input, heat].map((power) => `${numberText(power, 6)} W`);
+  const ratio = typeof efficiency === "number" ? `: the efficiency is ${numberText(efficiency, 6)}` : "";
+  return `Drives give ${given} in the mean over time, and friction turns ${taken} into heat${ratio}.`;
 }
 
 /** A button that goes to a value of the variable. */

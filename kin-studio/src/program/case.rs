@@ -431,7 +431,7 @@ impl Case {
     pub(crate) fn forces(&self, subject: &Subject) -> ForceColumns {
         self.loads
             .as_ref()
-            .map_or_else(ForceColumns::default, |_| subject.forces(self.stated.has_friction()))
+            .map_or_else(ForceColumns::default, |_| subject.forces(&self.stated))
     }
 
     /// The units in which values are shown.

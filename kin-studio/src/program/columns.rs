@@ -91,12 +91,13 @@ pub(super) fn chosen(wanted: &[String], names: &[String]) -> Result<Vec<String>,
 mod tests {
     use super::super::subject::Subject;
     use super::*;
+    use crate::forces::Stated;
     use kin_core::library::FiveBar;
 
     #[test]
     fn a_point_has_the_columns_of_its_coordinates() {
         let subject = Subject::of::<FiveBar>();
-        let names = names(subject.description(), &subject.forces(false));
+        let names = names(subject.description(), &subject.forces(&Stated::default()));
         let chosen = |wanted: &[&str]| {
             let wanted: Vec<String> = wanted.iter().map(|&name| name.to_owned()).collect();
             chosen(&wanted, &names)

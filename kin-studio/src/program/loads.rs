@@ -8,7 +8,7 @@ use kin_core::{Dimension, Space};
 
 use super::fault::Fault;
 use super::units::{self, Kind};
-use crate::forces::{Force, Stated};
+use crate::forces::{Force, Stated, StatedContact, StatedPlace};
 
 /// The loads of a file.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -17,6 +17,10 @@ pub(crate) struct Loads {
     pub(crate) gravity: Option<[InSi; 3]>,
     /// The loads in their order.
     pub(crate) all: Vec<Load>,
+    /// The axes of hinges of space, behind the names of their reactions.
+    pub(crate) hinges: Vec<(String, StatedPlace)>,
+    /// The contacts in which bodies roll on each other.
+    pub(crate) contacts: Vec<StatedContact>,
     /// The friction in joints, by the names of their reactions.
     pub(crate) frictions: Vec<(String, JointFriction)>,
     /// The bodies that drives turn or push, behind the names of their inputs.
@@ -34,13 +38,24 @@ pub(crate) enum JointFriction {
     Slide(f64, Option<InSi>),
 }
 
+/// What a joint is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum JointKind {
+    /// A pin of the plane, or a ball or a hinge of space.
+    Pin,
+    /// A slide.
+    Slide,
+    /// A contact in which bodies roll on each other.
+    Contact,
+}
+
 /// A joint with a force.
 #[derive(Clone, Debug)]
 pub(crate) struct Joint {
     /// The name of its reaction.
     pub(crate) name: String,
-    /// Whether it is a slide.
-    pub(crate) is_slide: bool,
+    /// What it is.
+    pub(crate) kind: JointKind,
     /// Whether it has a moment: that of a slide, or of a hinge of space.
     pub(crate) has_moment: bool,
     /// Whether it is one of space.
@@ -48,22 +63,28 @@ pub(crate) struct Joint {
 }
 
 /// The joints of a mechanism with forces.
-pub(crate) fn joints(functions: &dyn LinkageFunctions) -> Result<Vec<Joint>, Box<ReactionError>> {
+fn joints(functions: &dyn LinkageFunctions, stated: &Stated) -> Result<Vec<Joint>, Box<ReactionError>> {
     let linkage = unit_linkage(functions);
-    Ok(joints_of(&linkage.reactions(&linkage.loads())?, functions.is_space()))
+    let reactions = stated.joined(&linkage, &linkage.loads())?;
+    Ok(joints_of(&reactions, functions.is_space()))
 }
 
 /// A linkage with any dimensions, on which the names of its joints do not depend.
-fn unit_linkage(functions: &dyn LinkageFunctions) -> AnyLinkage<'_> {
+pub(crate) fn unit_linkage(functions: &dyn LinkageFunctions) -> AnyLinkage<'_> {
     AnyLinkage::new(functions, &vec![1.0; functions.description().parameters.len()])
 }
 
-fn joints_of(reactions: &NamedReactions<'_>, is_space: bool) -> Vec<Joint> {
+pub(crate) fn joints_of(reactions: &NamedReactions<'_>, is_space: bool) -> Vec<Joint> {
     let joint = |name: &str| {
         let is_slide = reactions.is_slide(name) == Ok(true);
+        let kind = match reactions.joint_of(name) {
+            Err(_) => JointKind::Contact,
+            Ok(_) if is_slide => JointKind::Slide,
+            Ok(_) => JointKind::Pin,
+        };
         Joint {
             name: name.to_owned(),
-            is_slide,
+            kind,
             has_moment: is_slide || reactions.is_hinge(name) == Ok(true),
             is_space,
         }
@@ -136,12 +157,13 @@ impl InSi {
         self.value > 0.0
     }
 
-    fn own(self, metres: f64) -> f64 {
+    /// In a unit of lengths.
+    pub(crate) fn own(self, metres: f64) -> f64 {
         self.value / metres.powi(self.lengths)
     }
 }
 
-fn space(parts: [InSi; 3], metres: f64) -> Space<f64> {
+pub(crate) fn space(parts: [InSi; 3], metres: f64) -> Space<f64> {
     let [x, y, z] = parts.map(|part| part.own(metres));
     Space::new(x, y, z)
 }
@@ -184,6 +206,9 @@ impl Loads {
         };
         let all = self.frictions.iter();
         Stated {
+            hinges: self.hinges.clone(),
+            contacts: self.contacts.clone(),
+            metres,
             frictions: all.map(|(name, friction)| (name.clone(), own(*friction))).collect(),
             drives: self.drives.clone(),
             senses: self.senses.clone(),
@@ -253,7 +278,7 @@ pub(crate) struct ForceColumns {
 
 impl ForceColumns {
     /// Those of a mechanism under loads.
-    pub(crate) fn of(functions: &dyn LinkageFunctions, has_friction: bool) -> Self {
+    pub(crate) fn of(functions: &dyn LinkageFunctions, stated: &Stated, has_friction: bool) -> Self {
         let description = functions.description();
         let mut all: Vec<ForceColumn> = Vec::new();
         for input in 0..description.inputs.len() {
@@ -261,7 +286,7 @@ impl ForceColumns {
             let (force, order) = (Force::Power(input), 0);
             all.push(ForceColumn { force, order });
         }
-        let joints = match joints(functions) {
+        let joints = match joints(functions, stated) {
             Ok(joints) => {
                 all.extend(of_joints(&joints));
                 None
@@ -364,7 +389,7 @@ impl ForceColumn {
                 };
                 format!("{name}_{part}{rate}")
             }
-            Force::Heat => format!("friction_heat{rate}"),
+            Force::Heat => format!("{HEAT}{rate}"),
         }
     }
 
@@ -417,6 +442,9 @@ impl ForceColumn {
         metres.powi(self.base(description).1)
     }
 }
+
+/// The name of the power that friction turns into heat.
+pub(crate) const HEAT: &str = "friction_heat";
 
 /// The ends of the names of a force and its rates, each with the end of its unit.
 const RATES: [(&str, &str); 3] = [("", ""), ("_rate", "/s"), ("_second_rate", "/s²")];

@@ -27,7 +27,7 @@ use super::fault::Fault;
 use super::loads::{ForceColumn, ForceColumns};
 use super::motion::InputMotion;
 use super::text;
-use crate::forces::{Causes, Force, ForceQuestion, OfPeak, OfRows, Reached};
+use crate::forces::{Causes, Force, ForceQuestion, OfPeak, OfRows, Reached, Stated};
 use crate::library::{Design, DesignAssembly};
 use crate::report::{ReportError, ReportFunctions, WayWished, WishedLoads, Wishes};
 
@@ -353,8 +353,8 @@ impl Subject {
     }
 
     /// The columns of forces that loads cause.
-    pub(crate) fn forces(&self, has_friction: bool) -> ForceColumns {
-        ForceColumns::of(&*self.functions, has_friction)
+    pub(crate) fn forces(&self, stated: &Stated) -> ForceColumns {
+        ForceColumns::of(&*self.functions, stated, stated.has_friction())
     }
 
     /// The forces of a case, if it has loads. Questions about several of them are answered faster by one of these.

@@ -473,8 +473,22 @@ pub struct Forces {
     pub body_loads: Vec<BodyLoad>,
     /// All of them over the range, in the order of the variable.
     pub samples: Vec<ForceSample>,
+    /// The mean powers over time, if joints have friction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub powers: Option<MeanPowers>,
     /// Why some or all forces in joints are not known.
     pub unknown: Option<String>,
+}
+
+/// What drives give and friction takes in the mean over time, in W.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MeanPowers {
+    /// The power of all drives.
+    pub input: f64,
+    /// The power that friction turns into heat.
+    pub heat: f64,
+    /// The efficiency; nothing if friction locks the mechanism, or if nothing has power.
+    pub efficiency: Option<f64>,
 }
 
 /// The force in a joint.
@@ -486,8 +500,8 @@ pub struct JointForce {
     pub on: Option<usize>,
     /// The index of the body that exerts it; nothing for the ground.
     pub by: Option<usize>,
-    /// The index of the joint.
-    pub joint: usize,
+    /// The index of the joint; nothing for a contact in which bodies roll on each other.
+    pub joint: Option<usize>,
     /// Whether it is the force of a guide.
     pub is_slide: bool,
     /// The size of the force over the range, if it is known.
@@ -569,6 +583,9 @@ pub struct ForceSample {
     /// For each load on a body the moment of the couple, or the force and the place where it acts. Empty where they are
     /// not known.
     pub loads: Vec<Vec<f64>>,
+    /// For each joint without an index the place where its force acts. Empty where they are not known.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub contacts: Vec<[f64; 2]>,
 }
 
 /// A pose, as the solver would find it.

@@ -1,10 +1,17 @@
 //! `.kin` files.
 
+use std::f64::consts::FRAC_PI_2;
 use std::io::Write as _;
 use std::process::Stdio;
 use std::time::{Duration, Instant};
 
 use insta::assert_snapshot;
+use kin_core::any::AssemblyChoice;
+use kin_core::library::Rssr;
+use kin_core::linkage::AnyLinkage;
+use kin_core::prelude::*;
+use kin_core::reaction::ReactionPart;
+use kin_studio::report::{Forces, Report};
 
 use crate::serving::Server;
 use crate::typed::{Folder, kin, typed_in};
@@ -15,6 +22,8 @@ const PLATFORM: &str = include_str!("platform.kin");
 const PRESS: &str = include_str!("press.kin");
 const PUMP: &str = include_str!("pump.kin");
 const CRANK_PRESS: &str = include_str!("../../examples/crank_press.kin");
+const RACK_PRESS: &str = include_str!("../../examples/rack_press.kin");
+const RSSR: &str = include_str!("rssr.kin");
 
 /// Waits until the page of a server says something.
 fn wait(server: &Server, is_there: impl Fn(&str) -> bool) -> String {
@@ -213,6 +222,7 @@ fn friction_in_joints() {
         "run begins.kin sweep --rows 3 --columns theta_effort",
         "forces pump.kin",
         "forces pump.kin --json",
+        "forces pump.kin --csv",
     ]
     .map(|words| typed_in(&folder, &format!("kin {words}")));
     assert_snapshot!("friction in joints", all.join("\n"));
@@ -282,6 +292,118 @@ fn forces_of_a_press() {
         book.contains(&format!("{line}\n{shown}```")),
         "docs/laws-and-loads.md should show\n{line}\n{shown}"
     );
+}
+
+/// The forces on the page of a file.
+fn forces_on_page(folder: &Folder, file: &str) -> Forces {
+    typed_in(folder, &format!("kin run {file} report --output page.html"));
+    let page = std::fs::read_to_string(folder.path().join("page.html")).unwrap();
+    let (_, data) = page.split_once("<script type=\"application/json\"").unwrap();
+    let data = data.split_once('>').unwrap().1.split_once("</script>").unwrap().0;
+    Report::from_json(data).unwrap().forces.unwrap()
+}
+
+/// Bodies that roll on each other, in a press whose rack a toothed sector moves.
+#[test]
+fn gears_and_racks() {
+    let folder = Folder::new("rolling");
+    folder.write("rack_press.kin", RACK_PRESS);
+    let (declaration, _) = RACK_PRESS.split_once("    rack teeth").unwrap();
+    folder.write("bare.kin", &format!("{declaration}}}\nassembly = open;\n"));
+    folder.write("slips.kin", &RACK_PRESS.replacen("radius sector", "radius 61mm", 1));
+    let all = [
+        "forces rack_press.kin",
+        "run rack_press.kin sweep --rows 3 --columns teeth_x,teeth_y,teeth_force_rate --set sector=65mm",
+        "forces bare.kin",
+        "forces slips.kin",
+        "fmt --check rack_press.kin",
+    ]
+    .map(|words| typed_in(&folder, &format!("kin {words}")));
+    assert_snapshot!("gears and racks", all.join("\n"));
+    // the book shows the file and its forces
+    let book = include_str!("../../../docs/laws-and-loads.md");
+    let (shown, _) = all[0].split_once("-- code 0").unwrap();
+    assert!(
+        book.contains(RACK_PRESS),
+        "docs/laws-and-loads.md should show\n{RACK_PRESS}"
+    );
+    assert!(book.contains(shown), "docs/laws-and-loads.md should show\n{shown}");
+    // the page draws the force of the teeth where they touch, and tells the efficiency
+    let forces = forces_on_page(&folder, "rack_press.kin");
+    let teeth = forces.joints.last().unwrap();
+    assert_eq!((teeth.name.as_str(), teeth.joint), ("teeth", None));
+    for sample in &forces.samples {
+        let [[x, y]] = sample.contacts[..] else {
+            panic!("one contact")
+        };
+        assert!((x - 260.0).abs() < 1e-3 && y.abs() < 1e-9, "{x} {y}");
+    }
+    let powers = forces.powers.unwrap();
+    let efficiency = powers.efficiency.unwrap();
+    assert!((efficiency - (1.0 - powers.heat / powers.input)).abs() < 1e-12 && (0.9..0.95).contains(&efficiency));
+    says(&all[0], &format!("efficiency {efficiency:.6}"));
+    // teeth without friction give the ram what it takes, and push it aside by their angle
+    let smooth = without(
+        RACK_PRESS,
+        &["friction of foot = 0.12;", "friction of pivot = 0.1, radius 15mm;"],
+    );
+    folder.write("smooth.kin", &smooth);
+    folder.write("straight.kin", &smooth.replacen(", pressure angle 20deg", "", 1));
+    let [own, straight] = ["smooth", "straight"].map(|name| {
+        let words = format!("kin run {name}.kin sweep --rows 3 --columns theta,teeth_force --csv");
+        let printed = typed_in(&folder, &words);
+        let row = printed.lines().nth(3).unwrap();
+        row.split(',').nth(1).unwrap().parse::<f64>().unwrap()
+    });
+    assert!(
+        (own * 20_f64.to_radians().cos() - straight).abs() < 1e-9 * own,
+        "{own} {straight}"
+    );
+}
+
+/// The linkages of space of the library have hinges by their axes, and the forces that Rust finds.
+#[test]
+fn hinges_in_space() {
+    let folder = Folder::new("hinges");
+    folder.write("rssr.kin", RSSR);
+    let printed =
+        ["forces rssr.kin", "run rssr.kin sweep --rows 3"].map(|words| typed_in(&folder, &format!("kin {words}")));
+    assert_snapshot!("hinges in space", printed.join("\n"));
+    let page = forces_on_page(&folder, "rssr.kin");
+    assert!(page.joints.is_empty() && page.unknown.is_none());
+    let rssr = Rssr {
+        crank: 0.04,
+        pivot: Space::new(0.12, 0.02, 0.03),
+        axis: Space::new(0.008, 0.09, 0.012),
+        arm: Space::new(0.016, -0.012, 0.076),
+        rod: 0.13,
+    };
+    let linkage = AnyLinkage::of(&rssr);
+    let loads = linkage.loads().torque(-2.0, "phi").unwrap();
+    let reactions = linkage
+        .reactions(&loads)
+        .unwrap()
+        .hinge("ground_crank", Space::new(0.0, 0.0, 1.0))
+        .unwrap();
+    let reactions = reactions.hinge("ground_arm", "axis").unwrap();
+    let sweep = linkage
+        .sweep(AssemblyChoice::Index(0))
+        .between(&[0.0], &[FRAC_PI_2], 91)
+        .speed(rpm(500.0));
+    let csv = typed_in(&folder, "kin forces rssr.kin --csv");
+    for (name, part, column) in [
+        ("ground_crank", ReactionPart::Moment, "ground_crank_moment"),
+        ("ground_arm", ReactionPart::Moment, "ground_arm_moment"),
+        ("ball", ReactionPart::Force, "ball_force"),
+    ] {
+        let expected = sweep.of_reaction(&reactions, name, part, 0).peak().unwrap().value;
+        let row = csv.lines().find(|line| line.starts_with(column)).unwrap();
+        let peak: f64 = row.split(',').nth(4).unwrap().parse().unwrap();
+        assert!((peak - expected).abs() < 1e-9 * expected, "{row} {expected}");
+        let curve = page.curves.iter().find(|own| own.name == column).unwrap();
+        let on_page = curve.peak.unwrap().value.unwrap();
+        assert!((on_page - expected).abs() < 1e-9 * expected, "{on_page} {expected}");
+    }
 }
 
 /// Limits are proved over all inputs and tolerances, or refuted at a place; mistakes in them are told.

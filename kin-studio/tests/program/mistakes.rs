@@ -215,6 +215,79 @@ fn mistakes_in_friction() {
     assert_snapshot!("mistakes in friction", all.join("\n"));
 }
 
+/// Gears and racks are two bodies with their pitch curves.
+#[test]
+fn mistakes_in_gears_and_racks() {
+    let folder = Folder::new("meshing");
+    let right = include_str!("../../examples/rack_press.kin");
+    let (_, bodies) = right.split_once("ground 0, pivot;").unwrap();
+    let (bodies, _) = bodies.split_once("dimensions").unwrap();
+    let bodies = &format!("ground 0, pivot;{bodies}");
+    let rack = "rack teeth = lever at pivot radius sector, ram along (0, 1), pressure angle 20deg";
+    let all = [
+        ("rack teeth =", "rack ="),
+        ("rack teeth =", "rack of teeth ="),
+        ("rack teeth =", "rak teeth ="),
+        ("rack teeth =", "gears teeth ="),
+        ("rack teeth =", "rack pin ="),
+        ("lever at", "levr at"),
+        ("at pivot", "at pvot"),
+        ("at pivot", "at (1deg, 0)"),
+        (" at pivot", ""),
+        ("radius sector", "radius sektor"),
+        ("radius sector", "radius -60mm"),
+        ("radius sector", "radius 60deg"),
+        (" radius sector", ""),
+        ("ram along", "lever along"),
+        ("along (0, 1)", "along (0, 0)"),
+        ("along (0, 1)", "along (0, 1, 0)"),
+        ("along (0, 1)", "along (0, 1mm)"),
+        ("along (0, 1)", "along up"),
+        (", pressure angle 20deg", ", 20deg"),
+        ("angle 20deg", "angle 20"),
+        ("angle 20deg", "angle 95deg"),
+        ("friction of foot", "friction of teeth"),
+        (
+            rack,
+            "gears teeth = lever at pivot radius sector, ground at (0, 0) radius 0",
+        ),
+        (rack, "hinge of pin = (0, 0, 1)"),
+        (bodies, ""),
+    ]
+    .map(|(old, new)| {
+        assert!(right.contains(old), "{old}");
+        folder.write("rack_press.kin", &right.replacen(old, new, 1));
+        typed_in(&folder, "kin check rack_press.kin")
+    });
+    assert_snapshot!("mistakes in gears and racks", all.join("\n"));
+}
+
+/// A hinge of space is a ball joint with an axis.
+#[test]
+fn mistakes_in_hinges() {
+    let folder = Folder::new("axes");
+    let right = include_str!("rssr.kin");
+    let all = [
+        ("hinge of ground_crank", "hinge ground_crank"),
+        ("hinge of ground_crank", "hinge of ground_krank"),
+        ("hinge of ground_crank", "hinge of ground_arm"),
+        ("(0, 0, 1)", "(0, 1)"),
+        ("(0, 0, 1)", "(0, 0, 0)"),
+        ("(0, 0, 1)", "(0, 0, 1mm)"),
+        ("= axis", "= axs"),
+        (
+            "hinge of ground_arm = axis;",
+            "rack teeth = arm at ball radius 1mm, rod along (0, 1, 0);",
+        ),
+    ]
+    .map(|(old, new)| {
+        assert!(right.contains(old), "{old}");
+        folder.write("rssr.kin", &right.replacen(old, new, 1));
+        typed_in(&folder, "kin check rssr.kin")
+    });
+    assert_snapshot!("mistakes in hinges", all.join("\n"));
+}
+
 /// Every statement beside the declaration has its mistakes, all of which are reported at once.
 #[test]
 fn mistakes_in_loads_motions_and_columns() {

@@ -21,7 +21,9 @@ mod solution;
 mod tape;
 
 pub use closure::Given;
-pub use cut::{Body, Connection, Cut, Forces, Rates, Shape, written};
+pub use cut::{
+    Body, Connection, Cut, Forces, Inertia, Joint, JointKind, Rates, Shape, Solid, SpaceCut, SpaceShape, written,
+};
 pub use errors::Errors;
 pub use poses::{Kind, Pose, poses};
 pub use solution::{Solution, Stray, solution};

@@ -131,7 +131,8 @@ fn what_no_joint_holds() {
     assert_eq!(
         message(error),
         "the joints leave `wheel` 1 freedom while the inputs stand: declare the joint that is missing; if gears or \
-         racks stand for `phi == -ratio * theta`, say by `rolling` which bodies they are"
+         racks stand for `phi == -ratio * theta`, say by `rolling`, in a file by `gears` or `rack`, \
+         which bodies they are"
     );
 }
 

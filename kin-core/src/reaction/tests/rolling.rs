@@ -153,6 +153,8 @@ fn two_gears_pass_on_a_torque() {
             let reactions = bare.clone().rolling("mesh", bodies, gears).expect("they roll");
             assert_eq!(reactions.bodies_of("mesh").expect("a contact"), [bodies[1], bodies[0]]);
             let found = still(&reactions, &[0.3]).expect("it is determined");
+            let at = found.pitch_point("mesh").expect("a contact");
+            assert!((at.x + sense * pinion).abs() < 1e-15 && at.y == 0.0, "{at:?}");
             // the power of the drive is that of the load
             let [effort, ..] = found.effort(0).expect("it is determined");
             assert!((effort + sense * torque * pinion / wheel).abs() < 1e-13);
@@ -225,6 +227,8 @@ fn a_pinion_and_a_rack() {
     let rack = Rolling::rack(Plane::zero(), 0.05, Plane::new(3.0, 0.0)).at_pressure_angle(0.35);
     let reactions = reactions.rolling("mesh", ["pinion", "rack"], rack).expect("they roll");
     let found = still(&reactions, &[-0.6]).expect("it is determined");
+    let at = found.pitch_point("mesh").expect("a contact");
+    assert!(at.x.abs() < 1e-15 && (at.y - 0.05).abs() < 1e-15 && found.pitch_point("tip").is_none());
     let mesh = found.of("mesh").expect("it is determined");
     assert!((mesh.x[0] - 400.0).abs() < 1e-11 && (mesh.y[0] - 400.0 * 0.35_f64.tan()).abs() < 1e-11);
     assert!((found.effort(0).expect("it is determined")[0] + 400.0 * 0.05).abs() < 1e-12);
@@ -249,7 +253,7 @@ fn what_does_not_roll() {
         message(still(&reactions, &[0.4])),
         "the joints leave `rod`, `link`, `follower` 1 freedom while the inputs stand: declare the joint that \
          is missing; if gears or racks stand for `second * (beta - phase) == -first * alpha`, say by \
-         `rolling` which bodies they are"
+         `rolling`, in a file by `gears` or `rack`, which bodies they are"
     );
     assert_eq!(
         fails(gears([0.4, 0.6])),

@@ -652,7 +652,7 @@ fn what_to_declare() {
         message(still(&reactions, &[0.4])),
         "no hinge and no slide moves like the drive of `theta`: bodies that share one point have a ball \
          joint there, as `ground_crank`, `ground_arm`, `crank_rod`, `ball`: for a hinge, list a second point \
-         of its axis in both bodies, or give the axis by `hinge`"
+         of its axis in both bodies, or give the axis by `hinge`, in a file by `hinge of .. = ..;`"
     );
     let up = Space::new(0.0, 0.0, 1.0);
     let crank = reactions.clone().hinge("ground_crank", up).expect("a ball");
@@ -660,7 +660,8 @@ fn what_to_declare() {
         message(still(&crank, &[0.4])),
         "the joints leave `rod`, `arm` 1 freedom while the inputs stand: declare the joint that is missing; \
          bodies that share one point have a ball joint there, as `ground_arm`, `crank_rod`, `ball`: for a \
-         hinge, list a second point of its axis in both bodies, or give the axis by `hinge`"
+         hinge, list a second point of its axis in both bodies, or give the axis by `hinge`, in a file by `hinge of .. \
+         = ..;`"
     );
     let loads = linkage.loads().torque(-4.0, "phi").expect("an angle");
     let hinged = linkage.reactions(&loads).expect("its bodies are declared");

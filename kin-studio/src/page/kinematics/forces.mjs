@@ -6,8 +6,10 @@ import { lastIndex } from "./search.mjs";
 export const ABOVE = 2;
 
 /**
- * Each force with its components and their rates, each curve with its rate, and each load as it is sampled.
- * @typedef {{forces: (number[] | null)[], curves: (number[] | null)[], loads: number[][]}} ForcesNow
+ * Each force with its components and their rates, each curve with its rate, and each load and the place of each contact
+ * as they are sampled.
+ * @typedef {{forces: (number[] | null)[], curves: (number[] | null)[], loads: number[][], contacts: number[][]}}
+ *   ForcesNow
  */
 
 /** What was found for rows. @type {WeakMap<object, ForcesNow>} */
@@ -57,10 +59,23 @@ function between({ drive, report }, { x, piece }) {
     [1, 3],
   ]).map((force) => force && [force[0], force[2], force[1], force[3]]);
   const part = width > 0 && own.length > 1 ? (x - before.input) / width : 0;
-  const loads = own[0].loads.map((load, index) =>
-    load.map((value, axis) => value + part * ((own[own.length - 1].loads[index]?.[axis] ?? value) - value)),
-  );
-  return { forces, curves: each("curves", [[0, 1]]), loads };
+  const [first, last] = [own[0], own[own.length - 1]];
+  const along = (kind) =>
+    (first[kind] ?? []).map((one, index) =>
+      one.map((value, axis) => value + part * ((last[kind]?.[index]?.[axis] ?? value) - value)),
+    );
+  return { forces, curves: each("curves", [[0, 1]]), loads: along("loads"), contacts: along("contacts") };
+}
+
+/** Where the force of a joint acts: in the picture, or where two bodies touch. Nothing if it is not known. */
+export function placeOfForce(model, row, index) {
+  const { joints } = model.report.forces;
+  const { joint } = joints[index];
+  if (joint !== null) {
+    return row.pose.joints[joint];
+  }
+  const contact = joints.slice(0, index).filter((own) => own.joint === null).length;
+  return forcesAt(model, row).contacts[contact];
 }
 
 /** The cubic between two values with their rates, and its rate. */

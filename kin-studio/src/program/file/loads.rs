@@ -4,45 +4,53 @@ use std::ops::Range;
 
 use kin_core::Dimension;
 use kin_core::any::Description;
+use kin_core::linkage::AnyLinkage;
 use kin_core::load::NamedLoads;
-use kin_core::reaction::ReactionError;
+use kin_core::reaction::{NamedReactions, ReactionError};
 use proc_macro2::TokenTree;
 
 use super::super::fault::{listed, similar};
-use super::super::loads::{Centre, End, InSi, Joint, JointFriction, Load, Loads};
+use super::super::loads::{Centre, End, InSi, JointFriction, Load, Loads};
 use super::super::units::{self, Kind};
 use super::super::value::{self, Lengths};
+use super::joints::is_of_joint;
 use crate::file::{Entry, Mistake, Part, is_ident, range_of};
+use crate::forces::{StatedContact, StatedPlace};
 
 /// The words with which a load begins.
-const KINDS: [&str; 10] = [
-    "gravity", "mass", "inertia", "force", "torque", "spring", "damper", "friction", "drive", "sense",
+const KINDS: [&str; 13] = [
+    "gravity", "mass", "inertia", "force", "torque", "spring", "damper", "friction", "hinge", "gears", "rack", "drive",
+    "sense",
 ];
 
 /// The loads, and what is wrong in them.
-pub(super) fn read(
+pub(super) fn read<'j>(
     entries: &[Entry],
-    (places, joints): (NamedLoads, &Result<Vec<Joint>, Box<ReactionError>>),
+    places: NamedLoads,
+    (linkage, joints, is_space): (&AnyLinkage<'j>, Result<NamedReactions<'j>, ReactionError>, bool),
     description: &Description<'_>,
     section: Option<Range<usize>>,
     lengths: &mut Lengths,
 ) -> (Loads, Vec<Mistake>) {
     let (mut loads, mut mistakes) = (Loads::default(), Vec::new());
+    let (reactions, no_joints) = match joints {
+        Ok(reactions) => (Some(reactions), None),
+        Err(error) => (None, Some(error)),
+    };
     let mut reader = Reader {
         places,
-        joints: joints.as_deref().unwrap_or_default(),
+        linkage,
+        reactions,
+        is_space,
         description,
         lengths,
     };
     let mut is_told = false;
     for entry in entries {
-        if let (Err(error), true) = (joints, is_friction(entry)) {
+        if let (Some(error), true) = (&no_joints, is_of_joint(entry)) {
             if !is_told {
-                mistakes.push(
-                    entry
-                        .head
-                        .mistake(format!("friction depends on the forces in joints: {error}")),
-                );
+                let message = format!("friction, hinges, gears and racks are those of joints: {error}");
+                mistakes.push(entry.head.mistake(message));
             }
             is_told = true;
             continue;
@@ -56,6 +64,8 @@ pub(super) fn read(
                 mistakes.push(entry.head.mistake(format!("`{name}` has friction already")));
             }
             Ok(Read::Friction(name, friction)) => loads.frictions.push((name, friction)),
+            Ok(Read::Hinge(name, axis)) => loads.hinges.push((name, axis)),
+            Ok(Read::Contact(contact)) => loads.contacts.push(contact),
             Ok(Read::Drive(input, _)) if loads.drives.iter().any(|(own, _)| *own == input) => {
                 mistakes.push(entry.head.mistake(format!("the drive of `{input}` has a body already")));
             }
@@ -79,15 +89,6 @@ pub(super) fn read(
     (loads, mistakes)
 }
 
-/// How friction is written.
-const FRICTION: &str = "friction is that of a pin or a slide: write `friction of knee = 0.1, radius 12mm;` or \
-                        `friction of piston = 0.15;`";
-
-/// Whether an entry states friction.
-pub(super) fn is_friction(entry: &Entry) -> bool {
-    is_ident(entry.words.first(), "friction")
-}
-
 const TENSOR: &str = "a body of space has its centre in its frame, and three moments of inertia, or six with the \
                       entries xy, xz and yz of the tensor: write `2kg at (30mm, 0, 5mm), inertia (0.02kgm2, 0.03kgm2, \
                       0.04kgm2)`";
@@ -104,9 +105,11 @@ pub(super) fn lack_a_body(entries: &[Entry], bodies: &[String]) -> bool {
 }
 
 /// What an entry says.
-enum Read {
+pub(super) enum Read {
     Gravity([InSi; 3]),
     Load(Load),
+    Hinge(String, StatedPlace),
+    Contact(StatedContact),
     Friction(String, JointFriction),
     Drive(String, String),
     Sense(String, f64),
@@ -120,14 +123,17 @@ enum Place {
     Distance(String),
 }
 
-struct Reader<'r, 'd> {
-    places: NamedLoads,
-    joints: &'r [Joint],
-    description: &'r Description<'d>,
-    lengths: &'r mut Lengths,
+pub(super) struct Reader<'r, 'd, 'j> {
+    pub(super) places: NamedLoads,
+    /// Any linkage of the mechanism, and the joints that are known of it.
+    pub(super) linkage: &'r AnyLinkage<'j>,
+    pub(super) reactions: Option<NamedReactions<'j>>,
+    pub(super) is_space: bool,
+    pub(super) description: &'r Description<'d>,
+    pub(super) lengths: &'r mut Lengths,
 }
 
-impl Reader<'_, '_> {
+impl Reader<'_, '_, '_> {
     fn load(&mut self, entry: &Entry) -> Result<Read, Mistake> {
         let kind = entry.words.first().map(ToString::to_string).unwrap_or_default();
         let Some(kind) = KINDS.into_iter().find(|own| *own == kind) else {
@@ -146,6 +152,12 @@ impl Reader<'_, '_> {
         }
         if kind == "friction" {
             return self.friction_of(entry);
+        }
+        if kind == "hinge" {
+            return self.hinge_of(entry);
+        }
+        if kind == "gears" || kind == "rack" {
+            return self.contact(entry);
         }
         if kind == "drive" {
             return self.drive_of(entry);
@@ -236,67 +248,6 @@ impl Reader<'_, '_> {
                  `damper {angle} = 0.1Nms/rad;`"
             ),
         }
-    }
-
-    /// `friction of knee = 0.1, radius 12mm`.
-    fn friction_of(&mut self, entry: &Entry) -> Result<Read, Mistake> {
-        let [_, of, TokenTree::Ident(word)] = entry.words.as_slice() else {
-            return Err(entry.head.mistake(FRICTION));
-        };
-        if !is_ident(Some(of), "of") {
-            return Err(entry.head.mistake(FRICTION));
-        }
-        let name = word.to_string();
-        let wrong = |message: String| Mistake::new(message, range_of(&entry.words[2]));
-        let joints = self.joints;
-        let Some(joint) = joints.iter().find(|joint| joint.name == name) else {
-            let advice = similar(&name, joints.iter().map(|joint| joint.name.as_str()));
-            return Err(wrong(format!("there is no joint `{name}`; {advice}")));
-        };
-        let parts = entry.value.parts();
-        let Some((first, sizes)) = parts.split_first().filter(|(_, sizes)| sizes.len() < 2) else {
-            return Err(entry.value.mistake(FRICTION));
-        };
-        let coefficient = value::quantity(Dimension::Scalar, &first.text, self.lengths);
-        let coefficient = coefficient.map_err(|message| first.mistake(message))?;
-        if coefficient < 0.0 {
-            return Err(first.mistake(format!(
-                "a coefficient of friction is not negative: write `{}`",
-                -coefficient
-            )));
-        }
-        let mut size = |word: &str| {
-            let Some(value) = sizes.first().and_then(|part| part.behind(word)) else {
-                return Ok(None);
-            };
-            let length = self.at_rest(units::LENGTH, &value)?;
-            if length.is_positive() {
-                Ok(Some(length))
-            } else {
-                Err(value.mistake(format!("the {word}is above zero, as in `{word}12mm`")))
-            }
-        };
-        let friction = match (joint.is_slide, size("radius ")?, size("length ")?) {
-            (false, Some(radius), _) => JointFriction::Pin(coefficient, radius),
-            (true, _, length) if length.is_none() == sizes.is_empty() => JointFriction::Slide(coefficient, length),
-            (false, ..) => {
-                let slide = format!("{name}_slide");
-                let slide = joints.iter().find(|joint| joint.name == slide);
-                let slide = slide.map_or_else(String::new, |slide| format!("; its slide is `{}`", slide.name));
-                return Err(entry.value.mistake(format!(
-                    "`{name}` is a pin, whose friction needs its radius: write `{}, radius 12mm`{slide}",
-                    first.text
-                )));
-            }
-            (true, ..) => {
-                return Err(sizes[0].mistake(format!(
-                    "`{name}` is a slide: write `{0}`, or `{0}, length 40mm` for a bushing whose \
-                     moment rubs too",
-                    first.text
-                )));
-            }
-        };
-        Ok(Read::Friction(name, friction))
     }
 
     /// The input behind `of`, or how the whole is written.
@@ -476,7 +427,7 @@ impl Reader<'_, '_> {
     }
 
     /// A point of the ground.
-    fn fixed(&mut self, part: &Part) -> Result<[InSi; 3], Mistake> {
+    pub(super) fn fixed(&mut self, part: &Part) -> Result<[InSi; 3], Mistake> {
         let mut point = [InSi::new(units::LENGTH, 0.0); 3];
         let parts = part.coordinates().filter(|parts| (2..=3).contains(&parts.len()));
         let parts = parts.ok_or_else(|| part.mistake("a point of the ground is written as `(0, 200mm)`"))?;
@@ -487,7 +438,7 @@ impl Reader<'_, '_> {
     }
 
     /// A length or an angle.
-    fn at_rest(&mut self, kind: Kind, part: &Part) -> Result<InSi, Mistake> {
+    pub(super) fn at_rest(&mut self, kind: Kind, part: &Part) -> Result<InSi, Mistake> {
         let is_length = kind == units::LENGTH;
         let dimension = if is_length { Dimension::Length } else { Dimension::Angle };
         let value = value::quantity(dimension, &part.text, self.lengths).map_err(|message| part.mistake(message))?;

@@ -1,6 +1,7 @@
 //! `kin run` and `kin check`: mechanisms of people who write no Rust.
 
 mod assemblies;
+mod joints;
 mod json;
 mod loads;
 mod numbers;

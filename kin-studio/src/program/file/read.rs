@@ -5,10 +5,11 @@ use kin_core::load::NamedLoads;
 use kin_live::Mechanism;
 
 use super::super::columns;
-use super::super::loads::{ForceColumns, Loads, joints};
+use super::super::loads::{ForceColumns, Loads, unit_linkage};
 use super::super::value::Lengths;
+use super::joints::{is_friction, is_of_joint};
 use super::{assemblies, loads, numbers};
-use crate::file::{KinDeclaration, Mistake, Section, in_order};
+use crate::file::{Entry, KinDeclaration, Mistake, Section, in_order};
 
 /// A file that was read.
 #[derive(Debug)]
@@ -64,20 +65,21 @@ impl KinFile {
         let place = sections.place_of("loads");
         let bodies = mechanism.outline().bodies.iter().map(|body| body.name.to_owned());
         let lacks_a_body = loads::lack_a_body(&sections.loads, &bodies.collect::<Vec<_>>());
-        let has_friction = sections.loads.iter().any(loads::is_friction);
-        let joints = if has_friction {
-            joints(&mechanism)
-        } else {
-            Ok(Vec::new())
-        };
-        let (loads, wrong) = loads::read(&sections.loads, (places, &joints), description, place, &mut lengths);
+        let linkage = unit_linkage(&mechanism);
+        let joints = linkage.reactions(&linkage.loads());
+        let joints = (&linkage, joints, mechanism.is_space());
+        let (loads, wrong) = loads::read(&sections.loads, places, joints, description, place, &mut lengths);
         mistakes.extend(wrong);
         // a mistake in the loads is no reason to miss their columns
         let forces = if sections.loads.is_empty() {
             ForceColumns::default()
         } else {
-            ForceColumns::of(&mechanism, has_friction)
+            let has_friction = sections.loads.iter().any(is_friction);
+            ForceColumns::of(&mechanism, &loads.stated(1.0), has_friction)
         };
+        let states_joints = |entry: &&Entry| is_of_joint(entry) && !is_friction(entry);
+        let lacks_a_joint =
+            sections.loads.iter().filter(states_joints).count() > loads.hinges.len() + loads.contacts.len();
         let names = columns::names(description, &forces);
         let mut advised = false;
         for column in &sections.columns {
@@ -89,7 +91,7 @@ impl KinFile {
                 let is_known = if advice.is_some() {
                     advised
                 } else {
-                    lacks_a_body && ForceColumns::could_be_of_a_joint(&column.text)
+                    (lacks_a_body || lacks_a_joint) && ForceColumns::could_be_of_a_joint(&column.text)
                 };
                 if is_known {
                     continue;

@@ -7,14 +7,14 @@ use super::super::case::Case;
 use super::super::command::Forces;
 use super::super::fault::Fault;
 use super::super::file::Told;
-use super::super::loads::ForceColumn;
+use super::super::loads::{ForceColumn, HEAT};
 use super::super::progress::watched;
 use super::super::subject::{CaseForces, Extent, Subject};
 use super::super::text::{self, Column};
 use super::peaks::{Place, moves_at};
 use super::sweep::{headed, tell_jolts};
 use super::{print, prove, write};
-use crate::forces::{Force, Reached};
+use crate::forces::{Force, ROUNDING, Reached, ratio};
 use crate::tables::quoted;
 
 /// A force over the motion, in its unit. What is not determined is not a number, and what has no bound is infinite.
@@ -54,7 +54,13 @@ pub(super) fn run(subject: &Subject, options: &Forces, told: &Told) -> Result<()
         };
         let one_of_several = (all.len() > 1).then_some(assembly.as_str());
         if options.csv.is_some() {
-            texts.push(csv(subject, &case, &borne, one_of_several, cases.is_empty()));
+            texts.push(csv(
+                subject,
+                &case,
+                (&borne, efficiency),
+                one_of_several,
+                cases.is_empty(),
+            ));
         } else if options.json.is_some() {
             objects.push(object(subject, &case, &borne, efficiency, one_of_several));
         } else {
@@ -86,7 +92,12 @@ fn check(subject: &Subject, told: &Told) -> Result<(), Fault> {
                 .to_owned(),
         );
     }
-    missing.extend(subject.forces(false).no_joints().map(ToString::to_string));
+    missing.extend(
+        subject
+            .forces(&told.loads.stated(1.0))
+            .no_joints()
+            .map(ToString::to_string),
+    );
     if missing.is_empty() {
         return Ok(());
     }
@@ -142,12 +153,6 @@ fn efficiency(case: &Case, forces: &CaseForces<'_>) -> Result<Option<Efficiency>
     }))
 }
 
-/// The efficiency, unless friction locks the mechanism. It is zero where all power becomes heat but for rounding.
-fn ratio(mean: Efficiency) -> Option<f64> {
-    let ratio = mean.ratio().filter(|_| !mean.is_locked())?;
-    Some(if ratio.abs() < ROUNDING { 0.0 } else { ratio })
-}
-
 /// The value that is largest in size; of two that differ by rounding, the positive one.
 fn peak(extent: &Extent) -> Reached {
     let Extent { lowest, highest, .. } = *extent;
@@ -175,9 +180,6 @@ fn is_steady(extent: &Extent) -> bool {
 
 /// A change or a difference by this part of a force is rounding.
 const STEADY: f64 = 1e-10;
-
-/// Below this part of the peak, what is left of a zero is rounding.
-const ROUNDING: f64 = 1e-12;
 
 impl Borne {
     /// What was found of a force, of which one has this size in its unit.
@@ -284,8 +286,16 @@ fn object(
     Value::Object(object)
 }
 
-/// The rows of a file, behind their head if they come first, each behind its assembly if there are several.
-fn csv(subject: &Subject, case: &Case, all: &[Borne], assembly: Option<&str>, is_first: bool) -> String {
+/// The rows of a file, behind their head if they come first, each behind its assembly if there are several. With
+/// friction, the mean of its heat stands in its row, and rows for the mean power of all drives and for the efficiency
+/// follow.
+fn csv(
+    subject: &Subject,
+    case: &Case,
+    (all, efficiency): (&[Borne], Option<Efficiency>),
+    assembly: Option<&str>,
+    is_first: bool,
+) -> String {
     let place = Place::new(subject, case);
     let number = |value: f64| {
         if value.is_nan() {
@@ -295,19 +305,37 @@ fn csv(subject: &Subject, case: &Case, all: &[Borne], assembly: Option<&str>, is
         }
     };
     let at = format!("at [{}]", place.unit());
-    let head = ["force", "on", "by", "unit", "peak", &at, "rms", "lowest", "rate"].map(str::to_owned);
+    let head = [
+        "force", "on", "by", "unit", "peak", &at, "rms", "lowest", "rate", "mean",
+    ]
+    .map(str::to_owned);
     let head = assembly
         .map(|_| "assembly".to_owned())
         .into_iter()
         .chain(head)
         .collect();
-    let row = |one: &Borne| -> Vec<String> {
-        let [on, by] = &one.bodies;
-        let words = [&one.name, on, by, &one.unit].map(String::as_str);
-        let numbers = [one.peak, place.value(one.at), one.rms, one.lowest, one.rate];
+    let line = |words: [&str; 4], numbers: [f64; 6]| -> Vec<String> {
         let words = assembly.into_iter().chain(words).map(quoted);
         words.chain(numbers.map(number)).collect()
     };
-    let lines = is_first.then_some(head).into_iter().chain(all.iter().map(row));
+    let row = |one: &Borne| {
+        let [on, by] = &one.bodies;
+        let mean = efficiency
+            .filter(|_| one.name == HEAT)
+            .map_or(f64::NAN, |mean| mean.heat);
+        let numbers = [one.peak, place.value(one.at), one.rms, one.lowest, one.rate, mean];
+        line([&one.name, on, by, &one.unit], numbers)
+    };
+    let means = efficiency.into_iter().flat_map(|mean| {
+        let ratio = ratio(mean).unwrap_or(f64::NAN);
+        [("drives_power", "W", mean.input), ("efficiency", "", ratio)]
+    });
+    let only_mean = |mean: f64| core::array::from_fn(|column| if column == 5 { mean } else { f64::NAN });
+    let means = means.map(|(name, unit, mean)| line([name, "", "", unit], only_mean(mean)));
+    let lines = is_first
+        .then_some(head)
+        .into_iter()
+        .chain(all.iter().map(row))
+        .chain(means);
     lines.map(|cells: Vec<String>| cells.join(",") + "\n").collect()
 }

@@ -77,7 +77,7 @@ fn plots(subject: &Subject, options: &Report, told: &Told) -> Result<Vec<String>
     let columns = columns_of(subject, &[], told)?;
     let description = subject.description();
     let results = || description.unknowns.iter().chain(description.outputs);
-    let forces = subject.forces(false).all;
+    let forces = subject.forces(&told.loads.stated(1.0)).all;
     let shown = columns.iter().filter_map(|name| {
         let is_wanted =
             |quantity: &&Quantity<'_>| (0..=description.order).any(|order| label(quantity.name, order) == *name);

@@ -73,7 +73,7 @@ pub(super) fn columns_of(subject: &Subject, typed: &[String], told: &Told) -> Re
     let forces = if told.loads.is_empty() {
         ForceColumns::default()
     } else {
-        subject.forces(!told.loads.frictions.is_empty())
+        subject.forces(&told.loads.stated(1.0))
     };
     let names = columns::names(subject.description(), &forces);
     let wanted = if typed.is_empty() { &told.columns } else { typed };

@@ -3,25 +3,23 @@
 use kin_core::Dimension;
 use kin_core::extremes::{AskedQuantity, ExtremesError, Over, QuantityAlong, QuantitySource};
 use kin_core::linkage::AnySweep;
-use kin_core::reaction::{BodyLoadKind, NamedReactions, ReactionPart, Reactions};
+use kin_core::reaction::{BodyLoadKind, NamedReactions, Reaction, ReactionPart, Reactions};
 use kin_core::sweep::SmoothDrive;
 
 use super::peaks::over_all;
 use super::way::Way;
-use crate::forces::{Causes, Force, ForceQuestion, OfPeak, OfRows};
+use crate::forces::{Causes, Force, ForceQuestion, OfPeak, OfRows, ratio};
 use crate::names::symbol;
 use crate::report::draft::{WishedLoads, Wishes};
-use crate::report::model::{ActingLoad, BodyLoad, CurveKind, ForceCurve, ForcePeak, ForceSample, Forces, JointForce};
+use crate::report::model::{
+    ActingLoad, BodyLoad, CurveKind, ForceCurve, ForcePeak, ForceSample, Forces, JointForce, MeanPowers,
+};
 
 /// The forces, if there are loads.
 pub(super) fn of<D: SmoothDrive>(wishes: &Wishes<'_>, way: &Way<'_, D>) -> Option<Forces> {
     let wished = wishes.loads.as_ref()?;
-    let found = if wishes.functions.is_space() {
-        Err(IN_SPACE.to_owned())
-    } else {
-        let found = wished.stated.reactions(&wishes.linkage, &wished.loads);
-        found.map_err(|error| error.to_string())
-    };
+    let found = wished.stated.reactions(&wishes.linkage, &wished.loads);
+    let found = found.map_err(|error| error.to_string());
     let (reactions, mut unknown) = match found {
         Ok(reactions) => (Some(reactions), None),
         Err(error) => (None, Some(error)),
@@ -40,9 +38,13 @@ pub(super) fn of<D: SmoothDrive>(wishes: &Wishes<'_>, way: &Way<'_, D>) -> Optio
     let mut all = gathered.efforts();
     let (mut joints, mut body_loads) = (Vec::new(), Vec::new());
     if let Some(reactions) = &reactions {
-        let (own, rows) = gathered.joints(reactions, &mut all, &mut unknown);
-        joints = own;
-        body_loads = gathered.body_loads(&mut all, &rows);
+        let rows = gathered.rows(reactions);
+        if wishes.functions.is_space() {
+            gathered.joints_of_space((reactions, &rows), &mut all, &mut unknown);
+        } else {
+            joints = gathered.joints((reactions, &rows), &mut all, &mut unknown);
+            body_loads = gathered.body_loads(&mut all, &rows);
+        }
     }
     Some(Forces {
         metres: wished.metres,
@@ -50,12 +52,10 @@ pub(super) fn of<D: SmoothDrive>(wishes: &Wishes<'_>, way: &Way<'_, D>) -> Optio
         curves: all.curves,
         body_loads,
         samples: all.samples,
+        powers: gathered.powers(),
         unknown,
     })
 }
-
-/// A page draws forces in the plane.
-const IN_SPACE: &str = "the mechanism is one of space, where pages show no forces in joints; `kin forces` tells them";
 
 /// The curves of efforts and moments, and the samples of all.
 struct All {
@@ -89,6 +89,7 @@ impl<D: SmoothDrive> Gathered<'_, '_, D> {
             forces: Vec::new(),
             curves: Vec::new(),
             loads: Vec::new(),
+            contacts: Vec::new(),
         };
         let mut samples: Vec<ForceSample> = self.way.ascending(at).into_iter().map(sample).collect();
         let mut curves = Vec::new();
@@ -117,17 +118,85 @@ impl<D: SmoothDrive> Gathered<'_, '_, D> {
         All { curves, samples }
     }
 
-    /// The joints, and the solutions of all rows. Moments of guides become curves.
-    fn joints(
-        &self,
-        reactions: &NamedReactions<'_>,
-        all: &mut All,
-        unknown: &mut Option<String>,
-    ) -> (Vec<JointForce>, Rows) {
-        let rows = self.way.ascending(|sweep| match sweep.reactions(reactions) {
+    /// The solutions of all rows.
+    fn rows(&self, reactions: &NamedReactions<'_>) -> Rows {
+        self.way.ascending(|sweep| match sweep.reactions(reactions) {
             Ok(rows) => rows,
             Err(error) => vec![Err(error); sweep.count()],
-        });
+        })
+    }
+
+    /// The force in a joint in a row. Why one is not known is told once.
+    fn force_in(
+        &self,
+        row: &Result<Reactions, ExtremesError>,
+        name: &str,
+        unknown: &mut Option<String>,
+    ) -> Option<Reaction> {
+        let error = match row {
+            Ok(row) => match row.of(name) {
+                Ok(force) => return Some(force),
+                Err(error) => error.to_string(),
+            },
+            Err(ExtremesError::Gap { .. }) => return None,
+            Err(error) => self.wishes.named(error),
+        };
+        unknown.get_or_insert(error);
+        None
+    }
+
+    /// The sizes of forces and moments in joints of space, where a page draws no arrows.
+    fn joints_of_space(
+        &self,
+        (reactions, rows): (&NamedReactions<'_>, &Rows),
+        all: &mut All,
+        unknown: &mut Option<String>,
+    ) {
+        for name in reactions.names() {
+            let parts = [("force", ReactionPart::Force, 1), ("moment", ReactionPart::Moment, 2)];
+            for (word, part, lengths) in parts {
+                let values = rows.iter().map(|row| {
+                    let [value, rate, _] = self.force_in(row, name, unknown)?.part(part);
+                    self.sized([value, rate], lengths)
+                });
+                let values: Vec<Option<[f64; 2]>> = values.collect();
+                if part == ReactionPart::Moment && !values.iter().flatten().any(|[moment, _]| *moment != 0.0) {
+                    continue;
+                }
+                for (sample, value) in all.samples.iter_mut().zip(values) {
+                    sample.curves.push(value);
+                }
+                all.curves.push(ForceCurve {
+                    name: format!("{name}_{word}"),
+                    text: format!("{word} of {name}"),
+                    kind: CurveKind::of(lengths),
+                    peak: self.peak(lengths, &Force::Reaction(name.to_owned(), part)),
+                });
+            }
+        }
+    }
+
+    /// The mean powers, if joints have friction and one sweep goes over the range.
+    fn powers(&self) -> Option<MeanPowers> {
+        let ([sweep], true) = (self.way.sweeps.as_slice(), self.causes.has_friction) else {
+            return None;
+        };
+        let mean = sweep.efficiency(self.causes.reactions?).ok()?;
+        let watts = self.wished.metres.powi(2);
+        Some(MeanPowers {
+            input: mean.input * watts,
+            heat: mean.heat * watts,
+            efficiency: ratio(mean),
+        })
+    }
+
+    /// The joints of the plane. Moments of guides become curves.
+    fn joints(
+        &self,
+        (reactions, rows): (&NamedReactions<'_>, &Rows),
+        all: &mut All,
+        unknown: &mut Option<String>,
+    ) -> Vec<JointForce> {
         let outline = self.wishes.functions.outline();
         let member = |name: &str| outline.bodies.iter().position(|body| body.name == name);
         let mut joints = Vec::new();
@@ -135,35 +204,22 @@ impl<D: SmoothDrive> Gathered<'_, '_, D> {
             let [on, by] = reactions.bodies_of(name).unwrap_or_default();
             let is_slide = reactions.is_slide(name) == Ok(true);
             let mut moments = Vec::new();
-            for (sample, row) in all.samples.iter_mut().zip(&rows) {
-                let found = match row {
-                    Ok(row) => row.of(name).map_err(|error| error.to_string()),
-                    Err(ExtremesError::Gap { .. }) => Err(String::new()),
-                    Err(error) => Err(self.wishes.named(error)),
-                };
-                let found = found.map_err(|error| {
-                    if !error.is_empty() {
-                        unknown.get_or_insert(error);
-                    }
-                });
-                let force = found.ok().and_then(|force| {
+            for (sample, row) in all.samples.iter_mut().zip(rows) {
+                let found = self.force_in(row, name, unknown);
+                let force = found.and_then(|force| {
                     let [x, y] = [force.x, force.y].map(|[value, rate, _]| self.sized([value, rate], 1));
                     let ([x, x_rate], [y, y_rate]) = (x?, y?);
                     Some([x, y, x_rate, y_rate])
                 });
                 sample.forces.push(force);
-                moments.push(
-                    found
-                        .ok()
-                        .and_then(|force| self.sized([force.moment[0], force.moment[1]], 2)),
-                );
+                moments.push(found.and_then(|force| self.sized([force.moment[0], force.moment[1]], 2)));
             }
             let part = |part: ReactionPart| Force::Reaction(name.to_owned(), part);
             joints.push(JointForce {
                 name: name.to_owned(),
                 on: member(&on),
                 by: member(&by),
-                joint: reactions.joint_of(name).unwrap_or_default(),
+                joint: reactions.joint_of(name).ok(),
                 is_slide,
                 peak: self.peak(1, &part(ReactionPart::Force)),
             });
@@ -179,7 +235,12 @@ impl<D: SmoothDrive> Gathered<'_, '_, D> {
                 });
             }
         }
-        (joints, rows)
+        for (sample, row) in all.samples.iter_mut().zip(rows) {
+            let Ok(row) = row else { continue };
+            let places = reactions.names().filter_map(|name| row.pitch_point(name));
+            sample.contacts = places.map(|at| [short(at.x), short(at.y)]).collect();
+        }
+        joints
     }
 
     /// What acts on the bodies beside the joints.

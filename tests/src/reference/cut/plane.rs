@@ -1,17 +1,10 @@
-//! Forces in joints of many digits: bodies cut free, and one dense system of Newton's and Euler's equations.
-//!
-//! Nothing of kin takes part. Joints follow from the intersections of circles and lines, without an angle but the
-//! crank's, and everything is a truncated Taylor series in time.
+//! Bodies of the plane, with friction in their joints.
 
 use kin_precise::Number;
 
-use super::linear::{Matrix, inverse, product};
-use super::series::{Series, number};
+use super::super::series::{Series, number};
+use super::{COUNT, Forces, ORDERS, System, constant, moved, rate, rates, times, with_conditions, zero};
 
-/// The value and the derivatives of a motion through snap.
-const COUNT: usize = 5;
-/// A force has two derivatives fewer.
-const ORDERS: usize = COUNT - 2;
 /// Digits of the friction that a fixed point leaves open.
 const OPEN: f64 = 1e-66;
 /// Steps of the fixed point at most.
@@ -78,42 +71,7 @@ pub struct Cut {
     pub motion: [f64; COUNT],
 }
 
-/// A number with two derivatives by time.
-pub type Rates = [Number; ORDERS];
-
-/// Forces with their rates.
-#[derive(Clone, Debug)]
-pub struct Forces {
-    /// The force of each connection along x and y, and its moment about its joint.
-    pub connections: Vec<[Rates; 3]>,
-    /// The torque of the drive.
-    pub torque: Rates,
-    /// The power of friction.
-    pub heat: Rates,
-    /// The joints.
-    pub places: Vec<[Number; 2]>,
-}
-
-impl Forces {
-    fn all(&self) -> impl Iterator<Item = &Number> {
-        let connections = self.connections.iter().flatten().flatten();
-        connections.chain(&self.torque).chain(&self.heat)
-    }
-}
-
 type Point = [Series; 2];
-
-fn constant(value: &Number) -> Series {
-    Series::constant(value.clone())
-}
-
-fn zero() -> Series {
-    Series::constant(Number::zero())
-}
-
-fn times(one: &Series, other: &Series) -> Series {
-    one.times(other, COUNT)
-}
 
 fn plus([x, y]: &Point, [u, v]: &Point) -> Point {
     [x.plus(u), y.plus(v)]
@@ -137,11 +95,6 @@ fn square([x, y]: &Point) -> Series {
 
 fn left([x, y]: &Point) -> Point {
     [y.negated(), x.clone()]
-}
-
-fn rate(series: &Series) -> Series {
-    let rates = (1..COUNT).map(|power| &number(power) * &series.coefficient(power));
-    Series::from_coefficients(rates.collect())
 }
 
 /// The positions of the joints.
@@ -186,12 +139,7 @@ fn forces(cut: &Cut, factor: impl Fn(usize) -> Number) -> Forces {
         &Number::exactly(value) * &factor(count - 1)
     };
     let dimensions: Vec<Series> = cut.dimensions.iter().map(|own| constant(&given(*own))).collect();
-    let mut factorial = number(1);
-    let motion = cut.motion.iter().enumerate().map(|(order, own)| {
-        factorial = &factorial * &number(order.max(1));
-        &given(*own) / &factorial
-    });
-    let angle = Series::from_coefficients(motion.collect());
+    let angle = moved(&cut.motion, &mut given);
     let places = places(cut.shape, &dimensions, &angle);
     let gravity = cut.gravity.map(&mut given);
     let mut lacking = Vec::new();
@@ -259,27 +207,7 @@ fn forces(cut: &Cut, factor: impl Fn(usize) -> Number) -> Forces {
     let mut drive = vec![zero(); size];
     drive[2] = one.clone();
     columns.push(drive);
-    let at = |power: usize| -> Matrix {
-        let row = |row: usize| columns.iter().map(|column| column[row].coefficient(power)).collect();
-        (0..size).map(row).collect()
-    };
-    let matrices: Vec<Matrix> = (0..ORDERS).map(at).collect();
-    let inverted = inverse(matrices[0].clone()).expect("the joints hold the bodies");
-    let solve = |right: &[Series]| -> Vec<Series> {
-        let mut terms: Vec<Vec<Number>> = Vec::new();
-        for power in 0..ORDERS {
-            let mut rest: Vec<Number> = right.iter().map(|own| own.coefficient(power)).collect();
-            for (before, known) in terms.iter().enumerate() {
-                let known = product(&matrices[power - before], known);
-                rest = rest.iter().zip(&known).map(|(rest, known)| rest - known).collect();
-            }
-            terms.push(product(&inverted, &rest));
-        }
-        let series = |index: usize| terms.iter().map(|terms| terms[index].clone()).collect();
-        (0..size)
-            .map(|index| Series::from_coefficients(series(index)))
-            .collect()
-    };
+    let system = System::new(&columns);
 
     // friction by its fixed point
     let speeds: Vec<Series> = cut
@@ -309,7 +237,7 @@ fn forces(cut: &Cut, factor: impl Fn(usize) -> Number) -> Forces {
             };
             right = right.iter().zip(&column).map(|(right, own)| right.minus(own)).collect();
         }
-        values = solve(&right);
+        values = system.solve(&right);
         let mut change: f64 = 0.0;
         for (index, connection) in cut.connections.iter().enumerate() {
             let [first, second] = [&values[2 * index], &values[2 * index + 1]];
@@ -333,13 +261,6 @@ fn forces(cut: &Cut, factor: impl Fn(usize) -> Number) -> Forces {
         }
     }
 
-    let rates = |series: &Series| -> Rates {
-        let mut factorial = number(1);
-        core::array::from_fn(|order| {
-            factorial = &factorial * &number(order.max(1));
-            &series.coefficient(order) * &factorial
-        })
-    };
     let mut heat = zero();
     let mut connections = Vec::new();
     for (index, connection) in cut.connections.iter().enumerate() {
@@ -347,9 +268,9 @@ fn forces(cut: &Cut, factor: impl Fn(usize) -> Number) -> Forces {
         heat = heat.minus(&times(&own, &speeds[index]));
         let [first, second] = [&values[2 * index], &values[2 * index + 1]];
         connections.push(if connection.radius.is_some() {
-            [rates(first), rates(second), rates(&own)]
+            [first, second, &own].map(rates).to_vec()
         } else {
-            [rates(&own), rates(first), rates(second)]
+            [&own, first, second].map(rates).to_vec()
         });
     }
     Forces {
@@ -358,92 +279,18 @@ fn forces(cut: &Cut, factor: impl Fn(usize) -> Number) -> Forces {
         heat: rates(&heat),
         places: places
             .iter()
-            .map(|place| place.clone().map(|part| part.coefficient(0)))
+            .map(|place| place.iter().map(|part| part.coefficient(0)).collect())
             .collect(),
     }
 }
 
-/// By so much each given number is changed to see the results change: half of the digits are left for the change.
-const CHANGE: i16 = -120;
-
 impl Cut {
-    /// How many numbers are given.
-    fn given(&self) -> usize {
-        let frictions: usize = self
-            .connections
-            .iter()
-            .map(|own| 1 + usize::from(own.radius.is_some()))
-            .sum();
-        self.dimensions.len() + COUNT + 2 + 5 * self.bodies.len() + 2 * usize::from(self.force.is_some()) + frictions
-    }
-
-    /// The forces, and the condition of each number in their order: connections, torque, heat.
-    ///
-    /// The condition is the size of the result and of its changes with every given number, so that this times the
-    /// relative error of rounding is what a careful calculation loses.
+    /// The forces with the conditions of their numbers.
     ///
     /// # Panics
     /// If the joints do not hold the bodies.
     #[must_use]
     pub fn forces(&self) -> (Forces, Vec<f64>) {
-        let found = forces(self, |_| number(1));
-        let mut conditions: Vec<f64> = found.all().map(|own| own.nearest().abs()).collect();
-        let by = number(1).doubled(CHANGE);
-        for changed in 0..self.given() {
-            let more = forces(
-                self,
-                |index| if index == changed { &number(1) + &by } else { number(1) },
-            );
-            for (condition, (more, found)) in conditions.iter_mut().zip(more.all().zip(found.all())) {
-                *condition += (&(more - found) / &by).nearest().abs();
-            }
-        }
-        (found, conditions)
+        with_conditions(|factor| forces(self, factor))
     }
-}
-
-/// So many digits are written.
-const DIGITS: i32 = 20;
-
-/// A number by its first 20 digits.
-#[must_use]
-pub fn written(own: &Number) -> String {
-    if own.is_zero() {
-        return "0".into();
-    }
-    let ten = number(10);
-    let power = |exponent: i32| (0..exponent.abs()).fold(number(1), |power, _| &power * &ten);
-    let scale = |own: &Number, exponent: i32| {
-        if exponent < 0 {
-            own * &power(exponent)
-        } else {
-            own / &power(exponent)
-        }
-    };
-    #[allow(clippy::cast_possible_truncation, reason = "exponents are small")]
-    let mut exponent = own.nearest().abs().log10().floor() as i32;
-    let half = scale(&number(5), DIGITS);
-    let mut rest = &scale(&own.abs(), exponent) + &half;
-    // the logarithm may be off beside a power of ten, and rounding may lead to the next one
-    while rest.nearest() >= 10.0 {
-        exponent += 1;
-        rest = &rest / &ten;
-    }
-    while (&rest - &number(1)).nearest() < 0.0 {
-        exponent -= 1;
-        rest = &(&(&rest - &half) * &ten) + &half;
-    }
-    let mut text = String::from(if own.nearest() < 0.0 { "-" } else { "" });
-    for place in 0..DIGITS {
-        let mut digit = rest.nearest().floor().clamp(0.0, 9.0);
-        if (&rest - &Number::exactly(digit)).nearest() < 0.0 {
-            digit -= 1.0;
-        }
-        text += &digit.to_string();
-        if place == 0 {
-            text.push('.');
-        }
-        rest = &(&rest - &Number::exactly(digit)) * &ten;
-    }
-    format!("{text}e{exponent}")
 }
