@@ -146,17 +146,18 @@ pub trait FullCycle: Mechanism<Scalar = f64> {
         Cycle::new(self, from, direction, None)
     }
 
-    /// [`cycle_along`](Self::cycle_along) over a range of s.
+    /// All circuits and branches on the straight line between two points in the space of the inputs. The first input
+    /// that moves replaces the only input of [`cycle_over`](Self::cycle_over), and the others move in proportion, as in
+    /// a sweep [`between`](crate::sweep::Assembled::between) these points.
     ///
     /// # Errors
-    /// As for `cycle_along`.
-    fn cycle_along_over(
-        &self,
-        from: Self::Inputs<f64>,
-        direction: Self::Inputs<f64>,
-        range: impl ClosedRange,
-    ) -> Result<Cycle<Self>, SolveError> {
-        Cycle::new(self, from, direction, Some(range.ends()))
+    /// As for `cycle_over`.
+    fn cycle_between(&self, from: Self::Inputs<f64>, to: Self::Inputs<f64>) -> Result<Cycle<Self>, SolveError> {
+        let (parameters, ends) = (self.parameters(), [from.as_ref(), to.as_ref()]);
+        Ok(Cycle {
+            mechanism: *self,
+            searched: SearchedCycle::between(Of::<Self>::FUNCTIONS, parameters.as_ref(), ends)?,
+        })
     }
 }
 

@@ -7,6 +7,7 @@ use super::line::InputLine;
 use super::search::search;
 use super::sought::{SearchedFunctions, SoughtMechanism};
 use crate::failure::SolveError;
+use crate::sweep::StraightLine;
 
 /// All circuits and branches, with the mechanism and the line of inputs.
 #[derive(Clone)]
@@ -30,6 +31,17 @@ impl<'m> SearchedCycle<'m> {
         };
         let (line, data) = search(&mechanism, &functions.method(), line.map(Into::into), range)?;
         Ok(Self { mechanism, line, data })
+    }
+
+    /// Searches between two points in the space of the inputs, over the first input that moves.
+    pub(crate) fn between(
+        functions: &'m dyn SearchedFunctions,
+        parameters: &[f64],
+        [from, to]: [&[f64]; 2],
+    ) -> Result<Self, SolveError> {
+        let line = StraightLine::new(from, to);
+        let [origin, direction] = line.unbounded();
+        Self::new(functions, parameters, [&origin, &direction], Some(line.range()))
     }
 }
 

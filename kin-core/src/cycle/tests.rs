@@ -335,9 +335,7 @@ fn several_inputs_move_along_a_line() {
         platform_b: Plane::new(1.7, 0.0),
         platform_c: Plane::new(0.8, 1.5),
     };
-    let cycle = triad
-        .cycle_along_over([0.0, 2.2, 2.3], [1.0, 0.0, 0.0], 0.3..=6.0)
-        .unwrap();
+    let cycle = triad.cycle_between([0.3, 2.2, 2.3], [6.0, 2.2, 2.3]).unwrap();
     assert!(cycle.is_complete());
     assert_eq!(cycle.seeds(), [0.3, 6.0]);
     assert_eq!(disagreements("triad", &cycle, 23), Vec::<String>::new());
@@ -360,6 +358,13 @@ fn several_inputs_move_along_a_line() {
     let cycle = robot.cycle_along([0.1, 0.7], [1.0, -1.0]).unwrap();
     assert!(cycle.is_complete());
     assert_eq!(disagreements("five-bar", &cycle, 701), Vec::<String>::new());
+    // between two points, the variable is the first input that moves
+    let part = robot.cycle_between([0.1, 0.7], [0.6, 0.2]).unwrap();
+    let line = &part.searched.line;
+    assert_eq!([line.low, line.high], [0.1, 0.6]);
+    assert_eq!(disagreements("part of the five-bar", &part, 301), Vec::<String>::new());
+    let ends = |input| part.inputs(input).map(|value| (1e12 * value).round());
+    assert_eq!([ends(0.1), ends(0.6)], [[1e11, 7e11], [6e11, 2e11]]);
 }
 
 /// Small numbers that depend on a step, the same in every run.
@@ -547,10 +552,7 @@ fn a_range_without_a_length_is_reported() {
     };
     refused(SAMPLE.cycle_over(1.0..=1.0), "length of the range");
     refused(SAMPLE.cycle_along([1.0], [0.0]), "direction of the inputs");
-    refused(
-        SAMPLE.cycle_along_over([1.0], [-0.0], 0.0..=1.0),
-        "direction of the inputs",
-    );
+    refused(SAMPLE.cycle_between([1.0], [1.0]), "length of the range");
 }
 
 /// On the second circuit of a pantograph the pen stands at the origin, up to rounding errors, which grow towards both

@@ -43,6 +43,18 @@ impl<'m> AnyLinkage<'m> {
             searched: SearchedCycle::new(self.functions, &self.parameters, [from, direction], None)?,
         })
     }
+
+    /// All circuits and branches on the straight line between two points in the space of the inputs: see
+    /// [`FullCycle::cycle_between`](crate::cycle::FullCycle::cycle_between).
+    ///
+    /// # Errors
+    /// As there.
+    pub fn cycle_between(&self, from: &[f64], to: &[f64]) -> Result<AnyCycle<'m>, SolveError> {
+        Ok(AnyCycle {
+            functions: self.functions,
+            searched: SearchedCycle::between(self.functions, &self.parameters, [from, to])?,
+        })
+    }
 }
 
 impl AnyCycle<'_> {

@@ -182,6 +182,17 @@ impl StraightLine {
         }
     }
 
+    /// The line for all values of the first input that moves: a point of it, where that input is zero, and its
+    /// direction.
+    pub(crate) fn unbounded(&self) -> [NumberRow; 2] {
+        let mut unbounded = [self.from.clone(), self.from.clone()];
+        let [origin, direction] = &mut unbounded;
+        for input in 0..self.from.len() {
+            (origin[input], direction[input]) = (self.value(input, 0.0), self.slope(input));
+        }
+        unbounded
+    }
+
     /// The velocity of the first input that moves.
     fn velocity(&self) -> f64 {
         if self.to[self.lead] < self.from[self.lead] {
