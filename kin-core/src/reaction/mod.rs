@@ -129,7 +129,9 @@ pub(crate) type MovingBounds = Changing<Changing<Bounds>>;
     reason = "messages would list a public number among those that a user may take"
 )]
 pub trait ReactionFunctions:
-    AnyMechanism
+    Send
+    + Sync
+    + AnyMechanism
     + Pictured
     + NearOver<MovedNumber>
     + OutputsOver<MovedNumber>
@@ -143,6 +145,8 @@ pub trait ReactionFunctions:
 
 impl<F> ReactionFunctions for F where
     F: ?Sized
+        + Send
+        + Sync
         + AnyMechanism
         + Pictured
         + NearOver<MovedNumber>

@@ -362,4 +362,30 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn an_order_is_taken_over() {
+        let one = Series::<2>::constant(1.0);
+        let matrix = |entry: f64| {
+            vec![
+                vec![Series::from_coefficients([entry, 1.0]), one],
+                vec![one, Series::ZERO],
+            ]
+        };
+        let mut system =
+            OrderedSystem::planned(&matrix(2.0), [matrix(2.0), matrix(0.0)].iter()).expect("it is regular");
+        let mut fill = |entries: [[f64; 2]; 2]| {
+            system.clear();
+            let places = [0, 1].into_iter().flat_map(|row| [0, 1].map(|column| (row, column)));
+            let fits = places.fold(true, |fits, (row, column)| {
+                system.add(row, column, Series::constant(entries[column][row])) && fits
+            });
+            fits && system.factor()
+        };
+        // a zero among the entries that change is one that others have
+        assert!(fill([[0.0, 1.0], [1.0, 0.0]]));
+        assert!(!fill([[1.0, 1.0], [1.0, 3.0]]), "an entry that was not planned");
+        assert!(!fill([[1.0, 1.0], [0.0, 0.0]]), "a column of zeros");
+        assert!(!fill([[f64::NAN, f64::NAN], [1.0, 0.0]]), "no numbers");
+    }
 }

@@ -104,20 +104,22 @@ impl<'m> NamedReactions<'m> {
     ///
     /// ```
     /// use kin_core::any::PositionChoice;
-    /// use kin_core::library::SliderCrank;
+    /// use kin_core::library::FourBar;
     /// use kin_core::linkage::AnyLinkage;
     /// use kin_core::prelude::*;
     ///
-    /// let engine = SliderCrank { crank: 0.05, rod: 0.16, offset: 0.0 };
-    /// let linkage = AnyLinkage::of(&engine);
-    /// let loads = linkage.loads().force(Plane::new(-800.0, 0.0), "piston")?;
+    /// let linkage = AnyLinkage::of(&FourBar { r1: 0.9, r2: 0.3, r3: 0.8, r4: 0.6 });
+    /// let loads = linkage.loads().torque(-30.0, "theta4")?;
     /// let reactions = linkage.reactions_as_guessed(&loads)?;
     /// let mut prepared = reactions.prepared();
-    /// for degrees in 0..360 {
-    ///     let crank = Motion::at_constant_speed(f64::from(degrees).to_radians(), 100.0);
+    /// let mut torques = [0.0; 360];
+    /// for (degrees, torque) in (0_u16..).zip(&mut torques) {
+    ///     let crank = Motion::at_constant_speed(f64::from(degrees).to_radians(), 12.0);
     ///     let pose = prepared.at(&[crank], PositionChoice::Assembly(0))?;
-    ///     let torque = pose.effort(0).expect("equilibrium determines it");
+    ///     [*torque, ..] = pose.effort(0).ok_or("no effort")?;
     /// }
+    /// let found = reactions.at(&[Motion::at_constant_speed(1_f64.to_radians(), 12.0)], PositionChoice::Assembly(0))?;
+    /// assert!((torques[1] - found.effort(0).ok_or("no effort")?[0]).abs() < 1e-12);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
