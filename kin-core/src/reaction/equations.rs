@@ -278,7 +278,7 @@ impl<const N: usize> Equations<'_, Series<N>> {
         let mut fits = true;
         for (column, unknown) in unknowns.iter().enumerate() {
             self.entries(*unknown, &mut |row, part| {
-                fits &= system.add(row, column, part.resized())
+                fits &= system.add(row, column, part.resized());
             });
         }
         fits && system.factor()

@@ -98,7 +98,7 @@ impl PoseReactions<'_> {
     }
 }
 
-impl<'m> NamedReactions<'m> {
+impl NamedReactions<'_> {
     /// The same for many poses of an assembly. The first one costs as much as [`at`](Self::at), and others a small part
     /// of that.
     ///

@@ -38,6 +38,9 @@ pub(crate) struct Plan {
     pub(super) system: OrderedSystem<REACH>,
 }
 
+/// A solution with what masses and loads exert.
+type SolutionUnderLoads = (Solution<REACH>, Vec<Acting<MovedNumber>>);
+
 impl Structure {
     /// The equations in a pose.
     pub(super) fn equations<'e, T>(
@@ -194,7 +197,7 @@ impl NamedReactions<'_> {
         structure: &Structure,
         (moved, frames): (&MovedMechanism<MovedNumber>, &[MovedFrame<MovedNumber>]),
         mut solve: impl FnMut(&Equations<'_, MovedNumber>, &[MovedNumber]) -> Result<Option<Solution<REACH>>, ReactionError>,
-    ) -> Result<Option<(Solution<REACH>, Vec<Acting<MovedNumber>>)>, ReactionError> {
+    ) -> Result<Option<SolutionUnderLoads>, ReactionError> {
         let frictions = self.acting(place, outline, (moved, frames), &structure.stand)?;
         let mut loads = Vec::new();
         let demand = structure.demand(self, moved, frames, place.rate);
