@@ -31,9 +31,9 @@ type ForceNumber = Series<ORDERS>;
 /// The reactions of a mechanism, prepared for many poses: [`NamedReactions::prepared`].
 ///
 /// Where loads and drives act, what is unknown, and the order in which the equations are solved, are found in the first
-/// pose. Other poses of the assembly take them over, and ask for no memory: without friction and gears, in a mechanism of
-/// order 4 or more whose joints have names or stand still. Where that order would divide by numbers that are too small,
-/// all is found anew.
+/// pose. Other poses of the assembly take them over, and ask for no memory: without friction and gears, in a mechanism
+/// of order 4 or more whose joints have names or stand still. Where that order would divide by numbers that are too
+/// small, all is found anew.
 #[derive(Clone)]
 pub struct PreparedReactions<'r> {
     reactions: &'r NamedReactions<'r>,

@@ -38,6 +38,9 @@ pub(crate) struct Plan {
     pub(super) system: OrderedSystem<REACH>,
 }
 
+/// What a solver finds: no solution if its plan does not fit.
+type FoundSolution = Result<Option<Solution<REACH>>, ReactionError>;
+
 /// A solution with what masses and loads exert.
 type SolutionUnderLoads = (Solution<REACH>, Vec<Acting<MovedNumber>>);
 
@@ -196,7 +199,7 @@ impl NamedReactions<'_> {
         outline: &Outline<'_>,
         structure: &Structure,
         (moved, frames): (&MovedMechanism<MovedNumber>, &[MovedFrame<MovedNumber>]),
-        mut solve: impl FnMut(&Equations<'_, MovedNumber>, &[MovedNumber]) -> Result<Option<Solution<REACH>>, ReactionError>,
+        mut solve: impl FnMut(&Equations<'_, MovedNumber>, &[MovedNumber]) -> FoundSolution,
     ) -> Result<Option<SolutionUnderLoads>, ReactionError> {
         let frictions = self.acting(place, outline, (moved, frames), &structure.stand)?;
         let mut loads = Vec::new();
