@@ -60,11 +60,19 @@ fn forces() {
     race.enter("forces.solve", cranks.clone(), move |crank| {
         black_box(press).solve(crank, Assembly::Open)
     });
-    race.enter("forces.pose", cranks, |crank| {
+    race.enter("forces.pose", cranks.clone(), |crank| {
         all.at(&[crank], PositionChoice::Assembly(0)).is_ok()
+    });
+    let mut prepared = all.prepared();
+    race.enter_batch("forces.prepared_pose", move || {
+        for crank in black_box(cranks.as_slice()) {
+            let pose = prepared.at(&[*crank], PositionChoice::Assembly(0));
+            black_box(&pose.expect("it closes"));
+        }
     });
     let times = race.run();
     times.ratio("forces.pose", "forces.solve");
+    times.ratio("forces.prepared_pose", "forces.solve");
 
     let turn = linkage
         .sweep(AssemblyChoice::Index(0))

@@ -2,6 +2,7 @@
 
 use alloc::boxed::Box;
 use alloc::vec::Vec;
+use core::cell::RefCell;
 use core::fmt;
 
 use super::answer::Answer;
@@ -18,7 +19,7 @@ use crate::any::Of;
 use crate::load::{EFFORT_ENTRIES, LoadError, NamedLoads};
 use crate::mechanism::{JacobianError, JacobianMeasure, Mechanism, rows_of};
 use crate::number::Number;
-use crate::reaction::{NamedReactions, ReactionError, ReactionQuantity, Reactions};
+use crate::reaction::{NamedReactions, Plan, ReactionError, ReactionQuantity, Reactions};
 use crate::sweep::{Local, SmoothDrive, Sweep, UntypedSweep};
 
 /// A sweep whose quantities can be asked for. A new version may add items.
@@ -296,6 +297,8 @@ pub struct ByReaction<'q> {
     reactions: &'q NamedReactions<'q>,
     quantity: Result<ReactionQuantity, ExtremesError>,
     order: usize,
+    /// A sweep stays in one assembly.
+    plan: RefCell<Option<Plan>>,
 }
 
 impl<S: QuantitySource> AskedQuantity<S> for ByReaction<'_> {
@@ -305,7 +308,8 @@ impl<S: QuantitySource> AskedQuantity<S> for ByReaction<'_> {
 
     fn at(&self, sweep: &S, station: &SweepStation<'_>) -> Result<Local, ExtremesError> {
         let quantity = self.quantity.clone()?;
-        station.reaction(sweep.changed(), self.reactions, quantity, self.order)
+        let plan = &mut self.plan.borrow_mut();
+        station.reaction(sweep.changed(), self.reactions, plan, quantity, self.order)
     }
 
     /// Friction jumps where the motion in a joint turns back.
@@ -471,7 +475,8 @@ pub(crate) fn reactions_in_rows<S: QuantitySource>(
         jumps: None,
         progress: None,
     };
-    swept.rows(|station| station.reactions(sweep.changed(), reactions))
+    let plan = RefCell::default();
+    swept.rows(|station| station.reactions(sweep.changed(), reactions, &mut plan.borrow_mut()))
 }
 
 impl<'c, 'q, S: QuantitySource> QuantityAlong<'c, S, ByReaction<'q>> {
@@ -491,6 +496,7 @@ impl<'c, 'q, S: QuantitySource> QuantityAlong<'c, S, ByReaction<'q>> {
                 reactions,
                 quantity,
                 order,
+                plan: RefCell::default(),
             },
         )
     }

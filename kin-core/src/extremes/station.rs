@@ -13,7 +13,7 @@ use crate::mechanism::{Description, Jacobian, Mechanism};
 use crate::number::series::Series;
 use crate::number::{Changing, Number, NumberRow};
 use crate::quantity::{Dimension, Quantity};
-use crate::reaction::{NamedReactions, ReactionFunctions, ReactionPlace, ReactionQuantity, Reactions};
+use crate::reaction::{NamedReactions, Plan, ReactionFunctions, ReactionPlace, ReactionQuantity, Reactions};
 use crate::solve::{Scalar, unwrap_near};
 use crate::sweep::{Local, READ, TERMS, by_time, composed};
 
@@ -216,9 +216,11 @@ impl SweepStation<'_> {
         for moved in 0..input_count {
             let inputs = (0..input_count).map(|input| {
                 let rate = f64::from(u8::from(input == moved));
-                Number::new(longer(self.input(input, 0)), Series::constant(rate))
+                Number::new(self.input(input, 0).resized(), Series::constant(rate))
             });
-            let still = parameters.iter().map(|value| Number::new(longer(*value), Series::ZERO));
+            let still = parameters
+                .iter()
+                .map(|value| Number::new(value.resized(), Series::ZERO));
             let mut position = self.position_at::<Number>(functions, still, inputs)?;
             let [parameters, inputs, _, unknowns] = position.parts();
             let mut outputs = vec![Number::constant(0.0); self.outputs.len()];
@@ -229,7 +231,7 @@ impl SweepStation<'_> {
             results.extend(outputs);
             columns.push(results);
         }
-        let entry = |row: usize, column: usize| shorter(columns[column][rows[row]].change);
+        let entry = |row: usize, column: usize| columns[column][rows[row]].change.resized();
         Ok(Jacobian::from_fn(rows.len(), input_count, entry))
     }
 
@@ -298,8 +300,9 @@ impl SweepStation<'_> {
         &self,
         functions: &dyn ChangedFunctions,
         reactions: &NamedReactions<'_>,
+        plan: &mut Option<Plan>,
     ) -> Result<Reactions, ExtremesError> {
-        let found = reactions.found(&self.reaction_place(functions));
+        let found = reactions.found(&self.reaction_place(functions), Some(plan));
         found.map_err(|error| ExtremesError::of_reaction(self.variable.real(), error))
     }
 
@@ -308,10 +311,11 @@ impl SweepStation<'_> {
         &self,
         functions: &dyn ChangedFunctions,
         reactions: &NamedReactions<'_>,
+        plan: &mut Option<Plan>,
         quantity: ReactionQuantity,
         order: usize,
     ) -> Result<Local, ExtremesError> {
-        let found = reactions.quantity(&self.reaction_place(functions), quantity);
+        let found = reactions.quantity(&self.reaction_place(functions), plan, quantity);
         let found = found.map_err(|error| ExtremesError::of_reaction(self.variable.real(), error))?;
         Ok(self.by_time(&found.derivatives(), order))
     }
@@ -327,15 +331,15 @@ impl SweepStation<'_> {
             .collect();
         let position = self.position_at::<Series<UP_TO_SNAP>>(
             functions,
-            changed.iter().copied().map(longer),
-            inputs.iter().copied().map(longer),
+            changed.iter().map(Series::resized),
+            inputs.iter().map(Series::resized),
         )?;
         Ok(Margins {
             functions,
             description: self.description,
             parameters: changed.to_vec(),
             inputs,
-            unknowns: position.unknowns().iter().copied().map(shorter).collect(),
+            unknowns: position.unknowns().iter().map(Series::resized).collect(),
         })
     }
 
@@ -402,20 +406,6 @@ impl SweepStation<'_> {
     pub(super) fn by_time(&self, derivatives: &[f64], order: usize) -> Local {
         composed(by_time(derivatives, order, self.rate), self.variable)
     }
-}
-
-/// A series with further terms, which are zero.
-fn longer(series: Local) -> Series<UP_TO_SNAP> {
-    let coefficients = series.coefficients();
-    Series::from_coefficients(core::array::from_fn(|power| {
-        coefficients.get(power).copied().unwrap_or(0.0)
-    }))
-}
-
-/// The first terms of a series.
-fn shorter(series: Series<UP_TO_SNAP>) -> Local {
-    let coefficients = series.coefficients();
-    Local::from_coefficients(core::array::from_fn(|power| coefficients[power]))
 }
 
 /// A value, if it is an angle unwrapped to the closest to another one.

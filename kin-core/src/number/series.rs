@@ -119,6 +119,13 @@ impl<const N: usize> Series<N> {
         Self::from_coefficients(slope)
     }
 
+    /// The series of another number of terms, of which further ones are zero.
+    pub(crate) fn resized<const M: usize>(&self) -> Series<M> {
+        Series::from_coefficients(core::array::from_fn(|power| {
+            self.coefficients.get(power).copied().unwrap_or(0.0)
+        }))
+    }
+
     fn map(self, function: impl FnMut(f64) -> f64) -> Self {
         Self::from_coefficients(self.coefficients.map(function))
     }

@@ -4,7 +4,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 use super::ReactionError;
-use super::connection::{Connection, Member, hub, loaded, member_name};
+use super::connection::{Connection, Member, balls, hub, loaded, member_name};
 use super::frames::{JointAxis, MovedFrame, MovedMechanism, MovingNumber, along_axis, slope_of};
 use crate::geometry::Space;
 use crate::number::series::Series;
@@ -56,6 +56,7 @@ pub(super) struct Wrench<T> {
 
 impl<T: MovingNumber> Wrench<T> {
     /// A force at a place on a body.
+    #[inline]
     pub(super) fn of_force(frame: &MovedFrame<T>, force: Space<T>, at: Space<T>) -> Self {
         let moment = frame.moment(force, at);
         let at = Some(at);
@@ -69,23 +70,28 @@ impl<T: MovingNumber> Wrench<T> {
     }
 }
 
+/// Forces on one or two bodies, by the indices of these.
+pub(super) type Wrenches<T> = [Option<(usize, Wrench<T>)>; 2];
+
 /// A force and the opposite one, on the bodies that move.
+#[inline]
 pub(super) fn both<T: MovingNumber>(
     [on, by]: [Member; 2],
     frames: &[MovedFrame<T>],
     force: Space<T>,
     [at, from]: [Space<T>; 2],
-) -> Vec<(usize, Wrench<T>)> {
+) -> Wrenches<T> {
     let on = on.map(|body| (body, Wrench::of_force(&frames[body], force, at)));
     let by = by.map(|body| (body, Wrench::of_force(&frames[body], -force, from)));
-    on.into_iter().chain(by).collect()
+    [on, by]
 }
 
 /// A couple and the opposite one.
-pub(super) fn both_turned<T: MovingNumber>([on, by]: [Member; 2], moment: Space<T>) -> Vec<(usize, Wrench<T>)> {
+#[inline]
+pub(super) fn both_turned<T: MovingNumber>([on, by]: [Member; 2], moment: Space<T>) -> Wrenches<T> {
     let on = on.map(|body| (body, Wrench::of_moment(moment)));
     let by = by.map(|body| (body, Wrench::of_moment(-moment)));
-    on.into_iter().chain(by).collect()
+    [on, by]
 }
 
 impl Action {
@@ -95,8 +101,8 @@ impl Action {
         moved: &MovedMechanism<T>,
         frames: &[MovedFrame<T>],
         size: T,
-    ) -> Vec<(usize, Wrench<T>)> {
-        let size = T::constant(self.sign) * size;
+    ) -> Wrenches<T> {
+        let size = size.times(self.sign);
         let pair = [self.on, self.by];
         match self.kind {
             ActionKind::Couple(axis) => both_turned(pair, moved.axis(axis).scale(size)),
@@ -175,15 +181,6 @@ impl<const N: usize> Influences<'_, '_, N> {
         self.all.iter().any(|one| one.moved.is_space)
     }
 
-    /// The joints of space that have no axis.
-    pub(super) fn balls(&self) -> Vec<String> {
-        let balls = self
-            .connections
-            .iter()
-            .filter(|own| self.is_space() && own.axis().is_none());
-        balls.map(|own| own.name.clone()).collect()
-    }
-
     /// Whether a body never turns against another one about an axis.
     pub(super) fn keeps_angle(
         &self,
@@ -235,7 +232,7 @@ impl<const N: usize> Influences<'_, '_, N> {
             [only] => Ok(only),
             [] if self.is_space() => Err(ReactionError::NoHinge {
                 what,
-                balls: self.balls(),
+                balls: balls(self.connections),
             }),
             _ => Err(ReactionError::Place {
                 what,

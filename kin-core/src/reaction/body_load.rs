@@ -73,12 +73,15 @@ impl NamedReactions<'_> {
             frames,
         } = solved;
         let mut acting = loads.clone();
-        let mut add = |kind: BodyLoadKind, wrenches: &[(usize, Wrench<_>)]| {
-            acting.extend(wrenches.iter().map(|(body, wrench)| (kind, *body, *wrench)));
+        let mut add = |kind: BodyLoadKind, wrenches: &mut dyn Iterator<Item = (usize, Wrench<_>)>| {
+            acting.extend(wrenches.map(|(body, wrench)| (kind, body, wrench)));
         };
         for (input, (drive, effort)) in drives.iter().zip(&solution.efforts).enumerate() {
             let effort = effort.unwrap_or(Series::ZERO);
-            add(BodyLoadKind::Drive(input), &drive.wrenches(moved, frames, effort));
+            add(
+                BodyLoadKind::Drive(input),
+                &mut drive.wrenches(moved, frames, effort).into_iter().flatten(),
+            );
         }
         // the friction of a slide is a part of its force
         for (index, _) in &self.frictions {
@@ -86,11 +89,13 @@ impl NamedReactions<'_> {
             if slide.is_none() {
                 add(
                     BodyLoadKind::Friction,
-                    &both_turned([on, by], along_axis(2).scale(solution.frictions[*index])),
+                    &mut both_turned([on, by], along_axis(2).scale(solution.frictions[*index]))
+                        .into_iter()
+                        .flatten(),
                 );
             }
         }
-        add(BodyLoadKind::Guide, &solution.turned);
+        add(BodyLoadKind::Guide, &mut solution.turned.iter().copied());
         let bodies = self.functions.outline().bodies;
         let load = |acting: &Acting<_>| BodyLoad::new(acting, &frames[acting.1], bodies[acting.1].name);
         acting.iter().map(load).collect()

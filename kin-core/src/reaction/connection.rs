@@ -36,10 +36,21 @@ impl Connection {
         [self.on, self.by].contains(&Some(body))
     }
 
+    /// Whether it is a pin or a ball, which has no moment.
+    pub(super) fn is_pin(&self) -> bool {
+        self.slide.is_none() && self.hinge.is_none() && self.mesh.is_none()
+    }
+
     /// The axis of a hinge, or the line of a slide.
     pub(super) fn axis(&self) -> Option<JointAxis> {
         self.hinge.or_else(|| self.slide.map(JointAxis::Slide))
     }
+}
+
+/// The joints of space that have no axis.
+pub(super) fn balls(connections: &[Connection]) -> Vec<String> {
+    let balls = connections.iter().filter(|own| own.axis().is_none());
+    balls.map(|own| own.name.clone()).collect()
 }
 
 /// The name of a body.

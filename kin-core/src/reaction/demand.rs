@@ -2,229 +2,79 @@
 
 use alloc::format;
 use alloc::string::String;
-use alloc::vec;
 use alloc::vec::Vec;
 
-use super::action::{Influences, Wrench, both};
-use super::body_load::{Acting, BodyLoadKind};
+use super::ReactionError;
+use super::action::{Action, Influences, Wrench, Wrenches, both, both_turned};
+use super::body_load::BodyLoadKind;
 use super::connection::{Member, loaded, member_name};
-use super::frames::{MovedFrame, MovedMechanism, MovingNumber, product, slope_of, still};
-use super::{REACH, ReactionError};
+use super::frames::{MovedFrame, MovedMechanism, MovingNumber, slope_of, still, times, unit};
 use crate::geometry::Space;
-use crate::load::{LoadError, NamedLoad, NamedLoads, PointIndex, centre_on_line, not_negative};
+use crate::load::{BodyFrame, LoadError, NamedLoad, NamedLoads, PointIndex, centre_on_line, not_negative};
 use crate::mechanism::Description;
 use crate::quantity::Dimension;
 
-/// The sums of the forces that each body lacks, and of their moments about the origin of its frame.
-pub(super) struct Demand<'d, T> {
-    pub(super) loads: &'d NamedLoads,
-    pub(super) description: &'d Description<'d>,
-    pub(super) influences: &'d Influences<'d, 'd, REACH>,
-    pub(super) moved: &'d MovedMechanism<T>,
-    pub(super) frames: &'d [MovedFrame<T>],
-    /// The change of the variable of the numbers for each unit of time.
-    pub(super) rate: f64,
-    pub(super) bodies: Vec<Wrench<T>>,
-    /// All that acts on the bodies, one after the other.
-    pub(super) acting: Vec<Acting<T>>,
-    /// The place of the load that is being added, from 1 on.
-    pub(super) load: usize,
+/// Where a load acts. It is the same in all poses.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum LoadPlace {
+    /// On the body of the load itself.
+    Own,
+    /// At one or two points, which these hold.
+    Points([Member; 2]),
+    /// On an angle or along a distance.
+    Quantity(Action),
 }
 
-/// A point on which a load acts, and the body that holds it.
-#[derive(Clone, Copy)]
-struct Held<T> {
-    at: Space<T>,
-    by: Member,
+impl LoadPlace {
+    /// The places of all loads.
+    pub(super) fn all<const N: usize>(
+        loads: &NamedLoads,
+        description: &Description<'_>,
+        influences: &Influences<'_, '_, N>,
+    ) -> Result<Vec<Self>, ReactionError> {
+        let loads = loads.all().iter().enumerate().map(|(index, load)| {
+            let search = PlaceSearch {
+                loads,
+                load: index + 1,
+                description,
+                influences,
+            };
+            search.place(*load)
+        });
+        loads.collect()
+    }
 }
 
-impl<'d, T: MovingNumber> Demand<'d, T> {
-    /// What all loads ask.
-    pub(super) fn of(
-        loads: &'d NamedLoads,
-        description: &'d Description<'d>,
-        influences: &'d Influences<'d, 'd, REACH>,
-        moved: &'d MovedMechanism<T>,
-        frames: &'d [MovedFrame<T>],
-        rate: f64,
-    ) -> Result<Self, ReactionError> {
-        let mut demand = Self {
-            loads,
-            description,
-            influences,
-            moved,
-            frames,
-            rate,
-            bodies: vec![Wrench::of_moment(Space::zero()); frames.len()],
-            acting: Vec::new(),
-            load: 0,
-        };
-        for (place, load) in loads.all().iter().enumerate() {
-            demand.load = place + 1;
-            demand.add(*load)?;
-        }
-        Ok(demand)
-    }
+/// A search for the place of a load, by its number from 1 on.
+struct PlaceSearch<'s, const N: usize> {
+    loads: &'s NamedLoads,
+    load: usize,
+    description: &'s Description<'s>,
+    influences: &'s Influences<'s, 's, N>,
+}
 
-    /// The derivative by time.
-    fn by_time(&self, series: T) -> T {
-        series.slope() * T::constant(self.rate)
-    }
-
-    fn acceleration(&self, point: Space<T>) -> Space<T> {
-        slope_of(slope_of(point)).scale(T::constant(self.rate * self.rate))
-    }
-
-    fn subtract(&mut self, kind: BodyLoadKind, wrenches: Vec<(usize, Wrench<T>)>) {
-        for (body, wrench) in wrenches {
-            self.acting.push((kind, body, wrench));
-            let sum = &mut self.bodies[body];
-            sum.force = sum.force - wrench.force;
-            sum.moment = sum.moment - wrench.moment;
-        }
-    }
-
-    fn add(&mut self, load: NamedLoad) -> Result<(), ReactionError> {
-        match load {
-            NamedLoad::Body(mass, inertia, centre, body, frame) => {
-                let at = match centre {
-                    PointIndex::Fixed(centre) if self.moved.is_space => {
-                        let centre = centre_on_line(centre, self.load)?;
-                        let [origin, along] = frame.origin_and_axis(&self.moved.places, |end, start| end - start);
-                        origin + along.scale(T::constant(centre) / along.norm())
-                    }
-                    PointIndex::Fixed(centre) => self.frames[body].place(centre),
-                    PointIndex::Moving(_) => self.moved.point(centre),
-                };
-                self.add_mass(mass, Held { at, by: Some(body) })?;
-                not_negative(self.load, "moment of inertia", inertia)?;
-                let [_, along] = frame.origin_and_axis(&self.moved.places, |end, start| end - start);
-                self.add_rod(inertia, along.scale(T::constant(1.0) / along.norm()), body);
+impl<const N: usize> PlaceSearch<'_, N> {
+    fn place(&self, load: NamedLoad) -> Result<LoadPlace, ReactionError> {
+        Ok(match load {
+            NamedLoad::Body(..) | NamedLoad::Solid(..) => LoadPlace::Own,
+            NamedLoad::Mass(_, point) | NamedLoad::Force(_, point) => LoadPlace::Points([self.holder(point)?, None]),
+            NamedLoad::Spring(_, ends) | NamedLoad::Damper(_, ends) => {
+                LoadPlace::Points([self.holder(ends[0])?, self.holder(ends[1])?])
             }
-            NamedLoad::Solid(..) if !self.moved.is_space => {
-                return Err(LoadError::SolidInPlane { load: self.load }.into());
-            }
-            NamedLoad::Solid(solid, body) => {
-                solid.check(self.load)?;
-                let frame = self.frames[body];
-                let at = frame.place(solid.centre);
-                self.add_mass(solid.mass, Held { at, by: Some(body) })?;
-                self.add_tensor(solid.inertia, body);
-            }
-            NamedLoad::Mass(mass, point) => {
-                let held = self.held(point)?;
-                self.add_mass(mass, held)?;
-            }
-            NamedLoad::Inertia(inertia, angle) => {
+            NamedLoad::Inertia(_, angle) => {
                 let what = self.what(&format!("the inertia of `{}`", self.loads.name(angle)));
-                let found = |influences: &Influences<'_, '_, REACH>| influences.against_ground(angle);
-                let action = self.influences.action(what, found, |_| true)?;
-                not_negative(self.load, "moment of inertia", inertia)?;
-                let acceleration = self.by_time(self.by_time(self.moved.quantities[angle]));
-                let lacking = -acceleration * T::constant(inertia);
-                self.subtract(BodyLoadKind::Mass, action.wrenches(self.moved, self.frames, lacking));
+                let found = |influences: &Influences<'_, '_, N>| influences.against_ground(angle);
+                LoadPlace::Quantity(self.influences.action(what, found, |_| true)?)
             }
-            NamedLoad::Force(force, point) => {
-                let held = self.held(point)?;
-                let force = still(self.shown(force));
-                let wrenches = both([held.by, None], self.frames, force, [held.at; 2]);
-                self.subtract(BodyLoadKind::Applied, wrenches);
+            NamedLoad::Torque(_, quantity)
+            | NamedLoad::TorsionSpring(_, quantity)
+            | NamedLoad::TorsionDamper(_, quantity) => {
+                let what = self.what(&format!("the torque or force on `{}`", self.loads.name(quantity)));
+                let dimension = self.dimension(quantity);
+                let found = |influences: &Influences<'_, '_, N>| influences.actions(quantity, dimension);
+                LoadPlace::Quantity(self.influences.action(what, found, |_| true)?)
             }
-            NamedLoad::Torque(torque, quantity) => self.act(quantity, T::constant(torque))?,
-            NamedLoad::TorsionSpring(spring, quantity) => {
-                let twist = self.moved.quantities[quantity] - T::constant(spring.rest);
-                self.act(quantity, -twist * T::constant(spring.stiffness))?;
-            }
-            NamedLoad::TorsionDamper(damper, quantity) => {
-                let speed = self.by_time(self.moved.quantities[quantity]);
-                self.act(quantity, -speed * T::constant(damper.damping))?;
-            }
-            NamedLoad::Spring(spring, ends) => {
-                let ends = self.ends(ends)?;
-                let line = ends[1].at - ends[0].at;
-                let force = if spring.rest == 0.0 {
-                    line.scale(T::constant(spring.stiffness))
-                } else {
-                    let length = self.length(line)?;
-                    let stretch = T::constant(1.0) - T::constant(spring.rest) / length;
-                    line.scale(stretch * T::constant(spring.stiffness))
-                };
-                self.pull(ends, force);
-            }
-            NamedLoad::Damper(damper, ends) => {
-                let ends = self.ends(ends)?;
-                let line = ends[1].at - ends[0].at;
-                let length = self.length(line)?;
-                let force = line.scale(self.by_time(length) / length * T::constant(damper.damping));
-                self.pull(ends, force);
-            }
-        }
-        Ok(())
-    }
-
-    /// A force on the first end towards the second one, and the opposite one there.
-    fn pull(&mut self, [from, to]: [Held<T>; 2], force: Space<T>) {
-        let wrenches = both([from.by, to.by], self.frames, force, [from.at, to.at]);
-        self.subtract(BodyLoadKind::Applied, wrenches);
-    }
-
-    fn length(&self, line: Space<T>) -> Result<T, LoadError> {
-        let square = line.norm_squared();
-        if square.real() > f64::MIN_POSITIVE {
-            Ok(square.sqrt())
-        } else {
-            Err(LoadError::NoDirection { load: self.load })
-        }
-    }
-
-    fn add_mass(&mut self, mass: f64, held: Held<T>) -> Result<(), LoadError> {
-        not_negative(self.load, "mass", mass)?;
-        let gravity = still(self.shown(self.loads.acceleration_of_gravity()));
-        let lacking = (gravity - self.acceleration(held.at)).scale(T::constant(mass));
-        let wrenches = both([held.by, None], self.frames, lacking, [held.at; 2]);
-        self.subtract(BodyLoadKind::Mass, wrenches);
-        Ok(())
-    }
-
-    /// The couple of a moment of inertia about the axes at right angles to a unit vector that is fixed to a body.
-    fn add_rod(&mut self, inertia: f64, axis: Space<T>, body: usize) {
-        // the arms ξ e have the angular momentum ξ² e × e', and its rate is ξ² e × e''
-        let momentum = product(axis, slope_of(axis), self.moved.is_space);
-        let by_time = T::constant(self.rate * self.rate);
-        let lacking = -slope_of(momentum).scale(by_time).scale(T::constant(inertia));
-        self.subtract(BodyLoadKind::Mass, [(body, Wrench::of_moment(lacking))].into());
-    }
-
-    /// The couple of a tensor of inertia along the axes of the frame of a body, about its centre.
-    fn add_tensor(&mut self, inertia: [[f64; 3]; 3], body: usize) {
-        let MovedFrame { axes, turn, .. } = self.frames[body];
-        let rates = axes.map(|axis| axis.dot(turn));
-        let mut momentum = Space::zero();
-        for (row, axis) in axes.into_iter().enumerate() {
-            for (column, rate) in rates.into_iter().enumerate() {
-                let mean = 0.5 * (inertia[row][column] + inertia[column][row]);
-                momentum = momentum + axis.scale(rate * T::constant(mean));
-            }
-        }
-        let by_time = T::constant(-self.rate * self.rate);
-        let lacking = slope_of(momentum).scale(by_time);
-        self.subtract(BodyLoadKind::Mass, [(body, Wrench::of_moment(lacking))].into());
-    }
-
-    /// A vector as the mechanism shows it: one of the plane has no third coordinate.
-    fn shown(&self, vector: Space<f64>) -> Space<f64> {
-        let z = if self.moved.is_space { vector.z } else { 0.0 };
-        Space { z, ..vector }
-    }
-
-    /// A torque on an angle, or a force along a distance.
-    fn act(&mut self, quantity: usize, size: T) -> Result<(), ReactionError> {
-        let what = self.what(&format!("the torque or force on `{}`", self.loads.name(quantity)));
-        let dimension = self.dimension(quantity);
-        let found = |influences: &Influences<'_, '_, REACH>| influences.actions(quantity, dimension);
-        let action = self.influences.action(what, found, |_| true)?;
-        self.subtract(BodyLoadKind::Applied, action.wrenches(self.moved, self.frames, size));
-        Ok(())
+        })
     }
 
     fn dimension(&self, quantity: usize) -> Dimension {
@@ -244,25 +94,217 @@ impl<'d, T: MovingNumber> Demand<'d, T> {
         format!("load {}, {load},", self.load)
     }
 
-    fn ends(&self, [from, to]: [PointIndex; 2]) -> Result<[Held<T>; 2], ReactionError> {
-        Ok([self.held(from)?, self.held(to)?])
-    }
-
-    /// A point, and the body that holds it. What stands still is held by the ground.
-    fn held(&self, point: PointIndex) -> Result<Held<T>, ReactionError> {
-        let at = self.moved.point(point);
+    /// The body that holds a point. What stands still is held by the ground.
+    fn holder(&self, point: PointIndex) -> Result<Member, ReactionError> {
         let Some(name) = self.loads.point_name(point) else {
-            return Ok(Held { at, by: None });
+            return Ok(None);
         };
         let outline = self.influences.outline;
         let joint = outline.points.iter().find(|(own, _)| *own == name);
         let holders = joint.map_or_else(Vec::new, |(_, joint)| loaded(outline, *joint));
         match holders[..] {
-            [by] => Ok(Held { at, by }),
+            [by] => Ok(by),
             _ => Err(ReactionError::Place {
                 what: self.what(&format!("at `{name}`")),
                 places: holders.iter().map(|member| member_name(outline, *member)).collect(),
             }),
         }
+    }
+}
+
+/// What the loads exert on the bodies.
+pub(super) struct Demand<'d, T> {
+    pub(super) loads: &'d NamedLoads,
+    /// The places of the loads.
+    pub(super) places: &'d [LoadPlace],
+    pub(super) moved: &'d MovedMechanism<T>,
+    pub(super) frames: &'d [MovedFrame<T>],
+    /// The change of the variable of the numbers for each unit of time.
+    pub(super) rate: f64,
+}
+
+/// A point on which a load acts, and the body that holds it.
+#[derive(Clone, Copy)]
+struct Held<T> {
+    at: Space<T>,
+    by: Member,
+}
+
+impl<T: MovingNumber> Demand<'_, T> {
+    /// Passes on all that acts on the bodies.
+    pub(super) fn each(&self, found: &mut impl FnMut(BodyLoadKind, usize, &Wrench<T>)) -> Result<(), ReactionError> {
+        for (index, (load, place)) in self.loads.all().iter().zip(self.places).enumerate() {
+            let add = |kind: BodyLoadKind, wrenches: Wrenches<T>| {
+                for (body, wrench) in wrenches.iter().flatten() {
+                    found(kind, *body, wrench);
+                }
+            };
+            self.add(index + 1, *load, *place, add)?;
+        }
+        Ok(())
+    }
+
+    /// The derivative by time.
+    fn by_time(&self, series: T) -> T {
+        series.slope().times(self.rate)
+    }
+
+    fn acceleration(&self, point: Space<T>) -> Space<T> {
+        times(slope_of(slope_of(point)), self.rate * self.rate)
+    }
+
+    /// What a load exerts, by its number from 1 on.
+    fn add(
+        &self,
+        number: usize,
+        load: NamedLoad,
+        place: LoadPlace,
+        mut add: impl FnMut(BodyLoadKind, Wrenches<T>),
+    ) -> Result<(), ReactionError> {
+        let mut act = |kind: BodyLoadKind, size: T| {
+            if let LoadPlace::Quantity(action) = place {
+                add(kind, action.wrenches(self.moved, self.frames, size));
+            }
+        };
+        let held = |point: PointIndex, end: usize| {
+            let at = self.moved.point(point);
+            let by = if let LoadPlace::Points(members) = place {
+                members[end]
+            } else {
+                None
+            };
+            Held { at, by }
+        };
+        match load {
+            NamedLoad::Body(mass, inertia, centre, body, frame) => {
+                let at = match centre {
+                    PointIndex::Fixed(centre) if self.moved.is_space => {
+                        let centre = centre_on_line(centre, number)?;
+                        let [origin, along] = frame.origin_and_axis(&self.moved.places, |end, start| end - start);
+                        origin + along.scale(T::constant(centre) / along.norm())
+                    }
+                    PointIndex::Fixed(centre) => self.frames[body].place(centre),
+                    PointIndex::Moving(_) => self.moved.point(centre),
+                };
+                not_negative(number, "mass", mass)?;
+                add(BodyLoadKind::Mass, self.inertial(mass, Held { at, by: Some(body) }));
+                not_negative(number, "moment of inertia", inertia)?;
+                add(BodyLoadKind::Mass, self.rod(inertia, frame, body));
+            }
+            NamedLoad::Solid(..) if !self.moved.is_space => {
+                return Err(LoadError::SolidInPlane { load: number }.into());
+            }
+            NamedLoad::Solid(solid, body) => {
+                solid.check(number)?;
+                let at = self.frames[body].place(solid.centre);
+                not_negative(number, "mass", solid.mass)?;
+                add(
+                    BodyLoadKind::Mass,
+                    self.inertial(solid.mass, Held { at, by: Some(body) }),
+                );
+                add(BodyLoadKind::Mass, self.tensor(solid.inertia, body));
+            }
+            NamedLoad::Mass(mass, point) => {
+                not_negative(number, "mass", mass)?;
+                add(BodyLoadKind::Mass, self.inertial(mass, held(point, 0)));
+            }
+            NamedLoad::Inertia(inertia, angle) => {
+                not_negative(number, "moment of inertia", inertia)?;
+                let acceleration = self.by_time(self.by_time(self.moved.quantities[angle]));
+                act(BodyLoadKind::Mass, acceleration.times(-inertia));
+            }
+            NamedLoad::Force(force, point) => {
+                let (held, force) = (held(point, 0), still(self.shown(force)));
+                add(
+                    BodyLoadKind::Applied,
+                    both([held.by, None], self.frames, force, [held.at; 2]),
+                );
+            }
+            NamedLoad::Torque(torque, _) => act(BodyLoadKind::Applied, T::constant(torque)),
+            NamedLoad::TorsionSpring(spring, quantity) => {
+                let twist = self.moved.quantities[quantity] - T::constant(spring.rest);
+                act(BodyLoadKind::Applied, twist.times(-spring.stiffness));
+            }
+            NamedLoad::TorsionDamper(damper, quantity) => {
+                let speed = self.by_time(self.moved.quantities[quantity]);
+                act(BodyLoadKind::Applied, speed.times(-damper.damping));
+            }
+            NamedLoad::Spring(spring, [from, to]) => {
+                let ends = [held(from, 0), held(to, 1)];
+                let line = ends[1].at - ends[0].at;
+                let force = if spring.rest == 0.0 {
+                    times(line, spring.stiffness)
+                } else {
+                    let length = length(number, line)?;
+                    let stretch = T::constant(1.0) - T::constant(spring.rest) / length;
+                    line.scale(stretch.times(spring.stiffness))
+                };
+                add(BodyLoadKind::Applied, self.pull(ends, force));
+            }
+            NamedLoad::Damper(damper, [from, to]) => {
+                let ends = [held(from, 0), held(to, 1)];
+                let line = ends[1].at - ends[0].at;
+                let length = length(number, line)?;
+                let force = line.scale((self.by_time(length) / length).times(damper.damping));
+                add(BodyLoadKind::Applied, self.pull(ends, force));
+            }
+        }
+        Ok(())
+    }
+
+    /// A force on the first end towards the second one, and the opposite one there.
+    fn pull(&self, [from, to]: [Held<T>; 2], force: Space<T>) -> Wrenches<T> {
+        both([from.by, to.by], self.frames, force, [from.at, to.at])
+    }
+
+    /// The weight of a mass, and its resistance to acceleration.
+    fn inertial(&self, mass: f64, held: Held<T>) -> Wrenches<T> {
+        let gravity = still(self.shown(self.loads.acceleration_of_gravity()));
+        let lacking = times(gravity - self.acceleration(held.at), mass);
+        both([held.by, None], self.frames, lacking, [held.at; 2])
+    }
+
+    /// The couple of a moment of inertia about the axes at right angles to the axis of the frame of a body.
+    fn rod(&self, inertia: f64, frame: BodyFrame, body: usize) -> Wrenches<T> {
+        // the arms ξ e have the angular momentum ξ² e × e', and its rate is ξ² e × e''
+        let momentum = if self.frames[body].is_plane() {
+            self.frames[body].turn
+        } else {
+            let [_, along] = frame.origin_and_axis(&self.moved.places, |end, start| end - start);
+            let axis = unit(along);
+            axis.cross(slope_of(axis))
+        };
+        let lacking = times(slope_of(momentum), -self.rate * self.rate * inertia);
+        both_turned([Some(body), None], lacking)
+    }
+
+    /// The couple of a tensor of inertia along the axes of the frame of a body, about its centre.
+    fn tensor(&self, inertia: [[f64; 3]; 3], body: usize) -> Wrenches<T> {
+        let MovedFrame { axes, turn, .. } = self.frames[body];
+        let rates = axes.map(|axis| axis.dot(turn));
+        let mut momentum = Space::zero();
+        for (row, axis) in axes.into_iter().enumerate() {
+            for (column, rate) in rates.into_iter().enumerate() {
+                let mean = 0.5 * (inertia[row][column] + inertia[column][row]);
+                momentum = momentum + axis.scale(rate.times(mean));
+            }
+        }
+        both_turned([Some(body), None], times(slope_of(momentum), -self.rate * self.rate))
+    }
+
+    /// A vector as the mechanism shows it: one of the plane has no third coordinate.
+    fn shown(&self, vector: Space<f64>) -> Space<f64> {
+        let z = if self.moved.is_space { vector.z } else { 0.0 };
+        Space { z, ..vector }
+    }
+}
+
+/// The length of the line along which a load acts, by the number of the load.
+fn length<T: MovingNumber>(load: usize, line: Space<T>) -> Result<T, LoadError> {
+    let square = line.norm_squared();
+    if square.real() > f64::MIN_POSITIVE {
+        Ok(square.sqrt())
+    } else {
+        Err(LoadError::NoDirection { load })
     }
 }

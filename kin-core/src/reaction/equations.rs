@@ -5,14 +5,14 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use super::action::{Action, Influence, Influences, Wrench, both, both_turned};
-use super::connection::{Connection, Member, holders};
-use super::frames::{MovedFrame, MovedMechanism, MovingNumber, across, along_axis, between, real};
+use super::action::{Action, Influence, Influences, Wrench, Wrenches, both, both_turned};
+use super::connection::{Connection, Member, balls, holders};
+use super::frames::{MovedFrame, MovedMechanism, MovingNumber, across, between, real};
 use super::friction::ActingFriction;
 use super::ordered::OrderedSystem;
 use super::rank::{Rank, largest, rank};
 use super::rolling::{Flank, Mesh, PitchPoint};
-use super::{REACH, ReactionError, ReactionPart, size};
+use super::{ReactionError, ReactionPart, size};
 use crate::geometry::Space;
 use crate::number::Number;
 use crate::number::series::Series;
@@ -109,6 +109,33 @@ pub(super) struct Solution<const N: usize> {
 }
 
 impl<const N: usize> Solution<N> {
+    /// No forces.
+    pub(super) fn empty(is_space: bool, connections: usize, drives: usize) -> Self {
+        Self {
+            is_space,
+            forces: vec![DeterminedVector::ZERO; connections],
+            moments: vec![DeterminedVector::ZERO; connections],
+            efforts: vec![Some(Series::ZERO); drives],
+            frictions: vec![Series::ZERO; connections],
+            heat: Series::ZERO,
+            begun_heat: 0.0,
+            contraction: 0.0,
+            turned: Vec::new(),
+        }
+    }
+
+    /// The first terms of all forces, moments and efforts.
+    pub(super) fn resized<const M: usize>(&self) -> Solution<M> {
+        let determined = |own: &Determined<N>| own.map(|series| series.resized());
+        let vector = |own: &DeterminedVector<N>| DeterminedVector(own.0.map(|own| determined(&own)));
+        Solution {
+            forces: self.forces.iter().map(vector).collect(),
+            moments: self.moments.iter().map(vector).collect(),
+            efforts: self.efforts.iter().map(determined).collect(),
+            ..Solution::empty(self.is_space, self.forces.len(), 0)
+        }
+    }
+
     /// One part of the force of a connection.
     pub(super) fn part(&self, index: usize, part: ReactionPart) -> Determined<N> {
         let (force, moment) = (self.forces[index], self.moments[index]);
@@ -140,16 +167,51 @@ impl<const N: usize> Solution<N> {
     }
 }
 
-/// The unknowns, and the forces of a unit of each.
-struct System<const N: usize> {
-    unknowns: Vec<Unknown>,
-    columns: Vec<Vec<Series<N>>>,
+/// The places of the equations of each body: those of forces, and then those of moments.
+#[derive(Clone, Debug)]
+pub(super) struct Rows {
+    /// The first equation of each body, and the number of all.
+    starts: Vec<usize>,
+    /// The reciprocal of the largest distance between joints, by which moments are multiplied.
+    scale: f64,
+}
+
+impl Rows {
+    pub(super) fn of<T: MovingNumber>(moved: &MovedMechanism<T>, frames: &[MovedFrame<T>]) -> Self {
+        let mut starts = vec![0];
+        for frame in frames {
+            starts.push(starts[starts.len() - 1] + moved.dimensions() + frame.turns().len());
+        }
+        let joints: Vec<Space<f64>> = moved.places[..moved.joints].iter().copied().map(real).collect();
+        let pairs = joints
+            .iter()
+            .flat_map(|one| joints.iter().map(|other| (*other - *one).norm_squared()));
+        let square = pairs.fold(0.0, f64::max);
+        let scale = if square > 0.0 { 1.0 / Number::sqrt(square) } else { 1.0 };
+        Self { starts, scale }
+    }
+
+    /// Whether the bodies have the same equations in another pose.
+    pub(super) fn fit<T: MovingNumber>(&self, moved: &MovedMechanism<T>, frames: &[MovedFrame<T>]) -> bool {
+        let mut starts = self.starts.windows(2).zip(frames);
+        starts.all(|(starts, frame)| starts[1] - starts[0] == moved.dimensions() + frame.turns().len())
+    }
+
+    /// The number of all equations.
+    pub(super) fn count(&self) -> usize {
+        self.starts[self.starts.len() - 1]
+    }
+
+    #[inline]
+    fn of_body(&self, body: usize) -> Range<usize> {
+        self.starts[body]..self.starts[body + 1]
+    }
 }
 
 pub(super) struct Equations<'e, T> {
     pub(super) outline: &'e Outline<'e>,
     pub(super) connections: &'e [Connection],
-    pub(super) influences: &'e Influences<'e, 'e, REACH>,
+    pub(super) rows: &'e Rows,
     pub(super) moved: &'e MovedMechanism<T>,
     pub(super) frames: &'e [MovedFrame<T>],
     pub(super) drives: &'e [Action],
@@ -162,66 +224,106 @@ pub(super) struct Equations<'e, T> {
 
 impl<const N: usize> Equations<'_, Series<N>> {
     /// The forces with which the bodies move as they do, from what each lacks without them.
-    pub(super) fn solve(&self, demand: &[Wrench<Series<N>>]) -> Result<Solution<N>, ReactionError> {
-        let (System { unknowns, columns }, basis) = self.determined()?;
-        let chosen = basis.iter().map(|column| &columns[*column]);
-        let system = OrderedSystem::new(chosen).map_err(|_| ReactionError::NotFinite)?;
-        let lacking = demand.iter().copied().enumerate().collect();
-        let right = self.flat_column(lacking);
+    pub(super) fn solve(
+        &self,
+        unknowns: &[Unknown],
+        columns: &[Vec<Series<N>>],
+        right: &[Series<N>],
+    ) -> Result<Solution<N>, ReactionError> {
+        let basis = self.basis(unknowns, columns)?;
+        let chosen: Vec<_> = basis.iter().map(|column| columns[*column].clone()).collect();
+        let mut system = OrderedSystem::of(&chosen).ok_or(ReactionError::NotFinite)?;
         let mut values = vec![Series::ZERO; unknowns.len()];
-        for (column, value) in basis.iter().zip(system.solve(&right)) {
-            values[*column] = value;
+        for (column, value) in basis.iter().zip(system.solve(right)) {
+            values[*column] = *value;
         }
         let mut is_open = vec![false; unknowns.len()];
         for free in (0..unknowns.len()).filter(|column| !basis.contains(column)) {
             is_open[free] = true;
             let parts = system.solve(&columns[free]);
-            let open = open(&parts, &basis, &columns, &columns[free]);
+            let open = open(parts, &basis, columns, &columns[free]);
             for (column, takes_part) in basis.iter().zip(open) {
                 is_open[*column] |= takes_part;
             }
         }
+        self.completed(unknowns, values, &is_open, |own| {
+            let mut response = vec![Series::ZERO; unknowns.len()];
+            for (column, value) in basis.iter().zip(system.solve(own)) {
+                response[*column] = *value;
+            }
+            response
+        })
+    }
+
+    /// The same in a planned order; none if it does not fit.
+    pub(super) fn solve_in(
+        &self,
+        system: &mut OrderedSystem<N>,
+        unknowns: &[Unknown],
+        right: &[Series<N>],
+    ) -> Result<Option<Solution<N>>, ReactionError> {
+        if !self.fill(system, unknowns) {
+            return Ok(None);
+        }
+        let values = system.solve(right).to_vec();
+        let is_open = vec![false; unknowns.len()];
+        let found = self.completed(unknowns, values, &is_open, |own| system.solve(own).to_vec());
+        found.map(Some)
+    }
+
+    /// Finds the factors of these equations in a planned order, by the first terms of their entries. False if it does
+    /// not fit.
+    pub(super) fn fill<const M: usize>(&self, system: &mut OrderedSystem<M>, unknowns: &[Unknown]) -> bool {
+        system.clear();
+        let mut fits = true;
+        for (column, unknown) in unknowns.iter().enumerate() {
+            self.entries(*unknown, &mut |row, part| {
+                fits &= system.add(row, column, part.resized());
+            });
+        }
+        fits && system.factor()
+    }
+
+    /// The forces from their values without friction, and what they answer to another right side.
+    pub(super) fn completed(
+        &self,
+        unknowns: &[Unknown],
+        values: Vec<Series<N>>,
+        is_open: &[bool],
+        mut response: impl FnMut(&[Series<N>]) -> Vec<Series<N>>,
+    ) -> Result<Solution<N>, ReactionError> {
         if !values.iter().all(|value| value.is_finite()) {
             return Err(ReactionError::NotFinite);
         }
         if self.frictions.is_empty() {
-            return Ok(self.solution(&unknowns, &values, &is_open));
+            return Ok(self.solution(unknowns, &values, is_open));
         }
-        let response = |acting: &ActingFriction<Series<N>>| {
-            let mut response = vec![Series::ZERO; unknowns.len()];
-            for (column, value) in basis.iter().zip(system.solve(&self.resisting(acting))) {
-                response[*column] = value;
-            }
-            response
-        };
-        let responses: Vec<_> = self.frictions.iter().map(response).collect();
-        self.with_friction(&unknowns, values, &is_open, &responses)
+        let responses = self.frictions.iter().map(|acting| response(&self.resisting(acting)));
+        let responses: Vec<_> = responses.collect();
+        self.with_friction(unknowns, values, is_open, &responses)
     }
 
-    /// The unknowns with their columns, and those of them that hold the bodies.
-    fn determined(&self) -> Result<(System<N>, Vec<usize>), ReactionError> {
-        let System { unknowns, columns } = self.system();
+    /// The unknowns that hold the bodies, by their indices.
+    pub(super) fn basis(&self, unknowns: &[Unknown], columns: &[Vec<Series<N>>]) -> Result<Vec<usize>, ReactionError> {
         let reals: Vec<Vec<f64>> = columns.iter().map(|column| reals(column)).collect();
         let Rank { basis, null, pivot } = rank(&reals);
-        let count = self.rows().last().map_or(0, |rows| rows.end);
-        if unknowns.len() < count {
-            return Err(self.free(&columns));
+        if unknowns.len() < self.rows.count() {
+            return Err(self.free(columns));
         }
-        if basis.len() < count {
-            let grows = self.taking_part(&unknowns, &null);
+        if basis.len() < self.rows.count() {
+            let grows = self.taking_part(unknowns, &null);
             return Err(ReactionError::Singular { pivot, grows });
         }
-        Ok((System { unknowns, columns }, basis))
+        Ok(basis)
     }
 
-    /// The unknowns that hold the bodies.
-    pub(super) fn basis(&self) -> Result<Vec<Unknown>, ReactionError> {
-        let (System { unknowns, .. }, basis) = self.determined()?;
-        Ok(basis.into_iter().map(|column| unknowns[column]).collect())
+    /// The forces of a unit of each unknown.
+    pub(super) fn columns(&self, unknowns: &[Unknown]) -> Vec<Vec<Series<N>>> {
+        unknowns.iter().map(|unknown| self.column(*unknown)).collect()
     }
 
-    /// The unknowns with their columns. Slides have moments where nothing else keeps the slider from turning.
-    fn system(&self) -> System<N> {
+    /// All unknowns. Slides have moments where nothing else keeps the slider from turning.
+    pub(super) fn unknowns<const M: usize>(&self, influences: &Influences<'_, '_, M>) -> Vec<Unknown> {
         let mut unknowns: Vec<Unknown> = Vec::new();
         let dimensions = self.moved.dimensions();
         for (connection, own) in self.connections.iter().enumerate() {
@@ -238,21 +340,24 @@ impl<const N: usize> Equations<'_, Series<N>> {
             }
         }
         unknowns.extend((0..self.drives.len()).map(|input| Unknown::Effort { input }));
-        let mut columns: Vec<Vec<Series<N>>> = unknowns.iter().map(|unknown| self.column(*unknown)).collect();
+        if self.outline.slides.is_empty() {
+            return unknowns;
+        }
+        let mut columns = self.columns(&unknowns);
         for (connection, own) in self.connections.iter().enumerate() {
             let (Some(slide), Some(joint)) = (own.slide, own.joint) else {
                 continue;
             };
             let guide = self.outline.slides[slide].guide;
             for on in holders(self.outline, joint) {
-                for axis in 0..turning(self.moved, self.frames, own, on).len() {
-                    let about = real(turning(self.moved, self.frames, own, on)[axis]);
+                for (axis, about) in turning(self.moved, self.frames, own, on).into_iter().enumerate() {
+                    let about = real(about);
                     let turns = |motion: &Vec<f64>| {
                         let [on, by] = [on, guide].map(|member| self.turn(member, motion));
                         (on - by).dot(about).abs() > NO_PART * largest(motion)
                     };
-                    let alone = |one: &Influence<REACH>| turning(&one.moved, &one.frames, own, on).get(axis).copied();
-                    if self.influences.keeps_angle([on, guide], alone) && self.freedoms(&columns).iter().any(turns) {
+                    let alone = |one: &Influence<M>| turning(&one.moved, &one.frames, own, on).get(axis).copied();
+                    if influences.keeps_angle([on, guide], alone) && self.freedoms(&columns).iter().any(turns) {
                         let unknown = Unknown::Moment { connection, on, axis };
                         columns.push(self.column(unknown));
                         unknowns.push(unknown);
@@ -260,14 +365,14 @@ impl<const N: usize> Equations<'_, Series<N>> {
                 }
             }
         }
-        System { unknowns, columns }
+        unknowns
     }
 
     /// The rate at which a body turns in a motion of all.
     fn turn(&self, member: Member, motion: &[f64]) -> Space<f64> {
         let Some(body) = member else { return Space::zero() };
         let frame = &self.frames[body];
-        let rates = &motion[self.rows()[body].clone()][self.moved.dimensions()..];
+        let rates = &motion[self.rows.of_body(body)][self.moved.dimensions()..];
         let parts = frame.turns().iter().zip(rates);
         parts.fold(Space::zero(), |sum, (axis, rate)| sum + real(*axis).scale(*rate))
     }
@@ -275,15 +380,19 @@ impl<const N: usize> Equations<'_, Series<N>> {
     /// Which bodies can move though the inputs stand.
     fn free(&self, columns: &[Vec<Series<N>>]) -> ReactionError {
         let freedoms = self.freedoms(columns);
-        let moves = |motion: &Vec<f64>, rows: &Range<usize>| largest(&motion[rows.clone()]) > NO_PART * largest(motion);
-        let rows = self.rows();
-        let bodies = rows.iter().zip(self.outline.bodies);
-        let bodies = bodies.filter(|(rows, _)| freedoms.iter().any(|motion| moves(motion, rows)));
+        let moves =
+            |motion: &Vec<f64>, body: usize| largest(&motion[self.rows.of_body(body)]) > NO_PART * largest(motion);
+        let bodies = self.outline.bodies.iter().enumerate();
+        let bodies = bodies.filter(|(body, _)| freedoms.iter().any(|motion| moves(motion, *body)));
         ReactionError::Free {
             freedoms: freedoms.len(),
             bodies: bodies.map(|(_, body)| body.name.to_string()).collect(),
             equations: self.outline.scalar_equations.iter().map(ToString::to_string).collect(),
-            balls: self.influences.balls(),
+            balls: if self.moved.is_space {
+                balls(self.connections)
+            } else {
+                Vec::new()
+            },
         }
     }
 
@@ -305,8 +414,7 @@ impl<const N: usize> Equations<'_, Series<N>> {
 
     /// The motions of the bodies that no column resists: a velocity and a rate of turning for each.
     fn freedoms(&self, columns: &[Vec<Series<N>>]) -> Vec<Vec<f64>> {
-        let count = self.rows().last().map_or(0, |rows| rows.end);
-        let rows: Vec<Vec<f64>> = (0..count)
+        let rows: Vec<Vec<f64>> = (0..self.rows.count())
             .map(|row| columns.iter().map(|column| column[row].real()).collect())
             .collect();
         rank(&rows).null
@@ -325,28 +433,37 @@ impl<const N: usize> Equations<'_, Series<N>> {
     }
 
     pub(super) fn solution(&self, unknowns: &[Unknown], values: &[Series<N>], is_open: &[bool]) -> Solution<N> {
-        let mut solution = Solution {
-            is_space: self.moved.is_space,
-            forces: vec![DeterminedVector::ZERO; self.connections.len()],
-            moments: vec![DeterminedVector::ZERO; self.connections.len()],
-            efforts: vec![Some(Series::ZERO); self.drives.len()],
-            frictions: vec![Series::ZERO; self.connections.len()],
-            heat: Series::ZERO,
-            begun_heat: 0.0,
-            contraction: 0.0,
-            turned: Vec::new(),
-        };
-        for ((unknown, value), is_open) in unknowns.iter().zip(values).zip(is_open) {
-            let known = (!is_open).then_some(*value);
+        let mut solution = Solution::empty(self.moved.is_space, self.connections.len(), self.drives.len());
+        self.write(unknowns, values, |unknown| is_open[unknown], &mut solution);
+        solution
+    }
+
+    /// Writes the forces of these values, by the first terms of all, into a solution of other values or of none.
+    pub(super) fn write<const M: usize>(
+        &self,
+        unknowns: &[Unknown],
+        values: &[Series<M>],
+        is_open: impl Fn(usize) -> bool,
+        solution: &mut Solution<M>,
+    ) {
+        let resized = |Space { x, y, z }: Space<Series<N>>| Space::new(x.resized(), y.resized(), z.resized());
+        // those of pins are written one by one, and others add up
+        for (index, _) in self.connections.iter().enumerate().filter(|(_, own)| !own.is_pin()) {
+            solution.forces[index] = DeterminedVector::ZERO;
+            solution.moments[index] = DeterminedVector::ZERO;
+        }
+        solution.turned.clear();
+        for (index, (unknown, value)) in unknowns.iter().zip(values).enumerate() {
+            let known = (!is_open(index)).then_some(*value);
             match *unknown {
                 Unknown::Pin { connection, axis } => solution.forces[connection].0[axis] = known,
                 Unknown::Normal { connection, axis } => {
                     let normal = self.normal(&self.connections[connection], axis);
-                    solution.forces[connection].add(normal, known);
+                    solution.forces[connection].add(resized(normal), known);
                 }
                 Unknown::Moment { connection, on, axis } => {
                     let own = &self.connections[connection];
-                    let about = turning(self.moved, self.frames, own, on)[axis];
+                    let about = resized(turning(self.moved, self.frames, own, on)[axis]);
                     let by = self.holding(own);
                     // the reaction acts on the guide where the slider is the ground
                     let is_turned = own.on == by && on != by;
@@ -354,33 +471,25 @@ impl<const N: usize> Equations<'_, Series<N>> {
                     solution.moments[connection].add(about.scale(sign), known);
                     if own.slide.is_some() {
                         let moment = about.scale(known.unwrap_or(Series::ZERO));
-                        solution.turned.extend(both_turned([on, by], moment));
+                        solution
+                            .turned
+                            .extend(both_turned([on, by], moment).into_iter().flatten());
                     }
                 }
-                Unknown::Contact { connection } => solution.forces[connection].add(self.bearing(connection), known),
+                Unknown::Contact { connection } => {
+                    solution.forces[connection].add(resized(self.bearing(connection)), known);
+                }
                 Unknown::Effort { input } => solution.efforts[input] = known,
             }
         }
-        solution
     }
 }
 
 impl<T: MovingNumber> Equations<'_, T> {
-    /// The equations of each body, by their numbers: those of forces, and then those of moments.
-    fn rows(&self) -> Vec<Range<usize>> {
-        let mut end = 0;
-        let rows = self.frames.iter().map(|frame| {
-            let start = end;
-            end += self.moved.dimensions() + frame.turns().len();
-            start..end
-        });
-        rows.collect()
-    }
-
-    /// The forces of a unit of an unknown on all bodies.
-    pub(super) fn column(&self, unknown: Unknown) -> Vec<T> {
+    /// Passes on the forces of a unit of an unknown on all bodies, each with the number of its equation.
+    pub(super) fn entries(&self, unknown: Unknown, add: &mut impl FnMut(usize, T)) {
         let wrenches = match unknown {
-            Unknown::Pin { connection, axis } => self.of_force(connection, along_axis(axis)),
+            Unknown::Pin { connection, axis } => return self.entries_of_pin(connection, axis, add),
             Unknown::Normal { connection, axis } => {
                 self.of_force(connection, self.normal(&self.connections[connection], axis))
             }
@@ -391,17 +500,67 @@ impl<T: MovingNumber> Equations<'_, T> {
             }
             Unknown::Effort { input } => self.drives[input].wrenches(self.moved, self.frames, T::constant(1.0)),
         };
-        self.flat_column(wrenches)
+        for (body, wrench) in wrenches.iter().flatten() {
+            self.entries_of(*body, wrench, add);
+        }
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn entries_of_pin(&self, connection: usize, axis: usize, add: &mut impl FnMut(usize, T)) {
+        let own = &self.connections[connection];
+        let Some(joint) = own.joint else { return };
+        for (member, sign) in [(own.on, 1.0), (own.by, -1.0)] {
+            let Some(body) = member else { continue };
+            let start = self.rows.of_body(body).start;
+            add(start + axis, T::constant(sign));
+            let moment = self.frames[body].moment_along(axis, self.moved.places[joint]);
+            self.entries_of_moment(body, moment, sign, add);
+        }
+    }
+
+    /// The same for a force on a body.
+    #[inline]
+    pub(super) fn entries_of(&self, body: usize, wrench: &Wrench<T>, add: &mut impl FnMut(usize, T)) {
+        let start = self.rows.of_body(body).start;
+        let Space { x, y, z } = wrench.force;
+        for (axis, force) in [x, y, z].into_iter().take(self.moved.dimensions()).enumerate() {
+            add(start + axis, force);
+        }
+        self.entries_of_moment(body, wrench.moment, 1.0, add);
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn entries_of_moment(&self, body: usize, moment: Space<T>, sign: f64, add: &mut impl FnMut(usize, T)) {
+        let start = self.rows.of_body(body).start + self.moved.dimensions();
+        for (turn, part) in self.frames[body].parts(moment).enumerate() {
+            add(start + turn, part.times(sign * self.rows.scale));
+        }
+    }
+
+    /// The forces of a unit of an unknown on all bodies.
+    pub(super) fn column(&self, unknown: Unknown) -> Vec<T> {
+        let mut column = vec![T::constant(0.0); self.rows.count()];
+        self.entries(unknown, &mut |row, entry| column[row] = column[row] + entry);
+        column
+    }
+
+    /// What bodies lack on which this acts, as a column.
+    pub(super) fn lacking<'w>(&self, acting: impl Iterator<Item = (usize, &'w Wrench<T>)>) -> Vec<T> {
+        let mut column = vec![T::constant(0.0); self.rows.count()];
+        for (body, wrench) in acting {
+            self.entries_of(body, wrench, &mut |row, part| column[row] = column[row] - part);
+        }
+        column
     }
 
     /// A force in a connection.
-    pub(super) fn of_force(&self, connection: usize, force: Space<T>) -> Vec<(usize, Wrench<T>)> {
+    pub(super) fn of_force(&self, connection: usize, force: Space<T>) -> Wrenches<T> {
         let own = &self.connections[connection];
         let joint = own.joint.map(|joint| self.moved.places[joint]);
         let pitch = self.pitch_point(connection).map(|(_, pitch)| pitch.at);
         match joint.or(pitch) {
             Some(at) => both([own.on, own.by], self.frames, force, [at; 2]),
-            None => Vec::new(),
+            None => both([None; 2], self.frames, force, [Space::zero(); 2]),
         }
     }
 
@@ -423,17 +582,10 @@ impl<T: MovingNumber> Equations<'_, T> {
     }
 
     /// Forces on all bodies as a column.
-    pub(super) fn flat_column(&self, wrenches: Vec<(usize, Wrench<T>)>) -> Vec<T> {
-        let length = T::constant(self.length());
-        let rows = self.rows();
-        let mut column = vec![T::constant(0.0); rows.last().map_or(0, |rows| rows.end)];
-        for (body, Wrench { force, moment, .. }) in wrenches {
-            let forces = [force.x, force.y, force.z].into_iter().take(self.moved.dimensions());
-            let moments = self.frames[body].parts(moment);
-            let moments = moments.into_iter().map(|moment| moment / length);
-            for (entry, part) in column[rows[body].clone()].iter_mut().zip(forces.chain(moments)) {
-                *entry = *entry + part;
-            }
+    pub(super) fn flat_column(&self, wrenches: Wrenches<T>) -> Vec<T> {
+        let mut column = vec![T::constant(0.0); self.rows.count()];
+        for (body, wrench) in wrenches.iter().flatten() {
+            self.entries_of(*body, wrench, &mut |row, part| column[row] = column[row] + part);
         }
         column
     }
@@ -442,22 +594,6 @@ impl<T: MovingNumber> Equations<'_, T> {
     pub(super) fn normal(&self, own: &Connection, axis: usize) -> Space<T> {
         let normal = |slide| across(self.moved.along(slide), self.moved.is_space)[axis];
         own.slide.map_or_else(Space::zero, normal)
-    }
-
-    /// The largest distance between joints, by which moments are divided.
-    fn length(&self) -> f64 {
-        let joints: Vec<Space<f64>> = self.moved.places[..self.moved.joints]
-            .iter()
-            .copied()
-            .map(real)
-            .collect();
-        let others = |one: &Space<f64>| {
-            let distances = joints.iter().map(|other| (*other - *one).norm_squared());
-            distances.fold(0.0, f64::max)
-        };
-        let distances = joints.iter().map(others);
-        let square = distances.fold(0.0, f64::max);
-        if square > 0.0 { Number::sqrt(square) } else { 1.0 }
     }
 }
 

@@ -20,11 +20,31 @@ pub(crate) trait MovingNumber: Number {
     /// The derivative. Its own highest derivative is not known, and is zero.
     #[must_use]
     fn slope(self) -> Self;
+
+    /// The product with a factor that does not move.
+    #[must_use]
+    fn times(self, factor: f64) -> Self {
+        self * Self::constant(factor)
+    }
+
+    /// The unit vector along a vector whose length does not change.
+    #[must_use]
+    fn unit_of_rigid(vector: Space<Self>) -> Space<Self> {
+        unit(vector)
+    }
 }
 
 impl<const N: usize> MovingNumber for Series<N> {
     fn slope(self) -> Self {
         self.differentiate()
+    }
+
+    fn times(self, factor: f64) -> Self {
+        Self::from_coefficients(self.coefficients().map(|term| term * factor))
+    }
+
+    fn unit_of_rigid(vector: Space<Self>) -> Space<Self> {
+        times(vector, 1.0 / real(vector).norm())
     }
 }
 
@@ -40,16 +60,19 @@ pub(crate) struct MovedMechanism<T> {
     pub(crate) is_space: bool,
 }
 
+#[inline]
 pub(super) fn slope_of<T: MovingNumber>(point: Space<T>) -> Space<T> {
     Space::new(point.x.slope(), point.y.slope(), point.z.slope())
 }
 
 /// A vector that does not move.
+#[inline]
 pub(super) fn still<T: MovingNumber>(vector: Space<f64>) -> Space<T> {
     Space::new(T::constant(vector.x), T::constant(vector.y), T::constant(vector.z))
 }
 
 /// The unit vector along an axis of coordinates.
+#[inline]
 pub(super) fn along_axis<T: MovingNumber>(axis: usize) -> Space<T> {
     let part = |own: usize| f64::from(u8::from(own == axis));
     still(Space::new(part(0), part(1), part(2)))
@@ -59,14 +82,21 @@ pub(super) fn unit<T: MovingNumber>(vector: Space<T>) -> Space<T> {
     vector.scale(T::constant(1.0) / vector.norm())
 }
 
+/// The product of a vector with a factor that does not move.
+#[inline]
+pub(super) fn times<T: MovingNumber>(vector: Space<T>, factor: f64) -> Space<T> {
+    Space::new(vector.x.times(factor), vector.y.times(factor), vector.z.times(factor))
+}
+
 /// Where a vector is now.
+#[inline]
 pub(super) fn real<T: MovingNumber>(vector: Space<T>) -> Space<f64> {
     Space::new(vector.x.real(), vector.y.real(), vector.z.real())
 }
 
 /// The sum of the sizes of the coordinates.
-fn size<T: MovingNumber>(vector: Space<T>) -> f64 {
-    vector.x.real().abs() + vector.y.real().abs() + vector.z.real().abs()
+fn size(vector: Space<f64>) -> f64 {
+    vector.x.abs() + vector.y.abs() + vector.z.abs()
 }
 
 /// An axis about which a joint turns, or along which it slides. It moves with the mechanism.
@@ -98,6 +128,7 @@ pub(super) struct MovedFrame<T> {
 
 impl<T: MovingNumber> MovedFrame<T> {
     /// A frame of which the first axis alone is known. It does not turn about it.
+    #[inline]
     fn of_line(origin: Space<T>, axis: Space<T>, is_space: bool) -> Self {
         let [left, normal] = across(axis, is_space);
         Self {
@@ -119,12 +150,13 @@ impl<T: MovingNumber> MovedFrame<T> {
         Self {
             origin,
             axes,
-            turn: turn.scale(T::constant(0.5)),
+            turn: times(turn, 0.5),
             first_turn: 0,
         }
     }
 
     /// The axes about which the body has an equation of moments.
+    #[inline]
     pub(super) fn turns(&self) -> &[Space<T>] {
         &self.axes[self.first_turn..]
     }
@@ -135,46 +167,74 @@ impl<T: MovingNumber> MovedFrame<T> {
     }
 
     /// The place of a point of the frame.
+    #[inline]
     pub(super) fn place(&self, point: Space<f64>) -> Space<T> {
         let parts = self.axes.into_iter().zip([point.x, point.y, point.z]);
         let mut place = self.origin;
         for (axis, part) in parts.filter(|(_, part)| *part != 0.0) {
-            place = place + axis.scale(T::constant(part));
+            place = place + times(axis, part);
         }
         place
     }
 
     /// Whether the body is one of the plane.
-    fn is_plane(&self) -> bool {
+    #[inline]
+    pub(super) fn is_plane(&self) -> bool {
         self.first_turn == 2
     }
 
     /// The moment of a force at a place about the origin.
+    #[inline]
     pub(super) fn moment(&self, force: Space<T>, at: Space<T>) -> Space<T> {
         product(at - self.origin, force, !self.is_plane())
     }
 
-    /// The parts of a moment for which the body has equations.
-    pub(super) fn parts(&self, moment: Space<T>) -> Vec<T> {
-        if self.is_plane() {
-            return [moment.z].into();
+    /// The moment of a unit force along an axis of coordinates at a place about the origin.
+    #[inline]
+    pub(super) fn moment_along(&self, axis: usize, at: Space<T>) -> Space<T> {
+        let Space { x, y, z } = at - self.origin;
+        let nothing = T::constant(0.0);
+        match axis {
+            0 => Space::new(nothing, z, -y),
+            1 => Space::new(-z, nothing, x),
+            _ => Space::new(y, -x, nothing),
         }
-        self.turns().iter().map(|axis| axis.dot(moment)).collect()
+    }
+
+    /// The parts of a moment for which the body has equations.
+    #[inline]
+    pub(super) fn parts(&self, moment: Space<T>) -> impl Iterator<Item = T> {
+        let is_plane = self.is_plane();
+        let part = move |axis: &Space<T>| if is_plane { moment.z } else { axis.dot(moment) };
+        self.turns().iter().map(part)
     }
 
     /// The velocity of what is fixed to the body at a place.
     pub(super) fn velocity(&self, place: Space<T>) -> Space<T> {
-        let arm = place - self.origin;
-        let across = if self.is_plane() {
-            Space::new(-arm.y, arm.x, T::constant(0.0)).scale(self.turn.z)
-        } else {
-            self.turn.cross(arm)
-        };
-        slope_of(self.origin) + across
+        let velocity = slope_of(self.origin);
+        velocity + carried(self.turn, place - self.origin, !self.is_plane())
+    }
+
+    /// Its value.
+    #[inline]
+    fn velocity_now(&self, place: Space<T>) -> Space<f64> {
+        let (turn, arm) = (real(self.turn), real(place) - real(self.origin));
+        real(slope_of(self.origin)) + carried(turn, arm, !self.is_plane())
+    }
+}
+
+/// The velocity of the end of an arm that turns.
+#[inline]
+fn carried<T: Number>(turn: Space<T>, arm: Space<T>, is_space: bool) -> Space<T> {
+    if is_space {
+        turn.cross(arm)
+    } else {
+        Space::new(-arm.y, arm.x, T::constant(0.0)).scale(turn.z)
     }
 }
 
 /// The vector product. That of vectors in the plane has one coordinate.
+#[inline]
 pub(super) fn product<T: MovingNumber>(one: Space<T>, other: Space<T>, is_space: bool) -> Space<T> {
     if is_space {
         return one.cross(other);
@@ -183,6 +243,7 @@ pub(super) fn product<T: MovingNumber>(one: Space<T>, other: Space<T>, is_space:
 }
 
 /// Two unit vectors at right angles to a unit vector; in the plane, the one to its left and the normal.
+#[inline]
 pub(super) fn across<T: MovingNumber>(axis: Space<T>, is_space: bool) -> [Space<T>; 2] {
     if !is_space {
         return [Space::new(-axis.y, axis.x, T::constant(0.0)), along_axis(2)];
@@ -245,6 +306,7 @@ impl<T: MovingNumber> MovedMechanism<T> {
     }
 
     /// The place of a point, or a vector.
+    #[inline]
     pub(super) fn point(&self, point: PointIndex) -> Space<T> {
         match point {
             PointIndex::Fixed(point) => still(point),
@@ -277,10 +339,22 @@ impl<T: MovingNumber> MovedMechanism<T> {
         connections: &[Connection],
     ) -> Result<Vec<MovedFrame<T>>, ReactionError> {
         let mut frames = Vec::with_capacity(outline.bodies.len());
+        self.frames_into(outline, connections, &mut frames)?;
+        Ok(frames)
+    }
+
+    /// The same in memory that is there.
+    pub(super) fn frames_into(
+        &self,
+        outline: &Outline<'_>,
+        connections: &[Connection],
+        frames: &mut Vec<MovedFrame<T>>,
+    ) -> Result<(), ReactionError> {
+        frames.clear();
         for body in 0..outline.bodies.len() {
             frames.push(self.frame(outline, connections, body)?);
         }
-        Ok(frames)
+        Ok(())
     }
 
     fn frame(
@@ -315,22 +389,21 @@ impl<T: MovingNumber> MovedMechanism<T> {
                 });
             }
         }
-        if along.norm_squared().real() <= f64::MIN_POSITIVE {
+        if real(along).norm_squared() <= f64::MIN_POSITIVE {
             return Err(no_frame());
         }
-        let axis = unit(along);
+        let axis = T::unit_of_rigid(along);
         if !self.is_space {
             return Ok(MovedFrame::of_line(origin, axis, false));
         }
-        let joints = body.joints.iter().skip(2).map(|joint| self.places[*joint] - origin);
-        let axes = connections.iter().filter(|connection| connection.holds(index));
-        let axes = axes
-            .filter_map(|connection| connection.hinge)
-            .map(|hinge| self.axis(hinge));
-        let beside: Vec<Space<T>> = joints.chain(axes).collect();
-        let third = third_point(real(axis), beside.iter().copied().map(real));
+        let beside = || {
+            let joints = body.joints.iter().skip(2).map(|joint| self.places[*joint] - origin);
+            let held = connections.iter().filter(|connection| connection.holds(index));
+            joints.chain(held.filter_map(|own| own.hinge).map(|hinge| self.axis(hinge)))
+        };
+        let third = third_point(real(axis), beside().map(real)).and_then(|third| beside().nth(third));
         Ok(match third {
-            Some(third) => MovedFrame::of_plane(origin, axis, beside[third]),
+            Some(third) => MovedFrame::of_plane(origin, axis, third),
             None => MovedFrame::of_line(origin, axis, true),
         })
     }
@@ -343,18 +416,18 @@ impl<T: MovingNumber> MovedMechanism<T> {
         frames: &[MovedFrame<T>],
     ) -> Result<(), ReactionError> {
         let joints = self.places[..self.joints].iter();
-        let largest = joints.map(|joint| size(slope_of(*joint))).fold(0.0, f64::max);
+        let largest = joints.map(|joint| size(real(slope_of(*joint)))).fold(0.0, f64::max);
         for (body, frame) in outline.bodies.iter().zip(frames) {
             for &joint in body.joints {
                 let place = self.places[joint];
-                let rate = size(slope_of(place) - frame.velocity(place));
+                let rate = size(real(slope_of(place)) - frame.velocity_now(place));
                 if rate > RIGID * largest {
                     let body = body.name.to_string();
                     return Err(ReactionError::NotRigid { body, rate });
                 }
             }
         }
-        let turns = frames.iter().map(|frame| size(frame.turn)).fold(0.0, f64::max);
+        let turns = frames.iter().map(|frame| size(real(frame.turn))).fold(0.0, f64::max);
         for connection in connections {
             let Some(JointAxis::Vector(vector)) = connection.hinge else {
                 continue;
@@ -362,7 +435,7 @@ impl<T: MovingNumber> MovedMechanism<T> {
             let axis = self.axis(JointAxis::Vector(vector));
             for member in [connection.on, connection.by] {
                 let turn = member.map_or_else(Space::zero, |body| frames[body].turn);
-                let rate = size(slope_of(axis) - turn.cross(axis));
+                let rate = size(real(slope_of(axis) - turn.cross(axis)));
                 // an axis of no length has no rate
                 if rate.is_nan() || rate > RIGID * turns {
                     return Err(ReactionError::HingeTurns {

@@ -4,13 +4,14 @@ use alloc::string::ToString;
 use alloc::vec::Vec;
 use core::fmt;
 
-use super::action::{AGREEMENT, Influence, Influences, TERMS};
+use super::action::{AGREEMENT, Influence, TERMS};
 use super::connection::{Connection, Member};
 use super::frames::{MovedFrame, MovedMechanism, slope_of};
 use super::{MovedNumber, NamedReactions, REACH, ReactionError, ReactionPlace, ReactionQuantity};
 use crate::law::Side;
 use crate::number::Number;
 use crate::number::series::Series;
+use crate::picture::Outline;
 
 /// Coulomb friction in a joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -258,13 +259,13 @@ impl NamedReactions<'_> {
     pub(super) fn acting(
         &self,
         place: &ReactionPlace<'_>,
+        outline: &Outline<'_>,
         (moved, frames): (&MovedMechanism<MovedNumber>, &[MovedFrame<MovedNumber>]),
-        influences: &Influences<'_, '_, REACH>,
+        stand: &[bool],
     ) -> Result<Vec<ActingFriction<MovedNumber>>, ReactionError> {
         if self.frictions.is_empty() {
             return Ok(Vec::new());
         }
-        let outline = influences.outline;
         let beginning = self.beginning(place)?;
         let begun = beginning.as_ref().map(|beginning| {
             let moved = place.moved(place.parameters, &beginning.inputs)?;
@@ -276,12 +277,12 @@ impl NamedReactions<'_> {
             .as_ref()
             .map_or((moved, frames), |(moved, frames)| (moved, frames));
         let (by_time, side) = beginning.map_or((place.rate, place.side), |one| (one.by_time, one.side));
-        let all = self.frictions.iter().map(|(index, friction)| {
+        let all = self.frictions.iter().zip(stand).map(|((index, friction), stands)| {
             let own = &self.connections[*index];
             let rate = relative_rate(own, begun, begun_frames);
             let sense = sense(rate, sizes(own, begun, begun_frames), by_time, side);
             // what never moves has no sense, whatever rounding makes of it
-            let sense = sense.filter(|_| !influences.all.iter().all(|one| stands(own, one)));
+            let sense = sense.filter(|_| !stands);
             let sense = sense.ok_or_else(|| ReactionError::NoSense {
                 reaction: own.name.clone(),
             })?;
@@ -343,7 +344,7 @@ fn sizes<const N: usize>(
 }
 
 /// Whether the bodies of a connection do not move against each other while an input moves alone.
-fn stands<const N: usize>(own: &Connection, one: &Influence<N>) -> bool {
+pub(super) fn stands<const N: usize>(own: &Connection, one: &Influence<N>) -> bool {
     let rate = relative_rate(own, &one.moved, &one.frames).coefficients();
     let sizes = sizes(own, &one.moved, &one.frames);
     let largest = sizes.into_iter().take(TERMS).fold(0.0, f64::max);

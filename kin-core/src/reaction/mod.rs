@@ -65,10 +65,12 @@ mod error;
 mod frames;
 mod friction;
 mod ordered;
+mod prepared;
 mod proof;
 mod rank;
 mod remembered;
 mod rolling;
+mod structure;
 #[cfg(test)]
 mod tests;
 
@@ -76,6 +78,7 @@ pub use body_load::{BodyLoad, BodyLoadKind};
 pub use efficiency::Efficiency;
 pub use error::ReactionError;
 pub use friction::{Friction, FrictionMistake};
+pub use prepared::{PoseReactions, PreparedReactions};
 pub use proof::{
     ForcePlace, ForceProof, ForceVerdict, PeakBounds, ProofError, ProvenForce, UndecidedForce, UndecidedReason,
 };
@@ -86,7 +89,9 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
 
-use crate::any::{AnyMechanism, ClosureOver, NearOver, OutputsOver, Pictured, PositionChoice, SkeletonOver};
+use crate::any::{
+    AnyMechanism, ClosureOver, MotionOver, NearOver, OutputsOver, Pictured, PositionChoice, SkeletonOver,
+};
 use crate::bounds::Bounds;
 use crate::failure::SolveError;
 use crate::geometry::Space;
@@ -100,11 +105,11 @@ use crate::picture::Outline;
 use action::{Action, Influence, Influences};
 use body_load::Acting;
 use connection::{Connection, Member, connections, member_name};
-use demand::Demand;
-use equations::{Equations, Solution};
+use equations::Solution;
 use frames::{JointAxis, MovedFrame, MovedMechanism, MovingNumber};
 use remembered::Remembered;
 use rolling::Flank;
+pub(crate) use structure::Plan;
 
 /// The orders of a motion up to snap, and the terms of a series of each.
 const REACH: usize = 4 + TERMS;
@@ -124,11 +129,14 @@ pub(crate) type MovingBounds = Changing<Changing<Bounds>>;
     reason = "messages would list a public number among those that a user may take"
 )]
 pub trait ReactionFunctions:
-    AnyMechanism
+    Send
+    + Sync
+    + AnyMechanism
     + Pictured
     + NearOver<MovedNumber>
     + OutputsOver<MovedNumber>
     + SkeletonOver<MovedNumber>
+    + MotionOver<f64>
     + ClosureOver<MovingBounds>
     + OutputsOver<MovingBounds>
     + SkeletonOver<MovingBounds>
@@ -137,11 +145,14 @@ pub trait ReactionFunctions:
 
 impl<F> ReactionFunctions for F where
     F: ?Sized
+        + Send
+        + Sync
         + AnyMechanism
         + Pictured
         + NearOver<MovedNumber>
         + OutputsOver<MovedNumber>
         + SkeletonOver<MovedNumber>
+        + MotionOver<f64>
         + ClosureOver<MovingBounds>
         + OutputsOver<MovingBounds>
         + SkeletonOver<MovingBounds>
@@ -387,28 +398,40 @@ impl<'m> NamedReactions<'m> {
     /// [`ReactionError`] where the mechanism has no pose, where loads or drives have no certain place, and where the
     /// joints do not hold the bodies.
     pub fn at(&self, inputs: &[Motion], choice: PositionChoice<'_, f64>) -> Result<Reactions, ReactionError> {
+        let unknowns = self.unknowns_at(inputs, choice)?;
+        self.found(&self.place(inputs, &unknowns), None)
+    }
+
+    fn unknowns_at(&self, inputs: &[Motion], choice: PositionChoice<'_, f64>) -> Result<Vec<f64>, SolveError> {
         let values: Vec<f64> = inputs.iter().map(Motion::value).collect();
-        let description = self.functions.description();
-        let mut unknowns = vec![0.0; description.unknowns.len()];
+        let mut unknowns = vec![0.0; self.functions.description().unknowns.len()];
         self.functions
             .position(&self.parameters, &values, choice, &mut unknowns)?;
+        Ok(unknowns)
+    }
+
+    fn place<'p>(&'p self, inputs: &[Motion], unknowns: &'p [f64]) -> ReactionPlace<'p> {
         let series = |motion: &Motion| {
             Series::from_derivatives(core::array::from_fn(|order| motion.derivative(order).unwrap_or(0.0)))
         };
-        self.found(&ReactionPlace {
+        ReactionPlace {
             functions: self.functions,
             parameters: &self.parameters,
             inputs: inputs.iter().map(series).collect(),
-            unknowns: &unknowns,
+            unknowns,
             outputs: &[],
             rate: 1.0,
             side: Side::Right,
-        })
+        }
     }
 
-    /// The reactions at a place, by time.
-    pub(crate) fn found(&self, place: &ReactionPlace<'_>) -> Result<Reactions, ReactionError> {
-        let solved = self.solved(place)?;
+    /// The reactions at a place, by time, by a plan if one is kept.
+    pub(crate) fn found(
+        &self,
+        place: &ReactionPlace<'_>,
+        plan: Option<&mut Option<Plan>>,
+    ) -> Result<Reactions, ReactionError> {
+        let solved = self.solved_by(place, plan)?;
         let input = self.input_of(place, &solved.solution);
         let body_loads = self.body_loads(&solved);
         let pitch_points = self.pitch_points(place, &solved.moved)?;
@@ -450,96 +473,46 @@ impl<'m> NamedReactions<'m> {
     pub(crate) fn quantity(
         &self,
         place: &ReactionPlace<'_>,
+        plan: &mut Option<Plan>,
         quantity: ReactionQuantity,
     ) -> Result<MovedNumber, ReactionError> {
         let by_time = Series::constant(place.rate);
         match quantity {
-            ReactionQuantity::Part(index, part) => self.read(place, |solution| {
+            ReactionQuantity::Part(index, part) => self.read(place, plan, |solution| {
                 let found = solution.part(index, part);
                 found.ok_or_else(|| self.undetermined(solution, self.connections[index].name.clone()))
             })?,
-            ReactionQuantity::Effort(input) => self.read(place, |solution| {
+            ReactionQuantity::Effort(input) => self.read(place, plan, |solution| {
                 let drive = || drive_of(self.functions.description().inputs[input].name);
                 solution.efforts[input].ok_or_else(|| self.undetermined(solution, drive()))
             })?,
             ReactionQuantity::Power(input) => {
-                let effort = self.quantity(place, ReactionQuantity::Effort(input))?;
+                let effort = self.quantity(place, plan, ReactionQuantity::Effort(input))?;
                 Ok(effort * place.inputs[input].slope() * by_time)
             }
             ReactionQuantity::Input => {
-                let power = |input: usize| self.quantity(place, ReactionQuantity::Power(input));
+                let mut power = |input: usize| self.quantity(place, plan, ReactionQuantity::Power(input));
                 (0..place.inputs.len()).try_fold(Series::ZERO, |sum, input| Ok(sum + power(input)?))
             }
-            ReactionQuantity::Heat => self.read(place, |solution| solution.heat * by_time),
+            ReactionQuantity::Heat => self.read(place, plan, |solution| solution.heat * by_time),
             ReactionQuantity::JointSpeed(index) => self.joint_speed(place, index),
         }
     }
 
     /// Reads the solution at a place, for which other questions ask too.
-    fn read<R>(&self, place: &ReactionPlace<'_>, read: impl FnOnce(&Solution<REACH>) -> R) -> Result<R, ReactionError> {
-        let find = || Ok(self.solved(place)?.solution);
+    fn read<R>(
+        &self,
+        place: &ReactionPlace<'_>,
+        plan: &mut Option<Plan>,
+        read: impl Fn(&Solution<REACH>) -> R,
+    ) -> Result<R, ReactionError> {
+        let find = || Ok(self.solved_by(place, Some(plan))?.solution);
         self.solutions.read(place.key(), find, read)
     }
 
     fn undetermined(&self, solution: &Solution<REACH>, reaction: String) -> ReactionError {
         let names: Vec<String> = self.names().map(ToString::to_string).collect();
         undetermined(solution, &names, reaction)
-    }
-
-    /// The solution in series of the variable.
-    fn solved(&self, place: &ReactionPlace<'_>) -> Result<Solved, ReactionError> {
-        let description = place.functions.description();
-        let outline = place.functions.outline();
-        let moved = place.moved(place.parameters, &place.inputs)?;
-        let connections = &self.connections;
-        let frames = moved.frames(&outline, connections)?;
-        let all = place.influences(place.parameters, &outline, connections, Some((&moved, &frames)))?;
-        let otherwise = || place.otherwise(&outline, connections).unwrap_or_default();
-        let influences = Influences {
-            outline: &outline,
-            connections,
-            all: &all,
-            otherwise: &otherwise,
-        };
-        let demand = Demand::of(&self.loads, description, &influences, &moved, &frames, place.rate)?;
-        let drives = self.drives(&influences)?;
-        let frictions = self.acting(place, (&moved, &frames), &influences)?;
-        let flanks = self.flanks(&all)?;
-        let mut equations = Equations {
-            outline: &outline,
-            connections,
-            influences: &influences,
-            moved: &moved,
-            frames: &frames,
-            drives: &drives,
-            frictions: &frictions,
-            flanks: &flanks,
-            parity: if place.side == Side::Left { -1.0 } else { 1.0 },
-        };
-        let mut solution = equations.solve(&demand.bodies)?;
-        let bears = equations.bears(&solution);
-        if bears != flanks {
-            equations.flanks = &bears;
-            solution = equations.solve(&demand.bodies)?;
-            let wrong = equations
-                .bears(&solution)
-                .into_iter()
-                .zip(&bears)
-                .position(|(found, own)| found != *own);
-            if let Some(connection) = wrong {
-                return Err(ReactionError::Rolling {
-                    reaction: connections[connection].name.clone(),
-                    mistake: RollingMistake::NoFlank,
-                });
-            }
-        }
-        Ok(Solved {
-            solution,
-            loads: demand.acting,
-            drives,
-            moved,
-            frames,
-        })
     }
 }
 
@@ -647,6 +620,17 @@ impl ReactionPlace<'_> {
         ))
     }
 
+    /// The mechanism with the frames of its bodies.
+    fn moving(
+        &self,
+        outline: &Outline<'_>,
+        connections: &[Connection],
+    ) -> Result<(MovedMechanism<MovedNumber>, Vec<MovedFrame<MovedNumber>>), ReactionError> {
+        let moved = self.moved(self.parameters, &self.inputs)?;
+        let frames = moved.frames(outline, connections)?;
+        Ok((moved, frames))
+    }
+
     /// The mechanism while each input moves alone at unit speed, of which one may be its own motion.
     fn influences(
         &self,
@@ -751,7 +735,7 @@ fn by_time(series: MovedNumber, rate: f64) -> MovedNumber {
     }))
 }
 
-fn orders(series: MovedNumber) -> [f64; ORDERS] {
+fn orders<const N: usize>(series: Series<N>) -> [f64; ORDERS] {
     let derivatives = series.derivatives();
     core::array::from_fn(|order| derivatives[order])
 }

@@ -7,10 +7,12 @@ use core::any::type_name;
 use core::hint::black_box;
 
 use allocation_counter::measure;
+use kin_core::any::PositionChoice;
 use kin_core::batch::{Batch, Column, Fold, FoldedNumber, InputGrid, Outcome, Slot, Vectors};
 use kin_core::library::{
     self, ClassThreeTriad, ClassThreeTriadBatch, FourBar, FourBarBatch, StephensonII, WattIByDyad,
 };
+use kin_core::linkage::AnyLinkage;
 use kin_core::prelude::*;
 use kin_core::track;
 use kin_tests::mechanisms::cases::{self, Case, ThroughSnap, Visitor};
@@ -35,6 +37,44 @@ fn allocations_are_counted() {
     assert_eq!(boxed.count_total, 1);
     let grown = measure(|| drop(black_box(vec![1.0; black_box(100)])));
     assert_eq!((grown.count_total, grown.bytes_total), (1, 800));
+}
+
+mechanism! {
+    /// Four-bar linkage whose joints have names.
+    struct Press { r1: Length, r2: Length, r3: Length, r4: Length }
+    input theta2: Angle;
+    unknown theta3: Angle, theta4: Angle;
+    r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+    output pin: Point = r2 * cis(theta2);
+    output knee: Point = r1 + r4 * cis(theta4);
+    ground 0, vec2(r1, 0);
+    body crank: 0, pin;
+    body coupler: pin, knee;
+    body rocker: vec2(r1, 0), knee;
+}
+
+/// The first pose makes the plan, and the others take it over.
+#[test]
+fn prepared_reactions_do_not_allocate() {
+    let linkage = AnyLinkage::of(&Press {
+        r1: 0.9,
+        r2: 0.3,
+        r3: 0.8,
+        r4: 0.6,
+    });
+    let loads = linkage.loads().gravity(Plane::new(0.0, -9.81));
+    let loads = loads.torque(-30.0, "theta4");
+    let loads = loads.and_then(|loads| loads.mass_of("coupler", 1.5, Plane::new(0.4, 0.1), 0.02));
+    let loads = loads.expect("all names are there");
+    let reactions = linkage.reactions(&loads).expect("its bodies are declared");
+    let mut prepared = reactions.prepared();
+    let mut pose = |step: u8| {
+        let crank = Motion::at_constant_speed(0.2 * f64::from(step), 12.0);
+        let found = prepared.at(&[crank], PositionChoice::Assembly(0));
+        black_box(found.expect("it is determined").effort(0));
+    };
+    pose(0);
+    without_allocation::<Press, _>("a prepared pose", || (1..32).for_each(pose));
 }
 
 /// The numbers of poses that were solved and refused.

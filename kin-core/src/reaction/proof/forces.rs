@@ -2,11 +2,9 @@
 
 use alloc::vec::Vec;
 
-use super::super::action::{Action, Influence, Influences};
-use super::super::demand::Demand;
 use super::super::equations::{Equations, Unknown};
-use super::super::rolling::Flank;
-use super::super::{MovedNumber, REACH, ReactionError, ReactionPart, ReactionPlace, Solved, undetermined};
+use super::super::structure::Structure;
+use super::super::{MovedNumber, ReactionError, ReactionPart, ReactionPlace, undetermined};
 use super::pose::{Closure, Enclosed, Given, moving, position, still};
 use super::{ForceProof, ProofError};
 use crate::any::PositionChoice;
@@ -69,10 +67,7 @@ pub(super) struct Sample<'p> {
     proof: &'p ForceProof<'p>,
     outline: Outline<'p>,
     wanted: Wanted,
-    all: Vec<Influence<REACH>>,
-    otherwise: Vec<Influence<REACH>>,
-    drives: Vec<Action>,
-    flanks: Vec<Flank>,
+    structure: Structure,
     basis: Vec<Unknown>,
 }
 
@@ -229,35 +224,11 @@ impl<'p> Sample<'p> {
             side: Side::Right,
         };
         let connections = &reactions.connections;
-        let all = pose.influences(&parameters, &outline, connections, None)?;
-        let otherwise = pose.otherwise(&outline, connections).unwrap_or_default();
-        let flanks = reactions.flanks(&all)?;
-        let Solved {
-            solution,
-            drives,
-            moved,
-            frames,
-            ..
-        } = reactions.solved(&pose)?;
-        let repeated = || otherwise.clone();
-        let influences = Influences {
-            outline: &outline,
-            connections,
-            all: &all,
-            otherwise: &repeated,
-        };
-        let equations = Equations {
-            outline: &outline,
-            connections,
-            influences: &influences,
-            moved: &moved,
-            frames: &frames,
-            drives: &drives,
-            frictions: &[],
-            flanks: &flanks,
-            parity: 1.0,
-        };
-        let basis = equations.basis()?;
+        let (moved, frames) = pose.moving(&outline, connections)?;
+        let (structure, _) = reactions.structure(&pose, &outline, &moved, &frames)?;
+        let equations = structure.equations(reactions, &outline, &moved, &frames);
+        let basis = equations.basis(&structure.unknowns, &equations.columns(&structure.unknowns))?;
+        let solution = reactions.solved_by(&pose, None)?.solution;
         let is_determined = match wanted {
             Wanted::Part(index, part) => solution.part(index, part).is_some(),
             Wanted::Effort(input) => solution.efforts[input].is_some(),
@@ -274,11 +245,8 @@ impl<'p> Sample<'p> {
             proof,
             outline,
             wanted,
-            all,
-            otherwise,
-            drives,
-            flanks,
-            basis,
+            basis: basis.into_iter().map(|column| structure.unknowns[column]).collect(),
+            structure,
         })
     }
 
@@ -287,26 +255,10 @@ impl<'p> Sample<'p> {
         let reactions = self.proof.reactions;
         let moved = enclosed.moved(&Closure::new(reactions.functions, given))?;
         let frames = moved.frames(&self.outline, &reactions.connections).ok()?;
-        let repeated = || self.otherwise.clone();
-        let influences = Influences {
-            outline: &self.outline,
-            connections: &reactions.connections,
-            all: &self.all,
-            otherwise: &repeated,
-        };
-        let description = reactions.functions.description();
-        let demand = Demand::of(&reactions.loads, description, &influences, &moved, &frames, 1.0).ok()?;
-        let equations = Equations {
-            outline: &self.outline,
-            connections: &reactions.connections,
-            influences: &influences,
-            moved: &moved,
-            frames: &frames,
-            drives: &self.drives,
-            frictions: &[],
-            flanks: &self.flanks,
-            parity: 1.0,
-        };
+        let mut demand = Vec::new();
+        let loads = self.structure.demand(reactions, &moved, &frames, 1.0);
+        loads.each(&mut |_, body, wrench| demand.push((body, *wrench))).ok()?;
+        let equations = self.structure.equations(reactions, &self.outline, &moved, &frames);
         let column = |unknown: &Unknown| -> Vec<Bounds> {
             let column = equations.column(*unknown);
             column.iter().map(|entry| entry.value.value).collect()
@@ -315,7 +267,7 @@ impl<'p> Sample<'p> {
         let count = columns.len();
         let real = (0..count).flat_map(|row| columns.iter().map(move |column| column[row].real()));
         let inverse = inverse(&real.collect::<Vec<_>>(), count)?;
-        let right = equations.flat_column(demand.bodies.iter().copied().enumerate().collect());
+        let right = equations.lacking(demand.iter().map(|(body, wrench)| (*body, wrench)));
         let right: Vec<Bounds> = right.iter().map(|entry| entry.value.value).collect();
         let values = RegularMatrix::new(&inverse, columns.iter())?.solve(&right);
         let parts = self.wanted_parts(&equations, &values);

@@ -3,7 +3,7 @@
 use std::string::ToString;
 use std::vec::Vec;
 
-use super::{FOUR_BAR, FourBar, heavy, pin, rubbed, slide};
+use super::{FOUR_BAR, FourBar, heavy, pin, prepared, rubbed, slide};
 use crate::any::{AssemblyChoice, Of, SkeletonOver};
 use crate::assembly::Assembly;
 use crate::geometry::Plane;
@@ -70,6 +70,8 @@ fn compare<M: Mechanism<Scalar = f64>>(mechanism: &M, range: [f64; 2]) {
             reactions.at(&[motion], assembly.position()).expect("it is determined")
         })
         .collect();
+    let motions: Vec<_> = (0..7).map(|row| law.at(sweep.at(row))).collect();
+    prepared::compare(&reactions, &motions);
     let solved = sweep.reactions(&reactions).expect("it moves");
     let name = reactions.names().next().expect("a joint").to_string();
     let force_along = |reactions: &NamedReactions<'_>| {
@@ -79,6 +81,7 @@ fn compare<M: Mechanism<Scalar = f64>>(mechanism: &M, range: [f64; 2]) {
     let bare = force_along(&reactions);
     // what is remembered without friction does not answer for it
     let rubbed = rubbed_everywhere(reactions.clone());
+    prepared::compare(&rubbed, &motions);
     let with_friction = sweep.reactions(&rubbed).expect("it moves");
     for (((along, bare), found), at) in force_along(&rubbed).iter().zip(bare).zip(&with_friction).zip(0..) {
         let found = found.as_ref().expect("it is determined");

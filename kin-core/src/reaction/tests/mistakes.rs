@@ -14,7 +14,7 @@ use crate::reaction::{NamedReactions, ReactionError, ReactionPart, Reactions};
 
 crate::mechanism! {
     /// A coupler on three cranks of one length: problem A02 of the library of benchmarks of `IFToMM`.
-    struct NFourBar { length: Length }
+    pub(super) struct NFourBar { pub(super) length: Length }
     input theta: Angle;
     unknown tip_x: Length, tip_y: Length;
     tip_x == length * cos(theta);

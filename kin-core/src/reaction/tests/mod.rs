@@ -3,6 +3,7 @@
 mod agreement;
 mod friction;
 mod mistakes;
+mod prepared;
 mod proof;
 mod published;
 mod rolling;

@@ -1,10 +1,10 @@
 //! Gears, racks and wheels: closed forms, virtual work, and what does not roll.
 
 use super::mistakes::{message, still};
-use super::{heavy, pin};
+use super::{heavy, pin, prepared};
 use crate::any::{AssemblyChoice, Of};
 use crate::geometry::{Plane, Space};
-use crate::law::{Piecewise, Rise, Shape};
+use crate::law::{Law as _, Piecewise, Rise, Shape};
 use crate::library;
 use crate::linkage::AnyLinkage;
 use crate::load::{NamedLoads, PointPlace};
@@ -115,6 +115,8 @@ fn compare<M: Mechanism<Scalar = f64>>(
     let loads = loads(&linkage);
     let reactions = gears(linkage.reactions(&loads).expect("its bodies are declared"));
     let sweep = linkage.sweep(assembly.clone()).under_laws(&laws, 0.05..=0.65, 5);
+    let motions = [0, 1, 2, 3, 4].map(|row| law.at(sweep.at(row)));
+    prepared::compare(&reactions, &motions);
     for order in 0..3 {
         let column = sweep.of_effort(&loads, 0, order).column().expect("it closes");
         let by_joints = sweep.of_effort_with_friction(&reactions, 0, order).column();

@@ -4,6 +4,7 @@ use std::string::ToString;
 use std::vec::Vec;
 
 use super::mistakes::{message, still};
+use super::prepared;
 use crate::any::{AssemblyChoice, Of, PositionChoice, SkeletonOver};
 use crate::assembly::Assembly;
 use crate::geometry::{Plane, Space};
@@ -224,6 +225,8 @@ fn compare<M: Mechanism<Scalar = f64>>(
             reactions.at(&[motion], assembly.position()).expect("it is determined")
         })
         .collect();
+    let motions: Vec<_> = (0..5).map(|row| law.at(sweep.at(row))).collect();
+    prepared::compare(&reactions, &motions);
     for order in 0..3 {
         let column = sweep.of_effort(&loads, 0, order).column().expect("it closes");
         let by_joints = sweep.of_effort_with_friction(&reactions, 0, order).column();
