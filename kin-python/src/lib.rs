@@ -1,0 +1,29 @@
+//! The extension module below the Python package `kin`, whose documentation is that of its classes.
+
+mod arguments;
+mod arrays;
+mod batch;
+mod choice;
+mod fault;
+mod library;
+mod linkage;
+mod mechanism;
+mod motion;
+mod pose;
+
+/// The classes and functions that the package hands on.
+#[pyo3::pymodule]
+mod _kin {
+    #[pymodule_export]
+    use crate::batch::Batch;
+    #[pymodule_export]
+    use crate::library::library_designs;
+    #[pymodule_export]
+    use crate::linkage::{Linkage, restored_linkage};
+    #[pymodule_export]
+    use crate::mechanism::Mechanism;
+    #[pymodule_export]
+    use crate::motion::Motion;
+    #[pymodule_export]
+    use crate::pose::{Pose, restored_pose};
+}

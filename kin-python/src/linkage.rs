@@ -1,0 +1,257 @@
+//! A mechanism with its dimensions.
+
+use std::sync::Arc;
+
+use kin_core::any::{AssemblyChoice, MotionOver};
+use kin_core::linkage::AnyLinkage;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
+
+use crate::arguments::{self, Wanted};
+use crate::batch::{self, Batch};
+use crate::choice::choice;
+use crate::fault;
+use crate::mechanism::{Declared, Mechanism};
+use crate::pose::Pose;
+
+/// A mechanism with its dimensions. Calling a `kin.Mechanism` makes it.
+///
+/// >>> import kin
+/// >>> linkage = kin.library.four_bar(r1=90, r2=30, r3=70, r4=60)
+/// >>> linkage
+/// FourBar(r1=90.0, r2=30.0, r3=70.0, r4=60.0)
+/// >>> linkage.assemblies
+/// ('open', 'crossed')
+#[pyclass(frozen, module = "kin")]
+#[derive(Clone, Debug)]
+pub(crate) struct Linkage {
+    pub(crate) declared: Arc<Declared>,
+    pub(crate) parameters: Arc<[f64]>,
+}
+
+impl Linkage {
+    pub(crate) fn any(&self) -> AnyLinkage<'_> {
+        AnyLinkage::new(&self.declared.mechanism, &self.parameters)
+    }
+
+    /// The inputs with all orders, one after the other.
+    fn inputs(&self, given: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<f64>> {
+        let quantities = self.declared.description().inputs;
+        let values = arguments::values(
+            given,
+            &[Wanted {
+                kind: "input",
+                quantities,
+            }],
+        )?;
+        let mut inputs = Vec::new();
+        for (value, quantity) in values[0].iter().zip(quantities) {
+            inputs.extend(arguments::motion(value, quantity.name, self.declared.orders())?);
+        }
+        Ok(inputs)
+    }
+
+    /// The pose at inputs with all orders.
+    pub(crate) fn pose(&self, py: Python<'_>, mut inputs: Vec<f64>, choice: &AssemblyChoice) -> PyResult<Pose> {
+        let description = self.declared.description();
+        let orders = self.declared.orders();
+        let mut unknowns = vec![0.0; description.unknowns.len() * orders];
+        let mut outputs = vec![0.0; description.outputs.len() * orders];
+        let mechanism: &dyn MotionOver<f64> = &self.declared.mechanism;
+        let found = mechanism.motion(
+            &self.parameters,
+            &inputs,
+            choice.position(),
+            &mut unknowns,
+            &mut outputs,
+        );
+        found.map_err(|error| fault::of_solver(py, &self.declared.mechanism, &error))?;
+        inputs.append(&mut unknowns);
+        inputs.append(&mut outputs);
+        Ok(Pose::new(self.clone(), inputs))
+    }
+}
+
+#[pymethods]
+impl Linkage {
+    /// The mechanism.
+    #[getter]
+    fn mechanism(&self) -> Mechanism {
+        Mechanism {
+            declared: Arc::clone(&self.declared),
+        }
+    }
+
+    /// The dimensions by their names, a point by its coordinates.
+    #[getter]
+    fn dimensions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let all = PyDict::new(py);
+        let quantities = self.declared.description().parameters;
+        for group in arguments::groups(quantities) {
+            let values = &self.parameters[group.first..group.first + group.coordinates];
+            if group.is_point {
+                all.set_item(group.name, PyTuple::new(py, values)?)?;
+            } else {
+                all.set_item(group.name, values[0])?;
+            }
+        }
+        Ok(all)
+    }
+
+    /// The names of the assemblies: see `kin.Mechanism.assemblies`.
+    #[getter]
+    fn assemblies<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        PyTuple::new(py, kin_core::any::Described::assembly_names(&self.declared.mechanism))
+    }
+
+    /// The pose at inputs, with all derivatives with respect to time.
+    ///
+    /// An input is its position, or a sequence of its position and derivatives; missing derivatives are zero. Angles
+    /// are in radians. `assembly` is a name in `assemblies`; it may be left out if there is no choice. `near` chooses
+    /// the position closest to another pose, or to values of the unknowns: then it needs no assembly, and the angles of
+    /// the pose are close to those values instead of within ±π.
+    ///
+    /// Raises `kin.SolveError` where the linkage does not close.
+    ///
+    /// >>> import kin
+    /// >>> linkage = kin.library.four_bar(r1=90, r2=30, r3=70, r4=60)
+    /// >>> pose = linkage.solve(theta2=[1.0, 10.0], assembly="open")
+    /// >>> later = linkage.solve(theta2=[1.1, 10.0], near=pose)
+    /// >>> later.assembly
+    /// 'open'
+    #[pyo3(signature = (*, assembly=None, near=None, **inputs))]
+    fn solve(
+        &self,
+        py: Python<'_>,
+        assembly: Option<&Bound<'_, PyAny>>,
+        near: Option<&Bound<'_, PyAny>>,
+        inputs: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Pose> {
+        let inputs = self.inputs(inputs)?;
+        let choice = choice(&self.declared, assembly, near)?;
+        self.pose(py, inputs, &choice)
+    }
+
+    /// The poses of every assembly in which the linkage closes at these inputs.
+    ///
+    /// A mechanism whose position is chosen by values nearby is searched. The search may miss a position, or there may
+    /// be none for its equations: then `ValueError` says so, with what was found.
+    ///
+    /// >>> import kin
+    /// >>> linkage = kin.library.four_bar(r1=90, r2=30, r3=70, r4=60)
+    /// >>> [pose.assembly for pose in linkage.positions(theta2=1.0)]
+    /// ['open', 'crossed']
+    #[pyo3(signature = (**inputs))]
+    fn positions(&self, py: Python<'_>, inputs: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<Pose>> {
+        let motions = self.inputs(inputs)?;
+        let orders = self.declared.orders();
+        let at: Vec<f64> = motions.chunks_exact(orders).map(|motion| motion[0]).collect();
+        let found = py.detach(|| self.any().positions_at(&at));
+        let (positions, search) = found.map_err(|error| fault::of_solver(py, &self.declared.mechanism, &error))?;
+        if !search.is_complete {
+            return Err(PyValueError::new_err(format!(
+                "the search found {} positions, and there may be others: give values of the unknowns to `solve` by \
+                 `near`",
+                search.found
+            )));
+        }
+        let positions = positions.into_iter();
+        let poses = positions.map(|unknowns| self.pose(py, motions.clone(), &AssemblyChoice::Near(unknowns)));
+        poses.collect()
+    }
+
+    /// Many poses of this linkage at once: see `kin.Mechanism.solve_batch`.
+    ///
+    /// >>> import kin, numpy as np
+    /// >>> linkage = kin.library.four_bar(r1=90, r2=30, r3=70, r4=60)
+    /// >>> turn = linkage.solve_batch(theta2=(np.linspace(0, 6, 1000), 10.0), assembly="open")
+    /// >>> turn.theta4.position.shape, bool(turn.solved.all())
+    /// ((1000,), True)
+    #[pyo3(signature = (*, assembly=None, near=None, order=None, threads=None, **inputs))]
+    fn solve_batch(
+        &self,
+        py: Python<'_>,
+        assembly: Option<&Bound<'_, PyAny>>,
+        near: Option<&Bound<'_, PyAny>>,
+        order: Option<usize>,
+        threads: Option<usize>,
+        inputs: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Batch> {
+        let quantities = self.declared.description().inputs;
+        let mut values = arguments::values(
+            inputs,
+            &[Wanted {
+                kind: "input",
+                quantities,
+            }],
+        )?;
+        let parameters = self.parameters.iter();
+        let parameters = parameters.map(|value| Ok(value.into_pyobject(py)?.into_any()));
+        let parameters = parameters.collect::<PyResult<Vec<_>>>()?;
+        let wishes = batch::Wishes {
+            assembly,
+            near,
+            order,
+            threads,
+        };
+        batch::solve(
+            py,
+            &self.declared,
+            parameters,
+            values.pop().unwrap_or_default(),
+            &wishes,
+        )
+    }
+
+    fn __eq__(&self, other: &Self) -> bool {
+        let is_same = Arc::ptr_eq(&self.declared, &other.declared) || self.declared.text == other.declared.text;
+        is_same && self.parameters == other.parameters
+    }
+
+    fn __hash__(&self) -> u64 {
+        use std::hash::{DefaultHasher, Hash, Hasher};
+        let mut hasher = DefaultHasher::new();
+        self.declared.text.hash(&mut hasher);
+        for value in self.parameters.iter() {
+            // zeros of both signs are equal
+            (value + 0.0).to_bits().hash(&mut hasher);
+        }
+        hasher.finish()
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let mut dimensions = Vec::new();
+        for (name, value) in self.dimensions(py)?.iter() {
+            dimensions.push(format!("{name}={}", value.repr()?));
+        }
+        let name = self.declared.description().name;
+        Ok(format!("{name}({})", dimensions.join(", ")))
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (Mechanism, Vec<f64>))> {
+        let restore = py.import("kin._kin")?.getattr("restored_linkage")?;
+        Ok((restore, (self.mechanism(), self.parameters.to_vec())))
+    }
+
+    fn __copy__(slf: Py<Self>) -> Py<Self> {
+        slf
+    }
+
+    fn __deepcopy__(slf: Py<Self>, _memo: &Bound<'_, PyAny>) -> Py<Self> {
+        slf
+    }
+}
+
+/// A linkage that was pickled.
+#[pyfunction]
+pub(crate) fn restored_linkage(mechanism: &Bound<'_, Mechanism>, parameters: Vec<f64>) -> PyResult<Linkage> {
+    let declared = Arc::clone(&mechanism.get().declared);
+    if parameters.len() != declared.description().parameters.len() {
+        return Err(PyValueError::new_err("these are not the dimensions of this mechanism"));
+    }
+    Ok(Linkage {
+        declared,
+        parameters: parameters.into(),
+    })
+}
