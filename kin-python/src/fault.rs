@@ -1,6 +1,9 @@
 //! Exceptions. Their classes are declared in Python, in `kin._errors`.
 
+use std::fmt::Display;
+
 use kin_core::any::{Described, Description, Named};
+use kin_core::extremes::ExtremesError;
 use kin_core::{Failure, SolveError};
 use kin_live::{DeclareError, Mechanism};
 use pyo3::prelude::*;
@@ -59,8 +62,36 @@ pub(crate) fn of_solver(py: Python<'_>, mechanism: &Mechanism, error: &SolveErro
     made().map_or_else(|error| error, PyErr::from_value)
 }
 
+/// The exception for a question to a sweep that has no answer.
+pub(crate) fn of_extremes(py: Python<'_>, mechanism: &Mechanism, error: &ExtremesError) -> PyErr {
+    let at = match error {
+        ExtremesError::NothingCloses(first) => {
+            let answer = of_answer(py, mechanism, error, None);
+            answer.set_cause(py, Some(of_solver(py, mechanism, first)));
+            return answer;
+        }
+        ExtremesError::NoLength { at }
+        | ExtremesError::Unresolved { at, .. }
+        | ExtremesError::Gap { at }
+        | ExtremesError::NotFinite { at }
+        | ExtremesError::NoSensitivity { at, .. }
+        | ExtremesError::Unbounded { at }
+        | ExtremesError::Diverges { at, .. } => Some(*at),
+        _ => None,
+    };
+    of_answer(py, mechanism, error, at)
+}
+
+/// The exception for a question that has no answer.
+pub(crate) fn of_answer(py: Python<'_>, mechanism: &Mechanism, error: impl Display, at: Option<f64>) -> PyErr {
+    static CLASS: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    let message = named(error, mechanism.description());
+    let made = || CLASS.import(py, MODULE, "AnswerError")?.call1((message, at));
+    made().map_or_else(|error| error, PyErr::from_value)
+}
+
 /// A text with the names of a mechanism.
-pub(crate) fn named(value: impl std::fmt::Display, description: &Description<'_>) -> String {
+pub(crate) fn named(value: impl Display, description: &Description<'_>) -> String {
     Named::new(value, description).to_string()
 }
 

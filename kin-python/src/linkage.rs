@@ -11,9 +11,13 @@ use pyo3::types::{PyDict, PyTuple};
 use crate::arguments::{self, Wanted};
 use crate::batch::{self, Batch};
 use crate::choice::choice;
+use crate::code::{Language, code};
+use crate::cycle::Cycle;
 use crate::fault;
 use crate::mechanism::{Declared, Mechanism};
 use crate::pose::Pose;
+use crate::report::{Page, PageWishes};
+use crate::sweep::Sweep;
 
 /// A mechanism with its dimensions. Calling a `kin.Mechanism` makes it.
 ///
@@ -202,6 +206,114 @@ impl Linkage {
             values.pop().unwrap_or_default(),
             &wishes,
         )
+    }
+
+    /// A sweep: inputs move, and questions are asked along the way.
+    ///
+    /// An input is the two ends of its way, or one number if it stands still. All inputs move along a straight line,
+    /// and `speed` is that of the first one that moves. Or an input is a `kin.Law` over the time, and the sweep ends
+    /// with the longest of the laws.
+    ///
+    /// >>> import kin
+    /// >>> linkage = kin.library.four_bar(r1=90, r2=30, r3=70, r4=60)
+    /// >>> turn = linkage.sweep(theta2=(0, 6.283185307179586), rows=361, speed=10.0, assembly="open")
+    /// >>> [extreme.is_maximum for extreme in turn.of("theta4").extremes()]
+    /// [False, True]
+    /// >>> indexing = linkage.sweep(theta2=kin.rise("modified sine", 0.0, 1.5, 0.2), assembly="open")
+    /// >>> indexing.of("theta4_jerk").peak().at < 0.2
+    /// True
+    #[pyo3(signature = (*, rows=361, speed=None, assembly=None, near=None, **inputs))]
+    fn sweep(
+        &self,
+        rows: usize,
+        speed: Option<f64>,
+        assembly: Option<&Bound<'_, PyAny>>,
+        near: Option<&Bound<'_, PyAny>>,
+        inputs: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Sweep> {
+        let choice = choice(&self.declared, assembly, near)?;
+        Sweep::new(self.clone(), choice, rows, speed, inputs)
+    }
+
+    /// All circuits and branches over one input. The others have the values that are given.
+    #[pyo3(signature = (*, moving=None, **inputs))]
+    fn cycle(&self, py: Python<'_>, moving: Option<&str>, inputs: Option<&Bound<'_, PyDict>>) -> PyResult<Cycle> {
+        Cycle::new(py, self.clone(), moving, inputs)
+    }
+
+    /// A page on which the linkage moves: a `kin.Page`, which a notebook shows.
+    ///
+    /// The first input moves, or the one that `moving` names, through `range` or as far as the linkage closes; the
+    /// others have the values that are given, or zero. `length` and `time` name the units.
+    #[expect(clippy::too_many_arguments, reason = "each is a keyword")]
+    #[pyo3(signature = (
+        *, assembly=None, moving=None, range=None, speed=None, title=None, length="", time="s", **inputs
+    ))]
+    fn report(
+        &self,
+        py: Python<'_>,
+        assembly: Option<&Bound<'_, PyAny>>,
+        moving: Option<String>,
+        range: Option<(f64, f64)>,
+        speed: Option<f64>,
+        title: Option<String>,
+        length: &str,
+        time: &str,
+        inputs: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Page> {
+        let assembly = assembly
+            .map(|assembly| choice(&self.declared, Some(assembly), None))
+            .transpose()?;
+        let assembly = assembly.and_then(|choice| choice.index());
+        let quantities = self.declared.description().inputs;
+        let at = PyDict::new(py);
+        for quantity in quantities {
+            at.set_item(quantity.name, 0.0)?;
+        }
+        if let Some(inputs) = inputs {
+            at.update(inputs.as_mapping())?;
+        }
+        let values = arguments::values(
+            Some(&at),
+            &[Wanted {
+                kind: "input",
+                quantities,
+            }],
+        )?;
+        let at = values[0].iter().zip(quantities);
+        let at = at
+            .map(|(value, quantity)| arguments::number(value, quantity.name))
+            .collect::<PyResult<_>>()?;
+        let (length, time) = (length.to_owned(), time.to_owned());
+        let wishes = PageWishes {
+            assembly,
+            at,
+            moving,
+            range,
+            speed,
+            title,
+            length,
+            time,
+        };
+        Page::new(py, self, wishes)
+    }
+
+    /// The solver of this linkage in C99, with its dimensions as constants: see `kin.Mechanism.to_c`.
+    #[pyo3(signature = (order=None))]
+    fn to_c<'py>(&self, py: Python<'py>, order: Option<usize>) -> PyResult<Bound<'py, PyAny>> {
+        code(py, &self.declared, Language::C, order, Some(&self.parameters))
+    }
+
+    /// The solver of this linkage as a module of JavaScript, with its dimensions as constants.
+    #[pyo3(signature = (order=None))]
+    fn to_javascript<'py>(&self, py: Python<'py>, order: Option<usize>) -> PyResult<Bound<'py, PyAny>> {
+        code(py, &self.declared, Language::JavaScript, order, Some(&self.parameters))
+    }
+
+    /// The solver of this linkage as a module of Python that needs NumPy alone, with its dimensions as constants.
+    #[pyo3(signature = (order=None))]
+    fn to_python<'py>(&self, py: Python<'py>, order: Option<usize>) -> PyResult<Bound<'py, PyAny>> {
+        code(py, &self.declared, Language::Python, order, Some(&self.parameters))
     }
 
     fn __eq__(&self, other: &Self) -> bool {

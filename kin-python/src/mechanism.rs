@@ -8,6 +8,7 @@ use pyo3::types::{PyDict, PyTuple};
 
 use crate::arguments::{self, Wanted, groups};
 use crate::batch::{self, Batch};
+use crate::code::{Language, code};
 use crate::fault;
 use crate::linkage::Linkage;
 
@@ -147,14 +148,14 @@ impl Mechanism {
     /// same on any number of cores; the last bits may differ from those of `solve`.
     ///
     /// >>> import kin, numpy as np
-    /// >>> cranks = np.linspace(20, 40, 5)[:, None]
+    /// >>> cranks = np.linspace(20, 50, 5)[:, None]
     /// >>> angles = np.linspace(0, 2 * np.pi, 100)
     /// >>> batch = kin.library.four_bar.solve_batch(
     /// ...     r1=90, r2=cranks, r3=70, r4=60, theta2=(angles, 10.0), assembly="open")
     /// >>> batch.theta4.jerk.shape
     /// (5, 100)
     /// >>> batch.solved.all(axis=1).tolist()
-    /// [True, True, True, True, False]
+    /// [True, True, True, False, False]
     #[pyo3(signature = (*, assembly=None, near=None, order=None, threads=None, **given))]
     fn solve_batch(
         &self,
@@ -186,6 +187,29 @@ impl Mechanism {
             threads,
         };
         batch::solve(py, &self.declared, parameters, inputs, &wishes)
+    }
+
+    /// The solver in C99, with the derivatives up to an order: a `kin.C` with header, source, and an example that calls
+    /// it. It allocates nothing. Dimensions are arguments.
+    ///
+    /// >>> import kin
+    /// >>> kin.library.slider_crank.to_c(order=1).name
+    /// 'slider_crank'
+    #[pyo3(signature = (order=None))]
+    fn to_c<'py>(&self, py: Python<'py>, order: Option<usize>) -> PyResult<Bound<'py, PyAny>> {
+        code(py, &self.declared, Language::C, order, None)
+    }
+
+    /// The solver as a module of JavaScript, with the derivatives up to an order.
+    #[pyo3(signature = (order=None))]
+    fn to_javascript<'py>(&self, py: Python<'py>, order: Option<usize>) -> PyResult<Bound<'py, PyAny>> {
+        code(py, &self.declared, Language::JavaScript, order, None)
+    }
+
+    /// The solver as a module of Python that needs NumPy alone, with the derivatives up to an order.
+    #[pyo3(signature = (order=None))]
+    fn to_python<'py>(&self, py: Python<'py>, order: Option<usize>) -> PyResult<Bound<'py, PyAny>> {
+        code(py, &self.declared, Language::Python, order, None)
     }
 
     fn __repr__(&self) -> String {

@@ -4,27 +4,80 @@
 >>> linkage = kin.library.four_bar(r1=90, r2=30, r3=70, r4=60)
 >>> pose = linkage.solve(theta2=[1.0, 10.0], assembly="open")    # rad and rad/s
 >>> round(pose.theta4.velocity, 4), round(pose.theta4.jerk, 1)
-(2.9104, -2911.3)
+(2.5091, -696.8)
 
 Angles are in radians, lengths in any unit of the mechanism, time in the unit of the speeds that are given.
 """
 
 from kin import library
-from kin._errors import DeclarationError, KinError, Mistake, SolveError
-from kin._kin import Batch, Linkage, Mechanism, Motion, Pose
+from kin._answers import (
+    Branch,
+    C,
+    Circuit,
+    CircuitPeak,
+    Crossing,
+    Dwell,
+    Extreme,
+    Limit,
+    Mean,
+    Peak,
+    PeakSensitivities,
+    Sensitivity,
+    Stroke,
+    WorstTransmission,
+)
+from kin._errors import AnswerError, DeclarationError, KinError, Mistake, SolveError
+from kin._kin import (
+    Batch,
+    Cycle,
+    Law,
+    Linkage,
+    Mechanism,
+    Motion,
+    Page,
+    Pose,
+    Quantity,
+    Sweep,
+    Table,
+    dwell,
+    rise,
+)
 from kin._units import deg, rpm
 
 __all__ = [
+    "AnswerError",
     "Batch",
+    "Branch",
+    "C",
+    "Circuit",
+    "CircuitPeak",
+    "Crossing",
+    "Cycle",
     "DeclarationError",
+    "Dwell",
+    "Extreme",
     "KinError",
+    "Law",
+    "Limit",
     "Linkage",
+    "Mean",
     "Mechanism",
     "Mistake",
     "Motion",
+    "Page",
+    "Peak",
+    "PeakSensitivities",
     "Pose",
+    "Quantity",
+    "Sensitivity",
     "SolveError",
+    "Stroke",
+    "Sweep",
+    "Table",
+    "WorstTransmission",
     "deg",
+    "dwell",
     "library",
+    "rise",
     "rpm",
 ]

@@ -78,3 +78,17 @@ class SolveError(KinError, ValueError):
 
     def __str__(self) -> str:
         return str(self.args[0])
+
+
+class AnswerError(KinError, ValueError):
+    """A question to a sweep or a cycle has no answer."""
+
+    #: The variable of the sweep at the point at fault, or None.
+    at: float | None
+
+    def __init__(self, message: str, at: float | None = None) -> None:
+        super().__init__(message, at)
+        self.at = at
+
+    def __str__(self) -> str:
+        return str(self.args[0])

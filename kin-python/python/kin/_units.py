@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from typing import overload
+from typing import Any, overload
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 _RADIANS = math.pi / 180.0
 
@@ -16,8 +16,8 @@ def deg(degrees: float) -> float: ...
 @overload
 def deg(degrees: tuple[float, ...]) -> tuple[float, ...]: ...
 @overload
-def deg(degrees: ArrayLike) -> NDArray[np.float64]: ...
-def deg(degrees: ArrayLike | tuple[float, ...]) -> float | tuple[float, ...] | NDArray[np.float64]:
+def deg(degrees: list[float] | NDArray[Any]) -> NDArray[np.float64]: ...
+def deg(degrees: float | tuple[float, ...] | list[float] | NDArray[Any]) -> float | tuple[float, ...] | NDArray[np.float64]:
     """Radians of an angle in degrees; of a tuple, of each of its entries; else of an array.
 
     >>> import kin
