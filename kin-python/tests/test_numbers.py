@@ -1,5 +1,6 @@
 """Python gives the numbers of Rust, to the last bit."""
 
+import os
 import struct
 import subprocess
 from pathlib import Path
@@ -28,7 +29,7 @@ def at_speed(name):
 def of_rust():
     """The bits of every mechanism, from a program in Rust."""
     package = Path(__file__).parent.parent
-    command = ["cargo", "run", "--release", "--locked", "--quiet", "--example", "numbers"]
+    command = ["cargo", "run", "--profile", os.environ.get("KIN_PROFILE", "release"), "--locked", "--quiet", "--example", "numbers"]
     printed = subprocess.run(command, cwd=package, check=True, capture_output=True, text=True).stdout
     lines = [line.split() for line in printed.splitlines()]
     return {name: numbers for name, *numbers in lines}

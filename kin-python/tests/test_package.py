@@ -2,6 +2,7 @@
 
 import doctest
 import inspect
+import re
 import subprocess
 import sys
 from importlib import import_module, metadata
@@ -64,6 +65,24 @@ def test_everything_is_documented(name, value):
 def test_examples_run(module, lines):
     result = doctest.testmod(import_module(module), optionflags=doctest.NORMALIZE_WHITESPACE)
     assert result.failed == 0 and result.attempted >= lines
+
+
+CHAPTER = HERE.parent.parent / "docs" / "python.md"
+
+
+def test_the_chapter():
+    examples = re.findall(r"```pycon\n(.*?)```", CHAPTER.read_text(encoding="utf-8"), re.DOTALL)
+    assert len(examples) == 4
+    test = doctest.DocTestParser().get_doctest("\n".join(examples), {}, "python.md", str(CHAPTER), None)
+    assert doctest.DocTestRunner().run(test).failed == 0
+
+
+@pytest.mark.parametrize("readme", ["README.md", "kin-python/README.md"])
+def test_the_readme(readme, capsys):
+    text = (CHAPTER.parent.parent / readme).read_text(encoding="utf-8")
+    [example] = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
+    exec(example, {})
+    assert capsys.readouterr().out
 
 
 def test_metadata():
