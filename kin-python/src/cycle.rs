@@ -13,6 +13,7 @@ use crate::arguments::number;
 use crate::fault;
 use crate::linkage::Linkage;
 use crate::pose::Pose;
+use crate::sweep::input_index;
 
 /// All circuits and branches of a linkage over one input: where it closes, in which assemblies, and where these meet.
 /// `kin.Linkage.cycle` makes it.
@@ -41,19 +42,7 @@ impl Cycle {
     ) -> PyResult<Self> {
         let quantities = linkage.declared.description().inputs;
         let names = || quantities.iter().map(|input| input.name).collect::<Vec<_>>().join(", ");
-        let moving = match moving {
-            None if quantities.len() == 1 => 0,
-            None => {
-                return Err(PyTypeError::new_err(format!(
-                    "which input moves? `moving` is one of {}",
-                    names()
-                )));
-            }
-            Some(name) => quantities
-                .iter()
-                .position(|input| input.name == name)
-                .ok_or_else(|| PyTypeError::new_err(format!("no input is called `{name}`: inputs are {}", names())))?,
-        };
+        let moving = input_index(linkage.declared.description(), moving)?;
         let mut start = Vec::new();
         for (index, quantity) in quantities.iter().enumerate() {
             let name = quantity.name;

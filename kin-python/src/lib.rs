@@ -11,6 +11,7 @@ mod fault;
 mod law;
 mod library;
 mod linkage;
+mod loads;
 mod mechanism;
 mod motion;
 mod pose;
@@ -31,6 +32,8 @@ mod _kin {
     use crate::library::library_designs;
     #[pymodule_export]
     use crate::linkage::{Linkage, restored_linkage};
+    #[pymodule_export]
+    use crate::loads::Loads;
     #[pymodule_export]
     use crate::mechanism::Mechanism;
     #[pymodule_export]

@@ -14,6 +14,7 @@ use crate::choice::choice;
 use crate::code::{Language, code};
 use crate::cycle::Cycle;
 use crate::fault;
+use crate::loads::{self, Loads};
 use crate::mechanism::{Declared, Mechanism};
 use crate::pose::Pose;
 use crate::report::{Page, PageWishes};
@@ -296,6 +297,30 @@ impl Linkage {
             time,
         };
         Page::new(py, self, wishes)
+    }
+
+    /// No loads: a `kin.Loads` whose methods add some.
+    fn loads(&self) -> Loads {
+        Loads::new(self)
+    }
+
+    /// The forces in all joints under loads, and the effort of the drive of each input, in the pose that `solve` finds
+    /// with the same arguments: a `kin.Forces`. The declaration must state its bodies; otherwise `kin.AnswerError` says
+    /// what to add.
+    ///
+    /// A force acts on the second body of its joint. It is `None` where equilibrium alone does not determine it.
+    #[pyo3(signature = (loads, *, assembly=None, near=None, **inputs))]
+    fn forces<'py>(
+        &self,
+        py: Python<'py>,
+        loads: &Bound<'_, Loads>,
+        assembly: Option<&Bound<'_, PyAny>>,
+        near: Option<&Bound<'_, PyAny>>,
+        inputs: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let inputs = self.inputs(inputs)?;
+        let choice = choice(&self.declared, assembly, near)?;
+        loads::forces(py, self, loads.get(), &inputs, &choice)
     }
 
     /// The solver of this linkage in C99, with its dimensions as constants: see `kin.Mechanism.to_c`.

@@ -3,6 +3,7 @@
 use kin_core::any::{AssemblyChoice, Description};
 use kin_core::extremes::{ExtremesError, Over};
 use kin_core::law::Piecewise;
+use kin_core::reaction::{ReactionError, ReactionPart};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyTuple};
@@ -13,6 +14,7 @@ use crate::arrays::array;
 use crate::fault;
 use crate::law::{Law, dwell};
 use crate::linkage::Linkage;
+use crate::loads::{self, Loads};
 use crate::table::Table;
 
 /// A sweep: a linkage whose inputs move. `kin.Linkage.sweep` makes it.
@@ -55,6 +57,44 @@ impl Sweep {
             rows,
         })
     }
+}
+
+impl Sweep {
+    fn asked(&self, asked: Asked) -> Quantity {
+        let sweep = self.clone();
+        Quantity { sweep, asked }
+    }
+
+    /// The loads, and the index of an input.
+    fn drive(&self, loads: &Bound<'_, Loads>, input: Option<&str>) -> PyResult<(Loads, usize)> {
+        let loads = loads.get();
+        loads.check(&self.linkage)?;
+        let index = input_index(self.linkage.declared.description(), input)?;
+        Ok((loads.clone(), index))
+    }
+}
+
+/// The index of an input by its name, which may be left out if there is one.
+pub(crate) fn input_index(description: &Description<'_>, name: Option<&str>) -> PyResult<usize> {
+    let names = || {
+        description
+            .inputs
+            .iter()
+            .map(|input| input.name)
+            .collect::<Vec<_>>()
+            .join(", ")
+    };
+    let Some(name) = name else {
+        if description.inputs.len() == 1 {
+            return Ok(0);
+        }
+        return Err(PyTypeError::new_err(format!(
+            "which input is meant? there are {}",
+            names()
+        )));
+    };
+    let index = description.inputs.iter().position(|input| input.name == name);
+    index.ok_or_else(|| PyTypeError::new_err(format!("no input is called `{name}`: inputs are {}", names())))
 }
 
 fn way(description: &Description<'_>, speed: Option<f64>, inputs: Option<&Bound<'_, PyDict>>) -> PyResult<Way> {
@@ -155,10 +195,7 @@ impl Sweep {
     /// A quantity by the name of its column, as in `of("theta4_jerk")`, to ask for its peak, extremes, mean and more.
     /// They are found between the rows, exact to rounding.
     fn of(&self, name: &str) -> Quantity {
-        Quantity {
-            sweep: self.clone(),
-            asked: Asked::Name(name.to_owned()),
-        }
+        self.asked(Asked::Name(name.to_owned()))
     }
 
     /// The transmission angle of a dyad, or its supplement if this is smaller; dyads count in the order in which they
@@ -172,10 +209,33 @@ impl Sweep {
                 self.linkage.declared.description().name
             )));
         }
-        Ok(Quantity {
-            sweep: self.clone(),
-            asked: Asked::TransmissionAngle(dyad),
-        })
+        Ok(self.asked(Asked::TransmissionAngle(dyad)))
+    }
+
+    /// The effort of the drive of an input under loads: a torque, or a force along a distance. The input may be left
+    /// out if there is one. Order 1 is its rate by time.
+    #[pyo3(signature = (loads, input=None, order=0))]
+    fn of_effort(&self, loads: &Bound<'_, Loads>, input: Option<&str>, order: usize) -> PyResult<Quantity> {
+        let (loads, input) = self.drive(loads, input)?;
+        let asked = Asked::Effort(loads, input, order);
+        Ok(self.asked(asked))
+    }
+
+    /// The power of the drive of an input under loads. The input may be left out if there is one.
+    #[pyo3(signature = (loads, input=None))]
+    fn of_power(&self, loads: &Bound<'_, Loads>, input: Option<&str>) -> PyResult<Quantity> {
+        let (loads, input) = self.drive(loads, input)?;
+        Ok(self.asked(Asked::Power(loads, input)))
+    }
+
+    /// The force in a joint under loads, or a part of it: "force" is its size, others are "x", "y", "z", "moment",
+    /// "moment_x", "moment_y" and "moment_z". The declaration must state its bodies. Order 1 is the rate by time.
+    #[pyo3(signature = (loads, joint, part="force", order=0))]
+    fn of_reaction(&self, loads: &Bound<'_, Loads>, joint: &str, part: &str, order: usize) -> PyResult<Quantity> {
+        let loads = loads.get();
+        loads.check(&self.linkage)?;
+        let part = loads::part(part)?;
+        Ok(self.asked(Asked::Reaction(loads.clone(), joint.to_owned(), part, order)))
     }
 
     fn __len__(&self) -> usize {
@@ -192,6 +252,9 @@ impl Sweep {
 enum Asked {
     Name(String),
     TransmissionAngle(usize),
+    Effort(Loads, usize, usize),
+    Power(Loads, usize),
+    Reaction(Loads, String, ReactionPart, usize),
 }
 
 /// A quantity along a sweep. `kin.Sweep.of` makes it.
@@ -202,9 +265,12 @@ pub(crate) struct Quantity {
     asked: Asked,
 }
 
-/// Asks for a quantity along a sweep.
+/// Asks for a quantity along a sweep. Efforts and powers may have an answer of their own.
 macro_rules! along {
-    ($quantity:expr, $py:expr, |$along:ident| $answer:expr) => {{
+    ($quantity:expr, $py:expr, |$along:ident| $answer:expr) => {
+        along!($quantity, $py, |$along| $answer, |$along| $answer)
+    };
+    ($quantity:expr, $py:expr, |$along:ident| $answer:expr, |$effort:ident| $of_effort:expr) => {{
         let quantity: &Quantity = $quantity;
         let found: Result<_, ExtremesError> = $py.detach(|| {
             ask!(&quantity.sweep, |sweep| match &quantity.asked {
@@ -216,10 +282,32 @@ macro_rules! along {
                     let $along = sweep.of_transmission_angle(*dyad);
                     $answer
                 }
+                Asked::Effort(loads, input, order) => {
+                    let $effort = sweep.of_effort(&loads.named, *input, *order);
+                    $of_effort
+                }
+                Asked::Power(loads, input) => {
+                    let $effort = sweep.of_power(&loads.named, *input);
+                    $of_effort
+                }
+                Asked::Reaction(loads, joint, part, order) => {
+                    let linkage = quantity.sweep.linkage.any();
+                    let reactions = linkage.reactions(&loads.named).map_err(at_once)?;
+                    let $along = sweep.of_reaction(&reactions, joint, *part, *order);
+                    $answer
+                }
             })
         });
         found.map_err(|error| fault::of_extremes($py, &quantity.sweep.linkage.declared.mechanism, &error))
     }};
+}
+
+/// The error of a question that no point of the sweep is to blame for.
+fn at_once(error: ReactionError) -> ExtremesError {
+    ExtremesError::Reaction {
+        at: f64::NAN,
+        error: Box::new(error),
+    }
 }
 
 fn over(word: &str) -> PyResult<Over> {
@@ -236,6 +324,12 @@ fn list<'py, T>(
     of: impl Fn(&T) -> PyResult<Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyList>> {
     PyList::new(py, found.iter().map(of).collect::<PyResult<Vec<_>>>()?)
+}
+
+impl Quantity {
+    fn input(&self, index: usize) -> &str {
+        self.sweep.linkage.declared.description().inputs[index].name
+    }
 }
 
 #[pymethods]
@@ -302,7 +396,13 @@ impl Quantity {
 
     /// The peak, and its derivatives with respect to every dimension: `kin.PeakSensitivities`.
     fn peak_sensitivities<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let found = along!(self, py, |along| along.peak_sensitivities())?;
+        if matches!(self.asked, Asked::Effort(..) | Asked::Power(..)) {
+            return Err(PyTypeError::new_err("efforts and powers have no sensitivities"));
+        }
+        let found = along!(self, py, |along| along.peak_sensitivities(), |effort| {
+            drop(effort);
+            unreachable!("efforts were refused")
+        })?;
         let by = PyDict::new(py);
         let dimensions = self.sweep.linkage.declared.description().parameters;
         for (dimension, sensitivity) in dimensions.iter().zip(&found.by) {
@@ -319,6 +419,9 @@ impl Quantity {
         match &self.asked {
             Asked::Name(name) => format!("<kin.Quantity {name}>"),
             Asked::TransmissionAngle(dyad) => format!("<kin.Quantity transmission angle {dyad}>"),
+            Asked::Effort(_, input, _) => format!("<kin.Quantity effort of {}>", self.input(*input)),
+            Asked::Power(_, input) => format!("<kin.Quantity power of {}>", self.input(*input)),
+            Asked::Reaction(_, joint, ..) => format!("<kin.Quantity force in {joint}>"),
         }
     }
 }

@@ -138,6 +138,27 @@ class WorstTransmission(NamedTuple):
     branch: int
 
 
+class Force(NamedTuple):
+    """The force in a joint."""
+
+    x: float
+    y: float
+    z: float
+    #: The moment of a slide.
+    moment: float
+    #: The size of the force.
+    magnitude: float
+
+
+class Forces(NamedTuple):
+    """The forces in a pose."""
+
+    #: By the names of the joints; None where equilibrium alone does not determine a force.
+    joints: dict[str, Force | None]
+    #: The torque or force of the drive of each input, likewise.
+    efforts: dict[str, float | None]
+
+
 class C(NamedTuple):
     """A solver in C99."""
 
