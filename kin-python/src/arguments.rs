@@ -77,7 +77,7 @@ pub(crate) fn values<'py>(
         }
         all.push(values);
     }
-    if given.map_or(0, |given| given.len()) > known {
+    if given.map_or(0, PyDictMethods::len) > known {
         return Err(unknown(given, wanted)?);
     }
     if missing.is_empty() {

@@ -55,7 +55,7 @@ impl Cycle {
                 None => return Err(PyTypeError::new_err(format!("missing: input `{name}`"))),
             }
         }
-        if inputs.map_or(0, |inputs| inputs.len()) + 1 > quantities.len() {
+        if inputs.map_or(0, PyDictMethods::len) + 1 > quantities.len() {
             return Err(PyTypeError::new_err(format!("inputs are {}", names())));
         }
         let found = py.detach(|| Ok(CycleData::clone(&*searched(&linkage, &start, moving)?)));

@@ -366,6 +366,7 @@ impl Linkage {
         Ok(format!("{name}({})", dimensions.join(", ")))
     }
 
+    #[expect(clippy::type_complexity, reason = "as pickle wants it")]
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (Mechanism, Vec<f64>))> {
         let restore = py.import("kin._kin")?.getattr("restored_linkage")?;
         Ok((restore, (self.mechanism(), self.parameters.to_vec())))

@@ -32,7 +32,7 @@ pub(crate) struct Loads {
     text: String,
 }
 
-fn refused(error: NoSuchPlace) -> PyErr {
+fn refused(error: &NoSuchPlace) -> PyErr {
     PyValueError::new_err(error.to_string())
 }
 
@@ -74,7 +74,7 @@ impl Loads {
 
     fn with(&self, add: impl FnOnce(NamedLoads) -> Result<NamedLoads, NoSuchPlace>) -> PyResult<Self> {
         Ok(Self {
-            named: add(self.named.clone()).map_err(refused)?,
+            named: add(self.named.clone()).map_err(|error| refused(&error))?,
             text: self.text.clone(),
         })
     }
@@ -199,7 +199,8 @@ pub(crate) fn forces<'py>(
     let inputs: Vec<Motion> = inputs.chunks_exact(linkage.declared.orders()).map(motion).collect();
     let found = py.detach(|| {
         let any = linkage.any();
-        any.reactions(&loads.named)?.at(&inputs, choice.position())
+        let reactions = any.reactions(&loads.named).map_err(Box::new)?;
+        reactions.at(&inputs, choice.position()).map_err(Box::new)
     });
     let found = found.map_err(|error| refused_reaction(py, linkage, &error))?;
     let joints = PyDict::new(py);

@@ -230,8 +230,8 @@ impl Mechanism {
         )
     }
 
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (String,))> {
-        Ok((slf.get_type().into_any(), (slf.get().declared.text.clone(),)))
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> (Bound<'py, PyAny>, (String,)) {
+        (slf.get_type().into_any(), (slf.get().declared.text.clone(),))
     }
 
     fn __copy__(slf: Py<Self>) -> Py<Self> {

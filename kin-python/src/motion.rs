@@ -168,14 +168,13 @@ impl Motion {
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
         let value = self.orders[0].bind(py);
-        let shown = match value.extract::<f64>() {
-            Ok(number) => value
-                .call_method1("__format__", (".6g",))
-                .map_or(number.to_string(), |text| text.to_string()),
-            Err(_) => match self.is_point && value.getattr("ndim")?.extract::<usize>()? == 1 {
-                true => value.str()?.to_string(),
-                false => format!("array of the shape {}", value.getattr("shape")?),
-            },
+        let shown = if let Ok(number) = value.extract::<f64>() {
+            let shown = value.call_method1("__format__", (".6g",));
+            shown.map_or(number.to_string(), |text| text.to_string())
+        } else if self.is_point && value.getattr("ndim")?.extract::<usize>()? == 1 {
+            value.str()?.to_string()
+        } else {
+            format!("array of the shape {}", value.getattr("shape")?)
         };
         let space = if self.unit.is_empty() { "" } else { " " };
         Ok(format!("{}: {shown}{space}{}", self.name, self.unit))

@@ -72,6 +72,7 @@ impl Page {
     }
 
     /// Writes the page to a file.
+    #[expect(clippy::needless_pass_by_value, reason = "Python gives the path away")]
     fn write(&self, path: PathBuf) -> PyResult<()> {
         std::fs::write(&path, &self.html).map_err(|error| PyOSError::new_err(format!("{}: {error}", path.display())))
     }

@@ -27,7 +27,7 @@ use crate::mechanism::Declared;
 /// [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0]
 #[pyclass(frozen, module = "kin")]
 pub(crate) struct Table {
-    table: CoreTable,
+    rows: CoreTable,
     columns: Vec<(String, Py<PyAny>)>,
     limits: Py<PyList>,
     /// The names of blocks at the limits.
@@ -62,18 +62,18 @@ impl Table {
             columns,
             limits: limits.unbind(),
             blocks,
-            table,
+            rows: table,
         })
     }
 
     fn mask(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
-        let outcomes = (0..self.table.count()).map(|row| self.table.outcome(row).is_some_and(|row| row.is_solved()));
-        Ok(array(py, outcomes.collect::<Vec<bool>>(), &[self.table.count()])?.unbind())
+        let outcomes = (0..self.rows.count()).map(|row| self.rows.outcome(row).is_some_and(|row| row.is_solved()));
+        Ok(array(py, outcomes.collect::<Vec<bool>>(), &[self.rows.count()])?.unbind())
     }
 
     /// The indices of the rows that are shown, with `None` for those between.
     fn shown(&self) -> Vec<Option<usize>> {
-        let count = self.table.count();
+        let count = self.rows.count();
         if count <= 2 * SHOWN + 1 {
             return (0..count).map(Some).collect();
         }
@@ -94,7 +94,7 @@ impl Table {
     #[getter]
     fn units<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let units = PyDict::new(py);
-        for column in self.table.columns() {
+        for column in self.rows.columns() {
             units.set_item(column.label.to_string(), column.unit.to_string())?;
         }
         Ok(units)
@@ -109,8 +109,8 @@ impl Table {
     /// The missing length in rows that do not close, as a negative number; NaN elsewhere.
     #[getter]
     fn margin<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let count = self.table.count();
-        let margins = (0..count).map(|row| self.table.outcome(row).as_ref().and_then(Outcome::margin));
+        let count = self.rows.count();
+        let margins = (0..count).map(|row| self.rows.outcome(row).as_ref().and_then(Outcome::margin));
         array(py, margins.map(|margin| margin.unwrap_or(f64::NAN)).collect(), &[count])
     }
 
@@ -122,12 +122,12 @@ impl Table {
 
     /// The table with degrees instead of radians, in all columns of angles and of their derivatives.
     fn in_degrees(&self, py: Python<'_>) -> PyResult<Self> {
-        Self::with_blocks(py, self.table.clone().in_degrees(), self.blocks.clone())
+        Self::with_blocks(py, self.rows.clone().in_degrees(), self.blocks.clone())
     }
 
     /// The table with names for the units of length and time. The numbers stay the same.
     fn in_units(&self, py: Python<'_>, length: &str, time: &str) -> PyResult<Self> {
-        Self::with_blocks(py, self.table.clone().units(length, time), self.blocks.clone())
+        Self::with_blocks(py, self.rows.clone().units(length, time), self.blocks.clone())
     }
 
     /// All columns by their names, as arrays.
@@ -152,7 +152,7 @@ impl Table {
     fn __getitem__(&self, py: Python<'_>, name: &str) -> PyResult<Py<PyAny>> {
         match self.columns.iter().find(|(column, _)| column == name) {
             Some((_, values)) => Ok(values.clone_ref(py)),
-            None => Err(match self.table.column(name) {
+            None => Err(match self.rows.column(name) {
                 Err(error) => PyKeyError::new_err(error.to_string()),
                 Ok(_) => PyKeyError::new_err(format!("name the column without its unit: `{name}`")),
             }),
@@ -168,26 +168,26 @@ impl Table {
     }
 
     fn __len__(&self) -> usize {
-        self.table.count()
+        self.rows.count()
     }
 
     fn __repr__(&self) -> String {
         format!(
             "<kin.Table of {} rows and {} columns>",
-            self.table.count(),
+            self.rows.count(),
             self.columns.len()
         )
     }
 
     fn _repr_html_(&self) -> String {
         let mut html = String::from("<table><thead><tr>");
-        for column in self.table.columns() {
+        for column in self.rows.columns() {
             let _ = write!(html, "<th>{}</th>", escaped(&column.to_string()));
         }
         html += "</tr></thead><tbody>";
         for row in self.shown() {
             html += "<tr>";
-            for column in self.table.columns() {
+            for column in self.rows.columns() {
                 match row {
                     Some(row) => {
                         let _ = write!(html, "<td>{:.6}</td>", column.values[row]);
@@ -197,7 +197,7 @@ impl Table {
             }
             html += "</tr>";
         }
-        let _ = write!(html, "</tbody></table><p>{} rows</p>", self.table.count());
+        let _ = write!(html, "</tbody></table><p>{} rows</p>", self.rows.count());
         html
     }
 }

@@ -247,4 +247,4 @@ def test_code(linkage, tmp_path):
     assert np.allclose(theta4.ravel(), pose.theta4.derivatives, rtol=1e-13)
 
     assert "r2 = 30.0" in c.header and "The dimensions are arguments" in linkage.mechanism.to_c(order=1).header
-    assert "jerk" in linkage.to_javascript() and "jerk" not in linkage.to_javascript(order=1)
+    assert len(linkage.to_javascript()) > len(linkage.to_javascript(order=1)) > 1000
