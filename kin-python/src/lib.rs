@@ -7,6 +7,7 @@ mod batch;
 mod choice;
 mod code;
 mod cycle;
+mod exact;
 mod fault;
 mod law;
 mod library;
@@ -26,6 +27,8 @@ mod _kin {
     use crate::batch::Batch;
     #[pymodule_export]
     use crate::cycle::Cycle;
+    #[pymodule_export]
+    use crate::exact::ExactTable;
     #[pymodule_export]
     use crate::law::{Law, dwell, rise};
     #[pymodule_export]

@@ -2,7 +2,7 @@
 
 use kin_core::any::AssemblyChoice;
 use kin_core::load::{NamedLoads, NoSuchPlace, PointPlace};
-use kin_core::reaction::{ReactionError, ReactionPart};
+use kin_core::reaction::{Reaction, ReactionError, ReactionPart};
 use kin_core::{Motion, Plane, Space};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -200,20 +200,19 @@ pub(crate) fn forces<'py>(
     let found = py.detach(|| {
         let any = linkage.any();
         let reactions = any.reactions(&loads.named).map_err(Box::new)?;
-        reactions.at(&inputs, choice.position()).map_err(Box::new)
+        let found = reactions.at(&inputs, choice.position()).map_err(Box::new)?;
+        let bodies = reactions
+            .names()
+            .map(|name| reactions.bodies_of(name).map_err(Box::new));
+        Ok((found, bodies.collect::<Result<Vec<_>, _>>()?))
     });
-    let found = found.map_err(|error| refused_reaction(py, linkage, &error))?;
+    let (found, bodies) = found.map_err(|error: Box<ReactionError>| refused_reaction(py, linkage, &error))?;
     let joints = PyDict::new(py);
-    for (name, reaction) in found.all() {
+    for ((name, reaction), [on, by]) in found.all().zip(bodies) {
         match reaction {
             Ok(reaction) => {
-                let fields = (
-                    reaction.x[0],
-                    reaction.y[0],
-                    reaction.z[0],
-                    reaction.moment[0],
-                    reaction.magnitude()[0],
-                );
+                let Reaction { x, y, z, moment, .. } = reaction;
+                let fields = (x[0], y[0], z[0], moment[0], reaction.magnitude()[0], on, by);
                 joints.set_item(name, answer(py, "Force", fields)?)?;
             }
             Err(ReactionError::Undetermined { .. }) => joints.set_item(name, py.None())?,

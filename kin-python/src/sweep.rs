@@ -11,6 +11,7 @@ use pyo3::types::{PyDict, PyList, PyTuple};
 use crate::answers::{self, answer};
 use crate::arguments::{self, Wanted};
 use crate::arrays::array;
+use crate::exact::{ExactTable, precision};
 use crate::fault;
 use crate::law::{Law, dwell};
 use crate::linkage::Linkage;
@@ -190,6 +191,17 @@ impl Sweep {
         let table = py.detach(|| ask!(self, |sweep| sweep.table(&declared.mechanism)));
         let table = table.map_err(|error| fault::of_answer(py, &declared.mechanism, error, None))?;
         Table::new(py, declared, table)
+    }
+
+    /// A table that replaces the solver: values and derivatives by the input are within the tolerance, also between its
+    /// rows. A list has a tolerance for each order, and the table ends with the last of them. Each derivative loses
+    /// about two digits, so `[1e-10, 1e-8, 1e-6]` takes the fewest rows.
+    fn exact_table(&self, py: Python<'_>, tolerance: &Bound<'_, PyAny>) -> PyResult<ExactTable> {
+        let tolerance = precision(tolerance)?;
+        let found = py.detach(|| ask!(self, |sweep| sweep.exact_table(tolerance).map_err(Box::new)));
+        let mechanism = &self.linkage.declared.mechanism;
+        let table = found.map_err(|error| fault::of_answer(py, mechanism, error, None))?;
+        Ok(ExactTable { table })
     }
 
     /// A quantity by the name of its column, as in `of("theta4_jerk")`, to ask for its peak, extremes, mean and more.

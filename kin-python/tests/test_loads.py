@@ -41,6 +41,8 @@ def test_inertia_of_a_piston(pump, turn):
     forces = pump.forces(loads, theta=(0.0, SPEED), assembly="open")
     assert forces.joints["pin"].magnitude == pytest.approx(largest, rel=1e-12)
     assert abs(forces.joints["pin"].x) == pytest.approx(largest, rel=1e-12)
+    # the rod pulls the piston back, and so the crank's pin pulls the rod
+    assert (forces.joints["pin"].on, forces.joints["pin"].by) == ("rod", "crank") and forces.joints["pin"].x < 0
     assert abs(forces.efforts["theta"]) < 1e-9
     assert turn.of_power(loads).mean().value == pytest.approx(0.0, abs=1e-8)
 

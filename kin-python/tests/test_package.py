@@ -72,7 +72,7 @@ CHAPTER = HERE.parent.parent / "docs" / "python.md"
 
 def test_the_chapter():
     examples = re.findall(r"```pycon\n(.*?)```", CHAPTER.read_text(encoding="utf-8"), re.DOTALL)
-    assert len(examples) == 4
+    assert len(examples) == 5
     test = doctest.DocTestParser().get_doctest("\n".join(examples), {}, "python.md", str(CHAPTER), None)
     assert doctest.DocTestRunner().run(test).failed == 0
 

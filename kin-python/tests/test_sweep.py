@@ -248,3 +248,29 @@ def test_code(linkage, tmp_path):
 
     assert "r2 = 30.0" in c.header and "The dimensions are arguments" in linkage.mechanism.to_c(order=1).header
     assert len(linkage.to_javascript()) > len(linkage.to_javascript(order=1)) > 1000
+
+
+def test_an_exact_table(linkage, turn):
+    tolerances = np.array([1e-10, 1e-8, 1e-6, 1e-4])
+    table = turn.exact_table(tolerances.tolist())
+    assert table.names == ("theta3", "theta4") and table.range == (0.0, math.tau) and len(table) == table.rows
+    for angle in np.linspace(0, 6.28, 100):
+        pose = linkage.solve(theta2=(angle, 10.0), assembly="open")
+        found = table.at(angle, speed=10.0)
+        expected = np.array([pose.theta3.derivatives, pose.theta4.derivatives])[:, :4]
+        # the tolerance of each order by the input, relative to its size, times the power of the speed
+        assert (np.abs(found - expected) <= 10 * tolerances * 10.0 ** np.arange(4)).all()
+    again = kin.ExactTable(bytes(table))
+    assert again.at(1.0).tobytes() == table.at(1.0).tobytes()
+    for wrong in (b"", b"kin", bytes(table)[:-1], bytes(1000)):
+        with pytest.raises(ValueError):
+            kin.ExactTable(wrong)
+    with pytest.raises(ValueError):
+        table.at(math.nan)
+    with pytest.raises(kin.AnswerError, match="rounding is in the way"):
+        turn.exact_table(1e-9)
+    with pytest.raises(ValueError, match="give one tolerance, or a list"):
+        turn.exact_table([])
+    for tolerance in (0.0, -1.0, math.nan):
+        with pytest.raises(kin.AnswerError):
+            turn.exact_table(tolerance)

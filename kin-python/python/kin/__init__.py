@@ -32,6 +32,7 @@ from kin._errors import AnswerError, DeclarationError, KinError, Mistake, SolveE
 from kin._kin import (
     Batch,
     Cycle,
+    ExactTable,
     Law,
     Linkage,
     Loads,
@@ -58,6 +59,7 @@ __all__ = [
     "Cycle",
     "DeclarationError",
     "Dwell",
+    "ExactTable",
     "Extreme",
     "Force",
     "Forces",

@@ -148,6 +148,10 @@ class Force(NamedTuple):
     moment: float
     #: The size of the force.
     magnitude: float
+    #: The body on which it acts.
+    on: str
+    #: The body that exerts it, which may be the ground.
+    by: str
 
 
 class Forces(NamedTuple):
