@@ -12,8 +12,8 @@ use crate::answers::answer;
 use crate::fault;
 use crate::linkage::Linkage;
 
-/// Loads on the points, angles and bodies of a linkage. `kin.Linkage.loads` makes an empty list, and each method returns
-/// the list with one more load.
+/// Loads on the points, angles and bodies of a linkage. `kin.Linkage.loads` makes an empty list, and each method
+/// returns the list with one more load.
 ///
 /// Masses, lengths and times are in units that belong together, as kilograms, metres and seconds: then forces are in
 /// newtons. A place is the name of a point, or the coordinates of a point of the ground.
@@ -111,8 +111,8 @@ impl Loads {
         self.with(|loads| loads.mass(mass, point))
     }
 
-    /// The mass of a body, its centre, and its moment of inertia about the centre. The centre is the name of a point, or
-    /// a vector in the frame of the body, from its first joint along the line to its second one.
+    /// The mass of a body, its centre, and its moment of inertia about the centre. The centre is the name of a point,
+    /// or a vector in the frame of the body, from its first joint along the line to its second one.
     fn mass_of(&self, body: &str, mass: f64, centre: &Bound<'_, PyAny>, inertia: f64) -> PyResult<Self> {
         let add = |centre: PointPlace<'_>| {
             let centre = match centre {

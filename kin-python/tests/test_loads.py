@@ -55,7 +55,8 @@ def test_a_force_on_a_piston(pump, turn):
         # virtual work: the effort times the way of the crank is the force times that of the piston
         expected = 200.0 * pose.jacobian()[pose.rows.index("s"), 0]
         for loads in (by_torque, by_force):
-            assert pump.forces(loads, theta=theta, assembly="open").efforts["theta"] == pytest.approx(expected, rel=1e-12)
+            efforts = pump.forces(loads, theta=theta, assembly="open").efforts
+            assert efforts["theta"] == pytest.approx(expected, rel=1e-12)
     effort, power = turn.of_effort(by_force), turn.of_power(by_force, "theta")
     assert power.highest().value == pytest.approx(SPEED * effort.highest().value, rel=1e-12)
     assert turn.of_effort(by_force, order=1).column().shape == (361,)

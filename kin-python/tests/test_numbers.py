@@ -29,7 +29,8 @@ def at_speed(name):
 def of_rust():
     """The bits of every mechanism, from a program in Rust."""
     package = Path(__file__).parent.parent
-    command = ["cargo", "run", "--profile", os.environ.get("KIN_PROFILE", "release"), "--locked", "--quiet", "--example", "numbers"]
+    profile = os.environ.get("KIN_PROFILE", "release")
+    command = ["cargo", "run", "--profile", profile, "--locked", "--quiet", "--example", "numbers"]
     printed = subprocess.run(command, cwd=package, check=True, capture_output=True, text=True).stdout
     lines = [line.split() for line in printed.splitlines()]
     return {name: numbers for name, *numbers in lines}

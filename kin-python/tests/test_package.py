@@ -34,12 +34,9 @@ def test_mistakes_in_types():
 
 def test_types_are_those_of_the_module():
     """The stubs name what the module has, with the same arguments."""
-    stubs = subprocess.run(
-        [sys.executable, "-m", "mypy.stubtest", "kin", "--ignore-disjoint-bases", "--allowlist", str(HERE / "stubtest.txt")],
-        capture_output=True,
-        text=True,
-        cwd=HERE,
-    )
+    allowed = str(HERE / "stubtest.txt")
+    command = [sys.executable, "-m", "mypy.stubtest", "kin", "--ignore-disjoint-bases", "--allowlist", allowed]
+    stubs = subprocess.run(command, capture_output=True, text=True, cwd=HERE)
     assert stubs.returncode == 0, stubs.stdout + stubs.stderr
 
 
@@ -90,7 +87,7 @@ def test_metadata():
     assert found["License-Expression"] == "MIT OR Apache-2.0"
     assert set(found.get_all("License-File")) == {"LICENSE-MIT", "LICENSE-APACHE"}
     files = {str(file) for file in metadata.files("kin-mechanisms") or []}
-    assert any(file.endswith("kin-mechanisms-0.1.0.dist-info/METADATA".replace("-m", "_m")) for file in files)
+    assert "kin_mechanisms-0.1.0.dist-info/METADATA" in files
 
 
 def test_everything_public_is_exported():
