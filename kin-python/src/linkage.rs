@@ -308,8 +308,8 @@ impl Linkage {
     /// with the same arguments: a `kin.Forces`. The declaration must state its bodies; otherwise `kin.AnswerError` says
     /// what to add.
     ///
-    /// Each force tells the body on which it acts, and the one that exerts it. It is `None` where equilibrium alone does
-    /// not determine it.
+    /// Each force tells the body on which it acts, and the one that exerts it. It is `None` where equilibrium alone
+    /// does not determine it.
     #[pyo3(signature = (loads, *, assembly=None, near=None, **inputs))]
     fn forces<'py>(
         &self,

@@ -17,7 +17,9 @@ def deg(degrees: float) -> float: ...
 def deg(degrees: tuple[float, ...]) -> tuple[float, ...]: ...
 @overload
 def deg(degrees: list[float] | NDArray[Any]) -> NDArray[np.float64]: ...
-def deg(degrees: float | tuple[float, ...] | list[float] | NDArray[Any]) -> float | tuple[float, ...] | NDArray[np.float64]:
+def deg(
+    degrees: float | tuple[float, ...] | list[float] | NDArray[Any],
+) -> float | tuple[float, ...] | NDArray[np.float64]:
     """Radians of an angle in degrees; of a tuple, of each of its entries; else of an array.
 
     >>> import kin
