@@ -26,6 +26,7 @@ chapters! {
     program: "../../docs/program.md";
     languages: "../../docs/languages.md";
     live: "../../docs/live.md";
+    python: "../../docs/python.md";
     library: "../../docs/library.md";
     theory: "../../docs/theory.md";
     closed_forms: "../../docs/closed-forms.md";

@@ -32,6 +32,26 @@ pub fn declaration(path: &Path) -> Result<String, String> {
     file.map_err(|mistakes| shown(&in_order(mistakes, &text), path, &text))
 }
 
+/// A mistake of a declaration as people read it: the message, and the line with a mark below the tokens at fault. The
+/// text, which has this name, is the one that was declared.
+///
+/// ```
+/// let text = "
+///     struct Crank { r: Length }
+///     input theta: Angle;
+///     unknown x: Length;
+///     x == q * cos(theta);
+/// ";
+/// let Err(kin_live::DeclareError::Mistakes(mistakes)) = kin_live::Mechanism::declare(text) else { panic!() };
+/// let shown = kin_studio::file::marked(&mistakes[0], "crank", text);
+/// assert!(shown.contains("--> crank:5:10"), "{shown}");
+/// assert!(shown.ends_with("  |          ^"), "{shown}");
+/// ```
+#[must_use]
+pub fn marked(mistake: &kin_live::Mistake, name: &str, text: &str) -> String {
+    Mistake::new(mistake.message.as_str(), mistake.bytes.clone()).shown(name, text)
+}
+
 /// The text of a file, or of the input if its name is `-`, without a byte order mark and line ends of other systems.
 pub(crate) fn text_of(path: &Path) -> Result<String, String> {
     let shown = path.display();

@@ -2,22 +2,22 @@
 
 /// A mechanism of the library, with dimensions and a position.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Design {
+pub struct Design {
     /// The name of the mechanism.
-    pub(crate) name: &'static str,
+    pub name: &'static str,
     /// The file of kin-core that declares it.
     file: &'static str,
     /// The scalar parameters.
-    pub(crate) parameters: &'static [f64],
+    pub parameters: &'static [f64],
     /// The inputs.
-    pub(crate) inputs: &'static [f64],
+    pub inputs: &'static [f64],
     /// The assembly.
-    pub(crate) assembly: DesignAssembly,
+    pub assembly: DesignAssembly,
 }
 
 /// The assembly of a design.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum DesignAssembly {
+pub enum DesignAssembly {
     /// The assembly of this name. The name is empty if the mechanism has one assembly.
     Named(&'static str),
     /// The assembly to which these values of the unknowns belong.
@@ -25,8 +25,9 @@ pub(crate) enum DesignAssembly {
 }
 
 impl Design {
-    /// The text between the braces of its declaration.
-    pub(crate) fn declaration(&self) -> &'static str {
+    /// The text between the braces of its declaration, as [`kin_live::Mechanism::declare`] takes it.
+    #[must_use]
+    pub fn declaration(&self) -> &'static str {
         let head = format!("pub struct {} {{", self.name);
         let mut declarations = self.file.split("\ncrate::mechanism! {").skip(1);
         let found = declarations.find(|text| text.contains(&head)).unwrap_or_default();
@@ -142,8 +143,8 @@ macro_rules! designs {
     };
 }
 
-/// All designs.
-pub(crate) const DESIGNS: &[Design] = each_design!(designs);
+/// All designs, in the order of the book's table.
+pub const DESIGNS: &[Design] = each_design!(designs);
 
 #[cfg(feature = "gallery")]
 pub(super) use each_design;

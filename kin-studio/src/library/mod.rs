@@ -2,10 +2,7 @@
 
 mod designs;
 
-#[cfg(feature = "program")]
-pub(crate) use designs::DESIGNS;
-#[cfg(any(feature = "gallery", feature = "program"))]
-pub(crate) use designs::{Design, DesignAssembly};
+pub use designs::{DESIGNS, Design, DesignAssembly};
 
 #[cfg(feature = "gallery")]
 use kin_core::{Mechanism, Row};

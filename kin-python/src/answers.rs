@@ -1,0 +1,32 @@
+//! Answers as tuples with names, whose classes are declared in Python, in `kin._answers`.
+
+use kin_core::extremes::{Extreme, ExtremeKind, Peak};
+use pyo3::call::PyCallArgs;
+use pyo3::prelude::*;
+
+/// A tuple of a class.
+pub(crate) fn answer<'py>(py: Python<'py>, class: &str, fields: impl PyCallArgs<'py>) -> PyResult<Bound<'py, PyAny>> {
+    py.import("kin._answers")?.getattr(class)?.call1(fields)
+}
+
+pub(crate) fn peak<'py>(py: Python<'py>, peak: &Peak) -> PyResult<Bound<'py, PyAny>> {
+    answer(py, "Peak", (peak.at, peak.value, kind(peak.kind)))
+}
+
+pub(crate) fn extreme<'py>(py: Python<'py>, found: &Extreme) -> PyResult<Bound<'py, PyAny>> {
+    answer(
+        py,
+        "Extreme",
+        (found.at, found.value, kind(found.kind), found.is_maximum),
+    )
+}
+
+fn kind(kind: ExtremeKind) -> &'static str {
+    match kind {
+        ExtremeKind::Inner => "inner",
+        ExtremeKind::Limit => "limit",
+        ExtremeKind::Kink => "kink",
+        ExtremeKind::End => "end",
+        ExtremeKind::Unbounded => "unbounded",
+    }
+}

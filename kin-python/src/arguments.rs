@@ -1,0 +1,155 @@
+//! Keyword arguments: values for quantities by their names.
+
+use kin_core::any::Quantity;
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// Scalar quantities that have one name: a point `p`, whose coordinates are `p.x` and `p.y`, or a number.
+pub(crate) struct Group<'d> {
+    pub(crate) name: &'d str,
+    /// The index of the first of them.
+    pub(crate) first: usize,
+    /// 1 for a number, 2 or 3 for a point.
+    pub(crate) coordinates: usize,
+    pub(crate) is_point: bool,
+}
+
+/// The groups of scalar quantities, in their order.
+pub(crate) fn groups<'d>(quantities: &[Quantity<'d>]) -> Vec<Group<'d>> {
+    let mut groups: Vec<Group<'d>> = Vec::new();
+    for (index, quantity) in quantities.iter().enumerate() {
+        let point = quantity.name.rsplit_once('.').map(|(point, _)| point);
+        match (point, groups.last_mut()) {
+            (Some(point), Some(last)) if last.is_point && last.name == point => last.coordinates += 1,
+            _ => groups.push(Group {
+                name: point.unwrap_or(quantity.name),
+                first: index,
+                coordinates: 1,
+                is_point: point.is_some(),
+            }),
+        }
+    }
+    groups
+}
+
+/// A kind of quantities, of which values are wanted.
+pub(crate) struct Wanted<'d> {
+    /// The word for one of them.
+    pub(crate) kind: &'static str,
+    pub(crate) quantities: &'d [Quantity<'d>],
+}
+
+/// The values of all wanted quantities, kind by kind, each in the order of the declaration. A point is given as a
+/// sequence of its coordinates, or each coordinate by its own name.
+pub(crate) fn values<'py>(
+    given: Option<&Bound<'py, PyDict>>,
+    wanted: &[Wanted<'_>],
+) -> PyResult<Vec<Vec<Bound<'py, PyAny>>>> {
+    let mut known = 0;
+    let mut missing = Vec::new();
+    let mut all = Vec::new();
+    for Wanted { kind, quantities } in wanted {
+        let mut values = Vec::new();
+        for group in groups(quantities) {
+            let whole = given.map(|given| given.get_item(group.name)).transpose()?.flatten();
+            if let Some(whole) = whole {
+                known += 1;
+                if group.is_point {
+                    values.extend(coordinates(&whole, &group)?);
+                } else {
+                    values.push(whole);
+                }
+                continue;
+            }
+            for quantity in &quantities[group.first..group.first + group.coordinates] {
+                match given.map(|given| given.get_item(quantity.name)).transpose()?.flatten() {
+                    Some(value) if group.is_point => {
+                        known += 1;
+                        values.push(value);
+                    }
+                    _ => {
+                        missing.push(format!("{kind} `{}`", group.name));
+                        break;
+                    }
+                }
+            }
+        }
+        all.push(values);
+    }
+    if given.map_or(0, PyDictMethods::len) > known {
+        return Err(unknown(given, wanted)?);
+    }
+    if missing.is_empty() {
+        return Ok(all);
+    }
+    Err(PyTypeError::new_err(format!("missing: {}", missing.join(", "))))
+}
+
+/// The error for a name that nothing has, or for a point that is given twice.
+fn unknown(given: Option<&Bound<'_, PyDict>>, wanted: &[Wanted<'_>]) -> PyResult<PyErr> {
+    let groups_of = |wanted: &Wanted<'_>| {
+        let names = groups(wanted.quantities);
+        names.into_iter().map(|group| group.name.to_owned()).collect::<Vec<_>>()
+    };
+    for name in given.into_iter().flat_map(PyDictMethods::keys) {
+        let name: String = name.extract()?;
+        let mut scalars = wanted.iter().flat_map(|wanted| wanted.quantities);
+        let is_known = wanted.iter().any(|wanted| groups_of(wanted).contains(&name))
+            || scalars.any(|quantity| quantity.name == name);
+        if !is_known {
+            let kinds = wanted.iter().map(|wanted| wanted.kind).collect::<Vec<_>>().join(" or ");
+            let lists = wanted.iter().map(|wanted| match groups_of(wanted).join(", ") {
+                list if list.is_empty() => format!("there is no {}", wanted.kind),
+                list => format!("{}s are {list}", wanted.kind),
+            });
+            let lists = lists.collect::<Vec<_>>().join("; ");
+            return Ok(PyTypeError::new_err(format!("no {kinds} is called `{name}`: {lists}")));
+        }
+    }
+    Ok(PyTypeError::new_err(
+        "a point is given twice: as a whole and by a coordinate",
+    ))
+}
+
+fn coordinates<'py>(point: &Bound<'py, PyAny>, group: &Group<'_>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+    let count = point.len().unwrap_or(0);
+    if count != group.coordinates {
+        return Err(PyTypeError::new_err(format!(
+            "`{}` is a point: give its {} coordinates, as in `{}=({})`",
+            group.name,
+            group.coordinates,
+            group.name,
+            ["x", "y", "z"][..group.coordinates.min(3)].join(", "),
+        )));
+    }
+    (0..count).map(|index| point.get_item(index)).collect()
+}
+
+/// A number.
+pub(crate) fn number(value: &Bound<'_, PyAny>, name: &str) -> PyResult<f64> {
+    value.extract::<f64>().map_err(|error| {
+        let py = value.py();
+        PyTypeError::new_err(format!("`{name}`: {}", error.value(py)))
+    })
+}
+
+/// The position of an input with its derivatives by time, those that are missing as zero.
+pub(crate) fn motion(value: &Bound<'_, PyAny>, name: &str, orders: usize) -> PyResult<Vec<f64>> {
+    let Ok(count) = value.len() else {
+        let mut motion = vec![0.0; orders];
+        motion[0] = number(value, name)?;
+        return Ok(motion);
+    };
+    if count == 0 || count > orders {
+        return Err(PyValueError::new_err(format!(
+            "`{name}` has {count} numbers: give its position, and behind it up to {} derivatives with respect to time",
+            orders - 1
+        )));
+    }
+    let mut motion = (0..count)
+        .map(|order| number(&value.get_item(order)?, name))
+        .collect::<PyResult<Vec<f64>>>()?;
+    motion.resize(orders, 0.0);
+    Ok(motion)
+}

@@ -1,0 +1,481 @@
+//! Many poses at once.
+
+use std::num::NonZero;
+use std::sync::{Mutex, PoisonError};
+use std::thread;
+
+use kin_core::any::{AssemblyChoice, Quantity};
+use kin_core::batch::{AnyBatch, Column, ColumnChoice, GivenColumns, Outcome, Slot, Vectors, WantedColumns};
+use kin_core::{Dimension, Number, SolveError};
+use numpy::{PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn};
+use pyo3::exceptions::{PyAttributeError, PyKeyError, PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
+
+use crate::arguments::{Group, groups};
+use crate::arrays::array;
+use crate::choice::choice;
+use crate::fault;
+use crate::mechanism::Declared;
+use crate::motion::Motion;
+use crate::pose::{find, unit};
+
+/// The poses that a thread solves in one go: a multiple of all widths of vectors, so that no pose depends on the number
+/// of threads.
+const PIECE: usize = 8192;
+
+/// The fewest poses of a piece. Fewer than a vector are solved one by one, and rounded differently.
+const FEWEST: usize = 512;
+
+/// No sine: an unknown that is no direction leaves it in the column of its sine.
+const NO_SINE: f64 = 2.0;
+
+/// What a batch is asked for beside its numbers.
+pub(crate) struct Wishes<'a, 'py> {
+    pub(crate) assembly: Option<&'a Bound<'py, PyAny>>,
+    pub(crate) near: Option<&'a Bound<'py, PyAny>>,
+    /// The highest derivative.
+    pub(crate) order: Option<usize>,
+    pub(crate) threads: Option<usize>,
+}
+
+/// Many poses: unknowns and outputs as attributes, each a `kin.Motion` of arrays. `kin.Mechanism.solve_batch` makes it.
+#[pyclass(frozen, module = "kin")]
+pub(crate) struct Batch {
+    motions: Vec<(String, Py<Motion>)>,
+    shape: Vec<usize>,
+    solved: Py<PyAny>,
+    margin: Py<PyAny>,
+    singular: Py<PyAny>,
+    count: usize,
+    first_failure: Option<(usize, Py<PyAny>)>,
+}
+
+/// One number for all poses, or one for each.
+enum Values {
+    Same(f64),
+    Each(Vec<f64>),
+}
+
+impl Values {
+    fn part(&self, from: usize, count: usize) -> Column<'_> {
+        match self {
+            Self::Same(value) => Column::Same(*value),
+            Self::Each(values) => Column::Each(&values[from..from + count]),
+        }
+    }
+}
+
+/// Numbers of Python as an array of NumPy, of any shape.
+fn as_array<'py>(numpy: &Bound<'py, PyAny>, value: &Bound<'py, PyAny>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+    let array = numpy.call_method1("asarray", (value,)).map_err(|error| {
+        let py = value.py();
+        PyValueError::new_err(format!("`{name}`: {}", error.value(py)))
+    })?;
+    let dtype = array.getattr("dtype")?;
+    let kind: String = dtype.getattr("kind")?.extract()?;
+    if !["f", "i", "u"].contains(&kind.as_str()) {
+        return Err(PyTypeError::new_err(format!(
+            "`{name}` is an array of {dtype}: give real numbers"
+        )));
+    }
+    Ok(array)
+}
+
+/// The values of all arguments, broadcast against each other, and their shape.
+fn broadcast<'py>(py: Python<'py>, given: &[(Bound<'py, PyAny>, String)]) -> PyResult<(Vec<Values>, Vec<usize>)> {
+    let numpy = py.import("numpy")?.into_any();
+    let arrays = given.iter().map(|(value, name)| as_array(&numpy, value, name));
+    let arrays = arrays.collect::<PyResult<Vec<_>>>()?;
+    let shapes = arrays
+        .iter()
+        .map(|array| array.getattr("shape"))
+        .collect::<PyResult<Vec<_>>>()?;
+    let shape = numpy
+        .call_method1("broadcast_shapes", PyTuple::new(py, &shapes)?)
+        .map_err(|_| {
+            let shapes = given
+                .iter()
+                .zip(&shapes)
+                .filter(|(_, shape)| shape.len().unwrap_or(0) > 0);
+            let shapes: Vec<String> = shapes.map(|((_, name), shape)| format!("{name} {shape}")).collect();
+            PyValueError::new_err(format!(
+                "these shapes do not broadcast against each other: {}",
+                shapes.join(", ")
+            ))
+        })?;
+    let float = numpy.getattr("float64")?;
+    let mut values = Vec::with_capacity(arrays.len());
+    for array in &arrays {
+        if array.getattr("ndim")?.extract::<usize>()? == 0 {
+            values.push(Values::Same(array.call_method0("item")?.extract()?));
+            continue;
+        }
+        let whole = numpy.call_method1("broadcast_to", (array, &shape))?;
+        let keywords = PyDict::new(py);
+        keywords.set_item("dtype", &float)?;
+        let whole = numpy.call_method("ascontiguousarray", (whole,), Some(&keywords))?;
+        let whole = whole.cast_into::<PyArrayDyn<f64>>().map_err(PyErr::from)?;
+        // a copy, because other threads of Python may write to the array while this one solves
+        let read: PyReadonlyArrayDyn<'_, f64> = whole.readonly();
+        values.push(Values::Each(read.as_slice()?.to_vec()));
+    }
+    Ok((values, shape.extract()?))
+}
+
+/// The part of a batch that one thread solves.
+struct Piece<'w> {
+    from: usize,
+    wanted: Vec<(Slot, &'w mut [f64])>,
+    outcomes: &'w mut [Outcome],
+}
+
+/// Solves a batch.
+pub(crate) fn solve<'py>(
+    py: Python<'py>,
+    declared: &Declared,
+    parameters: Vec<Bound<'py, PyAny>>,
+    inputs: Vec<Bound<'py, PyAny>>,
+    wishes: &Wishes<'_, 'py>,
+) -> PyResult<Batch> {
+    let description = declared.description();
+    let choice = choice(declared, wishes.assembly, wishes.near)?;
+    let orders = match wishes.order {
+        Some(order) if order > description.order => {
+            return Err(PyValueError::new_err(format!(
+                "{} has derivatives up to order {}",
+                description.name, description.order
+            )));
+        }
+        order => order.unwrap_or(description.order) + 1,
+    };
+    let mut given: Vec<(Bound<'py, PyAny>, String)> = Vec::new();
+    for (value, quantity) in parameters.into_iter().zip(description.parameters) {
+        given.push((value, quantity.name.to_owned()));
+    }
+    let mut counts = Vec::with_capacity(inputs.len());
+    for (value, quantity) in inputs.into_iter().zip(description.inputs) {
+        let motion = motion(value, quantity, declared.orders())?;
+        counts.push(motion.len());
+        given.extend(motion.into_iter().map(|value| (value, quantity.name.to_owned())));
+    }
+    let (values, shape) = broadcast(py, &given)?;
+    let count: usize = shape.iter().product();
+    let (parameters, motions) = values.split_at(description.parameters.len());
+
+    let kinds = [description.unknowns, description.outputs];
+    let mut columns = Columns::new(kinds, orders, count);
+    let mut outcomes = vec![Outcome::Unsolved; count];
+    let threads = threads(wishes.threads);
+    let first_failure = py.detach(|| {
+        let pieces = columns.pieces(&mut outcomes);
+        let solve = |piece: Piece<'_>| {
+            let length = piece.outcomes.len();
+            let parameters: Vec<Column<'_>> = parameters
+                .iter()
+                .map(|values| values.part(piece.from, length))
+                .collect();
+            let motions: Vec<Column<'_>> = motions.iter().map(|values| values.part(piece.from, length)).collect();
+            let mut rest = motions.as_slice();
+            let inputs = counts.iter().map(|count| {
+                let (motion, others) = rest.split_at(*count);
+                rest = others;
+                motion
+            });
+            let inputs: Vec<&[Column<'_>]> = inputs.collect();
+            let near: Vec<Column<'_>> = match &choice {
+                AssemblyChoice::Near(near) => near.iter().copied().map(Column::Same).collect(),
+                AssemblyChoice::Index(_) => Vec::new(),
+            };
+            let given = GivenColumns {
+                parameters: &parameters,
+                inputs: &inputs,
+                choice: match choice {
+                    AssemblyChoice::Index(index) => ColumnChoice::Assembly(index),
+                    AssemblyChoice::Near(_) => ColumnChoice::Near(&near),
+                },
+            };
+            let wanted = &mut WantedColumns::new(piece.wanted);
+            let solved = declared
+                .mechanism
+                .solve_batch(given, wanted, piece.outcomes, Vectors::widest());
+            let summary = solved.unwrap_or_else(|_| unreachable!("all columns have the length of the piece"));
+            summary.first_failure.map(|(index, error)| (piece.from + index, error))
+        };
+        let found = on_threads(pieces, threads, solve);
+        columns.finish();
+        found
+    });
+    columns.batch(py, declared, shape, &outcomes, first_failure)
+}
+
+fn threads(wished: Option<usize>) -> usize {
+    let all = || thread::available_parallelism().map_or(1, NonZero::get);
+    wished.filter(|threads| *threads > 0).unwrap_or_else(all)
+}
+
+/// Solves all pieces, and returns the failure with the lowest index.
+fn on_threads(
+    pieces: Vec<Piece<'_>>,
+    threads: usize,
+    solve: impl Fn(Piece<'_>) -> Option<(usize, SolveError)> + Sync,
+) -> Option<(usize, SolveError)> {
+    let threads = threads.min(pieces.len());
+    let failures: Vec<(usize, SolveError)> = if threads <= 1 {
+        pieces.into_iter().filter_map(solve).collect()
+    } else {
+        // Threads of this call only: a process that is forked later has no thread that waits for work.
+        let pieces = Mutex::new(pieces.into_iter());
+        let next = || pieces.lock().unwrap_or_else(PoisonError::into_inner).next();
+        thread::scope(|scope| {
+            let work = || std::iter::from_fn(next).filter_map(&solve).collect::<Vec<_>>();
+            let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
+            let found = workers.into_iter().flat_map(|worker| match worker.join() {
+                Ok(found) => found,
+                Err(panic) => std::panic::resume_unwind(panic),
+            });
+            found.collect()
+        })
+    };
+    failures.into_iter().min_by_key(|(index, _)| *index)
+}
+
+/// The numbers of an input: one for each order, each of which may be an array.
+fn motion<'py>(value: Bound<'py, PyAny>, quantity: &Quantity<'_>, orders: usize) -> PyResult<Vec<Bound<'py, PyAny>>> {
+    let name = quantity.name;
+    let Ok(tuple) = value.cast::<PyTuple>() else {
+        if value.is_instance_of::<pyo3::types::PyList>() {
+            return Err(PyTypeError::new_err(format!(
+                "`{name}` is a list, which could mean two things: write a tuple for position and derivatives, as in \
+                 `{name}=(angles, 10.0)`, and `numpy.array([…])` for many positions"
+            )));
+        }
+        return Ok(vec![value]);
+    };
+    let count = tuple.len();
+    if count == 0 || count > orders {
+        return Err(PyValueError::new_err(format!(
+            "`{name}` has {count} entries: give its position, and behind it up to {} derivatives with respect to time",
+            orders - 1
+        )));
+    }
+    Ok(tuple.iter().collect())
+}
+
+/// The numbers of unknowns and outputs, for each group and order a part of memory, with the coordinates of a point one
+/// after the other.
+struct Columns<'d> {
+    kinds: [&'d [Quantity<'d>]; 2],
+    groups: Vec<(Group<'d>, bool)>,
+    orders: usize,
+    count: usize,
+    numbers: Vec<Vec<f64>>,
+    /// The sines of unknowns that are directions.
+    sines: Vec<Vec<f64>>,
+}
+
+impl<'d> Columns<'d> {
+    fn new(kinds: [&'d [Quantity<'d>]; 2], orders: usize, count: usize) -> Self {
+        let of = |kind: usize| groups(kinds[kind]).into_iter().map(move |group| (group, kind == 1));
+        let groups: Vec<_> = of(0).chain(of(1)).collect();
+        let numbers = groups
+            .iter()
+            .flat_map(|(group, _)| (0..orders).map(|_| vec![0.0; group.coordinates * count]));
+        let sine = |quantity: &Quantity<'_>| match quantity.dimension {
+            Dimension::Angle => vec![NO_SINE; count],
+            _ => Vec::new(),
+        };
+        Self {
+            kinds,
+            orders,
+            count,
+            numbers: numbers.collect(),
+            sines: kinds[0].iter().map(sine).collect(),
+            groups,
+        }
+    }
+
+    /// The pieces that threads solve.
+    fn pieces<'w>(&'w mut self, outcomes: &'w mut [Outcome]) -> Vec<Piece<'w>> {
+        let mut rest: Vec<(Slot, &'w mut [f64])> = Vec::new();
+        for (index, numbers) in self.numbers.iter_mut().enumerate() {
+            let (group, is_output) = &self.groups[index / self.orders];
+            let order = index % self.orders;
+            let coordinates = numbers.chunks_exact_mut(self.count.max(1)).take(group.coordinates);
+            for (coordinate, numbers) in coordinates.enumerate() {
+                let scalar = group.first + coordinate;
+                let slot = if *is_output {
+                    Slot::Output(scalar, order)
+                } else {
+                    Slot::Unknown(scalar, order)
+                };
+                rest.push((slot, numbers));
+            }
+        }
+        let sines = self.sines.iter_mut().enumerate().filter(|(_, sine)| !sine.is_empty());
+        rest.extend(sines.map(|(unknown, sine)| (Slot::Sine(unknown), sine.as_mut_slice())));
+
+        let (mut outcomes, mut from, mut pieces) = (outcomes, 0, Vec::new());
+        while !outcomes.is_empty() {
+            let length = if outcomes.len() < PIECE + FEWEST {
+                outcomes.len()
+            } else {
+                PIECE
+            };
+            let (part, others) = outcomes.split_at_mut(length);
+            let split = |(slot, numbers): &mut (Slot, &'w mut [f64])| {
+                let (part, others) = std::mem::take(numbers).split_at_mut(length);
+                *numbers = others;
+                (*slot, part)
+            };
+            pieces.push(Piece {
+                from,
+                wanted: rest.iter_mut().map(split).collect(),
+                outcomes: part,
+            });
+            (outcomes, from) = (others, from + length);
+        }
+        pieces
+    }
+
+    /// Makes angles of directions, which a batch stores as cosines and sines.
+    fn finish(&mut self) {
+        for (unknown, sines) in std::mem::take(&mut self.sines).into_iter().enumerate() {
+            if sines.first().is_none_or(|sine| *sine == NO_SINE) {
+                continue;
+            }
+            // every unknown is a group of its own
+            for (angle, sine) in self.numbers[unknown * self.orders].iter_mut().zip(sines) {
+                *angle = Number::atan2(sine, *angle);
+            }
+        }
+    }
+
+    fn batch(
+        self,
+        py: Python<'_>,
+        declared: &Declared,
+        shape: Vec<usize>,
+        outcomes: &[Outcome],
+        first_failure: Option<(usize, SolveError)>,
+    ) -> PyResult<Batch> {
+        let mut motions = Vec::with_capacity(self.groups.len());
+        let mut numbers = self.numbers.into_iter();
+        for (group, _) in &self.groups {
+            let mut whole = Vec::new();
+            if group.is_point {
+                whole.push(group.coordinates);
+            }
+            whole.extend(&shape);
+            let orders = numbers
+                .by_ref()
+                .take(self.orders)
+                .map(|order| Ok(array(py, order, &whole)?.unbind()));
+            let orders = orders.collect::<PyResult<Vec<_>>>()?;
+            let dimension = find(&self.kinds, group.name).map_or(Dimension::Scalar, |(_, _, dimension)| dimension);
+            let motion = Motion::new(group, unit(dimension), orders);
+            motions.push((group.name.to_owned(), Py::new(py, motion)?));
+        }
+        let mask = |is: fn(&Outcome) -> bool| array(py, outcomes.iter().map(is).collect::<Vec<bool>>(), &shape);
+        let margins = outcomes.iter().map(|outcome| outcome.margin().unwrap_or(f64::NAN));
+        let first_failure = first_failure.map(|(index, error)| {
+            let error = fault::of_solver(py, &declared.mechanism, &error);
+            (index, error.into_value(py).into_any())
+        });
+        Ok(Batch {
+            motions,
+            solved: mask(Outcome::is_solved)?.unbind(),
+            singular: mask(|outcome| matches!(outcome, Outcome::Singular))?.unbind(),
+            margin: array(py, margins.collect(), &shape)?.unbind(),
+            count: self.count,
+            shape,
+            first_failure,
+        })
+    }
+}
+
+impl Batch {
+    fn find(&self, py: Python<'_>, name: &str) -> PyResult<Option<Py<PyAny>>> {
+        for (motion, value) in &self.motions {
+            if motion == name {
+                return Ok(Some(value.clone_ref(py).into_any()));
+            }
+        }
+        let Some((point, coordinate)) = name.rsplit_once('.') else {
+            return Ok(None);
+        };
+        match self.motions.iter().find(|(motion, _)| motion == point) {
+            Some((_, value)) => Ok(Some(value.bind(py).getattr(coordinate)?.unbind())),
+            None => Ok(None),
+        }
+    }
+
+    fn none_called(&self, name: &str) -> String {
+        let all: Vec<&str> = self.motions.iter().map(|(name, _)| name.as_str()).collect();
+        format!(
+            "no unknown and no output is called `{name}`: there are {}",
+            all.join(", ")
+        )
+    }
+}
+
+#[pymethods]
+impl Batch {
+    /// The shape to which dimensions and inputs were broadcast.
+    #[getter]
+    fn shape<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        PyTuple::new(py, &self.shape)
+    }
+
+    /// Where the mechanism closes: an array of bools. Elsewhere all numbers are NaN.
+    #[getter]
+    fn solved(&self, py: Python<'_>) -> Py<PyAny> {
+        self.solved.clone_ref(py)
+    }
+
+    /// Where the position is singular, for example a limit position: an array of bools.
+    #[getter]
+    fn singular(&self, py: Python<'_>) -> Py<PyAny> {
+        self.singular.clone_ref(py)
+    }
+
+    /// The missing length where the mechanism is out of reach, as a negative number; NaN elsewhere.
+    #[getter]
+    fn margin(&self, py: Python<'_>) -> Py<PyAny> {
+        self.margin.clone_ref(py)
+    }
+
+    /// The flat index of the first pose that was not found, with its `kin.SolveError`, or `None`.
+    #[getter]
+    fn first_failure(&self, py: Python<'_>) -> Option<(usize, Py<PyAny>)> {
+        let (index, error) = self.first_failure.as_ref()?;
+        Some((*index, error.clone_ref(py)))
+    }
+
+    fn __len__(&self) -> usize {
+        self.shape.first().copied().unwrap_or(self.count)
+    }
+
+    fn __getattr__(&self, py: Python<'_>, name: &str) -> PyResult<Py<PyAny>> {
+        self.find(py, name)?
+            .ok_or_else(|| PyAttributeError::new_err(self.none_called(name)))
+    }
+
+    fn __getitem__(&self, py: Python<'_>, name: &str) -> PyResult<Py<PyAny>> {
+        self.find(py, name)?
+            .ok_or_else(|| PyKeyError::new_err(self.none_called(name)))
+    }
+
+    fn __dir__<'py>(slf: &Bound<'py, Self>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let mut names: Vec<Bound<'py, PyAny>> = slf.get_type().dir()?.iter().collect();
+        for (name, _) in &slf.get().motions {
+            names.push(name.into_pyobject(slf.py())?.into_any());
+        }
+        Ok(names)
+    }
+
+    fn __repr__(&self) -> String {
+        let names: Vec<&str> = self.motions.iter().map(|(name, _)| name.as_str()).collect();
+        format!("<kin.Batch of {} poses: {}>", self.count, names.join(", "))
+    }
+}

@@ -1,0 +1,227 @@
+//! Loads on a linkage, and the forces that they cause.
+
+use kin_core::any::AssemblyChoice;
+use kin_core::load::{NamedLoads, NoSuchPlace, PointPlace};
+use kin_core::reaction::{Reaction, ReactionError, ReactionPart};
+use kin_core::{Motion, Plane, Space};
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::answers::answer;
+use crate::fault;
+use crate::linkage::Linkage;
+
+/// Loads on the points, angles and bodies of a linkage. `kin.Linkage.loads` makes an empty list, and each method
+/// returns the list with one more load.
+///
+/// Masses, lengths and times are in units that belong together, as kilograms, metres and seconds: then forces are in
+/// newtons. A place is the name of a point, or the coordinates of a point of the ground.
+///
+/// >>> import kin
+/// >>> press = kin.library.slider_crank(r=0.1, l=0.3)
+/// >>> loads = press.loads().torque(-200.0, "s")    # a force against the slide, in newtons
+/// >>> turn = press.sweep(theta=(0, 6.283185307179586), speed=10.0, assembly="open")
+/// >>> turn.of_power(loads).highest().value > 0
+/// True
+#[pyclass(frozen, module = "kin")]
+#[derive(Clone, Debug)]
+pub(crate) struct Loads {
+    pub(crate) named: NamedLoads,
+    /// The text of the mechanism.
+    text: String,
+}
+
+fn refused(error: &NoSuchPlace) -> PyErr {
+    PyValueError::new_err(error.to_string())
+}
+
+fn vector(value: &Bound<'_, PyAny>, name: &str) -> PyResult<Space<f64>> {
+    let wrong = || PyTypeError::new_err(format!("`{name}` is a vector: give two or three numbers"));
+    let numbers: Vec<f64> = value.extract().map_err(|_| wrong())?;
+    match numbers.as_slice() {
+        [x, y] => Ok(Space::new(*x, *y, 0.0)),
+        [x, y, z] => Ok(Space::new(*x, *y, *z)),
+        _ => Err(wrong()),
+    }
+}
+
+fn with_place<T>(place: &Bound<'_, PyAny>, use_it: impl FnOnce(PointPlace<'_>) -> T) -> PyResult<T> {
+    match place.extract::<String>() {
+        Ok(name) => Ok(use_it(PointPlace::Named(&name))),
+        Err(_) => Ok(use_it(PointPlace::Fixed(vector(place, "place")?))),
+    }
+}
+
+impl Loads {
+    pub(crate) fn new(linkage: &Linkage) -> Self {
+        Self {
+            named: linkage.any().loads(),
+            text: linkage.declared.text.clone(),
+        }
+    }
+
+    /// Refuses the loads of another mechanism.
+    pub(crate) fn check(&self, linkage: &Linkage) -> PyResult<()> {
+        if self.text == linkage.declared.text {
+            return Ok(());
+        }
+        let name = linkage.declared.description().name;
+        Err(PyValueError::new_err(format!(
+            "these loads are not those of {name}: make them by its `loads`"
+        )))
+    }
+
+    fn with(&self, add: impl FnOnce(NamedLoads) -> Result<NamedLoads, NoSuchPlace>) -> PyResult<Self> {
+        Ok(Self {
+            named: add(self.named.clone()).map_err(|error| refused(&error))?,
+            text: self.text.clone(),
+        })
+    }
+}
+
+#[pymethods]
+impl Loads {
+    /// The names of points on which loads can act.
+    #[getter]
+    fn points(&self) -> Vec<&str> {
+        self.named.points()
+    }
+
+    /// The names of angles and distances on which loads can act.
+    #[getter]
+    fn angles(&self) -> Vec<&str> {
+        self.named.angles()
+    }
+
+    /// The names of bodies that can have a mass.
+    #[getter]
+    fn bodies(&self) -> Vec<&str> {
+        self.named.bodies()
+    }
+
+    /// The acceleration of gravity: a vector, for all masses.
+    fn gravity(&self, acceleration: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let acceleration = vector(acceleration, "acceleration")?;
+        self.with(|loads| Ok(loads.gravity(acceleration)))
+    }
+
+    /// A mass at a point.
+    fn mass(&self, mass: f64, point: &str) -> PyResult<Self> {
+        self.with(|loads| loads.mass(mass, point))
+    }
+
+    /// The mass of a body, its centre, and its moment of inertia about the centre. The centre is the name of a point,
+    /// or a vector in the frame of the body, from its first joint along the line to its second one.
+    fn mass_of(&self, body: &str, mass: f64, centre: &Bound<'_, PyAny>, inertia: f64) -> PyResult<Self> {
+        let add = |centre: PointPlace<'_>| {
+            let centre = match centre {
+                PointPlace::Fixed(centre) => Plane::new(centre.x, centre.y).into(),
+                named @ PointPlace::Named(_) => named,
+            };
+            self.with(|loads| loads.mass_of(body, mass, centre, inertia))
+        };
+        with_place(centre, add)?
+    }
+
+    /// The moment of inertia of a link about its centre of mass, by its angle.
+    fn inertia(&self, inertia: f64, angle: &str) -> PyResult<Self> {
+        self.with(|loads| loads.inertia(inertia, angle))
+    }
+
+    /// A constant force at a point: a vector.
+    fn force(&self, force: &Bound<'_, PyAny>, point: &str) -> PyResult<Self> {
+        let force = vector(force, "force")?;
+        self.with(|loads| loads.force(force, point))
+    }
+
+    /// A constant torque on an angle, or a constant force along a distance.
+    fn torque(&self, torque: f64, angle: &str) -> PyResult<Self> {
+        self.with(|loads| loads.torque(torque, angle))
+    }
+
+    /// A spring between two places, with its stiffness and its length at rest.
+    fn spring(&self, stiffness: f64, rest: f64, start: &Bound<'_, PyAny>, end: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let add =
+            |from: PointPlace<'_>| with_place(end, |to| self.with(|loads| loads.spring(stiffness, rest, from, to)))?;
+        with_place(start, add)?
+    }
+
+    /// A damper between two places.
+    fn damper(&self, damping: f64, start: &Bound<'_, PyAny>, end: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let add = |from: PointPlace<'_>| with_place(end, |to| self.with(|loads| loads.damper(damping, from, to)))?;
+        with_place(start, add)?
+    }
+
+    fn __repr__(&self) -> String {
+        let (points, angles) = (self.named.points().join(", "), self.named.angles().join(", "));
+        format!("<kin.Loads on points {points}; angles and distances {angles}>")
+    }
+}
+
+/// The part of a force in a joint that a word names.
+pub(crate) fn part(word: &str) -> PyResult<ReactionPart> {
+    const PARTS: [(&str, ReactionPart); 8] = [
+        ("force", ReactionPart::Force),
+        ("x", ReactionPart::X),
+        ("y", ReactionPart::Y),
+        ("z", ReactionPart::Z),
+        ("moment", ReactionPart::Moment),
+        ("moment_x", ReactionPart::MomentX),
+        ("moment_y", ReactionPart::MomentY),
+        ("moment_z", ReactionPart::MomentZ),
+    ];
+    let found = PARTS.iter().find(|(name, _)| *name == word);
+    found.map(|(_, part)| *part).ok_or_else(|| {
+        let names = PARTS.map(|(name, _)| format!("\"{name}\"")).join(", ");
+        PyValueError::new_err(format!("no part of a force is called \"{word}\": there are {names}"))
+    })
+}
+
+/// The exception for forces that are not found.
+pub(crate) fn refused_reaction(py: Python<'_>, linkage: &Linkage, error: &ReactionError) -> PyErr {
+    match error {
+        ReactionError::Solve(error) => fault::of_solver(py, &linkage.declared.mechanism, error),
+        error => fault::of_answer(py, &linkage.declared.mechanism, error, None),
+    }
+}
+
+/// The forces in all joints, and the efforts of the drives, at inputs with all orders.
+pub(crate) fn forces<'py>(
+    py: Python<'py>,
+    linkage: &Linkage,
+    loads: &Loads,
+    inputs: &[f64],
+    choice: &AssemblyChoice,
+) -> PyResult<Bound<'py, PyAny>> {
+    loads.check(linkage)?;
+    let motion = |orders: &[f64]| Motion::new(std::array::from_fn(|order| orders.get(order).copied().unwrap_or(0.0)));
+    let inputs: Vec<Motion> = inputs.chunks_exact(linkage.declared.orders()).map(motion).collect();
+    let found = py.detach(|| {
+        let any = linkage.any();
+        let reactions = any.reactions(&loads.named).map_err(Box::new)?;
+        let found = reactions.at(&inputs, choice.position()).map_err(Box::new)?;
+        let bodies = reactions
+            .names()
+            .map(|name| reactions.bodies_of(name).map_err(Box::new));
+        Ok((found, bodies.collect::<Result<Vec<_>, _>>()?))
+    });
+    let (found, bodies) = found.map_err(|error: Box<ReactionError>| refused_reaction(py, linkage, &error))?;
+    let joints = PyDict::new(py);
+    for ((name, reaction), [on, by]) in found.all().zip(bodies) {
+        match reaction {
+            Ok(reaction) => {
+                let Reaction { x, y, z, moment, .. } = reaction;
+                let fields = (x[0], y[0], z[0], moment[0], reaction.magnitude()[0], on, by);
+                joints.set_item(name, answer(py, "Force", fields)?)?;
+            }
+            Err(ReactionError::Undetermined { .. }) => joints.set_item(name, py.None())?,
+            Err(error) => return Err(refused_reaction(py, linkage, &error)),
+        }
+    }
+    let efforts = PyDict::new(py);
+    for (index, input) in linkage.declared.description().inputs.iter().enumerate() {
+        efforts.set_item(input.name, found.effort(index).map(|effort| effort[0]))?;
+    }
+    answer(py, "Forces", (joints, efforts))
+}

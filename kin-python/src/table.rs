@@ -1,0 +1,209 @@
+//! Tables of sweeps.
+
+use std::fmt::Write as _;
+
+use kin_core::batch::Outcome;
+use kin_core::sweep::Table as CoreTable;
+use pyo3::exceptions::PyKeyError;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList, PyTuple};
+
+use crate::answers::answer;
+use crate::arrays::array;
+use crate::fault::named;
+use crate::mechanism::Declared;
+
+/// A table of a sweep: a column for the position and each derivative of every quantity, NaN where the mechanism does
+/// not close.
+///
+/// `table["theta4_jerk"]` is a column as an array. pandas and polars take the table by `to_pandas` and `to_polars`.
+///
+/// >>> import kin
+/// >>> linkage = kin.library.four_bar(r1=90, r2=30, r3=70, r4=60)
+/// >>> table = linkage.sweep(theta2=(0.0, 6.0), rows=7, speed=10.0, assembly="open").table()
+/// >>> len(table), table.names[:3]
+/// (7, ('theta2', 'theta2_velocity', 'theta2_acceleration'))
+/// >>> table["theta2"].tolist()
+/// [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0]
+#[pyclass(frozen, module = "kin")]
+pub(crate) struct Table {
+    rows: CoreTable,
+    columns: Vec<(String, Py<PyAny>)>,
+    limits: Py<PyList>,
+    /// The names of blocks at the limits.
+    blocks: Vec<String>,
+}
+
+/// The rows at the beginning and at the end that are shown.
+const SHOWN: usize = 5;
+
+impl Table {
+    pub(crate) fn new(py: Python<'_>, declared: &Declared, table: CoreTable) -> PyResult<Self> {
+        let limits = table.limits().iter();
+        let blocks = limits.map(|limit| named(limit.block, declared.description()));
+        let blocks = blocks.collect();
+        Self::with_blocks(py, table, blocks)
+    }
+
+    fn with_blocks(py: Python<'_>, table: CoreTable, blocks: Vec<String>) -> PyResult<Self> {
+        let count = table.count();
+        let column = |column: kin_core::sweep::ColumnOf<'_>| {
+            let values = array(py, column.values.to_vec(), &[count])?;
+            Ok((column.label.to_string(), values.unbind()))
+        };
+        let columns = table.columns().map(column).collect::<PyResult<_>>()?;
+        let limits = PyList::empty(py);
+        for (limit, block) in table.limits().iter().zip(&blocks) {
+            let kind = limit.kind.to_string();
+            let fields = (limit.at, kind, limit.row, limit.closes_before, block.as_str());
+            limits.append(answer(py, "Limit", fields)?)?;
+        }
+        Ok(Self {
+            columns,
+            limits: limits.unbind(),
+            blocks,
+            rows: table,
+        })
+    }
+
+    fn mask(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
+        let outcomes = (0..self.rows.count()).map(|row| self.rows.outcome(row).is_some_and(|row| row.is_solved()));
+        Ok(array(py, outcomes.collect::<Vec<bool>>(), &[self.rows.count()])?.unbind())
+    }
+
+    /// The indices of the rows that are shown, with `None` for those between.
+    fn shown(&self) -> Vec<Option<usize>> {
+        let count = self.rows.count();
+        if count <= 2 * SHOWN + 1 {
+            return (0..count).map(Some).collect();
+        }
+        let before = (0..SHOWN).map(Some);
+        before.chain([None]).chain((count - SHOWN..count).map(Some)).collect()
+    }
+}
+
+#[pymethods]
+impl Table {
+    /// The names of the columns.
+    #[getter]
+    fn names<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        PyTuple::new(py, self.columns.iter().map(|(name, _)| name))
+    }
+
+    /// The units of the columns, by their names: `L` is the mechanism's unit of length, `T` that of time.
+    #[getter]
+    fn units<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let units = PyDict::new(py);
+        for column in self.rows.columns() {
+            units.set_item(column.label.to_string(), column.unit.to_string())?;
+        }
+        Ok(units)
+    }
+
+    /// The rows in which the mechanism closes: an array of bools.
+    #[getter]
+    fn solved(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
+        self.mask(py)
+    }
+
+    /// The missing length in rows that do not close, as a negative number; NaN elsewhere.
+    #[getter]
+    fn margin<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let count = self.rows.count();
+        let margins = (0..count).map(|row| self.rows.outcome(row).as_ref().and_then(Outcome::margin));
+        array(py, margins.map(|margin| margin.unwrap_or(f64::NAN)).collect(), &[count])
+    }
+
+    /// The points between rows where the mechanism begins or ceases to close.
+    #[getter]
+    fn limits(&self, py: Python<'_>) -> Py<PyList> {
+        self.limits.clone_ref(py)
+    }
+
+    /// The table with degrees instead of radians, in all columns of angles and of their derivatives.
+    fn in_degrees(&self, py: Python<'_>) -> PyResult<Self> {
+        Self::with_blocks(py, self.rows.clone().in_degrees(), self.blocks.clone())
+    }
+
+    /// The table with names for the units of length and time. The numbers stay the same.
+    fn in_units(&self, py: Python<'_>, length: &str, time: &str) -> PyResult<Self> {
+        Self::with_blocks(py, self.rows.clone().units(length, time), self.blocks.clone())
+    }
+
+    /// All columns by their names, as arrays.
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let all = PyDict::new(py);
+        for (name, values) in &self.columns {
+            all.set_item(name, values)?;
+        }
+        Ok(all)
+    }
+
+    /// The table as a DataFrame of pandas.
+    fn to_pandas<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        py.import("pandas")?.getattr("DataFrame")?.call1((self.to_dict(py)?,))
+    }
+
+    /// The table as a DataFrame of polars.
+    fn to_polars<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        py.import("polars")?.getattr("DataFrame")?.call1((self.to_dict(py)?,))
+    }
+
+    fn __getitem__(&self, py: Python<'_>, name: &str) -> PyResult<Py<PyAny>> {
+        match self.columns.iter().find(|(column, _)| column == name) {
+            Some((_, values)) => Ok(values.clone_ref(py)),
+            None => Err(match self.rows.column(name) {
+                Err(error) => PyKeyError::new_err(error.to_string()),
+                Ok(_) => PyKeyError::new_err(format!("name the column without its unit: `{name}`")),
+            }),
+        }
+    }
+
+    fn __contains__(&self, name: &str) -> bool {
+        self.columns.iter().any(|(column, _)| column == name)
+    }
+
+    fn __iter__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        Ok(self.names(py)?.try_iter()?.into_any())
+    }
+
+    fn __len__(&self) -> usize {
+        self.rows.count()
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "<kin.Table of {} rows and {} columns>",
+            self.rows.count(),
+            self.columns.len()
+        )
+    }
+
+    fn _repr_html_(&self) -> String {
+        let mut html = String::from("<table><thead><tr>");
+        for column in self.rows.columns() {
+            let _ = write!(html, "<th>{}</th>", escaped(&column.to_string()));
+        }
+        html += "</tr></thead><tbody>";
+        for row in self.shown() {
+            html += "<tr>";
+            for column in self.rows.columns() {
+                match row {
+                    Some(row) => {
+                        let _ = write!(html, "<td>{:.6}</td>", column.values[row]);
+                    }
+                    None => html += "<td>…</td>",
+                }
+            }
+            html += "</tr>";
+        }
+        let _ = write!(html, "</tbody></table><p>{} rows</p>", self.rows.count());
+        html
+    }
+}
+
+/// A text as HTML, also between quotation marks.
+pub(crate) fn escaped(text: &str) -> String {
+    let text = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+    text.replace('"', "&quot;")
+}
