@@ -120,6 +120,7 @@ impl<const N: usize> Series<N> {
     }
 
     /// The series of another number of terms, of which further ones are zero.
+    #[cfg(feature = "alloc")]
     pub(crate) fn resized<const M: usize>(&self) -> Series<M> {
         Series::from_coefficients(core::array::from_fn(|power| {
             self.coefficients.get(power).copied().unwrap_or(0.0)
