@@ -68,7 +68,7 @@ def test_every_kind_of_load(pump):
     assert set(loads.angles) == {"theta", "phi", "s"}
     for more in (
         loads.gravity((0, -9.81)).mass_of("rod", 0.4, (L / 2, 0), 1e-3),
-        loads.mass_of("crank", 0.4, "pin", 1e-3),
+        loads.gravity((0, -9.81)).mass_of("crank", 0.4, "pin", 1e-3),
         loads.inertia(1e-3, "phi"),
         loads.spring(1e4, 0.1, (0.3, 0.0), "piston"),
         loads.damper(10.0, "piston", (0.3, 0.0, 0.0)),
