@@ -28,7 +28,12 @@ impl KinDeclaration {
         let tokens: Vec<TokenTree> = stream.into_iter().collect();
         let mut sections = Sections::read(text, &tokens).map_err(|mistake| vec![mistake])?;
         // blanks replace everything else, so that every token keeps its position
-        let declaration = blank(&blanked, sections.places.iter().map(|section| &section.whole));
+        let besides = sections
+            .places
+            .iter()
+            .map(|section| &section.whole)
+            .chain(&sections.strays);
+        let declaration = blank(&blanked, besides);
         match Mechanism::declare(&declaration) {
             Ok(mechanism) => {
                 let lines: Vec<&str> = declaration.lines().map(str::trim_end).collect();

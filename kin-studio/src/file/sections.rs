@@ -16,6 +16,8 @@ pub(crate) struct Sections {
     pub(crate) columns: Vec<Part>,
     /// The ranges of all sections in the text.
     pub(crate) places: Vec<Section>,
+    /// The ranges of values that stand in no section, which the compiler does not see.
+    pub(crate) strays: Vec<Range<usize>>,
     /// The mistakes in the sections.
     pub(crate) mistakes: Vec<Mistake>,
 }
@@ -148,6 +150,19 @@ impl Sections {
         let mut position = 0;
         while let Some(token) = tokens.get(position) {
             check_end(&declared, token)?;
+            if let Some(length) = stray_value(&declared, &tokens[position..]) {
+                let end = position + length;
+                let whole = range_of(token).start..range_of(&tokens[end]).end;
+                let message = format!(
+                    "the value of a dimension stands in a section: `dimensions {{ {} }}`; that of an input in \
+                     `motion {{ .. }}`",
+                    &text[whole.clone()]
+                );
+                sections.mistakes.push(Mistake::new(message, range_of(token)));
+                sections.strays.push(whole);
+                position = end + 1;
+                continue;
+            }
             let Some(name) = section_at(&declared, &tokens[position..]) else {
                 declared.push(token.clone());
                 position += 1;
@@ -240,10 +255,25 @@ fn section_at(declared: &[TokenTree], tokens: &[TokenTree]) -> Option<&'static s
     if is_ident(first, "assembly") {
         return (is_punct(next, '=') && !is_punct(tokens.get(2), '=')).then_some("assembly");
     }
-    let begins = declared
+    (begins_statement(declared) && is_ident(first, "columns") && matches!(next, Some(TokenTree::Ident(_))))
+        .then_some("columns")
+}
+
+/// Whether a statement begins behind these tokens of the declaration.
+fn begins_statement(declared: &[TokenTree]) -> bool {
+    declared
         .last()
-        .is_none_or(|last| is_punct(Some(last), ';') || braces(Some(last)).is_some());
-    (begins && is_ident(first, "columns") && matches!(next, Some(TokenTree::Ident(_)))).then_some("columns")
+        .is_none_or(|last| is_punct(Some(last), ';') || braces(Some(last)).is_some())
+}
+
+/// The index of the `;` behind `r1 = 90mm`, which stands in no section, if these tokens begin so.
+fn stray_value(declared: &[TokenTree], tokens: &[TokenTree]) -> Option<usize> {
+    let [TokenTree::Ident(name), equals, value, ..] = tokens else {
+        return None;
+    };
+    let is_value = is_punct(Some(equals), '=') && !is_punct(Some(value), '=');
+    let is_stray = begins_statement(declared) && name != "assembly" && is_value;
+    is_stray.then(|| tokens.iter().position(|token| is_punct(Some(token), ';')))?
 }
 
 fn entry(section: &str, part: &[TokenTree], whole: Range<usize>, text: &str) -> Result<Entry, Mistake> {

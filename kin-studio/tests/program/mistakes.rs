@@ -113,6 +113,7 @@ fn mistakes_in_kin_files() {
         ("at 45rpm", "45rpm"),
         ("/// A windscreen", "# it's a comment\n/// A windscreen"),
         ("crank = 40mm", "crank = 40,5mm"),
+        ("motion {", "blade = 450mm; rod = 10mm;\nmotion {"),
     ]
     .map(|(old, new)| {
         folder.write("wiper.kin", &right.replacen(old, new, 1));
