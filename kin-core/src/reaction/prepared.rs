@@ -20,9 +20,6 @@ use crate::picture::Outline;
 /// The terms of a motion through snap.
 const TERMS: usize = 5;
 
-/// The factors between derivatives and the terms of a series.
-const FACTORS: [f64; TERMS] = [1.0, 1.0, 1.0 / 2.0, 1.0 / 6.0, 1.0 / 24.0];
-
 type PoseNumber = Series<TERMS>;
 
 /// A force has two derivatives less than a motion.
@@ -288,7 +285,7 @@ impl Quick {
         let motions = [&self.inputs, &self.unknowns, &self.outputs].into_iter();
         let motions = motions.flat_map(|motions| motions.chunks_exact(stride));
         for (quantity, motion) in self.moved.quantities[parameters.len()..].iter_mut().zip(motions) {
-            *quantity = Series::from_coefficients(core::array::from_fn(|order| motion[order] * FACTORS[order]));
+            *quantity = Series::from_derivatives(core::array::from_fn(|order| motion[order]));
         }
         for (index, place) in self.places.iter().enumerate() {
             self.moved.places[index] = self.moved.point(*place);

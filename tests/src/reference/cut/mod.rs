@@ -61,6 +61,12 @@ fn rate(series: &Series) -> Series {
     Series::from_coefficients(rates.collect())
 }
 
+/// Where joints are, without their motion.
+fn positions<const AXES: usize>(places: &[[Series; AXES]]) -> Vec<Vec<Number>> {
+    let values = |place: &[Series; AXES]| place.iter().map(|part| part.coefficient(0)).collect();
+    places.iter().map(values).collect()
+}
+
 /// The value of a force and its derivatives.
 fn rates(series: &Series) -> Rates {
     let mut factorial = number(1);

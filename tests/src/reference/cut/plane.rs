@@ -3,7 +3,7 @@
 use kin_precise::Number;
 
 use super::super::series::{Series, number};
-use super::{COUNT, Forces, ORDERS, System, constant, moved, rate, rates, times, with_conditions, zero};
+use super::{COUNT, Forces, ORDERS, System, constant, moved, positions, rate, rates, times, with_conditions, zero};
 
 /// Digits of the friction that a fixed point leaves open.
 const OPEN: f64 = 1e-66;
@@ -277,10 +277,7 @@ fn forces(cut: &Cut, factor: impl Fn(usize) -> Number) -> Forces {
         connections,
         torque: rates(&values[size - 1]),
         heat: rates(&heat),
-        places: places
-            .iter()
-            .map(|place| place.iter().map(|part| part.coefficient(0)).collect())
-            .collect(),
+        places: positions(&places),
     }
 }
 

@@ -3,7 +3,7 @@
 use kin_precise::Number;
 
 use super::super::series::{Series, number};
-use super::{COUNT, Forces, System, constant, moved, rate, rates, times, with_conditions, zero};
+use super::{COUNT, Forces, System, constant, moved, positions, rate, rates, times, with_conditions, zero};
 
 /// How the joints follow from a crank, which turns about z.
 #[derive(Clone, Copy, Debug)]
@@ -300,10 +300,7 @@ fn forces(cut: &SpaceCut, factor: &dyn Fn(usize) -> Number) -> Forces {
         connections: connections.collect(),
         torque: rates(&values[units.len()]),
         heat: rates(&zero()),
-        places: places
-            .iter()
-            .map(|place| place.iter().map(|part| part.coefficient(0)).collect())
-            .collect(),
+        places: positions(&places),
     }
 }
 
