@@ -118,14 +118,14 @@ impl Compiled<'_> {
 
     /// An unknown's value, from a pose of any order. The angle of a direction is calculated if the pose does not keep
     /// it.
-    pub(super) fn unknown_value(&self, unknown: usize) -> TokenStream {
+    pub(super) fn unknown_value(&self, unknown: usize, pose: &TokenStream) -> TokenStream {
         let name = &self.model.unknowns[unknown].name;
         match (self.is_direction(unknown), self.solvers.directions().angle(unknown)) {
-            (false, _) => quote!(self.#name.position()),
-            (true, None) => quote!(self.#name.angle()),
+            (false, _) => quote!(#pose.#name.position()),
+            (true, None) => quote!(#pose.#name.angle()),
             (true, Some(angle)) => {
                 let angle = self.name_of(angle);
-                quote!(self.#angle)
+                quote!(#pose.#angle)
             }
         }
     }
@@ -136,7 +136,7 @@ impl Compiled<'_> {
         if self.is_direction(unknown) && self.solvers.directions().angle(unknown).is_none() {
             quote!(self.#name.angle_near(#near))
         } else {
-            self.unknown_value(unknown)
+            self.unknown_value(unknown, &quote!(self))
         }
     }
 

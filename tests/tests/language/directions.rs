@@ -115,6 +115,15 @@ macro_rules! mechanisms {
             r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
             theta3 - theta2 == drive;
         }
+
+        mechanism! {
+            /// A strut by the cosine rule: its angle counts from another one, which a linear equation gives.
+            pub(crate) struct Strut { ratio: Scalar, boom: Length, mast: Length, lean: Angle }
+            input drum: Angle;
+            unknown luff: $kind, strut: Length where strut > 0;
+            luff == ratio * drum;
+            strut.powi(2) == boom.powi(2) + mast.powi(2) - 2 * boom * mast * cos(luff + lean);
+        }
     };
 }
 
@@ -212,6 +221,7 @@ fn unit_vectors_are_those_of_the_angles() {
     poses += compare::<angles::Rack, as_directions::Rack>(&[90.0, 30.0, 60.0, 45.0, 10.0], CRANK);
     poses += compare::<angles::WithinRange, as_directions::WithinRange>(&LINKAGE, CRANK);
     poses += compare::<angles::Drive, as_directions::Drive>(&LINKAGE, ALL_ROUND);
+    poses += compare::<angles::Strut, as_directions::Strut>(&[0.3, 5.0, 4.0, 0.5], ALL_ROUND);
     assert!(poses > 3500, "{poses}");
 }
 

@@ -100,7 +100,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
     let unknown_motions = model.unknowns.iter().enumerate().map(|(index, unknown)| {
         let field = &unknown.name;
         if mechanism.is_direction(index) {
-            let value = mechanism.unknown_value(index);
+            let value = mechanism.unknown_value(index, &quote!(self));
             quote!(self.#field.motion_from(#value))
         } else {
             quote!(self.#field)

@@ -14,7 +14,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let (runtime, model) = (mechanism.runtime, mechanism.model);
     let name = &model.name;
     let unknowns: Vec<TokenStream> = (0..model.unknowns.len())
-        .map(|index| mechanism.unknown_value(index))
+        .map(|index| mechanism.unknown_value(index, &quote!(self)))
         .collect();
     let inputs: Vec<_> = model.inputs.iter().map(|input| &input.name).collect();
     let arguments = inputs.len() + usize::from(mechanism.is_coupled() || !mechanism.assembly_argument().is_empty());

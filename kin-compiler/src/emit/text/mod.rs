@@ -137,7 +137,7 @@ impl<'a> ProgramText<'a> {
         let (name, order) = match symbol {
             Symbol::Input(index) => (&model.inputs[index].name, 0),
             Symbol::InputRate(index, order) => (&model.inputs[index].name, order),
-            Symbol::Unknown(index) => (&model.unknowns[index].name, 0),
+            Symbol::Unknown(index) => return self.mechanism.unknown_value(index, pose),
             Symbol::UnknownRate(index, order) => (&model.unknowns[index].name, order),
             Symbol::Step(_) => {
                 let meaning = self.mechanism.solvers.directions().meaning(symbol);
