@@ -121,7 +121,7 @@ macro_rules! mechanisms {
             pub(crate) struct Strut { ratio: Scalar, boom: Length, mast: Length, lean: Angle }
             input drum: Angle;
             unknown luff: $kind, strut: Length where strut > 0;
-            luff == ratio * drum;
+            luff == ratio * sin(drum);
             strut.powi(2) == boom.powi(2) + mast.powi(2) - 2 * boom * mast * cos(luff + lean);
         }
     };
