@@ -6,6 +6,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use proc_macro2::{Ident, LineColumn, Span, TokenStream};
 use quote::quote;
+use syn::parse::{ParseStream, Parser};
 use syn::{Attribute, Expr, ExprLit, Lit};
 
 use crate::budget::{Budget, Refusal, Resource, TooLarge};
@@ -94,6 +95,25 @@ pub struct Position {
     pub line: usize,
     /// The number of the letter in the line, from 1.
     pub column: usize,
+}
+
+/// Why a quantity cannot have this name, and what to do; `None` if it can.
+///
+/// ```
+/// assert_eq!(kin_compiler::name_mistake("coupler"), None);
+/// assert!(kin_compiler::name_mistake("sin").is_some_and(|message| message.contains("is a function")));
+/// ```
+#[must_use]
+pub fn name_mistake(name: &str) -> Option<String> {
+    let read = |input: ParseStream<'_>| syntax::parse_name(input, "quantity", Span::call_site());
+    let error = read.parse_str(name).err()?;
+    let is_word = name.chars().all(|letter| letter.is_alphanumeric() || letter == '_')
+        && name.starts_with(|letter: char| !letter.is_numeric());
+    Some(if is_word {
+        error.to_string()
+    } else {
+        format!("`{name}` is no name: begin with a letter, and go on with letters, digits and `_`")
+    })
 }
 
 impl Declaration {

@@ -40,6 +40,8 @@ pub(crate) use elsewhere::instead_of_request;
 pub(crate) use frames::is_frame;
 use fresh::FreshNames;
 pub(crate) use name::keyword as is_keyword;
+#[cfg(feature = "text")]
+pub(crate) use name::parse as parse_name;
 pub(crate) use request::Request;
 pub(crate) use runtime::runtime;
 pub(crate) use shape::shape;

@@ -58,6 +58,13 @@ const FIT: Package = Package {
             measured job+table traced_four_bar",
 };
 
+const SKETCH: Package = Package {
+    name: "kin-sketch",
+    faces: &["lib"],
+    root_items: &[],
+    rooms: "sketch names local fault parts ways placement freedom quantities+vectors statements+declaration",
+};
+
 const STUDIO: Package = Package {
     name: "kin-studio",
     faces: &["lib", "bin"],
@@ -156,7 +163,7 @@ fn root() -> PathBuf {
 
 #[test]
 fn every_package_is_layered() {
-    let faults: Vec<String> = [CORE, COMPILER, LIVE, FIT, STUDIO, SEARCH]
+    let faults: Vec<String> = [CORE, COMPILER, LIVE, FIT, SKETCH, STUDIO, SEARCH]
         .iter()
         .flat_map(Package::faults)
         .collect();
@@ -191,11 +198,17 @@ fn chapter() -> String {
 #[test]
 fn the_book_describes_every_room() {
     let chapter = chapter();
-    for module in [CORE.rooms(), COMPILER.rooms(), LIVE.rooms(), FIT.rooms()]
-        .into_iter()
-        .flatten()
-        .flat_map(|room| room.split('+'))
-        .filter_map(|module| module.split("::").next())
+    for module in [
+        CORE.rooms(),
+        COMPILER.rooms(),
+        LIVE.rooms(),
+        FIT.rooms(),
+        SKETCH.rooms(),
+    ]
+    .into_iter()
+    .flatten()
+    .flat_map(|room| room.split('+'))
+    .filter_map(|module| module.split("::").next())
     {
         let is_described = [format!("`{module}/`"), format!("`{module}.rs`")]
             .iter()

@@ -1,0 +1,246 @@
+//! The number of ways in which a drawing moves, from the rank of its equations in the pose that is drawn.
+//!
+//! Counts of links and joints (Chebyshev, Grübler, Kutzbach) miss what moves only because its lengths fit, as a third
+//! rod of a parallelogram. The rank finds it.
+
+use std::collections::BTreeMap;
+
+use nalgebra::DMatrix;
+
+use crate::fault::SketchFault;
+use crate::placement::{Placement, Step, StepKind, index, place};
+use crate::sketch::{Body, Drive, PointId, Sketch, SlideId};
+
+/// A quantity of the drawing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Variable {
+    /// The angle of a drive.
+    Turned(Body),
+    /// The angle of a link that is not driven.
+    Angle(Body),
+    Slide(SlideId),
+}
+
+/// How a point moves with each variable.
+type Gradient = BTreeMap<Variable, [f64; 2]>;
+
+/// A column is called zero, and a rank lower, below this part of the largest.
+const RANK_TOLERANCE: f64 = 1e-8;
+
+impl Sketch {
+    /// The variables on which the angle of a body depends.
+    fn angles_of(&self, body: Body) -> Vec<Variable> {
+        let root = self.root(body);
+        match (root, self.driven_from(root)) {
+            (Body::Ground, _) => Vec::new(),
+            (_, Some(base)) => {
+                let mut variables = self.angles_of(base);
+                variables.push(Variable::Turned(root));
+                variables
+            }
+            (_, None) => vec![Variable::Angle(root)],
+        }
+    }
+
+    fn is_input(&self, variable: Variable) -> bool {
+        match variable {
+            Variable::Turned(_) => true,
+            Variable::Angle(_) => false,
+            Variable::Slide(slide) => self.is_driven(slide),
+        }
+    }
+}
+
+/// The equations in the drawn pose: their derivatives by all variables.
+struct Jacobian {
+    variables: Vec<Variable>,
+    rows: Vec<Gradient>,
+    size: f64,
+}
+
+impl Jacobian {
+    fn of(sketch: &Sketch, placement: &Placement) -> Self {
+        let mut gradients = vec![Gradient::new(); sketch.points.len()];
+        let mut rows = Vec::new();
+        for step in &placement.steps {
+            let Step {
+                point,
+                body,
+                slide,
+                kind,
+            } = *step;
+            let frame = placement.frames[index(body)];
+            let [x, y] = sketch.offset(frame, point);
+            let mut along = Gradient::new();
+            for angle in sketch.angles_of(body) {
+                along.insert(angle, [-y, x]);
+            }
+            if let Some(slide) = slide {
+                let (sine, cosine) = sketch.slides[slide].direction.sin_cos();
+                along.insert(Variable::Slide(slide), [cosine, sine]);
+            }
+            let of_origin = |gradients: &[Gradient]| match frame.origin {
+                Some(origin) => gradients[origin].clone(),
+                None => Gradient::new(),
+            };
+            match kind {
+                StepKind::Point => gradients[point] = sum(of_origin(&gradients), &along, 1.0),
+                StepKind::Origin => {
+                    let origin: PointId = frame.origin.expect("a link has points");
+                    gradients[origin] = sum(gradients[point].clone(), &along, -1.0);
+                }
+                StepKind::Closure => {
+                    let through = sum(of_origin(&gradients), &along, 1.0);
+                    rows.push(sum(through, &gradients[point], -1.0));
+                }
+            }
+        }
+        let links = (0..sketch.links.len()).map(Body::Link);
+        let angles = links.flat_map(|link| sketch.angles_of(link));
+        let slides = (0..sketch.slides.len()).map(Variable::Slide);
+        let mut variables: Vec<Variable> = angles.chain(slides).collect();
+        variables.sort_unstable();
+        variables.dedup();
+        Self {
+            variables,
+            rows,
+            size: sketch.size().max(f64::MIN_POSITIVE),
+        }
+    }
+
+    /// The matrix of some variables. Lengths are divided by the drawing's size.
+    fn matrix(&self, variables: &[Variable]) -> DMatrix<f64> {
+        let (rows, columns) = (2 * self.rows.len(), variables.len());
+        DMatrix::from_fn(rows, columns, |row, column| {
+            let variable = variables[column];
+            let value = self.rows[row / 2].get(&variable).map_or(0.0, |vector| vector[row % 2]);
+            match variable {
+                Variable::Slide(_) => value,
+                Variable::Turned(_) | Variable::Angle(_) => value / self.size,
+            }
+        })
+    }
+}
+
+fn sum(mut left: Gradient, right: &Gradient, sign: f64) -> Gradient {
+    for (variable, [x, y]) in right {
+        let entry = left.entry(*variable).or_default();
+        entry[0] += sign * x;
+        entry[1] += sign * y;
+    }
+    left
+}
+
+fn rank(matrix: &DMatrix<f64>) -> usize {
+    if matrix.is_empty() {
+        return 0;
+    }
+    let values = matrix.singular_values();
+    let least = RANK_TOLERANCE * values.max().max(1e-3);
+    values.iter().filter(|value| **value > least).count()
+}
+
+/// Compares the ways in which a drawing moves with its drives.
+pub(crate) fn check(sketch: &Sketch, placement: &Placement) -> Option<SketchFault> {
+    let jacobian = Jacobian::of(sketch, placement);
+    let (inputs, unknowns): (Vec<_>, Vec<_>) = jacobian.variables.iter().partition(|it| sketch.is_input(**it));
+    let all = jacobian.matrix(&jacobian.variables);
+    let of_unknowns = jacobian.matrix(&unknowns);
+    let rank_of_all = rank(&all);
+    let (freedom, drives) = (jacobian.variables.len() - rank_of_all, inputs.len());
+    let equations = 2 * jacobian.rows.len();
+    if freedom > drives {
+        let undetermined = undetermined(sketch, &unknowns, &of_unknowns);
+        return Some(SketchFault::NeedsDrives {
+            freedom,
+            drives,
+            undetermined,
+        });
+    }
+    if freedom < drives {
+        return Some(SketchFault::TooManyDrives { freedom, drives });
+    }
+    if drives == 0 {
+        // nothing moves, whatever repeats
+        return Some(SketchFault::TooManyDrives { freedom, drives });
+    }
+    if rank(&of_unknowns) < unknowns.len() {
+        let undetermined = undetermined(sketch, &unknowns, &of_unknowns);
+        return Some(SketchFault::DeadPoint { undetermined });
+    }
+    let redundant = equations - rank_of_all;
+    (redundant > 0).then(|| SketchFault::Overconstrained {
+        redundant,
+        removable: removable(sketch, freedom),
+    })
+}
+
+/// The links that move although all drives stand still.
+fn undetermined(sketch: &Sketch, unknowns: &[Variable], matrix: &DMatrix<f64>) -> Vec<String> {
+    let full = rank(matrix);
+    let is_free = |column: usize| {
+        // a column that the others determine leaves the rank without it as it is, minus one
+        let others = matrix.clone().remove_column(column);
+        rank(&others) == full
+    };
+    let mut names = Vec::new();
+    for (column, variable) in unknowns.iter().enumerate() {
+        let name = match variable {
+            Variable::Angle(body) | Variable::Turned(body) => sketch.name_of(*body),
+            Variable::Slide(slide) => format!("`{}`", sketch.points[sketch.slides[*slide].point].name),
+        };
+        if is_free(column) && !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    names
+}
+
+/// The links without which the drawing moves as it does, and repeats no equation as often.
+fn removable(sketch: &Sketch, freedom: usize) -> Vec<String> {
+    let is_needed = |link: usize| {
+        let is_driven = sketch.driven_from(Body::Link(link)).is_some();
+        let carries = sketch
+            .slides
+            .iter()
+            .any(|slide| slide.on == Body::Link(link) || slide.guided == Some(link));
+        let is_base = sketch
+            .links
+            .iter()
+            .enumerate()
+            .any(|(other, _)| sketch.driven_from(Body::Link(other)) == Some(Body::Link(link)));
+        is_driven || carries || is_base
+    };
+    let links = (0..sketch.links.len()).filter(|link| !is_needed(*link));
+    links
+        .filter(|link| {
+            let mut without = sketch.clone();
+            without.links[*link].points.clear();
+            let held = |link: usize| !without.links[link].points.is_empty();
+            let links: Vec<usize> = (0..sketch.links.len()).filter(|link| held(*link)).collect();
+            let renumbered = |link: usize| links.iter().position(|it| *it == link).expect("it is kept");
+            let body = |body: Body| match body {
+                Body::Ground => Body::Ground,
+                Body::Link(link) => Body::Link(renumbered(link)),
+            };
+            let mut rest = sketch.clone();
+            rest.links = links.iter().map(|link| sketch.links[*link].clone()).collect();
+            for slide in &mut rest.slides {
+                slide.on = body(slide.on);
+                slide.guided = slide.guided.map(renumbered);
+            }
+            for drive in &mut rest.drives {
+                if let Drive::Angle { of, to } = drive {
+                    *of = renumbered(*of);
+                    *to = body(*to);
+                }
+            }
+            if !rest.faults().is_empty() {
+                return false;
+            }
+            let jacobian = Jacobian::of(&rest, &place(&rest));
+            jacobian.variables.len() - rank(&jacobian.matrix(&jacobian.variables)) == freedom
+        })
+        .map(|link| sketch.name_of(Body::Link(link)))
+        .collect()
+}
