@@ -149,8 +149,16 @@ macro_rules! functions {
                 }
             }
 
+            /// The same function of a declaration; none for that of two arguments.
+            pub(crate) const fn declared(function: kin_compiler::Function) -> Option<Self> {
+                match function {
+                    $(kin_compiler::Function::$variant => Some(Self::$variant),)+
+                    kin_compiler::Function::Atan2 => None,
+                }
+            }
+
             #[inline(always)]
-            pub(crate) fn of<T: kin_core::Scalar>(self, a: T) -> T {
+            pub(crate) fn of<T: kin_core::Number>(self, a: T) -> T {
                 match self {
                     $(Self::$variant => a.$method(),)+
                 }
