@@ -5,7 +5,7 @@ use kin_compiler::{Function, ValueShape};
 use kin_core::{Number, Plane, Rotation, Space};
 
 use super::registers::Held;
-use crate::code;
+use crate::elementary::Elementary;
 
 /// An instruction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -106,5 +106,5 @@ impl Instruction {
 }
 
 fn method<T: Number>(function: Function, a: T, b: T) -> T {
-    code::Function::declared(function).map_or_else(|| a.atan2(b), |own| own.of(a))
+    Elementary::declared(function).map_or_else(|| a.atan2(b), |own| own.of(a))
 }
