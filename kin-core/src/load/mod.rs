@@ -100,7 +100,6 @@ pub(crate) use named::{EFFORT_ENTRIES, NamedLoad, NamedMotion, PointIndex};
 pub use named::{NamedLoads, NoSuchPlace, PointPlace};
 #[cfg(feature = "alloc")]
 pub(crate) use plane_body::{BodyFrame, centre_on_line, third_point};
-#[doc(hidden)]
 pub use system::LoadedSystem;
 #[doc(hidden)]
 pub use totals::Totals;
