@@ -93,6 +93,7 @@ impl AssemblyChoice {
 }
 
 /// Positions of an assembly in numbers of one type.
+#[doc(hidden)]
 pub trait AssemblyOver<T> {
     /// Writes the unknowns of an assembly, which is given by its index.
     ///
@@ -108,6 +109,7 @@ pub trait AssemblyOver<T> {
 }
 
 /// Positions near others in numbers of one type.
+#[doc(hidden)]
 pub trait NearOver<T> {
     /// Writes the unknowns of the position that is closest to values of them.
     ///
@@ -118,6 +120,7 @@ pub trait NearOver<T> {
 
 /// Positions in numbers of one type, chosen in both ways. Each way is compiled by itself: name the trait of one way
 /// where it is enough.
+#[doc(hidden)]
 pub trait PositionOver<T>: AssemblyOver<T> + NearOver<T> {
     /// Writes the unknowns of a position.
     ///
@@ -140,24 +143,28 @@ pub trait PositionOver<T>: AssemblyOver<T> + NearOver<T> {
 impl<T, F: AssemblyOver<T> + NearOver<T>> PositionOver<T> for F {}
 
 /// The closure in numbers of one type.
+#[doc(hidden)]
 pub trait ClosureOver<T> {
     /// Writes the residual of each scalar equation.
     fn closure(&self, parameters: &[T], inputs: &[T], unknowns: &[T], residuals: &mut [T]);
 }
 
 /// The closure as trigonometric polynomials, with coefficients in numbers of one type.
+#[doc(hidden)]
 pub trait ClosureTermsOver<T> {
     /// Passes on the terms and their coefficients, as [`Mechanism::closure_terms`] does.
     fn closure_terms(&self, parameters: &[T], found: &mut dyn FnMut(&[ClosureTerm<'_>], &[T]));
 }
 
 /// The outputs in numbers of one type.
+#[doc(hidden)]
 pub trait OutputsOver<T> {
     /// Writes the scalar outputs. An angle that an output finds itself is in -π ..= π.
     fn outputs(&self, parameters: &[T], inputs: &[T], unknowns: &[T], outputs: &mut [T]);
 }
 
 /// Positions of an assembly with all time derivatives.
+#[doc(hidden)]
 pub trait AssemblyMotionOver<T> {
     /// Writes the motions of unknowns and outputs, one after the other, each with all its orders. The inputs are given
     /// in the same way.
@@ -175,6 +182,7 @@ pub trait AssemblyMotionOver<T> {
 }
 
 /// Positions near others with all time derivatives.
+#[doc(hidden)]
 pub trait MotionNearOver<T> {
     /// Writes the motions of unknowns and outputs as [`AssemblyMotionOver`] does. Outputs beyond the slice are left
     /// out.
@@ -192,6 +200,7 @@ pub trait MotionNearOver<T> {
 }
 
 /// Positions with all time derivatives, chosen in both ways, as [`PositionOver`] chooses positions.
+#[doc(hidden)]
 pub trait MotionOver<T>: AssemblyMotionOver<T> + MotionNearOver<T> {
     /// Writes the motions of unknowns and outputs as [`AssemblyMotionOver`] does.
     ///
@@ -215,18 +224,21 @@ pub trait MotionOver<T>: AssemblyMotionOver<T> + MotionNearOver<T> {
 impl<T, F: AssemblyMotionOver<T> + MotionNearOver<T>> MotionOver<T> for F {}
 
 /// The transmission angles of all dyads in numbers of one type.
+#[doc(hidden)]
 pub trait TransmissionOver<T> {
     /// Writes the transmission angle of every dyad, in the order in which the dyads are solved.
     fn angles_of_dyads(&self, parameters: &[T], inputs: &[T], unknowns: &[T], angles: &mut [TransmissionAngle<T>]);
 }
 
 /// The forms of the blocks in numbers of one type.
+#[doc(hidden)]
 pub trait FormsOver<T> {
     /// Passes on the form of each block, in the order in which they are solved.
     fn block_forms(&self, parameters: &[T], found: &mut dyn FnMut(BlockForm<T>));
 }
 
 /// The skeleton in numbers of one type.
+#[doc(hidden)]
 pub trait SkeletonOver<T> {
     /// Passes on the coordinates of each joint of the [`outline`](Pictured::outline), and then of the direction of each
     /// slide: two in the plane, three in space.
@@ -234,6 +246,7 @@ pub trait SkeletonOver<T> {
 }
 
 /// What is shown of a mechanism beside its motion.
+#[doc(hidden)]
 pub trait Pictured {
     /// Which joints belong together, [`Outline::NONE`] if nothing can be drawn.
     fn outline(&self) -> Outline<'_>;
@@ -246,6 +259,7 @@ pub trait Pictured {
 }
 
 /// A search for all positions at given inputs.
+#[doc(hidden)]
 pub trait EveryPosition {
     /// Passes on the unknowns of every regular position.
     ///

@@ -167,6 +167,9 @@ pub use curve::LimitKind;
 pub use declared::*;
 pub use failure::{Failure, InputValues, SolveError};
 pub use geometry::{Plane, Rotation, Space};
+#[cfg(feature = "alloc")]
+#[doc(hidden)]
+pub use mechanism::JacobianNumber;
 #[doc(hidden)]
 pub use mechanism::guessed::WriteTheParametersByName;
 pub use mechanism::{
@@ -174,7 +177,7 @@ pub use mechanism::{
 };
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
-pub use mechanism::{Jacobian, JacobianError, JacobianMeasure, JacobianNumber};
+pub use mechanism::{Jacobian, JacobianError, JacobianMeasure};
 #[doc(hidden)]
 pub use motion::Contains;
 pub use motion::{Direction, IntoMotion, LinkMotion, Motion, rpm};
@@ -183,10 +186,13 @@ pub use motion::{Direction, IntoMotion, LinkMotion, Motion, rpm};
 pub use number::count;
 pub use number::{Changing, ClosedRange, Number, Operations, Row, series};
 #[doc(hidden)]
+pub use picture::PlaneOrSpace;
+#[doc(hidden)]
 pub use picture::PointArray;
-pub use picture::{PlaneOrSpace, Slide, TransmissionAngle};
+pub use picture::{Slide, TransmissionAngle};
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
+#[doc(hidden)]
 pub use quantity::in_small_letters;
 pub use quantity::{Dimension, Name, NameKind};
 #[doc(hidden)]

@@ -22,6 +22,7 @@
 mod batch;
 mod budget;
 mod code;
+mod elementary;
 mod every;
 mod forms;
 mod formulas;

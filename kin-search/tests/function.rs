@@ -52,7 +52,7 @@ const LINKAGE: FourBar = FourBar {
 };
 
 #[tokio::test]
-async fn a_pose_has_the_rates_of_its_arguments() {
+async fn rates_of_a_pose() {
     let rows = ask(
         &new(),
         "select p.* from (select unnest(p) from (select four_bar(90, 30, 60, 45, 1.1, -10, 2, -0.5, 0.3) as p)) p",
@@ -75,7 +75,7 @@ async fn a_pose_has_the_rates_of_its_arguments() {
 }
 
 #[tokio::test]
-async fn arguments_have_names_and_assemblies_are_texts() {
+async fn named_arguments() {
     let crossed = LINKAGE
         .solve(Motion::at_constant_speed(1.1, -10.0), Assembly::Crossed)
         .unwrap()
@@ -105,7 +105,7 @@ async fn arguments_have_names_and_assemblies_are_texts() {
 }
 
 #[tokio::test]
-async fn a_column_of_assemblies_chooses_row_by_row() {
+async fn column_of_assemblies() {
     let rows = ask(
         &new(),
         "select four_bar(90, 30, 60, 45, 1.1, a)['theta4'] from (values (1, 'crossed'), (2, 'open'), (3, 'crossed'), \
@@ -124,8 +124,9 @@ async fn a_column_of_assemblies_chooses_row_by_row() {
     assert_eq!(found[3], None);
 }
 
+/// A loop that does not close has no numbers, but a margin.
 #[tokio::test]
-async fn a_loop_that_does_not_close_has_no_numbers_but_a_margin() {
+async fn out_of_reach() {
     let rows = ask(
         &new(),
         "select p['theta4'], p['margin'], p['outcome'] = 'out_of_reach' from \
@@ -153,7 +154,7 @@ async fn a_loop_that_does_not_close_has_no_numbers_but_a_margin() {
 }
 
 #[tokio::test]
-async fn a_turn_is_what_a_loop_over_poses_finds() {
+async fn turn_by_poses() {
     let linkage = FourBar {
         r1: 90.0,
         r2: 30.0,
@@ -189,8 +190,9 @@ async fn a_turn_is_what_a_loop_over_poses_finds() {
     assert!(rows.column(5).as_boolean().value(0));
 }
 
+/// It closes where the whole turn does not.
 #[tokio::test]
-async fn part_of_a_turn_closes_where_the_whole_does_not() {
+async fn part_of_a_turn() {
     let sql = "select four_bar_turn(90, 30, 60, 45)['closed'], four_bar_turn(90, 30, 60, 45, 91, 1, -1, 1)['closed'], \
                four_bar_turn(90, null, 60, 45)['closed']";
     let rows = ask(&new(), sql).await.unwrap();
@@ -209,8 +211,9 @@ async fn part_of_a_turn_closes_where_the_whole_does_not() {
     assert!(message.contains("together with `to`"), "{message}");
 }
 
+/// The first of them turns, and the others stand.
 #[tokio::test]
-async fn the_first_of_several_inputs_turns_and_the_others_stand() {
+async fn several_inputs() {
     let linkage = FiveBar {
         ground: 3.0,
         left: 1.0,
@@ -228,7 +231,7 @@ async fn the_first_of_several_inputs_turns_and_the_others_stand() {
 }
 
 #[tokio::test]
-async fn a_published_straight_line_is_as_straight_as_published() {
+async fn published_line() {
     let line = "hoeken_linkage_line(2.2, 1, 2.8, 'open', 361, 1, pi() / 2, 3 * pi() / 2)";
     // R. L. Norton's table, the row of 180°: 4.181 cranks and 0.096 %
     assert!((one(&format!("select {line}['length']")).await - 4.181).abs() < 5e-4);
@@ -237,7 +240,7 @@ async fn a_published_straight_line_is_as_straight_as_published() {
 }
 
 #[tokio::test]
-async fn a_line_is_a_part_of_a_turn() {
+async fn line_in_a_turn() {
     let message = ask(&new(), "select hoeken_linkage_line(2.2, 1, 2.8, 'open')")
         .await
         .unwrap_err();
@@ -246,7 +249,7 @@ async fn a_line_is_a_part_of_a_turn() {
 
 /// The engine has messages of its own, about types. None of them comes before these.
 #[tokio::test]
-async fn wrong_arguments_are_named() {
+async fn wrong_arguments() {
     for (call, wanted) in [
         (
             "four_bar(1, 2, 3)",
@@ -331,7 +334,7 @@ async fn wrong_arguments_are_named() {
 }
 
 #[tokio::test]
-async fn all_arguments_at_once_are_read_in_their_order() {
+async fn all_arguments() {
     // As many arguments as there are names, with the assembly in another place than its name.
     let call = "four_bar(90, 30, 60, 45, 1.1, -10, 2, -0.5, 0.3, 'crossed')";
     let wanted = LINKAGE.solve([1.1, -10.0, 2.0, -0.5, 0.3], Assembly::Crossed).unwrap();
@@ -348,7 +351,7 @@ async fn all_arguments_at_once_are_read_in_their_order() {
 }
 
 #[tokio::test]
-async fn limits_and_dimensions_of_candidates_are_checked() {
+async fn wrong_candidates() {
     for (call, told) in [
         ("candidate(1, 0, 3, 0, 1)", "no dimension 0 of 3"),
         (
@@ -363,8 +366,9 @@ async fn limits_and_dimensions_of_candidates_are_checked() {
     }
 }
 
+/// A path misses its own points by rounding, and others by their distance.
 #[tokio::test]
-async fn a_path_misses_its_own_points_by_rounding_and_others_by_their_distance() {
+async fn path_error() {
     let linkage = HoekenLinkage::PUBLISHED;
     let session = new();
     let mut free = Vec::new();
@@ -396,8 +400,9 @@ async fn a_path_misses_its_own_points_by_rounding_and_others_by_their_distance()
     assert!(message.contains("`0 x` is no point"), "{message}");
 }
 
+/// They take values nearby, and have no turn.
 #[tokio::test]
-async fn a_coupled_mechanism_takes_values_nearby_and_has_no_turn() {
+async fn coupled_mechanisms() {
     let functions = Functions::library();
     let names: Vec<&str> = functions.iter().map(|function| function.name()).collect();
     assert!(names.contains(&"watt_ii") && names.contains(&"watt_ii_turn"));
@@ -408,7 +413,7 @@ async fn a_coupled_mechanism_takes_values_nearby_and_has_no_turn() {
 }
 
 #[tokio::test]
-async fn the_information_schema_names_arguments_and_units() {
+async fn information_schema() {
     let rows = ask(
         &new(),
         "select parameter_name from information_schema.parameters where specific_name = 'four_bar' and \
@@ -442,7 +447,7 @@ mechanism! {
 }
 
 #[tokio::test]
-async fn anybody_adds_a_mechanism() {
+async fn added_mechanism() {
     let session = new();
     kin_search::register::<Wheel>(&session);
     let found = numbers(
@@ -458,8 +463,9 @@ async fn anybody_adds_a_mechanism() {
     assert_eq!(own.fingerprint(), Functions::library().with::<Wheel>().fingerprint());
 }
 
+/// They lie within their limits, and do not depend on the parts of a query.
 #[tokio::test]
-async fn candidates_lie_within_their_limits_and_do_not_depend_on_the_parts_of_a_query() {
+async fn candidates() {
     let sql = "select min(x), max(x), sum(y), min(y), max(y) from (select candidate(value, 1, 2, -3, 5) as x, \
                candidate_log(value, 2, 2, 0.01, 100) as y from range(0, 20000))";
     let rows = ask(&new(), sql).await.unwrap();
@@ -480,7 +486,7 @@ async fn candidates_lie_within_their_limits_and_do_not_depend_on_the_parts_of_a_
 }
 
 #[tokio::test]
-async fn the_kind_of_vectors_is_a_setting() {
+async fn vectors_setting() {
     let sql = "set kin.vectors = 'compiled'; select four_bar(90, 30, 60, 45, 1.1)['theta4']";
     let found = numbers(&ask(&new(), sql).await.unwrap(), 0)[0].unwrap();
     assert!(is_near(
@@ -491,8 +497,9 @@ async fn the_kind_of_vectors_is_a_setting() {
     assert!(message.contains("'avx512'"), "{message}");
 }
 
+/// A query that needs more memory than it may take ends with an error.
 #[tokio::test]
-async fn a_query_that_needs_more_memory_than_it_may_take_ends_with_an_error() {
+async fn memory_is_limited() {
     let options = Options {
         memory: Some(1_000_000),
         partitions: Some(1),
@@ -516,8 +523,9 @@ fn rows_of(name: &str, arguments: &str) -> String {
     format!("select unnest({name}({arguments})) from range(0, 300) as ids(id)")
 }
 
+/// Declarations give the bits of compiled mechanisms.
 #[tokio::test]
-async fn declarations_give_the_bits_of_compiled_mechanisms() {
+async fn declarations_agree() {
     let four_bar = include_str!("../../kin-core/src/library/four_bar.rs");
     let hoeken = include_str!("../../kin-core/src/library/hoeken_linkage.rs");
     let slider_crank = include_str!("../../kin-core/src/library/slider_crank.rs");
@@ -597,7 +605,7 @@ const WIPER: &str = "
 ";
 
 #[test]
-fn declarations_whose_names_are_taken_are_refused() {
+fn names_that_are_taken() {
     let functions = Functions::library().with_declaration(WIPER).unwrap();
     for suffix in ["(", "_turn(", "_line(", "_path_error("] {
         let name = format!("wiper{suffix}");

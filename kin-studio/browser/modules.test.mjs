@@ -8,7 +8,7 @@ import { isMathematics, seemsMathematics, withClasses } from "../src/page/formul
 import { createRoom, keepLines, placeName } from "../src/page/labels.mjs";
 import { isBroken, motionOf, pieceAt, samplesOf } from "../src/page/kinematics/drive.mjs";
 import { curvesOf } from "../src/page/curves.mjs";
-import { allForces, forcesOn } from "../src/page/freebody.mjs";
+import { allForces, forcesOn } from "../src/page/diagram.mjs";
 import { forcesAt, scalesOfForces, sizeOf } from "../src/page/kinematics/forces.mjs";
 import { kindText, marksOf, stopText } from "../src/page/kinematics/marks.mjs";
 import { cautionOf } from "../src/page/dimensions.mjs";

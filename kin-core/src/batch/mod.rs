@@ -69,6 +69,7 @@ pub use outcome::{LengthMismatch, Outcome, Summary};
 pub use parallel::ParallelBatch;
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
+#[doc(hidden)]
 pub use slices::KeptMemory;
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
@@ -77,9 +78,10 @@ pub use slices::{CHUNKS, Numbers, SliceSolver, fold_slices, solve_slices};
 pub use sweep::Batch;
 #[doc(hidden)]
 pub use sweep::{Guide, InAssembly, Nearest};
+pub use target::Slot;
 #[doc(hidden)]
-pub use target::{Columns, MotionColumns, Visitor};
-pub use target::{Slot, Target};
+pub use target::{Columns, MotionColumns, Target, Visitor};
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
+#[doc(hidden)]
 pub use untyped::{AnyBatch, AnyFold, ColumnChoice, GivenColumns, WantedColumns};

@@ -57,7 +57,10 @@ pub use error::{LookupError, ReadError};
 #[cfg(feature = "alloc")]
 pub use failure::ExactTableError;
 #[cfg(feature = "alloc")]
-pub use owned::{ExactColumnParts, ExactParts, ExactTable};
+pub use owned::ExactTable;
+#[cfg(feature = "alloc")]
+#[doc(hidden)]
+pub use owned::{ExactColumnParts, ExactParts};
 #[cfg(feature = "alloc")]
 pub use precision::Precision;
 pub use read::{ExactColumn, ExactTableRef};

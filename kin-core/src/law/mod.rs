@@ -66,4 +66,6 @@ pub use polynomial::Polynomial;
 pub use rise::{Rise, Shape};
 pub use s_curve::{Limits, SCurve};
 pub use scca::Scca;
-pub use sequence::{LawRow, Sequence};
+#[doc(hidden)]
+pub use sequence::LawRow;
+pub use sequence::Sequence;

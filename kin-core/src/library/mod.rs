@@ -1,6 +1,10 @@
 //! Declared mechanisms that are ready to use, one per file.
 //!
 //! Every file is also an example of the declaration language: only the content of `mechanism!` was written by hand.
+//!
+//! Some are other ways to solve or to approximate a linkage, as courses teach them: [`GeometricFourBar`] and
+//! [`FreudensteinFourBar`] beside [`FourBar`]; [`SliderCrankFirstApproximation`], [`SliderCrankHigherApproximation`]
+//! and [`SliderCrankSeries`] beside [`SliderCrank`].
 
 mod andrews_squeezer;
 mod approximate_slider_crank;

@@ -15,6 +15,7 @@
 /// assert!(orders.contains(&("FourBar", 4)));
 /// ```
 #[macro_export]
+#[doc(hidden)]
 macro_rules! each_library_mechanism {
     ($call:ident) => {
         $call! {

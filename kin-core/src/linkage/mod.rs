@@ -32,7 +32,9 @@ mod sweep;
 mod tests;
 
 pub use cycle::AnyCycle;
-pub use position::{AnyLinkage, LinkageFunctions};
+pub use position::AnyLinkage;
+#[doc(hidden)]
+pub use position::LinkageFunctions;
 pub use sweep::{AnyAssembled, AnyPose, AnySweep};
 
 #[doc(hidden)]

@@ -86,18 +86,24 @@ pub use dynamics::EquivalentInertia;
 pub use error::LoadError;
 #[cfg(feature = "alloc")]
 pub(crate) use kinds::not_negative;
-pub use kinds::{BetweenPoints, Damper, Force, Inertia, Load, Mass, OnAngle, Solid, SpaceBody, Spring, Torque};
+#[doc(hidden)]
+pub use kinds::{BetweenPoints, Damper, Force, Inertia, Mass, OnAngle, SpaceBody, Spring, Torque};
+pub use kinds::{Load, Solid};
 pub use loaded::{Loaded, LoadsOf};
+#[cfg(feature = "alloc")]
+#[doc(hidden)]
+pub use named::PlaceKind;
 #[cfg(feature = "alloc")]
 pub(crate) use named::{EFFORT_ENTRIES, NamedLoad, NamedMotion, PointIndex};
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
-pub use named::{NamedLoads, NoSuchPlace, PlaceKind, PointPlace};
+pub use named::{NamedLoads, NoSuchPlace, PointPlace};
 #[cfg(feature = "alloc")]
 pub(crate) use plane_body::{BodyFrame, centre_on_line, third_point};
 pub use system::LoadedSystem;
 #[doc(hidden)]
 pub use totals::Totals;
+#[doc(hidden)]
 pub use varying::{VaryingNumber, VaryingVector};
 
 use core::fmt;

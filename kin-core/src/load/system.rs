@@ -7,6 +7,7 @@ use crate::solve::Scalar;
 
 /// What loads act on: a mechanism by its type, or the quantities of one by their names. Do not implement it: a new
 /// version may add items.
+#[doc(hidden)]
 pub trait LoadedSystem: Copy {
     /// The number type.
     type Scalar: Scalar;

@@ -44,9 +44,9 @@ mod tests;
 
 pub use c::C;
 pub use java_script::JavaScriptNames;
+pub use record::{Options, RecordError, record, record_with_sensitivities};
 #[doc(hidden)]
-pub use record::record_at;
-pub use record::{Options, Plain, RecordError, RecordedFunctions, record, record_any, record_with_sensitivities};
+pub use record::{Plain, RecordedFunctions, record_any, record_at};
 pub use recorded::Recorded;
 pub use run::Stop;
 pub(crate) use structure::{

@@ -68,9 +68,9 @@ mod worst;
 pub use carrier::{Carrier, ThroughSnap};
 pub use closure::closure;
 pub use differentiation::{Differentiated, by_differentiation};
-pub use functions::VerifiedFunctions;
 #[doc(hidden)]
-pub use functions::{differentiated, left_over};
+pub use functions::{VerifiedFunctions, differentiated, left_over};
+#[doc(hidden)]
 pub use gauge::{Gauge, allowed};
 #[doc(hidden)]
 pub use random::Random;

@@ -6,7 +6,8 @@ use kin_compiler::lowered::{self, Statement, Symbol, Value};
 use kin_core::any::{Name, NameKind};
 
 use super::call::{self, Argument, Call, ClosedForm, Guard};
-use super::{Code, Function, KeptFactors, Labels, Operation, Operations, Register};
+use super::{Code, KeptFactors, Labels, Operation, Operations, Register};
+use crate::elementary::Elementary;
 use crate::memory::Lengths;
 
 /// A mechanism that is too large for the machine.
@@ -229,7 +230,7 @@ impl Assembler {
             (Value::MinusProduct(..), &[rest, a, b]) => Operation::MinusProduct { to, rest, a, b },
             (Value::Call("atan2", _), &[y, x]) => Operation::ArcTangent { to, y, x },
             (Value::Call(name, _), &[a]) => Operation::Function {
-                function: Function::named(name).unwrap_or_else(|| unreachable!("numbers have the method {name}")),
+                function: Elementary::named(name).unwrap_or_else(|| unreachable!("numbers have the method {name}")),
                 to,
                 a,
             },

@@ -11,6 +11,7 @@ pub(crate) use assembler::{Assembler, TooLarge};
 pub(crate) use call::{Argument, Call, ClosedForm, Range};
 pub(crate) use labels::Labels;
 
+use crate::elementary::Elementary;
 use crate::memory::Lengths;
 
 /// The index of a register.
@@ -113,7 +114,7 @@ pub(crate) enum Operation {
         angle: Register,
     },
     Function {
-        function: Function,
+        function: Elementary,
         to: Register,
         a: Register,
     },
@@ -131,51 +132,6 @@ pub(crate) enum Operation {
 
 /// Operations, one after the other.
 pub(crate) type Operations = Box<[Operation]>;
-
-macro_rules! functions {
-    ($($variant:ident $method:ident)+) => {
-        /// A method of a number without a further argument.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub(crate) enum Function {
-            $($variant,)+
-        }
-
-        impl Function {
-            /// The function of a name.
-            pub(crate) fn named(name: &str) -> Option<Self> {
-                match name {
-                    $(stringify!($method) => Some(Self::$variant),)+
-                    _ => None,
-                }
-            }
-
-            #[inline(always)]
-            pub(crate) fn of<T: kin_core::Scalar>(self, a: T) -> T {
-                match self {
-                    $(Self::$variant => a.$method(),)+
-                }
-            }
-        }
-    };
-}
-
-functions! {
-    Sin sin
-    Cos cos
-    Tan tan
-    Asin asin
-    Acos acos
-    Atan atan
-    Sinh sinh
-    Cosh cosh
-    Tanh tanh
-    Asinh asinh
-    Acosh acosh
-    Atanh atanh
-    Sqrt sqrt
-    Exp exp
-    Ln ln
-}
 
 /// The code of some routines that share their registers.
 #[derive(Debug)]

@@ -5,6 +5,7 @@ use kin_compiler::{Function, ValueShape};
 use kin_core::{Number, Plane, Rotation, Space};
 
 use super::registers::Held;
+use crate::elementary::Elementary;
 
 /// An instruction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -105,22 +106,5 @@ impl Instruction {
 }
 
 fn method<T: Number>(function: Function, a: T, b: T) -> T {
-    match function {
-        Function::Sin => a.sin(),
-        Function::Cos => a.cos(),
-        Function::Tan => a.tan(),
-        Function::Asin => a.asin(),
-        Function::Acos => a.acos(),
-        Function::Atan => a.atan(),
-        Function::Atan2 => a.atan2(b),
-        Function::Sinh => a.sinh(),
-        Function::Cosh => a.cosh(),
-        Function::Tanh => a.tanh(),
-        Function::Asinh => a.asinh(),
-        Function::Acosh => a.acosh(),
-        Function::Atanh => a.atanh(),
-        Function::Sqrt => a.sqrt(),
-        Function::Exp => a.exp(),
-        Function::Ln => a.ln(),
-    }
+    Elementary::declared(function).map_or_else(|| a.atan2(b), |own| own.of(a))
 }

@@ -29,7 +29,7 @@ impl KinDeclaration {
         let mut sections = Sections::read(text, &tokens).map_err(|mistake| vec![mistake])?;
         // blanks replace everything else, so that every token keeps its position
         let besides = sections
-            .places
+            .spans
             .iter()
             .map(|section| &section.whole)
             .chain(&sections.strays);

@@ -15,7 +15,7 @@ pub(crate) struct Sections {
     pub(crate) assembly: Option<Part>,
     pub(crate) columns: Vec<Part>,
     /// The ranges of all sections in the text.
-    pub(crate) places: Vec<Section>,
+    pub(crate) spans: Vec<Section>,
     /// The ranges of values that stand in no section, which the compiler does not see.
     pub(crate) strays: Vec<Range<usize>>,
     /// The mistakes in the sections.
@@ -168,7 +168,7 @@ impl Sections {
                 position += 1;
                 continue;
             };
-            if sections.places.iter().any(|section| section.name == name) {
+            if sections.spans.iter().any(|section| section.name == name) {
                 let message = format!("there are two sections `{name}`");
                 sections.mistakes.push(Mistake::new(message, range_of(token)));
             }
@@ -178,7 +178,7 @@ impl Sections {
             } else {
                 sections.statement(name, position, tokens, text)?
             };
-            sections.places.push(Section {
+            sections.spans.push(Section {
                 name,
                 word: range_of(token),
                 whole: range_of(token).start..range_of(&tokens[end]).end,
@@ -190,8 +190,8 @@ impl Sections {
     }
 
     /// The bytes of the first word of a section, if the file has the section.
-    pub(crate) fn place_of(&self, name: &str) -> Option<Range<usize>> {
-        let section = self.places.iter().find(|section| section.name == name);
+    pub(crate) fn word_of(&self, name: &str) -> Option<Range<usize>> {
+        let section = self.spans.iter().find(|section| section.name == name);
         section.map(|section| section.word.clone())
     }
 

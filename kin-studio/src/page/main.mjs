@@ -2,8 +2,8 @@
 import { curvesOf } from "./curves.mjs";
 import { createSliders } from "./dimensions.mjs";
 import { button, change, choice, made, part, setText, tick } from "./elements.mjs";
-import { allForces, forcesOn } from "./freebody.mjs";
-import { handlePicture, handlePlots, handleScrubber } from "./hands.mjs";
+import { allForces, forcesOn } from "./diagram.mjs";
+import { handlePicture, handlePlots, handleScrubber } from "./pointers.mjs";
 import { createHodographs } from "./hodographs.mjs";
 import { anatomyOf, coordinatesOf } from "./kinematics/anatomy.mjs";
 import { motionOf } from "./kinematics/drive.mjs";

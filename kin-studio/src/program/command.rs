@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Subcommand, ValueEnum};
 
 use super::case::Typed;
-use super::file::Told;
+use super::file::Settings;
 
 /// The command that takes a file instead of a mechanism of the library, which has no loads.
 pub(crate) const FORCES: &str = "forces";
@@ -93,18 +93,18 @@ pub(crate) struct Setup {
 
 impl Setup {
     /// The typed case, in which options follow the statements of the file.
-    pub(crate) fn typed(&self, told: &Told) -> Typed {
-        let behind = |told: &[String], own: &[String]| told.iter().chain(own).cloned().collect();
+    pub(crate) fn typed(&self, settings: &Settings) -> Typed {
+        let behind = |settings: &[String], own: &[String]| settings.iter().chain(own).cloned().collect();
         Typed {
-            set: behind(&told.set, &self.set),
-            over: behind(&told.over, &self.over),
+            set: behind(&settings.set, &self.set),
+            over: behind(&settings.over, &self.over),
             speed: self.speed.clone(),
             law: self.law.clone(),
             time: self.time.clone(),
-            assembly: self.assembly.clone().or_else(|| told.assembly.clone()),
+            assembly: self.assembly.clone().or_else(|| settings.assembly.clone()),
             units: self.units.clone(),
             radians: self.radians,
-            loads: told.loads.clone(),
+            loads: settings.loads.clone(),
         }
     }
 }

@@ -7,7 +7,7 @@ use std::process::ExitCode;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Fault {
     /// The mechanism does not close where it is asked for, or a fit ended before a minimum. The code is 1.
-    Open(String),
+    Failed(String),
     /// The program cannot use an argument or a file. The code is 2.
     Wrong(String),
 }
@@ -18,15 +18,15 @@ impl Fault {
         Self::Wrong(message.to_string())
     }
 
-    /// A mechanism that does not close.
-    pub(crate) fn open(message: impl fmt::Display) -> Self {
-        Self::Open(message.to_string())
+    /// A mechanism that does not close, or another result that was asked for and is not there.
+    pub(crate) fn failed(message: impl fmt::Display) -> Self {
+        Self::Failed(message.to_string())
     }
 
     /// The same reason in other words.
     pub(crate) fn map(self, words: impl FnOnce(String) -> String) -> Self {
         match self {
-            Self::Open(message) => Self::Open(words(message)),
+            Self::Failed(message) => Self::Failed(words(message)),
             Self::Wrong(message) => Self::Wrong(words(message)),
         }
     }
@@ -34,7 +34,7 @@ impl Fault {
     /// The code that the program ends with.
     pub(crate) fn code(&self) -> ExitCode {
         ExitCode::from(match self {
-            Self::Open(_) => 1,
+            Self::Failed(_) => 1,
             Self::Wrong(_) => 2,
         })
     }
@@ -42,7 +42,7 @@ impl Fault {
 
 impl fmt::Display for Fault {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (Self::Open(message) | Self::Wrong(message)) = self;
+        let (Self::Failed(message) | Self::Wrong(message)) = self;
         formatter.write_str(message)
     }
 }

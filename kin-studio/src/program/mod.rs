@@ -34,7 +34,7 @@ use kin_core::{Mechanism, in_small_letters};
 
 use command::{FORCES, Task};
 use fault::{Fault, similar};
-use file::Told;
+use file::Settings;
 
 use crate::library::DESIGNS;
 
@@ -65,7 +65,7 @@ pub fn main<M: Mechanism<Scalar = f64>>() -> ExitCode {
     let name = program_name(&arguments);
     let about = format!("The mechanism {}", subject.description().name);
     let done = task_of_one_mechanism(about, &name, &arguments).and_then(|task| match task {
-        Some(task) => tasks::run(&subject, &task, &Told::default()),
+        Some(task) => tasks::run(&subject, &task, &Settings::default()),
         None => Ok(()),
     });
     ended(done)
@@ -188,8 +188,8 @@ fn run_library(arguments: &[OsString]) -> Result<(), Fault> {
         Some((FORCES, given)) => {
             let path = given.get_one::<PathBuf>("file").cloned().unwrap_or_default();
             let task = Task::from_arg_matches(&matches).map_err(Fault::wrong)?;
-            let (subject, told) = file::read(&path)?;
-            tasks::run(&subject, &task, &told)
+            let (subject, settings) = file::read(&path)?;
+            tasks::run(&subject, &task, &settings)
         }
         Some((_, given)) => {
             let wanted = given.get_one::<String>("mechanism").map_or("", String::as_str);
@@ -198,7 +198,7 @@ fn run_library(arguments: &[OsString]) -> Result<(), Fault> {
                 (found, _) => found?,
             };
             let task = Task::from_arg_matches(&matches).map_err(Fault::wrong)?;
-            tasks::run(&subject, &task, &Told::default())
+            tasks::run(&subject, &task, &Settings::default())
         }
         None => Ok(()),
     }
@@ -310,8 +310,8 @@ fn run_file(matches: &clap::ArgMatches) -> Result<(), Fault> {
         None => Ok(()),
         Some(Task::Serve(options)) => tasks::watch(&path, &options),
         Some(task) => {
-            let (subject, told) = file::read(&path)?;
-            tasks::run(&subject, &task, &told)
+            let (subject, settings) = file::read(&path)?;
+            tasks::run(&subject, &task, &settings)
         }
     }
 }

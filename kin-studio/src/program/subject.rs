@@ -116,7 +116,7 @@ fn unnamed(description: &Description<'_>, positions: &[Vec<f64>], inputs: &[f64]
     let start = named(description.inputs, inputs);
     if positions.is_empty() {
         let _ = write!(message, "; at {start} it does not close at all");
-        return Fault::open(message);
+        return Fault::failed(message);
     }
     let _ = write!(message, "; at {start} it closes like this, so add one of these:");
     for position in positions {
@@ -131,7 +131,7 @@ fn of_sweep(error: &SweepError) -> Fault {
 
 fn of_extremes(error: ExtremesError) -> Fault {
     match error {
-        ExtremesError::NothingCloses(error) => Fault::open(error),
+        ExtremesError::NothingCloses(error) => Fault::failed(error),
         error => Fault::wrong(error),
     }
 }
@@ -139,7 +139,7 @@ fn of_extremes(error: ExtremesError) -> Fault {
 fn of_exact_table(error: ExactTableError) -> Fault {
     match error {
         ExactTableError::NotClosed { .. } | ExactTableError::ChangePoint { .. } | ExactTableError::Lost { .. } => {
-            Fault::open(error)
+            Fault::failed(error)
         }
         error => Fault::wrong(error),
     }
@@ -299,7 +299,7 @@ impl Subject {
             let open = table.rows().find(|row| !row.outcome().is_solved());
             return open.map_or(Ok(()), |row| {
                 let at = table.variable().values[row.index()];
-                Err(Fault::open(format!(
+                Err(Fault::failed(format!(
                     "the mechanism does not close at {} s",
                     text::digits(at)
                 )))
@@ -307,7 +307,7 @@ impl Subject {
         }
         let (linkage, [from, end]) = (self.linkage(&case.parameters), case.ends());
         let assembly = self.assembly(case)?;
-        let mut unknowns = linkage.position(&from, assembly.position()).map_err(Fault::open)?;
+        let mut unknowns = linkage.position(&from, assembly.position()).map_err(Fault::failed)?;
         // several inputs go together to their ends, and one alone passes its stations
         let stations = case.motions[case.lead].stations();
         let mut inputs = from;
@@ -317,7 +317,7 @@ impl Subject {
             match linkage.track(&inputs, &unknowns, &next) {
                 Ok(reached) => unknowns = reached,
                 Err(error @ (TrackError::TurningPoint(_) | TrackError::Pole(_) | TrackError::Failed(_))) => {
-                    return Err(Fault::open(format!(
+                    return Err(Fault::failed(format!(
                         "the mechanism does not close all along the motion: {error}"
                     )));
                 }
@@ -375,7 +375,7 @@ impl Subject {
     }
 
     /// The times inside of the motion at which the speed of an input jumps, where a mass has no bounded effort.
-    pub(crate) fn jolts(&self, case: &Case) -> Result<Vec<f64>, Fault> {
+    pub(crate) fn speed_jumps(&self, case: &Case) -> Result<Vec<f64>, Fault> {
         let Some(duration) = case.time_of_laws() else {
             return Ok(Vec::new());
         };
@@ -397,7 +397,7 @@ impl Subject {
         let mut direction = vec![0.0; from.len()];
         (from[case.lead], direction[case.lead]) = (0.0, 1.0);
         let linkage = self.linkage(&case.parameters);
-        linkage.cycle_along(&from, &direction).map_err(Fault::open)
+        linkage.cycle_along(&from, &direction).map_err(Fault::failed)
     }
 
     /// What Grashof, Barker and others call the blocks.
@@ -461,7 +461,7 @@ impl Subject {
             .report()
         };
         report.map(|report| report.html()).map_err(|error| match error {
-            ReportError::ClosesNowhere { .. } | ReportError::NoPosition { .. } => Fault::open(error),
+            ReportError::ClosesNowhere { .. } | ReportError::NoPosition { .. } => Fault::failed(error),
             error => Fault::wrong(error),
         })
     }
@@ -635,12 +635,12 @@ fn assembly_at(wanted: &Wanted, linkage: &AnyLinkage<'_>, start: &[f64]) -> Resu
         Wanted::At { inputs, near } => {
             let unknowns = linkage
                 .position(inputs, PositionChoice::Near(near))
-                .map_err(Fault::open)?;
-            let there = linkage.track(inputs, &unknowns, start).map_err(Fault::open)?;
+                .map_err(Fault::failed)?;
+            let there = linkage.track(inputs, &unknowns, start).map_err(Fault::failed)?;
             Ok(linkage.assembly_at(start, &there))
         }
         Wanted::Unknown => {
-            let (positions, _) = linkage.positions_at(start).map_err(Fault::open)?;
+            let (positions, _) = linkage.positions_at(start).map_err(Fault::failed)?;
             Err(unnamed(linkage.description(), &positions, start))
         }
     }

@@ -46,7 +46,7 @@ const LIVE: Package = Package {
     name: "kin-live",
     faces: &["lib"],
     root_items: &[],
-    rooms: "memory budget names sheet::registers sheet::instruction sheet code code::assembler run routine forms motion \
+    rooms: "memory budget names elementary sheet::registers sheet::instruction sheet code code::assembler run routine forms motion \
             every formulas mechanism functions batch",
 };
 

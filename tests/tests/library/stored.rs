@@ -51,7 +51,8 @@ impl Dimensions {
         Inputs<M>: Into<M::Inputs<M::Motion<f64>>>,
     {
         let name = M::DESCRIPTION.name;
-        let case = self.0.remove(name).expect("each mechanism has dimensions");
+        let case = self.0.remove(name);
+        let case = case.unwrap_or_else(|| panic!("tests/src/mechanisms/cases.rs has no dimensions of {name}"));
         let mut random = Random::new(14);
         let mut poses = 0_u32;
         for step in 0..STEPS {

@@ -183,7 +183,11 @@ fn inverses_undo_functions() {
             }
             Inverse::None => {
                 let is_circular = function.calculation() != Calculation::Method;
-                assert!(is_circular || function.arity() == 2, "{}", function.name());
+                assert!(
+                    is_circular || function.arity() == 2,
+                    "{} has one argument: its facts state the inverse",
+                    function.name()
+                );
             }
         }
     }
@@ -282,5 +286,25 @@ fn other_rooms_do_not_list_functions() {
                 );
             }
         }
+    }
+}
+
+/// The grammar of the book and the words for editors have every function.
+#[test]
+fn functions_are_documented() {
+    let grammar = include_str!("../../../../docs/grammar.md");
+    let editor = include_str!("../../../../kin-core/src/editor.rs");
+    for name in Function::ALL.iter().map(|function| function.name()) {
+        let in_table = [format!("`{name}`"), format!("`{name}(")]
+            .iter()
+            .any(|word| grammar.contains(word));
+        assert!(
+            in_table && grammar.contains(&format!("\"{name}\"")),
+            "docs/grammar.md lacks {name}"
+        );
+        assert!(
+            editor.contains(&format!("`{name}(")),
+            "kin-core/src/editor.rs lacks {name}"
+        );
     }
 }

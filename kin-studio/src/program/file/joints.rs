@@ -282,7 +282,7 @@ impl<'j> Reader<'_, '_, 'j> {
 
     /// A point or a vector of the mechanism.
     fn vector(&self, part: &Part) -> Result<StatedPlace, Mistake> {
-        let names = self.places.points();
+        let names = self.names.points();
         if names.contains(&part.text.as_str()) {
             return Ok(StatedPlace::Named(part.text.clone()));
         }

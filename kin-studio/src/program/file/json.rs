@@ -37,17 +37,17 @@ fn one(text: &str, severity: &str, message: &str, range: &Range<usize>) -> Value
         "severity": severity,
         "message": message,
         "advice": advice(message),
-        "range": place(text, range),
+        "range": range_in_lines(text, range),
     })
 }
 
 /// The part of a message that says what to do: behind the first colon or semicolon that stands in no code.
 fn advice(message: &str) -> Option<&str> {
     let mut is_code = false;
-    for (place, letter) in message.char_indices() {
+    for (index, letter) in message.char_indices() {
         match letter {
             '`' => is_code = !is_code,
-            ';' | ':' if !is_code => return message[place + 1..].strip_prefix(' '),
+            ';' | ':' if !is_code => return message[index + 1..].strip_prefix(' '),
             _ => {}
         }
     }
@@ -55,7 +55,7 @@ fn advice(message: &str) -> Option<&str> {
 }
 
 /// A range as editors count: lines from zero, and units of UTF-16 in the line from zero.
-fn place(text: &str, range: &Range<usize>) -> Value {
+fn range_in_lines(text: &str, range: &Range<usize>) -> Value {
     let position = |byte: usize| {
         let before = text.get(..byte).unwrap_or(text);
         let line = before.rsplit('\n').next().unwrap_or("");
@@ -64,7 +64,7 @@ fn place(text: &str, range: &Range<usize>) -> Value {
     json!({ "start": position(range.start), "end": position(range.end.max(range.start)) })
 }
 
-/// What is remarkable about the dimensions, at their places.
+/// What is remarkable about the dimensions, at their ranges.
 fn remarks(text: &str, file: KinFile) -> Vec<Value> {
     let typed = Typed {
         set: file.set,
@@ -98,7 +98,7 @@ fn outline(text: &str, file: &KinFile) -> Value {
                 "name": quantity.name,
                 "dimension": format!("{:?}", quantity.dimension),
                 "documentation": quantity.documentation,
-                "range": find(tokens.clone(), &quantity.name, ':').map(|range| place(text, &range)),
+                "range": find(tokens.clone(), &quantity.name, ':').map(|range| range_in_lines(text, &range)),
             })
         };
         quantities.iter().map(one).collect()
@@ -109,7 +109,7 @@ fn outline(text: &str, file: &KinFile) -> Value {
         .collect();
     let sections = file.sections.iter();
     let sections: Vec<Value> = sections
-        .map(|section| json!({ "name": section.name, "range": place(text, &section.whole) }))
+        .map(|section| json!({ "name": section.name, "range": range_in_lines(text, &section.whole) }))
         .collect();
     json!({
         "name": compiled.name(),
@@ -124,12 +124,12 @@ fn outline(text: &str, file: &KinFile) -> Value {
     })
 }
 
-/// The first place of a name before a sign.
+/// The first range of a name before a sign.
 fn find(tokens: TokenStream, name: &str, sign: char) -> Option<Range<usize>> {
     let tokens: Vec<TokenTree> = tokens.into_iter().collect();
-    tokens.iter().enumerate().find_map(|(place, token)| match token {
+    tokens.iter().enumerate().find_map(|(index, token)| match token {
         TokenTree::Group(group) => find(group.stream(), name, sign),
-        token => (is_ident(Some(token), name) && is_punct(tokens.get(place + 1), sign)).then(|| range_of(token)),
+        token => (is_ident(Some(token), name) && is_punct(tokens.get(index + 1), sign)).then(|| range_of(token)),
     })
 }
 
@@ -138,11 +138,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn places_count_in_utf_16() {
+    fn columns_count_in_utf_16() {
         let text = "kin 1\n\u{1d703}ö = 30;";
         let start = text.find("30").unwrap();
         let position = json!({ "line": 1, "character": 6 });
-        assert_eq!(place(text, &(start..start + 2))["start"], position);
+        assert_eq!(range_in_lines(text, &(start..start + 2))["start"], position);
     }
 
     #[test]

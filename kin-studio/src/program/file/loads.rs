@@ -26,7 +26,7 @@ const KINDS: [&str; 13] = [
 /// The loads, and what is wrong in them.
 pub(super) fn read<'j>(
     entries: &[Entry],
-    places: NamedLoads,
+    names: NamedLoads,
     (linkage, joints, is_space): (&AnyLinkage<'j>, Result<NamedReactions<'j>, ReactionError>, bool),
     description: &Description<'_>,
     section: Option<Range<usize>>,
@@ -38,21 +38,21 @@ pub(super) fn read<'j>(
         Err(error) => (None, Some(error)),
     };
     let mut reader = Reader {
-        places,
+        names,
         linkage,
         reactions,
         is_space,
         description,
         lengths,
     };
-    let mut is_told = false;
+    let mut is_reported = false;
     for entry in entries {
         if let (Some(error), true) = (&no_joints, is_of_joint(entry)) {
-            if !is_told {
+            if !is_reported {
                 let message = format!("friction, hinges, gears and racks are those of joints: {error}");
                 mistakes.push(entry.head.mistake(message));
             }
-            is_told = true;
+            is_reported = true;
             continue;
         }
         let gravity = loads.gravity.is_some();
@@ -71,7 +71,7 @@ pub(super) fn read<'j>(
             }
             Ok(Read::Drive(input, body)) => loads.drives.push((input, body)),
             Ok(Read::Sense(input, _)) if loads.senses.iter().any(|(own, _)| *own == input) => {
-                mistakes.push(entry.head.mistake(format!("the sense of `{input}` is told already")));
+                mistakes.push(entry.head.mistake(format!("the sense of `{input}` is given already")));
             }
             Ok(Read::Sense(input, sense)) => loads.senses.push((input, sense)),
             Err(mistake) => mistakes.push(mistake),
@@ -115,8 +115,8 @@ pub(super) enum Read {
     Sense(String, f64),
 }
 
-/// Where a load acts.
-enum Place {
+/// What a load acts on.
+enum Target {
     Point(String),
     Fixed([InSi; 3]),
     Angle(String),
@@ -124,7 +124,8 @@ enum Place {
 }
 
 pub(super) struct Reader<'r, 'd, 'j> {
-    pub(super) places: NamedLoads,
+    /// The names of points, angles and bodies.
+    pub(super) names: NamedLoads,
     /// Any linkage of the mechanism, and the joints that are known of it.
     pub(super) linkage: &'r AnyLinkage<'j>,
     pub(super) reactions: Option<NamedReactions<'j>>,
@@ -165,27 +166,27 @@ impl Reader<'_, '_, '_> {
         if kind == "sense" {
             return self.sense_of(entry);
         }
-        let places = self.places_of(entry)?;
+        let targets = self.targets_of(entry)?;
         let value = &entry.value;
-        let load = match (kind, places.as_slice()) {
+        let load = match (kind, targets.as_slice()) {
             ("gravity", []) => return vector(units::ACCELERATION, value).map(Read::Gravity),
-            ("mass", [Place::Point(point)]) => Load::Mass(size(units::MASS, value)?, point.clone()),
-            ("inertia", [Place::Angle(angle)]) => Load::Inertia(size(units::INERTIA, value)?, angle.clone()),
-            ("force", [Place::Point(point)]) => Load::Force(vector(units::FORCE, value)?, point.clone()),
-            ("force", [Place::Distance(distance)]) => Load::Torque(number(units::FORCE, value)?, distance.clone()),
-            ("torque", [Place::Angle(angle)]) => Load::Torque(number(units::TORQUE, value)?, angle.clone()),
-            ("spring", [Place::Angle(angle)]) => {
+            ("mass", [Target::Point(point)]) => Load::Mass(size(units::MASS, value)?, point.clone()),
+            ("inertia", [Target::Angle(angle)]) => Load::Inertia(size(units::INERTIA, value)?, angle.clone()),
+            ("force", [Target::Point(point)]) => Load::Force(vector(units::FORCE, value)?, point.clone()),
+            ("force", [Target::Distance(distance)]) => Load::Torque(number(units::FORCE, value)?, distance.clone()),
+            ("torque", [Target::Angle(angle)]) => Load::Torque(number(units::TORQUE, value)?, angle.clone()),
+            ("spring", [Target::Angle(angle)]) => {
                 let (stiffness, rest) = self.spring(units::TORSION_STIFFNESS, units::ANGLE, value)?;
                 Load::TorsionSpring(stiffness, rest, angle.clone())
             }
-            ("spring", [Place::Distance(distance)]) => {
+            ("spring", [Target::Distance(distance)]) => {
                 let (stiffness, rest) = self.spring(units::STIFFNESS, units::LENGTH, value)?;
                 Load::TorsionSpring(stiffness, rest, distance.clone())
             }
-            ("damper", [Place::Angle(angle)]) => {
+            ("damper", [Target::Angle(angle)]) => {
                 Load::TorsionDamper(number(units::TORSION_DAMPING, value)?, angle.clone())
             }
-            ("damper", [Place::Distance(distance)]) => {
+            ("damper", [Target::Distance(distance)]) => {
                 Load::TorsionDamper(number(units::DAMPING, value)?, distance.clone())
             }
             ("spring" | "damper", [from, to]) => {
@@ -210,20 +211,20 @@ impl Reader<'_, '_, '_> {
     /// How a load of a kind is written.
     fn advice(&self, kind: &str) -> String {
         let angles = |dimension: Dimension| {
-            let names = self.places.angles().into_iter();
+            let names = self.names.angles().into_iter();
             names
                 .map(str::to_owned)
                 .find(|name| self.dimension(name) == Some(dimension))
         };
         let angle = angles(Dimension::Angle).unwrap_or_else(|| "psi".to_owned());
         let point = self
-            .places
+            .names
             .points()
             .first()
             .map_or_else(|| "tip".to_owned(), |&name| name.to_owned());
         match kind {
             "gravity" => "gravity is written as `gravity = (0, -9.81m/s2);`".to_owned(),
-            "mass" => match self.places.bodies().first() {
+            "mass" => match self.names.bodies().first() {
                 Some(body) => format!(
                     "a mass is at a point, or that of a body: write `mass {point} = 2kg;` or `mass of {body} = 2kg \
                      at (30mm, 0), inertia 0.02kgm2;`"
@@ -267,7 +268,7 @@ impl Reader<'_, '_, '_> {
 
     /// `drive of theta = crank`.
     fn drive_of(&self, entry: &Entry) -> Result<Read, Mistake> {
-        let bodies = self.places.bodies();
+        let bodies = self.names.bodies();
         let (input, body) = (self.description.inputs.first(), bodies.first());
         let [input, body] = [
             input.map_or("theta", |input| input.name),
@@ -309,8 +310,8 @@ impl Reader<'_, '_, '_> {
             [TokenTree::Ident(body)] => body.to_string(),
             _ => return Err(entry.head.mistake(self.advice("mass"))),
         };
-        if !self.places.bodies().contains(&body.as_str()) {
-            let message = match self.places.bodies().as_slice() {
+        if !self.names.bodies().contains(&body.as_str()) {
+            let message = match self.names.bodies().as_slice() {
                 [] => format!("there is no body `{body}`; bodies are declared, as in `body {body}: 0, pin;`"),
                 bodies => format!("there is no body `{body}`; {}", similar(&body, bodies.iter().copied())),
             };
@@ -327,7 +328,7 @@ impl Reader<'_, '_, '_> {
         };
         let (mass, centre) = mass.around(" at ").ok_or_else(|| mass.mistake(form))?;
         let zero = InSi::new(units::LENGTH, 0.0);
-        let centre_place = if self.places.points().contains(&centre.text.as_str()) {
+        let centre_point = if self.names.points().contains(&centre.text.as_str()) {
             Centre::Named(centre.text.clone())
         } else {
             let parts = centre.coordinates().unwrap_or_default();
@@ -341,12 +342,12 @@ impl Reader<'_, '_, '_> {
         let mass = size(units::MASS, &mass)?;
         let none = InSi::new(units::INERTIA, 0.0);
         let Some(inertia) = inertia else {
-            return Ok(Load::Body(body, mass, centre_place, none));
+            return Ok(Load::Body(body, mass, centre_point, none));
         };
         let Some(tensor) = inertia.coordinates() else {
-            return Ok(Load::Body(body, mass, centre_place, size(units::INERTIA, &inertia)?));
+            return Ok(Load::Body(body, mass, centre_point, size(units::INERTIA, &inertia)?));
         };
-        let tensor = tensor.iter().enumerate().map(|(place, part)| match place {
+        let tensor = tensor.iter().enumerate().map(|(index, part)| match index {
             0..3 => size(units::INERTIA, part),
             // products of inertia have any sign
             _ => number(units::INERTIA, part),
@@ -356,7 +357,7 @@ impl Reader<'_, '_, '_> {
             [xx, yy, zz, xy, xz, yz] => [xx, yy, zz, xy, xz, yz],
             _ => return Err(inertia.mistake(TENSOR)),
         };
-        match centre_place {
+        match centre_point {
             Centre::InBody(centre) => Ok(Load::Solid(body, mass, centre, tensor)),
             Centre::Named(_) => Err(centre.mistake(TENSOR)),
         }
@@ -375,46 +376,46 @@ impl Reader<'_, '_, '_> {
             .map(|quantity| quantity.dimension)
     }
 
-    /// The places behind the first word, with `to` between them.
-    fn places_of(&mut self, entry: &Entry) -> Result<Vec<Place>, Mistake> {
+    /// The targets behind the first word, with `to` between them.
+    fn targets_of(&mut self, entry: &Entry) -> Result<Vec<Target>, Mistake> {
         let Some(words) = entry.words.get(1..).filter(|words| !words.is_empty()) else {
             return Ok(Vec::new());
         };
         let is_to = |word: &TokenTree| matches!(word, TokenTree::Ident(word) if word == "to");
         let start = entry.head.range.start;
-        let mut places = Vec::new();
+        let mut targets = Vec::new();
         for words in words.split(is_to) {
             let (Some(first), Some(last)) = (words.first(), words.last()) else {
                 return Err(entry.head.mistake("a point is missing beside `to`"));
             };
             let range = range_of(first).start..range_of(last).end;
             let text = entry.head.text[range.start - start..range.end - start].to_owned();
-            places.push(self.place(&Part { text, range })?);
+            targets.push(self.target(&Part { text, range })?);
         }
-        Ok(places)
+        Ok(targets)
     }
 
-    fn place(&mut self, part: &Part) -> Result<Place, Mistake> {
+    fn target(&mut self, part: &Part) -> Result<Target, Mistake> {
         if part.text.starts_with('(') {
-            return self.fixed(part).map(Place::Fixed);
+            return self.fixed(part).map(Target::Fixed);
         }
         let name = part.text.clone();
-        if self.places.points().contains(&name.as_str()) {
-            return Ok(Place::Point(name));
+        if self.names.points().contains(&name.as_str()) {
+            return Ok(Target::Point(name));
         }
         match self.dimension(&name) {
-            Some(Dimension::Angle) => Ok(Place::Angle(name)),
-            Some(Dimension::Length) if !name.contains('.') => Ok(Place::Distance(name)),
+            Some(Dimension::Angle) => Ok(Target::Angle(name)),
+            Some(Dimension::Length) if !name.contains('.') => Ok(Target::Distance(name)),
             Some(Dimension::Length) => {
                 let point = name.split('.').next().unwrap_or("");
                 Err(part.mistake(format!("loads act on the whole point: write `{point}`")))
             }
             Some(Dimension::Scalar) => Err(part.mistake(format!("`{name}` is a plain number, on which no load acts"))),
-            None if self.places.bodies().contains(&name.as_str()) => Err(part.mistake(format!(
+            None if self.names.bodies().contains(&name.as_str()) => Err(part.mistake(format!(
                 "`{name}` is a body: write `mass of {name} = 2kg at (30mm, 0), inertia 0.02kgm2;`, or name a point"
             ))),
             None => {
-                let (points, angles) = (self.places.points(), self.places.angles());
+                let (points, angles) = (self.names.points(), self.names.angles());
                 let advice = similar(&name, points.iter().chain(&angles).copied());
                 let more = if points.is_empty() {
                     "; points are declared, as in `output tip: Point = ..;`"
@@ -431,8 +432,8 @@ impl Reader<'_, '_, '_> {
         let mut point = [InSi::new(units::LENGTH, 0.0); 3];
         let parts = part.coordinates().filter(|parts| (2..=3).contains(&parts.len()));
         let parts = parts.ok_or_else(|| part.mistake("a point of the ground is written as `(0, 200mm)`"))?;
-        for (place, part) in point.iter_mut().zip(parts) {
-            *place = self.at_rest(units::LENGTH, &part)?;
+        for (coordinate, part) in point.iter_mut().zip(parts) {
+            *coordinate = self.at_rest(units::LENGTH, &part)?;
         }
         Ok(point)
     }
@@ -446,7 +447,7 @@ impl Reader<'_, '_, '_> {
         Ok(InSi::new(kind, value * metres))
     }
 
-    /// A stiffness, and what it is at rest, which is zero if it is not told.
+    /// A stiffness, and what it is at rest, which is zero if it is not given.
     fn spring(&mut self, kind: Kind, at_rest: Kind, part: &Part) -> Result<(InSi, InSi), Mistake> {
         let parts = part.parts();
         let example = if at_rest == units::ANGLE { "30deg" } else { "150mm" };
@@ -489,16 +490,16 @@ fn vector(kind: Kind, part: &Part) -> Result<[InSi; 3], Mistake> {
         part.mistake(format!("{} has a direction: write `(0, -10{name})`", kind.name))
     })?;
     let mut vector = [InSi::new(kind, 0.0); 3];
-    for (place, part) in vector.iter_mut().zip(parts) {
-        *place = number(kind, &part)?;
+    for (coordinate, part) in vector.iter_mut().zip(parts) {
+        *coordinate = number(kind, &part)?;
     }
     Ok(vector)
 }
 
-fn end(place: &Place) -> Option<End> {
-    match place {
-        Place::Point(name) => Some(End::Named(name.clone())),
-        Place::Fixed(point) => Some(End::Fixed(*point)),
-        Place::Angle(_) | Place::Distance(_) => None,
+fn end(target: &Target) -> Option<End> {
+    match target {
+        Target::Point(name) => Some(End::Named(name.clone())),
+        Target::Fixed(point) => Some(End::Fixed(*point)),
+        Target::Angle(_) | Target::Distance(_) => None,
     }
 }

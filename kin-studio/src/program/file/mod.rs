@@ -18,7 +18,7 @@ use read::KinFile;
 
 /// What a file says besides the declaration.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Told {
+pub(super) struct Settings {
     /// Dimensions and inputs that stand.
     pub(super) set: Vec<String>,
     /// Motions of inputs.
@@ -56,9 +56,9 @@ pub(super) fn formatted(path: &Path, text: &str) -> Result<String, Fault> {
 }
 
 /// The mechanism of a file, and what the file says of it.
-pub(super) fn read(path: &Path) -> Result<(Subject, Told), Fault> {
+pub(super) fn read(path: &Path) -> Result<(Subject, Settings), Fault> {
     let file = compiled(path)?;
-    let told = Told {
+    let settings = Settings {
         set: file.set,
         over: file.over,
         assembly: file.assembly,
@@ -67,7 +67,7 @@ pub(super) fn read(path: &Path) -> Result<(Subject, Told), Fault> {
         documentation: file.mechanism.declaration().documentation().to_owned(),
         declaration: file.declaration,
     };
-    Ok((Subject::new(file.mechanism), told))
+    Ok((Subject::new(file.mechanism), settings))
 }
 
 /// What is said of a file without mistakes: its mechanism, and the steps of its solvers where they are wanted.

@@ -50,25 +50,25 @@ impl KinFile {
         let mut mistakes = std::mem::take(&mut sections.mistakes);
         let compiled = mechanism.declaration();
         let mut lengths = Lengths::default();
-        let place = sections.place_of("dimensions");
-        let found = numbers::dimensions(compiled.parameters(), &sections.dimensions, place, text, &mut lengths);
+        let word = sections.word_of("dimensions");
+        let found = numbers::dimensions(compiled.parameters(), &sections.dimensions, word, text, &mut lengths);
         let (mut set, wrong) = found;
         mistakes.extend(wrong);
         let (over, wrong) = numbers::motions(compiled.inputs(), &sections.motion, &mut lengths, &mut set);
         mistakes.extend(wrong);
         let description = mechanism.description();
-        let mut places = NamedLoads::new(description);
+        let mut named = NamedLoads::new(description);
         // the frame of a guessed body is nobody's word
         if mechanism.outline().guess.is_none() {
-            places = places.with_bodies(&mechanism.outline());
+            named = named.with_bodies(&mechanism.outline());
         }
-        let place = sections.place_of("loads");
+        let word = sections.word_of("loads");
         let bodies = mechanism.outline().bodies.iter().map(|body| body.name.to_owned());
         let lacks_a_body = loads::lack_a_body(&sections.loads, &bodies.collect::<Vec<_>>());
         let linkage = unit_linkage(&mechanism);
         let joints = linkage.reactions(&linkage.loads());
         let joints = (&linkage, joints, mechanism.is_space());
-        let (loads, wrong) = loads::read(&sections.loads, places, joints, description, place, &mut lengths);
+        let (loads, wrong) = loads::read(&sections.loads, named, joints, description, word, &mut lengths);
         mistakes.extend(wrong);
         // a mistake in the loads is no reason to miss their columns
         let forces = if sections.loads.is_empty() {
@@ -87,7 +87,7 @@ impl KinFile {
                 && let Err(message) = columns::named(&column.text, &names)
             {
                 let advice = forces.advice(&column.text);
-                // the body that is missing is told, or how all bodies are declared
+                // the body that is missing is settings, or how all bodies are declared
                 let is_known = if advice.is_some() {
                     advised
                 } else {
@@ -115,7 +115,7 @@ impl KinFile {
             assembly: sections.assembly.map(|assembly| assembly.text),
             columns: sections.columns.into_iter().map(|column| column.text).collect(),
             loads,
-            sections: sections.places,
+            sections: sections.spans,
         })
     }
 }
@@ -229,7 +229,7 @@ assembly = open;
     }
 
     #[test]
-    fn mistakes_have_places() {
+    fn mistakes_have_ranges() {
         for (right, wrong, at, word) in [
             ("kin 1", "kin 2", "kin 2", "use a later version"),
             ("kin 1", "struct", "struct", "first line"),

@@ -8,7 +8,7 @@ use kin_core::tape::Options;
 use super::super::case::Typed;
 use super::super::command::{Code, Language};
 use super::super::fault::Fault;
-use super::super::file::Told;
+use super::super::file::Settings;
 use super::super::progress::watched;
 use super::super::subject::Subject;
 use super::print;
@@ -16,7 +16,7 @@ use super::print;
 /// The file of the example. Many people's programs have one of this name.
 const EXAMPLE: &str = "main.c";
 
-pub(super) fn run(subject: &Subject, code: &Code, told: &Told) -> Result<(), Fault> {
+pub(super) fn run(subject: &Subject, code: &Code, settings: &Settings) -> Result<(), Fault> {
     let mut options = Options::new();
     if let Some(order) = code.order {
         options = options.up_to(order);
@@ -26,7 +26,7 @@ pub(super) fn run(subject: &Subject, code: &Code, told: &Told) -> Result<(), Fau
     }
     if code.constants || !code.set.is_empty() {
         let typed = Typed {
-            set: told.set.iter().chain(&code.set).cloned().collect(),
+            set: settings.set.iter().chain(&code.set).cloned().collect(),
             ..Typed::default()
         };
         options = options.with_dimensions(&typed.dimensions(subject)?);

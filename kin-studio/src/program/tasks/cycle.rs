@@ -7,15 +7,15 @@ use kin_core::in_small_letters;
 
 use super::super::command::Setup;
 use super::super::fault::Fault;
-use super::super::file::Told;
+use super::super::file::Settings;
 use super::super::progress::watched;
 use super::super::subject::Subject;
 use super::super::text::{self, Column, Units};
 use super::print;
 
-pub(super) fn run(subject: &Subject, setup: &Setup, told: &Told) -> Result<(), Fault> {
+pub(super) fn run(subject: &Subject, setup: &Setup, settings: &Settings) -> Result<(), Fault> {
     // the cycle covers all values of the input in all assemblies
-    let typed = setup.typed(told).first_assembly(subject);
+    let typed = setup.typed(settings).first_assembly(subject);
     let case = typed.case_without_range(subject, 0.0)?;
     let description = subject.description();
     let input = description.inputs[case.lead];
@@ -43,7 +43,7 @@ pub(super) fn run(subject: &Subject, setup: &Setup, told: &Told) -> Result<(), F
     }
     if found.circuits().is_empty() {
         print(&subject.named(out))?;
-        return Err(Fault::open("the mechanism closes nowhere with these dimensions"));
+        return Err(Fault::failed("the mechanism closes nowhere with these dimensions"));
     }
     let at = |value: f64| units.text(input.dimension, 0, value);
     let assemblies = subject.assemblies();

@@ -9,7 +9,7 @@ use kin_fit::{Candidate, Deviation, Fit, FitError, Measured, Objective, usual_bo
 use super::super::case::Case;
 use super::super::command::Fit as Options;
 use super::super::fault::{Fault, similar};
-use super::super::file::Told;
+use super::super::file::Settings;
 use super::super::motion::InputMotion;
 use super::super::progress::watched;
 use super::super::subject::Subject;
@@ -17,8 +17,8 @@ use super::super::text::{self, Column, Units};
 use super::super::value::{self, Lengths};
 use super::print;
 
-pub(super) fn run(subject: &Subject, options: &Options, told: &Told) -> Result<(), Fault> {
-    let typed = options.setup.typed(told);
+pub(super) fn run(subject: &Subject, options: &Options, settings: &Settings) -> Result<(), Fault> {
+    let typed = options.setup.typed(settings);
     let case = typed.case_without_range(subject, 0.0)?;
     let mut lengths = match case.length {
         "" => Lengths::default(),
@@ -45,7 +45,7 @@ pub(super) fn run(subject: &Subject, options: &Options, told: &Told) -> Result<(
     match fit.unclosed_rows(&fitted.design) {
         0 => {}
         unclosed => {
-            return Err(Fault::open(format!(
+            return Err(Fault::failed(format!(
                 "with what was found, the mechanism does not close in {unclosed} of {} rows",
                 data.values.len()
             )));
@@ -53,7 +53,7 @@ pub(super) fn run(subject: &Subject, options: &Options, told: &Told) -> Result<(
     }
     match fitted.lowering {
         None => Ok(()),
-        Some((name, part)) => Err(Fault::open(format!(
+        Some((name, part)) => Err(Fault::failed(format!(
             "what was found is no minimum: a change of `{name}` alone takes away {:.2} % of the sum of squares. Fit \
              again from there with the `--set` above, or vary fewer dimensions",
             100.0 * part
@@ -113,8 +113,8 @@ fn fit(
     }
     let start = Candidate::with_parameters(case.parameters.clone(), choice);
     Fit::new(objective, &start).map_err(|error| match error {
-        FitError::NothingCloses => Fault::open(format!("{error}: give better ones by `--set`")),
-        FitError::NoStart => Fault::open(error),
+        FitError::NothingCloses => Fault::failed(format!("{error}: give better ones by `--set`")),
+        FitError::NoStart => Fault::failed(error),
         error => Fault::wrong(error),
     })
 }

@@ -15,7 +15,7 @@ pub(crate) fn fmt(path: &Path, only_check: bool) -> Result<(), Fault> {
             "{} is in another form: write `kin fmt` without `--check`",
             path.display()
         );
-        return Err(Fault::open(message));
+        return Err(Fault::failed(message));
     }
     if only_check {
         return Ok(());

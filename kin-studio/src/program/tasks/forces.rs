@@ -6,13 +6,13 @@ use serde_json::{Map, Value, json};
 use super::super::case::Case;
 use super::super::command::Forces;
 use super::super::fault::Fault;
-use super::super::file::Told;
+use super::super::file::Settings;
 use super::super::loads::{ForceColumn, HEAT};
 use super::super::progress::watched;
 use super::super::subject::{CaseForces, Extent, Subject};
 use super::super::text::{self, Column};
-use super::peaks::{Place, moves_at};
-use super::sweep::{headed, tell_jolts};
+use super::peaks::{Variable, moves_at};
+use super::sweep::{headed, note_speed_jumps};
 use super::{print, prove, write};
 use crate::forces::{Force, ROUNDING, Reached, ratio};
 use crate::tables::quoted;
@@ -33,14 +33,14 @@ struct Borne {
     rate: f64,
 }
 
-pub(super) fn run(subject: &Subject, options: &Forces, told: &Told) -> Result<(), Fault> {
-    check(subject, told)?;
-    let all = options.setup.typed(told).each_assembly(subject);
+pub(super) fn run(subject: &Subject, options: &Forces, settings: &Settings) -> Result<(), Fault> {
+    check(subject, settings)?;
+    let all = options.setup.typed(settings).each_assembly(subject);
     let (mut texts, mut objects, mut cases, mut are_proved) = (Vec::new(), Vec::new(), Vec::new(), true);
     for (assembly, typed) in &all {
         let case = typed.case(subject)?;
         if cases.is_empty() {
-            tell_jolts(subject, &case)?;
+            note_speed_jumps(subject, &case)?;
         }
         if !options.prove.is_empty() {
             let (text, is_proved) = prove::shown(subject, &case, &options.prove, &options.tolerance)?;
@@ -77,15 +77,15 @@ pub(super) fn run(subject: &Subject, options: &Forces, told: &Told) -> Result<()
         _ => print(&texts.join("\n"))?,
     }
     if !are_proved {
-        return Err(Fault::open("a limit is not proved"));
+        return Err(Fault::failed("a limit is not proved"));
     }
     cases.iter().try_for_each(|case| subject.closes(case))
 }
 
-/// Whether there are loads and bodies. What is missing is told at once.
-fn check(subject: &Subject, told: &Told) -> Result<(), Fault> {
+/// Whether there are loads and bodies. All that is missing is named at once.
+fn check(subject: &Subject, settings: &Settings) -> Result<(), Fault> {
     let mut missing = Vec::new();
-    if told.loads.is_empty() {
+    if settings.loads.is_empty() {
         missing.push(
             "forces come from loads, and there are none: write a `.kin` file with `loads { mass of crank = 2kg at \
              (30mm, 0), inertia 0.02kgm2; }`, or with forces, as in `force tip = (0, -10N);`"
@@ -94,7 +94,7 @@ fn check(subject: &Subject, told: &Told) -> Result<(), Fault> {
     }
     missing.extend(
         subject
-            .forces(&told.loads.stated(1.0))
+            .forces(&settings.loads.stated(1.0))
             .no_joints()
             .map(ToString::to_string),
     );
@@ -214,7 +214,7 @@ impl Borne {
 }
 
 fn shown(subject: &Subject, case: &Case, all: &[Borne], efficiency: Option<Efficiency>) -> String {
-    let place = Place::new(subject, case);
+    let variable = Variable::new(subject, case);
     let words =
         |head, of: &dyn Fn(&Borne) -> &str| Column::words(head, all.iter().map(|one| of(one).to_owned()).collect());
     let numbers = |head, of: &dyn Fn(&Borne) -> f64| {
@@ -228,7 +228,7 @@ fn shown(subject: &Subject, case: &Case, all: &[Borne], efficiency: Option<Effic
         if one.at.is_nan() {
             String::new()
         } else {
-            place.text(one.at, one.is_limit)
+            variable.text(one.at, one.is_limit)
         }
     };
     let columns = [
@@ -258,7 +258,7 @@ fn object(
     efficiency: Option<Efficiency>,
     assembly: Option<&str>,
 ) -> Value {
-    let place = Place::new(subject, case);
+    let variable = Variable::new(subject, case);
     let number = |value: f64| {
         if value.is_infinite() {
             json!("unbounded")
@@ -270,7 +270,7 @@ fn object(
         let [on, by] = &one.bodies;
         json!({
             "force": one.name, "on": on, "by": by, "unit": one.unit,
-            "peak": number(one.peak), "at": number(place.value(one.at)), "at_unit": place.unit(),
+            "peak": number(one.peak), "at": number(variable.value(one.at)), "at_unit": variable.unit(),
             "rms": number(one.rms), "lowest": number(one.lowest), "rate": number(one.rate),
         })
     };
@@ -296,7 +296,7 @@ fn csv(
     assembly: Option<&str>,
     is_first: bool,
 ) -> String {
-    let place = Place::new(subject, case);
+    let variable = Variable::new(subject, case);
     let number = |value: f64| {
         if value.is_nan() {
             String::new()
@@ -304,7 +304,7 @@ fn csv(
             value.to_string()
         }
     };
-    let at = format!("at [{}]", place.unit());
+    let at = format!("at [{}]", variable.unit());
     let head = [
         "force", "on", "by", "unit", "peak", &at, "rms", "lowest", "rate", "mean",
     ]
@@ -323,7 +323,7 @@ fn csv(
         let mean = efficiency
             .filter(|_| one.name == HEAT)
             .map_or(f64::NAN, |mean| mean.heat);
-        let numbers = [one.peak, place.value(one.at), one.rms, one.lowest, one.rate, mean];
+        let numbers = [one.peak, variable.value(one.at), one.rms, one.lowest, one.rate, mean];
         line([&one.name, on, by, &one.unit], numbers)
     };
     let means = efficiency.into_iter().flat_map(|mean| {

@@ -24,38 +24,38 @@ use std::path::Path;
 
 use super::command::{Report, Setup, Task};
 use super::fault::Fault;
-use super::file::Told;
+use super::file::Settings;
 use super::subject::Subject;
 
 /// Runs a command.
-pub(super) fn run(subject: &Subject, task: &Task, told: &Told) -> Result<(), Fault> {
+pub(super) fn run(subject: &Subject, task: &Task, settings: &Settings) -> Result<(), Fault> {
     if let Some(setup) = task.setup() {
-        remark(subject, setup, told);
+        remark(subject, setup, settings);
     }
     let done = match task {
-        Task::Show => show::run(subject, told),
-        Task::Sweep(options) => sweep::run(subject, options, told),
-        Task::Cycle(setup) => cycle::run(subject, setup, told),
-        Task::Peaks(options) => peaks::run(subject, options, told),
-        Task::Forces(options) => forces::run(subject, options, told),
-        Task::Verify(setup) => verify::run(subject, setup, told),
-        Task::Code(options) => code::run(subject, options, told),
-        Task::Fit(options) => fit::run(subject, options, told),
-        Task::Table(options) => table::run(subject, options, told),
-        Task::Report(options) => report::run(subject, options, told),
-        Task::Serve(options) => serve::run(subject, options, told),
+        Task::Show => show::run(subject, settings),
+        Task::Sweep(options) => sweep::run(subject, options, settings),
+        Task::Cycle(setup) => cycle::run(subject, setup, settings),
+        Task::Peaks(options) => peaks::run(subject, options, settings),
+        Task::Forces(options) => forces::run(subject, options, settings),
+        Task::Verify(setup) => verify::run(subject, setup, settings),
+        Task::Code(options) => code::run(subject, options, settings),
+        Task::Fit(options) => fit::run(subject, options, settings),
+        Task::Table(options) => table::run(subject, options, settings),
+        Task::Report(options) => report::run(subject, options, settings),
+        Task::Serve(options) => serve::run(subject, options, settings),
     };
     done.map_err(|fault| fault.map(|words| subject.named(words)))
 }
 
 /// The page of a mechanism. Its remarks are printed.
-fn page(subject: &Subject, options: &Report, told: &Told) -> Result<String, Fault> {
-    remark(subject, &options.setup, told);
-    report::page(subject, options, told).map_err(|fault| fault.map(|words| subject.named(words)))
+fn page(subject: &Subject, options: &Report, settings: &Settings) -> Result<String, Fault> {
+    remark(subject, &options.setup, settings);
+    report::page(subject, options, settings).map_err(|fault| fault.map(|words| subject.named(words)))
 }
 
-fn remark(subject: &Subject, setup: &Setup, told: &Told) {
-    for (_, remark) in setup.typed(told).remarks(subject) {
+fn remark(subject: &Subject, setup: &Setup, settings: &Settings) {
+    for (_, remark) in setup.typed(settings).remarks(subject) {
         eprintln!("note: {remark}");
     }
 }

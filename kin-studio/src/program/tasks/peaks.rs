@@ -7,13 +7,13 @@ use super::super::case::Case;
 use super::super::columns::{self, label};
 use super::super::command::Peaks;
 use super::super::fault::Fault;
-use super::super::file::Told;
+use super::super::file::Settings;
 use super::super::loads::ForceColumn;
 use super::super::progress::watched;
 use super::super::subject::{Extent, Subject};
 use super::super::text::{self, Column, Units};
 use super::print;
-use super::sweep::{columns_of, headed, tell_jolts};
+use super::sweep::{columns_of, headed, note_speed_jumps};
 use crate::forces::Reached;
 
 /// The highest order of a rate that is shown.
@@ -29,15 +29,15 @@ struct Sought {
     force: Option<ForceColumn>,
 }
 
-pub(super) fn run(subject: &Subject, options: &Peaks, told: &Told) -> Result<(), Fault> {
-    let all = options.setup.typed(told).each_assembly(subject);
+pub(super) fn run(subject: &Subject, options: &Peaks, settings: &Settings) -> Result<(), Fault> {
+    let all = options.setup.typed(settings).each_assembly(subject);
     let (mut texts, mut cases) = (Vec::new(), Vec::new());
     for (assembly, typed) in &all {
         let case = typed.case(subject)?;
         if cases.is_empty() {
-            tell_jolts(subject, &case)?;
+            note_speed_jumps(subject, &case)?;
         }
-        let wanted = sought(subject, &case, options, told)?;
+        let wanted = sought(subject, &case, options, settings)?;
         let forces = subject.forces_of(&case);
         let found: Result<Vec<Extent>, Fault> = watched("searching extremes", wanted.len(), |step| {
             wanted
@@ -61,7 +61,7 @@ pub(super) fn run(subject: &Subject, options: &Peaks, told: &Told) -> Result<(),
 
 /// The quantities that are sought: the columns of the file, or the names that were typed, where the name of a quantity
 /// stands for all its rates.
-fn sought(subject: &Subject, case: &Case, options: &Peaks, told: &Told) -> Result<Vec<Sought>, Fault> {
+fn sought(subject: &Subject, case: &Case, options: &Peaks, settings: &Settings) -> Result<Vec<Sought>, Fault> {
     let description = subject.description();
     let units = case.units();
     let highest = description.order.min(HIGHEST);
@@ -83,8 +83,8 @@ fn sought(subject: &Subject, case: &Case, options: &Peaks, told: &Told) -> Resul
     };
     let columns_of_forces = case.forces(subject);
     let forces: Vec<Sought> = columns_of_forces.all.iter().map(force).collect();
-    if options.of.is_empty() && !told.columns.is_empty() {
-        let names = columns_of(subject, &[], told)?;
+    if options.of.is_empty() && !settings.columns.is_empty() {
+        let names = columns_of(subject, &[], settings)?;
         let all: Vec<Sought> = description
             .inputs
             .iter()
@@ -124,13 +124,13 @@ fn sought(subject: &Subject, case: &Case, options: &Peaks, told: &Told) -> Resul
 }
 
 /// The form in which a position of the motion is shown: as an input, or as the time.
-pub(super) struct Place {
+pub(super) struct Variable {
     units: Units,
     /// The dimension of the input; none for the time.
     input: Option<Dimension>,
 }
 
-impl Place {
+impl Variable {
     pub(super) fn new(subject: &Subject, case: &Case) -> Self {
         let input = subject.description().inputs[case.lead].dimension;
         Self {
@@ -159,7 +159,7 @@ impl Place {
 }
 
 fn shown(subject: &Subject, case: &Case, wanted: &[Sought], found: &[Extent]) -> String {
-    let variable = Place::new(subject, case);
+    let variable = Variable::new(subject, case);
     let value = |reached: &Reached, one: &Sought| match reached.value {
         None => "unbounded".to_owned(),
         Some(value) => text::digits(value * one.size),

@@ -9,7 +9,7 @@ use super::super::progress::watched;
 use super::super::subject::Subject;
 use super::super::text;
 use super::super::value::{self, Lengths};
-use super::peaks::Place;
+use super::peaks::Variable;
 
 /// A limit of a force, as it was typed.
 struct Limit<'t> {
@@ -41,8 +41,8 @@ pub(super) fn shown(
     let proved = proved?;
     let lines = limits.iter().zip(&proved);
     let lines = lines.map(|(limit, verdict)| {
-        let told = told(subject, case, limit, verdict);
-        format!("{}: {told}\n", limit.text.trim())
+        let answer = answer(subject, case, limit, verdict);
+        format!("{}: {answer}\n", limit.text.trim())
     });
     let holds = |verdict: &ForceVerdict| matches!(verdict, ForceVerdict::Holds { .. });
     Ok((lines.collect(), proved.iter().all(holds)))
@@ -129,12 +129,12 @@ fn verdict(subject: &Subject, case: &Case, limit: &Limit<'_>, tolerances: &[Stri
 const ROUNDING: f64 = 5e-6;
 
 /// A verdict in words.
-fn told(subject: &Subject, case: &Case, limit: &Limit<'_>, verdict: &ForceVerdict) -> String {
+fn answer(subject: &Subject, case: &Case, limit: &Limit<'_>, verdict: &ForceVerdict) -> String {
     let description = subject.description();
     let unit = limit.column.unit(description);
     let size = limit.column.size(description, case.metres());
     let number = |value: f64, rounding: f64| format!("{} {unit}", text::digits(value * size * (1.0 + rounding)));
-    let place = Place::new(subject, case);
+    let variable = Variable::new(subject, case);
     match verdict {
         ForceVerdict::Holds { upper, pieces } => {
             format!("proved, it is at most {} ({pieces} pieces)", number(*upper, ROUNDING))
@@ -156,12 +156,12 @@ fn told(subject: &Subject, case: &Case, limit: &Limit<'_>, verdict: &ForceVerdic
             format!(
                 "exceeded, it is at least {} {}{with}{}",
                 number(reached.force, -ROUNDING),
-                place.text(reached.at, false),
+                variable.text(reached.at, false),
                 changed.join(", ")
             )
         }
         ForceVerdict::Undecided(undecided) => {
-            let at = place.text(undecided.range[0], false);
+            let at = variable.text(undecided.range[0], false);
             match undecided.reason {
                 UndecidedReason::Pose => format!(
                     "undecided, no pose is proved from {} on: there is a limit or a change point, or the tolerances \

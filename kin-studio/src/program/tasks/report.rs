@@ -8,17 +8,17 @@ use kin_core::in_small_letters;
 use super::super::columns::label;
 use super::super::command::Report;
 use super::super::fault::Fault;
-use super::super::file::Told;
+use super::super::file::Settings;
 use super::super::progress::watched;
 use super::super::subject::{PageWishes, Subject};
 use super::sweep::columns_of;
 use super::write;
 
-pub(super) fn run(subject: &Subject, options: &Report, told: &Told) -> Result<(), Fault> {
+pub(super) fn run(subject: &Subject, options: &Report, settings: &Settings) -> Result<(), Fault> {
     if let Some(path) = &options.output {
         is_page(path)?;
     }
-    let page = page(subject, options, told)?;
+    let page = page(subject, options, settings)?;
     let path = options.output.clone().unwrap_or_else(|| {
         let name = in_small_letters(subject.description().name, '_');
         format!("{name}.html").into()
@@ -28,7 +28,7 @@ pub(super) fn run(subject: &Subject, options: &Report, told: &Told) -> Result<()
         eprintln!("open it in a browser");
     }
     // without a range, the page goes as far as the mechanism closes
-    let typed = options.setup.typed(told).first_assembly(subject);
+    let typed = options.setup.typed(settings).first_assembly(subject);
     if typed.has_range() {
         subject.closes(&typed.case(subject)?)
     } else {
@@ -52,32 +52,32 @@ fn is_page(path: &Path) -> Result<(), Fault> {
 }
 
 /// The page as one text.
-pub(super) fn page(subject: &Subject, options: &Report, told: &Told) -> Result<String, Fault> {
+pub(super) fn page(subject: &Subject, options: &Report, settings: &Settings) -> Result<String, Fault> {
     // the page lists all assemblies, and begins with this one
-    let typed = options.setup.typed(told).first_assembly(subject);
+    let typed = options.setup.typed(settings).first_assembly(subject);
     let case = typed.case(subject)?;
     if let Some(error) = case.forces(subject).no_joints() {
         eprintln!("note: the page shows no forces in joints: {error}");
     }
     let wishes = PageWishes {
         title: options.title.clone(),
-        plots: plots(subject, options, told)?,
-        documentation: told.documentation.clone(),
-        declaration: Some(told.declaration.clone()).filter(|text| !text.is_empty()),
+        plots: plots(subject, options, settings)?,
+        documentation: settings.documentation.clone(),
+        declaration: Some(settings.declaration.clone()).filter(|text| !text.is_empty()),
         has_range: typed.has_range(),
     };
     watched("making the page", 1, |_| subject.page(&case, &wishes))
 }
 
 /// The quantities that were typed, or else those of the file's columns.
-fn plots(subject: &Subject, options: &Report, told: &Told) -> Result<Vec<String>, Fault> {
+fn plots(subject: &Subject, options: &Report, settings: &Settings) -> Result<Vec<String>, Fault> {
     if !options.plots.is_empty() {
         return Ok(options.plots.clone());
     }
-    let columns = columns_of(subject, &[], told)?;
+    let columns = columns_of(subject, &[], settings)?;
     let description = subject.description();
     let results = || description.unknowns.iter().chain(description.outputs);
-    let forces = subject.forces(&told.loads.stated(1.0)).all;
+    let forces = subject.forces(&settings.loads.stated(1.0)).all;
     let shown = columns.iter().filter_map(|name| {
         let is_wanted =
             |quantity: &&Quantity<'_>| (0..=description.order).any(|order| label(quantity.name, order) == *name);

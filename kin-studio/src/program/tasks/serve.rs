@@ -4,15 +4,15 @@ use std::sync::OnceLock;
 
 use super::super::command::Serve;
 use super::super::fault::Fault;
-use super::super::file::Told;
+use super::super::file::Settings;
 use super::super::server::{Answer, serve};
 use super::super::subject::Subject;
 use super::report::page;
 
 static PAGE: OnceLock<String> = OnceLock::new();
 
-pub(super) fn run(subject: &Subject, options: &Serve, told: &Told) -> Result<(), Fault> {
-    let page = page(subject, &options.page(), told)?;
+pub(super) fn run(subject: &Subject, options: &Serve, settings: &Settings) -> Result<(), Fault> {
+    let page = page(subject, &options.page(), settings)?;
     PAGE.get_or_init(|| page);
     serve(subject.description().name, options.port, &answer)
 }

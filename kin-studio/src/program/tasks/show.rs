@@ -7,21 +7,21 @@ use kin_core::any::Quantity;
 
 use super::super::case::{Known, Typed};
 use super::super::fault::Fault;
-use super::super::file::Told;
+use super::super::file::Settings;
 use super::super::subject::Subject;
 use super::super::text::{self, Column, Units};
 use super::print;
 
-pub(super) fn run(subject: &Subject, told: &Told) -> Result<(), Fault> {
-    print(&shown(subject, told)?)
+pub(super) fn run(subject: &Subject, settings: &Settings) -> Result<(), Fault> {
+    print(&shown(subject, settings)?)
 }
 
-fn shown(subject: &Subject, told: &Told) -> Result<String, Fault> {
+fn shown(subject: &Subject, settings: &Settings) -> Result<String, Fault> {
     let description = subject.description();
-    let known = if *told == Told::default() {
+    let known = if *settings == Settings::default() {
         of_library(subject)
     } else {
-        Some(of_file(subject, told)?)
+        Some(of_file(subject, settings)?)
     };
     let units = Units {
         in_degrees: true,
@@ -74,11 +74,11 @@ fn of_library(subject: &Subject) -> Option<Known> {
 }
 
 /// The values of a file.
-fn of_file(subject: &Subject, told: &Told) -> Result<Known, Fault> {
+fn of_file(subject: &Subject, settings: &Settings) -> Result<Known, Fault> {
     Typed {
-        set: told.set.clone(),
-        over: told.over.clone(),
-        assembly: told.assembly.clone(),
+        set: settings.set.clone(),
+        over: settings.over.clone(),
+        assembly: settings.assembly.clone(),
         ..Typed::default()
     }
     .first_assembly(subject)
@@ -138,11 +138,11 @@ mod tests {
     #[test]
     fn a_file_needs_no_motion() {
         let set = ["upper=30mm", "lower=3cm", "factor=2", "y=-15mm"];
-        let told = Told {
+        let settings = Settings {
             set: set.map(str::to_owned).to_vec(),
-            ..Told::default()
+            ..Settings::default()
         };
-        let out = shown(&Subject::of::<Pantograph>(), &told).unwrap();
+        let out = shown(&Subject::of::<Pantograph>(), &settings).unwrap();
         for line in [
             "upper   30 mm  length",
             "lower   30 mm  length",
@@ -155,12 +155,12 @@ mod tests {
         for (assembly, is_one) in [("open", true), ("1", false)] {
             let assembly = Some(assembly.to_owned());
             let set = ["r=30mm", "l=80mm"].map(str::to_owned).to_vec();
-            let told = Told {
+            let settings = Settings {
                 set,
                 assembly,
-                ..Told::default()
+                ..Settings::default()
             };
-            assert_eq!(shown(&Subject::of::<SliderCrank>(), &told).is_ok(), is_one);
+            assert_eq!(shown(&Subject::of::<SliderCrank>(), &settings).is_ok(), is_one);
         }
     }
 }

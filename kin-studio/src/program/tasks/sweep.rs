@@ -9,7 +9,7 @@ use super::super::case::Case;
 use super::super::columns;
 use super::super::command::Sweep;
 use super::super::fault::Fault;
-use super::super::file::Told;
+use super::super::file::Settings;
 use super::super::loads::{ForceColumn, ForceColumns};
 use super::super::progress::watched;
 use super::super::subject::Subject;
@@ -21,19 +21,19 @@ use crate::tables::{Columns, Export as _, quoted};
 const ROWS_AS_TEXT: u32 = 13;
 const ROWS_IN_A_FILE: u32 = 361;
 
-pub(super) fn run(subject: &Subject, options: &Sweep, told: &Told) -> Result<(), Fault> {
+pub(super) fn run(subject: &Subject, options: &Sweep, settings: &Settings) -> Result<(), Fault> {
     let is_text = options.csv.is_none() && options.json.is_none();
     let rows = options
         .rows
         .unwrap_or(if is_text { ROWS_AS_TEXT } else { ROWS_IN_A_FILE });
-    let typed = options.setup.typed(told);
-    let wanted = columns_of(subject, &options.columns, told)?;
+    let typed = options.setup.typed(settings);
+    let wanted = columns_of(subject, &options.columns, settings)?;
     let all = typed.each_assembly(subject);
     let (mut tables, mut cases) = (Vec::new(), Vec::new());
     for (assembly, typed) in &all {
         let case = typed.case(subject)?;
         if cases.is_empty() {
-            tell_jolts(subject, &case)?;
+            note_speed_jumps(subject, &case)?;
         }
         let table = watched("solving", 1, |_| table(subject, &case, rows as usize, &wanted))?;
         tables.push((assembly.as_str(), table));
@@ -58,9 +58,9 @@ pub(super) fn run(subject: &Subject, options: &Sweep, told: &Told) -> Result<(),
 }
 
 /// Prints where the efforts of masses have no bounds, which no row shows.
-pub(super) fn tell_jolts(subject: &Subject, case: &Case) -> Result<(), Fault> {
+pub(super) fn note_speed_jumps(subject: &Subject, case: &Case) -> Result<(), Fault> {
     if case.loads.is_some() {
-        for time in subject.jolts(case)? {
+        for time in subject.speed_jumps(case)? {
             let time = text::digits(time);
             eprintln!("note: at {time} s the speed of an input jumps, where the effort of a mass has no bound");
         }
@@ -69,14 +69,14 @@ pub(super) fn tell_jolts(subject: &Subject, case: &Case) -> Result<(), Fault> {
 }
 
 /// The columns that were typed, or else those of the file; none for those that are shown without being asked for.
-pub(super) fn columns_of(subject: &Subject, typed: &[String], told: &Told) -> Result<Vec<String>, Fault> {
-    let forces = if told.loads.is_empty() {
+pub(super) fn columns_of(subject: &Subject, typed: &[String], settings: &Settings) -> Result<Vec<String>, Fault> {
+    let forces = if settings.loads.is_empty() {
         ForceColumns::default()
     } else {
-        subject.forces(&told.loads.stated(1.0))
+        subject.forces(&settings.loads.stated(1.0))
     };
     let names = columns::names(subject.description(), &forces);
-    let wanted = if typed.is_empty() { &told.columns } else { typed };
+    let wanted = if typed.is_empty() { &settings.columns } else { typed };
     columns::chosen(wanted, &names).map_err(|message| {
         let advice = wanted.iter().find_map(|name| forces.advice(name));
         Fault::Wrong(advice.unwrap_or(message))
@@ -169,7 +169,7 @@ fn closes(table: &Table) -> Result<(), Fault> {
     if unclosed == 0 {
         return Ok(());
     }
-    Err(Fault::open(format!(
+    Err(Fault::failed(format!(
         "the mechanism does not close in {unclosed} of {} rows",
         table.count()
     )))

@@ -5,15 +5,15 @@ use kin_core::{RATES, in_small_letters};
 
 use super::super::command::{ExactTable, Form};
 use super::super::fault::Fault;
-use super::super::file::Told;
+use super::super::file::Settings;
 use super::super::progress::watched;
 use super::super::subject::Subject;
 use super::super::text::{self, Column};
 use super::print;
 use crate::tables::ExactJson as _;
 
-pub(super) fn run(subject: &Subject, options: &ExactTable, told: &Told) -> Result<(), Fault> {
-    let case = options.setup.typed(told).case(subject)?;
+pub(super) fn run(subject: &Subject, options: &ExactTable, settings: &Settings) -> Result<(), Fault> {
+    let case = options.setup.typed(settings).case(subject)?;
     if case.loads.is_some() {
         eprintln!("note: the table holds no efforts: `sweep` and `peaks` find them");
     }

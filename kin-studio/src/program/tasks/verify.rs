@@ -2,13 +2,13 @@
 
 use super::super::command::Setup;
 use super::super::fault::Fault;
-use super::super::file::Told;
+use super::super::file::Settings;
 use super::super::progress::watched;
 use super::super::subject::Subject;
 use super::print;
 
-pub(super) fn run(subject: &Subject, setup: &Setup, told: &Told) -> Result<(), Fault> {
-    let typed = setup.typed(told);
+pub(super) fn run(subject: &Subject, setup: &Setup, settings: &Settings) -> Result<(), Fault> {
+    let typed = setup.typed(settings);
     // all assemblies are compared
     let case = typed.first_assembly(subject).case(subject)?;
     let report = watched("verifying", 1, |_| subject.verify(&case));
@@ -17,6 +17,6 @@ pub(super) fn run(subject: &Subject, setup: &Setup, told: &Told) -> Result<(), F
         let mut all = typed.each_assembly(subject).into_iter();
         all.try_for_each(|(_, typed)| subject.closes(&typed.case(subject)?))
     } else {
-        Err(Fault::open("the verification did not pass"))
+        Err(Fault::failed("the verification did not pass"))
     }
 }

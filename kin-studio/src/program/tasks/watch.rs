@@ -69,7 +69,7 @@ fn stamp(path: &Path) -> Option<(SystemTime, u64)> {
 
 /// Makes the page, or the page of the mistake.
 fn show(path: &Path, report: &Report) {
-    let made = file::read(path).and_then(|(subject, told)| super::page(&subject, report, &told));
+    let made = file::read(path).and_then(|(subject, settings)| super::page(&subject, report, &settings));
     let entry = match made {
         Ok(page) => {
             eprintln!("{} is shown", path.display());

@@ -1,4 +1,4 @@
-/** The forces as arrows of the picture: all of them at their joints, or those on one body. */
+/** The free-body diagram: forces as arrows of the picture, all of them at their joints, or those on one body. */
 import { memberText } from "./curves.mjs";
 import { forcesAt, placeOfForce } from "./kinematics/forces.mjs";
 import { numberText } from "./numbers.mjs";
