@@ -71,6 +71,8 @@ pub use parallel::ParallelBatch;
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 pub use slices::KeptMemory;
 #[cfg(feature = "alloc")]
+pub(crate) use slices::check_length;
+#[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 #[doc(hidden)]
 pub use slices::{CHUNKS, Numbers, SliceSolver, fold_slices, solve_slices};

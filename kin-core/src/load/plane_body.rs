@@ -34,6 +34,7 @@ impl BodyFrame {
     }
 
     /// Its origin, and a vector along it.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn origin_and_axis<V: Copy>(self, places: &[V], minus: impl FnOnce(V, V) -> V) -> [V; 2] {
         match self {
             Self::Joints([one, other]) => [places[one], minus(places[other], places[one])],
@@ -45,7 +46,12 @@ impl BodyFrame {
 /// The first vector that does not lie along a unit vector, up to half of the digits: the third point of a frame of
 /// space lies there.
 pub(crate) fn third_point(axis: Space<f64>, mut vectors: impl Iterator<Item = Space<f64>>) -> Option<usize> {
-    vectors.position(|vector| axis.cross(vector).norm() > Number::sqrt(f64::EPSILON) * vector.norm())
+    vectors.position(|vector| stands_beside([axis.cross(vector).norm(), vector.norm()]))
+}
+
+/// Whether a vector does not lie along a unit vector, by the length of their product and its own.
+pub(crate) fn stands_beside([product, length]: [f64; 2]) -> bool {
+    product > Number::sqrt(f64::EPSILON) * length
 }
 
 /// The centre of a rod of space, from its first joint on. It lies on the line of its joints.
