@@ -70,7 +70,7 @@ pub use parallel::ParallelBatch;
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 pub use slices::KeptMemory;
-#[cfg(feature = "alloc")]
+#[cfg(feature = "std")]
 pub(crate) use slices::check_length;
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]

@@ -47,7 +47,7 @@ impl<T: Number> Space<T> {
     }
 
     /// The scalar product `x₁ x₂ + y₁ y₂ + z₁ z₂`. Its unit is the product of the units.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline]
     #[must_use]
     pub fn dot(self, other: Self) -> T {
         self.x * other.x + self.y * other.y + self.z * other.z
@@ -55,7 +55,7 @@ impl<T: Number> Space<T> {
 
     /// The vector product, at right angles to both factors. Seen from its tip, the rotation from the first factor to
     /// the second is counter-clockwise. Its unit is the product of the units.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline]
     #[must_use]
     pub fn cross(self, other: Self) -> Self {
         Self::new(
@@ -66,21 +66,21 @@ impl<T: Number> Space<T> {
     }
 
     /// This vector, multiplied by `factor`.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline]
     #[must_use]
     pub fn scale(self, factor: T) -> Self {
         Self::new(self.x * factor, self.y * factor, self.z * factor)
     }
 
     /// The square of the length.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline]
     #[must_use]
     pub fn norm_squared(self) -> T {
         self.dot(self)
     }
 
     /// The length. Its square must lie in the range of the number type.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline]
     #[must_use]
     pub fn norm(self) -> T {
         self.norm_squared().sqrt()
@@ -90,7 +90,7 @@ impl<T: Number> Space<T> {
 impl<T: Number> Add for Space<T> {
     type Output = Self;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline]
     fn add(self, other: Self) -> Self {
         Self::new(self.x + other.x, self.y + other.y, self.z + other.z)
     }
@@ -99,7 +99,7 @@ impl<T: Number> Add for Space<T> {
 impl<T: Number> Sub for Space<T> {
     type Output = Self;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline]
     fn sub(self, other: Self) -> Self {
         Self::new(self.x - other.x, self.y - other.y, self.z - other.z)
     }
@@ -108,7 +108,7 @@ impl<T: Number> Sub for Space<T> {
 impl<T: Number> Neg for Space<T> {
     type Output = Self;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline]
     fn neg(self) -> Self {
         Self::new(-self.x, -self.y, -self.z)
     }

@@ -94,7 +94,7 @@ pub(crate) use named::{EFFORT_ENTRIES, NamedLoad, NamedMotion, PointIndex};
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 pub use named::{NamedLoads, NoSuchPlace, PlaceKind, PointPlace};
 #[cfg(feature = "alloc")]
-pub(crate) use plane_body::{BodyFrame, centre_on_line, stands_beside};
+pub(crate) use plane_body::{ALONG, BodyFrame, centre_on_line};
 pub use system::LoadedSystem;
 #[doc(hidden)]
 pub use totals::Totals;

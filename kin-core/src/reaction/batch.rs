@@ -5,55 +5,29 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use super::pose::{PosePlan, PoseReactions, PoseRoom, TERMS};
-use super::pose_number::PoseNumber;
+use super::equations::Solution;
+use super::pose::{PosePlan, PoseReactions, PoseSolution, TERMS};
 use super::prepared::PreparedReactions;
-use super::{MovingPose, NamedReactions, ReactionError};
+use super::traced::{Place, Program, ProgramRun, Traced, stride};
+use super::{MovingPose, NamedReactions, ORDERS, ReactionError, ReactionPlace};
 use crate::any::PositionChoice;
-use crate::batch::lanes::Lanes;
 use crate::batch::{
-    Column, ColumnChoice, GivenColumns, Kernel, LengthMismatch, Outcome, Slot, Vectors, WantedColumns, check_length,
+    Column, ColumnChoice, GivenColumns, LengthMismatch, Outcome, Slot, Vectors, WantedColumns, check_length,
 };
 use crate::geometry::Space;
 use crate::motion::Motion;
 use crate::number::Number;
 use crate::number::series::{Series, SeriesOf};
-use crate::picture::Outline;
 use crate::quantity::NameKind;
+
+/// What takes the reactions in a pose, by its row.
+type Read<'r> = &'r mut dyn FnMut(usize, Result<PoseReactions<'_>, ReactionError>);
 
 /// The poses whose motions are found in one call: their columns stay in the cache.
 const BLOCK: usize = 256;
 
 /// In so many poses at most a plan is looked for.
 const ATTEMPTS: usize = 8;
-
-impl<const W: usize, const FUSED: bool> PoseNumber for Lanes<W, FUSED> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn provided<const K: usize>(mut self, operands: [Self; K], holds: impl Fn([f64; K]) -> bool) -> Option<Self> {
-        for lane in 0..W {
-            let mut values = [0.0; K];
-            for (value, operand) in values.iter_mut().zip(&operands) {
-                *value = operand.0[lane];
-            }
-            self.0[lane] = if holds(values) { self.0[lane] } else { f64::NAN };
-        }
-        Some(self)
-    }
-
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn size(self) -> Self {
-        Self::from_fn(|lane| self.0[lane].abs())
-    }
-
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn or_larger(self, other: Self) -> Self {
-        Self::from_fn(|lane| self.0[lane].max(other.0[lane]))
-    }
-
-    fn of_pose(self, pose: usize) -> f64 {
-        self.0[pose]
-    }
-}
 
 /// The reactions in many poses of a mechanism, or of mechanisms that differ in their dimensions:
 /// [`NamedReactions::batch`].
@@ -147,7 +121,7 @@ impl<'b> ReactionBatch<'b> {
         results: &mut [R],
     ) -> Result<(), LengthMismatch> {
         self.check_lengths(results.len())?;
-        self.solve_part(0..results.len(), &read, results);
+        self.solve_part(0..results.len(), &mut |row, found| results[row] = read(found));
         Ok(())
     }
 
@@ -168,7 +142,9 @@ impl<'b> ReactionBatch<'b> {
         self.check_lengths(results.len())?;
         results.par_chunks_mut(PART).enumerate().for_each(|(part, results)| {
             let start = part * PART;
-            self.solve_part(start..start + results.len(), &read, results);
+            self.solve_part(start..start + results.len(), &mut |row, found| {
+                results[row - start] = read(found)
+            });
         });
         Ok(())
     }
@@ -197,12 +173,7 @@ impl<'b> ReactionBatch<'b> {
     }
 
     /// Solves the poses of a range.
-    fn solve_part<R>(
-        &self,
-        range: Range<usize>,
-        read: &impl Fn(Result<PoseReactions<'_>, ReactionError>) -> R,
-        results: &mut [R],
-    ) {
+    fn solve_part(&self, range: Range<usize>, read: Read<'_>) {
         let varies = self.dimensions.iter().any(|column| column.length().is_some());
         let is_own = || self.parameters(range.start)[..] == self.reactions.parameters[..];
         let reactions = if varies || range.is_empty() || is_own() {
@@ -224,19 +195,109 @@ impl<'b> ReactionBatch<'b> {
             prepared: reactions.prepared(),
             varies,
         };
-        match plan.err().flatten() {
-            Some(plan) => self.vectors.run(ReactionRun {
-                alone,
-                plan: &plan,
-                range,
-                read,
-                results,
-            }),
-            None => {
-                for (result, row) in results.iter_mut().zip(range) {
-                    *result = alone.read(row, read);
+        if let Some(traced) = plan.err().flatten() {
+            return self.solve_traced(&traced, range, &mut alone, read);
+        }
+        for row in range {
+            alone.read(row, read);
+        }
+    }
+
+    /// Solves the poses of a range by a program.
+    fn solve_traced(&self, traced: &TracedPlan, range: Range<usize>, alone: &mut Alone<'_, '_>, read: Read<'_>) {
+        let stride = stride(BLOCK.min(range.len()));
+        let mut given = vec![0.0; traced.given.len() * stride];
+        let mut results = vec![0.0; traced.program.results() * stride];
+        let (mut kept, mut outcomes) = (vec![0.0; stride], vec![Outcome::Unsolved; stride]);
+        for block in range.clone().step_by(BLOCK) {
+            let rows = block..range.end.min(block + BLOCK);
+            let outcomes = &mut outcomes[..rows.len()];
+            self.give(traced, rows.clone(), stride, &mut given, outcomes);
+            self.vectors.run(ProgramRun {
+                program: &traced.program,
+                count: rows.len(),
+                stride,
+                given: &given,
+                results: &mut results,
+                kept: &mut kept,
+            });
+            let solution = TracedColumns {
+                traced,
+                results: &results,
+                stride,
+            };
+            for (pose, row) in rows.enumerate() {
+                if outcomes[pose].is_solved() && kept[pose].is_finite() {
+                    read(row, Ok(PoseReactions::of(&solution, pose)));
+                } else {
+                    alone.read(row, read);
                 }
             }
+        }
+    }
+
+    /// Writes the numbers on which the program depends.
+    fn give(
+        &self,
+        traced: &TracedPlan,
+        rows: Range<usize>,
+        stride: usize,
+        given: &mut [f64],
+        outcomes: &mut [Outcome],
+    ) {
+        let mut wanted = Vec::new();
+        for (own, column) in traced.given.iter().zip(given.chunks_exact_mut(stride)) {
+            let column = &mut column[..rows.len()];
+            match *own {
+                Given::Dimension(index) => {
+                    for (number, row) in column.iter_mut().zip(rows.clone()) {
+                        *number = self.dimensions[index].at(row);
+                    }
+                }
+                Given::Motion(slot) => wanted.push((slot, column)),
+                Given::Drawn(..) => {}
+            }
+        }
+        let mut wanted = WantedColumns::new(wanted);
+        if self.motions_of(rows.clone(), &mut wanted, outcomes).is_err() {
+            // the lengths have been checked
+            outcomes.fill(Outcome::Failed);
+        }
+        drop(wanted);
+        if traced.plan.is_drawn() {
+            self.draw(traced, rows, stride, given);
+        }
+    }
+
+    /// Writes where the joints stand that no output tells, pose by pose.
+    fn draw(&self, traced: &TracedPlan, rows: Range<usize>, stride: usize, given: &mut [f64]) {
+        let reactions = self.reactions;
+        let mut quantities: Vec<MovingPose> = reactions.parameters.iter().copied().map(Series::constant).collect();
+        quantities.resize(traced.quantities, Series::ZERO);
+        for (pose, row) in rows.enumerate() {
+            for (own, column) in quantities.iter_mut().zip(self.dimensions) {
+                *own = Series::constant(column.at(row));
+            }
+            let mut columns = traced.given.iter().zip(given.chunks_exact(stride));
+            for quantity in &traced.moving {
+                let mut derivatives = [0.0; TERMS];
+                let own = columns.by_ref().filter(|(own, _)| matches!(own, Given::Motion(_)));
+                for (derivative, (_, column)) in derivatives.iter_mut().zip(own) {
+                    *derivative = column[pose];
+                }
+                quantities[*quantity] = Series::from_derivatives(derivatives);
+            }
+            traced.plan.draw(reactions, &quantities, &mut |index, place| {
+                let own = traced.given.iter().zip(given.chunks_exact_mut(stride));
+                for (own, column) in own {
+                    if let Given::Drawn(joint, axis, order) = *own
+                        && joint == index
+                    {
+                        let coordinate = [place.x, place.y, place.z][axis];
+                        column[pose] = coordinate.coefficients()[order];
+                    }
+                }
+            });
         }
     }
 
@@ -246,7 +307,7 @@ impl<'b> ReactionBatch<'b> {
         reactions: &NamedReactions<'_>,
         row: usize,
         varies: bool,
-    ) -> Result<Option<PosePlan>, ReactionError> {
+    ) -> Result<Option<TracedPlan>, ReactionError> {
         if reactions.has_friction() {
             return Ok(None);
         }
@@ -260,8 +321,10 @@ impl<'b> ReactionBatch<'b> {
         let motions = self.motions(row);
         let near = self.near(row);
         let unknowns = reactions.unknowns_at(&motions, self.position(&near))?;
-        let plan = PosePlan::new(reactions, &reactions.place(&motions, &unknowns), varies)?;
-        Ok(plan.filter(|plan| !self.asks_for_direction(plan, row)))
+        let place = reactions.place(&motions, &unknowns);
+        let plan = PosePlan::new(reactions, &place, varies)?;
+        let plan = plan.filter(|plan| !self.asks_for_direction(plan, row));
+        plan.map_or(Ok(None), |plan| self.traced(reactions, plan, &place, varies))
     }
 
     /// Whether a plan asks for the angle of a direction, of which a batch gives cosine and sine.
@@ -369,183 +432,159 @@ struct Alone<'a, 'b> {
 impl Alone<'_, '_> {
     #[cold]
     #[inline(never)]
-    fn read<R>(&mut self, row: usize, read: &impl Fn(Result<PoseReactions<'_>, ReactionError>) -> R) -> R {
+    fn read(&mut self, row: usize, read: Read<'_>) {
         let (motions, near) = (self.batch.motions(row), self.batch.near(row));
         let position = self.batch.position(&near);
         if self.varies {
             let reactions = self.batch.reactions.with_parameters(&self.batch.parameters(row));
-            return read(reactions.prepared().alone(&motions, position));
+            return read(row, reactions.prepared().alone(&motions, position));
         }
-        read(self.prepared.at(&motions, position))
+        read(row, self.prepared.at(&motions, position));
     }
 }
 
-/// A range of poses with their results.
-struct ReactionRun<'r, 'b, R, F> {
-    alone: Alone<'r, 'b>,
-    plan: &'r PosePlan,
-    range: Range<usize>,
-    read: &'r F,
-    results: &'r mut [R],
+/// A number on which a program depends.
+#[derive(Clone, Copy, Debug)]
+enum Given {
+    Dimension(usize),
+    Motion(Slot),
+    /// A coordinate of a joint that is drawn, by its axis and its order.
+    Drawn(usize, usize, usize),
 }
 
-impl<R, F: Fn(Result<PoseReactions<'_>, ReactionError>) -> R> Kernel for ReactionRun<'_, '_, R, F> {
-    type Result = ();
-    type Element = f64;
-
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn run<const W: usize, const FUSED: bool>(self) {
-        let Self {
-            mut alone,
-            plan,
-            range,
-            read,
-            results,
-        } = self;
-        let (batch, reactions) = (alone.batch, alone.prepared.reactions());
-        let outline = reactions.functions.outline();
-        let mut room = plan.room::<Lanes<W, FUSED>>(reactions);
-        let moving = plan
-            .needed
-            .iter()
-            .copied()
-            .filter(|quantity| batch.slot(*quantity, 0).is_some());
-        let mut columns = Columns {
-            moving: moving.collect(),
-            numbers: Vec::new(),
-        };
-        columns.numbers.resize(columns.moving.len() * TERMS * BLOCK, 0.0);
-        let mut outcomes = [Outcome::Unsolved; BLOCK];
-        for block in range.clone().step_by(BLOCK) {
-            let rows = block..range.end.min(block + BLOCK);
-            let outcomes = &mut outcomes[..rows.len()];
-            columns.find(batch, rows.clone(), outcomes);
-            for start in (0..rows.len()).step_by(W) {
-                let first = block + start;
-                columns.gather(start, &mut room.moved.quantities);
-                for (quantity, column) in plan.needed.iter().zip(dimensions(batch, plan)) {
-                    if column.length().is_some() {
-                        room.moved.quantities[*quantity] =
-                            SeriesOf::from_coefficients(with_value(Lanes::from_fn(|lane| column.at(first + lane))));
-                    }
-                }
-                if plan.is_drawn() {
-                    draw(plan, reactions, rows.len() - start, &mut room);
-                }
-                let found = lanes(&mut room, plan, reactions, &outline);
-                for lane in 0..W.min(rows.len() - start) {
-                    let is_solved = found.is_some_and(|sum| sum.0[lane].is_finite());
-                    results[first + lane - range.start] = if is_solved && outcomes[start + lane].is_solved() {
-                        read(Ok(PoseReactions::of(&room.solution, lane)))
-                    } else {
-                        alone.read(first + lane, read)
-                    };
-                }
-            }
-        }
-    }
-}
-
-/// The poses of a chunk; none if none of them is solved.
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn lanes<const W: usize, const FUSED: bool>(
-    room: &mut PoseRoom<Lanes<W, FUSED>>,
-    plan: &PosePlan,
-    reactions: &NamedReactions<'_>,
-    outline: &Outline<'_>,
-) -> Option<Lanes<W, FUSED>> {
-    room.solve(plan, reactions, outline).ok().flatten()
-}
-
-/// The columns of the dimensions that a plan asks for, which stand first among what it asks for.
-fn dimensions<'b>(batch: &ReactionBatch<'b>, plan: &PosePlan) -> impl Iterator<Item = Column<'b>> {
-    let columns = batch.dimensions;
-    plan.needed
-        .iter()
-        .map_while(move |quantity| columns.get(*quantity).copied())
-}
-
-/// The coefficients of a number that does not move.
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn with_value<S: Number, const N: usize>(value: S) -> [S; N] {
-    let mut terms = [S::constant(0.0); N];
-    terms[0] = value;
-    terms
-}
-
-/// The motions of the quantities that a plan asks for, in a block of poses.
-struct Columns {
+/// A plan with the program of what it does in a pose.
+struct TracedPlan {
+    plan: PosePlan,
+    program: Program,
+    given: Vec<Given>,
+    /// The quantities that move, in the order of what is given.
     moving: Vec<usize>,
-    numbers: Vec<f64>,
+    /// The number of quantities.
+    quantities: usize,
+    /// The forces, the moments and the efforts, one after the other, each with all orders.
+    forces: Vec<Place>,
+    reactions: usize,
+    drives: usize,
 }
 
-impl Columns {
-    fn find(&mut self, batch: &ReactionBatch<'_>, rows: Range<usize>, outcomes: &mut [Outcome]) {
-        let slots = self
-            .moving
-            .iter()
-            .flat_map(|quantity| (0..TERMS).map(|order| (*quantity, order)));
-        let columns = self.numbers.chunks_exact_mut(BLOCK);
-        let wanted = slots.zip(columns).filter_map(|((quantity, order), column)| {
-            let slot = batch.slot(quantity, order)?;
-            Some((slot, &mut column[..rows.len()]))
-        });
-        let mut wanted = WantedColumns::new(wanted.collect());
-        if batch.motions_of(rows, &mut wanted, outcomes).is_err() {
-            // the lengths have been checked
-            outcomes.fill(Outcome::Failed);
-        }
-    }
-
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn gather<const W: usize, const FUSED: bool>(
+impl ReactionBatch<'_> {
+    /// The program of a plan; none if it does not fit the pose for which it was made.
+    fn traced(
         &self,
-        start: usize,
-        quantities: &mut [SeriesOf<Lanes<W, FUSED>, TERMS>],
-    ) {
-        for (quantity, columns) in self.moving.iter().zip(self.numbers.chunks_exact(TERMS * BLOCK)) {
-            let mut derivatives = [Lanes([0.0; W]); TERMS];
-            for (order, lanes) in derivatives.iter_mut().enumerate() {
-                lanes.0.copy_from_slice(&columns[order * BLOCK + start..][..W]);
+        reactions: &NamedReactions<'_>,
+        plan: PosePlan,
+        place: &ReactionPlace<'_>,
+        varies: bool,
+    ) -> Result<Option<TracedPlan>, ReactionError> {
+        let (mut given, mut moving) = (Vec::new(), Vec::new());
+        let mut quantities = 0;
+        let (is_solved, program, forces) = Program::of(|| {
+            let mut room = plan.room::<Traced>(reactions);
+            quantities = room.moved.quantities.len();
+            let mut add = |own: Given, value: f64| {
+                given.push(own);
+                Traced::given(given.len() - 1, value)
+            };
+            for quantity in &plan.needed {
+                let derivatives = plan.moved.quantities[*quantity].derivatives();
+                let own = &mut room.moved.quantities[*quantity];
+                if self.slot(*quantity, 0).is_some() {
+                    moving.push(*quantity);
+                    let mut traced = [Traced::constant(0.0); TERMS];
+                    for (order, traced) in traced.iter_mut().enumerate() {
+                        if let Some(slot) = self.slot(*quantity, order) {
+                            *traced = add(Given::Motion(slot), derivatives[order]);
+                        }
+                    }
+                    *own = SeriesOf::from_derivatives(traced);
+                } else if varies {
+                    let mut terms = [Traced::constant(0.0); TERMS];
+                    terms[0] = add(Given::Dimension(*quantity), derivatives[0]);
+                    *own = SeriesOf::from_coefficients(terms);
+                }
             }
-            quantities[*quantity] = SeriesOf::from_derivatives(derivatives);
-        }
-    }
-}
-
-/// Finds where the joints stand that no output tells, pose by pose.
-fn draw<const W: usize, const FUSED: bool>(
-    plan: &PosePlan,
-    reactions: &NamedReactions<'_>,
-    count: usize,
-    room: &mut PoseRoom<Lanes<W, FUSED>>,
-) {
-    let mut quantities: Vec<MovingPose> = vec![Series::ZERO; room.moved.quantities.len()];
-    for lane in 0..W.min(count) {
-        for quantity in &plan.needed {
-            let own = room.moved.quantities[*quantity].coefficients();
-            quantities[*quantity] = Series::from_coefficients(own.map(|term| term.0[lane]));
-        }
-        plan.draw(reactions, &quantities, &mut |index, place| {
-            let own = &mut room.moved.places[index];
-            *own = Space::new(
-                with_lane(own.x, lane, place.x),
-                with_lane(own.y, lane, place.y),
-                with_lane(own.z, lane, place.z),
-            );
+            for index in plan.drawn() {
+                let Space { x, y, z } = plan.moved.places[index];
+                let [x, y, z] = [x, y, z].map(|part| part.coefficients());
+                let axes = if plan.moved.is_space { 3 } else { 2 };
+                let mut coordinates = [SeriesOf::constant(0.0); 3];
+                for (axis, own) in coordinates.iter_mut().enumerate().take(axes) {
+                    let mut terms = [Traced::constant(0.0); TERMS];
+                    for (order, term) in terms.iter_mut().enumerate() {
+                        *term = add(Given::Drawn(index, axis, order), [x, y, z][axis][order]);
+                    }
+                    *own = SeriesOf::from_coefficients(terms);
+                }
+                room.moved.places[index] = coordinates.into();
+            }
+            let is_solved = room.solve(&plan, reactions, &place.functions.outline());
+            (is_solved, all_of(&room.solution))
         });
+        let plan = TracedPlan {
+            plan,
+            program,
+            given,
+            moving,
+            quantities,
+            forces,
+            reactions: reactions.connections.len(),
+            drives: reactions.driven.len(),
+        };
+        Ok(is_solved?.then_some(plan))
     }
 }
 
-/// A series with that of another pose in a lane.
-fn with_lane<const W: usize, const FUSED: bool>(
-    series: SeriesOf<Lanes<W, FUSED>, TERMS>,
-    lane: usize,
-    own: MovingPose,
-) -> SeriesOf<Lanes<W, FUSED>, TERMS> {
-    let mut terms = series.coefficients();
-    for (term, own) in terms.iter_mut().zip(own.coefficients()) {
-        term.0[lane] = own;
+/// All numbers of a solution.
+fn all_of(solution: &Solution<ORDERS, Traced>) -> Vec<Traced> {
+    let vectors = solution
+        .forces
+        .iter()
+        .chain(&solution.moments)
+        .flat_map(|vector| vector.0);
+    let series = vectors.chain(solution.efforts.iter().copied());
+    let series = series.map(|own| own.unwrap_or(SeriesOf::constant(f64::NAN)));
+    series.flat_map(|own| own.coefficients()).collect()
+}
+
+/// The solutions of a block of poses.
+struct TracedColumns<'r> {
+    traced: &'r TracedPlan,
+    results: &'r [f64],
+    stride: usize,
+}
+
+impl TracedColumns<'_> {
+    /// A series by its index among all.
+    fn series(&self, index: usize, pose: usize) -> Option<Series<ORDERS>> {
+        let places = self.traced.forces.get(index * ORDERS..(index + 1) * ORDERS)?;
+        let mut terms = [0.0; ORDERS];
+        for (term, place) in terms.iter_mut().zip(places) {
+            *term = match *place {
+                Place::Same(value) => value,
+                Place::Column(column) => self.results[column * self.stride + pose],
+            };
+        }
+        Some(Series::from_coefficients(terms))
     }
-    SeriesOf::from_coefficients(terms)
+
+    fn vector(&self, index: usize, pose: usize) -> Option<Space<Series<ORDERS>>> {
+        let part = |axis: usize| self.series(3 * index + axis, pose);
+        Some(Space::new(part(0)?, part(1)?, part(2)?))
+    }
+}
+
+impl PoseSolution for TracedColumns<'_> {
+    fn force(&self, index: usize, pose: usize) -> Option<Space<Series<ORDERS>>> {
+        (index < self.traced.reactions).then(|| self.vector(index, pose))?
+    }
+
+    fn moment(&self, index: usize, pose: usize) -> Option<Space<Series<ORDERS>>> {
+        let first = self.traced.reactions;
+        (index < first).then(|| self.vector(first + index, pose))?
+    }
+
+    fn effort(&self, input: usize, pose: usize) -> Option<Series<ORDERS>> {
+        let first = 6 * self.traced.reactions;
+        (input < self.traced.drives).then(|| self.series(first + input, pose))?
+    }
 }

@@ -322,8 +322,9 @@ fn pull<T: MovingNumber>([from, to]: [Held<T>; 2], force: Space<T>) -> Exertion<
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn length<T: MovingNumber>(load: usize, line: Space<T>) -> Result<T, LoadError> {
     let square = line.norm_squared();
-    let one = T::Still::constant(1.0);
-    let has_length = one.provided([square.now()], |[square]| square > f64::MIN_POSITIVE);
-    let has_length = has_length.ok_or(LoadError::NoDirection { load })?;
-    Ok((square * T::still(has_length)).sqrt())
+    if square.now().exceeds(f64::MIN_POSITIVE, T::Still::constant(1.0)) {
+        Ok(square.sqrt())
+    } else {
+        Err(LoadError::NoDirection { load })
+    }
 }

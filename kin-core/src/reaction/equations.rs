@@ -324,7 +324,7 @@ impl<const N: usize> Equations<'_, Series<N>> {
         right: &[Series<N>],
     ) -> Result<Option<Solution<N>>, ReactionError> {
         let mut columns = unknowns.iter().enumerate();
-        if !columns.all(|(column, unknown)| self.fill(system, column, *unknown)) || system.factor().is_none() {
+        if !columns.all(|(column, unknown)| self.fill(system, column, *unknown)) || !system.factor() {
             return Ok(None);
         }
         let values = system.solve(right).to_vec();
@@ -481,28 +481,22 @@ impl<const N: usize> Equations<'_, Series<N>> {
 }
 
 impl<S: PoseNumber, const N: usize> Equations<'_, SeriesOf<S, N>> {
-    /// How the contacts bear under these forces. The number is one; it is not a number in those of several poses in which
-    /// they bear otherwise than in the first.
+    /// How the contacts bear under these forces.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn bears(&self, solution: &Solution<N, S>, flanks: &mut [Flank]) -> S {
-        let mut agree = S::constant(1.0);
+    pub(super) fn bears(&self, solution: &Solution<N, S>, flanks: &mut [Flank]) {
         for (connection, flank) in flanks.iter_mut().enumerate() {
             let Some((mesh, pitch)) = self.pitch_point(connection) else {
                 continue;
             };
             let force = solution.forces[connection].whole();
-            let Some(tangential) = force.and_then(|force| pitch.tangential(mesh, force)) else {
-                continue;
-            };
-            let (before, tangential) = (flank.sign, tangential.now());
-            let sign = |tangential: f64| if tangential == 0.0 { before } else { tangential.signum() };
-            flank.sign = sign(tangential.real());
-            let own = flank.sign;
-            agree = agree
-                .provided([tangential], |[tangential]| sign(tangential) == own)
-                .unwrap_or(agree);
+            let tangential = force.and_then(|force| pitch.tangential(mesh, force));
+            match tangential.map(MovingNumber::now) {
+                Some(tangential) if tangential.exceeds(0.0, tangential) => {
+                    flank.sign = if tangential.is_negative() { -1.0 } else { 1.0 };
+                }
+                _ => {}
+            }
         }
-        agree
     }
 
     /// Writes the entries of an unknown into a planned order. False if they do not fit.

@@ -9,7 +9,7 @@ use super::pose_number::PoseNumber;
 use super::{MovedNumber, ReactionError};
 use crate::any::{AnyMechanism, OutputsOver, Pictured, SkeletonOver};
 use crate::geometry::Space;
-use crate::load::{BodyFrame, PointIndex, stands_beside};
+use crate::load::{ALONG, BodyFrame, PointIndex};
 use crate::number::Number;
 use crate::number::series::SeriesOf;
 use crate::picture::{Outline, Slide};
@@ -24,9 +24,6 @@ pub(crate) trait MovingNumber: Number {
     /// The number without its derivatives.
     fn now(self) -> Self::Still;
 
-    /// A number that does not move.
-    fn still(value: Self::Still) -> Self;
-
     /// The derivative. Its own highest derivative is not known, and is zero.
     #[must_use]
     fn slope(self) -> Self;
@@ -35,12 +32,6 @@ pub(crate) trait MovingNumber: Number {
     #[must_use]
     fn times(self, factor: f64) -> Self {
         self * Self::constant(factor)
-    }
-
-    /// The product with a number that does not move.
-    #[must_use]
-    fn scaled(self, factor: Self::Still) -> Self {
-        self * Self::still(factor)
     }
 
     /// The unit vector along a vector whose length does not change, by the square of this length.
@@ -60,30 +51,20 @@ impl<S: PoseNumber, const N: usize> MovingNumber for SeriesOf<S, N> {
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn still(value: S) -> Self {
-        let mut terms = [S::constant(0.0); N];
-        terms[0] = value;
-        Self::from_coefficients(terms)
-    }
-
-    #[cfg_attr(not(debug_assertions), inline(always))]
     fn slope(self) -> Self {
         self.differentiate()
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn times(self, factor: f64) -> Self {
-        MovingNumber::scaled(self, S::constant(factor))
-    }
-
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn scaled(self, factor: S) -> Self {
-        SeriesOf::scaled(self, factor)
+        self.scaled(S::constant(factor))
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn unit_of_rigid(vector: Space<Self>, square: S) -> Space<Self> {
-        scaled(vector, S::constant(1.0) / square.sqrt())
+        let Space { x, y, z } = vector;
+        let factor = S::constant(1.0) / square.sqrt();
+        Space::new(x.scaled(factor), y.scaled(factor), z.scaled(factor))
     }
 }
 
@@ -139,13 +120,6 @@ pub(super) fn unit<T: MovingNumber>(vector: Space<T>) -> Space<T> {
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn times<T: MovingNumber>(vector: Space<T>, factor: f64) -> Space<T> {
     Space::new(vector.x.times(factor), vector.y.times(factor), vector.z.times(factor))
-}
-
-/// The product of a vector with a number that does not move.
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn scaled<T: MovingNumber>(vector: Space<T>, factor: T::Still) -> Space<T> {
-    let Space { x, y, z } = vector;
-    Space::new(x.scaled(factor), y.scaled(factor), z.scaled(factor))
 }
 
 /// Where a vector is now.
@@ -381,42 +355,27 @@ pub(super) fn across<T: MovingNumber>(axis: Space<T>, is_space: bool) -> [Space<
         return [Space::new(-axis.y, axis.x, T::constant(0.0)), along_axis(2)];
     }
     let Space { x, y, z } = now(axis);
-    let smallest = smallest_of([x.real(), y.real(), z.real()]);
-    let chosen = T::Still::constant(1.0).provided([x, y, z], |parts| smallest_of(parts) == smallest);
-    let chosen = chosen.unwrap_or(T::Still::constant(1.0));
-    let first = unit(scaled(along_axis(smallest), chosen).cross(axis));
-    [first, axis.cross(first)]
-}
-
-/// The axis of coordinates along which a vector has its smallest part.
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn smallest_of(parts: [f64; 3]) -> usize {
+    let parts = [x, y, z];
     let mut smallest = 0;
     for axis in 1..3 {
-        if parts[axis].abs().total_cmp(&parts[smallest].abs()).is_lt() {
+        if parts[smallest].exceeds(1.0, parts[axis]) {
             smallest = axis;
         }
     }
-    smallest
+    let first = unit(along_axis(smallest).cross(axis));
+    [first, axis.cross(first)]
 }
 
-/// Whether a vector lies beside a unit vector and not along it, with a number for each pose, which is one, or not a
-/// number if it is not so in this pose.
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn beside<S: PoseNumber>(axis: Space<S>, vector: Space<S>) -> (bool, S) {
-    let sizes = [axis.cross(vector).norm(), vector.norm()];
-    let is_beside = stands_beside(sizes.map(S::real));
-    let one = S::constant(1.0);
-    let agrees = one.provided(sizes, |sizes| stands_beside(sizes) == is_beside);
-    (is_beside, agrees.unwrap_or(one))
+/// Whether a vector lies beside a unit vector and not along it, up to half of the digits.
+fn lies_beside<S: PoseNumber>(axis: Space<S>, vector: Space<S>) -> bool {
+    axis.cross(vector).norm().exceeds(ALONG, vector.norm())
 }
 
 /// The unit vector at right angles to a unit vector and to another vector, none if they lie on a line up to half of the
 /// digits.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn between<T: MovingNumber>(one: Space<T>, other: Space<T>) -> Option<Space<T>> {
-    let (is_beside, agrees) = beside(now(one), now(other));
-    is_beside.then(|| unit(scaled(one, agrees).cross(other)))
+    lies_beside(now(one), now(other)).then(|| unit(one.cross(other)))
 }
 
 /// Distances may change by this part of the largest speed, by the rounding of a position that is known to half of its
@@ -549,9 +508,9 @@ impl<T: MovingNumber> MovedMechanism<T> {
     fn line(&self, outline: &Outline<'_>, index: usize, own: BodyFrame) -> Result<Line<T>, ReactionError> {
         let [origin, along] = own.origin_and_axis(&self.places, |end, start| end - start);
         let square = now(along).norm_squared();
-        let has_length = |[square]: [f64; 1]| square > f64::MIN_POSITIVE || square.is_nan();
-        let square = square.provided([square], has_length);
-        let square = square.ok_or_else(|| no_frame(outline, index))?;
+        if !square.exceeds(f64::MIN_POSITIVE, T::Still::constant(1.0)) && !square.real().is_nan() {
+            return Err(no_frame(outline, index));
+        }
         let axis = T::unit_of_rigid(along, square);
         Ok(Line { origin, axis })
     }
@@ -597,46 +556,33 @@ impl<T: MovingNumber> MovedMechanism<T> {
             let held = connections.iter().filter(|connection| connection.holds(index));
             joints.chain(held.filter_map(|own| own.hinge).map(|hinge| self.axis(hinge)))
         };
-        let (mut third, mut agree) = (None, T::Still::constant(1.0));
-        for vector in others() {
-            let (is_beside, agrees) = beside(now(axis), now(vector));
-            agree = agree * agrees;
-            if is_beside {
-                third = Some(vector);
-                break;
-            }
-        }
-        let axis = scaled(axis, agree);
+        let third = others().find(|vector| lies_beside(now(axis), now(*vector)));
         Ok(match third {
             Some(third) => MovedFrame::of_plane(origin, axis, third),
             None => MovedFrame::of_line(origin, axis, true),
         })
     }
 
-    /// Whether the joints of each body, and the axes of its hinges, move with its frame. The number is zero; it is not
-    /// a number in those of several poses where they do not.
+    /// Whether the joints of each body, and the axes of its hinges, move with its frame.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn check(
         &self,
         outline: &Outline<'_>,
         connections: &[Connection],
         frames: &[MovedFrame<T>],
-    ) -> Result<T::Still, ReactionError> {
+    ) -> Result<(), ReactionError> {
         let mut largest = T::Still::constant(0.0);
         for joint in &self.places[..self.joints] {
             largest = largest.or_larger(size(now(slope_of(*joint))));
         }
-        let mut moves = T::Still::constant(0.0);
         for (body, frame) in outline.bodies.iter().zip(frames) {
             for &joint in body.joints {
                 let place = self.places[joint];
                 let rate = size(now(slope_of(place)) - frame.velocity_now(place));
-                let is_rigid = |[rate, largest]: [f64; 2]| rate <= RIGID * largest || rate.is_nan();
-                let Some(kept) = moves.provided([rate, largest], is_rigid) else {
+                if rate.exceeds(RIGID, largest) {
                     let (body, rate) = (body.name.to_string(), rate.real());
                     return Err(ReactionError::NotRigid { body, rate });
-                };
-                moves = kept;
+                }
             }
         }
         let mut turns = T::Still::constant(0.0);
@@ -652,17 +598,15 @@ impl<T: MovingNumber> MovedMechanism<T> {
                 let turn = member.map_or_else(Space::zero, |body| frames[body].turn);
                 let rate = size(now(slope_of(axis) - turn.cross(axis)));
                 // an axis of no length has no rate
-                let stays = |[rate, turns]: [f64; 2]| rate <= RIGID * turns;
-                let Some(kept) = moves.provided([rate, turns], stays) else {
+                if rate.real().is_nan() || rate.exceeds(RIGID, turns) {
                     return Err(ReactionError::HingeTurns {
                         reaction: connection.name.clone(),
                         body: member_name(outline, member),
                         rate: rate.real(),
                     });
-                };
-                moves = kept;
+                }
             }
         }
-        Ok(moves)
+        Ok(())
     }
 }

@@ -54,6 +54,8 @@
 //! friction remains. Its size is bounded before it is solved: see [`contraction`](Reactions::contraction).
 
 mod action;
+
+#[cfg(feature = "std")]
 mod batch;
 mod body_load;
 mod connection;
@@ -76,7 +78,11 @@ mod rolling;
 mod structure;
 #[cfg(test)]
 mod tests;
+#[cfg(feature = "std")]
+mod traced;
 
+#[cfg(feature = "std")]
+#[cfg_attr(docsrs, doc(cfg(feature = "std")))]
 pub use batch::ReactionBatch;
 pub use body_load::{BodyLoad, BodyLoadKind};
 pub use efficiency::Efficiency;

@@ -86,7 +86,7 @@ impl<const N: usize> OrderedSystem<N> {
                 system.set(row, column, *entry);
             }
         }
-        system.factor_to(f64::INFINITY, 0.0).map(|_| system)
+        system.factor_to(f64::INFINITY, 0.0).then_some(system)
     }
 
     /// The order of the elimination for the values of a matrix, by its columns, whose entries are those that are
@@ -262,26 +262,21 @@ impl<S: PoseNumber, const N: usize> OrderedSystem<N, S> {
     pub(super) fn set(&mut self, row: usize, column: usize, entry: SeriesOf<S, N>) -> bool {
         let slot = self.slots[row * self.rest.len() + column];
         if slot == NONE {
-            let mut is_zero = Some(S::constant(0.0));
-            for term in entry.coefficients() {
-                is_zero = is_zero.and_then(|zero| zero.provided([term], |[term]| term == 0.0));
-            }
-            return is_zero.is_some();
+            let is_zero = |term: S| !term.exceeds(0.0, S::constant(0.0)) && !term.real().is_nan();
+            return entry.coefficients().into_iter().all(is_zero);
         }
         self.entries[slot as usize] = entry;
         true
     }
 
-    /// Finds the factors. None if the order of the elimination is not right for these entries. The number is zero; it
-    /// is not a number in those of several poses for which the order is not right.
+    /// Finds the factors. False if the order of the elimination is not right for these entries.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn factor(&mut self) -> Option<S> {
+    pub(super) fn factor(&mut self) -> bool {
         self.factor_to(LARGEST_MULTIPLIER, SMALLEST_PIVOT)
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn factor_to(&mut self, multipliers: f64, pivots: f64) -> Option<S> {
-        let mut fits = S::constant(0.0);
+    fn factor_to(&mut self, multipliers: f64, pivots: f64) -> bool {
         self.largest.fill(S::constant(0.0));
         for ((entry, column), factor) in self.entries.iter().zip(&self.columns).zip(&mut self.factors) {
             *factor = entry.now();
@@ -296,9 +291,9 @@ impl<S: PoseNumber, const N: usize> OrderedSystem<N, S> {
         for (step, reciprocal) in self.steps.iter().zip(&mut self.reciprocals) {
             let pivot = factors[step.pivot];
             // neither zero nor not a number
-            fits = fits.provided([pivot, self.largest[step.column]], |[pivot, largest]| {
-                pivot.abs() > pivots * largest && pivot.is_finite()
-            })?;
+            if !pivot.exceeds(pivots, self.largest[step.column]) || !pivot.is_finite() {
+                return false;
+            }
             *reciprocal = S::constant(1.0) / pivot;
             let (own_below, own_beside);
             (own_below, below) = below.split_at(step.below_end - below_start);
@@ -306,9 +301,9 @@ impl<S: PoseNumber, const N: usize> OrderedSystem<N, S> {
             (below_start, beside_start) = (step.below_end, step.beside_end);
             for row in own_below {
                 let multiplier = factors[row.slot] * *reciprocal;
-                fits = fits.provided([multiplier], |[multiplier]| {
-                    multiplier.abs() <= multipliers || multiplier.is_nan()
-                })?;
+                if multiplier.exceeds(multipliers, S::constant(1.0)) {
+                    return false;
+                }
                 factors[row.slot] = multiplier;
                 for (entry, target) in own_beside.iter().zip(&mut targets) {
                     factors[*target] = factors[*target] - multiplier * factors[entry.slot];
@@ -318,7 +313,7 @@ impl<S: PoseNumber, const N: usize> OrderedSystem<N, S> {
                 factors[entry.slot] = factors[entry.slot] * *reciprocal;
             }
         }
-        Some(fits)
+        true
     }
 
     /// The solution for a right-hand side.
@@ -409,7 +404,7 @@ mod tests {
             let fits = places.fold(true, |fits, (row, column)| {
                 system.set(row, column, Series::constant(entries[column][row])) && fits
             });
-            fits && system.factor().is_some()
+            fits && system.factor()
         };
         // a zero among the entries that change is one that others have
         assert!(fill([[0.0, 1.0], [1.0, 0.0]]));

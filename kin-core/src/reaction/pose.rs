@@ -41,41 +41,29 @@ impl fmt::Debug for PoseReactions<'_> {
 }
 
 /// A solution of one pose, or of several.
-trait PoseSolution {
+pub(super) trait PoseSolution {
     fn force(&self, index: usize, pose: usize) -> Option<Space<Series<ORDERS>>>;
     fn moment(&self, index: usize, pose: usize) -> Option<Space<Series<ORDERS>>>;
     fn effort(&self, input: usize, pose: usize) -> Option<Series<ORDERS>>;
 }
 
-fn of_pose<S: PoseNumber>(series: ForceNumber<S>, pose: usize) -> Series<ORDERS> {
-    Series::from_coefficients(series.coefficients().map(|term| term.of_pose(pose)))
-}
-
-fn vector_of_pose<S: PoseNumber>(vector: Space<ForceNumber<S>>, pose: usize) -> Space<Series<ORDERS>> {
-    let Space { x, y, z } = vector;
-    Space::new(of_pose(x, pose), of_pose(y, pose), of_pose(z, pose))
-}
-
-impl<S: PoseNumber> PoseSolution for Solution<ORDERS, S> {
-    fn force(&self, index: usize, pose: usize) -> Option<Space<Series<ORDERS>>> {
-        let force = self.forces.get(index)?.whole()?;
-        Some(vector_of_pose(force, pose))
+impl PoseSolution for Solution<ORDERS> {
+    fn force(&self, index: usize, _: usize) -> Option<Space<Series<ORDERS>>> {
+        self.forces.get(index)?.whole()
     }
 
-    fn moment(&self, index: usize, pose: usize) -> Option<Space<Series<ORDERS>>> {
-        let moment = self.moments.get(index)?.whole()?;
-        Some(vector_of_pose(moment, pose))
+    fn moment(&self, index: usize, _: usize) -> Option<Space<Series<ORDERS>>> {
+        self.moments.get(index)?.whole()
     }
 
-    fn effort(&self, input: usize, pose: usize) -> Option<Series<ORDERS>> {
-        let effort = self.efforts.get(input).copied().flatten()?;
-        Some(of_pose(effort, pose))
+    fn effort(&self, input: usize, _: usize) -> Option<Series<ORDERS>> {
+        self.efforts.get(input).copied().flatten()
     }
 }
 
 impl<'p> PoseReactions<'p> {
     /// Those of one of the poses of a solution.
-    pub(super) fn of<S: PoseNumber>(solution: &'p Solution<ORDERS, S>, pose: usize) -> Self {
+    pub(super) fn of(solution: &'p dyn PoseSolution, pose: usize) -> Self {
         Self { solution, pose }
     }
 
@@ -134,7 +122,7 @@ pub(super) struct PosePlan {
     arms: Vec<Arm>,
     others: Vec<(usize, Unknown)>,
     /// The first pose.
-    moved: MovedMechanism<MovedNumber>,
+    pub(super) moved: MovedMechanism<MovedNumber>,
     frames: Vec<MovedFrame<MovedNumber>>,
 }
 
@@ -222,6 +210,13 @@ impl PosePlan {
         needed.sort_unstable();
         needed.dedup();
         needed
+    }
+
+    /// The joints and directions that are drawn.
+    #[cfg(feature = "std")]
+    pub(super) fn drawn(&self) -> impl Iterator<Item = usize> {
+        let places = self.places.iter().enumerate();
+        places.filter_map(|(index, place)| matches!(place, PlaceOf::Drawn).then_some(index))
     }
 
     /// Whether joints are drawn.
@@ -333,15 +328,14 @@ fn in_equations(reactions: &NamedReactions<'_>) -> Vec<usize> {
 }
 
 impl<S: PoseNumber> PoseRoom<S> {
-    /// Solves poses whose quantities and drawn places are written. None if the plan does not fit. The number is finite;
-    /// of several poses, it is so in those that are solved.
+    /// Solves poses whose quantities and drawn places are written. False if the plan does not fit.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn solve(
         &mut self,
         plan: &PosePlan,
         reactions: &NamedReactions<'_>,
         outline: &Outline<'_>,
-    ) -> Result<Option<S>, ReactionError> {
+    ) -> Result<bool, ReactionError> {
         let connections = &reactions.connections[..];
         let PosePlan { structure, .. } = plan;
         let Self {
@@ -371,17 +365,16 @@ impl<S: PoseNumber> PoseRoom<S> {
         }
         moved.move_frames(outline, connections, frames)?;
         if !structure.rows.fit(moved, frames) {
-            return Ok(None);
+            return Ok(false);
         }
-        let Ok(moves) = moved.check(outline, connections, frames) else {
-            return Ok(None);
-        };
+        if moved.check(outline, connections, frames).is_err() {
+            return Ok(false);
+        }
         for (short, frame) in short_frames.iter_mut().zip(&*frames) {
             short.shorten(frame);
         }
         let [flanks, bears] = flanks;
         flanks.copy_from_slice(&structure.flanks);
-        let mut sum = moves;
         for turn in 0..2 {
             let equations = Equations {
                 flanks,
@@ -399,39 +392,34 @@ impl<S: PoseNumber> PoseRoom<S> {
                 }
             }
             if !equations.fill_arms(system, &plan.arms) {
-                return Ok(None);
+                return Ok(false);
             }
             for (column, unknown) in &plan.others {
                 if !equations.fill(system, *column, *unknown) {
-                    return Ok(None);
+                    return Ok(false);
                 }
             }
-            let Some(fits) = system.factor() else {
-                return Ok(None);
-            };
-            sum = sum + fits;
+            if !system.factor() {
+                return Ok(false);
+            }
             let values = system.solve(right);
-            for value in values {
-                for term in value.coefficients() {
-                    // zero, unless it is not finite
-                    sum = sum + (term - term);
-                }
+            if !SeriesOf::are_finite(values) {
+                return Err(ReactionError::NotFinite);
             }
             equations.write(&structure.unknowns, values, |_| false, solution);
             if !plan.has_teeth {
                 break;
             }
             bears.copy_from_slice(flanks);
-            sum = sum * equations.bears(solution, bears);
+            equations.bears(solution, bears);
             if bears == flanks {
                 break;
             }
             if turn == 1 {
-                return Ok(None);
+                return Ok(false);
             }
             flanks.copy_from_slice(bears);
         }
-        let is_finite = sum.provided([sum], |[sum]| sum.is_finite());
-        is_finite.map(Some).ok_or(ReactionError::NotFinite)
+        Ok(true)
     }
 }

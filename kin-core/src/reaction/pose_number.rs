@@ -1,41 +1,41 @@
-//! Numbers without their derivatives: of one pose, or of several that are solved together.
+//! Numbers without their derivatives: of one pose, or of one that stands for others.
 
 use crate::number::Number;
 
-/// A number of one pose, or of several, each of which decides for itself.
+/// A number of a pose. One that stands for others notes what it decides, so that others in which it would be decided
+/// otherwise are found alone.
 pub(crate) trait PoseNumber: Number {
-    /// The number where a condition on some others holds. One pose has none where it does not hold. Of several poses,
-    /// those in which it does not hold become NaN, and are found alone.
-    fn provided<const K: usize>(self, operands: [Self; K], holds: impl Fn([f64; K]) -> bool) -> Option<Self>;
+    /// Whether the number is larger than a part of another one, both without their signs.
+    fn exceeds(self, part: f64, other: Self) -> bool;
+
+    /// Whether the number is below zero.
+    fn is_negative(self) -> bool;
 
     /// The number without its sign.
     fn size(self) -> Self;
 
     /// The larger of two numbers.
     fn or_larger(self, other: Self) -> Self;
-
-    /// The number of one of the poses.
-    fn of_pose(self, pose: usize) -> f64;
 }
 
 impl PoseNumber for f64 {
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn provided<const K: usize>(self, operands: [Self; K], holds: impl Fn([f64; K]) -> bool) -> Option<Self> {
-        holds(operands).then_some(self)
+    #[inline]
+    fn exceeds(self, part: f64, other: Self) -> bool {
+        self.abs() > part * other.abs()
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline]
+    fn is_negative(self) -> bool {
+        self < 0.0
+    }
+
+    #[inline]
     fn size(self) -> Self {
         self.abs()
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline]
     fn or_larger(self, other: Self) -> Self {
         self.max(other)
-    }
-
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn of_pose(self, _: usize) -> f64 {
-        self
     }
 }

@@ -75,7 +75,7 @@ impl NamedReactions<'_> {
     }
 }
 
-impl<'r> PreparedReactions<'r> {
+impl PreparedReactions<'_> {
     /// The reactions in the pose at given motions of the inputs, through snap. Values nearby choose poses of the
     /// assembly that they chose first.
     ///
@@ -107,11 +107,8 @@ impl<'r> PreparedReactions<'r> {
         ))
     }
 
-    pub(super) fn reactions(&self) -> &'r NamedReactions<'r> {
-        self.reactions
-    }
-
     /// The reactions in a pose for which nothing is prepared.
+    #[cfg(feature = "std")]
     pub(super) fn alone(
         &mut self,
         inputs: &[Motion],
@@ -192,6 +189,6 @@ impl Quick {
                 places[index] = place
             });
         }
-        Ok(room.solve(plan, reactions, &functions.outline())?.is_some())
+        room.solve(plan, reactions, &functions.outline())
     }
 }

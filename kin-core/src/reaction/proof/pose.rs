@@ -22,10 +22,6 @@ impl MovingNumber for MovingBounds {
         self.real()
     }
 
-    fn still(value: f64) -> Self {
-        Self::constant(value)
-    }
-
     fn slope(self) -> Self {
         let second = self.change.change;
         Changing::new(
