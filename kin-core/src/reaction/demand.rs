@@ -172,7 +172,7 @@ impl<T: MovingNumber> Demand<'_, T> {
     where
         T: Shortened<F>,
     {
-        let (number, place, load) = (load + 1, self.places[load], self.loads.all()[load]);
+        let (number, place, load) = (load + 1, self.places[load], &self.loads.all()[load]);
         if part == 1 && !matches!(load, NamedLoad::Body(..) | NamedLoad::Solid(..)) {
             return Ok(None);
         }
@@ -187,7 +187,7 @@ impl<T: MovingNumber> Demand<'_, T> {
         };
         let of = |kind: BodyLoadKind, exertion: Exertion<T>| Ok(Some((kind, Exertion::shortened(&exertion))));
         let applied = |exertion: Exertion<T>| of(BodyLoadKind::Applied, exertion);
-        let (kind, size) = match load {
+        let (kind, size) = match *load {
             NamedLoad::Body(_, inertia, _, body, frame) if part == 1 => {
                 not_negative(number, "moment of inertia", inertia)?;
                 return of(BodyLoadKind::Mass, self.rod(inertia, frame, body));
