@@ -80,8 +80,13 @@ fn forces() {
     let crank = [Column::Each(&angles), Column::Same(12.0)];
     let given = [&crank[..]];
     let mut race = Race::new(IN_LANES);
-    let cranks: Vec<Motion> = angles.iter().map(|angle| Motion::at_constant_speed(*angle, 12.0)).collect();
-    race.enter("forces.solve_alone", cranks, move |crank| black_box(press).solve(crank, Assembly::Open));
+    let cranks: Vec<Motion> = angles
+        .iter()
+        .map(|angle| Motion::at_constant_speed(*angle, 12.0))
+        .collect();
+    race.enter("forces.solve_alone", cranks, move |crank| {
+        black_box(press).solve(crank, Assembly::Open)
+    });
     let mut contenders = vec![
         ("forces.in_compiled_vectors", Vectors::Compiled),
         ("forces.in_avx2", Vectors::Avx2),

@@ -36,7 +36,7 @@ use crate::number::Number;
 /// ```
 pub type Series<const N: usize> = SeriesOf<f64, N>;
 
-/// A [`Series`] with coefficients of any type: those of several poses in one number are several series.
+/// A [`Series`] whose coefficients are numbers of any type.
 #[derive(Clone, Copy, Debug)]
 pub struct SeriesOf<T, const N: usize> {
     coefficients: [T; N],

@@ -143,7 +143,7 @@ impl<'b> ReactionBatch<'b> {
         results.par_chunks_mut(PART).enumerate().for_each(|(part, results)| {
             let start = part * PART;
             self.solve_part(start..start + results.len(), &mut |row, found| {
-                results[row - start] = read(found)
+                results[row - start] = read(found);
             });
         });
         Ok(())
@@ -181,21 +181,13 @@ impl<'b> ReactionBatch<'b> {
         } else {
             Cow::Owned(self.reactions.with_parameters(&self.parameters(range.start)))
         };
-        let plan = range
-            .clone()
-            .try_fold(0, |attempts, row| match self.plan(&reactions, row, varies) {
-                // it breaks off with a plan, and where there is none
-                Ok(plan) => Err(plan),
-                Err(ReactionError::Solve(_)) => Ok(attempts),
-                Err(_) if attempts + 1 < ATTEMPTS => Ok(attempts + 1),
-                Err(_) => Err(None),
-            });
+        let plan = self.first_plan(&reactions, range.clone(), varies);
         let mut alone = Alone {
             batch: self,
             prepared: reactions.prepared(),
             varies,
         };
-        if let Some(traced) = plan.err().flatten() {
+        if let Some(traced) = plan {
             return self.solve_traced(&traced, range, &mut alone, read);
         }
         for row in range {
@@ -299,6 +291,23 @@ impl<'b> ReactionBatch<'b> {
                 }
             });
         }
+    }
+
+    /// The plan by the first pose that has one.
+    fn first_plan(&self, reactions: &NamedReactions<'_>, rows: Range<usize>, varies: bool) -> Option<TracedPlan> {
+        let mut attempts = 0;
+        for row in rows {
+            match self.plan(reactions, row, varies) {
+                Ok(plan) => return plan,
+                // it does not close there
+                Err(ReactionError::Solve(_)) => {}
+                Err(_) => attempts += 1,
+            }
+            if attempts == ATTEMPTS {
+                break;
+            }
+        }
+        None
     }
 
     /// The plan by a pose; none if poses are solved one by one.

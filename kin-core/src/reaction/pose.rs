@@ -10,12 +10,12 @@ use super::equations::{Arm, Equations, Solution, TakenAway, Unknown};
 use super::frames::{JointAxis, MovedFrame, MovedMechanism, shortened, still, unit};
 use super::ordered::OrderedSystem;
 use super::pose_number::PoseNumber;
-use super::rolling::Flank;
+use super::rolling::{Flank, Mesh};
 use super::structure::Structure;
 use super::{MovedNumber, MovingPose, NamedReactions, ORDERS, REACH, ReactionError, ReactionPlace, orders, size};
 use crate::any::SkeletonOver;
 use crate::geometry::Space;
-use crate::load::PointIndex;
+use crate::load::{NamedLoad, PointIndex};
 use crate::number::Number;
 use crate::number::series::{Series, SeriesOf};
 use crate::picture::Outline;
@@ -41,7 +41,7 @@ impl fmt::Debug for PoseReactions<'_> {
 }
 
 /// A solution of one pose, or of several.
-pub(super) trait PoseSolution {
+pub(super) trait PoseSolution: Send + Sync {
     fn force(&self, index: usize, pose: usize) -> Option<Space<Series<ORDERS>>>;
     fn moment(&self, index: usize, pose: usize) -> Option<Space<Series<ORDERS>>>;
     fn effort(&self, input: usize, pose: usize) -> Option<Series<ORDERS>>;
@@ -197,7 +197,7 @@ impl PosePlan {
     }
 
     fn needed(&self, reactions: &NamedReactions<'_>, place: &ReactionPlace<'_>) -> Vec<usize> {
-        let loads = reactions.loads.all().iter().flat_map(|load| load.quantities());
+        let loads = reactions.loads.all().iter().flat_map(NamedLoad::quantities);
         let places = self.places.iter().flat_map(|own| match *own {
             PlaceOf::Quantities(point) => point.quantities(),
             _ => PointIndex::Moving([None; 3]).quantities(),
@@ -321,7 +321,7 @@ fn in_equations(reactions: &NamedReactions<'_>) -> Vec<usize> {
             Some(JointAxis::Vector(vector)) => Some(vector),
             _ => None,
         };
-        let contact = own.mesh.iter().flat_map(|mesh| mesh.points());
+        let contact = own.mesh.iter().flat_map(Mesh::points);
         hinge.into_iter().chain(contact)
     });
     points.flat_map(PointIndex::quantities).collect()

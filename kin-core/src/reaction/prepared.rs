@@ -186,7 +186,7 @@ impl Quick {
         if plan.is_drawn() {
             let places = &mut room.moved.places;
             plan.draw(reactions, &room.moved.quantities, &mut |index, place| {
-                places[index] = place
+                places[index] = place;
             });
         }
         room.solve(plan, reactions, &functions.outline())

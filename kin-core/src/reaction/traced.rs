@@ -553,7 +553,7 @@ impl Kernel for ProgramRun<'_> {
                     let kept = &mut self.kept[first..][..W];
                     for lane in 0..W {
                         // zero, unless it is not finite
-                        kept[lane] += value[lane] - value[lane];
+                        kept[lane] += 0.0 * value[lane];
                     }
                 }
             }

@@ -121,6 +121,27 @@ fn a_batch_is_its_single_poses() {
     assert_eq!(compare(&rubbed, &motions(20, 5), 1e-11), 0);
 }
 
+/// Without fused operations all steps are those of one pose, and are rounded alike.
+#[test]
+fn vectors_without_fusion_give_the_same_digits() {
+    let linkage = AnyLinkage::of(&FOUR_BAR);
+    let reactions = linkage.reactions(&heavy(&linkage)).expect("its bodies are declared");
+    let angles: Vec<f64> = (0..100_u8).map(|row| 0.06 * f64::from(row)).collect();
+    let crank = [Column::Each(&angles), Column::Same(7.0)];
+    let mut found = vec![Ok(Vec::new()); angles.len()];
+    reactions
+        .batch(&[&crank], ColumnChoice::Assembly(0))
+        .vectors(Vectors::Compiled)
+        .solve(|pose| all(&reactions, pose), &mut found)
+        .expect("the columns fit");
+    let mut prepared = reactions.prepared();
+    for (angle, found) in angles.iter().zip(found) {
+        let motion = Motion::at_constant_speed(*angle, 7.0);
+        let expected = all(&reactions, prepared.at(&[motion], PositionChoice::Assembly(0)));
+        assert_eq!(found, expected, "{angle}");
+    }
+}
+
 /// Rows of other dimensions are what the reactions of linkages with these dimensions are, where the ground's pivot
 /// moves with them too, and where they do not close.
 #[test]
