@@ -71,7 +71,8 @@ impl NamedReactions<'_> {
     /// let cranks = [0.2, 0.3, 0.4, 2.4];
     /// let dimensions = [Column::Same(0.9), Column::Each(&cranks), Column::Same(0.8), Column::Same(0.6)];
     /// let crank = [Column::Same(1.0), Column::Same(12.0)];
-    /// let batch = reactions.batch(&[&crank], ColumnChoice::Assembly(0)).dimensions(&dimensions);
+    /// let inputs = [&crank[..]];
+    /// let batch = reactions.batch(&inputs, ColumnChoice::Assembly(0)).dimensions(&dimensions);
     /// let mut errors = vec![String::new(); 4];
     /// batch.solve(|pose| pose.err().map_or_else(String::new, |error| error.to_string()), &mut errors)?;
     /// assert!(errors[2].is_empty() && errors[3].contains("cannot be found"));
