@@ -14,7 +14,7 @@ use kin_core::batch::{Column, ColumnChoice, Outcome, Vectors};
 use kin_core::library::{FourBar, FourBarBatch};
 use kin_core::linkage::AnyLinkage;
 use kin_core::prelude::*;
-use kin_core::reaction::{NamedReactions, PoseReactions, ReactionError, ReactionPart};
+use kin_core::reaction::{NamedReactions, ReactionPart};
 use measure::Race;
 
 const POSES: usize = 3600;
@@ -38,6 +38,8 @@ mechanism! {
 fn forces() {
     const POSES: usize = 64;
     const ROWS: usize = 361;
+    // so many that the plan, which each batch makes once, counts for little
+    const IN_LANES: usize = 4096;
     let press = Press {
         r1: 0.4,
         r2: 0.12,
@@ -74,8 +76,6 @@ fn forces() {
     times.ratio("forces.pose", "forces.solve");
     times.ratio("forces.prepared_pose", "forces.solve");
 
-    // so many that the plan, which each batch makes once, counts for little
-    const IN_LANES: usize = 4096;
     let angles: Vec<f64> = (0..IN_LANES).map(|pose| TAU * pose as f64 / IN_LANES as f64).collect();
     let crank = [Column::Each(&angles), Column::Same(12.0)];
     let given = [&crank[..]];
@@ -97,9 +97,11 @@ fn forces() {
         let batch = all.batch(&given, ColumnChoice::Assembly(0)).vectors(vectors);
         let mut torques = vec![[0.0; 3]; IN_LANES];
         race.enter_batch(name, move || {
-            let read = |pose: Result<PoseReactions<'_>, ReactionError>| pose.ok().and_then(|pose| pose.effort(0));
-            let read = |pose| read(pose).unwrap_or([f64::NAN; 3]);
-            batch.solve(read, black_box(&mut torques)).expect("the columns fit");
+            let torque = batch.solve(
+                |pose| pose.ok().and_then(|pose| pose.effort(0)).unwrap_or([f64::NAN; 3]),
+                black_box(&mut torques),
+            );
+            torque.expect("the columns fit");
         });
     }
     let times = race.run();
