@@ -10,7 +10,7 @@ use core::f64::consts::TAU;
 use core::hint::black_box;
 
 use kin_core::any::{AssemblyChoice, PositionChoice};
-use kin_core::batch::{Column, Outcome};
+use kin_core::batch::{Column, ColumnChoice, Outcome, Vectors};
 use kin_core::library::{FourBar, FourBarBatch};
 use kin_core::linkage::AnyLinkage;
 use kin_core::prelude::*;
@@ -38,6 +38,8 @@ mechanism! {
 fn forces() {
     const POSES: usize = 64;
     const ROWS: usize = 361;
+    // so many that the plan, which each batch makes once, counts for little
+    const IN_LANES: usize = 4096;
     let press = Press {
         r1: 0.4,
         r2: 0.12,
@@ -73,6 +75,39 @@ fn forces() {
     let times = race.run();
     times.ratio("forces.pose", "forces.solve");
     times.ratio("forces.prepared_pose", "forces.solve");
+
+    let angles: Vec<f64> = (0..IN_LANES).map(|pose| TAU * pose as f64 / IN_LANES as f64).collect();
+    let crank = [Column::Each(&angles), Column::Same(12.0)];
+    let given = [&crank[..]];
+    let mut race = Race::new(IN_LANES);
+    let cranks: Vec<Motion> = angles
+        .iter()
+        .map(|angle| Motion::at_constant_speed(*angle, 12.0))
+        .collect();
+    race.enter("forces.solve_alone", cranks, move |crank| {
+        black_box(press).solve(crank, Assembly::Open)
+    });
+    let mut contenders = vec![
+        ("forces.in_compiled_vectors", Vectors::Compiled),
+        ("forces.in_avx2", Vectors::Avx2),
+        ("forces.in_avx512", Vectors::Avx512),
+    ];
+    contenders.retain(|(_, vectors)| vectors.are_there());
+    for &(name, vectors) in &contenders {
+        let batch = all.batch(&given, ColumnChoice::Assembly(0)).vectors(vectors);
+        let mut torques = vec![[0.0; 3]; IN_LANES];
+        race.enter_batch(name, move || {
+            let torque = batch.solve(
+                |pose| pose.ok().and_then(|pose| pose.effort(0)).unwrap_or([f64::NAN; 3]),
+                black_box(&mut torques),
+            );
+            torque.expect("the columns fit");
+        });
+    }
+    let times = race.run();
+    for (name, _) in contenders {
+        times.ratio(name, "forces.solve_alone");
+    }
 
     let turn = linkage
         .sweep(AssemblyChoice::Index(0))

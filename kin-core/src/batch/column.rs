@@ -58,7 +58,7 @@ impl<T: Element> Column<'_, T> {
     }
 
     /// The length of the column, if it is fixed.
-    pub(super) fn length(&self) -> Option<usize> {
+    pub(crate) fn length(&self) -> Option<usize> {
         match self {
             Self::Same(_) => None,
             Self::Each(values) => Some(values.len()),
@@ -66,7 +66,7 @@ impl<T: Element> Column<'_, T> {
     }
 
     /// The part of a column for a range of poses.
-    pub(super) fn part(self, range: core::ops::Range<usize>) -> Self {
+    pub(crate) fn part(self, range: core::ops::Range<usize>) -> Self {
         match self {
             Self::Same(value) => Self::Same(value),
             Self::Each(values) => Self::Each(values.get(range).unwrap_or(&[])),

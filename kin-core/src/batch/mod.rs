@@ -71,6 +71,8 @@ pub use parallel::ParallelBatch;
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 #[doc(hidden)]
 pub use slices::KeptMemory;
+#[cfg(feature = "std")]
+pub(crate) use slices::check_length;
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 #[doc(hidden)]

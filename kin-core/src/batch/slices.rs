@@ -199,8 +199,8 @@ impl<'g> Given<'g> {
 }
 
 /// Refuses a column of another length than there are poses.
-fn check_length(
-    solver: &impl Described,
+pub(crate) fn check_length(
+    solver: &(impl Described + ?Sized),
     kind: NameKind,
     index: usize,
     length: Option<usize>,

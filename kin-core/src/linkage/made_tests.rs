@@ -11,6 +11,7 @@ use crate::any::{
     Described, Description, EveryPosition, FormsOver, Formulas, MotionNearOver, Name, NameKind, Named, NearOver, Of,
     Outline, OutputsOver, Pictured, PositionChoice, Quantity, SkeletonOver, TransmissionOver,
 };
+use crate::batch::{AnyBatch, GivenColumns, LengthMismatch, Outcome, Summary, Vectors, WantedColumns};
 use crate::curve::LimitKind;
 use crate::cycle::{SearchMethod, SearchedFunctions};
 use crate::extremes::{ChangedFunctions, PositionFunctions};
@@ -183,6 +184,18 @@ impl AnyMechanism for Made<'_> {
 }
 
 impl SweptMechanism for Made<'_> {}
+
+impl AnyBatch for Made<'_> {
+    fn solve_batch(
+        &self,
+        given: GivenColumns<'_>,
+        wanted: &mut WantedColumns<'_>,
+        outcomes: &mut [Outcome],
+        vectors: Vectors,
+    ) -> Result<Summary, LengthMismatch> {
+        INNER.solve_batch(given, wanted, outcomes, vectors)
+    }
+}
 
 impl ChangedFunctions for Made<'_> {
     fn above_snap(&self) -> Option<&dyn PositionFunctions<Changing<Series<READ>>>> {

@@ -99,7 +99,7 @@ pub(crate) use named::{EFFORT_ENTRIES, NamedLoad, NamedMotion, PointIndex};
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 pub use named::{NamedLoads, NoSuchPlace, PointPlace};
 #[cfg(feature = "alloc")]
-pub(crate) use plane_body::{BodyFrame, centre_on_line, third_point};
+pub(crate) use plane_body::{ALONG, BodyFrame, centre_on_line};
 pub use system::LoadedSystem;
 #[doc(hidden)]
 pub use totals::Totals;

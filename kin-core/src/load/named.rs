@@ -124,11 +124,41 @@ pub(crate) enum NamedLoad {
     TorsionDamper(Damper, usize),
 }
 
+impl NamedLoad {
+    /// The quantities on which it depends.
+    pub(crate) fn quantities(&self) -> impl Iterator<Item = usize> {
+        let (points, quantity) = match *self {
+            Self::Body(_, _, point, ..) | Self::Mass(_, point) | Self::Force(_, point) => ([Some(point), None], None),
+            Self::Spring(_, ends) | Self::Damper(_, ends) => (ends.map(Some), None),
+            Self::Inertia(_, quantity) | Self::TorsionSpring(_, quantity) | Self::TorsionDamper(_, quantity) => {
+                ([None; 2], Some(quantity))
+            }
+            Self::Solid(..) | Self::Torque(..) => ([None; 2], None),
+        };
+        points
+            .into_iter()
+            .flatten()
+            .flat_map(PointIndex::quantities)
+            .chain(quantity)
+    }
+}
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum PointIndex {
     /// The indices of the coordinates.
     Moving([Option<usize>; 3]),
     Fixed(Space<f64>),
+}
+
+impl PointIndex {
+    /// The quantities that are its coordinates.
+    pub(crate) fn quantities(self) -> impl Iterator<Item = usize> {
+        let coordinates = match self {
+            Self::Moving(coordinates) => coordinates,
+            Self::Fixed(_) => [None; 3],
+        };
+        coordinates.into_iter().flatten()
+    }
 }
 
 /// The kind of a place on which loads act.

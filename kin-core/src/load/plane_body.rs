@@ -34,6 +34,7 @@ impl BodyFrame {
     }
 
     /// Its origin, and a vector along it.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn origin_and_axis<V: Copy>(self, places: &[V], minus: impl FnOnce(V, V) -> V) -> [V; 2] {
         match self {
             Self::Joints([one, other]) => [places[one], minus(places[other], places[one])],
@@ -45,8 +46,11 @@ impl BodyFrame {
 /// The first vector that does not lie along a unit vector, up to half of the digits: the third point of a frame of
 /// space lies there.
 pub(crate) fn third_point(axis: Space<f64>, mut vectors: impl Iterator<Item = Space<f64>>) -> Option<usize> {
-    vectors.position(|vector| axis.cross(vector).norm() > Number::sqrt(f64::EPSILON) * vector.norm())
+    vectors.position(|vector| axis.cross(vector).norm() > ALONG * vector.norm())
 }
+
+/// A vector lies along a unit vector if their product is at most this part of it, half of the digits: √ε.
+pub(crate) const ALONG: f64 = 1.0 / (1_u32 << 26) as f64;
 
 /// The centre of a rod of space, from its first joint on. It lies on the line of its joints.
 pub(crate) fn centre_on_line(centre: Space<f64>, load: usize) -> Result<f64, LoadError> {

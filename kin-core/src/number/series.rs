@@ -34,63 +34,71 @@ use crate::number::Number;
 /// assert!(lift > 2.0 && lift == 3.0 * 0.5_f64.sin() + 1.0);
 /// assert_eq!((-lift).abs().derivatives(), lift.derivatives());
 /// ```
+pub type Series<const N: usize> = SeriesOf<f64, N>;
+
+/// A [`Series`] whose coefficients are numbers of any type.
 #[derive(Clone, Copy, Debug)]
-pub struct Series<const N: usize> {
-    coefficients: [f64; N],
+pub struct SeriesOf<T, const N: usize> {
+    coefficients: [T; N],
 }
 
 impl<const N: usize> Series<N> {
     /// Zero.
     pub const ZERO: Self = Self { coefficients: [0.0; N] };
+}
 
+impl<T: Number, const N: usize> SeriesOf<T, N> {
     /// The series with the given coefficients, in ascending powers of time.
     #[must_use]
-    pub const fn from_coefficients(coefficients: [f64; N]) -> Self {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub const fn from_coefficients(coefficients: [T; N]) -> Self {
         const { assert!(N > 0, "a series has a constant term at least") };
         Self { coefficients }
     }
 
     /// The coefficients in ascending powers of time.
     #[must_use]
-    pub const fn coefficients(&self) -> [f64; N] {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub const fn coefficients(&self) -> [T; N] {
         self.coefficients
     }
 
     /// The series of a function, from its value and its derivatives.
     #[must_use]
-    pub fn from_derivatives(mut derivatives: [f64; N]) -> Self {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn from_derivatives(mut derivatives: [T; N]) -> Self {
         let mut factorial = 1.0;
         for (order, entry) in derivatives.iter_mut().enumerate().skip(1) {
             factorial *= number(order);
-            *entry /= factorial;
+            *entry = *entry / T::constant(factorial);
         }
         Self::from_coefficients(derivatives)
     }
 
     /// The value and the derivatives at time zero.
     #[must_use]
-    pub fn derivatives(self) -> [f64; N] {
+    pub fn derivatives(self) -> [T; N] {
         let mut derivatives = self.coefficients;
         let mut factorial = 1.0;
         for (order, entry) in derivatives.iter_mut().enumerate().skip(1) {
             factorial *= number(order);
-            *entry *= factorial;
+            *entry = *entry * T::constant(factorial);
         }
         derivatives
     }
 
     /// The series f with the given constant term and f' = derivative / denominator. Every function with an algebraic
     /// derivative follows this rule.
-    fn integrate(constant: f64, derivative: Self, denominator: Self) -> Self {
+    fn integrate(constant: T, derivative: Self, denominator: Self) -> Self {
         let d = denominator.coefficients;
-        let mut f = [0.0; N];
+        let mut f = [T::constant(0.0); N];
         f[0] = constant;
         for k in 1..N {
             let mut sum = derivative.coefficients[k - 1];
             for j in 1..k {
-                sum -= number(j) * f[j] * d[k - j];
+                sum = sum - T::constant(number(j)) * f[j] * d[k - j];
             }
-            f[k] = sum / (number(k) * d[0]);
+            f[k] = sum / (T::constant(number(k)) * d[0]);
         }
         Self::from_coefficients(f)
     }
@@ -98,37 +106,47 @@ impl<const N: usize> Series<N> {
     /// The hyperbolic sine and cosine: the derivative of each is the other.
     fn sinh_cosh(self) -> (Self, Self) {
         let a = self.coefficients;
-        let (mut sine, mut cosine) = ([0.0; N], [0.0; N]);
-        (sine[0], cosine[0]) = (Number::sinh(a[0]), Number::cosh(a[0]));
+        let (mut sine, mut cosine) = ([T::constant(0.0); N], [T::constant(0.0); N]);
+        (sine[0], cosine[0]) = (a[0].sinh(), a[0].cosh());
         for k in 1..N {
             for j in 1..=k {
-                let rate = number(j) * a[j] / number(k);
-                sine[k] += rate * cosine[k - j];
-                cosine[k] += rate * sine[k - j];
+                let rate = T::constant(number(j)) * a[j] / T::constant(number(k));
+                sine[k] = sine[k] + rate * cosine[k - j];
+                cosine[k] = cosine[k] + rate * sine[k - j];
             }
         }
         (Self::from_coefficients(sine), Self::from_coefficients(cosine))
     }
 
     /// The derivative with respect to time. Its last coefficient is unknown and is set to zero.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn differentiate(self) -> Self {
-        let mut slope = [0.0; N];
+        let mut slope = [T::constant(0.0); N];
         for k in 1..N {
-            slope[k - 1] = number(k) * self.coefficients[k];
+            slope[k - 1] = T::constant(number(k)) * self.coefficients[k];
         }
         Self::from_coefficients(slope)
     }
 
     /// The series of another number of terms, of which further ones are zero.
     #[cfg(feature = "alloc")]
-    pub(crate) fn resized<const M: usize>(&self) -> Series<M> {
-        Series::from_coefficients(core::array::from_fn(|power| {
-            self.coefficients.get(power).copied().unwrap_or(0.0)
-        }))
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn resized<const M: usize>(&self) -> SeriesOf<T, M> {
+        let mut resized = [T::constant(0.0); M];
+        for (own, term) in resized.iter_mut().zip(&self.coefficients) {
+            *own = *term;
+        }
+        SeriesOf::from_coefficients(resized)
     }
 
-    fn map(self, function: impl FnMut(f64) -> f64) -> Self {
-        Self::from_coefficients(self.coefficients.map(function))
+    /// The product of each term with a number.
+    #[cfg(feature = "alloc")]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn scaled(mut self, factor: T) -> Self {
+        for term in &mut self.coefficients {
+            *term = *term * factor;
+        }
+        self
     }
 }
 
@@ -137,35 +155,41 @@ const fn number(index: usize) -> f64 {
     index as f64
 }
 
-impl<const N: usize> Add for Series<N> {
+impl<T: Number, const N: usize> Add for SeriesOf<T, N> {
     type Output = Self;
 
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add(self, other: Self) -> Self {
         let mut sum = self.coefficients;
-        for (term, addend) in sum.iter_mut().zip(other.coefficients) {
-            *term += addend;
+        for (term, addend) in sum.iter_mut().zip(&other.coefficients) {
+            *term = *term + *addend;
         }
         Self::from_coefficients(sum)
     }
 }
 
-impl<const N: usize> Sub for Series<N> {
+impl<T: Number, const N: usize> Sub for SeriesOf<T, N> {
     type Output = Self;
 
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sub(self, other: Self) -> Self {
         let mut difference = self.coefficients;
-        for (term, subtrahend) in difference.iter_mut().zip(other.coefficients) {
-            *term -= subtrahend;
+        for (term, subtrahend) in difference.iter_mut().zip(&other.coefficients) {
+            *term = *term - *subtrahend;
         }
         Self::from_coefficients(difference)
     }
 }
 
-impl<const N: usize> Neg for Series<N> {
+impl<T: Number, const N: usize> Neg for SeriesOf<T, N> {
     type Output = Self;
 
-    fn neg(self) -> Self {
-        self.map(|coefficient| -coefficient)
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn neg(mut self) -> Self {
+        for term in &mut self.coefficients {
+            *term = -*term;
+        }
+        self
     }
 }
 
@@ -175,120 +199,126 @@ const SHORT: usize = 8;
 
 /// Cauchy's product.
 #[inline(always)]
-fn product(a: &[f64], b: &[f64], product: &mut [f64]) {
+fn product<T: Number>(a: &[T], b: &[T], product: &mut [T]) {
     for (k, term) in product.iter_mut().enumerate() {
-        *term = a[..=k]
-            .iter()
-            .zip(b[..=k].iter().rev())
-            .fold(0.0, |sum, (a, b)| sum + a * b);
+        for (a, b) in a[..=k].iter().zip(b[..=k].iter().rev()) {
+            *term = *term + *a * *b;
+        }
     }
 }
 
 /// The same, where each factor of the first series adds to all terms at once: the same sums in the same order.
 #[inline(never)]
-fn long_product<const N: usize>(a: &[f64; N], b: &[f64; N]) -> [f64; N] {
-    let mut result = [0.0; N];
+fn long_product<T: Number, const N: usize>(a: &[T; N], b: &[T; N]) -> [T; N] {
+    let mut result = [T::constant(0.0); N];
     for (j, factor) in a.iter().enumerate() {
         for (term, b) in result[j..].iter_mut().zip(b) {
-            *term += factor * b;
+            *term = *term + *factor * *b;
         }
     }
     result
 }
 
 #[inline(always)]
-fn quotient(a: &[f64], b: &[f64], quotient: &mut [f64]) {
+fn quotient<T: Number>(a: &[T], b: &[T], quotient: &mut [T]) {
     for k in 0..quotient.len() {
         let (before, rest) = quotient.split_at_mut(k);
-        let sum = before
-            .iter()
-            .zip(b[1..=k].iter().rev())
-            .fold(a[k], |sum, (q, b)| sum - q * b);
+        let mut sum = a[k];
+        for (q, b) in before.iter().zip(b[1..=k].iter().rev()) {
+            sum = sum - *q * *b;
+        }
         rest[0] = sum / b[0];
     }
 }
 
 /// The same, where each term takes its part of all later ones at once.
 #[inline(never)]
-fn long_quotient<const N: usize>(a: &[f64; N], b: &[f64; N]) -> [f64; N] {
+fn long_quotient<T: Number, const N: usize>(a: &[T; N], b: &[T; N]) -> [T; N] {
     let mut result = *a;
     for k in 0..N {
         let term = result[k] / b[0];
         result[k] = term;
         for (rest, b) in result[k + 1..].iter_mut().zip(&b[1..]) {
-            *rest -= term * b;
+            *rest = *rest - term * *b;
         }
     }
     result
 }
 
-impl<const N: usize> Mul for Series<N> {
+impl<T: Number, const N: usize> Mul for SeriesOf<T, N> {
     type Output = Self;
 
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn mul(self, other: Self) -> Self {
         if N > SHORT {
             return Self::from_coefficients(long_product(&self.coefficients, &other.coefficients));
         }
-        let mut result = [0.0; N];
+        let mut result = [T::constant(0.0); N];
         product(&self.coefficients, &other.coefficients, &mut result);
         Self::from_coefficients(result)
     }
 }
 
-impl<const N: usize> Div for Series<N> {
+impl<T: Number, const N: usize> Div for SeriesOf<T, N> {
     type Output = Self;
 
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn div(self, other: Self) -> Self {
         if N > SHORT {
             return Self::from_coefficients(long_quotient(&self.coefficients, &other.coefficients));
         }
-        let mut result = [0.0; N];
+        let mut result = [T::constant(0.0); N];
         quotient(&self.coefficients, &other.coefficients, &mut result);
         Self::from_coefficients(result)
     }
 }
 
-impl<const N: usize> Number for Series<N> {
-    const EPSILON: f64 = f64::EPSILON;
+impl<T: Number, const N: usize> Number for SeriesOf<T, N> {
+    const EPSILON: f64 = T::EPSILON;
+    const SMALLEST_DIVISOR: f64 = T::SMALLEST_DIVISOR;
     const ORDER: usize = N - 1;
 
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn constant(value: f64) -> Self {
-        let mut coefficients = [0.0; N];
-        coefficients[0] = value;
+        let mut coefficients = [T::constant(0.0); N];
+        coefficients[0] = T::constant(value);
         Self::from_coefficients(coefficients)
     }
 
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn real(self) -> f64 {
-        self.coefficients[0]
+        self.coefficients[0].real()
     }
 
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn is_finite(self) -> bool {
         self.coefficients.iter().all(|term| term.is_finite())
     }
 
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sqrt(self) -> Self {
         let a = self.coefficients;
-        let mut root = [0.0; N];
-        root[0] = Number::sqrt(a[0]);
+        let mut root = [T::constant(0.0); N];
+        root[0] = a[0].sqrt();
         for k in 1..N {
             let mut sum = a[k];
             for j in 1..k {
-                sum -= root[j] * root[k - j];
+                sum = sum - root[j] * root[k - j];
             }
-            root[k] = sum / (2.0 * root[0]);
+            root[k] = sum / (T::constant(2.0) * root[0]);
         }
         Self::from_coefficients(root)
     }
 
     fn sin_cos(self) -> (Self, Self) {
         let a = self.coefficients;
-        let (mut sine, mut cosine) = ([0.0; N], [0.0; N]);
-        (sine[0], cosine[0]) = Number::sin_cos(a[0]);
+        let (mut sine, mut cosine) = ([T::constant(0.0); N], [T::constant(0.0); N]);
+        (sine[0], cosine[0]) = a[0].sin_cos();
         for k in 1..N {
             for j in 1..=k {
-                let rate = number(j) * a[j] / number(k);
-                sine[k] += rate * cosine[k - j];
-                cosine[k] -= rate * sine[k - j];
+                let rate = T::constant(number(j)) * a[j] / T::constant(number(k));
+                sine[k] = sine[k] + rate * cosine[k - j];
+                cosine[k] = cosine[k] - rate * sine[k - j];
             }
         }
         (Self::from_coefficients(sine), Self::from_coefficients(cosine))
@@ -297,24 +327,24 @@ impl<const N: usize> Number for Series<N> {
     fn asin(self) -> Self {
         let one = Self::constant(1.0);
         let slope = ((one - self) * (one + self)).sqrt();
-        Self::integrate(Number::asin(self.real()), self.differentiate(), slope)
+        Self::integrate(self.coefficients[0].asin(), self.differentiate(), slope)
     }
 
     fn acos(self) -> Self {
         let one = Self::constant(1.0);
         let slope = ((one - self) * (one + self)).sqrt();
-        Self::integrate(Number::acos(self.real()), -self.differentiate(), slope)
+        Self::integrate(self.coefficients[0].acos(), -self.differentiate(), slope)
     }
 
     fn atan(self) -> Self {
         let slope = Self::constant(1.0) + self * self;
-        Self::integrate(Number::atan(self.real()), self.differentiate(), slope)
+        Self::integrate(self.coefficients[0].atan(), self.differentiate(), slope)
     }
 
     fn atan2(self, x: Self) -> Self {
         let y = self;
         Self::integrate(
-            Number::atan2(y.real(), x.real()),
+            y.coefficients[0].atan2(x.coefficients[0]),
             x * y.differentiate() - y * x.differentiate(),
             x * x + y * y,
         )
@@ -331,15 +361,16 @@ impl<const N: usize> Number for Series<N> {
     fn tanh(self) -> Self {
         let a = self.coefficients;
         // The slope, 1 - tanh², gains one coefficient whenever the value does.
-        let (mut value, mut slope) = ([0.0; N], [0.0; N]);
-        value[0] = Number::tanh(a[0]);
-        slope[0] = (1.0 - value[0]) * (1.0 + value[0]);
+        let (mut value, mut slope) = ([T::constant(0.0); N], [T::constant(0.0); N]);
+        let one = T::constant(1.0);
+        value[0] = a[0].tanh();
+        slope[0] = (one - value[0]) * (one + value[0]);
         for k in 1..N {
             for j in 1..=k {
-                value[k] += number(j) * a[j] * slope[k - j] / number(k);
+                value[k] = value[k] + T::constant(number(j)) * a[j] * slope[k - j] / T::constant(number(k));
             }
             for j in 0..=k {
-                slope[k] -= value[j] * value[k - j];
+                slope[k] = slope[k] - value[j] * value[k - j];
             }
         }
         Self::from_coefficients(value)
@@ -347,37 +378,37 @@ impl<const N: usize> Number for Series<N> {
 
     fn asinh(self) -> Self {
         let slope = (Self::constant(1.0) + self * self).sqrt();
-        Self::integrate(Number::asinh(self.real()), self.differentiate(), slope)
+        Self::integrate(self.coefficients[0].asinh(), self.differentiate(), slope)
     }
 
     fn acosh(self) -> Self {
         let one = Self::constant(1.0);
         let slope = ((self - one) * (self + one)).sqrt();
-        Self::integrate(Number::acosh(self.real()), self.differentiate(), slope)
+        Self::integrate(self.coefficients[0].acosh(), self.differentiate(), slope)
     }
 
     fn atanh(self) -> Self {
         let one = Self::constant(1.0);
         let slope = (one - self) * (one + self);
-        Self::integrate(Number::atanh(self.real()), self.differentiate(), slope)
+        Self::integrate(self.coefficients[0].atanh(), self.differentiate(), slope)
     }
 
     fn exp(self) -> Self {
         let a = self.coefficients;
-        let mut power = [0.0; N];
-        power[0] = Number::exp(a[0]);
+        let mut power = [T::constant(0.0); N];
+        power[0] = a[0].exp();
         for k in 1..N {
-            let mut sum = 0.0;
+            let mut sum = T::constant(0.0);
             for j in 1..=k {
-                sum += number(j) * a[j] * power[k - j];
+                sum = sum + T::constant(number(j)) * a[j] * power[k - j];
             }
-            power[k] = sum / number(k);
+            power[k] = sum / T::constant(number(k));
         }
         Self::from_coefficients(power)
     }
 
     fn ln(self) -> Self {
-        Self::integrate(Number::ln(self.real()), self.differentiate(), self)
+        Self::integrate(self.coefficients[0].ln(), self.differentiate(), self)
     }
 }
 

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 use super::ReactionError;
 use super::connection::{Connection, Member, balls, hub, loaded, member_name};
-use super::frames::{JointAxis, MovedFrame, MovedMechanism, MovingNumber, along_axis, slope_of};
+use super::frames::{JointAxis, MovedFrame, MovedMechanism, MovingNumber, Shortened, along_axis, shortened, slope_of};
 use crate::geometry::Space;
 use crate::number::series::Series;
 use crate::picture::Outline;
@@ -56,7 +56,7 @@ pub(super) struct Wrench<T> {
 
 impl<T: MovingNumber> Wrench<T> {
     /// A force at a place on a body.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of_force(frame: &MovedFrame<T>, force: Space<T>, at: Space<T>) -> Self {
         let moment = frame.moment(force, at);
         let at = Some(at);
@@ -64,63 +64,96 @@ impl<T: MovingNumber> Wrench<T> {
     }
 
     /// A couple.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of_moment(moment: Space<T>) -> Self {
         let (force, at) = (Space::zero(), None);
         Self { force, at, moment }
     }
 }
 
-/// Forces on one or two bodies, by the indices of these.
-pub(super) type Wrenches<T> = [Option<(usize, Wrench<T>)>; 2];
-
-/// A force and the opposite one, on the bodies that move.
-#[inline]
-pub(super) fn both<T: MovingNumber>(
-    [on, by]: [Member; 2],
-    frames: &[MovedFrame<T>],
-    force: Space<T>,
-    [at, from]: [Space<T>; 2],
-) -> Wrenches<T> {
-    let on = on.map(|body| (body, Wrench::of_force(&frames[body], force, at)));
-    let by = by.map(|body| (body, Wrench::of_force(&frames[body], -force, from)));
-    [on, by]
+/// A force or a couple, and the opposite one, on two bodies of which one may be the ground.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Exertion<T> {
+    /// The body on which it acts, and the one that exerts it.
+    pub(super) pair: [Member; 2],
+    what: Exerted<T>,
 }
 
-/// A couple and the opposite one.
-#[inline]
-pub(super) fn both_turned<T: MovingNumber>([on, by]: [Member; 2], moment: Space<T>) -> Wrenches<T> {
-    let on = on.map(|body| (body, Wrench::of_moment(moment)));
-    let by = by.map(|body| (body, Wrench::of_moment(-moment)));
-    [on, by]
+#[derive(Clone, Copy, Debug)]
+enum Exerted<T> {
+    /// A force, with the place where it acts and the one where it is exerted.
+    Force(Space<T>, [Space<T>; 2]),
+    Couple(Space<T>),
+}
+
+impl<F: MovingNumber> Exertion<F> {
+    /// A force of which as many derivatives count as it has here.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn shortened<T: Shortened<F>>(exertion: &Exertion<T>) -> Self {
+        let pair = exertion.pair;
+        let what = match exertion.what {
+            Exerted::Force(force, [at, from]) => Exerted::Force(shortened(force), [shortened(at), shortened(from)]),
+            Exerted::Couple(moment) => Exerted::Couple(shortened(moment)),
+        };
+        Self { pair, what }
+    }
+}
+
+impl<T: MovingNumber> Exertion<T> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn of_force(pair: [Member; 2], force: Space<T>, places: [Space<T>; 2]) -> Self {
+        let what = Exerted::Force(force, places);
+        Self { pair, what }
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn of_couple(pair: [Member; 2], moment: Space<T>) -> Self {
+        let what = Exerted::Couple(moment);
+        Self { pair, what }
+    }
+
+    /// What it is on one of the two bodies, with the index of this body.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn wrench(&self, end: usize, frames: &[MovedFrame<T>]) -> Option<(usize, Wrench<T>)> {
+        let body = self.pair[end]?;
+        let wrench = match self.what {
+            Exerted::Force(force, places) => {
+                let force = if end == 0 { force } else { -force };
+                Wrench::of_force(&frames[body], force, places[end])
+            }
+            Exerted::Couple(moment) => Wrench::of_moment(if end == 0 { moment } else { -moment }),
+        };
+        Some((body, wrench))
+    }
+
+    /// What it is on the bodies that move.
+    pub(super) fn wrenches<'w>(&'w self, frames: &'w [MovedFrame<T>]) -> impl Iterator<Item = (usize, Wrench<T>)> + 'w {
+        (0..2).filter_map(move |end| self.wrench(end, frames))
+    }
 }
 
 impl Action {
     /// The forces of a torque or force of this size.
-    pub(super) fn wrenches<T: MovingNumber>(
-        &self,
-        moved: &MovedMechanism<T>,
-        frames: &[MovedFrame<T>],
-        size: T,
-    ) -> Wrenches<T> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn exertion<T: MovingNumber>(&self, moved: &MovedMechanism<T>, size: T) -> Exertion<T> {
         let size = size.times(self.sign);
         let pair = [self.on, self.by];
-        match self.kind {
-            ActionKind::Couple(axis) => both_turned(pair, moved.axis(axis).scale(size)),
-            ActionKind::Slide { joint, slide } => {
-                let at = moved.places[joint];
-                both(pair, frames, moved.along(slide).scale(size), [at, at])
-            }
+        let (force, places) = match self.kind {
+            ActionKind::Couple(axis) => return Exertion::of_couple(pair, moved.axis(axis).scale(size)),
+            ActionKind::Slide { joint, slide } => (moved.along(slide).scale(size), [moved.places[joint]; 2]),
             ActionKind::Line([from, to]) => {
                 let [from, to] = [from, to].map(|joint| moved.places[joint]);
                 let line = to - from;
-                both(pair, frames, line.scale(size / line.norm()), [to, from])
+                (line.scale(size / line.norm()), [to, from])
             }
-            ActionKind::Axis { joint, axis } => {
-                let force = along_axis(axis).scale(size);
-                let at = moved.places[joint];
-                both(pair, frames, force, [at, at])
-            }
-        }
+            ActionKind::Axis { joint, axis } => (along_axis(axis).scale(size), [moved.places[joint]; 2]),
+        };
+        Exertion::of_force(pair, force, places)
+    }
+
+    /// Whether it is the same in all poses as long as its size is.
+    pub(super) fn is_still(&self) -> bool {
+        matches!(self.kind, ActionKind::Couple(JointAxis::Normal))
     }
 
     pub(super) fn acts_on(&self, body: usize) -> bool {

@@ -3,7 +3,7 @@
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use super::action::{Wrench, both_turned};
+use super::action::{Exertion, Wrench};
 use super::connection::Connection;
 use super::frames::{MovedFrame, MovingNumber, along_axis};
 use super::{NamedReactions, Solved};
@@ -45,6 +45,17 @@ pub struct BodyLoad {
 /// A force or a couple on a body, by its index.
 pub(super) type Acting<T> = (BodyLoadKind, usize, Wrench<T>);
 
+/// What it is on the bodies that move.
+pub(super) fn of_exertion<'e, T: MovingNumber>(
+    kind: BodyLoadKind,
+    exertion: &'e Exertion<T>,
+    frames: &'e [MovedFrame<T>],
+) -> impl Iterator<Item = Acting<T>> + 'e {
+    exertion
+        .wrenches(frames)
+        .map(move |(body, wrench)| (kind, body, wrench))
+}
+
 impl BodyLoad {
     pub(super) fn new<T: MovingNumber>((kind, _, wrench): &Acting<T>, frame: &MovedFrame<T>, body: &str) -> Self {
         let reals = |vector: Space<T>| [vector.x, vector.y, vector.z].map(Number::real);
@@ -73,29 +84,20 @@ impl NamedReactions<'_> {
             frames,
         } = solved;
         let mut acting = loads.clone();
-        let mut add = |kind: BodyLoadKind, wrenches: &mut dyn Iterator<Item = (usize, Wrench<_>)>| {
-            acting.extend(wrenches.map(|(body, wrench)| (kind, body, wrench)));
-        };
         for (input, (drive, effort)) in drives.iter().zip(&solution.efforts).enumerate() {
-            let effort = effort.unwrap_or(Series::ZERO);
-            add(
-                BodyLoadKind::Drive(input),
-                &mut drive.wrenches(moved, frames, effort).into_iter().flatten(),
-            );
+            let exertion = drive.exertion(moved, effort.unwrap_or(Series::ZERO));
+            acting.extend(of_exertion(BodyLoadKind::Drive(input), &exertion, frames));
         }
         // the friction of a slide is a part of its force
         for (index, _) in &self.frictions {
             let Connection { on, by, slide, .. } = self.connections[*index];
             if slide.is_none() {
-                add(
-                    BodyLoadKind::Friction,
-                    &mut both_turned([on, by], along_axis(2).scale(solution.frictions[*index]))
-                        .into_iter()
-                        .flatten(),
-                );
+                let exertion = Exertion::of_couple([on, by], along_axis(2).scale(solution.frictions[*index]));
+                acting.extend(of_exertion(BodyLoadKind::Friction, &exertion, frames));
             }
         }
-        add(BodyLoadKind::Guide, &mut solution.turned.iter().copied());
+        let turned = solution.turned.iter();
+        acting.extend(turned.map(|(body, wrench)| (BodyLoadKind::Guide, *body, *wrench)));
         let bodies = self.functions.outline().bodies;
         let load = |acting: &Acting<_>| BodyLoad::new(acting, &frames[acting.1], bodies[acting.1].name);
         acting.iter().map(load).collect()

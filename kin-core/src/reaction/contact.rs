@@ -4,7 +4,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::ReactionError;
-use super::action::both_turned;
+use super::action::Exertion;
 use super::coulomb::{self, Contact, Measure, Unsolved};
 use super::equations::{Equations, Solution, Unknown};
 use super::frames::along_axis;
@@ -51,8 +51,8 @@ impl<const N: usize> Equations<'_, Series<N>> {
     pub(super) fn resisting(&self, acting: &ActingFriction<Series<N>>) -> Vec<Series<N>> {
         let own = &self.connections[acting.connection];
         let sense = Series::constant(acting.sense);
-        self.flat_column(match own.slide {
-            None => both_turned([own.on, own.by], along_axis(2).scale(sense)),
+        self.flat_column(&match own.slide {
+            None => Exertion::of_couple([own.on, own.by], along_axis(2).scale(sense)),
             Some(slide) => self.of_force(acting.connection, self.moved.along(slide).scale(sense)),
         })
     }

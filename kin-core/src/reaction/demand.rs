@@ -5,13 +5,15 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 use super::ReactionError;
-use super::action::{Action, Influences, Wrench, Wrenches, both, both_turned};
+use super::action::{Action, Exertion, Influences};
 use super::body_load::BodyLoadKind;
 use super::connection::{Member, loaded, member_name};
-use super::frames::{MovedFrame, MovedMechanism, MovingNumber, slope_of, still, times, unit};
+use super::frames::{MovedFrame, MovedMechanism, MovingNumber, Shortened, slope_of, still, times, unit};
+use super::pose_number::PoseNumber as _;
 use crate::geometry::Space;
 use crate::load::{BodyFrame, LoadError, NamedLoad, NamedLoads, PointIndex, centre_on_line, not_negative};
 use crate::mechanism::Description;
+use crate::number::Number as _;
 use crate::quantity::Dimension;
 
 /// Where a load acts. It is the same in all poses.
@@ -112,6 +114,9 @@ impl<const N: usize> PlaceSearch<'_, N> {
     }
 }
 
+/// The parts of which a load may consist.
+pub(super) const PARTS: usize = 2;
+
 /// What the loads exert on the bodies.
 pub(super) struct Demand<'d, T> {
     pub(super) loads: &'d NamedLoads,
@@ -132,40 +137,45 @@ struct Held<T> {
 
 impl<T: MovingNumber> Demand<'_, T> {
     /// Passes on all that acts on the bodies.
-    pub(super) fn each(&self, found: &mut impl FnMut(BodyLoadKind, usize, &Wrench<T>)) -> Result<(), ReactionError> {
-        for (index, (load, place)) in self.loads.all().iter().zip(self.places).enumerate() {
-            let add = |kind: BodyLoadKind, wrenches: Wrenches<T>| {
-                for (body, wrench) in wrenches.iter().flatten() {
-                    found(kind, *body, wrench);
+    pub(super) fn each(&self, found: &mut impl FnMut(BodyLoadKind, &Exertion<T>)) -> Result<(), ReactionError>
+    where
+        T: Shortened<T>,
+    {
+        for load in 0..self.places.len() {
+            for part in 0..PARTS {
+                if let Some((kind, exertion)) = self.exertion(load, part)? {
+                    found(kind, &exertion);
                 }
-            };
-            self.add(index + 1, *load, *place, add)?;
+            }
         }
         Ok(())
     }
 
     /// The derivative by time.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn by_time(&self, series: T) -> T {
         series.slope().times(self.rate)
     }
 
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn acceleration(&self, point: Space<T>) -> Space<T> {
         times(slope_of(slope_of(point)), self.rate * self.rate)
     }
 
-    /// What a load exerts, by its number from 1 on.
-    fn add(
+    /// A part of what a load exerts, by the index of the load: a mass and its moment of inertia are two.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn exertion<F: MovingNumber>(
         &self,
-        number: usize,
-        load: NamedLoad,
-        place: LoadPlace,
-        mut add: impl FnMut(BodyLoadKind, Wrenches<T>),
-    ) -> Result<(), ReactionError> {
-        let mut act = |kind: BodyLoadKind, size: T| {
-            if let LoadPlace::Quantity(action) = place {
-                add(kind, action.wrenches(self.moved, self.frames, size));
-            }
-        };
+        load: usize,
+        part: usize,
+    ) -> Result<Option<(BodyLoadKind, Exertion<F>)>, ReactionError>
+    where
+        T: Shortened<F>,
+    {
+        let (number, place, load) = (load + 1, self.places[load], &self.loads.all()[load]);
+        if part == 1 && !matches!(load, NamedLoad::Body(..) | NamedLoad::Solid(..)) {
+            return Ok(None);
+        }
         let held = |point: PointIndex, end: usize| {
             let at = self.moved.point(point);
             let by = if let LoadPlace::Points(members) = place {
@@ -175,8 +185,14 @@ impl<T: MovingNumber> Demand<'_, T> {
             };
             Held { at, by }
         };
-        match load {
-            NamedLoad::Body(mass, inertia, centre, body, frame) => {
+        let of = |kind: BodyLoadKind, exertion: Exertion<T>| Ok(Some((kind, Exertion::shortened(&exertion))));
+        let applied = |exertion: Exertion<T>| of(BodyLoadKind::Applied, exertion);
+        let (kind, size) = match *load {
+            NamedLoad::Body(_, inertia, _, body, frame) if part == 1 => {
+                not_negative(number, "moment of inertia", inertia)?;
+                return of(BodyLoadKind::Mass, self.rod(inertia, frame, body));
+            }
+            NamedLoad::Body(mass, _, centre, body, frame) => {
                 let at = match centre {
                     PointIndex::Fixed(centre) if self.moved.is_space => {
                         let centre = centre_on_line(centre, number)?;
@@ -187,47 +203,28 @@ impl<T: MovingNumber> Demand<'_, T> {
                     PointIndex::Moving(_) => self.moved.point(centre),
                 };
                 not_negative(number, "mass", mass)?;
-                add(BodyLoadKind::Mass, self.inertial(mass, Held { at, by: Some(body) }));
-                not_negative(number, "moment of inertia", inertia)?;
-                add(BodyLoadKind::Mass, self.rod(inertia, frame, body));
+                return of(BodyLoadKind::Mass, self.inertial(mass, Held { at, by: Some(body) }));
             }
             NamedLoad::Solid(..) if !self.moved.is_space => {
                 return Err(LoadError::SolidInPlane { load: number }.into());
             }
             NamedLoad::Solid(solid, body) => {
                 solid.check(number)?;
-                let at = self.frames[body].place(solid.centre);
                 not_negative(number, "mass", solid.mass)?;
-                add(
-                    BodyLoadKind::Mass,
-                    self.inertial(solid.mass, Held { at, by: Some(body) }),
-                );
-                add(BodyLoadKind::Mass, self.tensor(solid.inertia, body));
+                if part == 1 {
+                    return of(BodyLoadKind::Mass, self.tensor(solid.inertia, body));
+                }
+                let at = self.frames[body].place(solid.centre);
+                let held = Held { at, by: Some(body) };
+                return of(BodyLoadKind::Mass, self.inertial(solid.mass, held));
             }
             NamedLoad::Mass(mass, point) => {
                 not_negative(number, "mass", mass)?;
-                add(BodyLoadKind::Mass, self.inertial(mass, held(point, 0)));
-            }
-            NamedLoad::Inertia(inertia, angle) => {
-                not_negative(number, "moment of inertia", inertia)?;
-                let acceleration = self.by_time(self.by_time(self.moved.quantities[angle]));
-                act(BodyLoadKind::Mass, acceleration.times(-inertia));
+                return of(BodyLoadKind::Mass, self.inertial(mass, held(point, 0)));
             }
             NamedLoad::Force(force, point) => {
                 let (held, force) = (held(point, 0), still(self.shown(force)));
-                add(
-                    BodyLoadKind::Applied,
-                    both([held.by, None], self.frames, force, [held.at; 2]),
-                );
-            }
-            NamedLoad::Torque(torque, _) => act(BodyLoadKind::Applied, T::constant(torque)),
-            NamedLoad::TorsionSpring(spring, quantity) => {
-                let twist = self.moved.quantities[quantity] - T::constant(spring.rest);
-                act(BodyLoadKind::Applied, twist.times(-spring.stiffness));
-            }
-            NamedLoad::TorsionDamper(damper, quantity) => {
-                let speed = self.by_time(self.moved.quantities[quantity]);
-                act(BodyLoadKind::Applied, speed.times(-damper.damping));
+                return applied(Exertion::of_force([held.by, None], force, [held.at; 2]));
             }
             NamedLoad::Spring(spring, [from, to]) => {
                 let ends = [held(from, 0), held(to, 1)];
@@ -239,33 +236,47 @@ impl<T: MovingNumber> Demand<'_, T> {
                     let stretch = T::constant(1.0) - T::constant(spring.rest) / length;
                     line.scale(stretch.times(spring.stiffness))
                 };
-                add(BodyLoadKind::Applied, self.pull(ends, force));
+                return applied(pull(ends, force));
             }
             NamedLoad::Damper(damper, [from, to]) => {
                 let ends = [held(from, 0), held(to, 1)];
                 let line = ends[1].at - ends[0].at;
                 let length = length(number, line)?;
                 let force = line.scale((self.by_time(length) / length).times(damper.damping));
-                add(BodyLoadKind::Applied, self.pull(ends, force));
+                return applied(pull(ends, force));
             }
-        }
-        Ok(())
-    }
-
-    /// A force on the first end towards the second one, and the opposite one there.
-    fn pull(&self, [from, to]: [Held<T>; 2], force: Space<T>) -> Wrenches<T> {
-        both([from.by, to.by], self.frames, force, [from.at, to.at])
+            NamedLoad::Inertia(inertia, angle) => {
+                not_negative(number, "moment of inertia", inertia)?;
+                let acceleration = self.by_time(self.by_time(self.moved.quantities[angle]));
+                (BodyLoadKind::Mass, acceleration.times(-inertia))
+            }
+            NamedLoad::Torque(torque, _) => (BodyLoadKind::Applied, T::constant(torque)),
+            NamedLoad::TorsionSpring(spring, quantity) => {
+                let twist = self.moved.quantities[quantity] - T::constant(spring.rest);
+                (BodyLoadKind::Applied, twist.times(-spring.stiffness))
+            }
+            NamedLoad::TorsionDamper(damper, quantity) => {
+                let speed = self.by_time(self.moved.quantities[quantity]);
+                (BodyLoadKind::Applied, speed.times(-damper.damping))
+            }
+        };
+        let LoadPlace::Quantity(action) = place else {
+            return Ok(None);
+        };
+        of(kind, action.exertion(self.moved, size))
     }
 
     /// The weight of a mass, and its resistance to acceleration.
-    fn inertial(&self, mass: f64, held: Held<T>) -> Wrenches<T> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn inertial(&self, mass: f64, held: Held<T>) -> Exertion<T> {
         let gravity = still(self.shown(self.loads.acceleration_of_gravity()));
         let lacking = times(gravity - self.acceleration(held.at), mass);
-        both([held.by, None], self.frames, lacking, [held.at; 2])
+        Exertion::of_force([held.by, None], lacking, [held.at; 2])
     }
 
     /// The couple of a moment of inertia about the axes at right angles to the axis of the frame of a body.
-    fn rod(&self, inertia: f64, frame: BodyFrame, body: usize) -> Wrenches<T> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn rod(&self, inertia: f64, frame: BodyFrame, body: usize) -> Exertion<T> {
         // the arms ξ e have the angular momentum ξ² e × e', and its rate is ξ² e × e''
         let momentum = if self.frames[body].is_plane() {
             self.frames[body].turn
@@ -275,11 +286,12 @@ impl<T: MovingNumber> Demand<'_, T> {
             axis.cross(slope_of(axis))
         };
         let lacking = times(slope_of(momentum), -self.rate * self.rate * inertia);
-        both_turned([Some(body), None], lacking)
+        Exertion::of_couple([Some(body), None], lacking)
     }
 
     /// The couple of a tensor of inertia along the axes of the frame of a body, about its centre.
-    fn tensor(&self, inertia: [[f64; 3]; 3], body: usize) -> Wrenches<T> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn tensor(&self, inertia: [[f64; 3]; 3], body: usize) -> Exertion<T> {
         let MovedFrame { axes, turn, .. } = self.frames[body];
         let rates = axes.map(|axis| axis.dot(turn));
         let mut momentum = Space::zero();
@@ -289,20 +301,28 @@ impl<T: MovingNumber> Demand<'_, T> {
                 momentum = momentum + axis.scale(rate.times(mean));
             }
         }
-        both_turned([Some(body), None], times(slope_of(momentum), -self.rate * self.rate))
+        Exertion::of_couple([Some(body), None], times(slope_of(momentum), -self.rate * self.rate))
     }
 
     /// A vector as the mechanism shows it: one of the plane has no third coordinate.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn shown(&self, vector: Space<f64>) -> Space<f64> {
         let z = if self.moved.is_space { vector.z } else { 0.0 };
         Space { z, ..vector }
     }
 }
 
+/// A force on the first end towards the second one, and the opposite one there.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn pull<T: MovingNumber>([from, to]: [Held<T>; 2], force: Space<T>) -> Exertion<T> {
+    Exertion::of_force([from.by, to.by], force, [from.at, to.at])
+}
+
 /// The length of the line along which a load acts, by the number of the load.
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn length<T: MovingNumber>(load: usize, line: Space<T>) -> Result<T, LoadError> {
     let square = line.norm_squared();
-    if square.real() > f64::MIN_POSITIVE {
+    if square.now().exceeds(f64::MIN_POSITIVE, T::Still::constant(1.0)) {
         Ok(square.sqrt())
     } else {
         Err(LoadError::NoDirection { load })

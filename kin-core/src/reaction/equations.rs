@@ -5,17 +5,18 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use super::action::{Action, Influence, Influences, Wrench, Wrenches, both, both_turned};
+use super::action::{Action, Exertion, Influence, Influences, Wrench};
 use super::connection::{Connection, Member, balls, holders};
-use super::frames::{MovedFrame, MovedMechanism, MovingNumber, across, between, real};
+use super::frames::{MovedFrame, MovedMechanism, MovingNumber, across, between, real, times};
 use super::friction::ActingFriction;
 use super::ordered::OrderedSystem;
+use super::pose_number::PoseNumber;
 use super::rank::{Rank, largest, rank};
 use super::rolling::{Flank, Mesh, PitchPoint};
 use super::{ReactionError, ReactionPart, size};
 use crate::geometry::Space;
 use crate::number::Number;
-use crate::number::series::Series;
+use crate::number::series::{Series, SeriesOf};
 use crate::picture::Outline;
 
 /// What is unknown.
@@ -47,83 +48,91 @@ impl Unknown {
 }
 
 /// A result, unless equilibrium does not determine it.
-pub(super) type Determined<const N: usize> = Option<Series<N>>;
+pub(super) type Determined<const N: usize, S = f64> = Option<SeriesOf<S, N>>;
 
 /// The coordinates of a vector, without those that equilibrium does not determine.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct DeterminedVector<const N: usize>(pub(super) [Determined<N>; 3]);
+pub(super) struct DeterminedVector<const N: usize, S = f64>(pub(super) [Determined<N, S>; 3]);
 
-impl<const N: usize> DeterminedVector<N> {
-    const ZERO: Self = Self([Some(Series::ZERO); 3]);
+impl<S: PoseNumber, const N: usize> DeterminedVector<N, S> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn zero() -> Self {
+        Self([Some(SeriesOf::constant(0.0)); 3])
+    }
 
     /// The vector, if all of it is determined.
-    pub(super) fn whole(self) -> Option<Space<Series<N>>> {
+    pub(super) fn whole(self) -> Option<Space<SeriesOf<S, N>>> {
         let [x, y, z] = self.0;
         Some(Space::new(x?, y?, z?))
     }
 
-    fn map(self, change: impl Fn(Series<N>) -> Series<N>) -> Self {
-        Self(self.0.map(|part| part.map(&change)))
-    }
-
     /// Adds a vector along a direction, of a size that may not be determined.
-    pub(super) fn add(&mut self, direction: Space<Series<N>>, size: Determined<N>) {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn add(&mut self, direction: Space<SeriesOf<S, N>>, size: Determined<N, S>) {
         let parts = [direction.x, direction.y, direction.z];
         for (own, part) in self.0.iter_mut().zip(parts) {
-            let takes_part = || {
-                part.coefficients()
-                    .into_iter()
-                    .take(TERMS)
-                    .any(|term| term.abs() > NO_PART)
-            };
-            match size {
-                Some(size) => *own = own.map(|own| own + part * size),
-                None if takes_part() => *own = None,
-                None => {}
+            match (size, &own) {
+                (Some(size), Some(before)) => *own = Some(*before + part * size),
+                (None, Some(_)) if takes_part(part) => *own = None,
+                _ => {}
             }
         }
     }
 }
 
+impl<const N: usize> DeterminedVector<N> {
+    fn map(self, change: impl Fn(Series<N>) -> Series<N>) -> Self {
+        Self(self.0.map(|part| part.map(&change)))
+    }
+}
+
+/// Whether a part of a direction is more than rounding.
+fn takes_part<S: PoseNumber, const N: usize>(part: SeriesOf<S, N>) -> bool {
+    let mut terms = part.coefficients().into_iter().take(TERMS);
+    terms.any(|term| term.real().abs() > NO_PART)
+}
+
 /// The forces of all connections, and the efforts.
 #[derive(Clone, Debug)]
-pub(super) struct Solution<const N: usize> {
+pub(super) struct Solution<const N: usize, S = f64> {
     pub(super) is_space: bool,
     /// The force of each connection.
-    pub(super) forces: Vec<DeterminedVector<N>>,
+    pub(super) forces: Vec<DeterminedVector<N, S>>,
     /// The moment of each connection about its joint.
-    pub(super) moments: Vec<DeterminedVector<N>>,
+    pub(super) moments: Vec<DeterminedVector<N, S>>,
     /// The effort of each drive.
-    pub(super) efforts: Vec<Determined<N>>,
+    pub(super) efforts: Vec<Determined<N, S>>,
     /// The friction on the body of each connection, which its force or moment contains.
-    pub(super) frictions: Vec<Series<N>>,
+    pub(super) frictions: Vec<SeriesOf<S, N>>,
     /// The power that friction turns into heat, by the variable.
-    pub(super) heat: Series<N>,
+    pub(super) heat: SeriesOf<S, N>,
     /// The same in the motion that gives friction its sense, by time.
     pub(super) begun_heat: f64,
     /// The factor by which forces and friction contract.
     pub(super) contraction: f64,
     /// The couples with which guides keep bodies from turning, which need not be those on which the forces of the
     /// slides act.
-    pub(super) turned: Vec<(usize, Wrench<Series<N>>)>,
+    pub(super) turned: Vec<(usize, Wrench<SeriesOf<S, N>>)>,
 }
 
-impl<const N: usize> Solution<N> {
+impl<S: PoseNumber, const N: usize> Solution<N, S> {
     /// No forces.
     pub(super) fn empty(is_space: bool, connections: usize, drives: usize) -> Self {
         Self {
             is_space,
-            forces: vec![DeterminedVector::ZERO; connections],
-            moments: vec![DeterminedVector::ZERO; connections],
-            efforts: vec![Some(Series::ZERO); drives],
-            frictions: vec![Series::ZERO; connections],
-            heat: Series::ZERO,
+            forces: vec![DeterminedVector::zero(); connections],
+            moments: vec![DeterminedVector::zero(); connections],
+            efforts: vec![Some(SeriesOf::constant(0.0)); drives],
+            frictions: vec![SeriesOf::constant(0.0); connections],
+            heat: SeriesOf::constant(0.0),
             begun_heat: 0.0,
             contraction: 0.0,
             turned: Vec::new(),
         }
     }
+}
 
+impl<const N: usize> Solution<N> {
     /// The first terms of all forces, moments and efforts.
     pub(super) fn resized<const M: usize>(&self) -> Solution<M> {
         let determined = |own: &Determined<N>| own.map(|series| series.resized());
@@ -202,9 +211,61 @@ impl Rows {
         self.starts[self.starts.len() - 1]
     }
 
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_body(&self, body: usize) -> Range<usize> {
         self.starts[body]..self.starts[body + 1]
+    }
+}
+
+/// The arm of a pin of the plane on a body, by which its forces have moments there.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Arm {
+    body: usize,
+    joint: usize,
+    /// The equation of moments, and the unknown along x, behind which that along y stands.
+    row: usize,
+    column: usize,
+    factor: f64,
+}
+
+/// What takes the entries of a column.
+pub(super) trait TakesEntries<T> {
+    // a method, because a closure cannot be marked for inlining
+    fn take(&mut self, row: usize, entry: T);
+}
+
+/// A column, to which entries are added.
+struct Added<'c, T>(&'c mut [T]);
+
+impl<T: MovingNumber> TakesEntries<T> for Added<'_, T> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn take(&mut self, row: usize, entry: T) {
+        self.0[row] = self.0[row] + entry;
+    }
+}
+
+/// A column, from which entries are taken away.
+pub(super) struct TakenAway<'c, T>(pub(super) &'c mut [T]);
+
+impl<T: MovingNumber> TakesEntries<T> for TakenAway<'_, T> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn take(&mut self, row: usize, entry: T) {
+        self.0[row] = self.0[row] - entry;
+    }
+}
+
+/// A column of a planned order.
+struct Planned<'s, S, const N: usize> {
+    system: &'s mut OrderedSystem<N, S>,
+    column: usize,
+    /// Whether all entries have places.
+    fits: bool,
+}
+
+impl<S: PoseNumber, const N: usize> TakesEntries<SeriesOf<S, N>> for Planned<'_, S, N> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn take(&mut self, row: usize, entry: SeriesOf<S, N>) {
+        self.fits &= self.system.set(row, self.column, entry);
     }
 }
 
@@ -262,26 +323,14 @@ impl<const N: usize> Equations<'_, Series<N>> {
         unknowns: &[Unknown],
         right: &[Series<N>],
     ) -> Result<Option<Solution<N>>, ReactionError> {
-        if !self.fill(system, unknowns) {
+        let mut columns = unknowns.iter().enumerate();
+        if !columns.all(|(column, unknown)| self.fill(system, column, *unknown)) || !system.factor() {
             return Ok(None);
         }
         let values = system.solve(right).to_vec();
         let is_open = vec![false; unknowns.len()];
         let found = self.completed(unknowns, values, &is_open, |own| system.solve(own).to_vec());
         found.map(Some)
-    }
-
-    /// Finds the factors of these equations in a planned order, by the first terms of their entries. False if it does
-    /// not fit.
-    pub(super) fn fill<const M: usize>(&self, system: &mut OrderedSystem<M>, unknowns: &[Unknown]) -> bool {
-        system.clear();
-        let mut fits = true;
-        for (column, unknown) in unknowns.iter().enumerate() {
-            self.entries(*unknown, &mut |row, part| {
-                fits &= system.add(row, column, part.resized());
-            });
-        }
-        fits && system.factor()
     }
 
     /// The forces from their values without friction, and what they answer to another right side.
@@ -350,13 +399,17 @@ impl<const N: usize> Equations<'_, Series<N>> {
             };
             let guide = self.outline.slides[slide].guide;
             for on in holders(self.outline, joint) {
-                for (axis, about) in turning(self.moved, self.frames, own, on).into_iter().enumerate() {
+                for (axis, about) in turning(self.moved, self.frames, own, on)
+                    .into_iter()
+                    .flatten()
+                    .enumerate()
+                {
                     let about = real(about);
                     let turns = |motion: &Vec<f64>| {
                         let [on, by] = [on, guide].map(|member| self.turn(member, motion));
                         (on - by).dot(about).abs() > NO_PART * largest(motion)
                     };
-                    let alone = |one: &Influence<M>| turning(&one.moved, &one.frames, own, on).get(axis).copied();
+                    let alone = |one: &Influence<M>| turning(&one.moved, &one.frames, own, on)[axis];
                     if influences.keeps_angle([on, guide], alone) && self.freedoms(&columns).iter().any(turns) {
                         let unknown = Unknown::Moment { connection, on, axis };
                         columns.push(self.column(unknown));
@@ -420,37 +473,68 @@ impl<const N: usize> Equations<'_, Series<N>> {
         rank(&rows).null
     }
 
-    /// How the contacts bear under these forces.
-    pub(super) fn bears(&self, solution: &Solution<N>) -> Vec<Flank> {
-        let flanks = self.flanks.iter().enumerate().map(|(connection, flank)| {
-            let force = solution.forces[connection].whole();
-            let contact = force.zip(self.pitch_point(connection));
-            let sign = contact.and_then(|(force, (mesh, pitch))| pitch.sign(mesh, force));
-            let sign = sign.unwrap_or(flank.sign);
-            Flank { sign, ..*flank }
-        });
-        flanks.collect()
-    }
-
     pub(super) fn solution(&self, unknowns: &[Unknown], values: &[Series<N>], is_open: &[bool]) -> Solution<N> {
         let mut solution = Solution::empty(self.moved.is_space, self.connections.len(), self.drives.len());
         self.write(unknowns, values, |unknown| is_open[unknown], &mut solution);
         solution
     }
+}
 
-    /// Writes the forces of these values, by the first terms of all, into a solution of other values or of none.
-    pub(super) fn write<const M: usize>(
+impl<S: PoseNumber, const N: usize> Equations<'_, SeriesOf<S, N>> {
+    /// How the contacts bear under these forces.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn bears(&self, solution: &Solution<N, S>, flanks: &mut [Flank]) {
+        for (connection, flank) in flanks.iter_mut().enumerate() {
+            let Some((mesh, pitch)) = self.pitch_point(connection) else {
+                continue;
+            };
+            let force = solution.forces[connection].whole();
+            let tangential = force.and_then(|force| pitch.tangential(mesh, force));
+            match tangential.map(MovingNumber::now) {
+                Some(tangential) if tangential.exceeds(0.0, tangential) => {
+                    flank.sign = if tangential.is_negative() { -1.0 } else { 1.0 };
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// Writes the entries of an unknown into a planned order. False if they do not fit.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn fill(&self, system: &mut OrderedSystem<N, S>, column: usize, unknown: Unknown) -> bool {
+        let fits = true;
+        let mut planned = Planned { system, column, fits };
+        self.entries(unknown, &mut planned);
+        planned.fits
+    }
+
+    /// Writes what moves of the entries of the pins of the plane.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn fill_arms(&self, system: &mut OrderedSystem<N, S>, arms: &[Arm]) -> bool {
+        let mut fits = true;
+        for arm in arms {
+            let (at, origin) = (self.moved.places[arm.joint], self.frames[arm.body].origin);
+            fits &= system.set(arm.row, arm.column, (-(at.y - origin.y)).times(arm.factor));
+            fits &= system.set(arm.row, arm.column + 1, (at.x - origin.x).times(arm.factor));
+        }
+        fits
+    }
+
+    /// Writes the forces of these values into a solution of other values or of none.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn write(
         &self,
         unknowns: &[Unknown],
-        values: &[Series<M>],
+        values: &[SeriesOf<S, N>],
         is_open: impl Fn(usize) -> bool,
-        solution: &mut Solution<M>,
+        solution: &mut Solution<N, S>,
     ) {
-        let resized = |Space { x, y, z }: Space<Series<N>>| Space::new(x.resized(), y.resized(), z.resized());
         // those of pins are written one by one, and others add up
-        for (index, _) in self.connections.iter().enumerate().filter(|(_, own)| !own.is_pin()) {
-            solution.forces[index] = DeterminedVector::ZERO;
-            solution.moments[index] = DeterminedVector::ZERO;
+        for (index, own) in self.connections.iter().enumerate() {
+            if !own.is_pin() {
+                solution.forces[index] = DeterminedVector::zero();
+                solution.moments[index] = DeterminedVector::zero();
+            }
         }
         solution.turned.clear();
         for (index, (unknown, value)) in unknowns.iter().zip(values).enumerate() {
@@ -459,25 +543,26 @@ impl<const N: usize> Equations<'_, Series<N>> {
                 Unknown::Pin { connection, axis } => solution.forces[connection].0[axis] = known,
                 Unknown::Normal { connection, axis } => {
                     let normal = self.normal(&self.connections[connection], axis);
-                    solution.forces[connection].add(resized(normal), known);
+                    solution.forces[connection].add(normal, known);
                 }
                 Unknown::Moment { connection, on, axis } => {
                     let own = &self.connections[connection];
-                    let about = resized(turning(self.moved, self.frames, own, on)[axis]);
+                    let about = self.about(own, on, axis);
                     let by = self.holding(own);
                     // the reaction acts on the guide where the slider is the ground
                     let is_turned = own.on == by && on != by;
-                    let sign = Series::constant(if is_turned { -1.0 } else { 1.0 });
-                    solution.moments[connection].add(about.scale(sign), known);
+                    let sign = if is_turned { -1.0 } else { 1.0 };
+                    solution.moments[connection].add(times(about, sign), known);
                     if own.slide.is_some() {
-                        let moment = about.scale(known.unwrap_or(Series::ZERO));
-                        solution
-                            .turned
-                            .extend(both_turned([on, by], moment).into_iter().flatten());
+                        let moment = about.scale(known.unwrap_or(SeriesOf::constant(0.0)));
+                        let couple = Exertion::of_couple([on, by], moment);
+                        for end in 0..2 {
+                            solution.turned.extend(couple.wrench(end, self.frames));
+                        }
                     }
                 }
                 Unknown::Contact { connection } => {
-                    solution.forces[connection].add(resized(self.bearing(connection)), known);
+                    solution.forces[connection].add(self.bearing(connection), known);
                 }
                 Unknown::Effort { input } => solution.efforts[input] = known,
             }
@@ -486,61 +571,113 @@ impl<const N: usize> Equations<'_, Series<N>> {
 }
 
 impl<T: MovingNumber> Equations<'_, T> {
+    /// The arms of all pins of the plane, and the unknowns of which other entries move.
+    pub(super) fn arms(&self, unknowns: &[Unknown]) -> (Vec<Arm>, Vec<(usize, Unknown)>) {
+        let (mut arms, mut others) = (Vec::new(), Vec::new());
+        for (column, unknown) in unknowns.iter().enumerate() {
+            match *unknown {
+                Unknown::Pin { axis: 1, .. } if !self.moved.is_space => {}
+                Unknown::Pin { connection, axis: 0 } if !self.moved.is_space => {
+                    let own = &self.connections[connection];
+                    for (member, sign) in [(own.on, 1.0), (own.by, -1.0)] {
+                        let (Some(body), Some(joint)) = (member, own.joint) else {
+                            continue;
+                        };
+                        // the force at the origin of a body has no moment about it
+                        if self.outline.bodies[body].joints.first() != Some(&joint) {
+                            arms.push(Arm {
+                                body,
+                                joint,
+                                row: self.rows.of_body(body).start + 2,
+                                column,
+                                factor: sign * self.rows.scale,
+                            });
+                        }
+                    }
+                }
+                Unknown::Effort { input } if self.drives[input].is_still() => {}
+                _ => others.push((column, *unknown)),
+            }
+        }
+        (arms, others)
+    }
+
     /// Passes on the forces of a unit of an unknown on all bodies, each with the number of its equation.
-    pub(super) fn entries(&self, unknown: Unknown, add: &mut impl FnMut(usize, T)) {
-        let wrenches = match unknown {
-            Unknown::Pin { connection, axis } => return self.entries_of_pin(connection, axis, add),
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn entries(&self, unknown: Unknown, entries: &mut impl TakesEntries<T>) {
+        let exertion = match unknown {
+            Unknown::Pin { connection, axis } => return self.entries_of_pin(connection, axis, entries),
             Unknown::Normal { connection, axis } => {
                 self.of_force(connection, self.normal(&self.connections[connection], axis))
             }
             Unknown::Contact { connection } => self.of_force(connection, self.bearing(connection)),
             Unknown::Moment { connection, on, axis } => {
                 let own = &self.connections[connection];
-                both_turned([on, self.holding(own)], turning(self.moved, self.frames, own, on)[axis])
+                Exertion::of_couple([on, self.holding(own)], self.about(own, on, axis))
             }
-            Unknown::Effort { input } => self.drives[input].wrenches(self.moved, self.frames, T::constant(1.0)),
+            Unknown::Effort { input } => self.drives[input].exertion(self.moved, T::constant(1.0)),
         };
-        for (body, wrench) in wrenches.iter().flatten() {
-            self.entries_of(*body, wrench, add);
+        self.entries_of(&exertion, entries);
+    }
+
+    /// An axis about which a slide or a hinge of space holds a body by a moment.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn about(&self, own: &Connection, on: Member, axis: usize) -> Space<T> {
+        turning(self.moved, self.frames, own, on)[axis].unwrap_or_else(Space::zero)
+    }
+
+    /// The same for a force or a couple.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn entries_of(&self, exertion: &Exertion<T>, entries: &mut impl TakesEntries<T>) {
+        for end in 0..2 {
+            if let Some((body, wrench)) = exertion.wrench(end, self.frames) {
+                self.entries_of_wrench(body, &wrench, entries);
+            }
         }
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn entries_of_pin(&self, connection: usize, axis: usize, add: &mut impl FnMut(usize, T)) {
+    fn entries_of_pin(&self, connection: usize, axis: usize, entries: &mut impl TakesEntries<T>) {
         let own = &self.connections[connection];
         let Some(joint) = own.joint else { return };
         for (member, sign) in [(own.on, 1.0), (own.by, -1.0)] {
             let Some(body) = member else { continue };
             let start = self.rows.of_body(body).start;
-            add(start + axis, T::constant(sign));
+            entries.take(start + axis, T::constant(sign));
             let moment = self.frames[body].moment_along(axis, self.moved.places[joint]);
-            self.entries_of_moment(body, moment, sign, add);
+            self.entries_of_moment(body, moment, sign, entries);
         }
     }
 
     /// The same for a force on a body.
-    #[inline]
-    pub(super) fn entries_of(&self, body: usize, wrench: &Wrench<T>, add: &mut impl FnMut(usize, T)) {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn entries_of_wrench(&self, body: usize, wrench: &Wrench<T>, entries: &mut impl TakesEntries<T>) {
         let start = self.rows.of_body(body).start;
         let Space { x, y, z } = wrench.force;
-        for (axis, force) in [x, y, z].into_iter().take(self.moved.dimensions()).enumerate() {
-            add(start + axis, force);
+        entries.take(start, x);
+        entries.take(start + 1, y);
+        if self.moved.is_space {
+            entries.take(start + 2, z);
         }
-        self.entries_of_moment(body, wrench.moment, 1.0, add);
+        self.entries_of_moment(body, wrench.moment, 1.0, entries);
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn entries_of_moment(&self, body: usize, moment: Space<T>, sign: f64, add: &mut impl FnMut(usize, T)) {
+    fn entries_of_moment(&self, body: usize, moment: Space<T>, sign: f64, entries: &mut impl TakesEntries<T>) {
         let start = self.rows.of_body(body).start + self.moved.dimensions();
-        for (turn, part) in self.frames[body].parts(moment).enumerate() {
-            add(start + turn, part.times(sign * self.rows.scale));
+        let (frame, factor) = (&self.frames[body], sign * self.rows.scale);
+        if frame.is_plane() {
+            return entries.take(start, moment.z.times(factor));
+        }
+        for (turn, axis) in frame.turns().iter().enumerate() {
+            entries.take(start + turn, axis.dot(moment).times(factor));
         }
     }
 
     /// The forces of a unit of an unknown on all bodies.
     pub(super) fn column(&self, unknown: Unknown) -> Vec<T> {
         let mut column = vec![T::constant(0.0); self.rows.count()];
-        self.entries(unknown, &mut |row, entry| column[row] = column[row] + entry);
+        self.entries(unknown, &mut Added(&mut column));
         column
     }
 
@@ -548,28 +685,31 @@ impl<T: MovingNumber> Equations<'_, T> {
     pub(super) fn lacking<'w>(&self, acting: impl Iterator<Item = (usize, &'w Wrench<T>)>) -> Vec<T> {
         let mut column = vec![T::constant(0.0); self.rows.count()];
         for (body, wrench) in acting {
-            self.entries_of(body, wrench, &mut |row, part| column[row] = column[row] - part);
+            self.entries_of_wrench(body, wrench, &mut TakenAway(&mut column));
         }
         column
     }
 
     /// A force in a connection.
-    pub(super) fn of_force(&self, connection: usize, force: Space<T>) -> Wrenches<T> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn of_force(&self, connection: usize, force: Space<T>) -> Exertion<T> {
         let own = &self.connections[connection];
         let joint = own.joint.map(|joint| self.moved.places[joint]);
         let pitch = self.pitch_point(connection).map(|(_, pitch)| pitch.at);
         match joint.or(pitch) {
-            Some(at) => both([own.on, own.by], self.frames, force, [at; 2]),
-            None => both([None; 2], self.frames, force, [Space::zero(); 2]),
+            Some(at) => Exertion::of_force([own.on, own.by], force, [at; 2]),
+            None => Exertion::of_force([None; 2], force, [Space::zero(); 2]),
         }
     }
 
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn pitch_point(&self, connection: usize) -> Option<(&Mesh, PitchPoint<T>)> {
         let mesh = self.connections[connection].mesh.as_ref()?;
         Some((mesh, mesh.pitch_point(self.moved, self.flanks[connection].side)))
     }
 
     /// The force of a contact for a unit of its tangential force.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn bearing(&self, connection: usize) -> Space<T> {
         let sign = self.flanks[connection].sign;
         let pitch = self.pitch_point(connection);
@@ -577,20 +717,20 @@ impl<T: MovingNumber> Equations<'_, T> {
     }
 
     /// The body that exerts the moment of a connection.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn holding(&self, own: &Connection) -> Member {
         own.slide.map_or(own.by, |slide| self.outline.slides[slide].guide)
     }
 
     /// Forces on all bodies as a column.
-    pub(super) fn flat_column(&self, wrenches: Wrenches<T>) -> Vec<T> {
+    pub(super) fn flat_column(&self, exertion: &Exertion<T>) -> Vec<T> {
         let mut column = vec![T::constant(0.0); self.rows.count()];
-        for (body, wrench) in wrenches.iter().flatten() {
-            self.entries_of(*body, wrench, &mut |row, part| column[row] = column[row] + part);
-        }
+        self.entries_of(exertion, &mut Added(&mut column));
         column
     }
 
     /// A direction at right angles to the slide of a connection.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn normal(&self, own: &Connection, axis: usize) -> Space<T> {
         let normal = |slide| across(self.moved.along(slide), self.moved.is_space)[axis];
         own.slide.map_or_else(Space::zero, normal)
@@ -598,28 +738,29 @@ impl<T: MovingNumber> Equations<'_, T> {
 }
 
 /// The axes about which a slide or a hinge of space may hold a body by a moment.
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn turning<T: MovingNumber>(
     moved: &MovedMechanism<T>,
     frames: &[MovedFrame<T>],
     own: &Connection,
     on: Member,
-) -> Vec<Space<T>> {
+) -> [Option<Space<T>>; 3] {
     let Some(axis) = own.axis().map(|axis| moved.axis(axis)) else {
-        return Vec::new();
+        return [None; 3];
     };
     let [first, second] = across(axis, moved.is_space);
     if own.slide.is_none() {
-        return [first, second].into();
+        return [Some(first), Some(second), None];
     }
     if !moved.is_space {
-        return [second].into();
+        return [Some(second), None, None];
     }
     match on.and_then(|body| frames[body].line()) {
-        None => [axis, first, second].into(),
+        None => [axis, first, second].map(Some),
         // nothing acts about the line of a rod
         Some(line) => match between(line, axis) {
-            None => [first, second].into(),
-            Some(normal) => [normal.cross(line), normal].into(),
+            None => [Some(first), Some(second), None],
+            Some(normal) => [Some(normal.cross(line)), Some(normal), None],
         },
     }
 }

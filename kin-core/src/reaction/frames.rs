@@ -4,19 +4,26 @@ use alloc::string::ToString;
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::ReactionError;
 use super::connection::{Connection, member_name};
+use super::pose_number::PoseNumber;
+use super::{MovedNumber, ReactionError};
 use crate::any::{AnyMechanism, OutputsOver, Pictured, SkeletonOver};
 use crate::geometry::Space;
-use crate::load::{BodyFrame, PointIndex, third_point};
+use crate::load::{ALONG, BodyFrame, PointIndex};
 use crate::number::Number;
-use crate::number::series::Series;
+use crate::number::series::SeriesOf;
 use crate::picture::{Outline, Slide};
 use crate::quantity::Dimension;
 use crate::solve::{Scalar, unwrap_near};
 
 /// A number with some of its derivatives by a variable.
 pub(crate) trait MovingNumber: Number {
+    /// A number without derivatives.
+    type Still: PoseNumber;
+
+    /// The number without its derivatives.
+    fn now(self) -> Self::Still;
+
     /// The derivative. Its own highest derivative is not known, and is zero.
     #[must_use]
     fn slope(self) -> Self;
@@ -27,24 +34,50 @@ pub(crate) trait MovingNumber: Number {
         self * Self::constant(factor)
     }
 
-    /// The unit vector along a vector whose length does not change.
+    /// The unit vector along a vector whose length does not change, by the square of this length.
     #[must_use]
-    fn unit_of_rigid(vector: Space<Self>) -> Space<Self> {
+    fn unit_of_rigid(vector: Space<Self>, square: Self::Still) -> Space<Self> {
+        let _ = square;
         unit(vector)
     }
 }
 
-impl<const N: usize> MovingNumber for Series<N> {
+impl<S: PoseNumber, const N: usize> MovingNumber for SeriesOf<S, N> {
+    type Still = S;
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn now(self) -> S {
+        self.coefficients()[0]
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn slope(self) -> Self {
         self.differentiate()
     }
 
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn times(self, factor: f64) -> Self {
-        Self::from_coefficients(self.coefficients().map(|term| term * factor))
+        self.scaled(S::constant(factor))
     }
 
-    fn unit_of_rigid(vector: Space<Self>) -> Space<Self> {
-        times(vector, 1.0 / real(vector).norm())
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn unit_of_rigid(vector: Space<Self>, square: S) -> Space<Self> {
+        let Space { x, y, z } = vector;
+        let factor = S::constant(1.0) / square.sqrt();
+        Space::new(x.scaled(factor), y.scaled(factor), z.scaled(factor))
+    }
+}
+
+/// A number of which others, with fewer derivatives, are made.
+pub(super) trait Shortened<F>: MovingNumber {
+    /// The number with the derivatives that the others have.
+    fn shortened(self) -> F;
+}
+
+impl<S: PoseNumber, const N: usize, const M: usize> Shortened<SeriesOf<S, M>> for SeriesOf<S, N> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn shortened(self) -> SeriesOf<S, M> {
+        self.resized()
     }
 }
 
@@ -60,43 +93,57 @@ pub(crate) struct MovedMechanism<T> {
     pub(crate) is_space: bool,
 }
 
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn slope_of<T: MovingNumber>(point: Space<T>) -> Space<T> {
     Space::new(point.x.slope(), point.y.slope(), point.z.slope())
 }
 
 /// A vector that does not move.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn still<T: MovingNumber>(vector: Space<f64>) -> Space<T> {
     Space::new(T::constant(vector.x), T::constant(vector.y), T::constant(vector.z))
 }
 
 /// The unit vector along an axis of coordinates.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn along_axis<T: MovingNumber>(axis: usize) -> Space<T> {
     let part = |own: usize| f64::from(u8::from(own == axis));
     still(Space::new(part(0), part(1), part(2)))
 }
 
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn unit<T: MovingNumber>(vector: Space<T>) -> Space<T> {
     vector.scale(T::constant(1.0) / vector.norm())
 }
 
 /// The product of a vector with a factor that does not move.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn times<T: MovingNumber>(vector: Space<T>, factor: f64) -> Space<T> {
     Space::new(vector.x.times(factor), vector.y.times(factor), vector.z.times(factor))
 }
 
 /// Where a vector is now.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn real<T: MovingNumber>(vector: Space<T>) -> Space<f64> {
     Space::new(vector.x.real(), vector.y.real(), vector.z.real())
 }
 
+/// The same in each pose.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn now<T: MovingNumber>(vector: Space<T>) -> Space<T::Still> {
+    Space::new(vector.x.now(), vector.y.now(), vector.z.now())
+}
+
+/// A vector with the derivatives that others have.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn shortened<T: Shortened<F>, F>(Space { x, y, z }: Space<T>) -> Space<F> {
+    Space::new(x.shortened(), y.shortened(), z.shortened())
+}
+
 /// The sum of the sizes of the coordinates.
-fn size(vector: Space<f64>) -> f64 {
-    vector.x.abs() + vector.y.abs() + vector.z.abs()
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn size<S: PoseNumber>(vector: Space<S>) -> S {
+    vector.x.size() + vector.y.size() + vector.z.size()
 }
 
 /// An axis about which a joint turns, or along which it slides. It moves with the mechanism.
@@ -126,20 +173,48 @@ pub(super) struct MovedFrame<T> {
     pub(super) first_turn: usize,
 }
 
+/// The origin of a frame, and its first axis.
+struct Line<T> {
+    origin: Space<T>,
+    axis: Space<T>,
+}
+
+fn no_frame(outline: &Outline<'_>, body: usize) -> ReactionError {
+    let body = outline.bodies[body].name.to_string();
+    ReactionError::NoFrame { body }
+}
+
 impl<T: MovingNumber> MovedFrame<T> {
     /// A frame of which the first axis alone is known. It does not turn about it.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_line(origin: Space<T>, axis: Space<T>, is_space: bool) -> Self {
-        let [left, normal] = across(axis, is_space);
-        Self {
+        let mut frame = Self {
             origin,
-            axes: [axis, left, normal],
-            turn: product(axis, slope_of(axis), is_space),
+            axes: [0, 1, 2].map(along_axis),
+            turn: Space::zero(),
             first_turn: if is_space { 1 } else { 2 },
+        };
+        if is_space {
+            let [left, normal] = across(axis, true);
+            frame.axes = [axis, left, normal];
+            frame.turn = axis.cross(slope_of(axis));
+        } else {
+            frame.move_in_plane(origin, axis);
         }
+        frame
+    }
+
+    /// Moves a frame of the plane. What is the same for all of them stays where it is.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn move_in_plane(&mut self, origin: Space<T>, axis: Space<T>) {
+        (self.origin.x, self.origin.y) = (origin.x, origin.y);
+        (self.axes[0].x, self.axes[0].y) = (axis.x, axis.y);
+        (self.axes[1].x, self.axes[1].y) = (-axis.y, axis.x);
+        self.turn.z = product(axis, slope_of(axis), false).z;
     }
 
     /// A frame by its first axis, and a vector on the side of its second one.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_plane(origin: Space<T>, axis: Space<T>, beside: Space<T>) -> Self {
         let normal = unit(axis.cross(beside));
         let axes = [axis, normal.cross(axis), normal];
@@ -156,18 +231,19 @@ impl<T: MovingNumber> MovedFrame<T> {
     }
 
     /// The axes about which the body has an equation of moments.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn turns(&self) -> &[Space<T>] {
         &self.axes[self.first_turn..]
     }
 
     /// The line of a rod of space.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn line(&self) -> Option<Space<T>> {
         (self.first_turn == 1).then_some(self.axes[0])
     }
 
     /// The place of a point of the frame.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn place(&self, point: Space<f64>) -> Space<T> {
         let parts = self.axes.into_iter().zip([point.x, point.y, point.z]);
         let mut place = self.origin;
@@ -178,19 +254,19 @@ impl<T: MovingNumber> MovedFrame<T> {
     }
 
     /// Whether the body is one of the plane.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn is_plane(&self) -> bool {
         self.first_turn == 2
     }
 
     /// The moment of a force at a place about the origin.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn moment(&self, force: Space<T>, at: Space<T>) -> Space<T> {
         product(at - self.origin, force, !self.is_plane())
     }
 
     /// The moment of a unit force along an axis of coordinates at a place about the origin.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn moment_along(&self, axis: usize, at: Space<T>) -> Space<T> {
         let Space { x, y, z } = at - self.origin;
         let nothing = T::constant(0.0);
@@ -201,30 +277,60 @@ impl<T: MovingNumber> MovedFrame<T> {
         }
     }
 
-    /// The parts of a moment for which the body has equations.
-    #[inline]
-    pub(super) fn parts(&self, moment: Space<T>) -> impl Iterator<Item = T> {
-        let is_plane = self.is_plane();
-        let part = move |axis: &Space<T>| if is_plane { moment.z } else { axis.dot(moment) };
-        self.turns().iter().map(part)
-    }
-
     /// The velocity of what is fixed to the body at a place.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn velocity(&self, place: Space<T>) -> Space<T> {
         let velocity = slope_of(self.origin);
         velocity + carried(self.turn, place - self.origin, !self.is_plane())
     }
 
     /// Its value.
-    #[inline]
-    fn velocity_now(&self, place: Space<T>) -> Space<f64> {
-        let (turn, arm) = (real(self.turn), real(place) - real(self.origin));
-        real(slope_of(self.origin)) + carried(turn, arm, !self.is_plane())
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn velocity_now(&self, place: Space<T>) -> Space<T::Still> {
+        let (turn, arm) = (now(self.turn), now(place) - now(self.origin));
+        now(slope_of(self.origin)) + carried(turn, arm, !self.is_plane())
+    }
+}
+
+impl<F: MovingNumber> MovedFrame<F> {
+    /// Takes over what the equations ask for, which is not the rate at which it turns.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn shorten<T: Shortened<F>>(&mut self, frame: &MovedFrame<T>) {
+        if self.is_plane() {
+            (self.origin.x, self.origin.y) = (frame.origin.x.shortened(), frame.origin.y.shortened());
+        } else {
+            self.origin = shortened(frame.origin);
+            self.axes = [
+                shortened(frame.axes[0]),
+                shortened(frame.axes[1]),
+                shortened(frame.axes[2]),
+            ];
+            self.first_turn = frame.first_turn;
+        }
+    }
+}
+
+impl MovedFrame<MovedNumber> {
+    /// The same in other numbers, with as many terms as they have.
+    pub(super) fn in_numbers<S: PoseNumber, const N: usize>(&self) -> MovedFrame<SeriesOf<S, N>> {
+        let vector = |vector: Space<MovedNumber>| {
+            let [x, y, z] = [vector.x, vector.y, vector.z].map(|part| {
+                let terms = part.resized::<N>().coefficients();
+                SeriesOf::from_coefficients(terms.map(S::constant))
+            });
+            Space::new(x, y, z)
+        };
+        MovedFrame {
+            origin: vector(self.origin),
+            axes: self.axes.map(vector),
+            turn: vector(self.turn),
+            first_turn: self.first_turn,
+        }
     }
 }
 
 /// The velocity of the end of an arm that turns.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn carried<T: Number>(turn: Space<T>, arm: Space<T>, is_space: bool) -> Space<T> {
     if is_space {
         turn.cross(arm)
@@ -234,7 +340,7 @@ fn carried<T: Number>(turn: Space<T>, arm: Space<T>, is_space: bool) -> Space<T>
 }
 
 /// The vector product. That of vectors in the plane has one coordinate.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn product<T: MovingNumber>(one: Space<T>, other: Space<T>, is_space: bool) -> Space<T> {
     if is_space {
         return one.cross(other);
@@ -243,20 +349,33 @@ pub(super) fn product<T: MovingNumber>(one: Space<T>, other: Space<T>, is_space:
 }
 
 /// Two unit vectors at right angles to a unit vector; in the plane, the one to its left and the normal.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn across<T: MovingNumber>(axis: Space<T>, is_space: bool) -> [Space<T>; 2] {
     if !is_space {
         return [Space::new(-axis.y, axis.x, T::constant(0.0)), along_axis(2)];
     }
-    let parts = [axis.x, axis.y, axis.z].map(|part| part.real().abs());
-    let smallest = (0..3).min_by(|one, other| parts[*one].total_cmp(&parts[*other]));
-    let first = unit(along_axis(smallest.unwrap_or(0)).cross(axis));
+    let Space { x, y, z } = now(axis);
+    let parts = [x, y, z];
+    let mut smallest = 0;
+    for axis in 1..3 {
+        if parts[smallest].exceeds(1.0, parts[axis]) {
+            smallest = axis;
+        }
+    }
+    let first = unit(along_axis(smallest).cross(axis));
     [first, axis.cross(first)]
 }
 
-/// The unit vector at right angles to two others, none if they lie on a line up to half of the digits.
+/// Whether a vector lies beside a unit vector and not along it, up to half of the digits.
+fn lies_beside<S: PoseNumber>(axis: Space<S>, vector: Space<S>) -> bool {
+    axis.cross(vector).norm().exceeds(ALONG, vector.norm())
+}
+
+/// The unit vector at right angles to a unit vector and to another vector, none if they lie on a line up to half of the
+/// digits.
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn between<T: MovingNumber>(one: Space<T>, other: Space<T>) -> Option<Space<T>> {
-    third_point(real(one), [real(other)].into_iter()).map(|_| unit(one.cross(other)))
+    lies_beside(now(one), now(other)).then(|| unit(one.cross(other)))
 }
 
 /// Distances may change by this part of the largest speed, by the rounding of a position that is known to half of its
@@ -301,28 +420,50 @@ impl<T: MovingNumber + Scalar> MovedMechanism<T> {
 
 impl<T: MovingNumber> MovedMechanism<T> {
     /// The number of coordinates.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn dimensions(&self) -> usize {
         if self.is_space { 3 } else { 2 }
     }
 
     /// The place of a point, or a vector.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn point(&self, point: PointIndex) -> Space<T> {
         match point {
             PointIndex::Fixed(point) => still(point),
             PointIndex::Moving(coordinates) => {
-                let [x, y, z] = coordinates.map(|index| index.map_or(T::constant(0.0), |index| self.quantities[index]));
-                Space::new(x, y, z)
+                let [x, y, z] = coordinates;
+                Space::new(self.coordinate(x), self.coordinate(y), self.coordinate(z))
             }
         }
     }
 
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn coordinate(&self, index: Option<usize>) -> T {
+        match index {
+            Some(index) => self.quantities[index],
+            None => T::constant(0.0),
+        }
+    }
+
+    /// Moves a place to where its coordinates are.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn move_place(&mut self, index: usize, point: PointIndex) {
+        let Space { x, y, z } = self.point(point);
+        let place = &mut self.places[index];
+        (place.x, place.y) = (x, y);
+        if self.is_space {
+            place.z = z;
+        }
+    }
+
     /// The unit vector along a slide.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn along(&self, slide: usize) -> Space<T> {
         self.places[self.joints + slide]
     }
 
     /// An axis as a unit vector. It is not finite if it has no length.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn axis(&self, axis: JointAxis) -> Space<T> {
         match axis {
             JointAxis::Normal => along_axis(2),
@@ -338,25 +479,43 @@ impl<T: MovingNumber> MovedMechanism<T> {
         outline: &Outline<'_>,
         connections: &[Connection],
     ) -> Result<Vec<MovedFrame<T>>, ReactionError> {
-        let mut frames = Vec::with_capacity(outline.bodies.len());
-        self.frames_into(outline, connections, &mut frames)?;
-        Ok(frames)
+        let bodies = 0..outline.bodies.len();
+        bodies.map(|body| self.frame(outline, connections, body)).collect()
     }
 
-    /// The same in memory that is there.
-    pub(super) fn frames_into(
+    /// Moves the frames of all bodies to another pose.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn move_frames(
         &self,
         outline: &Outline<'_>,
         connections: &[Connection],
-        frames: &mut Vec<MovedFrame<T>>,
+        frames: &mut [MovedFrame<T>],
     ) -> Result<(), ReactionError> {
-        frames.clear();
-        for body in 0..outline.bodies.len() {
-            frames.push(self.frame(outline, connections, body)?);
+        for (body, frame) in frames.iter_mut().enumerate() {
+            if self.is_space {
+                *frame = self.frame(outline, connections, body)?;
+            } else {
+                let own = BodyFrame::of(outline, body).ok_or_else(|| no_frame(outline, body))?;
+                let Line { origin, axis } = self.line(outline, body, own)?;
+                frame.move_in_plane(origin, axis);
+            }
         }
         Ok(())
     }
 
+    /// The line on which the frame of a body lies.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn line(&self, outline: &Outline<'_>, index: usize, own: BodyFrame) -> Result<Line<T>, ReactionError> {
+        let [origin, along] = own.origin_and_axis(&self.places, |end, start| end - start);
+        let square = now(along).norm_squared();
+        if !square.exceeds(f64::MIN_POSITIVE, T::Still::constant(1.0)) && !square.real().is_nan() {
+            return Err(no_frame(outline, index));
+        }
+        let axis = T::unit_of_rigid(along, square);
+        Ok(Line { origin, axis })
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn frame(
         &self,
         outline: &Outline<'_>,
@@ -364,11 +523,9 @@ impl<T: MovingNumber> MovedMechanism<T> {
         index: usize,
     ) -> Result<MovedFrame<T>, ReactionError> {
         let body = &outline.bodies[index];
-        let no_frame = || ReactionError::NoFrame {
-            body: body.name.to_string(),
-        };
+        let no_frame = || no_frame(outline, index);
         let own = BodyFrame::of(outline, index).ok_or_else(no_frame)?;
-        let [origin, along] = own.origin_and_axis(&self.places, |end, start| end - start);
+        let line = self.line(outline, index, own);
         if let (BodyFrame::Slide { .. }, true) = (own, self.is_space) {
             let carries = |slide: &Slide| slide.guide == Some(index);
             if !outline.slides.iter().any(carries) {
@@ -376,6 +533,7 @@ impl<T: MovingNumber> MovedMechanism<T> {
                 let slide = slides
                     .find(|slide| slide.joint == body.joints[0])
                     .ok_or_else(no_frame)?;
+                let origin = self.places[body.joints[0]];
                 // it turns with its guide
                 let guide = slide.guide.map(|guide| self.frame(outline, connections, guide));
                 return Ok(match guide.transpose()? {
@@ -389,19 +547,16 @@ impl<T: MovingNumber> MovedMechanism<T> {
                 });
             }
         }
-        if real(along).norm_squared() <= f64::MIN_POSITIVE {
-            return Err(no_frame());
-        }
-        let axis = T::unit_of_rigid(along);
+        let Line { origin, axis } = line?;
         if !self.is_space {
             return Ok(MovedFrame::of_line(origin, axis, false));
         }
-        let beside = || {
+        let others = || {
             let joints = body.joints.iter().skip(2).map(|joint| self.places[*joint] - origin);
             let held = connections.iter().filter(|connection| connection.holds(index));
             joints.chain(held.filter_map(|own| own.hinge).map(|hinge| self.axis(hinge)))
         };
-        let third = third_point(real(axis), beside().map(real)).and_then(|third| beside().nth(third));
+        let third = others().find(|vector| lies_beside(now(axis), now(*vector)));
         Ok(match third {
             Some(third) => MovedFrame::of_plane(origin, axis, third),
             None => MovedFrame::of_line(origin, axis, true),
@@ -409,25 +564,31 @@ impl<T: MovingNumber> MovedMechanism<T> {
     }
 
     /// Whether the joints of each body, and the axes of its hinges, move with its frame.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn check(
         &self,
         outline: &Outline<'_>,
         connections: &[Connection],
         frames: &[MovedFrame<T>],
     ) -> Result<(), ReactionError> {
-        let joints = self.places[..self.joints].iter();
-        let largest = joints.map(|joint| size(real(slope_of(*joint)))).fold(0.0, f64::max);
+        let mut largest = T::Still::constant(0.0);
+        for joint in &self.places[..self.joints] {
+            largest = largest.or_larger(size(now(slope_of(*joint))));
+        }
         for (body, frame) in outline.bodies.iter().zip(frames) {
             for &joint in body.joints {
                 let place = self.places[joint];
-                let rate = size(real(slope_of(place)) - frame.velocity_now(place));
-                if rate > RIGID * largest {
-                    let body = body.name.to_string();
+                let rate = size(now(slope_of(place)) - frame.velocity_now(place));
+                if rate.exceeds(RIGID, largest) {
+                    let (body, rate) = (body.name.to_string(), rate.real());
                     return Err(ReactionError::NotRigid { body, rate });
                 }
             }
         }
-        let turns = frames.iter().map(|frame| size(real(frame.turn))).fold(0.0, f64::max);
+        let mut turns = T::Still::constant(0.0);
+        for frame in frames {
+            turns = turns.or_larger(size(now(frame.turn)));
+        }
         for connection in connections {
             let Some(JointAxis::Vector(vector)) = connection.hinge else {
                 continue;
@@ -435,13 +596,13 @@ impl<T: MovingNumber> MovedMechanism<T> {
             let axis = self.axis(JointAxis::Vector(vector));
             for member in [connection.on, connection.by] {
                 let turn = member.map_or_else(Space::zero, |body| frames[body].turn);
-                let rate = size(real(slope_of(axis) - turn.cross(axis)));
+                let rate = size(now(slope_of(axis) - turn.cross(axis)));
                 // an axis of no length has no rate
-                if rate.is_nan() || rate > RIGID * turns {
+                if rate.real().is_nan() || rate.exceeds(RIGID, turns) {
                     return Err(ReactionError::HingeTurns {
                         reaction: connection.name.clone(),
                         body: member_name(outline, member),
-                        rate,
+                        rate: rate.real(),
                     });
                 }
             }

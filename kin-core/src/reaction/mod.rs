@@ -54,6 +54,9 @@
 //! friction remains. Its size is bounded before it is solved: see [`contraction`](Reactions::contraction).
 
 mod action;
+
+#[cfg(feature = "std")]
+mod batch;
 mod body_load;
 mod connection;
 mod contact;
@@ -65,6 +68,8 @@ mod error;
 mod frames;
 mod friction;
 mod ordered;
+mod pose;
+mod pose_number;
 mod prepared;
 mod proof;
 mod rank;
@@ -73,12 +78,18 @@ mod rolling;
 mod structure;
 #[cfg(test)]
 mod tests;
+#[cfg(feature = "std")]
+mod traced;
 
+#[cfg(feature = "std")]
+#[cfg_attr(docsrs, doc(cfg(feature = "std")))]
+pub use batch::ReactionBatch;
 pub use body_load::{BodyLoad, BodyLoadKind};
 pub use efficiency::Efficiency;
 pub use error::ReactionError;
 pub use friction::{Friction, FrictionMistake};
-pub use prepared::{PoseReactions, PreparedReactions};
+pub use pose::PoseReactions;
+pub use prepared::PreparedReactions;
 pub use proof::{
     ForcePlace, ForceProof, ForceVerdict, PeakBounds, ProofError, ProvenForce, UndecidedForce, UndecidedReason,
 };
@@ -92,6 +103,7 @@ use core::fmt;
 use crate::any::{
     AnyMechanism, ClosureOver, MotionOver, NearOver, OutputsOver, Pictured, PositionChoice, SkeletonOver,
 };
+use crate::batch::AnyBatch;
 use crate::bounds::Bounds;
 use crate::failure::SolveError;
 use crate::geometry::Space;
@@ -120,6 +132,9 @@ const ORDERS: usize = 3;
 /// A motion as a series.
 pub type MovedNumber = Series<REACH>;
 
+/// A motion through snap as a series.
+pub(crate) type MovingPose = Series<{ pose::TERMS }>;
+
 /// A motion through accelerations, as bounds of its values over an interval.
 pub(crate) type MovingBounds = Changing<Changing<Bounds>>;
 
@@ -132,10 +147,12 @@ pub trait ReactionFunctions:
     Send
     + Sync
     + AnyMechanism
+    + AnyBatch
     + Pictured
     + NearOver<MovedNumber>
     + OutputsOver<MovedNumber>
     + SkeletonOver<MovedNumber>
+    + SkeletonOver<MovingPose>
     + MotionOver<f64>
     + ClosureOver<MovingBounds>
     + OutputsOver<MovingBounds>
@@ -148,10 +165,12 @@ impl<F> ReactionFunctions for F where
         + Send
         + Sync
         + AnyMechanism
+        + AnyBatch
         + Pictured
         + NearOver<MovedNumber>
         + OutputsOver<MovedNumber>
         + SkeletonOver<MovedNumber>
+        + SkeletonOver<MovingPose>
         + MotionOver<f64>
         + ClosureOver<MovingBounds>
         + OutputsOver<MovingBounds>

@@ -9,8 +9,10 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
+use super::frames::MovingNumber as _;
+use super::pose_number::PoseNumber;
 use crate::number::Number;
-use crate::number::series::Series;
+use crate::number::series::{Series, SeriesOf};
 
 /// A pivot is at least this part of the largest entry of its column.
 const SMALLEST_PART: f64 = 0.25;
@@ -45,11 +47,11 @@ struct Coupling {
 
 /// A square matrix of series with the factors of its values.
 #[derive(Clone, Debug)]
-pub(super) struct OrderedSystem<const N: usize> {
+pub(super) struct OrderedSystem<const N: usize, S = f64> {
     /// The slot of each entry, row by row.
     slots: Vec<u32>,
     /// The entries, by their slots.
-    entries: Vec<Series<N>>,
+    entries: Vec<SeriesOf<S, N>>,
     /// The column of each entry.
     columns: Vec<usize>,
     /// The entries that change, with their slots, and the steps that eliminate their rows and columns.
@@ -65,14 +67,14 @@ pub(super) struct OrderedSystem<const N: usize> {
     targets: Vec<usize>,
     /// The factors, by their slots, of which the first are those of the entries: multipliers below the pivots, and
     /// beside them what is divided by them.
-    factors: Vec<f64>,
+    factors: Vec<S>,
     /// The reciprocals of the pivots.
-    reciprocals: Vec<f64>,
+    reciprocals: Vec<S>,
     /// The largest entry of each column.
-    largest: Vec<f64>,
-    rest: Vec<f64>,
-    known: Vec<[f64; N]>,
-    solution: Vec<Series<N>>,
+    largest: Vec<S>,
+    rest: Vec<S>,
+    known: Vec<[S; N]>,
+    solution: Vec<SeriesOf<S, N>>,
 }
 
 impl<const N: usize> OrderedSystem<N> {
@@ -81,7 +83,7 @@ impl<const N: usize> OrderedSystem<N> {
         let mut system = Self::planned(columns, core::iter::once(columns))?;
         for (column, entries) in columns.iter().enumerate() {
             for (row, entry) in entries.iter().enumerate() {
-                system.add(row, column, *entry);
+                system.set(row, column, *entry);
             }
         }
         system.factor_to(f64::INFINITY, 0.0).then_some(system)
@@ -230,70 +232,93 @@ impl<const N: usize> OrderedSystem<N> {
         Some(())
     }
 
-    /// Makes all entries zero.
-    pub(super) fn clear(&mut self) {
-        self.entries.fill(Series::ZERO);
+    /// The same order for numbers of another type, with the entries that are there.
+    pub(super) fn in_numbers<S: PoseNumber>(&self) -> OrderedSystem<N, S> {
+        let zero = S::constant(0.0);
+        let entry = |entry: &Series<N>| SeriesOf::from_coefficients(entry.coefficients().map(S::constant));
+        OrderedSystem {
+            slots: self.slots.clone(),
+            entries: self.entries.iter().map(entry).collect(),
+            columns: self.columns.clone(),
+            changing: self.changing.clone(),
+            steps: self.steps.clone(),
+            below: self.below.clone(),
+            beside: self.beside.clone(),
+            backward: self.backward.clone(),
+            targets: self.targets.clone(),
+            factors: vec![zero; self.factors.len()],
+            reciprocals: vec![zero; self.reciprocals.len()],
+            largest: vec![zero; self.largest.len()],
+            rest: vec![zero; self.rest.len()],
+            known: vec![[zero; N]; self.known.len()],
+            solution: vec![SeriesOf::constant(0.0); self.solution.len()],
+        }
     }
+}
 
-    /// Adds to an entry. False if it is none of those that were planned.
-    #[inline]
-    pub(super) fn add(&mut self, row: usize, column: usize, part: Series<N>) -> bool {
+impl<S: PoseNumber, const N: usize> OrderedSystem<N, S> {
+    /// Replaces an entry. False if it is none of those that were planned.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn set(&mut self, row: usize, column: usize, entry: SeriesOf<S, N>) -> bool {
         let slot = self.slots[row * self.rest.len() + column];
         if slot == NONE {
-            return part.coefficients().iter().all(|term| *term == 0.0);
+            let is_zero = |term: S| !term.exceeds(0.0, S::constant(0.0)) && !term.real().is_nan();
+            return entry.coefficients().into_iter().all(is_zero);
         }
-        let entry = &mut self.entries[slot as usize];
-        *entry = *entry + part;
+        self.entries[slot as usize] = entry;
         true
     }
 
     /// Finds the factors. False if the order of the elimination is not right for these entries.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn factor(&mut self) -> bool {
         self.factor_to(LARGEST_MULTIPLIER, SMALLEST_PIVOT)
     }
 
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn factor_to(&mut self, multipliers: f64, pivots: f64) -> bool {
-        self.largest.fill(0.0);
+        self.largest.fill(S::constant(0.0));
         for ((entry, column), factor) in self.entries.iter().zip(&self.columns).zip(&mut self.factors) {
-            *factor = entry.real();
+            *factor = entry.now();
             let largest = &mut self.largest[*column];
-            *largest = largest.max(factor.abs());
+            *largest = largest.or_larger(factor.size());
         }
         let factors = &mut self.factors[..];
-        factors[self.entries.len()..].fill(0.0);
+        factors[self.entries.len()..].fill(S::constant(0.0));
         let mut targets = self.targets.iter();
         let (mut below, mut beside) = (&self.below[..], &self.beside[..]);
         let (mut below_start, mut beside_start) = (0, 0);
         for (step, reciprocal) in self.steps.iter().zip(&mut self.reciprocals) {
             let pivot = factors[step.pivot];
             // neither zero nor not a number
-            if !(pivot.abs() > pivots * self.largest[step.column] && pivot.is_finite()) {
+            if !pivot.exceeds(pivots, self.largest[step.column]) || !pivot.is_finite() {
                 return false;
             }
-            *reciprocal = 1.0 / pivot;
+            *reciprocal = S::constant(1.0) / pivot;
             let (own_below, own_beside);
             (own_below, below) = below.split_at(step.below_end - below_start);
             (own_beside, beside) = beside.split_at(step.beside_end - beside_start);
             (below_start, beside_start) = (step.below_end, step.beside_end);
             for row in own_below {
                 let multiplier = factors[row.slot] * *reciprocal;
-                if multiplier.abs() > multipliers {
+                if multiplier.exceeds(multipliers, S::constant(1.0)) {
                     return false;
                 }
                 factors[row.slot] = multiplier;
                 for (entry, target) in own_beside.iter().zip(&mut targets) {
-                    factors[*target] -= multiplier * factors[entry.slot];
+                    factors[*target] = factors[*target] - multiplier * factors[entry.slot];
                 }
             }
             for entry in own_beside {
-                factors[entry.slot] *= *reciprocal;
+                factors[entry.slot] = factors[entry.slot] * *reciprocal;
             }
         }
         true
     }
 
     /// The solution for a right-hand side.
-    pub(super) fn solve(&mut self, right: &[Series<N>]) -> &[Series<N>] {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn solve(&mut self, right: &[SeriesOf<S, N>]) -> &[SeriesOf<S, N>] {
         let (factors, rest, known) = (&self.factors[..], &mut self.rest[..], &mut self.known[..]);
         for order in 0..N {
             for (rest, step) in rest.iter_mut().zip(&self.steps) {
@@ -303,25 +328,25 @@ impl<const N: usize> OrderedSystem<N> {
                 for Coupling { row, column, slot } in &self.changing {
                     let (entry, known) = (self.entries[*slot].coefficients(), &known[*column]);
                     for power in 1..=order {
-                        rest[*row] -= entry[power] * known[order - power];
+                        rest[*row] = rest[*row] - entry[power] * known[order - power];
                     }
                 }
             }
             for Coupling { row, column, slot } in &self.below {
-                rest[*row] -= factors[*slot] * rest[*column];
+                rest[*row] = rest[*row] - factors[*slot] * rest[*column];
             }
             for (rest, reciprocal) in rest.iter_mut().zip(&self.reciprocals) {
-                *rest *= reciprocal;
+                *rest = *rest * *reciprocal;
             }
             for Coupling { row, column, slot } in &self.backward {
-                rest[*row] -= factors[*slot] * rest[*column];
+                rest[*row] = rest[*row] - factors[*slot] * rest[*column];
             }
             for (known, rest) in known.iter_mut().zip(&*rest) {
                 known[order] = *rest;
             }
         }
         for (known, step) in known.iter().zip(&self.steps) {
-            self.solution[step.column] = Series::from_coefficients(*known);
+            self.solution[step.column] = SeriesOf::from_coefficients(*known);
         }
         &self.solution
     }
@@ -375,10 +400,9 @@ mod tests {
         let mut system =
             OrderedSystem::planned(&matrix(2.0), [matrix(2.0), matrix(0.0)].iter()).expect("it is regular");
         let mut fill = |entries: [[f64; 2]; 2]| {
-            system.clear();
             let places = [0, 1].into_iter().flat_map(|row| [0, 1].map(|column| (row, column)));
             let fits = places.fold(true, |fits, (row, column)| {
-                system.add(row, column, Series::constant(entries[column][row])) && fits
+                system.set(row, column, Series::constant(entries[column][row])) && fits
             });
             fits && system.factor()
         };

@@ -3,34 +3,19 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::action::Influence;
-use super::equations::{Equations, Solution};
-use super::frames::{MovedFrame, MovedMechanism, real};
-use super::ordered::OrderedSystem;
-use super::structure::{Plan, Structure};
-use super::{NamedReactions, ORDERS, REACH, ReactionError, ReactionPlace, Solved, orders, size};
+use super::equations::Solution;
+use super::pose::{PosePlan, PoseReactions, PoseRoom, TERMS};
+use super::structure::Plan;
+use super::{NamedReactions, ORDERS, ReactionError, ReactionPlace, Solved};
 use crate::any::PositionChoice;
-use crate::geometry::Space;
-use crate::load::PointIndex;
 use crate::motion::Motion;
-use crate::number::Number;
 use crate::number::series::Series;
-use crate::picture::Outline;
-
-/// The terms of a motion through snap.
-const TERMS: usize = 5;
-
-type PoseNumber = Series<TERMS>;
-
-/// A force has two derivatives less than a motion.
-type ForceNumber = Series<ORDERS>;
 
 /// The reactions of a mechanism, prepared for many poses: [`NamedReactions::prepared`].
 ///
 /// Where loads and drives act, what is unknown, and the order in which the equations are solved, are found in the first
-/// pose. Other poses of the assembly take them over, and ask for no memory: without friction and gears, in a mechanism
-/// of order 4 or more whose joints have names or stand still. Where that order would divide by numbers that are too
-/// small, all is found anew.
+/// pose. Other poses of the assembly take them over, and ask for no memory: without friction, in a mechanism of order 4
+/// or more. Where that order would divide by numbers that are too small, all is found anew.
 #[derive(Clone)]
 pub struct PreparedReactions<'r> {
     reactions: &'r NamedReactions<'r>,
@@ -41,58 +26,17 @@ pub struct PreparedReactions<'r> {
     solution: Solution<ORDERS>,
 }
 
-/// A plan for poses whose motion the solver of rates gives: without friction and contacts, and where the outputs tell
-/// the motion of all joints.
+/// A plan with the motion that the solver of rates gives.
 #[derive(Clone)]
 struct Quick {
-    structure: Structure,
-    system: OrderedSystem<ORDERS>,
-    /// The joints and the directions of slides among the quantities, or where they stand.
-    places: Vec<PointIndex>,
+    plan: PosePlan,
+    room: PoseRoom<f64>,
     /// The numbers of each motion in the slices of the solver.
     stride: usize,
-    inputs: Vec<f64>,
-    unknowns: Vec<f64>,
-    outputs: Vec<f64>,
-    moved: MovedMechanism<PoseNumber>,
-    frames: Vec<MovedFrame<PoseNumber>>,
-    right: Vec<ForceNumber>,
-}
-
-/// The reactions in one pose, each by its index among the [names](NamedReactions::names).
-#[derive(Clone, Copy)]
-pub struct PoseReactions<'p> {
-    solution: &'p Solution<ORDERS>,
-}
-
-impl PoseReactions<'_> {
-    /// A force along x, y and z, each with two rates by time; none if equilibrium alone does not determine it, or
-    /// without such a reaction.
-    #[must_use]
-    pub fn force(&self, index: usize) -> Option<[[f64; ORDERS]; 3]> {
-        let Space { x, y, z } = self.solution.forces.get(index)?.whole()?;
-        Some([x, y, z].map(orders))
-    }
-
-    /// The size of a force, with two rates.
-    #[must_use]
-    pub fn magnitude(&self, index: usize) -> Option<[f64; ORDERS]> {
-        let force = self.solution.forces.get(index)?.whole()?;
-        Some(orders(size(force)))
-    }
-
-    /// A moment about x, y and z: that of a slide or a hinge, or of friction in a pin.
-    #[must_use]
-    pub fn moment(&self, index: usize) -> Option<[[f64; ORDERS]; 3]> {
-        let Space { x, y, z } = self.solution.moments.get(index)?.whole()?;
-        Some([x, y, z].map(orders))
-    }
-
-    /// The effort of the drive of an input, with two rates.
-    #[must_use]
-    pub fn effort(&self, input: usize) -> Option<[f64; ORDERS]> {
-        self.solution.efforts.get(input).copied().flatten().map(orders)
-    }
+    /// The motions of the inputs, unknowns and outputs, one after the other.
+    motions: Vec<f64>,
+    /// The first numbers of unknowns and of outputs.
+    starts: [usize; 2],
 }
 
 impl NamedReactions<'_> {
@@ -150,15 +94,30 @@ impl PreparedReactions<'_> {
             (self.assembly, self.plan, self.quick) = (assembly, None, None);
         }
         let is_solved = match &mut self.quick {
-            Some(quick) => quick.solve(self.reactions, inputs, choice, &mut self.solution)?,
+            Some(quick) => quick.solve(self.reactions, inputs, choice)?,
             None => false,
         };
         if !is_solved {
             self.solve_by_plan(inputs, choice)?;
         }
-        Ok(PoseReactions {
-            solution: &self.solution,
-        })
+        let quick = self.quick.as_ref().filter(|_| is_solved);
+        Ok(PoseReactions::of(
+            quick.map_or(&self.solution, |quick| &quick.room.solution),
+            0,
+        ))
+    }
+
+    /// The reactions in a pose for which nothing is prepared.
+    #[cfg(feature = "std")]
+    pub(super) fn alone(
+        &mut self,
+        inputs: &[Motion],
+        choice: PositionChoice<'_, f64>,
+    ) -> Result<PoseReactions<'_>, ReactionError> {
+        let unknowns = self.reactions.unknowns_at(inputs, choice)?;
+        let place = self.reactions.place(inputs, &unknowns);
+        self.solution = self.reactions.solved_by(&place, None)?.solution.resized();
+        Ok(PoseReactions::of(&self.solution, 0))
     }
 
     /// The same from a longer series.
@@ -181,46 +140,18 @@ impl PreparedReactions<'_> {
 impl Quick {
     /// The plan in a pose; none if it needs more than the solver of rates gives.
     fn new(reactions: &NamedReactions<'_>, place: &ReactionPlace<'_>) -> Result<Option<Self>, ReactionError> {
-        let functions = place.functions;
-        let description = functions.description();
-        let has_contacts = reactions.connections.iter().any(|own| own.mesh.is_some());
-        if reactions.has_friction() || has_contacts || description.order + 1 < TERMS {
-            return Ok(None);
-        }
-        let outline = functions.outline();
-        let (moved, frames) = place.moving(&outline, &reactions.connections)?;
-        let (structure, all) = reactions.structure(place, &outline, &moved, &frames)?;
-        let Some(places) = places(reactions, &outline, &all) else {
+        let Some(plan) = PosePlan::new(reactions, place, false)? else {
             return Ok(None);
         };
-        let equations = structure.equations(reactions, &outline, &moved, &frames);
-        let columns = equations.columns(&structure.unknowns);
-        let shorter = |column: &Vec<Series<REACH>>| column.iter().map(Series::resized).collect();
-        let columns: Vec<Vec<ForceNumber>> = columns.iter().map(shorter).collect();
-        let Some(system) = structure.order(reactions, &outline, &columns, &all) else {
-            return Ok(None);
-        };
+        let description = place.functions.description();
         let stride = description.order + 1;
-        let mut quantities = vec![Series::ZERO; moved.quantities.len()];
-        for (quantity, parameter) in quantities.iter_mut().zip(place.parameters) {
-            *quantity = Series::constant(*parameter);
-        }
+        let counts = [description.inputs, description.unknowns, description.outputs].map(|own| own.len() * stride);
         Ok(Some(Self {
-            right: vec![Series::ZERO; structure.rows.count()],
-            frames: Vec::with_capacity(frames.len()),
-            moved: MovedMechanism {
-                quantities,
-                places: vec![Space::zero(); places.len()],
-                joints: moved.joints,
-                is_space: moved.is_space,
-            },
-            inputs: vec![0.0; stride * description.inputs.len()],
-            unknowns: vec![0.0; stride * description.unknowns.len()],
-            outputs: vec![0.0; stride * description.outputs.len()],
-            structure,
-            system,
-            places,
+            room: plan.room(reactions),
+            plan,
             stride,
+            motions: vec![0.0; counts.iter().sum()],
+            starts: [counts[0], counts[0] + counts[1]],
         }))
     }
 
@@ -230,87 +161,34 @@ impl Quick {
         reactions: &NamedReactions<'_>,
         inputs: &[Motion],
         choice: PositionChoice<'_, f64>,
-        solution: &mut Solution<ORDERS>,
     ) -> Result<bool, ReactionError> {
-        self.move_to(reactions, inputs, choice)?;
-        let outline = reactions.functions.outline();
-        let Self {
-            structure,
-            system,
-            moved,
-            frames,
-            right,
-            ..
-        } = self;
-        moved.frames_into(&outline, &reactions.connections, frames)?;
-        if !structure.rows.fit(moved, frames) || moved.check(&outline, &reactions.connections, frames).is_err() {
-            return Ok(false);
-        }
-        let equations: Equations<'_, PoseNumber> = structure.equations(reactions, &outline, moved, frames);
-        right.fill(Series::ZERO);
-        let demand = structure.demand(reactions, moved, frames, 1.0);
-        demand.each(&mut |_, body, wrench| {
-            equations.entries_of(body, wrench, &mut |row, part| right[row] = right[row] - part.resized());
-        })?;
-        if !equations.fill(system, &structure.unknowns) {
-            return Ok(false);
-        }
-        let values = system.solve(right);
-        if !values.iter().all(|value| value.is_finite()) {
-            return Err(ReactionError::NotFinite);
-        }
-        equations.write(&structure.unknowns, values, |_| false, solution);
-        Ok(true)
-    }
-
-    /// Moves the mechanism to a pose.
-    fn move_to(
-        &mut self,
-        reactions: &NamedReactions<'_>,
-        inputs: &[Motion],
-        choice: PositionChoice<'_, f64>,
-    ) -> Result<(), ReactionError> {
-        let stride = self.stride;
-        for (motion, numbers) in inputs.iter().zip(self.inputs.chunks_exact_mut(stride)) {
+        let Self { plan, room, stride, .. } = self;
+        let (given, found) = self.motions.split_at_mut(self.starts[0]);
+        let (unknowns, outputs) = found.split_at_mut(self.starts[1] - self.starts[0]);
+        for (motion, numbers) in inputs.iter().zip(given.chunks_exact_mut(*stride)) {
             numbers[..TERMS].copy_from_slice(motion.as_ref());
         }
         let (parameters, functions) = (&reactions.parameters, reactions.functions);
-        let (unknowns, outputs) = (&mut self.unknowns[..], &mut self.outputs[..]);
         match choice {
             PositionChoice::Assembly(index) => {
-                functions.motion_of_assembly(parameters, &self.inputs, index, unknowns, outputs)?;
+                functions.motion_of_assembly(parameters, given, index, unknowns, outputs)?;
             }
-            PositionChoice::Near(near) => functions.motion_near(parameters, &self.inputs, near, unknowns, outputs)?,
+            PositionChoice::Near(near) => functions.motion_near(parameters, given, near, unknowns, outputs)?,
         }
-        let motions = [&self.inputs, &self.unknowns, &self.outputs].into_iter();
-        let motions = motions.flat_map(|motions| motions.chunks_exact(stride));
-        for (quantity, motion) in self.moved.quantities[parameters.len()..].iter_mut().zip(motions) {
-            *quantity = Series::from_derivatives(core::array::from_fn(|order| motion[order]));
+        for quantity in &plan.needed {
+            if let Some(index) = quantity.checked_sub(parameters.len()) {
+                let motion = &self.motions[index * *stride..][..TERMS];
+                let mut derivatives = [0.0; TERMS];
+                derivatives.copy_from_slice(motion);
+                room.moved.quantities[*quantity] = Series::from_derivatives(derivatives);
+            }
         }
-        for (index, place) in self.places.iter().enumerate() {
-            self.moved.places[index] = self.moved.point(*place);
+        if plan.is_drawn() {
+            let places = &mut room.moved.places;
+            plan.draw(reactions, &room.moved.quantities, &mut |index, place| {
+                places[index] = place;
+            });
         }
-        Ok(())
+        room.solve(plan, reactions, &functions.outline())
     }
-}
-
-/// Where all joints and the directions of all slides are among the quantities; none if they are not all there.
-fn places(reactions: &NamedReactions<'_>, outline: &Outline<'_>, all: &[Influence<REACH>]) -> Option<Vec<PointIndex>> {
-    let first = all.first()?;
-    let place = |index: usize| {
-        let stands = |one: &Influence<REACH>| {
-            let Space { x, y, z } = one.moved.places[index];
-            let mut terms = [x, y, z]
-                .into_iter()
-                .flat_map(|part| part.coefficients().into_iter().skip(1));
-            terms.all(|term| term == 0.0)
-        };
-        if all.iter().all(stands) {
-            return Some(PointIndex::Fixed(real(first.moved.places[index])));
-        }
-        let (name, _) = outline.points.iter().find(|(_, joint)| *joint == index)?;
-        let place = reactions.loads.place((*name).into()).ok()?;
-        (index < first.moved.joints).then_some(place)
-    };
-    (0..first.moved.places.len()).map(place).collect()
 }

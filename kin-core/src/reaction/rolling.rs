@@ -88,13 +88,14 @@ pub(super) struct Flank {
 }
 
 impl<T: MovingNumber> PitchPoint<T> {
-    /// The sign of the tangential part of a force, none if it is zero or if the contact has no pressure angle.
-    pub(super) fn sign(&self, mesh: &Mesh, force: Space<T>) -> Option<f64> {
-        let tangential = self.tangent.dot(force).real();
-        (mesh.slope != 0.0 && tangential != 0.0).then(|| tangential.signum())
+    /// The tangential part of a force, by whose sign a flank bears; none if the contact has no pressure angle.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn tangential(&self, mesh: &Mesh, force: Space<T>) -> Option<T> {
+        (mesh.slope != 0.0).then(|| self.tangent.dot(force))
     }
 
     /// The force for a unit of the tangential one, where this has a sign.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn force(&self, mesh: &Mesh, sign: f64) -> Space<T> {
         self.tangent + self.apart.scale(T::constant(sign * mesh.slope))
     }
@@ -279,12 +280,21 @@ impl NamedReactions<'_> {
 }
 
 impl Mesh {
+    /// The points on which it depends.
+    pub(super) fn points(&self) -> [PointIndex; 2] {
+        match self.pitch {
+            Pitch::Gears { centres, .. } => centres,
+            Pitch::Rack { centre, along, .. } => [centre, along],
+        }
+    }
+
     /// Whether teeth push the bodies apart.
     pub(super) fn has_pressure_angle(&self) -> bool {
         self.slope != 0.0
     }
 
     /// The pitch point on one side of the first centre.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn pitch_point<T: MovingNumber>(&self, moved: &MovedMechanism<T>, side: f64) -> PitchPoint<T> {
         match self.pitch {
             Pitch::Gears { centres, radii } => {

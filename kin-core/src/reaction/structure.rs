@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use super::action::{Action, Influence, Influences};
-use super::body_load::Acting;
+use super::body_load::{Acting, of_exertion};
 use super::demand::{Demand, LoadPlace};
 use super::equations::{Equations, Rows, Solution, Unknown};
 use super::frames::{MovedFrame, MovedMechanism};
@@ -204,7 +204,7 @@ impl NamedReactions<'_> {
         let frictions = self.acting(place, outline, (moved, frames), &structure.stand)?;
         let mut loads = Vec::new();
         let demand = structure.demand(self, moved, frames, place.rate);
-        demand.each(&mut |kind, body, wrench| loads.push((kind, body, *wrench)))?;
+        demand.each(&mut |kind, exertion| loads.extend(of_exertion(kind, exertion, frames)))?;
         let mut equations = Equations {
             frictions: &frictions,
             parity: if place.side == Side::Left { -1.0 } else { 1.0 },
@@ -214,14 +214,16 @@ impl NamedReactions<'_> {
         let Some(mut solution) = solve(&equations, &right)? else {
             return Ok(None);
         };
-        let bears = equations.bears(&solution);
+        let mut bears = structure.flanks.clone();
+        equations.bears(&solution, &mut bears);
         if bears != structure.flanks {
             equations.flanks = &bears;
             let Some(turned) = solve(&equations, &right)? else {
                 return Ok(None);
             };
             solution = turned;
-            let found = equations.bears(&solution);
+            let mut found = bears.clone();
+            equations.bears(&solution, &mut found);
             if let Some(connection) = found.iter().zip(&bears).position(|(found, own)| found != own) {
                 return Err(ReactionError::Rolling {
                     reaction: self.connections[connection].name.clone(),

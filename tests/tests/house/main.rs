@@ -31,7 +31,7 @@ const CORE: Package = Package {
     faces: &["lib", "declared", "prelude", "private"],
     root_items: &["storable", "each_library_mechanism", "__debug_by_display"],
     rooms: "number geometry quantity failure assembly solve bounds motion hermite law picture mechanism any assemblies \
-            curve track load reaction batch sweep extremes cycle tape exact linkage stored interop verify library editor",
+            curve track load batch reaction sweep extremes cycle tape exact linkage stored interop verify library editor",
 };
 
 const COMPILER: Package = Package {

@@ -257,7 +257,9 @@ impl<'p> Sample<'p> {
         let frames = moved.frames(&self.outline, &reactions.connections).ok()?;
         let mut demand = Vec::new();
         let loads = self.structure.demand(reactions, &moved, &frames, 1.0);
-        loads.each(&mut |_, body, wrench| demand.push((body, *wrench))).ok()?;
+        loads
+            .each(&mut |_, exertion| demand.extend(exertion.wrenches(&frames)))
+            .ok()?;
         let equations = self.structure.equations(reactions, &self.outline, &moved, &frames);
         let column = |unknown: &Unknown| -> Vec<Bounds> {
             let column = equations.column(*unknown);

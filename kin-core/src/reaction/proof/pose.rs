@@ -8,7 +8,7 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::super::frames::{MovedMechanism, MovingNumber};
+use super::super::frames::{MovedMechanism, MovingNumber, Shortened};
 use super::super::{MovingBounds, ReactionFunctions};
 use crate::any::{ClosureOver, PositionChoice};
 use crate::bounds::Bounds;
@@ -16,12 +16,24 @@ use crate::bounds::linear::{RegularMatrix, inverse, times};
 use crate::number::{Changing, Number};
 
 impl MovingNumber for MovingBounds {
+    type Still = f64;
+
+    fn now(self) -> f64 {
+        self.real()
+    }
+
     fn slope(self) -> Self {
         let second = self.change.change;
         Changing::new(
             Changing::new(self.value.change, second),
             Changing::new(second, Bounds::constant(0.0)),
         )
+    }
+}
+
+impl Shortened<Self> for MovingBounds {
+    fn shortened(self) -> Self {
+        self
     }
 }
 

@@ -1,6 +1,7 @@
 //! Forces in joints beside closed forms, virtual work, momentum, differences and published values.
 
 mod agreement;
+mod batch;
 mod friction;
 mod mistakes;
 mod prepared;

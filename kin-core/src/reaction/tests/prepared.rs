@@ -53,7 +53,8 @@ fn agree(
     }
 }
 
-/// Compares poses of the first assembly. The plan is made in the first one, and the mechanism may rest there.
+/// Compares poses of the first assembly, one by one and in lanes. The plan is made in the first one, and the mechanism
+/// may rest there.
 pub(super) fn compare(reactions: &NamedReactions<'_>, motions: &[Motion]) {
     let mut prepared = reactions.prepared();
     let rest = motions.first().map(|motion| Motion::constant(motion.value()));
@@ -62,6 +63,8 @@ pub(super) fn compare(reactions: &NamedReactions<'_>, motions: &[Motion]) {
         let expected = reactions.at(&[*motion], choice());
         agree(reactions, prepared.at(&[*motion], choice()), expected);
     }
+    let columns = core::array::from_fn(|order| motions.iter().map(|motion| motion[order]).collect());
+    super::batch::compare(reactions, &columns, 1e-10);
 }
 
 /// Poses in all assemblies in turn, where links lie in one line and where the crank lies along an axis of coordinates,

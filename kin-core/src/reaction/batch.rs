@@ -1,0 +1,600 @@
+//! Reactions in many poses, in lanes of vectors.
+
+use alloc::borrow::Cow;
+use alloc::vec;
+use alloc::vec::Vec;
+use core::ops::Range;
+
+use super::equations::Solution;
+use super::pose::{PosePlan, PoseReactions, PoseSolution, TERMS};
+use super::prepared::PreparedReactions;
+use super::traced::{Place, Program, ProgramRun, Traced, stride};
+use super::{MovingPose, NamedReactions, ORDERS, ReactionError, ReactionPlace};
+use crate::any::PositionChoice;
+use crate::batch::{
+    Column, ColumnChoice, GivenColumns, LengthMismatch, Outcome, Slot, Vectors, WantedColumns, check_length,
+};
+use crate::geometry::Space;
+use crate::motion::Motion;
+use crate::number::Number;
+use crate::number::series::{Series, SeriesOf};
+use crate::quantity::NameKind;
+
+/// What takes the reactions in a pose, by its row.
+type Read<'r> = &'r mut dyn FnMut(usize, Result<PoseReactions<'_>, ReactionError>);
+
+/// The poses whose motions are found in one call: their columns stay in the cache.
+const BLOCK: usize = 256;
+
+/// In so many poses at most a plan is looked for.
+const ATTEMPTS: usize = 8;
+
+/// The reactions in many poses of a mechanism, or of mechanisms that differ in their dimensions:
+/// [`NamedReactions::batch`].
+#[must_use = "`solve` it"]
+#[derive(Clone, Copy, Debug)]
+pub struct ReactionBatch<'b> {
+    reactions: &'b NamedReactions<'b>,
+    /// None, unless they are given.
+    dimensions: &'b [Column<'b>],
+    inputs: &'b [&'b [Column<'b>]],
+    choice: ColumnChoice<'b>,
+    vectors: Vectors,
+}
+
+impl NamedReactions<'_> {
+    /// The reactions in many poses, several at once, in the widest vectors of the machine. For each input there is a
+    /// column for each order of its motion, position first; missing orders are zero.
+    ///
+    /// Each pose differs from that of [`prepared`](Self::prepared) by rounding, since a [batch](crate::batch) finds
+    /// motions up to rounding. Poses that do not close, those in which the order of the equations does not fit, and
+    /// all with friction, are found one by one.
+    ///
+    /// ```
+    /// use kin_core::batch::{Column, ColumnChoice};
+    /// use kin_core::library::FourBar;
+    /// use kin_core::linkage::AnyLinkage;
+    ///
+    /// let linkage = AnyLinkage::of(&FourBar { r1: 0.9, r2: 0.3, r3: 0.8, r4: 0.6 });
+    /// let loads = linkage.loads().torque(-30.0, "theta4")?;
+    /// let reactions = linkage.reactions_as_guessed(&loads)?;
+    /// let crank: Vec<f64> = (0_u16..360).map(|degrees| f64::from(degrees).to_radians()).collect();
+    /// let mut torques = vec![0.0; crank.len()];
+    /// // at 12 rad/s
+    /// let crank = [Column::Each(&crank), Column::Same(12.0)];
+    /// reactions.batch(&[&crank], ColumnChoice::Assembly(0)).solve(
+    ///     |pose| pose.ok().and_then(|pose| pose.effort(0)).map_or(f64::NAN, |[torque, ..]| torque),
+    ///     &mut torques,
+    /// )?;
+    ///
+    /// // cranks of several lengths, of which the last does not turn
+    /// let cranks = [0.2, 0.3, 0.4, 2.4];
+    /// let dimensions = [Column::Same(0.9), Column::Each(&cranks), Column::Same(0.8), Column::Same(0.6)];
+    /// let crank = [Column::Same(1.0), Column::Same(12.0)];
+    /// let inputs = [&crank[..]];
+    /// let batch = reactions.batch(&inputs, ColumnChoice::Assembly(0)).dimensions(&dimensions);
+    /// let mut errors = vec![String::new(); 4];
+    /// batch.solve(|pose| pose.err().map_or_else(String::new, |error| error.to_string()), &mut errors)?;
+    /// assert!(errors[2].is_empty() && errors[3].contains("cannot be found"));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn batch<'b>(&'b self, inputs: &'b [&'b [Column<'b>]], choice: ColumnChoice<'b>) -> ReactionBatch<'b> {
+        ReactionBatch {
+            reactions: self,
+            dimensions: &[],
+            inputs,
+            choice,
+            vectors: Vectors::widest(),
+        }
+    }
+
+    /// The same for other dimensions.
+    fn with_parameters(&self, parameters: &[f64]) -> Self {
+        let mut other = self.clone();
+        other.parameters = parameters.into();
+        other.solutions.forget();
+        other
+    }
+}
+
+impl<'b> ReactionBatch<'b> {
+    /// The same with other dimensions: a column for each parameter of the mechanism. Where loads and drives act is
+    /// found once, so that the bodies must be joined in the same way.
+    pub fn dimensions(mut self, dimensions: &'b [Column<'b>]) -> Self {
+        self.dimensions = dimensions;
+        self
+    }
+
+    /// The same in other vectors than the widest of the machine. The numbers differ between them by rounding.
+    pub fn vectors(mut self, vectors: Vectors) -> Self {
+        self.vectors = vectors;
+        self
+    }
+
+    /// Solves all poses. `read` takes from each what is wanted, or handles its error, which is that of
+    /// [`NamedReactions::at`]. The results are stored in the order of the columns.
+    ///
+    /// # Errors
+    /// [`LengthMismatch`] if the length of a column differs from the number of results. Nothing is solved then.
+    pub fn solve<R>(
+        &self,
+        read: impl Fn(Result<PoseReactions<'_>, ReactionError>) -> R,
+        results: &mut [R],
+    ) -> Result<(), LengthMismatch> {
+        self.check_lengths(results.len())?;
+        self.solve_part(0..results.len(), &mut |row, found| results[row] = read(found));
+        Ok(())
+    }
+
+    /// [`solve`](Self::solve) on all cores.
+    ///
+    /// # Errors
+    /// As there.
+    #[cfg(feature = "rayon")]
+    #[cfg_attr(docsrs, doc(cfg(feature = "rayon")))]
+    pub fn solve_on_all_cores<R: Send>(
+        &self,
+        read: impl Fn(Result<PoseReactions<'_>, ReactionError>) -> R + Sync,
+        results: &mut [R],
+    ) -> Result<(), LengthMismatch> {
+        use rayon::prelude::*;
+
+        const PART: usize = 8 * BLOCK;
+        self.check_lengths(results.len())?;
+        results.par_chunks_mut(PART).enumerate().for_each(|(part, results)| {
+            let start = part * PART;
+            self.solve_part(start..start + results.len(), &mut |row, found| {
+                results[row - start] = read(found);
+            });
+        });
+        Ok(())
+    }
+
+    fn check_lengths(&self, count: usize) -> Result<(), LengthMismatch> {
+        let near = match self.choice {
+            ColumnChoice::Near(near) => near,
+            ColumnChoice::Assembly(_) => &[],
+        };
+        let inputs = self.inputs.iter().enumerate();
+        let inputs = inputs.flat_map(|(index, orders)| orders.iter().map(move |column| (index, column)));
+        let all = [(NameKind::Parameter, self.dimensions), (NameKind::Unknown, near)];
+        let all = all
+            .into_iter()
+            .flat_map(|(kind, columns)| {
+                columns
+                    .iter()
+                    .enumerate()
+                    .map(move |(index, column)| (kind, index, column))
+            })
+            .chain(inputs.map(|(index, column)| (NameKind::Input, index, column)));
+        for (kind, index, column) in all {
+            check_length(self.reactions.functions, kind, index, column.length(), count)?;
+        }
+        Ok(())
+    }
+
+    /// Solves the poses of a range.
+    fn solve_part(&self, range: Range<usize>, read: Read<'_>) {
+        let varies = self.dimensions.iter().any(|column| column.length().is_some());
+        let is_own = || self.parameters(range.start)[..] == self.reactions.parameters[..];
+        let reactions = if varies || range.is_empty() || is_own() {
+            Cow::Borrowed(self.reactions)
+        } else {
+            Cow::Owned(self.reactions.with_parameters(&self.parameters(range.start)))
+        };
+        let plan = self.first_plan(&reactions, range.clone(), varies);
+        let mut alone = Alone {
+            batch: self,
+            prepared: reactions.prepared(),
+            varies,
+        };
+        if let Some(traced) = plan {
+            return self.solve_traced(&traced, range, &mut alone, read);
+        }
+        for row in range {
+            alone.read(row, read);
+        }
+    }
+
+    /// Solves the poses of a range by a program.
+    fn solve_traced(&self, traced: &TracedPlan, range: Range<usize>, alone: &mut Alone<'_, '_>, read: Read<'_>) {
+        let stride = stride(BLOCK.min(range.len()));
+        let mut given = vec![0.0; traced.given.len() * stride];
+        let mut results = vec![0.0; traced.program.results() * stride];
+        let (mut kept, mut outcomes) = (vec![0.0; stride], vec![Outcome::Unsolved; stride]);
+        for block in range.clone().step_by(BLOCK) {
+            let rows = block..range.end.min(block + BLOCK);
+            let outcomes = &mut outcomes[..rows.len()];
+            self.give(traced, rows.clone(), stride, &mut given, outcomes);
+            self.vectors.run(ProgramRun {
+                program: &traced.program,
+                count: rows.len(),
+                stride,
+                given: &given,
+                results: &mut results,
+                kept: &mut kept,
+            });
+            let solution = TracedColumns {
+                traced,
+                results: &results,
+                stride,
+            };
+            for (pose, row) in rows.enumerate() {
+                if outcomes[pose].is_solved() && kept[pose].is_finite() {
+                    read(row, Ok(PoseReactions::of(&solution, pose)));
+                } else {
+                    alone.read(row, read);
+                }
+            }
+        }
+    }
+
+    /// Writes the numbers on which the program depends.
+    fn give(
+        &self,
+        traced: &TracedPlan,
+        rows: Range<usize>,
+        stride: usize,
+        given: &mut [f64],
+        outcomes: &mut [Outcome],
+    ) {
+        let mut wanted = Vec::new();
+        for (own, column) in traced.given.iter().zip(given.chunks_exact_mut(stride)) {
+            let column = &mut column[..rows.len()];
+            match *own {
+                Given::Dimension(index) => {
+                    for (number, row) in column.iter_mut().zip(rows.clone()) {
+                        *number = self.dimensions[index].at(row);
+                    }
+                }
+                Given::Motion(slot) => wanted.push((slot, column)),
+                Given::Drawn(..) => {}
+            }
+        }
+        let mut wanted = WantedColumns::new(wanted);
+        if self.motions_of(rows.clone(), &mut wanted, outcomes).is_err() {
+            // the lengths have been checked
+            outcomes.fill(Outcome::Failed);
+        }
+        drop(wanted);
+        if traced.plan.is_drawn() {
+            self.draw(traced, rows, stride, given);
+        }
+    }
+
+    /// Writes where the joints stand that no output tells, pose by pose.
+    fn draw(&self, traced: &TracedPlan, rows: Range<usize>, stride: usize, given: &mut [f64]) {
+        let reactions = self.reactions;
+        let mut quantities: Vec<MovingPose> = reactions.parameters.iter().copied().map(Series::constant).collect();
+        quantities.resize(traced.quantities, Series::ZERO);
+        for (pose, row) in rows.enumerate() {
+            for (own, column) in quantities.iter_mut().zip(self.dimensions) {
+                *own = Series::constant(column.at(row));
+            }
+            let mut columns = traced.given.iter().zip(given.chunks_exact(stride));
+            for quantity in &traced.moving {
+                let mut derivatives = [0.0; TERMS];
+                let own = columns.by_ref().filter(|(own, _)| matches!(own, Given::Motion(_)));
+                for (derivative, (_, column)) in derivatives.iter_mut().zip(own) {
+                    *derivative = column[pose];
+                }
+                quantities[*quantity] = Series::from_derivatives(derivatives);
+            }
+            traced.plan.draw(reactions, &quantities, &mut |index, place| {
+                let own = traced.given.iter().zip(given.chunks_exact_mut(stride));
+                for (own, column) in own {
+                    if let Given::Drawn(joint, axis, order) = *own
+                        && joint == index
+                    {
+                        let coordinate = [place.x, place.y, place.z][axis];
+                        column[pose] = coordinate.coefficients()[order];
+                    }
+                }
+            });
+        }
+    }
+
+    /// The plan by the first pose that has one.
+    fn first_plan(&self, reactions: &NamedReactions<'_>, rows: Range<usize>, varies: bool) -> Option<TracedPlan> {
+        let mut attempts = 0;
+        for row in rows {
+            match self.plan(reactions, row, varies) {
+                Ok(plan) => return plan,
+                // it does not close there
+                Err(ReactionError::Solve(_)) => {}
+                Err(_) => attempts += 1,
+            }
+            if attempts == ATTEMPTS {
+                break;
+            }
+        }
+        None
+    }
+
+    /// The plan by a pose; none if poses are solved one by one.
+    fn plan(
+        &self,
+        reactions: &NamedReactions<'_>,
+        row: usize,
+        varies: bool,
+    ) -> Result<Option<TracedPlan>, ReactionError> {
+        if reactions.has_friction() {
+            return Ok(None);
+        }
+        let own;
+        let reactions = if varies {
+            own = reactions.with_parameters(&self.parameters(row));
+            &own
+        } else {
+            reactions
+        };
+        let motions = self.motions(row);
+        let near = self.near(row);
+        let unknowns = reactions.unknowns_at(&motions, self.position(&near))?;
+        let place = reactions.place(&motions, &unknowns);
+        let plan = PosePlan::new(reactions, &place, varies)?;
+        let plan = plan.filter(|plan| !self.asks_for_direction(plan, row));
+        plan.map_or(Ok(None), |plan| self.traced(reactions, plan, &place, varies))
+    }
+
+    /// Whether a plan asks for the angle of a direction, of which a batch gives cosine and sine.
+    fn asks_for_direction(&self, plan: &PosePlan, row: usize) -> bool {
+        let mut sines = Vec::new();
+        for quantity in &plan.needed {
+            if let Some(Slot::Unknown(index, _)) = self.slot(*quantity, 0) {
+                sines.push((Slot::Sine(index), f64::NAN));
+            }
+        }
+        let wanted = sines
+            .iter_mut()
+            .map(|(slot, sine)| (*slot, core::slice::from_mut(sine)));
+        let mut wanted = WantedColumns::new(wanted.collect());
+        let solved = self.motions_of(row..row + 1, &mut wanted, &mut [Outcome::Unsolved]);
+        drop(wanted);
+        solved.is_err() || sines.iter().any(|(_, sine)| !sine.is_nan())
+    }
+
+    /// Finds the motions of a range of poses.
+    fn motions_of(
+        &self,
+        range: Range<usize>,
+        wanted: &mut WantedColumns<'_>,
+        outcomes: &mut [Outcome],
+    ) -> Result<(), LengthMismatch> {
+        let part = |columns: &[Column<'b>]| -> Vec<Column<'b>> {
+            columns.iter().map(|column| column.part(range.clone())).collect()
+        };
+        let parameters = if self.dimensions.is_empty() {
+            self.reactions.parameters.iter().copied().map(Column::Same).collect()
+        } else {
+            part(self.dimensions)
+        };
+        let inputs: Vec<Vec<Column<'_>>> = self.inputs.iter().map(|orders| part(orders)).collect();
+        let inputs: Vec<&[Column<'_>]> = inputs.iter().map(Vec::as_slice).collect();
+        let near;
+        let given = GivenColumns {
+            parameters: &parameters,
+            inputs: &inputs,
+            choice: match self.choice {
+                ColumnChoice::Near(columns) => {
+                    near = part(columns);
+                    ColumnChoice::Near(&near)
+                }
+                ColumnChoice::Assembly(index) => ColumnChoice::Assembly(index),
+            },
+        };
+        let functions = self.reactions.functions;
+        functions.solve_batch(given, wanted, outcomes, self.vectors).map(|_| ())
+    }
+
+    /// Where a batch writes a derivative of a quantity; none of a parameter.
+    fn slot(&self, quantity: usize, order: usize) -> Option<Slot> {
+        let description = self.reactions.functions.description();
+        let [inputs, unknowns] = [description.inputs.len(), description.unknowns.len()];
+        let index = quantity.checked_sub(description.parameters.len())?;
+        Some(if index < inputs {
+            Slot::Input(index, order)
+        } else if index < inputs + unknowns {
+            Slot::Unknown(index - inputs, order)
+        } else {
+            Slot::Output(index - inputs - unknowns, order)
+        })
+    }
+
+    fn parameters(&self, row: usize) -> Vec<f64> {
+        if self.dimensions.is_empty() {
+            return self.reactions.parameters.to_vec();
+        }
+        self.dimensions.iter().map(|column| column.at(row)).collect()
+    }
+
+    fn motions(&self, row: usize) -> Vec<Motion> {
+        let motion = |orders: &&[Column<'_>]| {
+            let order = |order: usize| orders.get(order).map_or(0.0, |column| column.at(row));
+            Motion::new(core::array::from_fn(order))
+        };
+        self.inputs.iter().map(motion).collect()
+    }
+
+    fn near(&self, row: usize) -> Vec<f64> {
+        match self.choice {
+            ColumnChoice::Near(columns) => columns.iter().map(|column| column.at(row)).collect(),
+            ColumnChoice::Assembly(_) => Vec::new(),
+        }
+    }
+
+    fn position<'n>(&self, near: &'n [f64]) -> PositionChoice<'n, f64> {
+        match self.choice {
+            ColumnChoice::Near(_) => PositionChoice::Near(near),
+            ColumnChoice::Assembly(index) => PositionChoice::Assembly(index),
+        }
+    }
+}
+
+/// Poses that are solved one by one.
+struct Alone<'a, 'b> {
+    batch: &'a ReactionBatch<'b>,
+    prepared: PreparedReactions<'a>,
+    /// Whether dimensions differ from pose to pose.
+    varies: bool,
+}
+
+impl Alone<'_, '_> {
+    #[cold]
+    #[inline(never)]
+    fn read(&mut self, row: usize, read: Read<'_>) {
+        let (motions, near) = (self.batch.motions(row), self.batch.near(row));
+        let position = self.batch.position(&near);
+        if self.varies {
+            let reactions = self.batch.reactions.with_parameters(&self.batch.parameters(row));
+            return read(row, reactions.prepared().alone(&motions, position));
+        }
+        read(row, self.prepared.at(&motions, position));
+    }
+}
+
+/// A number on which a program depends.
+#[derive(Clone, Copy, Debug)]
+enum Given {
+    Dimension(usize),
+    Motion(Slot),
+    /// A coordinate of a joint that is drawn, by its axis and its order.
+    Drawn(usize, usize, usize),
+}
+
+/// A plan with the program of what it does in a pose.
+struct TracedPlan {
+    plan: PosePlan,
+    program: Program,
+    given: Vec<Given>,
+    /// The quantities that move, in the order of what is given.
+    moving: Vec<usize>,
+    /// The number of quantities.
+    quantities: usize,
+    /// The forces, the moments and the efforts, one after the other, each with all orders.
+    forces: Vec<Place>,
+    reactions: usize,
+    drives: usize,
+}
+
+impl ReactionBatch<'_> {
+    /// The program of a plan; none if it does not fit the pose for which it was made.
+    fn traced(
+        &self,
+        reactions: &NamedReactions<'_>,
+        plan: PosePlan,
+        place: &ReactionPlace<'_>,
+        varies: bool,
+    ) -> Result<Option<TracedPlan>, ReactionError> {
+        let (mut given, mut moving) = (Vec::new(), Vec::new());
+        let mut quantities = 0;
+        let (is_solved, program, forces) = Program::of(|| {
+            let mut room = plan.room::<Traced>(reactions);
+            quantities = room.moved.quantities.len();
+            let mut add = |own: Given, value: f64| {
+                given.push(own);
+                Traced::given(given.len() - 1, value)
+            };
+            for quantity in &plan.needed {
+                let derivatives = plan.moved.quantities[*quantity].derivatives();
+                let own = &mut room.moved.quantities[*quantity];
+                if self.slot(*quantity, 0).is_some() {
+                    moving.push(*quantity);
+                    let mut traced = [Traced::constant(0.0); TERMS];
+                    for (order, traced) in traced.iter_mut().enumerate() {
+                        if let Some(slot) = self.slot(*quantity, order) {
+                            *traced = add(Given::Motion(slot), derivatives[order]);
+                        }
+                    }
+                    *own = SeriesOf::from_derivatives(traced);
+                } else if varies {
+                    let mut terms = [Traced::constant(0.0); TERMS];
+                    terms[0] = add(Given::Dimension(*quantity), derivatives[0]);
+                    *own = SeriesOf::from_coefficients(terms);
+                }
+            }
+            for index in plan.drawn() {
+                let Space { x, y, z } = plan.moved.places[index];
+                let [x, y, z] = [x, y, z].map(|part| part.coefficients());
+                let axes = if plan.moved.is_space { 3 } else { 2 };
+                let mut coordinates = [SeriesOf::constant(0.0); 3];
+                for (axis, own) in coordinates.iter_mut().enumerate().take(axes) {
+                    let mut terms = [Traced::constant(0.0); TERMS];
+                    for (order, term) in terms.iter_mut().enumerate() {
+                        *term = add(Given::Drawn(index, axis, order), [x, y, z][axis][order]);
+                    }
+                    *own = SeriesOf::from_coefficients(terms);
+                }
+                room.moved.places[index] = coordinates.into();
+            }
+            let is_solved = room.solve(&plan, reactions, &place.functions.outline());
+            (is_solved, all_of(&room.solution))
+        });
+        let plan = TracedPlan {
+            plan,
+            program,
+            given,
+            moving,
+            quantities,
+            forces,
+            reactions: reactions.connections.len(),
+            drives: reactions.driven.len(),
+        };
+        Ok(is_solved?.then_some(plan))
+    }
+}
+
+/// All numbers of a solution.
+fn all_of(solution: &Solution<ORDERS, Traced>) -> Vec<Traced> {
+    let vectors = solution
+        .forces
+        .iter()
+        .chain(&solution.moments)
+        .flat_map(|vector| vector.0);
+    let series = vectors.chain(solution.efforts.iter().copied());
+    let series = series.map(|own| own.unwrap_or(SeriesOf::constant(f64::NAN)));
+    series.flat_map(|own| own.coefficients()).collect()
+}
+
+/// The solutions of a block of poses.
+struct TracedColumns<'r> {
+    traced: &'r TracedPlan,
+    results: &'r [f64],
+    stride: usize,
+}
+
+impl TracedColumns<'_> {
+    /// A series by its index among all.
+    fn series(&self, index: usize, pose: usize) -> Option<Series<ORDERS>> {
+        let places = self.traced.forces.get(index * ORDERS..(index + 1) * ORDERS)?;
+        let mut terms = [0.0; ORDERS];
+        for (term, place) in terms.iter_mut().zip(places) {
+            *term = match *place {
+                Place::Same(value) => value,
+                Place::Column(column) => self.results[column * self.stride + pose],
+            };
+        }
+        Some(Series::from_coefficients(terms))
+    }
+
+    fn vector(&self, index: usize, pose: usize) -> Option<Space<Series<ORDERS>>> {
+        let part = |axis: usize| self.series(3 * index + axis, pose);
+        Some(Space::new(part(0)?, part(1)?, part(2)?))
+    }
+}
+
+impl PoseSolution for TracedColumns<'_> {
+    fn force(&self, index: usize, pose: usize) -> Option<Space<Series<ORDERS>>> {
+        (index < self.traced.reactions).then(|| self.vector(index, pose))?
+    }
+
+    fn moment(&self, index: usize, pose: usize) -> Option<Space<Series<ORDERS>>> {
+        let first = self.traced.reactions;
+        (index < first).then(|| self.vector(first + index, pose))?
+    }
+
+    fn effort(&self, input: usize, pose: usize) -> Option<Series<ORDERS>> {
+        let first = 6 * self.traced.reactions;
+        (input < self.traced.drives).then(|| self.series(first + input, pose))?
+    }
+}
