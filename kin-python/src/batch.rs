@@ -10,9 +10,9 @@ use kin_core::{Dimension, Number, SolveError};
 use numpy::{PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn};
 use pyo3::exceptions::{PyAttributeError, PyKeyError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyTuple};
+use pyo3::types::{PyDict, PyFloat, PyTuple};
 
-use crate::arguments::{Group, groups};
+use crate::arguments::{self, Group, Wanted, groups};
 use crate::arrays::array;
 use crate::choice::choice;
 use crate::fault;
@@ -130,15 +130,35 @@ struct Piece<'w> {
     outcomes: &'w mut [Outcome],
 }
 
-/// Solves a batch.
+/// Solves a batch. Dimensions are these numbers, or stand among the given arguments.
 pub(crate) fn solve<'py>(
     py: Python<'py>,
     declared: &Declared,
-    parameters: Vec<Bound<'py, PyAny>>,
-    inputs: Vec<Bound<'py, PyAny>>,
+    dimensions: Option<&[f64]>,
+    given: Option<&Bound<'py, PyDict>>,
     wishes: &Wishes<'_, 'py>,
 ) -> PyResult<Batch> {
     let description = declared.description();
+    let wanted = [
+        Wanted {
+            kind: "dimension",
+            quantities: description.parameters,
+        },
+        Wanted {
+            kind: "input",
+            quantities: description.inputs,
+        },
+    ];
+    let wanted = &wanted[usize::from(dimensions.is_some())..];
+    let mut values = arguments::values(given, wanted)?;
+    let inputs = values.pop().unwrap_or_default();
+    let parameters = match dimensions {
+        Some(numbers) => numbers
+            .iter()
+            .map(|number| PyFloat::new(py, *number).into_any())
+            .collect(),
+        None => values.pop().unwrap_or_default(),
+    };
     let choice = choice(declared, wishes.assembly, wishes.near)?;
     let orders = match wishes.order {
         Some(order) if order > description.order => {
@@ -151,11 +171,12 @@ pub(crate) fn solve<'py>(
     };
     let mut given: Vec<(Bound<'py, PyAny>, String)> = Vec::new();
     for (value, quantity) in parameters.into_iter().zip(description.parameters) {
+        let value = arguments::without_unit(&value, quantity, 0)?;
         given.push((value, quantity.name.to_owned()));
     }
     let mut counts = Vec::with_capacity(inputs.len());
     for (value, quantity) in inputs.into_iter().zip(description.inputs) {
-        let motion = motion(value, quantity, declared.orders())?;
+        let motion = motion(&value, quantity, declared.orders())?;
         counts.push(motion.len());
         given.extend(motion.into_iter().map(|value| (value, quantity.name.to_owned())));
     }
@@ -241,7 +262,7 @@ fn on_threads(
 }
 
 /// The numbers of an input: one for each order, each of which may be an array.
-fn motion<'py>(value: Bound<'py, PyAny>, quantity: &Quantity<'_>, orders: usize) -> PyResult<Vec<Bound<'py, PyAny>>> {
+fn motion<'py>(value: &Bound<'py, PyAny>, quantity: &Quantity<'_>, orders: usize) -> PyResult<Vec<Bound<'py, PyAny>>> {
     let name = quantity.name;
     let Ok(tuple) = value.cast::<PyTuple>() else {
         if value.is_instance_of::<pyo3::types::PyList>() {
@@ -250,7 +271,7 @@ fn motion<'py>(value: Bound<'py, PyAny>, quantity: &Quantity<'_>, orders: usize)
                  `{name}=(angles, 10.0)`, and `numpy.array([…])` for many positions"
             )));
         }
-        return Ok(vec![value]);
+        return Ok(vec![arguments::without_unit(value, quantity, 0)?]);
     };
     let count = tuple.len();
     if count == 0 || count > orders {
@@ -259,7 +280,10 @@ fn motion<'py>(value: Bound<'py, PyAny>, quantity: &Quantity<'_>, orders: usize)
             orders - 1
         )));
     }
-    Ok(tuple.iter().collect())
+    let rates = tuple.iter().enumerate();
+    rates
+        .map(|(order, value)| arguments::without_unit(&value, quantity, order))
+        .collect()
 }
 
 /// The numbers of unknowns and outputs, for each group and order a part of memory, with the coordinates of a point one
