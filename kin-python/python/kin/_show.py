@@ -78,7 +78,8 @@ def mechanism_as_html(mechanism: Mechanism) -> str:
         "assemblies": tuple(filter(None, mechanism.assemblies)),
     }
     rows = [(kind, ", ".join(of_kind)) for kind, of_kind in names.items() if of_kind]
-    return _title(mechanism.name) + mechanism.mathml + _table((), rows)
+    equations = f'<div style="width: fit-content">{mechanism.mathml}</div>'
+    return _title(mechanism.name) + equations + _table((), rows)
 
 
 def linkage_as_html(linkage: Linkage) -> str | None:
