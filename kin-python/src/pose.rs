@@ -205,6 +205,23 @@ impl Pose {
         Ok(all)
     }
 
+    /// How strongly each unknown depends on rounding: by so many ε, in radians or in its unit, it may be wrong if every
+    /// number it is found from is rounded. It grows beyond all bounds towards a limit.
+    ///
+    /// >>> import kin
+    /// >>> linkage = kin.library.four_bar(r1=90, r2=30, r3=60, r4=45)
+    /// >>> [linkage.solve(theta2=angle, assembly="open").conditions()["theta4"] > 100 for angle in (1.0, 1.955)]
+    /// [False, True]
+    fn conditions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let all = PyDict::new(py);
+        let conditions = self.linkage.any().conditions(&self.positions(0), &self.positions(1));
+        let unknowns = self.linkage.declared.description().unknowns;
+        for (quantity, condition) in unknowns.iter().zip(conditions) {
+            all.set_item(quantity.name, condition)?;
+        }
+        Ok(all)
+    }
+
     /// The pose to which the linkage moves from here, as its inputs go along a straight line to these: it is followed
     /// without a jump, whatever assembly that is. Inputs are given as for `kin.Linkage.solve`.
     ///
