@@ -346,7 +346,7 @@ impl Sweep {
     /// `sweep.of_reaction(loads, "pin")`; without any, the unknowns. Angles are in degrees.
     ///
     /// `length`, `time` and `force` name the units; forces are in newtons by themselves where lengths are in "m". The
-    /// result is the `Axes`, or an array of them; `ax` gives others to draw in.
+    /// result is the `Axes`, or an array of them; `ax` gives others, one for all quantities or one for each.
     #[pyo3(signature = (*quantities, **options))]
     fn plot<'py>(
         slf: &Bound<'py, Self>,

@@ -127,7 +127,8 @@ def test_the_library_has_every_mechanism():
 
 def test_what_quantities_measure():
     mechanism = kin.Mechanism(CRANK)
-    assert [mechanism.measure_of(name) for name in ("theta", "phi", "s", "pin.x")] == ["angle", "angle", "length", "length"]
+    measures = [mechanism.measure_of(name) for name in ("theta", "phi", "s", "pin.x")]
+    assert measures == ["angle", "angle", "length", "length"]
     for wrong in ("pin", "s_jerk", "r"):
         with pytest.raises(KeyError, match=f"no quantity is called `{wrong}`"):
             mechanism.measure_of(wrong)

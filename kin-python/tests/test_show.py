@@ -112,8 +112,11 @@ def test_plots_of_one_quantity(turn):
     assert len(axis.lines) == 1
     assert turn.of("theta3").plot(ax=axis) is axis and len(axis.lines) == 2
     assert turn.of_transmission_angle().plot().get_ylabel() == "transmission angle [deg]"
+    both = pyplot.figure().subplots()
+    assert turn.plot("theta3", "theta4.jerk", ax=both) is both
+    assert [text.get_text() for text in both.get_legend().get_texts()] == ["theta3 [deg]", "theta4_jerk [deg/s³]"]
     with pytest.raises(ValueError, match="there are 2 quantities and 1 axes"):
-        turn.plot("theta3", "theta4", ax=axis)
+        turn.plot("theta3", "theta4", ax=[axis])
     with pytest.raises(kin.AnswerError, match="theta5"):
         turn.plot("theta5")
 
@@ -131,6 +134,6 @@ def test_plots_of_forces():
 
 
 def test_matplotlib_is_imported_late():
-    program = "import sys, kin; kin.library.four_bar(r1=9, r2=3, r3=7, r4=6).cycle(); print('matplotlib' in sys.modules)"
+    program = "import sys, kin; kin.library.example('four_bar')[0].cycle(); print('matplotlib' in sys.modules)"
     printed = subprocess.run([sys.executable, "-c", program], check=True, capture_output=True, text=True)
     assert printed.stdout.strip() == "False"

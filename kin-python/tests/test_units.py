@@ -28,9 +28,8 @@ def test_angles_and_speeds():
 
 def test_arrays():
     angles = np.linspace(0, 360, 50)
-    batch = CRANK.solve_batch(
-        r=unit.Quantity([[50.0], [100.0]], "mm"), l=0.3, theta=(unit.Quantity(angles, "deg"), 3 * unit.rpm), assembly="open"
-    )
+    cranks, motion = unit.Quantity([[50.0], [100.0]], "mm"), (unit.Quantity(angles, "deg"), 3 * unit.rpm)
+    batch = CRANK.solve_batch(r=cranks, l=0.3, theta=motion, assembly="open")
     plain = CRANK.solve_batch(r=[[0.05], [0.1]], l=0.3, theta=(kin.deg(angles), kin.rpm(3)), assembly="open")
     assert np.allclose(batch.s.snap, plain.s.snap, rtol=1e-12)
 

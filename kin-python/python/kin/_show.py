@@ -183,15 +183,19 @@ def plot(
         size = 6.4, 1.0 + 2.4 * len(columns)
         _, ax = pyplot.subplots(len(columns), sharex=True, figsize=size, layout="constrained")
     variable = _scale(_measure(sweep), length=length, time=time)
-    axes = np.atleast_1d(ax)
+    together = len(columns) > 1 and not np.iterable(ax)
+    axes = [ax] * len(columns) if together else np.atleast_1d(ax)
     if len(axes) != len(columns):
-        raise ValueError(f"there are {len(columns)} quantities and {len(axes)} axes: give one for each")
+        raise ValueError(f"there are {len(columns)} quantities and {len(axes)} axes: give one for all or one for each")
     for axis, quantity in zip(axes, columns, strict=True):
         scale = _scale(quantity.measure, quantity.order, length=length, time=time, force=force)
-        axis.plot(sweep.at * variable.factor, quantity.column() * scale.factor)
-        axis.set_ylabel(scale.label(quantity.name))
+        label = scale.label(quantity.name)
+        axis.plot(sweep.at * variable.factor, quantity.column() * scale.factor, label=label)
+        axis.set_ylabel("" if together else label)
         axis.grid(True, alpha=0.3)
         if variable.unit == "deg":
             axis.xaxis.set_major_locator(MaxNLocator(9, steps=[1, 3, 4.5, 6, 9, 10]))
+    if together:
+        ax.legend()
     axes[-1].set_xlabel(variable.label(sweep.variable))
     return ax
