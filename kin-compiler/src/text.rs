@@ -436,7 +436,10 @@ mod tests {
         mistake.message = "`a: b; c` stands here; write `a`: it is shorter".to_owned();
         assert_eq!(
             parts(&mistake),
-            ("`a: b; c` stands here".to_owned(), Some("write `a`: it is shorter".to_owned()))
+            (
+                "`a: b; c` stands here".to_owned(),
+                Some("write `a`: it is shorter".to_owned())
+            )
         );
         mistake.message = "comments begin with `//`".to_owned();
         assert_eq!(parts(&mistake), ("comments begin with `//`".to_owned(), None));
