@@ -88,6 +88,35 @@ pub struct Mistake {
     pub bytes: Range<usize>,
 }
 
+impl Mistake {
+    /// What is wrong: the message up to the first colon or semicolon outside of code.
+    #[must_use]
+    pub fn fault(&self) -> &str {
+        self.parts().0
+    }
+
+    /// What to do about it, the rest of the message; `None` where the fault alone says it, or belongs to another
+    /// mistake.
+    #[must_use]
+    pub fn advice(&self) -> Option<&str> {
+        self.parts().1
+    }
+
+    fn parts(&self) -> (&str, Option<&str>) {
+        let mut is_code = false;
+        for (index, letter) in self.message.char_indices() {
+            is_code ^= letter == '`';
+            let (fault, rest) = self.message.split_at(index);
+            if let Some(advice) = rest.strip_prefix(": ").or(rest.strip_prefix("; "))
+                && !is_code
+            {
+                return (fault, Some(advice));
+            }
+        }
+        (&self.message, None)
+    }
+}
+
 /// A position in a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Position {
@@ -412,6 +441,28 @@ mod tests {
                     .expect_err("`Lenght` is no dimension");
             assert_eq!(mistakes[0].bytes, 18..24, "{mistakes:?}");
         }
+    }
+
+    /// Code has colons of its own.
+    #[test]
+    fn advice_follows_the_fault() {
+        let text = "struct Crank { r: Lenght } input theta: Angle; unknown x: Length; x == r;";
+        let mistakes = Declaration::parse(text).expect_err("`Lenght` is no dimension");
+        let parts = |mistake: &super::Mistake| (mistake.fault().to_owned(), mistake.advice().map(str::to_owned));
+        let (fault, advice) = parts(&mistakes[0]);
+        assert_eq!(fault, "`Lenght` is not a dimension");
+        assert!(advice.is_some_and(|advice| advice.starts_with("write `Length`")));
+        let mut mistake = mistakes[0].clone();
+        mistake.message = "`a: b; c` stands here; write `a`: it is shorter".to_owned();
+        assert_eq!(
+            parts(&mistake),
+            (
+                "`a: b; c` stands here".to_owned(),
+                Some("write `a`: it is shorter".to_owned())
+            )
+        );
+        mistake.message = "comments begin with `//`".to_owned();
+        assert_eq!(parts(&mistake), ("comments begin with `//`".to_owned(), None));
     }
 
     /// A budget ends the work soon after it is spent, wherever that happens, and the work that was counted is enough.

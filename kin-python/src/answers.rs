@@ -3,6 +3,7 @@
 use kin_core::extremes::{Extreme, ExtremeKind, Peak};
 use pyo3::call::PyCallArgs;
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
 /// A tuple of a class.
 pub(crate) fn answer<'py>(py: Python<'py>, class: &str, fields: impl PyCallArgs<'py>) -> PyResult<Bound<'py, PyAny>> {
@@ -29,4 +30,14 @@ fn kind(kind: ExtremeKind) -> &'static str {
         ExtremeKind::End => "end",
         ExtremeKind::Unbounded => "unbounded",
     }
+}
+
+/// What a function of `kin._show` makes of arguments: how a notebook shows them.
+pub(crate) fn shown<'py>(
+    py: Python<'py>,
+    function: &str,
+    arguments: impl PyCallArgs<'py>,
+    options: Option<&Bound<'py, PyDict>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    py.import("kin._show")?.getattr(function)?.call(arguments, options)
 }

@@ -1,9 +1,12 @@
 //! Keyword arguments: values for quantities by their names.
 
-use kin_core::any::Quantity;
+use std::borrow::Cow;
+
+use kin_core::any::{Description, Quantity};
+use kin_core::{Dimension, RATES};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyFloat};
 
 /// Scalar quantities that have one name: a point `p`, whose coordinates are `p.x` and `p.y`, or a number.
 pub(crate) struct Group<'d> {
@@ -127,18 +130,69 @@ fn coordinates<'py>(point: &Bound<'py, PyAny>, group: &Group<'_>) -> PyResult<Ve
 }
 
 /// A number.
-pub(crate) fn number(value: &Bound<'_, PyAny>, name: &str) -> PyResult<f64> {
+pub(crate) fn number(value: &Bound<'_, PyAny>, quantity: &Quantity<'_>) -> PyResult<f64> {
+    rate(value, quantity, 0)
+}
+
+/// A derivative of a quantity with respect to time; the quantity itself has the order 0.
+pub(crate) fn rate(value: &Bound<'_, PyAny>, quantity: &Quantity<'_>, order: usize) -> PyResult<f64> {
+    let value = without_unit(value, quantity, order)?;
     value.extract::<f64>().map_err(|error| {
         let py = value.py();
-        PyTypeError::new_err(format!("`{name}`: {}", error.value(py)))
+        PyTypeError::new_err(format!("`{}`: {}", quantity.name, error.value(py)))
     })
 }
 
+/// A quantity of pint in radians, metres and seconds; any other value as it is.
+pub(crate) fn without_unit<'py>(
+    value: &Bound<'py, PyAny>,
+    quantity: &Quantity<'_>,
+    order: usize,
+) -> PyResult<Bound<'py, PyAny>> {
+    if value.is_instance_of::<PyFloat>() || !value.hasattr("to_base_units")? {
+        return Ok(value.clone());
+    }
+    let base = value.call_method0("to_base_units")?;
+    let length = u8::from(quantity.dimension == Dimension::Length);
+    let time = -i32::try_from(order).unwrap_or(i32::MAX);
+    let expected = [("[length]", f64::from(length)), ("[time]", f64::from(time))];
+    let powers = base.getattr("dimensionality")?;
+    let mut is_expected = true;
+    for power in powers.call_method0("items")?.try_iter()? {
+        let (name, power): (String, f64) = power?.extract()?;
+        is_expected &= expected.contains(&(name.as_str(), power));
+    }
+    for (name, power) in expected {
+        is_expected &= power == 0.0 || powers.contains(name)?;
+    }
+    if is_expected {
+        return base.getattr("magnitude");
+    }
+    let rates = [
+        "",
+        " by time",
+        " by time squared",
+        " by time to the third",
+        " by time to the fourth",
+    ];
+    Err(PyTypeError::new_err(format!(
+        "`{}` is {value}: give {}{}",
+        quantity.name,
+        match quantity.dimension {
+            Dimension::Length => "a length",
+            Dimension::Angle => "an angle",
+            Dimension::Scalar => "a number",
+        },
+        rates.get(order).unwrap_or(&"")
+    )))
+}
+
 /// The position of an input with its derivatives by time, those that are missing as zero.
-pub(crate) fn motion(value: &Bound<'_, PyAny>, name: &str, orders: usize) -> PyResult<Vec<f64>> {
+pub(crate) fn motion(value: &Bound<'_, PyAny>, quantity: &Quantity<'_>, orders: usize) -> PyResult<Vec<f64>> {
+    let name = quantity.name;
     let Ok(count) = value.len() else {
         let mut motion = vec![0.0; orders];
-        motion[0] = number(value, name)?;
+        motion[0] = number(value, quantity)?;
         return Ok(motion);
     };
     if count == 0 || count > orders {
@@ -148,8 +202,28 @@ pub(crate) fn motion(value: &Bound<'_, PyAny>, name: &str, orders: usize) -> PyR
         )));
     }
     let mut motion = (0..count)
-        .map(|order| number(&value.get_item(order)?, name))
+        .map(|order| rate(&value.get_item(order)?, quantity, order))
         .collect::<PyResult<Vec<f64>>>()?;
     motion.resize(orders, 0.0);
     Ok(motion)
+}
+
+/// The values of the inputs alone: see `values`.
+pub(crate) fn inputs<'py>(
+    given: Option<&Bound<'py, PyDict>>,
+    description: &Description<'_>,
+) -> PyResult<Vec<Bound<'py, PyAny>>> {
+    let wanted = Wanted {
+        kind: "input",
+        quantities: description.inputs,
+    };
+    Ok(values(given, &[wanted])?.pop().unwrap_or_default())
+}
+
+/// The name of a quantity as in the columns of tables, `theta4_jerk`, which may be written as `theta4.jerk`.
+pub(crate) fn column_name(name: &str) -> Cow<'_, str> {
+    match name.rsplit_once('.') {
+        Some((quantity, rate)) if RATES.contains(&rate) => format!("{quantity}_{rate}").into(),
+        _ => name.into(),
+    }
 }

@@ -7,12 +7,12 @@ use std::thread;
 use kin_core::any::{AssemblyChoice, Quantity};
 use kin_core::batch::{AnyBatch, Column, ColumnChoice, GivenColumns, Outcome, Slot, Vectors, WantedColumns};
 use kin_core::{Dimension, Number, SolveError};
-use numpy::{PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn};
+use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn};
 use pyo3::exceptions::{PyAttributeError, PyKeyError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyTuple};
+use pyo3::types::{PyDict, PyFloat, PyTuple};
 
-use crate::arguments::{Group, groups};
+use crate::arguments::{self, Group, Wanted, groups};
 use crate::arrays::array;
 use crate::choice::choice;
 use crate::fault;
@@ -130,15 +130,35 @@ struct Piece<'w> {
     outcomes: &'w mut [Outcome],
 }
 
-/// Solves a batch.
+/// Solves a batch. Dimensions are these numbers, or stand among the given arguments.
 pub(crate) fn solve<'py>(
     py: Python<'py>,
     declared: &Declared,
-    parameters: Vec<Bound<'py, PyAny>>,
-    inputs: Vec<Bound<'py, PyAny>>,
+    dimensions: Option<&[f64]>,
+    given: Option<&Bound<'py, PyDict>>,
     wishes: &Wishes<'_, 'py>,
 ) -> PyResult<Batch> {
     let description = declared.description();
+    let wanted = [
+        Wanted {
+            kind: "dimension",
+            quantities: description.parameters,
+        },
+        Wanted {
+            kind: "input",
+            quantities: description.inputs,
+        },
+    ];
+    let wanted = &wanted[usize::from(dimensions.is_some())..];
+    let mut values = arguments::values(given, wanted)?;
+    let inputs = values.pop().unwrap_or_default();
+    let parameters = match dimensions {
+        Some(numbers) => numbers
+            .iter()
+            .map(|number| PyFloat::new(py, *number).into_any())
+            .collect(),
+        None => values.pop().unwrap_or_default(),
+    };
     let choice = choice(declared, wishes.assembly, wishes.near)?;
     let orders = match wishes.order {
         Some(order) if order > description.order => {
@@ -151,11 +171,12 @@ pub(crate) fn solve<'py>(
     };
     let mut given: Vec<(Bound<'py, PyAny>, String)> = Vec::new();
     for (value, quantity) in parameters.into_iter().zip(description.parameters) {
+        let value = arguments::without_unit(&value, quantity, 0)?;
         given.push((value, quantity.name.to_owned()));
     }
     let mut counts = Vec::with_capacity(inputs.len());
     for (value, quantity) in inputs.into_iter().zip(description.inputs) {
-        let motion = motion(value, quantity, declared.orders())?;
+        let motion = motion(&value, quantity, declared.orders())?;
         counts.push(motion.len());
         given.extend(motion.into_iter().map(|value| (value, quantity.name.to_owned())));
     }
@@ -164,9 +185,15 @@ pub(crate) fn solve<'py>(
     let (parameters, motions) = values.split_at(description.parameters.len());
 
     let kinds = [description.unknowns, description.outputs];
-    let mut columns = Columns::new(kinds, orders, count);
+    let arrays = Arrays::new(py, kinds, orders, count)?;
+    let mut guards: Vec<_> = arrays.numbers.iter().map(PyArrayMethods::readwrite).collect();
+    let numbers = guards.iter_mut().map(|guard| guard.as_slice_mut());
+    let mut columns = Columns::new(&arrays, numbers.collect::<Result<_, _>>()?);
     let mut outcomes = vec![Outcome::Unsolved; count];
     let threads = threads(wishes.threads);
+    let unknowns = description.unknowns.iter().enumerate();
+    let angles = unknowns.filter(|(_, quantity)| quantity.dimension == Dimension::Angle);
+    let angles: Vec<usize> = angles.map(|(index, _)| index).collect();
     let first_failure = py.detach(|| {
         let pieces = columns.pieces(&mut outcomes);
         let solve = |piece: Piece<'_>| {
@@ -195,18 +222,26 @@ pub(crate) fn solve<'py>(
                     AssemblyChoice::Near(_) => ColumnChoice::Near(&near),
                 },
             };
-            let wanted = &mut WantedColumns::new(piece.wanted);
+            let mut sines = vec![NO_SINE; angles.len() * length];
+            let mut wanted = piece.wanted;
+            let columns = wanted.iter_mut().map(|(slot, numbers)| (*slot, &mut **numbers));
+            let of_sines = angles.iter().zip(sines.chunks_exact_mut(length));
+            let of_sines = of_sines.map(|(unknown, sines)| (Slot::Sine(*unknown), sines));
+            let all = &mut WantedColumns::new(columns.chain(of_sines).collect());
             let solved = declared
                 .mechanism
-                .solve_batch(given, wanted, piece.outcomes, Vectors::widest());
+                .solve_batch(given, all, piece.outcomes, Vectors::widest());
+            for (unknown, sines) in angles.iter().zip(sines.chunks_exact(length)) {
+                turn(&mut wanted, *unknown, sines);
+            }
             let summary = solved.unwrap_or_else(|_| unreachable!("all columns have the length of the piece"));
             summary.first_failure.map(|(index, error)| (piece.from + index, error))
         };
-        let found = on_threads(pieces, threads, solve);
-        columns.finish();
-        found
+        on_threads(pieces, threads, solve)
     });
-    columns.batch(py, declared, shape, &outcomes, first_failure)
+    drop(columns);
+    drop(guards);
+    arrays.batch(py, declared, shape, &outcomes, first_failure)
 }
 
 fn threads(wished: Option<usize>) -> usize {
@@ -241,7 +276,7 @@ fn on_threads(
 }
 
 /// The numbers of an input: one for each order, each of which may be an array.
-fn motion<'py>(value: Bound<'py, PyAny>, quantity: &Quantity<'_>, orders: usize) -> PyResult<Vec<Bound<'py, PyAny>>> {
+fn motion<'py>(value: &Bound<'py, PyAny>, quantity: &Quantity<'_>, orders: usize) -> PyResult<Vec<Bound<'py, PyAny>>> {
     let name = quantity.name;
     let Ok(tuple) = value.cast::<PyTuple>() else {
         if value.is_instance_of::<pyo3::types::PyList>() {
@@ -250,7 +285,7 @@ fn motion<'py>(value: Bound<'py, PyAny>, quantity: &Quantity<'_>, orders: usize)
                  `{name}=(angles, 10.0)`, and `numpy.array([…])` for many positions"
             )));
         }
-        return Ok(vec![value]);
+        return Ok(vec![arguments::without_unit(value, quantity, 0)?]);
     };
     let count = tuple.len();
     if count == 0 || count > orders {
@@ -259,39 +294,56 @@ fn motion<'py>(value: Bound<'py, PyAny>, quantity: &Quantity<'_>, orders: usize)
             orders - 1
         )));
     }
-    Ok(tuple.iter().collect())
+    let rates = tuple.iter().enumerate();
+    rates
+        .map(|(order, value)| arguments::without_unit(&value, quantity, order))
+        .collect()
 }
 
-/// The numbers of unknowns and outputs, for each group and order a part of memory, with the coordinates of a point one
-/// after the other.
-struct Columns<'d> {
+/// The arrays of unknowns and outputs, for each group and order one, with the coordinates of a point one after the
+/// other. NumPy allocates them, because it asks for large pages, whose first use takes a tenth of the time.
+struct Arrays<'d, 'py> {
     kinds: [&'d [Quantity<'d>]; 2],
     groups: Vec<(Group<'d>, bool)>,
     orders: usize,
     count: usize,
-    numbers: Vec<Vec<f64>>,
-    /// The sines of unknowns that are directions.
-    sines: Vec<Vec<f64>>,
+    numbers: Vec<Bound<'py, PyArray1<f64>>>,
 }
 
-impl<'d> Columns<'d> {
-    fn new(kinds: [&'d [Quantity<'d>]; 2], orders: usize, count: usize) -> Self {
+impl<'d, 'py> Arrays<'d, 'py> {
+    fn new(py: Python<'py>, kinds: [&'d [Quantity<'d>]; 2], orders: usize, count: usize) -> PyResult<Self> {
         let of = |kind: usize| groups(kinds[kind]).into_iter().map(move |group| (group, kind == 1));
         let groups: Vec<_> = of(0).chain(of(1)).collect();
+        let empty = py.import("numpy")?.getattr("empty")?;
         let numbers = groups
             .iter()
-            .flat_map(|(group, _)| (0..orders).map(|_| vec![0.0; group.coordinates * count]));
-        let sine = |quantity: &Quantity<'_>| match quantity.dimension {
-            Dimension::Angle => vec![NO_SINE; count],
-            _ => Vec::new(),
-        };
-        Self {
+            .flat_map(|(group, _)| (0..orders).map(|_| group.coordinates * count))
+            .map(|length| Ok(empty.call1((length,))?.cast_into::<PyArray1<f64>>()?));
+        Ok(Self {
             kinds,
             orders,
             count,
-            numbers: numbers.collect(),
-            sines: kinds[0].iter().map(sine).collect(),
+            numbers: numbers.collect::<PyResult<_>>()?,
             groups,
+        })
+    }
+}
+
+/// The memory of the arrays.
+struct Columns<'d, 'a> {
+    groups: &'a [(Group<'d>, bool)],
+    orders: usize,
+    count: usize,
+    numbers: Vec<&'a mut [f64]>,
+}
+
+impl<'d, 'a> Columns<'d, 'a> {
+    fn new(arrays: &'a Arrays<'d, '_>, numbers: Vec<&'a mut [f64]>) -> Self {
+        Self {
+            groups: &arrays.groups,
+            orders: arrays.orders,
+            count: arrays.count,
+            numbers,
         }
     }
 
@@ -312,8 +364,6 @@ impl<'d> Columns<'d> {
                 rest.push((slot, numbers));
             }
         }
-        let sines = self.sines.iter_mut().enumerate().filter(|(_, sine)| !sine.is_empty());
-        rest.extend(sines.map(|(unknown, sine)| (Slot::Sine(unknown), sine.as_mut_slice())));
 
         let (mut outcomes, mut from, mut pieces) = (outcomes, 0, Vec::new());
         while !outcomes.is_empty() {
@@ -337,23 +387,25 @@ impl<'d> Columns<'d> {
         }
         pieces
     }
+}
 
-    /// Makes angles of directions, which a batch stores as cosines and sines.
-    fn finish(&mut self) {
-        for (unknown, sines) in std::mem::take(&mut self.sines).into_iter().enumerate() {
-            if sines.first().is_none_or(|sine| *sine == NO_SINE) {
-                continue;
-            }
-            // every unknown is a group of its own
-            for (angle, sine) in self.numbers[unknown * self.orders].iter_mut().zip(sines) {
-                *angle = Number::atan2(sine, *angle);
-            }
+/// Makes angles of an unknown that is a direction, of which a batch stores the cosines and sines.
+fn turn(columns: &mut [(Slot, &mut [f64])], unknown: usize, sines: &[f64]) {
+    if sines.first().is_none_or(|sine| *sine == NO_SINE) {
+        return;
+    }
+    let is_meant = |slot: &Slot| matches!(slot, Slot::Unknown(index, 0) if *index == unknown);
+    for (_, cosines) in columns.iter_mut().filter(|(slot, _)| is_meant(slot)) {
+        for (angle, sine) in cosines.iter_mut().zip(sines) {
+            *angle = Number::atan2(*sine, *angle);
         }
     }
+}
 
+impl<'py> Arrays<'_, 'py> {
     fn batch(
         self,
-        py: Python<'_>,
+        py: Python<'py>,
         declared: &Declared,
         shape: Vec<usize>,
         outcomes: &[Outcome],
@@ -370,7 +422,7 @@ impl<'d> Columns<'d> {
             let orders = numbers
                 .by_ref()
                 .take(self.orders)
-                .map(|order| Ok(array(py, order, &whole)?.unbind()));
+                .map(|order| Ok(order.reshape(whole.clone())?.into_any().unbind()));
             let orders = orders.collect::<PyResult<Vec<_>>>()?;
             let dimension = find(&self.kinds, group.name).map_or(Dimension::Scalar, |(_, _, dimension)| dimension);
             let motion = Motion::new(group, unit(dimension), orders);

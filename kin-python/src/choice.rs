@@ -102,6 +102,6 @@ fn values_near(declared: &Declared, near: &Bound<'_, PyAny>) -> PyResult<Vec<f64
     };
     let values = values.iter().zip(unknowns);
     values
-        .map(|(value, unknown)| arguments::number(value, unknown.name))
+        .map(|(value, unknown)| arguments::number(value, unknown))
         .collect()
 }

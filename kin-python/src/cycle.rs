@@ -1,19 +1,31 @@
 //! All circuits and branches of a linkage.
 
-use kin_core::SolveError;
+use std::sync::Arc;
+
 use kin_core::any::{AssemblyChoice, Described};
-use kin_core::cycle::{CircuitPeak, CycleData, MeasureError};
-use kin_core::linkage::AnyCycle;
+use kin_core::cycle::{CircuitPeak, MeasureError};
+use kin_core::linkage::{AnyCycle, AnyLinkage};
 use pyo3::exceptions::{PyIndexError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
+use self_cell::self_cell;
 
-use crate::answers::answer;
-use crate::arguments::number;
+use crate::answers::{answer, shown};
+use crate::arguments::{column_name, number};
 use crate::fault;
 use crate::linkage::Linkage;
+use crate::mechanism::Declared;
 use crate::pose::Pose;
 use crate::sweep::input_index;
+
+self_cell! {
+    /// A cycle with the mechanism that it borrows from.
+    struct Searched {
+        owner: Arc<Declared>,
+        #[covariant]
+        dependent: AnyCycle,
+    }
+}
 
 /// All circuits and branches of a linkage over one input: where it closes, in which assemblies, and where these meet.
 /// `kin.Linkage.cycle` makes it.
@@ -30,7 +42,7 @@ pub(crate) struct Cycle {
     /// The inputs where the line begins, and the one that moves.
     start: Vec<f64>,
     moving: usize,
-    data: CycleData,
+    searched: Searched,
 }
 
 impl Cycle {
@@ -50,7 +62,7 @@ impl Cycle {
                 Some(_) if index == moving => {
                     return Err(PyTypeError::new_err(format!("`{name}` moves: leave out its value")));
                 }
-                Some(value) => start.push(number(&value, name)?),
+                Some(value) => start.push(number(&value, quantity)?),
                 None if index == moving => start.push(0.0),
                 None => return Err(PyTypeError::new_err(format!("missing: input `{name}`"))),
             }
@@ -58,26 +70,34 @@ impl Cycle {
         if inputs.map_or(0, PyDictMethods::len) + 1 > quantities.len() {
             return Err(PyTypeError::new_err(format!("inputs are {}", names())));
         }
-        let found = py.detach(|| Ok(CycleData::clone(&*searched(&linkage, &start, moving)?)));
-        let data = found.map_err(|error: SolveError| fault::of_solver(py, &linkage.declared.mechanism, &error))?;
+        let searched = py.detach(|| {
+            Searched::try_new(Arc::clone(&linkage.declared), |declared| {
+                let direction: Vec<f64> = (0..start.len())
+                    .map(|input| f64::from(u8::from(input == moving)))
+                    .collect();
+                AnyLinkage::new(&declared.mechanism, &linkage.parameters).cycle_along(&start, &direction)
+            })
+        });
+        let searched = searched.map_err(|error| fault::of_solver(py, &linkage.declared.mechanism, &error))?;
         Ok(Self {
             linkage,
             start,
             moving,
-            data,
+            searched,
         })
     }
 
-    /// Asks the cycle. It borrows from the mechanism, so it is found again for each question, which takes less than the
-    /// question itself.
+    fn found(&self) -> &AnyCycle<'_> {
+        self.searched.borrow_dependent()
+    }
+
     fn ask<T: Send>(
         &self,
         py: Python<'_>,
         question: impl FnOnce(&AnyCycle<'_>) -> Result<T, MeasureError> + Send,
     ) -> PyResult<T> {
-        let found = py.detach(|| searched(&self.linkage, &self.start, self.moving).map(|cycle| question(&cycle)));
-        let found = found.map_err(|error| fault::of_solver(py, &self.linkage.declared.mechanism, &error))?;
-        found.map_err(|error| self.refused(py, &error))
+        let found = self.found();
+        py.detach(|| question(found)).map_err(|error| self.refused(py, &error))
     }
 
     fn refused(&self, py: Python<'_>, error: &MeasureError) -> PyErr {
@@ -88,13 +108,6 @@ impl Cycle {
             error => fault::of_answer(py, mechanism, error, None),
         }
     }
-}
-
-fn searched<'l>(linkage: &'l Linkage, start: &[f64], moving: usize) -> Result<AnyCycle<'l>, SolveError> {
-    let direction: Vec<f64> = (0..start.len())
-        .map(|input| f64::from(u8::from(input == moving)))
-        .collect();
-    linkage.any().cycle_along(start, &direction)
 }
 
 fn peak<'py>(py: Python<'py>, peak: &CircuitPeak) -> PyResult<Bound<'py, PyAny>> {
@@ -118,7 +131,7 @@ impl Cycle {
     /// The circuits: a tuple of `kin.Circuit`.
     #[getter]
     fn circuits<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
-        let all = self.data.circuits().iter().map(|circuit| {
+        let all = self.found().circuits().iter().map(|circuit| {
             let branches = PyTuple::new(py, circuit.branches())?;
             answer(
                 py,
@@ -133,7 +146,7 @@ impl Cycle {
     #[getter]
     fn branches<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
         let name = |index| self.linkage.declared.mechanism.assembly_name(index);
-        let all = self.data.branches().iter().map(|branch| {
+        let all = self.found().branches().iter().map(|branch| {
             let range = branch.range();
             let range = (*range.start(), *range.end());
             let assembly = branch.assembly().and_then(name);
@@ -149,26 +162,29 @@ impl Cycle {
     /// Whether it is proved that there is no other branch.
     #[getter]
     fn is_complete(&self) -> bool {
-        self.data.is_complete()
+        self.found().is_complete()
     }
 
     /// The largest and the smallest value of a quantity along a circuit: a `kin.Stroke`.
     #[pyo3(signature = (name, circuit=0))]
     fn stroke<'py>(&self, py: Python<'py>, name: &str, circuit: usize) -> PyResult<Bound<'py, PyAny>> {
-        let stroke = self.ask(py, |cycle| cycle.along(circuit).of(name).stroke())?;
+        let stroke = self.ask(py, |cycle| cycle.along(circuit).of(&column_name(name)).stroke())?;
         answer(py, "Stroke", (peak(py, &stroke.low)?, peak(py, &stroke.high)?))
     }
 
     /// The value of the largest size of a quantity along a circuit, with its sign: a `kin.CircuitPeak`.
     #[pyo3(signature = (name, circuit=0))]
     fn peak<'py>(&self, py: Python<'py>, name: &str, circuit: usize) -> PyResult<Bound<'py, PyAny>> {
-        peak(py, &self.ask(py, |cycle| cycle.along(circuit).of(name).peak())?)
+        peak(
+            py,
+            &self.ask(py, |cycle| cycle.along(circuit).of(&column_name(name)).peak())?,
+        )
     }
 
     /// The time of the advance of a quantity by that of its return, over a full revolution of the input.
     #[pyo3(signature = (name, circuit=0))]
     fn time_ratio(&self, py: Python<'_>, name: &str, circuit: usize) -> PyResult<f64> {
-        self.ask(py, |cycle| cycle.along(circuit).of(name).time_ratio())
+        self.ask(py, |cycle| cycle.along(circuit).of(&column_name(name)).time_ratio())
     }
 
     /// The smallest transmission angle along a circuit: a `kin.WorstTransmission`.
@@ -182,11 +198,12 @@ impl Cycle {
     /// The pose of a branch at an input of its range, with an input that moves at a speed.
     #[pyo3(signature = (branch, input, speed=0.0))]
     fn pose(&self, py: Python<'_>, branch: usize, input: f64, speed: f64) -> PyResult<Pose> {
-        let count = self.data.branches().len();
+        let count = self.found().branches().len();
         if branch >= count {
             return Err(PyIndexError::new_err(format!("there are {count} branches")));
         }
-        let found = py.detach(|| searched(&self.linkage, &self.start, self.moving)?.position_on(branch, input));
+        let found = self.found();
+        let found = py.detach(|| found.position_on(branch, input));
         let unknowns = found.map_err(|error| fault::of_solver(py, &self.linkage.declared.mechanism, &error))?;
         let orders = self.linkage.declared.orders();
         let mut inputs = vec![0.0; self.start.len() * orders];
@@ -200,8 +217,12 @@ impl Cycle {
         self.linkage.pose(py, inputs, &AssemblyChoice::Near(unknowns))
     }
 
+    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        shown(slf.py(), "cycle_as_html", (slf,), None)
+    }
+
     fn __repr__(&self) -> String {
-        let cycle = &self.data;
+        let cycle = self.found();
         format!(
             "<kin.Cycle of {} over {}: {} circuits, {} branches>",
             self.linkage.declared.description().name,

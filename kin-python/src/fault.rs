@@ -2,9 +2,9 @@
 
 use std::fmt::Display;
 
-use kin_core::any::{Described, Description, Named};
+use kin_core::any::{Described, Description, Named, Quantity};
 use kin_core::extremes::ExtremesError;
-use kin_core::{Failure, SolveError};
+use kin_core::{Failure, SolveError, TrackError};
 use kin_live::{DeclareError, Mechanism};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -26,6 +26,8 @@ pub(crate) fn of_declaration(py: Python<'_>, error: &DeclareError, text: &str) -
                 let [start, end] = [mistake.start, mistake.end];
                 mistakes.append(mistake_class.call1((
                     mistake.message.as_str(),
+                    mistake.fault(),
+                    mistake.advice(),
                     start.line,
                     start.column,
                     end.line,
@@ -57,6 +59,39 @@ pub(crate) fn of_solver(py: Python<'_>, mechanism: &Mechanism, error: &SolveErro
             kind(&error.failure),
             error.margin(),
             inputs,
+        ))
+    };
+    made().map_or_else(|error| error, PyErr::from_value)
+}
+
+/// The exception for a motion that ends before its target.
+pub(crate) fn of_track(py: Python<'_>, mechanism: &Mechanism, error: &TrackError<Vec<f64>, Vec<f64>>) -> PyErr {
+    static CLASS: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    let description = mechanism.description();
+    let (kind, fraction, inputs, unknowns) = match error {
+        TrackError::Failed(error) => return of_solver(py, mechanism, error),
+        TrackError::TooManySteps(stop) => ("too many steps".to_owned(), stop.fraction, &stop.inputs, &stop.unknowns),
+        TrackError::Lost(stop) => ("lost".to_owned(), stop.fraction, &stop.inputs, &stop.unknowns),
+        TrackError::TurningPoint(limit) | TrackError::ChangePoint(limit) | TrackError::Pole(limit) => {
+            let kind = error.limit().map_or_else(String::new, |(kind, _)| kind.to_string());
+            (kind, limit.fraction, &limit.inputs, &limit.unknowns)
+        }
+        _ => return of_answer(py, mechanism, error, None),
+    };
+    let made = || {
+        let values = |quantities: &[Quantity<'_>], values: &[f64]| {
+            let all = PyDict::new(py);
+            for (quantity, value) in quantities.iter().zip(values) {
+                all.set_item(quantity.name, value)?;
+            }
+            Ok::<_, PyErr>(all)
+        };
+        CLASS.import(py, MODULE, "TrackError")?.call1((
+            named(error, description),
+            kind,
+            fraction,
+            values(description.inputs, inputs)?,
+            values(description.unknowns, unknowns)?,
         ))
     };
     made().map_or_else(|error| error, PyErr::from_value)

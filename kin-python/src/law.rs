@@ -1,25 +1,46 @@
 //! Motion laws of inputs.
 
-use kin_core::law::{Dwell, LawError, Piecewise, Rise, Sequence, Shape};
+use std::fmt;
+use std::sync::Arc;
+
+use kin_core::Motion;
+use kin_core::law::{
+    ConstantSpeed, Dwell, Fourier, Law as _, LawError, Limits, Piecewise, Polynomial, Rise, SCurve, Scca, Sequence,
+    Shape,
+};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-/// A motion law: an input over the time. `kin.rise` and `kin.dwell` make laws, and `+` puts one behind another.
+/// A motion law: an input over the time. `kin.rise`, `kin.dwell` and their like make laws, and `+` puts one behind
+/// another.
 ///
 /// >>> import kin
 /// >>> law = kin.rise("modified sine", 0.0, 1.5, 0.2) + kin.dwell(1.5, 0.1)
 /// >>> law.duration
 /// 0.30000000000000004
+/// >>> law.at(0.25)    # the value and its derivatives
+/// (1.5, 0.0, 0.0, 0.0, 0.0)
 #[pyclass(frozen, module = "kin")]
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Law {
-    parts: Vec<Part>,
+    parts: Vec<Arc<dyn Part>>,
 }
 
-#[derive(Clone, Copy, Debug)]
-enum Part {
-    Rise(Rise),
-    Dwell(Dwell),
+/// A law that can be put into a sequence as often as it is asked for.
+trait Part: Send + Sync {
+    fn boxed(&self) -> Box<dyn Piecewise<f64>>;
+}
+
+impl<L: Piecewise<f64> + Copy + Send + Sync + 'static> Part for L {
+    fn boxed(&self) -> Box<dyn Piecewise<f64>> {
+        Box::new(*self)
+    }
+}
+
+impl fmt::Debug for Law {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.debug_struct("Law").finish_non_exhaustive()
+    }
 }
 
 fn refused(error: LawError) -> PyErr {
@@ -27,15 +48,15 @@ fn refused(error: LawError) -> PyErr {
 }
 
 impl Law {
+    fn of(law: Result<impl Part + 'static, LawError>) -> PyResult<Self> {
+        Ok(Self {
+            parts: vec![Arc::new(law.map_err(refused)?)],
+        })
+    }
+
     /// The law as a sweep takes it.
     pub(crate) fn piecewise(&self) -> PyResult<Box<dyn Piecewise<f64>>> {
-        let parts = self.parts.iter().map(|part| -> Box<dyn Piecewise<f64>> {
-            match *part {
-                Part::Rise(rise) => Box::new(rise),
-                Part::Dwell(dwell) => Box::new(dwell),
-            }
-        });
-        let mut parts: Vec<_> = parts.collect();
+        let mut parts: Vec<_> = self.parts.iter().map(|part| part.boxed()).collect();
         if let [_] = parts.as_slice() {
             return Ok(parts.remove(0));
         }
@@ -51,9 +72,14 @@ impl Law {
         Ok(self.piecewise()?.duration())
     }
 
+    /// The value at a time, and its derivatives up to the snap.
+    fn at(&self, time: f64) -> PyResult<(f64, f64, f64, f64, f64)> {
+        Ok(self.piecewise()?.at::<5>(time).derivatives().into())
+    }
+
     fn __add__(&self, next: &Self) -> PyResult<Self> {
         let law = Self {
-            parts: self.parts.iter().chain(&next.parts).copied().collect(),
+            parts: self.parts.iter().chain(&next.parts).cloned().collect(),
         };
         law.piecewise()?;
         Ok(law)
@@ -75,29 +101,118 @@ const SHAPES: [(&str, Shape); 8] = [
     ("modified trapezoid", Shape::ModifiedTrapezoid),
 ];
 
+/// The shape of a rise, as Python names it.
+#[derive(FromPyObject)]
+pub(crate) enum ShapeName {
+    Named(String),
+    /// The shares of sine, constant and cosine acceleration.
+    Shares(f64, f64, f64),
+}
+
 /// The law of a rise from one value to another in a time.
 ///
 /// Shapes are "constant speed", "simple harmonic", "cycloidal", "3-4-5", "4-5-6-7", "5-6-7-8-9", "modified sine" and
-/// "modified trapezoid".
+/// "modified trapezoid", or the shares of the time with sine, constant and cosine acceleration, as in
+/// `(0.25, 0.0, 0.75)`; what they leave of it is at constant speed.
 #[pyfunction]
 #[pyo3(signature = (shape, start, end, duration))]
-pub(crate) fn rise(shape: &str, start: f64, end: f64, duration: f64) -> PyResult<Law> {
-    let found = SHAPES.iter().find(|(name, _)| *name == shape);
-    let (_, shape) = found.ok_or_else(|| {
-        let names = SHAPES.map(|(name, _)| format!("\"{name}\"")).join(", ");
-        PyValueError::new_err(format!("no shape of a rise is called \"{shape}\": there are {names}"))
-    })?;
-    let rise = Rise::new(*shape, start, end, duration).map_err(refused)?;
-    Ok(Law {
-        parts: vec![Part::Rise(rise)],
-    })
+pub(crate) fn rise(shape: ShapeName, start: f64, end: f64, duration: f64) -> PyResult<Law> {
+    let shape = match shape {
+        ShapeName::Shares(sine, constant, cosine) => Shape::Scca(Scca::new(sine, constant, cosine).map_err(refused)?),
+        ShapeName::Named(name) => {
+            let found = SHAPES.iter().find(|(own, _)| *own == name);
+            let found = found.ok_or_else(|| {
+                let names = SHAPES.map(|(name, _)| format!("\"{name}\"")).join(", ");
+                PyValueError::new_err(format!("no shape of a rise is called \"{name}\": there are {names}"))
+            })?;
+            found.1
+        }
+    };
+    Law::of(Rise::new(shape, start, end, duration))
 }
 
 /// The law of an input that stands still for a time.
 #[pyfunction]
 pub(crate) fn dwell(value: f64, duration: f64) -> PyResult<Law> {
-    let dwell = Dwell::new(value, duration).map_err(refused)?;
-    Ok(Law {
-        parts: vec![Part::Dwell(dwell)],
-    })
+    Law::of(Dwell::new(value, duration))
+}
+
+/// The law of an input that moves at constant speed for a time.
+#[pyfunction]
+pub(crate) fn constant_speed(start: f64, speed: f64, duration: f64) -> PyResult<Law> {
+    Law::of(ConstantSpeed::new(start, speed, duration))
+}
+
+/// The S-curve from rest to rest within limits of velocity, acceleration, jerk, and snap if it is given: the law of a
+/// servo drive. It takes as long as the limits ask for.
+///
+/// >>> import kin
+/// >>> kin.s_curve(0.0, 1.0, velocity=2.0, acceleration=10.0, jerk=200.0).duration
+/// 0.75
+#[pyfunction]
+#[pyo3(signature = (start, end, *, velocity, acceleration, jerk, snap=None))]
+pub(crate) fn s_curve(
+    start: f64,
+    end: f64,
+    velocity: f64,
+    acceleration: f64,
+    jerk: f64,
+    snap: Option<f64>,
+) -> PyResult<Law> {
+    let limits = Limits {
+        velocity,
+        acceleration,
+        jerk,
+        snap,
+    };
+    Law::of(SCurve::new(start, end, limits))
+}
+
+/// Calls `Polynomial::between` for states of these lengths.
+macro_rules! between {
+    ($start:expr, $end:expr, $duration:expr; $($count:literal + $other:literal = $all:literal),+) => {
+        match ($start.len(), $end.len()) {
+            $(($count, $other) => {
+                let start: Motion<f64, $count> = Motion::new(std::array::from_fn(|order| $start[order]));
+                let end: Motion<f64, $other> = Motion::new(std::array::from_fn(|order| $end[order]));
+                Law::of(Polynomial::<f64, $all>::between(start, end, $duration))
+            })+
+            _ => Err(PyValueError::new_err(
+                "a state is the value and behind it up to 4 derivatives, for both ends as many",
+            )),
+        }
+    };
+}
+
+/// The polynomial of the least degree from one state to another in a time: a state is the value, and behind it up to
+/// four derivatives, for both ends as many.
+///
+/// >>> import kin
+/// >>> kin.polynomial((0.0, 0.0, 0.0), (10.0, 5.0, 0.0), 2.0).at(2.0)[:3]
+/// (10.0, 5.0, 0.0)
+#[pyfunction]
+#[expect(clippy::needless_pass_by_value, reason = "Python gives the numbers away")]
+pub(crate) fn polynomial(start: Vec<f64>, end: Vec<f64>, duration: f64) -> PyResult<Law> {
+    between!(start, end, duration; 1 + 1 = 2, 2 + 2 = 4, 3 + 3 = 6, 4 + 4 = 8, 5 + 5 = 10)
+}
+
+/// The most harmonics of a Fourier series.
+const HARMONICS: usize = 16;
+
+/// The Fourier series of a mean and harmonics over a period: `(a, b)` is a cos kωt + b sin kωt, for k = 1, 2, …
+#[pyfunction]
+#[expect(clippy::needless_pass_by_value, reason = "Python gives the numbers away")]
+pub(crate) fn fourier(mean: f64, harmonics: Vec<(f64, f64)>, period: f64) -> PyResult<Law> {
+    if harmonics.len() > HARMONICS {
+        return Err(PyValueError::new_err(format!(
+            "there are {} harmonics: give {HARMONICS} at most",
+            harmonics.len()
+        )));
+    }
+    let harmonic = |index: usize| harmonics.get(index).map_or([0.0; 2], |(cosine, sine)| [*cosine, *sine]);
+    Law::of(Fourier::<f64, HARMONICS>::new(
+        mean,
+        std::array::from_fn(harmonic),
+        period,
+    ))
 }

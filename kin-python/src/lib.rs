@@ -3,12 +3,14 @@
 mod answers;
 mod arguments;
 mod arrays;
+mod arrow;
 mod batch;
 mod choice;
 mod code;
 mod cycle;
 mod exact;
 mod fault;
+mod fit;
 mod law;
 mod library;
 mod linkage;
@@ -16,6 +18,8 @@ mod loads;
 mod mechanism;
 mod motion;
 mod pose;
+mod proof;
+mod quantity;
 mod report;
 mod sweep;
 mod table;
@@ -30,7 +34,7 @@ mod _kin {
     #[pymodule_export]
     use crate::exact::ExactTable;
     #[pymodule_export]
-    use crate::law::{Law, dwell, rise};
+    use crate::law::{Law, constant_speed, dwell, fourier, polynomial, rise, s_curve};
     #[pymodule_export]
     use crate::library::library_designs;
     #[pymodule_export]
@@ -44,9 +48,13 @@ mod _kin {
     #[pymodule_export]
     use crate::pose::{Pose, restored_pose};
     #[pymodule_export]
+    use crate::proof::ForceProof;
+    #[pymodule_export]
+    use crate::quantity::Quantity;
+    #[pymodule_export]
     use crate::report::Page;
     #[pymodule_export]
-    use crate::sweep::{Quantity, Sweep};
+    use crate::sweep::Sweep;
     #[pymodule_export]
     use crate::table::Table;
 }

@@ -2,18 +2,20 @@
 
 use std::sync::Arc;
 
-use kin_core::any::{AssemblyChoice, MotionOver};
+use kin_core::any::{AssemblyChoice, MotionOver, Quantity};
 use kin_core::linkage::AnyLinkage;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
-use crate::arguments::{self, Wanted};
-use crate::batch::{self, Batch};
+use crate::answers::shown;
+use crate::arguments;
+use crate::batch::{self, Batch, Wishes};
 use crate::choice::choice;
 use crate::code::{Language, code};
 use crate::cycle::Cycle;
 use crate::fault;
+use crate::fit::{self, FitWay};
 use crate::loads::{self, Loads};
 use crate::mechanism::{Declared, Mechanism};
 use crate::pose::Pose;
@@ -41,18 +43,11 @@ impl Linkage {
     }
 
     /// The inputs with all orders, one after the other.
-    fn inputs(&self, given: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<f64>> {
-        let quantities = self.declared.description().inputs;
-        let values = arguments::values(
-            given,
-            &[Wanted {
-                kind: "input",
-                quantities,
-            }],
-        )?;
+    pub(crate) fn inputs(&self, given: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<f64>> {
+        let description = self.declared.description();
         let mut inputs = Vec::new();
-        for (value, quantity) in values[0].iter().zip(quantities) {
-            inputs.extend(arguments::motion(value, quantity.name, self.declared.orders())?);
+        for (value, quantity) in arguments::inputs(given, description)?.iter().zip(description.inputs) {
+            inputs.extend(arguments::motion(value, quantity, self.declared.orders())?);
         }
         Ok(inputs)
     }
@@ -183,30 +178,13 @@ impl Linkage {
         threads: Option<usize>,
         inputs: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Batch> {
-        let quantities = self.declared.description().inputs;
-        let mut values = arguments::values(
-            inputs,
-            &[Wanted {
-                kind: "input",
-                quantities,
-            }],
-        )?;
-        let parameters = self.parameters.iter();
-        let parameters = parameters.map(|value| Ok(value.into_pyobject(py)?.into_any()));
-        let parameters = parameters.collect::<PyResult<Vec<_>>>()?;
-        let wishes = batch::Wishes {
+        let wishes = Wishes {
             assembly,
             near,
             order,
             threads,
         };
-        batch::solve(
-            py,
-            &self.declared,
-            parameters,
-            values.pop().unwrap_or_default(),
-            &wishes,
-        )
+        batch::solve(py, &self.declared, Some(&self.parameters), inputs, &wishes)
     }
 
     /// A sweep: inputs move, and questions are asked along the way.
@@ -227,7 +205,7 @@ impl Linkage {
     fn sweep(
         &self,
         rows: usize,
-        speed: Option<f64>,
+        speed: Option<&Bound<'_, PyAny>>,
         assembly: Option<&Bound<'_, PyAny>>,
         near: Option<&Bound<'_, PyAny>>,
         inputs: Option<&Bound<'_, PyDict>>,
@@ -256,7 +234,7 @@ impl Linkage {
         assembly: Option<&Bound<'_, PyAny>>,
         moving: Option<String>,
         range: Option<(f64, f64)>,
-        speed: Option<f64>,
+        speed: Option<&Bound<'_, PyAny>>,
         title: Option<String>,
         length: &str,
         time: &str,
@@ -274,17 +252,16 @@ impl Linkage {
         if let Some(inputs) = inputs {
             at.update(inputs.as_mapping())?;
         }
-        let values = arguments::values(
-            Some(&at),
-            &[Wanted {
-                kind: "input",
-                quantities,
-            }],
-        )?;
-        let at = values[0].iter().zip(quantities);
+        let at = arguments::inputs(Some(&at), self.declared.description())?;
+        let at = at.iter().zip(quantities);
         let at = at
-            .map(|(value, quantity)| arguments::number(value, quantity.name))
+            .map(|(value, quantity)| arguments::number(value, quantity))
             .collect::<PyResult<_>>()?;
+        let moves = |quantity: &&Quantity<'_>| moving.as_deref().is_none_or(|moving| moving == quantity.name);
+        let speed = match (speed, quantities.iter().find(moves)) {
+            (Some(speed), Some(quantity)) => Some(arguments::rate(speed, quantity, 1)?),
+            _ => None,
+        };
         let (length, time) = (length.to_owned(), time.to_owned());
         let wishes = PageWishes {
             assembly,
@@ -340,6 +317,49 @@ impl Linkage {
     #[pyo3(signature = (order=None))]
     fn to_python<'py>(&self, py: Python<'py>, order: Option<usize>) -> PyResult<Bound<'py, PyAny>> {
         code(py, &self.declared, Language::Python, order, Some(&self.parameters))
+    }
+
+    /// The dimensions that meet measured numbers best, by least squares with exact derivatives: a `kin.Fitted`.
+    ///
+    /// `data` has columns by the names of inputs, unknowns and outputs, as arrays or a data frame; a point has two
+    /// columns, as `"pin.x"` and `"pin.y"`. NaN is a number that is not known. `vary` names the dimensions that are
+    /// sought, with usual bounds about those of this linkage, or is a dictionary of their bounds; without it all are.
+    ///
+    /// The input that moves may be unknown in some rows, or have no column: then it is sought, too, in `range`. Other
+    /// inputs have a column, or one value.
+    ///
+    /// >>> import kin, numpy as np
+    /// >>> angles = np.linspace(0, 6, 25)
+    /// >>> measured = kin.library.four_bar(r1=90, r2=30, r3=82, r4=57).solve_batch(theta2=angles, assembly="open")
+    /// >>> data = {"theta2": angles, "theta4": measured.theta4.position}
+    /// >>> guess = kin.library.four_bar(r1=90, r2=30, r3=80, r4=60)
+    /// >>> fitted = guess.fit(data, vary={"r3": (40, 100), "r4": (40, 100)}, assembly="open")
+    /// >>> round(fitted.linkage.dimensions["r4"], 6), fitted.is_minimum
+    /// (57.0, True)
+    #[expect(clippy::too_many_arguments, reason = "each is a keyword")]
+    #[pyo3(signature = (data, *, vary=None, assembly=None, near=None, moving=None, range=None, **inputs))]
+    fn fit<'py>(
+        &self,
+        py: Python<'py>,
+        data: &Bound<'py, PyAny>,
+        vary: Option<&Bound<'py, PyAny>>,
+        assembly: Option<&Bound<'_, PyAny>>,
+        near: Option<&Bound<'_, PyAny>>,
+        moving: Option<&str>,
+        range: Option<(f64, f64)>,
+        inputs: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let choice = choice(&self.declared, assembly, near)?;
+        let way = FitWay {
+            moving,
+            range,
+            standing: inputs,
+        };
+        fit::fit(py, self, data, vary, choice, &way)
+    }
+
+    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        shown(slf.py(), "linkage_as_html", (slf,), None)
     }
 
     fn __eq__(&self, other: &Self) -> bool {

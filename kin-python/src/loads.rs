@@ -1,8 +1,11 @@
 //! Loads on a linkage, and the forces that they cause.
 
+use std::collections::BTreeMap;
+
 use kin_core::any::AssemblyChoice;
+use kin_core::linkage::AnyLinkage;
 use kin_core::load::{NamedLoads, NoSuchPlace, PointPlace};
-use kin_core::reaction::{Reaction, ReactionError, ReactionPart};
+use kin_core::reaction::{Friction, NamedReactions, Reaction, ReactionError, ReactionPart};
 use kin_core::{Motion, Plane, Space};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -28,6 +31,12 @@ use crate::linkage::Linkage;
 #[derive(Clone, Debug)]
 pub(crate) struct Loads {
     pub(crate) named: NamedLoads,
+    /// The friction of joints, by their names.
+    frictions: Vec<(String, Friction)>,
+    /// The rates of the inputs of the motion that is about to begin where they rest.
+    about_to_move: Vec<f64>,
+    /// The names of the inputs.
+    inputs: Vec<String>,
     /// The text of the mechanism.
     text: String,
 }
@@ -55,8 +64,12 @@ fn with_place<T>(place: &Bound<'_, PyAny>, use_it: impl FnOnce(PointPlace<'_>) -
 
 impl Loads {
     pub(crate) fn new(linkage: &Linkage) -> Self {
+        let inputs = linkage.declared.description().inputs;
         Self {
             named: linkage.any().loads(),
+            frictions: Vec::new(),
+            about_to_move: Vec::new(),
+            inputs: inputs.iter().map(|input| input.name.to_owned()).collect(),
             text: linkage.declared.text.clone(),
         }
     }
@@ -75,7 +88,29 @@ impl Loads {
     fn with(&self, add: impl FnOnce(NamedLoads) -> Result<NamedLoads, NoSuchPlace>) -> PyResult<Self> {
         Ok(Self {
             named: add(self.named.clone()).map_err(|error| refused(&error))?,
-            text: self.text.clone(),
+            ..self.clone()
+        })
+    }
+
+    fn with_friction(&self, joint: &str, friction: Friction) -> Self {
+        let mut loads = self.clone();
+        loads.frictions.push((joint.to_owned(), friction));
+        loads
+    }
+
+    pub(crate) fn has_friction(&self) -> bool {
+        !self.frictions.is_empty()
+    }
+
+    /// What the loads cause in the joints.
+    pub(crate) fn reactions<'m>(&self, linkage: &AnyLinkage<'m>) -> Result<NamedReactions<'m>, Box<ReactionError>> {
+        let frictions = self.frictions.iter().map(|(joint, friction)| (joint, *friction));
+        let reactions = linkage.reactions(&self.named).map_err(Box::new)?;
+        let reactions = reactions.frictions(frictions).map_err(Box::new)?;
+        Ok(if self.about_to_move.is_empty() {
+            reactions
+        } else {
+            reactions.about_to_move(&self.about_to_move)
         })
     }
 }
@@ -153,29 +188,66 @@ impl Loads {
         with_place(start, add)?
     }
 
+    /// Coulomb friction in a pin, with its coefficient and the radius of the pin.
+    fn pin_friction(&self, joint: &str, coefficient: f64, radius: f64) -> Self {
+        self.with_friction(joint, Friction::Pin { coefficient, radius })
+    }
+
+    /// Coulomb friction on a slide, with its coefficient, and the length of the bushing if its moment shall count.
+    #[pyo3(signature = (joint, coefficient, length=None))]
+    fn slide_friction(&self, joint: &str, coefficient: f64, length: Option<f64>) -> Self {
+        self.with_friction(joint, Friction::Slide { coefficient, length })
+    }
+
+    /// Where all inputs rest, friction opposes a motion with these rates of the inputs: efforts are those at which it
+    /// is about to begin. Inputs that are left out have the rate zero.
+    #[pyo3(signature = (**rates))]
+    fn about_to_move(&self, rates: Option<BTreeMap<String, f64>>) -> PyResult<Self> {
+        let mut rates = rates.unwrap_or_default();
+        let about_to_move = self.inputs.iter().map(|input| rates.remove(input).unwrap_or(0.0));
+        let loads = Self {
+            about_to_move: about_to_move.collect(),
+            ..self.clone()
+        };
+        match rates.keys().next() {
+            None => Ok(loads),
+            Some(name) => Err(PyTypeError::new_err(format!(
+                "no input is called `{name}`: inputs are {}",
+                self.inputs.join(", ")
+            ))),
+        }
+    }
+
     fn __repr__(&self) -> String {
         let (points, angles) = (self.named.points().join(", "), self.named.angles().join(", "));
         format!("<kin.Loads on points {points}; angles and distances {angles}>")
     }
 }
 
+const PARTS: [(&str, ReactionPart); 8] = [
+    ("force", ReactionPart::Force),
+    ("x", ReactionPart::X),
+    ("y", ReactionPart::Y),
+    ("z", ReactionPart::Z),
+    ("moment", ReactionPart::Moment),
+    ("moment_x", ReactionPart::MomentX),
+    ("moment_y", ReactionPart::MomentY),
+    ("moment_z", ReactionPart::MomentZ),
+];
+
 /// The part of a force in a joint that a word names.
 pub(crate) fn part(word: &str) -> PyResult<ReactionPart> {
-    const PARTS: [(&str, ReactionPart); 8] = [
-        ("force", ReactionPart::Force),
-        ("x", ReactionPart::X),
-        ("y", ReactionPart::Y),
-        ("z", ReactionPart::Z),
-        ("moment", ReactionPart::Moment),
-        ("moment_x", ReactionPart::MomentX),
-        ("moment_y", ReactionPart::MomentY),
-        ("moment_z", ReactionPart::MomentZ),
-    ];
     let found = PARTS.iter().find(|(name, _)| *name == word);
     found.map(|(_, part)| *part).ok_or_else(|| {
         let names = PARTS.map(|(name, _)| format!("\"{name}\"")).join(", ");
         PyValueError::new_err(format!("no part of a force is called \"{word}\": there are {names}"))
     })
+}
+
+/// The word for a part of a force in a joint.
+pub(crate) fn part_name(part: ReactionPart) -> &'static str {
+    let found = PARTS.iter().find(|(_, own)| *own == part);
+    found.map_or("force", |(name, _)| name)
 }
 
 /// The exception for forces that are not found.
@@ -199,7 +271,7 @@ pub(crate) fn forces<'py>(
     let inputs: Vec<Motion> = inputs.chunks_exact(linkage.declared.orders()).map(motion).collect();
     let found = py.detach(|| {
         let any = linkage.any();
-        let reactions = any.reactions(&loads.named).map_err(Box::new)?;
+        let reactions = loads.reactions(&any)?;
         let found = reactions.at(&inputs, choice.position()).map_err(Box::new)?;
         let bodies = reactions
             .names()
@@ -223,5 +295,8 @@ pub(crate) fn forces<'py>(
     for (index, input) in linkage.declared.description().inputs.iter().enumerate() {
         efforts.set_item(input.name, found.effort(index).map(|effort| effort[0]))?;
     }
-    answer(py, "Forces", (joints, efforts))
+    let efficiency = found
+        .efficiency()
+        .map(|found| answer(py, "Efficiency", (found.input, found.heat)));
+    answer(py, "Forces", (joints, efforts, efficiency.transpose()?))
 }

@@ -1,13 +1,16 @@
 //! A declared mechanism.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
-use kin_core::any::{Described, Description, Quantity};
+use kin_core::any::{Described, Description, Pictured, Quantity};
+use kin_core::{Dimension, RATES};
+use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
+use crate::answers::shown;
 use crate::arguments::{self, Wanted, groups};
-use crate::batch::{self, Batch};
+use crate::batch::{self, Batch, Wishes};
 use crate::code::{Language, code};
 use crate::fault;
 use crate::linkage::Linkage;
@@ -17,11 +20,33 @@ use crate::linkage::Linkage;
 pub(crate) struct Declared {
     pub(crate) mechanism: kin_live::Mechanism,
     pub(crate) text: String,
+    fitted: OnceLock<&'static kin_live::Mechanism>,
 }
 
 impl Declared {
     pub(crate) fn description(&self) -> &Description<'_> {
         self.mechanism.description()
+    }
+
+    /// The mechanism for fits, which ask for one that stays. Once asked for, it stays in memory.
+    pub(crate) fn for_fits(self: &Arc<Self>) -> &'static kin_live::Mechanism {
+        self.fitted.get_or_init(|| {
+            let kept: &'static Arc<Self> = Box::leak(Box::new(Arc::clone(self)));
+            &kept.mechanism
+        })
+    }
+
+    /// The quantity of a column of tables, and the order of its derivative.
+    pub(crate) fn column(&self, name: &str) -> Option<(&Quantity<'_>, usize)> {
+        let description = self.description();
+        let kinds = [description.inputs, description.unknowns, description.outputs];
+        kinds.into_iter().flatten().find_map(|quantity| {
+            let order = match name.strip_prefix(quantity.name)? {
+                "" => 0,
+                rest => 1 + RATES.iter().position(|rate| rest.strip_prefix('_') == Some(*rate))?,
+            };
+            Some((quantity, order))
+        })
     }
 
     /// The number of derivatives, and one for the position.
@@ -52,6 +77,15 @@ pub(crate) struct Mechanism {
     pub(crate) declared: Arc<Declared>,
 }
 
+/// The word for what a quantity measures.
+pub(crate) fn measure(dimension: Dimension) -> &'static str {
+    match dimension {
+        Dimension::Angle => "angle",
+        Dimension::Length => "length",
+        Dimension::Scalar => "number",
+    }
+}
+
 fn names<'py>(py: Python<'py>, quantities: &[Quantity<'_>]) -> PyResult<Bound<'py, PyTuple>> {
     PyTuple::new(py, groups(quantities).iter().map(|group| group.name))
 }
@@ -62,7 +96,11 @@ impl Mechanism {
     fn new(py: Python<'_>, text: String) -> PyResult<Self> {
         match py.detach(|| kin_live::Mechanism::declare(&text)) {
             Ok(mechanism) => Ok(Self {
-                declared: Arc::new(Declared { mechanism, text }),
+                declared: Arc::new(Declared {
+                    mechanism,
+                    text,
+                    fitted: OnceLock::new(),
+                }),
             }),
             Err(error) => Err(fault::of_declaration(py, &error, &text)),
         }
@@ -123,6 +161,14 @@ impl Mechanism {
         self.declared.description().order
     }
 
+    /// What an input, unknown or output measures, or a coordinate of a point: "angle", "length" or "number".
+    fn measure_of(&self, name: &str) -> PyResult<&'static str> {
+        match self.declared.column(name) {
+            Some((quantity, 0)) => Ok(measure(quantity.dimension)),
+            _ => Err(PyKeyError::new_err(format!("no quantity is called `{name}`"))),
+        }
+    }
+
     /// The mechanism with dimensions, each by its name. A point is given by its coordinates, as in `b=(3, 4)`.
     #[pyo3(signature = (**dimensions))]
     fn __call__(&self, dimensions: Option<&Bound<'_, PyDict>>) -> PyResult<Linkage> {
@@ -133,7 +179,7 @@ impl Mechanism {
         }];
         let values = arguments::values(dimensions, &wanted)?;
         let parameters = values[0].iter().zip(quantities);
-        let parameters = parameters.map(|(value, quantity)| arguments::number(value, quantity.name));
+        let parameters = parameters.map(|(value, quantity)| arguments::number(value, quantity));
         Ok(Linkage {
             declared: Arc::clone(&self.declared),
             parameters: parameters.collect::<PyResult<_>>()?,
@@ -166,27 +212,13 @@ impl Mechanism {
         threads: Option<usize>,
         given: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Batch> {
-        let description = self.declared.description();
-        let wanted = [
-            Wanted {
-                kind: "dimension",
-                quantities: description.parameters,
-            },
-            Wanted {
-                kind: "input",
-                quantities: description.inputs,
-            },
-        ];
-        let mut values = arguments::values(given, &wanted)?;
-        let inputs = values.pop().unwrap_or_default();
-        let parameters = values.pop().unwrap_or_default();
-        let wishes = batch::Wishes {
+        let wishes = Wishes {
             assembly,
             near,
             order,
             threads,
         };
-        batch::solve(py, &self.declared, parameters, inputs, &wishes)
+        batch::solve(py, &self.declared, None, given, &wishes)
     }
 
     /// The solver in C99, with the derivatives up to an order: a `kin.C` with header, source, and an example that calls
@@ -210,6 +242,16 @@ impl Mechanism {
     #[pyo3(signature = (order=None))]
     fn to_python<'py>(&self, py: Python<'py>, order: Option<usize>) -> PyResult<Bound<'py, PyAny>> {
         code(py, &self.declared, Language::Python, order, None)
+    }
+
+    /// The closure equations in MathML, as a browser sets them.
+    #[getter]
+    fn mathml(&self) -> &str {
+        Pictured::formulas(&self.declared.mechanism).closure.mathml
+    }
+
+    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        shown(slf.py(), "mechanism_as_html", (slf,), None)
     }
 
     fn __repr__(&self) -> String {

@@ -1,6 +1,6 @@
 //! A pose.
 
-use kin_core::any::{Described, NearOver, OutputsOver, Quantity};
+use kin_core::any::{AssemblyChoice, Described, NearOver, OutputsOver, Quantity};
 use kin_core::{Changing, Dimension, Number as _};
 use pyo3::exceptions::{PyAttributeError, PyKeyError};
 use pyo3::prelude::*;
@@ -203,6 +203,48 @@ impl Pose {
             all.set_item(fault::named(angle.block, description), angle.angle)?;
         }
         Ok(all)
+    }
+
+    /// How strongly each unknown depends on rounding: by so many ε, in radians or in its unit, it may be wrong if every
+    /// number it is found from is rounded. It grows beyond all bounds towards a limit.
+    ///
+    /// >>> import kin
+    /// >>> linkage = kin.library.four_bar(r1=90, r2=30, r3=60, r4=45)
+    /// >>> [linkage.solve(theta2=angle, assembly="open").conditions()["theta4"] > 100 for angle in (1.0, 1.955)]
+    /// [False, True]
+    fn conditions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let all = PyDict::new(py);
+        let conditions = self.linkage.any().conditions(&self.positions(0), &self.positions(1));
+        let unknowns = self.linkage.declared.description().unknowns;
+        for (quantity, condition) in unknowns.iter().zip(conditions) {
+            all.set_item(quantity.name, condition)?;
+        }
+        Ok(all)
+    }
+
+    /// The pose to which the linkage moves from here, as its inputs go along a straight line to these: it is followed
+    /// without a jump, whatever assembly that is. Inputs are given as for `kin.Linkage.solve`.
+    ///
+    /// Raises `kin.TrackError` at a limit on the way.
+    ///
+    /// >>> import kin
+    /// >>> linkage = kin.library.four_bar(r1=90, r2=30, r3=70, r4=60)
+    /// >>> pose = linkage.solve(theta2=1.0, assembly="open")
+    /// >>> later = pose.track_to(theta2=(7.0, 10.0))
+    /// >>> later.assembly, round(later.theta4.velocity, 4)
+    /// ('open', 0.6446)
+    #[pyo3(signature = (**inputs))]
+    fn track_to(&self, py: Python<'_>, inputs: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        let linkage = &self.linkage;
+        let inputs = linkage.inputs(inputs)?;
+        let to: Vec<f64> = inputs
+            .chunks_exact(linkage.declared.orders())
+            .map(|motion| motion[0])
+            .collect();
+        let (from, unknowns) = (self.positions(0), self.positions(1));
+        let found = py.detach(|| linkage.any().track(&from, &unknowns, &to));
+        let found = found.map_err(|error| fault::of_track(py, &linkage.declared.mechanism, &error))?;
+        linkage.pose(py, inputs, &AssemblyChoice::Near(found))
     }
 
     fn __getattr__(&self, py: Python<'_>, name: &str) -> PyResult<Motion> {

@@ -1,21 +1,21 @@
 //! Sweeps, and questions to them.
 
 use kin_core::any::{AssemblyChoice, Description};
-use kin_core::extremes::{ExtremesError, Over};
-use kin_core::law::Piecewise;
-use kin_core::reaction::{ReactionError, ReactionPart};
+use kin_core::reaction::ReactionError;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList, PyTuple};
+use pyo3::types::{PyDict, PyTuple};
 
-use crate::answers::{self, answer};
-use crate::arguments::{self, Wanted};
+use crate::answers::{answer, shown};
+use crate::arguments;
 use crate::arrays::array;
 use crate::exact::{ExactTable, precision};
 use crate::fault;
 use crate::law::{Law, dwell};
 use crate::linkage::Linkage;
 use crate::loads::{self, Loads};
+use crate::proof::ForceProof;
+use crate::quantity::{Asked, OfLoads, Quantity};
 use crate::table::Table;
 
 /// A sweep: a linkage whose inputs move. `kin.Linkage.sweep` makes it.
@@ -29,14 +29,15 @@ use crate::table::Table;
 #[pyclass(frozen, module = "kin")]
 #[derive(Clone, Debug)]
 pub(crate) struct Sweep {
-    linkage: Linkage,
-    choice: AssemblyChoice,
-    way: Way,
-    rows: usize,
+    pub(crate) linkage: Linkage,
+    pub(crate) choice: AssemblyChoice,
+    pub(crate) way: Way,
+    pub(crate) rows: usize,
 }
 
+/// How the inputs move.
 #[derive(Clone, Debug)]
-enum Way {
+pub(crate) enum Way {
     Line { ends: [Vec<f64>; 2], speed: f64 },
     Laws { laws: Vec<Law>, range: [f64; 2] },
 }
@@ -47,7 +48,7 @@ impl Sweep {
         linkage: Linkage,
         choice: AssemblyChoice,
         rows: usize,
-        speed: Option<f64>,
+        speed: Option<&Bound<'_, PyAny>>,
         inputs: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
         let way = way(linkage.declared.description(), speed, inputs)?;
@@ -66,13 +67,22 @@ impl Sweep {
         Quantity { sweep, asked }
     }
 
-    /// The loads, and the index of an input.
-    fn drive(&self, loads: &Bound<'_, Loads>, input: Option<&str>) -> PyResult<(Loads, usize)> {
+    fn asked_of(&self, loads: &Bound<'_, Loads>, asked: OfLoads) -> PyResult<Quantity> {
         let loads = loads.get();
         loads.check(&self.linkage)?;
-        let index = input_index(self.linkage.declared.description(), input)?;
-        Ok((loads.clone(), index))
+        Ok(self.asked(Asked::OfLoads(Box::new(loads.clone()), asked)))
     }
+
+    /// The index of an input by its name, which may be left out if there is one.
+    fn input(&self, name: Option<&str>) -> PyResult<usize> {
+        input_index(self.linkage.declared.description(), name)
+    }
+}
+
+/// The index of the first input that moves.
+fn lead(ends: &[Vec<f64>; 2]) -> Option<usize> {
+    let [from, to] = ends;
+    from.iter().zip(to).position(|(from, to)| from != to)
 }
 
 /// The index of an input by its name, which may be left out if there is one.
@@ -98,23 +108,23 @@ pub(crate) fn input_index(description: &Description<'_>, name: Option<&str>) -> 
     index.ok_or_else(|| PyTypeError::new_err(format!("no input is called `{name}`: inputs are {}", names())))
 }
 
-fn way(description: &Description<'_>, speed: Option<f64>, inputs: Option<&Bound<'_, PyDict>>) -> PyResult<Way> {
+fn way(
+    description: &Description<'_>,
+    speed: Option<&Bound<'_, PyAny>>,
+    inputs: Option<&Bound<'_, PyDict>>,
+) -> PyResult<Way> {
     let quantities = description.inputs;
-    let wanted = [Wanted {
-        kind: "input",
-        quantities,
-    }];
-    let values = arguments::values(inputs, &wanted)?.pop().unwrap_or_default();
+    let values = arguments::inputs(inputs, description)?;
     let laws: Vec<_> = values.iter().filter_map(|value| value.cast::<Law>().ok()).collect();
     if laws.is_empty() {
         let mut ends = [Vec::new(), Vec::new()];
         for (value, quantity) in values.iter().zip(quantities) {
             let name = quantity.name;
             let [from, to] = match value.len() {
-                Err(_) => [arguments::number(value, name)?; 2],
+                Err(_) => [arguments::number(value, quantity)?; 2],
                 Ok(2) => [
-                    arguments::number(&value.get_item(0)?, name)?,
-                    arguments::number(&value.get_item(1)?, name)?,
+                    arguments::number(&value.get_item(0)?, quantity)?,
+                    arguments::number(&value.get_item(1)?, quantity)?,
                 ],
                 Ok(count) => {
                     return Err(PyValueError::new_err(format!(
@@ -126,7 +136,11 @@ fn way(description: &Description<'_>, speed: Option<f64>, inputs: Option<&Bound<
             ends[0].push(from);
             ends[1].push(to);
         }
-        let speed = speed.unwrap_or(1.0);
+        let lead = lead(&ends).unwrap_or(0);
+        let speed = match (speed, quantities.get(lead)) {
+            (Some(speed), Some(quantity)) => arguments::rate(speed, quantity, 1)?,
+            _ => 1.0,
+        };
         return Ok(Way::Line { ends, speed });
     }
     if speed.is_some() {
@@ -143,7 +157,7 @@ fn way(description: &Description<'_>, speed: Option<f64>, inputs: Option<&Bound<
             "`{}` has two ends beside the law of another input: give it a law, or one number if it stands still",
             quantity.name
         ))),
-        Err(_) => dwell(arguments::number(value, quantity.name)?, end),
+        Err(_) => dwell(arguments::number(value, quantity)?, end),
     };
     let laws = values.iter().zip(quantities).map(law).collect::<PyResult<_>>()?;
     Ok(Way::Laws {
@@ -155,27 +169,32 @@ fn way(description: &Description<'_>, speed: Option<f64>, inputs: Option<&Bound<
 /// Asks a sweep of kin-core, whose type depends on how the inputs move.
 macro_rules! ask {
     ($sweep:expr, |$of_core:ident| $answer:expr) => {{
-        let sweep: &Sweep = $sweep;
+        let sweep: &$crate::sweep::Sweep = $sweep;
         let linkage = sweep.linkage.any();
         let assembled = linkage.sweep(sweep.choice.clone());
         match &sweep.way {
-            Way::Line {
+            $crate::sweep::Way::Line {
                 ends: [from, to],
                 speed,
             } => {
                 let $of_core = assembled.between(from, to, sweep.rows).speed(*speed);
                 $answer
             }
-            Way::Laws { laws, range } => {
-                let laws = laws.iter().map(Law::piecewise).collect::<PyResult<Vec<_>>>();
+            $crate::sweep::Way::Laws { laws, range } => {
+                let laws = laws
+                    .iter()
+                    .map($crate::law::Law::piecewise)
+                    .collect::<pyo3::PyResult<Vec<_>>>();
                 let laws = laws.expect("a law was put together before");
-                let laws: Vec<&dyn Piecewise<f64>> = laws.iter().map(|law| &**law).collect();
+                let laws: Vec<&dyn kin_core::law::Piecewise<f64>> = laws.iter().map(|law| &**law).collect();
                 let $of_core = assembled.under_laws(&laws, range[0]..=range[1], sweep.rows);
                 $answer
             }
         }
     }};
 }
+
+pub(crate) use ask;
 
 #[pymethods]
 impl Sweep {
@@ -207,7 +226,7 @@ impl Sweep {
     /// A quantity by the name of its column, as in `of("theta4_jerk")`, to ask for its peak, extremes, mean and more.
     /// They are found between the rows, exact to rounding.
     fn of(&self, name: &str) -> Quantity {
-        self.asked(Asked::Name(name.to_owned()))
+        self.asked(Asked::Name(arguments::column_name(name).into_owned()))
     }
 
     /// The transmission angle of a dyad, or its supplement if this is smaller; dyads count in the order in which they
@@ -228,26 +247,117 @@ impl Sweep {
     /// out if there is one. Order 1 is its rate by time.
     #[pyo3(signature = (loads, input=None, order=0))]
     fn of_effort(&self, loads: &Bound<'_, Loads>, input: Option<&str>, order: usize) -> PyResult<Quantity> {
-        let (loads, input) = self.drive(loads, input)?;
-        let asked = Asked::Effort(loads, input, order);
-        Ok(self.asked(asked))
+        self.asked_of(loads, OfLoads::Effort(self.input(input)?, order))
     }
 
     /// The power of the drive of an input under loads. The input may be left out if there is one.
     #[pyo3(signature = (loads, input=None))]
     fn of_power(&self, loads: &Bound<'_, Loads>, input: Option<&str>) -> PyResult<Quantity> {
-        let (loads, input) = self.drive(loads, input)?;
-        Ok(self.asked(Asked::Power(loads, input)))
+        self.asked_of(loads, OfLoads::Power(self.input(input)?))
     }
 
     /// The force in a joint under loads, or a part of it: "force" is its size, others are "x", "y", "z", "moment",
     /// "moment_x", "moment_y" and "moment_z". The declaration must state its bodies. Order 1 is the rate by time.
     #[pyo3(signature = (loads, joint, part="force", order=0))]
     fn of_reaction(&self, loads: &Bound<'_, Loads>, joint: &str, part: &str, order: usize) -> PyResult<Quantity> {
+        let part = loads::part(part)?;
+        self.asked_of(loads, OfLoads::Reaction(joint.to_owned(), part, order))
+    }
+
+    /// The power that the friction of the loads turns into heat.
+    fn of_heat(&self, loads: &Bound<'_, Loads>) -> PyResult<Quantity> {
+        self.asked_of(loads, OfLoads::Heat)
+    }
+
+    /// The mean power of all drives, and what friction takes of it: a `kin.Efficiency`.
+    fn efficiency<'py>(&self, py: Python<'py>, loads: &Bound<'_, Loads>) -> PyResult<Bound<'py, PyAny>> {
         let loads = loads.get();
         loads.check(&self.linkage)?;
-        let part = loads::part(part)?;
-        Ok(self.asked(Asked::Reaction(loads.clone(), joint.to_owned(), part, order)))
+        let linkage = self.linkage.any();
+        let found = py.detach(|| {
+            let reactions = loads.reactions(&linkage)?;
+            Ok(ask!(self, |sweep| sweep.efficiency(&reactions)))
+        });
+        let found = found.map_err(|error: Box<ReactionError>| loads::refused_reaction(py, &self.linkage, &error))?;
+        let found = found.map_err(|error| fault::of_extremes(py, &self.linkage.declared.mechanism, &error))?;
+        answer(py, "Efficiency", (found.input, found.heat))
+    }
+
+    /// Proofs about a force under loads, for all inputs of the way and all dimensions within tolerances: a
+    /// `kin.ForceProof`.
+    ///
+    /// The force is that in a joint, or a part of it as for `of_reaction`, or without a joint the effort of the drive
+    /// of an input. `tolerances` has the deviations up and down of scalar dimensions by their names, `speeds` and
+    /// `accelerations` the ranges of those of the first input that moves.
+    #[expect(clippy::too_many_arguments, reason = "each is a keyword")]
+    #[pyo3(signature = (
+        loads, joint=None, *, part="force", input=None, tolerances=None, speeds=None, accelerations=None, budget=None
+    ))]
+    fn proof(
+        &self,
+        loads: &Bound<'_, Loads>,
+        joint: Option<String>,
+        part: &str,
+        input: Option<&str>,
+        tolerances: Option<std::collections::BTreeMap<String, f64>>,
+        speeds: Option<(f64, f64)>,
+        accelerations: Option<(f64, f64)>,
+        budget: Option<usize>,
+    ) -> PyResult<ForceProof> {
+        let loads = loads.get();
+        loads.check(&self.linkage)?;
+        let Way::Line { ends, speed } = &self.way else {
+            return Err(PyTypeError::new_err("laws have no proofs: sweep between two ends"));
+        };
+        Ok(ForceProof {
+            linkage: self.linkage.clone(),
+            choice: self.choice.clone(),
+            ends: ends.clone(),
+            speed: *speed,
+            loads: loads.clone(),
+            wanted: match joint {
+                Some(joint) => OfLoads::Reaction(joint, loads::part(part)?, 0),
+                None => OfLoads::Effort(self.input(input)?, 0),
+            },
+            tolerances: tolerances.unwrap_or_default(),
+            speeds,
+            accelerations,
+            budget,
+        })
+    }
+
+    /// The name of the variable: the first input that moves, or "time" under laws.
+    #[getter]
+    fn variable(&self) -> &str {
+        match &self.way {
+            Way::Line { ends, .. } => self.linkage.declared.description().inputs[lead(ends).unwrap_or(0)].name,
+            Way::Laws { .. } => "time",
+        }
+    }
+
+    /// The variable in all rows.
+    #[getter]
+    fn at<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let values = ask!(self, |sweep| (0..self.rows).map(|row| sweep.at(row)).collect());
+        array(py, values, &[self.rows])
+    }
+
+    /// Plots of quantities over the sweep by matplotlib, one below the other: names as for `of`, or quantities such as
+    /// `sweep.of_reaction(loads, "pin")`; without any, the unknowns. Angles are in degrees.
+    ///
+    /// `length`, `time` and `force` name the units; forces are in newtons by themselves where lengths are in "m". The
+    /// result is the `Axes`, or an array of them; `ax` gives others, one for all quantities or one for each.
+    #[pyo3(signature = (*quantities, **options))]
+    fn plot<'py>(
+        slf: &Bound<'py, Self>,
+        quantities: &Bound<'py, PyTuple>,
+        options: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        shown(slf.py(), "plot", (slf, quantities), options)
+    }
+
+    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        shown(slf.py(), "sweep_as_html", (slf,), None)
     }
 
     fn __len__(&self) -> usize {
@@ -257,183 +367,5 @@ impl Sweep {
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
         let linkage = Bound::new(py, self.linkage.clone())?.repr()?;
         Ok(format!("<kin.Sweep of {linkage} in {} rows>", self.rows))
-    }
-}
-
-#[derive(Clone, Debug)]
-enum Asked {
-    Name(String),
-    TransmissionAngle(usize),
-    Effort(Loads, usize, usize),
-    Power(Loads, usize),
-    Reaction(Loads, String, ReactionPart, usize),
-}
-
-/// A quantity along a sweep. `kin.Sweep.of` makes it.
-#[pyclass(frozen, module = "kin")]
-#[derive(Debug)]
-pub(crate) struct Quantity {
-    sweep: Sweep,
-    asked: Asked,
-}
-
-/// Asks for a quantity along a sweep. Efforts and powers may have an answer of their own.
-macro_rules! along {
-    ($quantity:expr, $py:expr, |$along:ident| $answer:expr) => {
-        along!($quantity, $py, |$along| $answer, |$along| $answer)
-    };
-    ($quantity:expr, $py:expr, |$along:ident| $answer:expr, |$effort:ident| $of_effort:expr) => {{
-        let quantity: &Quantity = $quantity;
-        let found: Result<_, ExtremesError> = $py.detach(|| {
-            ask!(&quantity.sweep, |sweep| match &quantity.asked {
-                Asked::Name(name) => {
-                    let $along = sweep.of(name);
-                    $answer
-                }
-                Asked::TransmissionAngle(dyad) => {
-                    let $along = sweep.of_transmission_angle(*dyad);
-                    $answer
-                }
-                Asked::Effort(loads, input, order) => {
-                    let $effort = sweep.of_effort(&loads.named, *input, *order);
-                    $of_effort
-                }
-                Asked::Power(loads, input) => {
-                    let $effort = sweep.of_power(&loads.named, *input);
-                    $of_effort
-                }
-                Asked::Reaction(loads, joint, part, order) => {
-                    let linkage = quantity.sweep.linkage.any();
-                    let reactions = linkage.reactions(&loads.named).map_err(at_once)?;
-                    let $along = sweep.of_reaction(&reactions, joint, *part, *order);
-                    $answer
-                }
-            })
-        });
-        found.map_err(|error| fault::of_extremes($py, &quantity.sweep.linkage.declared.mechanism, &error))
-    }};
-}
-
-/// The error of a question that no point of the sweep is to blame for.
-fn at_once(error: ReactionError) -> ExtremesError {
-    ExtremesError::Reaction {
-        at: f64::NAN,
-        error: Box::new(error),
-    }
-}
-
-fn over(word: &str) -> PyResult<Over> {
-    match word {
-        "time" => Ok(Over::Time),
-        "input" => Ok(Over::Input),
-        _ => Err(PyValueError::new_err("a mean is taken over=\"time\" or over=\"input\"")),
-    }
-}
-
-fn list<'py, T>(
-    py: Python<'py>,
-    found: &[T],
-    of: impl Fn(&T) -> PyResult<Bound<'py, PyAny>>,
-) -> PyResult<Bound<'py, PyList>> {
-    PyList::new(py, found.iter().map(of).collect::<PyResult<Vec<_>>>()?)
-}
-
-impl Quantity {
-    fn input(&self, index: usize) -> &str {
-        self.sweep.linkage.declared.description().inputs[index].name
-    }
-}
-
-#[pymethods]
-impl Quantity {
-    /// The value of the largest size, with its sign: a `kin.Peak`.
-    fn peak<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        answers::peak(py, &along!(self, py, |along| along.peak())?)
-    }
-
-    /// The largest value: a `kin.Peak`.
-    fn highest<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        answers::peak(py, &along!(self, py, |along| along.highest())?)
-    }
-
-    /// The smallest value: a `kin.Peak`.
-    fn lowest<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        answers::peak(py, &along!(self, py, |along| along.lowest())?)
-    }
-
-    /// All extremes along the sweep: a list of `kin.Extreme`.
-    fn extremes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
-        let found = along!(self, py, |along| along.extremes())?;
-        list(py, &found, |extreme| answers::extreme(py, extreme))
-    }
-
-    /// The points where the quantity crosses a level: a list of `kin.Crossing`.
-    fn crossings<'py>(&self, py: Python<'py>, level: f64) -> PyResult<Bound<'py, PyList>> {
-        let found = along!(self, py, |along| along.crossings(level))?;
-        list(py, &found, |crossing| {
-            answer(py, "Crossing", (crossing.at, crossing.is_rising))
-        })
-    }
-
-    /// The parts of the sweep on which the quantity stays within a tolerance of a level: a list of `kin.Dwell`.
-    fn dwells<'py>(&self, py: Python<'py>, level: f64, tolerance: f64) -> PyResult<Bound<'py, PyList>> {
-        let found = along!(self, py, |along| along.dwells(level, tolerance))?;
-        list(py, &found, |dwell| {
-            answer(py, "Dwell", (dwell.from, dwell.to, dwell.duration))
-        })
-    }
-
-    /// The mean over the time, or over the way of the first input: a `kin.Mean`.
-    #[pyo3(signature = (over="time"))]
-    fn mean<'py>(&self, py: Python<'py>, over: &str) -> PyResult<Bound<'py, PyAny>> {
-        let over = self::over(over)?;
-        let mean = along!(self, py, |along| along.mean(over))?;
-        answer(py, "Mean", (mean.value, mean.error, mean.covered))
-    }
-
-    /// The root of the mean square over the time, or over the way of the first input: a `kin.Mean`.
-    #[pyo3(signature = (over="time"))]
-    fn rms<'py>(&self, py: Python<'py>, over: &str) -> PyResult<Bound<'py, PyAny>> {
-        let over = self::over(over)?;
-        let mean = along!(self, py, |along| along.rms(over))?;
-        answer(py, "Mean", (mean.value, mean.error, mean.covered))
-    }
-
-    /// The values in all rows as an array, NaN where the mechanism does not close.
-    fn column<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let values = along!(self, py, |along| along.column())?;
-        let count = values.len();
-        array(py, values, &[count])
-    }
-
-    /// The peak, and its derivatives with respect to every dimension: `kin.PeakSensitivities`.
-    fn peak_sensitivities<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        if matches!(self.asked, Asked::Effort(..) | Asked::Power(..)) {
-            return Err(PyTypeError::new_err("efforts and powers have no sensitivities"));
-        }
-        let found = along!(self, py, |along| along.peak_sensitivities(), |effort| {
-            drop(effort);
-            unreachable!("efforts were refused")
-        })?;
-        let by = PyDict::new(py);
-        let dimensions = self.sweep.linkage.declared.description().parameters;
-        for (dimension, sensitivity) in dimensions.iter().zip(&found.by) {
-            by.set_item(
-                dimension.name,
-                answer(py, "Sensitivity", (sensitivity.value, sensitivity.at))?,
-            )?;
-        }
-        let peak = answers::peak(py, &found.peak)?;
-        answer(py, "PeakSensitivities", PyTuple::new(py, [peak, by.into_any()])?)
-    }
-
-    fn __repr__(&self) -> String {
-        match &self.asked {
-            Asked::Name(name) => format!("<kin.Quantity {name}>"),
-            Asked::TransmissionAngle(dyad) => format!("<kin.Quantity transmission angle {dyad}>"),
-            Asked::Effort(_, input, _) => format!("<kin.Quantity effort of {}>", self.input(*input)),
-            Asked::Power(_, input) => format!("<kin.Quantity power of {}>", self.input(*input)),
-            Asked::Reaction(_, joint, ..) => format!("<kin.Quantity force in {joint}>"),
-        }
     }
 }

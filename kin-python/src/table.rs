@@ -6,10 +6,12 @@ use kin_core::batch::Outcome;
 use kin_core::sweep::Table as CoreTable;
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList, PyTuple};
+use pyo3::types::{PyCapsule, PyDict, PyList, PyTuple};
 
 use crate::answers::answer;
+use crate::arguments::column_name;
 use crate::arrays::array;
+use crate::arrow;
 use crate::fault::named;
 use crate::mechanism::Declared;
 
@@ -149,7 +151,24 @@ impl Table {
         py.import("polars")?.getattr("DataFrame")?.call1((self.to_dict(py)?,))
     }
 
+    /// The table as a stream of Arrow, which `pyarrow.table(table)` and `polars.DataFrame(table)` read.
+    #[pyo3(signature = (requested_schema=None))]
+    fn __arrow_c_stream__<'py>(
+        &self,
+        py: Python<'py>,
+        requested_schema: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyCapsule>> {
+        // a schema is a wish, and there is one kind of numbers
+        let _ = requested_schema;
+        let columns = self.rows.columns();
+        arrow::stream(
+            py,
+            columns.map(|column| (column.label.to_string(), column.values.to_vec())),
+        )
+    }
+
     fn __getitem__(&self, py: Python<'_>, name: &str) -> PyResult<Py<PyAny>> {
+        let name = &*column_name(name);
         match self.columns.iter().find(|(column, _)| column == name) {
             Some((_, values)) => Ok(values.clone_ref(py)),
             None => Err(match self.rows.column(name) {
@@ -160,7 +179,7 @@ impl Table {
     }
 
     fn __contains__(&self, name: &str) -> bool {
-        self.columns.iter().any(|(column, _)| column == name)
+        self.columns.iter().any(|(column, _)| *column == column_name(name))
     }
 
     fn __iter__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {

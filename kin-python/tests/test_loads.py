@@ -87,6 +87,90 @@ def test_sensitivities_of_a_force(pump, turn):
         turn.of_effort(loads).peak_sensitivities()
 
 
+def test_friction_on_a_slide(pump, turn):
+    # a constant force returns what it takes, and so the drive brings the heat alone
+    loads = pump.loads().force((-200.0, 0.0), "piston")
+    rough = loads.pin_friction("pin", 0.1, 0.012).slide_friction("piston", 0.1)
+    heat = turn.of_heat(rough).mean().value
+    assert heat > 1.0 and turn.of_power(rough).mean().value == pytest.approx(heat, rel=1e-6)
+    assert abs(turn.of_power(loads).mean().value) < 1e-8
+    mean = turn.efficiency(rough)
+    assert mean.heat == pytest.approx(heat) and abs(mean.output) < 1e-4 * heat
+    found = pump.forces(rough, theta=(1.0, SPEED), assembly="open")
+    assert found.efficiency.heat > 0
+    # without friction in the pin, its normal force on the slide is the one of statics: F tan φ, and the effort
+    # balances F and μ N at the slide's speed
+    pose = pump.solve(theta=1.0, assembly="open")
+    drive = pump.forces(loads.slide_friction("piston", 0.1), theta=(1.0, 1.0), assembly="open")
+    slope = math.tan(-pose.phi.position)
+    # the slide moves towards the crank, and friction pushes it away: N = (F - μ N) tan φ
+    normal = 200.0 * slope / (1 + 0.1 * slope)
+    by_theta = pose.jacobian()[pose.rows.index("s"), 0]
+    assert drive.efforts["theta"] == pytest.approx((200.0 - 0.1 * normal) * by_theta, rel=1e-9)
+
+
+def test_friction_at_rest(pump):
+    loads = pump.loads().force((-200.0, 0.0), "piston").slide_friction("piston", 0.1)
+    efforts = [
+        pump.forces(loads.about_to_move(theta=sense), theta=1.0, assembly="open").efforts["theta"] for sense in (1, -1)
+    ]
+    middle = pump.forces(pump.loads().force((-200.0, 0.0), "piston"), theta=1.0, assembly="open").efforts["theta"]
+    assert efforts[1] < middle < efforts[0]
+    with pytest.raises(TypeError, match="no input is called `phi`: inputs are theta"):
+        loads.about_to_move(phi=1.0)
+
+
+@pytest.mark.parametrize(
+    "add, message",
+    [
+        (lambda loads: loads.pin_friction("pin", -0.1, 0.01), "the coefficient is -0.1"),
+        (lambda loads: loads.pin_friction("piston", 0.1, 0.01), "it is a slide, which has no radius"),
+        (lambda loads: loads.slide_friction("pim", 0.1), "pim"),
+    ],
+)
+def test_friction_that_cannot_be(pump, turn, add, message):
+    loads = add(pump.loads().mass(1.0, "piston"))
+    for ask in (
+        lambda: turn.of_power(loads).mean(),
+        lambda: pump.forces(loads, theta=1.0, assembly="open"),
+        lambda: turn.efficiency(loads),
+    ):
+        with pytest.raises(kin.AnswerError, match=message):
+            ask()
+
+
+def test_proofs_of_a_force(pump, turn):
+    loads = pump.loads().mass(MASS, "piston")
+    force = turn.proof(loads, "pin", tolerances={"r": 1e-4})
+    # at the dead centre m ω² (r + r² / l), which grows with r
+    largest = MASS * SPEED**2 * ((R + 1e-4) + (R + 1e-4) ** 2 / L)
+    assert force.below(1.001 * largest).answer == "holds" and force.below(1.001 * largest).upper <= 1.001 * largest
+    failed = force.below(0.999 * largest)
+    assert failed.answer == "fails" and failed.place.force > 0.999 * largest
+    assert abs(failed.place.dimensions["r"] - R) <= 1.0001e-4
+    bounds = force.peak(1e-3)
+    assert bounds.lower.force <= largest <= bounds.upper <= 1.0011 * bounds.lower.force
+    faster = turn.proof(loads, "pin", speeds=(0.9 * SPEED, 1.1 * SPEED)).peak()
+    assert faster.upper > 1.2 * turn.of_reaction(loads, "pin").peak().value
+    effort = turn.proof(loads).peak()
+    assert effort.lower.force <= abs(turn.of_effort(loads).peak().value) <= effort.upper
+    undecided = turn.proof(loads, "pin", tolerances={"r": 1e-4}, budget=1).below(1.0000001 * largest)
+    assert undecided.answer == "undecided" and undecided.reason
+
+
+def test_proofs_that_cannot_be(pump, turn):
+    loads = pump.loads().mass(MASS, "piston")
+    for ask, message in [
+        (lambda: turn.proof(loads, "pin", tolerances={"q": 1e-4}).peak(), "q"),
+        (lambda: turn.proof(loads.slide_friction("piston", 0.1), "pin").peak(), "friction"),
+        (lambda: turn.proof(loads, "pin").below(-1.0), "limit"),
+    ]:
+        with pytest.raises(kin.AnswerError, match=message):
+            ask()
+    with pytest.raises(TypeError, match="laws have no proofs"):
+        pump.sweep(theta=kin.rise("cycloidal", 0, 1, 1), assembly="open").proof(loads, "pin")
+
+
 def test_mistakes(pump, turn):
     loads = pump.loads()
     with pytest.raises(ValueError, match="there is no point `pim`; there is `pin`, `piston`"):

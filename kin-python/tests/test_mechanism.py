@@ -40,7 +40,9 @@ def test_every_mistake_is_shown_with_its_line():
     ]
     assert "2 | input θ: Angel;\n  |          ^^^^^" in str(error)
     assert "4 | x == r * cos(q);\n  |              ^" in str(error)
-    assert "did you mean `Angle`?" in error.mistakes[0].message
+    first = error.mistakes[0]
+    assert first.fault == "`Angel` is not a dimension" and first.advice.endswith("did you mean `Angle`?")
+    assert first.message == f"{first.fault}: {first.advice}"
     assert error.text == text
     again = pickle.loads(pickle.dumps(error))
     assert (str(again), again.mistakes) == (str(error), error.mistakes)
@@ -121,3 +123,12 @@ def test_the_library_has_every_mechanism():
     assert kin.library.four_bar is kin.library.mechanism("four_bar")
     with pytest.raises(AttributeError, match="no mechanism of the library is called `for_bar`"):
         kin.library.for_bar
+
+
+def test_what_quantities_measure():
+    mechanism = kin.Mechanism(CRANK)
+    measures = [mechanism.measure_of(name) for name in ("theta", "phi", "s", "pin.x")]
+    assert measures == ["angle", "angle", "length", "length"]
+    for wrong in ("pin", "s_jerk", "r"):
+        with pytest.raises(KeyError, match=f"no quantity is called `{wrong}`"):
+            mechanism.measure_of(wrong)

@@ -69,7 +69,8 @@ CHAPTER = HERE.parent.parent / "docs" / "python.md"
 
 def test_the_chapter():
     examples = re.findall(r"```pycon\n(.*?)```", CHAPTER.read_text(encoding="utf-8"), re.DOTALL)
-    assert len(examples) == 5
+    assert len(examples) == 6
+    pytest.importorskip("matplotlib").use("agg")
     test = doctest.DocTestParser().get_doctest("\n".join(examples), {}, "python.md", str(CHAPTER), None)
     assert doctest.DocTestRunner().run(test).failed == 0
 
@@ -93,3 +94,12 @@ def test_metadata():
 def test_everything_public_is_exported():
     classes = {name for name, value in public(_kin) if inspect.isclass(value)}
     assert classes <= set(kin.__all__)
+
+
+def test_another_interpreter_refuses():
+    """pyo3 has no modules in several interpreters: that must be an `ImportError`, and no crash."""
+    interpreters = pytest.importorskip("_xxsubinterpreters")
+    program = "try:\n    import kin\nexcept ImportError:\n    pass\nelse:\n    1 / 0"
+    code = f"import kin, _xxsubinterpreters as own\nown.run_string(own.create(), {program!r})\nprint('refused')"
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert ran.stdout == "refused\n", ran.stderr

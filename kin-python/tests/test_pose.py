@@ -158,3 +158,34 @@ def test_degrees_and_revolutions():
     assert kin.deg([90.0, 180.0]).tolist() == [math.pi / 2, math.pi]
     assert kin.deg(np.array([[90.0]])).shape == (1, 1)
     assert abs(kin.rpm(30) - math.pi) < 1e-15
+
+
+def test_a_motion_is_followed():
+    linkage = kin.library.four_bar(r1=90, r2=30, r3=70, r4=60)
+    pose = linkage.solve(theta2=0.0, assembly="open")
+    after = pose.track_to(theta2=(math.tau, 10.0))
+    assert after.theta4.position == pytest.approx(pose.theta4.position, abs=1e-12)
+    assert after.theta4.snap == pytest.approx(linkage.solve(theta2=(0.0, 10.0), assembly="open").theta4.snap)
+    # the search follows even where no assembly has a name
+    linkage, at = kin.library.example("stephenson_ii")
+    [name] = linkage.mechanism.inputs
+    start = linkage.solve(**at)
+    there = start.track_to(**{name: at[name] + 0.05})
+    back = there.track_to(**{name: at[name]})
+    assert back.unknowns == pytest.approx(start.unknowns, abs=1e-10)
+
+
+def test_a_motion_ends_at_a_limit():
+    linkage = kin.library.four_bar(r1=90, r2=30, r3=60, r4=45)
+    pose = linkage.solve(theta2=0.0, assembly="open")
+    limit = math.acos((90**2 + 30**2 - 105**2) / (2 * 90 * 30))
+    with pytest.raises(kin.TrackError) as caught:
+        pose.track_to(theta2=2.5)
+    error = caught.value
+    assert error.kind == "limit position" and error.inputs["theta2"] == pytest.approx(limit, abs=1e-6)
+    assert error.fraction == pytest.approx(limit / 2.5, abs=1e-6) and set(error.unknowns) == {"theta3", "theta4"}
+    again = pickle.loads(pickle.dumps(error))
+    assert (str(again), again.inputs) == (str(error), error.inputs)
+    with pytest.raises(kin.TrackError, match="change point") as caught:
+        kin.library.four_bar(r1=2, r2=1, r3=2, r4=1).solve(theta2=1.0, assembly="open").track_to(theta2=5.0)
+    assert caught.value.kind == "change point"

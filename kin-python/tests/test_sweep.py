@@ -4,6 +4,7 @@ import html
 import math
 import subprocess
 import sys
+import threading
 import types
 
 import numpy as np
@@ -101,6 +102,26 @@ def test_a_table_for_pandas_and_polars(turn):
         assert (np.asarray(frame["theta4_jerk"]) == table["theta4_jerk"]).all()
 
 
+def test_a_table_for_arrow(turn):
+    pyarrow, polars = pytest.importorskip("pyarrow"), pytest.importorskip("polars")
+    table = turn.table()
+    for frame in (pyarrow.table(table), polars.DataFrame(table)):
+        names = frame.column_names if isinstance(frame, pyarrow.Table) else frame.columns
+        assert tuple(names) == table.names
+        assert (np.asarray(frame["theta4_jerk"]) == table["theta4_jerk"]).all()
+    # a capsule that nobody reads frees its columns
+    for _ in range(100):
+        table.__arrow_c_stream__()
+
+
+def test_names_with_a_dot(linkage, turn):
+    assert turn.of("theta4.jerk").peak() == turn.of("theta4_jerk").peak()
+    assert (turn.table()["theta4.jerk"] == turn.table()["theta4_jerk"]).all() and "theta4.jerk" in turn.table()
+    assert linkage.cycle().peak("theta4.velocity") == linkage.cycle().peak("theta4_velocity")
+    assert turn.of("theta4.jerk").name == "theta4_jerk" and turn.of("theta4.jerk").order == 3
+    assert turn.variable == "theta2" and (turn.at == turn.table()["theta2"]).all()
+
+
 def test_limits_of_a_table():
     linkage = kin.library.four_bar(r1=90, r2=30, r3=60, r4=45)
     table = linkage.sweep(theta2=(-3, 3), rows=601, assembly="open").table()
@@ -130,6 +151,34 @@ def test_laws(linkage):
     jump = kin.dwell(0.0, 0.1) + kin.dwell(1.0, 0.1)
     with pytest.raises(kin.AnswerError, match="theta2"):
         linkage.sweep(theta2=jump, assembly="open").table()
+
+
+def test_every_kind_of_law():
+    for law, state in [
+        (kin.constant_speed(1.0, 20.0, 0.5), (6.0, 20.0, 0.0, 0.0, 0.0)),
+        (kin.s_curve(0.0, 1.0, velocity=2.0, acceleration=10.0, jerk=200.0, snap=1e6), None),
+        (kin.rise((0.0, 1.0, 0.0), 0.0, 1.0, 0.5), (0.5, 4.0, None, None, None)),
+        (kin.polynomial((0, 0, 0, 0), (10, 5, 0, 0), 0.5), None),
+        # 5 + 2 cos ωt + sin 2ωt in the middle of its period
+        (kin.fourier(5.0, [(2.0, 0.0), (0.0, 1.0)], 0.5), (3.0, 8 * math.pi, None, None, None)),
+    ]:
+        assert len(law.at(0.0)) == 5 and math.isfinite(law.duration)
+        for found, expected in zip(law.at(0.25), state or ()):
+            assert expected is None or found == pytest.approx(expected, abs=1e-9)
+    # the trapezoid of the jerk takes 0.5 s at full speed, 0.2 s of acceleration, and 0.05 s until it is reached
+    assert kin.s_curve(0, 1, velocity=2, acceleration=10, jerk=200).duration == pytest.approx(0.75)
+    assert kin.polynomial((0, 0, 0), (10, 5, 0), 2.0).at(2.0)[:3] == pytest.approx((10, 5, 0))
+    # a law at the end of another one
+    assert (kin.constant_speed(0, 1, 1) + kin.dwell(1, 1)).at(1.5) == (1, 0, 0, 0, 0)
+    for wrong, message in [
+        (lambda: kin.rise((0.5, 0.5, 0.5), 0, 1, 1), "share"),
+        (lambda: kin.s_curve(0, 0, velocity=1, acceleration=1, jerk=1), "0"),
+        (lambda: kin.s_curve(0, 1, velocity=-1, acceleration=1, jerk=1), "velocity"),
+        (lambda: kin.polynomial((0, 0), (1,), 1), "a state is the value"),
+        (lambda: kin.fourier(0, [(1, 0)] * 17, 1), "there are 17 harmonics: give 16 at most"),
+    ]:
+        with pytest.raises(ValueError, match=message):
+            wrong()
 
 
 def test_several_inputs():
@@ -195,6 +244,18 @@ def test_a_cycle(linkage):
             ask()
     with pytest.raises(kin.AnswerError):
         cycle.stroke("theta5")
+
+
+def test_a_cycle_lives_longer_than_its_mechanism():
+    cycle = kin.Mechanism(kin.library.four_bar.text)(r1=90, r2=30, r3=70, r4=60).cycle()
+    expected = kin.library.four_bar(r1=90, r2=30, r3=70, r4=60).cycle().stroke("theta4")
+    found = []
+    threads = [threading.Thread(target=lambda: found.append(cycle.stroke("theta4"))) for _ in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert found == [expected] * 8
 
 
 def test_a_cycle_over_one_of_several_inputs():

@@ -20,9 +20,9 @@ use crate::track::{TrackError, track_between};
     private_bounds,
     reason = "messages would list a public number among those that a user may take"
 )]
-pub trait CycleFunctions: CurveFunctions + ClosureOver<Bounds> {}
+pub trait CycleFunctions: Send + Sync + CurveFunctions + ClosureOver<Bounds> {}
 
-impl<F: CurveFunctions + ClosureOver<Bounds>> CycleFunctions for F {}
+impl<F: Send + Sync + CurveFunctions + ClosureOver<Bounds>> CycleFunctions for F {}
 
 /// What the search needs where every block has a closed form.
 #[expect(

@@ -5,14 +5,17 @@ use alloc::vec::Vec;
 use core::fmt;
 
 use crate::any::{
-    AnyMechanism, AssemblyChoice, EveryPosition, FormsOver, Of, OutputsOver, PositionChoice, TransmissionOver,
+    AnyMechanism, AssemblyChoice, ClosureOver, EveryPosition, FormsOver, Of, OutputsOver, PositionChoice,
+    TransmissionOver,
 };
 use crate::cycle::{MeasuredFunctions, SearchedFunctions};
 use crate::extremes::ChangedFunctions;
 use crate::failure::{InputValues, SolveError};
-use crate::mechanism::{BlockForm, Description, Mechanism, PositionSearch};
+use crate::mechanism::condition::{At, Changed, ConditionMemory, conditions_over};
+use crate::mechanism::{BlockForm, Description, First, Mechanism, PositionSearch};
 use crate::number::NumberRow;
 use crate::picture::TransmissionAngle;
+use crate::solve::lent_factors_length;
 use crate::sweep::SweptMechanism;
 use crate::track::{TrackError, track_between};
 
@@ -144,6 +147,44 @@ impl<'m> AnyLinkage<'m> {
         let functions: &dyn TransmissionOver<f64> = self.functions;
         functions.angles_of_dyads(&self.parameters, inputs, unknowns, &mut angles);
         angles
+    }
+
+    /// The condition of each unknown at a position: see [`conditions`](crate::Mechanism::conditions).
+    #[must_use]
+    pub fn conditions(&self, inputs: &[f64], unknowns: &[f64]) -> Vec<f64> {
+        let functions: &dyn ClosureOver<First> = self.functions;
+        let at = At {
+            parameters: &self.parameters,
+            inputs,
+            unknowns,
+        };
+        let mut residuals = vec![First::ZERO; unknowns.len()];
+        let mut response = |changed: Changed, by: f64, response: &mut [f64]| {
+            let series = |values: &[f64], quantity: fn(usize) -> Changed| {
+                let values = values.iter().enumerate();
+                let series = values.map(|(index, value)| changed.series(quantity(index), *value, by));
+                series.collect::<Vec<First>>()
+            };
+            let parameters = series(at.parameters, Changed::Parameter);
+            let inputs = series(at.inputs, Changed::Input);
+            functions.closure(
+                &parameters,
+                &inputs,
+                &series(at.unknowns, Changed::Unknown),
+                &mut residuals,
+            );
+            for (response, residual) in response.iter_mut().zip(&residuals) {
+                *response = residual.coefficients()[1];
+            }
+        };
+        let mut conditions = vec![0.0; unknowns.len()];
+        let [mut first, mut second, mut third] = [0; 3].map(|_| conditions.clone());
+        let memory = ConditionMemory {
+            rows: [&mut first, &mut second, &mut third],
+            factors: &mut vec![0.0; lent_factors_length(unknowns.len())],
+        };
+        conditions_over(self.description(), at, &mut response, memory, &mut conditions);
+        conditions
     }
 
     /// The form of each block.

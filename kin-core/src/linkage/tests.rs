@@ -10,6 +10,7 @@ use crate::extremes::Over;
 use crate::law::{Rise, Shape};
 use crate::library::{FiveBar, FourBar};
 use crate::mechanism::Mechanism;
+use crate::mechanism::condition::conditions;
 use crate::number::{Number, Row, samples};
 use crate::sweep::samples::{CRANK_ROCKER, triad};
 use crate::sweep::{Local, Swept};
@@ -50,6 +51,10 @@ fn agrees<M: Mechanism<Scalar = f64>>(mechanism: &M, from: M::Inputs<f64>, assem
             assert_eq!(one.rms(Over::Time), other.rms(Over::Time), "{name}");
             assert_eq!(one.peak_sensitivities(), other.peak_sensitivities(), "{name}");
         }
+    }
+    if let Ok(position) = mechanism.position(from, assembly) {
+        let found = linkage.conditions(from.as_ref(), position.as_ref());
+        assert_eq!(conditions(mechanism, &from, &position).as_ref(), found, "{name}");
     }
     for dyad in 0..linkage.dyad_count() {
         let one = typed.of_expression(|at| {

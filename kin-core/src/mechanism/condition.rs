@@ -1,19 +1,37 @@
 //! The condition of a position: how strongly it depends on rounding of the numbers it was found from.
 
-use crate::mechanism::Mechanism;
-use crate::number::{Number, Row, series::Series};
+use crate::mechanism::{Description, First, Mechanism};
+use crate::number::{Number, Row};
 use crate::quantity::{Dimension, Quantity};
 use crate::solve::{LentFactors, lent_factors_length};
 
-/// A value and its first-order change.
-type FirstOrder = Series<2>;
-
 /// The quantity that changes, by its index.
 #[derive(Clone, Copy, PartialEq)]
-enum Changed {
+pub(crate) enum Changed {
     Parameter(usize),
     Input(usize),
     Unknown(usize),
+}
+
+impl Changed {
+    /// The value of a quantity, which changes by a number if it is this one.
+    pub(crate) fn series(self, quantity: Self, value: f64, by: f64) -> First {
+        First::from_coefficients([value, if self == quantity { by } else { 0.0 }])
+    }
+}
+
+/// A position: all parameters, inputs and unknowns.
+#[derive(Clone, Copy)]
+pub(crate) struct At<'a> {
+    pub(crate) parameters: &'a [f64],
+    pub(crate) inputs: &'a [f64],
+    pub(crate) unknowns: &'a [f64],
+}
+
+/// Memory for conditions: a number for each unknown in each of three rows, and that of [`LentFactors`].
+pub(crate) struct ConditionMemory<'a> {
+    pub(crate) rows: [&'a mut [f64]; 3],
+    pub(crate) factors: &'a mut [f64],
 }
 
 /// Computes [`Mechanism::conditions`](crate::Mechanism::conditions).
@@ -22,70 +40,95 @@ pub(crate) fn conditions<M: Mechanism>(
     inputs: &M::Inputs<M::Scalar>,
     unknowns: &M::Unknowns<M::Scalar>,
 ) -> M::Unknowns<f64> {
-    let parameters = mechanism.parameters();
-    let values = |row: &[M::Scalar], index: usize| row[index].real();
-    // The change of each equation with a quantity, times a number.
-    let response = |quantity: Changed, by: f64| {
-        let series = |varied: Changed, value: f64| {
-            let change = if varied == quantity { by } else { 0.0 };
-            FirstOrder::from_coefficients([value, change])
-        };
-        let changed = <M::With<FirstOrder>>::from_parameters(Row::from_fn(|index| {
-            series(Changed::Parameter(index), values(parameters.as_ref(), index))
-        }));
-        let residuals = changed.closure(
-            Row::from_fn(|index| series(Changed::Input(index), values(inputs.as_ref(), index))),
-            Row::from_fn(|index| series(Changed::Unknown(index), values(unknowns.as_ref(), index))),
-        );
-        M::Unknowns::<f64>::from_fn(|equation| residuals[equation].coefficients()[1])
+    let parameters: M::Parameters<f64> = reals(mechanism.parameters().as_ref());
+    let (inputs, unknowns): (M::Inputs<f64>, M::Unknowns<f64>) = (reals(inputs.as_ref()), reals(unknowns.as_ref()));
+    let at = At {
+        parameters: parameters.as_ref(),
+        inputs: inputs.as_ref(),
+        unknowns: unknowns.as_ref(),
     };
+    let mut response = |changed: Changed, by: f64, response: &mut [f64]| {
+        let series = |quantity, value| changed.series(quantity, value, by);
+        let mechanism = <M::With<First>>::from_parameters(Row::from_fn(|index| {
+            series(Changed::Parameter(index), at.parameters[index])
+        }));
+        let residuals = mechanism.closure(
+            Row::from_fn(|index| series(Changed::Input(index), at.inputs[index])),
+            Row::from_fn(|index| series(Changed::Unknown(index), at.unknowns[index])),
+        );
+        for (response, residual) in response.iter_mut().zip(residuals.as_ref()) {
+            *response = residual.coefficients()[1];
+        }
+    };
+    let mut conditions: M::Unknowns<f64> = Row::splat(0.0);
+    let mut rows: [M::Unknowns<f64>; 3] = [Row::splat(0.0); 3];
+    let [first, second, third] = &mut rows;
+    M::lend(|lent| {
+        let memory = ConditionMemory {
+            rows: [first.as_mut(), second.as_mut(), third.as_mut()],
+            factors: &mut lent.numbers[..lent_factors_length(at.unknowns.len())],
+        };
+        conditions_over(&M::DESCRIPTION, at, &mut response, memory, conditions.as_mut());
+    });
+    conditions
+}
 
-    let mut jacobian: M::Unknowns<M::Unknowns<f64>> = Row::splat(Row::splat(0.0));
-    let mut terms: M::Unknowns<f64> = Row::splat(0.0);
-    for (index, quantity) in M::DESCRIPTION.unknowns.iter().enumerate() {
-        let column = response(Changed::Unknown(index), 1.0);
+fn reals<T: Number, R: Row<f64>>(values: &[T]) -> R {
+    Row::from_fn(|index| values[index].real())
+}
+
+/// The condition of each unknown. `response` writes the change of each equation with a quantity, times a number.
+pub(crate) fn conditions_over(
+    description: &Description<'_>,
+    at: At<'_>,
+    response: &mut dyn FnMut(Changed, f64, &mut [f64]),
+    memory: ConditionMemory<'_>,
+    conditions: &mut [f64],
+) {
+    let ConditionMemory {
+        rows: [terms, right, change],
+        factors,
+    } = memory;
+    let count = at.unknowns.len();
+    terms.fill(0.0);
+    for (index, (quantity, value)) in description.unknowns.iter().zip(at.unknowns).enumerate() {
+        response(Changed::Unknown(index), 1.0, right);
         // The direction of a link is rounded, not its angle.
         let size = match quantity.dimension {
             Dimension::Angle => 1.0,
-            _ => values(unknowns.as_ref(), index).abs(),
+            _ => value.abs(),
         };
-        let rows: &mut [M::Unknowns<f64>] = jacobian.as_mut();
-        for ((row, terms), entry) in rows.iter_mut().zip(terms.as_mut()).zip(column.as_ref()) {
-            row[index] = *entry;
+        for (row, (terms, entry)) in terms.iter_mut().zip(&*right).enumerate() {
+            factors[row * count + index] = *entry;
             *terms += entry.abs() * size;
         }
+        conditions[index] = value.abs();
     }
-    let mut conditions = M::Unknowns::from_fn(|index| values(unknowns.as_ref(), index).abs());
-    M::lend(|lent| {
-        let count = M::DESCRIPTION.unknowns.len();
-        let memory = &mut lent.numbers[..lent_factors_length(count)];
-        let factored = LentFactors::new(memory, count, |row, column| jacobian[row][column]);
-        let mut add = |right: M::Unknowns<f64>| {
-            let mut change = right;
-            factored.solve(right.as_ref(), change.as_mut());
-            for (condition, change) in conditions.as_mut().iter_mut().zip(change.as_ref()) {
-                *condition += change.abs();
-            }
-        };
-        for (row, terms) in terms.as_ref().iter().enumerate() {
-            add(Row::from_fn(|other| if other == row { *terms } else { 0.0 }));
+    let factored = LentFactors::of_entries(factors, count);
+    let mut add = |right: &[f64]| {
+        change.copy_from_slice(right);
+        factored.solve(right, change);
+        for (condition, change) in conditions.iter_mut().zip(&*change) {
+            *condition += change.abs();
         }
-        for (index, value) in parameters.as_ref().iter().enumerate() {
-            add(response(Changed::Parameter(index), value.real()));
-        }
-        for (index, value) in inputs.as_ref().iter().enumerate() {
-            add(response(Changed::Input(index), value.real()));
-        }
-    });
+    };
+    for (row, term) in terms.iter().enumerate() {
+        right.fill(0.0);
+        right[row] = *term;
+        add(right);
+    }
+    for (index, value) in at.parameters.iter().enumerate() {
+        response(Changed::Parameter(index), *value, right);
+        add(right);
+    }
+    for (index, value) in at.inputs.iter().enumerate() {
+        response(Changed::Input(index), *value, right);
+        add(right);
+    }
     // A Jacobian that is singular to all digits determines nothing.
-    M::Unknowns::from_fn(|index| {
-        let condition: f64 = conditions[index];
-        if condition.is_finite() {
-            condition
-        } else {
-            f64::INFINITY
-        }
-    })
+    for condition in conditions.iter_mut().filter(|condition| !condition.is_finite()) {
+        *condition = f64::INFINITY;
+    }
 }
 
 /// Computes [`Mechanism::condition`](crate::Mechanism::condition).

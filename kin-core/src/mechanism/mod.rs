@@ -2,7 +2,7 @@
 
 mod block_form;
 mod closure_term;
-mod condition;
+pub(crate) mod condition;
 mod description;
 mod failed;
 mod formulas;

@@ -49,13 +49,18 @@ impl<'s> LentFactors<'s> {
     /// The factors of the matrix with these entries, given by row and column, in memory of the length
     /// [`lent_factors_length`].
     pub(crate) fn new(memory: &'s mut [f64], count: usize, entry: impl Fn(usize, usize) -> f64) -> Self {
+        for (index, value) in memory[..count * count].iter_mut().enumerate() {
+            *value = entry(index / count, index % count);
+        }
+        Self::of_entries(memory, count)
+    }
+
+    /// The factors of the matrix whose entries stand first in such memory, row after row.
+    pub(crate) fn of_entries(memory: &'s mut [f64], count: usize) -> Self {
         let (entries, scales) = memory.split_at_mut(count * count);
         let (row_scales, scales) = scales.split_at_mut(count);
         let (column_scales, origins) = scales.split_at_mut(count);
         let (origins, sign) = origins.split_at_mut(count);
-        for (index, value) in entries.iter_mut().enumerate() {
-            *value = entry(index / count, index % count);
-        }
         level(entries, row_scales, column_scales);
         let mut number = 0.0;
         for origin in origins.iter_mut() {

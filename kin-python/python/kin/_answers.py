@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from kin._kin import Linkage
 
 
 class Peak(NamedTuple):
@@ -154,6 +157,75 @@ class Force(NamedTuple):
     by: str
 
 
+class Efficiency(NamedTuple):
+    """Powers of drives and of friction: in a pose, or their means along a motion."""
+
+    #: The power of all drives; below zero if loads drive them.
+    input: float
+    #: The power that friction turns into heat.
+    heat: float
+
+    @property
+    def output(self) -> float:
+        """The power that is left for the loads."""
+        return self.input - self.heat
+
+    @property
+    def ratio(self) -> float | None:
+        """The part of the power that passes the joints; zero or less if friction takes all; None without power."""
+        part, whole = (self.input, self.output) if self.input < 0 else (self.output, self.input)
+        return part / whole if whole else None
+
+
+class ForcePlace(NamedTuple):
+    """A place of a motion, and what the force there is at least."""
+
+    force: float
+    #: The first input that moves, its velocity and its acceleration.
+    at: float
+    velocity: float
+    acceleration: float
+    #: All scalar dimensions, of which those with tolerances are within them.
+    dimensions: dict[str, float]
+
+
+class ForceVerdict(NamedTuple):
+    """Whether a force stays below a limit, for all inputs and all dimensions within tolerances."""
+
+    #: "holds", "fails", or "undecided".
+    answer: str
+    #: A number that the force exceeds nowhere, if it holds.
+    upper: float | None
+    #: A place where it certainly fails.
+    place: ForcePlace | None
+    #: Why nothing is known, if it is undecided.
+    reason: str
+
+
+class PeakBounds(NamedTuple):
+    """Bounds of the largest size of a force."""
+
+    #: A place where the force is nearly as large as it can be.
+    lower: ForcePlace
+    #: A number that the force exceeds nowhere.
+    upper: float
+
+
+class Fitted(NamedTuple):
+    """Dimensions that were fitted to measured numbers."""
+
+    #: The linkage with these dimensions.
+    linkage: Linkage
+    #: For each column the root of the mean square of what it deviates; None if no row with a value closes.
+    deviations: dict[str, float | None]
+    #: The same with the dimensions at the start.
+    deviations_at_start: dict[str, float | None]
+    #: Whether no other dimensions nearby are better.
+    is_minimum: bool
+    #: The number of rows in which the linkage does not close.
+    unclosed_rows: int
+
+
 class Forces(NamedTuple):
     """The forces in a pose."""
 
@@ -161,6 +233,13 @@ class Forces(NamedTuple):
     joints: dict[str, Force | None]
     #: The torque or force of the drive of each input, likewise.
     efforts: dict[str, float | None]
+    #: The powers of drives and friction; None if one of them is not determined.
+    efficiency: Efficiency | None
+
+    def _repr_html_(self) -> str:
+        from kin._show import forces_as_html
+
+        return forces_as_html(self)
 
 
 class C(NamedTuple):

@@ -14,6 +14,10 @@ class Mistake(NamedTuple):
 
     #: What is wrong, and then what to write instead.
     message: str
+    #: What is wrong.
+    fault: str
+    #: What to write instead; None where the fault alone says it.
+    advice: str | None
     line: int
     column: int
     end_line: int
@@ -29,8 +33,8 @@ class DeclarationError(KinError, ValueError):
     ...     kin.Mechanism("struct Crank { r: Length } input theta: Angle; unknown x: Length; x == q * cos(theta);")
     ... except kin.DeclarationError as error:
     ...     mistake = error.mistakes[0]
-    >>> mistake.line, mistake.column
-    (1, 72)
+    >>> mistake.line, mistake.column, mistake.fault, mistake.advice
+    (1, 72, 'no parameter, input, unknown or `let` is called `q`', 'did you mean `r`?')
     """
 
     #: All mistakes, in the order of the text; none if the declaration is too large.
@@ -75,6 +79,40 @@ class SolveError(KinError, ValueError):
         self.kind = kind
         self.margin = margin
         self.inputs = inputs
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+class TrackError(KinError, ValueError):
+    """A motion ends before its target, or geometry does not determine how it goes on.
+
+    >>> import kin
+    >>> pose = kin.library.four_bar(r1=90, r2=30, r3=60, r4=45).solve(theta2=0.0, assembly="open")
+    >>> try:
+    ...     pose.track_to(theta2=3.0)
+    ... except kin.TrackError as error:
+    ...     print(error.kind, round(error.inputs["theta2"], 6))
+    limit position 1.706354
+    """
+
+    #: "limit position", "change point", "pole", "too many steps" or "lost".
+    kind: str
+    #: The part of the way that is behind, from 0 to 1.
+    fraction: float
+    #: The inputs there.
+    inputs: dict[str, float]
+    #: The unknowns there.
+    unknowns: dict[str, float]
+
+    def __init__(
+        self, message: str, kind: str, fraction: float, inputs: dict[str, float], unknowns: dict[str, float]
+    ) -> None:
+        super().__init__(message, kind, fraction, inputs, unknowns)
+        self.kind = kind
+        self.fraction = fraction
+        self.inputs = inputs
+        self.unknowns = unknowns
 
     def __str__(self) -> str:
         return str(self.args[0])
