@@ -1,6 +1,7 @@
 //! Many poses at once.
 
 use std::num::NonZero;
+use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
@@ -13,7 +14,6 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyFloat, PyTuple};
 
 use crate::arguments::{self, Group, Wanted, groups};
-use crate::arrays::array;
 use crate::choice::choice;
 use crate::fault;
 use crate::mechanism::Declared;
@@ -51,18 +51,18 @@ pub(crate) struct Batch {
     first_failure: Option<(usize, Py<PyAny>)>,
 }
 
-/// One number for all poses, or one for each.
-enum Values {
+/// One number for all poses, or an array with one for each that nobody else has.
+enum Values<'py> {
     Same(f64),
-    Each(Vec<f64>),
+    Each(PyReadonlyArrayDyn<'py, f64>),
 }
 
-impl Values {
-    fn part(&self, from: usize, count: usize) -> Column<'_> {
-        match self {
+impl Values<'_> {
+    fn column(&self) -> PyResult<Column<'_>> {
+        Ok(match self {
             Self::Same(value) => Column::Same(*value),
-            Self::Each(values) => Column::Each(&values[from..from + count]),
-        }
+            Self::Each(values) => Column::Each(values.as_slice()?),
+        })
     }
 }
 
@@ -83,7 +83,7 @@ fn as_array<'py>(numpy: &Bound<'py, PyAny>, value: &Bound<'py, PyAny>, name: &st
 }
 
 /// The values of all arguments, broadcast against each other, and their shape.
-fn broadcast<'py>(py: Python<'py>, given: &[(Bound<'py, PyAny>, String)]) -> PyResult<(Vec<Values>, Vec<usize>)> {
+fn broadcast<'py>(py: Python<'py>, given: &[(Bound<'py, PyAny>, String)]) -> PyResult<(Vec<Values<'py>>, Vec<usize>)> {
     let numpy = py.import("numpy")?.into_any();
     let arrays = given.iter().map(|(value, name)| as_array(&numpy, value, name));
     let arrays = arrays.collect::<PyResult<Vec<_>>>()?;
@@ -114,11 +114,11 @@ fn broadcast<'py>(py: Python<'py>, given: &[(Bound<'py, PyAny>, String)]) -> PyR
         let whole = numpy.call_method1("broadcast_to", (array, &shape))?;
         let keywords = PyDict::new(py);
         keywords.set_item("dtype", &float)?;
-        let whole = numpy.call_method("ascontiguousarray", (whole,), Some(&keywords))?;
-        let whole = whole.cast_into::<PyArrayDyn<f64>>().map_err(PyErr::from)?;
+        keywords.set_item("order", "C")?;
         // a copy, because other threads of Python may write to the array while this one solves
-        let read: PyReadonlyArrayDyn<'_, f64> = whole.readonly();
-        values.push(Values::Each(read.as_slice()?.to_vec()));
+        let own = numpy.call_method("array", (whole,), Some(&keywords))?;
+        let own = own.cast_into::<PyArrayDyn<f64>>().map_err(PyErr::from)?;
+        values.push(Values::Each(own.readonly()));
     }
     Ok((values, shape.extract()?))
 }
@@ -127,7 +127,43 @@ fn broadcast<'py>(py: Python<'py>, given: &[(Bound<'py, PyAny>, String)]) -> PyR
 struct Piece<'w> {
     from: usize,
     wanted: Vec<(Slot, &'w mut [f64])>,
-    outcomes: &'w mut [Outcome],
+    outcomes: OutcomeColumns<'w>,
+}
+
+/// The memory of how poses end.
+struct OutcomeColumns<'w> {
+    solved: &'w mut [bool],
+    singular: &'w mut [bool],
+    margin: &'w mut [f64],
+}
+
+impl OutcomeColumns<'_> {
+    fn split_at(self, length: usize) -> [Self; 2] {
+        let (solved, other_solved) = self.solved.split_at_mut(length);
+        let (singular, other_singular) = self.singular.split_at_mut(length);
+        let (margin, other_margin) = self.margin.split_at_mut(length);
+        let rest = Self {
+            solved: other_solved,
+            singular: other_singular,
+            margin: other_margin,
+        };
+        [
+            Self {
+                solved,
+                singular,
+                margin,
+            },
+            rest,
+        ]
+    }
+
+    fn write(self, outcomes: &[Outcome]) {
+        for (index, outcome) in outcomes.iter().enumerate() {
+            self.solved[index] = outcome.is_solved();
+            self.singular[index] = matches!(outcome, Outcome::Singular);
+            self.margin[index] = outcome.margin().unwrap_or(f64::NAN);
+        }
+    }
 }
 
 /// Solves a batch. Dimensions are these numbers, or stand among the given arguments.
@@ -182,27 +218,36 @@ pub(crate) fn solve<'py>(
     }
     let (values, shape) = broadcast(py, &given)?;
     let count: usize = shape.iter().product();
-    let (parameters, motions) = values.split_at(description.parameters.len());
+    let columns = values.iter().map(Values::column).collect::<PyResult<Vec<_>>>()?;
+    let (parameters, motions) = columns.split_at(description.parameters.len());
 
     let kinds = [description.unknowns, description.outputs];
     let arrays = Arrays::new(py, kinds, orders, count)?;
     let mut guards: Vec<_> = arrays.numbers.iter().map(PyArrayMethods::readwrite).collect();
     let numbers = guards.iter_mut().map(|guard| guard.as_slice_mut());
-    let mut columns = Columns::new(&arrays, numbers.collect::<Result<_, _>>()?);
-    let mut outcomes = vec![Outcome::Unsolved; count];
+    let mut found = Columns::new(&arrays, numbers.collect::<Result<_, _>>()?);
+    let mut ends = (
+        arrays.solved.readwrite(),
+        arrays.singular.readwrite(),
+        arrays.margin.readwrite(),
+    );
+    let outcomes = OutcomeColumns {
+        solved: ends.0.as_slice_mut()?,
+        singular: ends.1.as_slice_mut()?,
+        margin: ends.2.as_slice_mut()?,
+    };
     let threads = threads(wishes.threads);
     let unknowns = description.unknowns.iter().enumerate();
     let angles = unknowns.filter(|(_, quantity)| quantity.dimension == Dimension::Angle);
     let angles: Vec<usize> = angles.map(|(index, _)| index).collect();
     let first_failure = py.detach(|| {
-        let pieces = columns.pieces(&mut outcomes);
+        let pieces = found.pieces(outcomes);
         let solve = |piece: Piece<'_>| {
-            let length = piece.outcomes.len();
-            let parameters: Vec<Column<'_>> = parameters
-                .iter()
-                .map(|values| values.part(piece.from, length))
-                .collect();
-            let motions: Vec<Column<'_>> = motions.iter().map(|values| values.part(piece.from, length)).collect();
+            let length = piece.outcomes.solved.len();
+            let range = piece.from..piece.from + length;
+            let parameters = parts(parameters, &range);
+            let motions = parts(motions, &range);
+            let mut outcomes = vec![Outcome::Unsolved; length];
             let mut rest = motions.as_slice();
             let inputs = counts.iter().map(|count| {
                 let (motion, others) = rest.split_at(*count);
@@ -230,7 +275,8 @@ pub(crate) fn solve<'py>(
             let all = &mut WantedColumns::new(columns.chain(of_sines).collect());
             let solved = declared
                 .mechanism
-                .solve_batch(given, all, piece.outcomes, Vectors::widest());
+                .solve_batch(given, all, &mut outcomes, Vectors::widest());
+            piece.outcomes.write(&outcomes);
             for (unknown, sines) in angles.iter().zip(sines.chunks_exact(length)) {
                 turn(&mut wanted, *unknown, sines);
             }
@@ -239,9 +285,14 @@ pub(crate) fn solve<'py>(
         };
         on_threads(pieces, threads, solve)
     });
-    drop(columns);
-    drop(guards);
-    arrays.batch(py, declared, shape, &outcomes, first_failure)
+    drop(found);
+    drop((guards, ends));
+    arrays.batch(py, declared, shape, first_failure)
+}
+
+/// The parts of columns for a range of poses.
+fn parts<'a>(columns: &[Column<'a>], range: &Range<usize>) -> Vec<Column<'a>> {
+    columns.iter().map(|column| column.part(range.clone())).collect()
 }
 
 fn threads(wished: Option<usize>) -> usize {
@@ -308,6 +359,9 @@ struct Arrays<'d, 'py> {
     orders: usize,
     count: usize,
     numbers: Vec<Bound<'py, PyArray1<f64>>>,
+    solved: Bound<'py, PyArray1<bool>>,
+    singular: Bound<'py, PyArray1<bool>>,
+    margin: Bound<'py, PyArray1<f64>>,
 }
 
 impl<'d, 'py> Arrays<'d, 'py> {
@@ -319,7 +373,11 @@ impl<'d, 'py> Arrays<'d, 'py> {
             .iter()
             .flat_map(|(group, _)| (0..orders).map(|_| group.coordinates * count))
             .map(|length| Ok(empty.call1((length,))?.cast_into::<PyArray1<f64>>()?));
+        let flags = || empty.call1((count, "?"));
         Ok(Self {
+            solved: flags()?.cast_into()?,
+            singular: flags()?.cast_into()?,
+            margin: empty.call1((count,))?.cast_into()?,
             kinds,
             orders,
             count,
@@ -348,7 +406,7 @@ impl<'d, 'a> Columns<'d, 'a> {
     }
 
     /// The pieces that threads solve.
-    fn pieces<'w>(&'w mut self, outcomes: &'w mut [Outcome]) -> Vec<Piece<'w>> {
+    fn pieces<'w>(&'w mut self, outcomes: OutcomeColumns<'w>) -> Vec<Piece<'w>> {
         let mut rest: Vec<(Slot, &'w mut [f64])> = Vec::new();
         for (index, numbers) in self.numbers.iter_mut().enumerate() {
             let (group, is_output) = &self.groups[index / self.orders];
@@ -366,13 +424,10 @@ impl<'d, 'a> Columns<'d, 'a> {
         }
 
         let (mut outcomes, mut from, mut pieces) = (outcomes, 0, Vec::new());
-        while !outcomes.is_empty() {
-            let length = if outcomes.len() < PIECE + FEWEST {
-                outcomes.len()
-            } else {
-                PIECE
-            };
-            let (part, others) = outcomes.split_at_mut(length);
+        while from < self.count {
+            let left = self.count - from;
+            let length = if left < PIECE + FEWEST { left } else { PIECE };
+            let [part, others] = outcomes.split_at(length);
             let split = |(slot, numbers): &mut (Slot, &'w mut [f64])| {
                 let (part, others) = std::mem::take(numbers).split_at_mut(length);
                 *numbers = others;
@@ -408,7 +463,6 @@ impl<'py> Arrays<'_, 'py> {
         py: Python<'py>,
         declared: &Declared,
         shape: Vec<usize>,
-        outcomes: &[Outcome],
         first_failure: Option<(usize, SolveError)>,
     ) -> PyResult<Batch> {
         let mut motions = Vec::with_capacity(self.groups.len());
@@ -428,17 +482,15 @@ impl<'py> Arrays<'_, 'py> {
             let motion = Motion::new(group, unit(dimension), orders);
             motions.push((group.name.to_owned(), Py::new(py, motion)?));
         }
-        let mask = |is: fn(&Outcome) -> bool| array(py, outcomes.iter().map(is).collect::<Vec<bool>>(), &shape);
-        let margins = outcomes.iter().map(|outcome| outcome.margin().unwrap_or(f64::NAN));
         let first_failure = first_failure.map(|(index, error)| {
             let error = fault::of_solver(py, &declared.mechanism, &error);
             (index, error.into_value(py).into_any())
         });
         Ok(Batch {
             motions,
-            solved: mask(Outcome::is_solved)?.unbind(),
-            singular: mask(|outcome| matches!(outcome, Outcome::Singular))?.unbind(),
-            margin: array(py, margins.collect(), &shape)?.unbind(),
+            solved: self.solved.reshape(shape.clone())?.into_any().unbind(),
+            singular: self.singular.reshape(shape.clone())?.into_any().unbind(),
+            margin: self.margin.reshape(shape.clone())?.into_any().unbind(),
             count: self.count,
             shape,
             first_failure,

@@ -65,8 +65,9 @@ impl<T: Element> Column<'_, T> {
         }
     }
 
-    /// The part of a column for a range of poses.
-    pub(crate) fn part(self, range: core::ops::Range<usize>) -> Self {
+    /// The part of a column for a range of poses; without numbers if the column ends before.
+    #[must_use]
+    pub fn part(self, range: core::ops::Range<usize>) -> Self {
         match self {
             Self::Same(value) => Self::Same(value),
             Self::Each(values) => Self::Each(values.get(range).unwrap_or(&[])),
