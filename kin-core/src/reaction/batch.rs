@@ -5,19 +5,18 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use super::equations::Solution;
-use super::pose::{PosePlan, PoseReactions, PoseSolution, TERMS};
+use super::pose::{PosePlan, PoseReactions, TERMS};
 use super::prepared::PreparedReactions;
-use super::traced::{Place, Program, ProgramRun, Traced, stride};
-use super::{MovingPose, NamedReactions, ORDERS, ReactionError, ReactionPlace};
+use super::program::{ProgramRun, stride};
+use super::traced_plan::{Given, TracedColumns, TracedPlan, slot};
+use super::{MovingPose, NamedReactions, ReactionError};
 use crate::any::PositionChoice;
 use crate::batch::{
     Column, ColumnChoice, GivenColumns, LengthMismatch, Outcome, Slot, Vectors, WantedColumns, check_length,
 };
-use crate::geometry::Space;
 use crate::motion::Motion;
 use crate::number::Number;
-use crate::number::series::{Series, SeriesOf};
+use crate::number::series::Series;
 use crate::quantity::NameKind;
 
 /// What takes the reactions in a pose, by its row.
@@ -334,14 +333,14 @@ impl<'b> ReactionBatch<'b> {
         let place = reactions.place(&motions, &unknowns);
         let plan = PosePlan::new(reactions, &place, varies)?;
         let plan = plan.filter(|plan| !self.asks_for_direction(plan, row));
-        plan.map_or(Ok(None), |plan| self.traced(reactions, plan, &place, varies))
+        plan.map_or(Ok(None), |plan| TracedPlan::of(reactions, plan, &place, varies))
     }
 
     /// Whether a plan asks for the angle of a direction, of which a batch gives cosine and sine.
     fn asks_for_direction(&self, plan: &PosePlan, row: usize) -> bool {
         let mut sines = Vec::new();
         for quantity in &plan.needed {
-            if let Some(Slot::Unknown(index, _)) = self.slot(*quantity, 0) {
+            if let Some(Slot::Unknown(index, _)) = slot(self.reactions, *quantity, 0) {
                 sines.push((Slot::Sine(index), f64::NAN));
             }
         }
@@ -385,20 +384,6 @@ impl<'b> ReactionBatch<'b> {
         };
         let functions = self.reactions.functions;
         functions.solve_batch(given, wanted, outcomes, self.vectors).map(|_| ())
-    }
-
-    /// Where a batch writes a derivative of a quantity; none of a parameter.
-    fn slot(&self, quantity: usize, order: usize) -> Option<Slot> {
-        let description = self.reactions.functions.description();
-        let [inputs, unknowns] = [description.inputs.len(), description.unknowns.len()];
-        let index = quantity.checked_sub(description.parameters.len())?;
-        Some(if index < inputs {
-            Slot::Input(index, order)
-        } else if index < inputs + unknowns {
-            Slot::Unknown(index - inputs, order)
-        } else {
-            Slot::Output(index - inputs - unknowns, order)
-        })
     }
 
     fn parameters(&self, row: usize) -> Vec<f64> {
@@ -450,151 +435,5 @@ impl Alone<'_, '_> {
             return read(row, reactions.prepared().alone(&motions, position));
         }
         read(row, self.prepared.at(&motions, position));
-    }
-}
-
-/// A number on which a program depends.
-#[derive(Clone, Copy, Debug)]
-enum Given {
-    Dimension(usize),
-    Motion(Slot),
-    /// A coordinate of a joint that is drawn, by its axis and its order.
-    Drawn(usize, usize, usize),
-}
-
-/// A plan with the program of what it does in a pose.
-struct TracedPlan {
-    plan: PosePlan,
-    program: Program,
-    given: Vec<Given>,
-    /// The quantities that move, in the order of what is given.
-    moving: Vec<usize>,
-    /// The number of quantities.
-    quantities: usize,
-    /// The forces, the moments and the efforts, one after the other, each with all orders.
-    forces: Vec<Place>,
-    reactions: usize,
-    drives: usize,
-}
-
-impl ReactionBatch<'_> {
-    /// The program of a plan; none if it does not fit the pose for which it was made.
-    fn traced(
-        &self,
-        reactions: &NamedReactions<'_>,
-        plan: PosePlan,
-        place: &ReactionPlace<'_>,
-        varies: bool,
-    ) -> Result<Option<TracedPlan>, ReactionError> {
-        let (mut given, mut moving) = (Vec::new(), Vec::new());
-        let mut quantities = 0;
-        let (is_solved, program, forces) = Program::of(|| {
-            let mut room = plan.room::<Traced>(reactions);
-            quantities = room.moved.quantities.len();
-            let mut add = |own: Given, value: f64| {
-                given.push(own);
-                Traced::given(given.len() - 1, value)
-            };
-            for quantity in &plan.needed {
-                let derivatives = plan.moved.quantities[*quantity].derivatives();
-                let own = &mut room.moved.quantities[*quantity];
-                if self.slot(*quantity, 0).is_some() {
-                    moving.push(*quantity);
-                    let mut traced = [Traced::constant(0.0); TERMS];
-                    for (order, traced) in traced.iter_mut().enumerate() {
-                        if let Some(slot) = self.slot(*quantity, order) {
-                            *traced = add(Given::Motion(slot), derivatives[order]);
-                        }
-                    }
-                    *own = SeriesOf::from_derivatives(traced);
-                } else if varies {
-                    let mut terms = [Traced::constant(0.0); TERMS];
-                    terms[0] = add(Given::Dimension(*quantity), derivatives[0]);
-                    *own = SeriesOf::from_coefficients(terms);
-                }
-            }
-            for index in plan.drawn() {
-                let Space { x, y, z } = plan.moved.places[index];
-                let [x, y, z] = [x, y, z].map(|part| part.coefficients());
-                let axes = if plan.moved.is_space { 3 } else { 2 };
-                let mut coordinates = [SeriesOf::constant(0.0); 3];
-                for (axis, own) in coordinates.iter_mut().enumerate().take(axes) {
-                    let mut terms = [Traced::constant(0.0); TERMS];
-                    for (order, term) in terms.iter_mut().enumerate() {
-                        *term = add(Given::Drawn(index, axis, order), [x, y, z][axis][order]);
-                    }
-                    *own = SeriesOf::from_coefficients(terms);
-                }
-                room.moved.places[index] = coordinates.into();
-            }
-            let is_solved = room.solve(&plan, reactions, &place.functions.outline());
-            (is_solved, all_of(&room.solution))
-        });
-        let plan = TracedPlan {
-            plan,
-            program,
-            given,
-            moving,
-            quantities,
-            forces,
-            reactions: reactions.connections.len(),
-            drives: reactions.driven.len(),
-        };
-        Ok(is_solved?.then_some(plan))
-    }
-}
-
-/// All numbers of a solution.
-fn all_of(solution: &Solution<ORDERS, Traced>) -> Vec<Traced> {
-    let vectors = solution
-        .forces
-        .iter()
-        .chain(&solution.moments)
-        .flat_map(|vector| vector.0);
-    let series = vectors.chain(solution.efforts.iter().copied());
-    let series = series.map(|own| own.unwrap_or(SeriesOf::constant(f64::NAN)));
-    series.flat_map(|own| own.coefficients()).collect()
-}
-
-/// The solutions of a block of poses.
-struct TracedColumns<'r> {
-    traced: &'r TracedPlan,
-    results: &'r [f64],
-    stride: usize,
-}
-
-impl TracedColumns<'_> {
-    /// A series by its index among all.
-    fn series(&self, index: usize, pose: usize) -> Option<Series<ORDERS>> {
-        let places = self.traced.forces.get(index * ORDERS..(index + 1) * ORDERS)?;
-        let mut terms = [0.0; ORDERS];
-        for (term, place) in terms.iter_mut().zip(places) {
-            *term = match *place {
-                Place::Same(value) => value,
-                Place::Column(column) => self.results[column * self.stride + pose],
-            };
-        }
-        Some(Series::from_coefficients(terms))
-    }
-
-    fn vector(&self, index: usize, pose: usize) -> Option<Space<Series<ORDERS>>> {
-        let part = |axis: usize| self.series(3 * index + axis, pose);
-        Some(Space::new(part(0)?, part(1)?, part(2)?))
-    }
-}
-
-impl PoseSolution for TracedColumns<'_> {
-    fn force(&self, index: usize, pose: usize) -> Option<Space<Series<ORDERS>>> {
-        (index < self.traced.reactions).then(|| self.vector(index, pose))?
-    }
-
-    fn moment(&self, index: usize, pose: usize) -> Option<Space<Series<ORDERS>>> {
-        let first = self.traced.reactions;
-        (index < first).then(|| self.vector(first + index, pose))?
-    }
-
-    fn effort(&self, input: usize, pose: usize) -> Option<Series<ORDERS>> {
-        let first = 6 * self.traced.reactions;
-        (input < self.traced.drives).then(|| self.series(first + input, pose))?
     }
 }

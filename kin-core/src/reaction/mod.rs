@@ -71,15 +71,21 @@ mod ordered;
 mod pose;
 mod pose_number;
 mod prepared;
+#[cfg(feature = "std")]
+mod program;
 mod proof;
 mod rank;
 mod remembered;
 mod rolling;
+#[cfg(feature = "std")]
+mod steps;
 mod structure;
 #[cfg(test)]
 mod tests;
 #[cfg(feature = "std")]
 mod traced;
+#[cfg(feature = "std")]
+mod traced_plan;
 
 #[cfg(feature = "std")]
 #[cfg_attr(docsrs, doc(cfg(feature = "std")))]
