@@ -8,18 +8,9 @@ use std::collections::BTreeMap;
 use nalgebra::DMatrix;
 
 use crate::fault::SketchFault;
+use crate::local::Variable;
 use crate::placement::{Placement, Step, StepKind, index, place};
-use crate::sketch::{Body, Drive, PointId, Sketch, SlideId};
-
-/// A quantity of the drawing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Variable {
-    /// The angle of a drive.
-    Turned(Body),
-    /// The angle of a link that is not driven.
-    Angle(Body),
-    Slide(SlideId),
-}
+use crate::sketch::{Body, Drive, PointId, Sketch};
 
 /// How a point moves with each variable.
 type Gradient = BTreeMap<Variable, [f64; 2]>;
@@ -28,20 +19,6 @@ type Gradient = BTreeMap<Variable, [f64; 2]>;
 const RANK_TOLERANCE: f64 = 1e-8;
 
 impl Sketch {
-    /// The variables on which the angle of a body depends.
-    fn angles_of(&self, body: Body) -> Vec<Variable> {
-        let root = self.root(body);
-        match (root, self.driven_from(root)) {
-            (Body::Ground, _) => Vec::new(),
-            (_, Some(base)) => {
-                let mut variables = self.angles_of(base);
-                variables.push(Variable::Turned(root));
-                variables
-            }
-            (_, None) => vec![Variable::Angle(root)],
-        }
-    }
-
     fn is_input(&self, variable: Variable) -> bool {
         match variable {
             Variable::Turned(_) => true,
@@ -108,6 +85,11 @@ impl Jacobian {
         }
     }
 
+    /// The number of ways in which the drawing moves.
+    fn freedom(&self) -> usize {
+        self.variables.len() - rank(&self.matrix(&self.variables))
+    }
+
     /// The matrix of some variables. Lengths are divided by the drawing's size.
     fn matrix(&self, variables: &[Variable]) -> DMatrix<f64> {
         let (rows, columns) = (2 * self.rows.len(), variables.len());
@@ -144,11 +126,8 @@ fn rank(matrix: &DMatrix<f64>) -> usize {
 pub(crate) fn check(sketch: &Sketch, placement: &Placement) -> Option<SketchFault> {
     let jacobian = Jacobian::of(sketch, placement);
     let (inputs, unknowns): (Vec<_>, Vec<_>) = jacobian.variables.iter().partition(|it| sketch.is_input(**it));
-    let all = jacobian.matrix(&jacobian.variables);
     let of_unknowns = jacobian.matrix(&unknowns);
-    let rank_of_all = rank(&all);
-    let (freedom, drives) = (jacobian.variables.len() - rank_of_all, inputs.len());
-    let equations = 2 * jacobian.rows.len();
+    let (freedom, drives) = (jacobian.freedom(), inputs.len());
     if freedom > drives {
         let undetermined = undetermined(sketch, &unknowns, &of_unknowns);
         return Some(SketchFault::NeedsDrives {
@@ -157,18 +136,16 @@ pub(crate) fn check(sketch: &Sketch, placement: &Placement) -> Option<SketchFaul
             undetermined,
         });
     }
-    if freedom < drives {
-        return Some(SketchFault::TooManyDrives { freedom, drives });
-    }
-    if drives == 0 {
-        // nothing moves, whatever repeats
+    // without drives nothing moves, whatever repeats
+    if freedom < drives || drives == 0 {
         return Some(SketchFault::TooManyDrives { freedom, drives });
     }
     if rank(&of_unknowns) < unknowns.len() {
         let undetermined = undetermined(sketch, &unknowns, &of_unknowns);
         return Some(SketchFault::DeadPoint { undetermined });
     }
-    let redundant = equations - rank_of_all;
+    let independent = jacobian.variables.len() - freedom;
+    let redundant = 2 * jacobian.rows.len() - independent;
     (redundant > 0).then(|| SketchFault::Overconstrained {
         redundant,
         removable: removable(sketch, freedom),
@@ -196,51 +173,22 @@ fn undetermined(sketch: &Sketch, unknowns: &[Variable], matrix: &DMatrix<f64>) -
     names
 }
 
-/// The links without which the drawing moves as it does, and repeats no equation as often.
+/// The links without which the drawing moves as it does.
 fn removable(sketch: &Sketch, freedom: usize) -> Vec<String> {
-    let is_needed = |link: usize| {
-        let is_driven = sketch.driven_from(Body::Link(link)).is_some();
-        let carries = sketch
-            .slides
-            .iter()
-            .any(|slide| slide.on == Body::Link(link) || slide.guided == Some(link));
-        let is_base = sketch
-            .links
-            .iter()
-            .enumerate()
-            .any(|(other, _)| sketch.driven_from(Body::Link(other)) == Some(Body::Link(link)));
-        is_driven || carries || is_base
+    let is_of_drive = |link: usize| {
+        let mut drives = sketch.drives.iter();
+        drives.any(|drive| matches!(*drive, Drive::Angle { of, to } if of == link || to == Body::Link(link)))
     };
-    let links = (0..sketch.links.len()).filter(|link| !is_needed(*link));
-    links
-        .filter(|link| {
-            let mut without = sketch.clone();
-            without.links[*link].points.clear();
-            let held = |link: usize| !without.links[link].points.is_empty();
-            let links: Vec<usize> = (0..sketch.links.len()).filter(|link| held(*link)).collect();
-            let renumbered = |link: usize| links.iter().position(|it| *it == link).expect("it is kept");
-            let body = |body: Body| match body {
-                Body::Ground => Body::Ground,
-                Body::Link(link) => Body::Link(renumbered(link)),
-            };
-            let mut rest = sketch.clone();
-            rest.links = links.iter().map(|link| sketch.links[*link].clone()).collect();
-            for slide in &mut rest.slides {
-                slide.on = body(slide.on);
-                slide.guided = slide.guided.map(renumbered);
-            }
-            for drive in &mut rest.drives {
-                if let Drive::Angle { of, to } = drive {
-                    *of = renumbered(*of);
-                    *to = body(*to);
-                }
-            }
-            if !rest.faults().is_empty() {
-                return false;
-            }
+    let moves_alike = |link: &usize| {
+        let rest = sketch.without(*link);
+        rest.faults().is_empty() && {
             let jacobian = Jacobian::of(&rest, &place(&rest));
-            jacobian.variables.len() - rank(&jacobian.matrix(&jacobian.variables)) == freedom
-        })
+            jacobian.freedom() == freedom
+        }
+    };
+    let links = (0..sketch.links.len()).filter(|link| !is_of_drive(*link) && !sketch.is_of_slide(*link));
+    links
+        .filter(moves_alike)
         .map(|link| sketch.name_of(Body::Link(link)))
         .collect()
 }

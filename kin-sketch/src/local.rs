@@ -11,6 +11,16 @@ pub(crate) struct Frame {
     pub(crate) axis: f64,
 }
 
+/// A quantity of the drawing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Variable {
+    /// The angle of a drive.
+    Turned(Body),
+    /// The angle of a link that is not driven.
+    Angle(Body),
+    Slide(SlideId),
+}
+
 /// A vector, rotated by an angle.
 pub(crate) fn rotated([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
     let (sine, cosine) = angle.sin_cos();
@@ -25,14 +35,26 @@ impl Sketch {
             .unwrap_or(body)
     }
 
-    /// The body whose angle is unknown and from which the angle of a body counts, if there is one.
-    pub(crate) fn unknown_angle(&self, body: Body) -> Option<Body> {
+    /// The variables on which the angle of a body depends.
+    pub(crate) fn angles_of(&self, body: Body) -> Vec<Variable> {
         let root = self.root(body);
         match (root, self.driven_from(root)) {
-            (Body::Ground, _) => None,
-            (_, Some(base)) => self.unknown_angle(base),
-            (_, None) => Some(root),
+            (Body::Ground, _) => Vec::new(),
+            (_, Some(base)) => {
+                let mut variables = self.angles_of(base);
+                variables.push(Variable::Turned(root));
+                variables
+            }
+            (_, None) => vec![Variable::Angle(root)],
         }
+    }
+
+    /// The body whose angle is unknown and from which the angle of a body counts, if there is one.
+    pub(crate) fn unknown_angle(&self, body: Body) -> Option<Body> {
+        self.angles_of(body).into_iter().find_map(|variable| match variable {
+            Variable::Angle(root) => Some(root),
+            Variable::Turned(_) | Variable::Slide(_) => None,
+        })
     }
 
     /// From the origin of a frame to a point, in the drawing.

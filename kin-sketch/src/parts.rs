@@ -93,7 +93,6 @@ impl Sketch {
 
     fn links_without_sense(&self, faults: &mut Vec<SketchFault>) {
         let mut meaningless = |message: String| faults.push(SketchFault::Meaningless(message));
-        let size = self.size();
         for link in 0..self.links.len() {
             let points = &self.links[link].points;
             let name = self.name_of(Body::Link(link));
@@ -107,7 +106,7 @@ impl Sketch {
                     let (p, q) = (&self.points[p].name, &self.points[q].name);
                     if is_same {
                         meaningless(format!("{name} has the point `{p}` twice: remove one of them"));
-                    } else if (px - qx).hypot(py - qy) <= 1e-9 * size {
+                    } else if (px - qx).hypot(py - qy) <= self.negligible() {
                         meaningless(format!("`{q}` and `{p}` of {name} lie on each other: move one of them"));
                     }
                 }
@@ -221,6 +220,11 @@ impl Sketch {
         if !names.is_empty() {
             faults.push(SketchFault::Loose(names));
         }
+    }
+
+    /// The length below which coordinates are the same.
+    pub(crate) fn negligible(&self) -> f64 {
+        1e-9 * self.size()
     }
 
     /// The largest extent of the drawing.

@@ -1,12 +1,12 @@
 //! The quantities of a declaration, named and measured where a formula needs them first.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::local::{Frame, rotated};
 use crate::names::Names;
 use crate::placement::{Placement, index};
-use crate::sketch::{Body, PointId, Sketch, SlideId};
+use crate::sketch::{Body, LinkId, PointId, Sketch, SlideId};
 
 /// The quantities that have been written.
 pub(crate) struct Quantities<'s> {
@@ -17,10 +17,12 @@ pub(crate) struct Quantities<'s> {
     pub(crate) zero: f64,
     pub(crate) fields: Vec<String>,
     pub(crate) dimensions: Vec<(String, f64)>,
+    /// Inputs and unknowns, and their declarations.
     pub(crate) inputs: Vec<(String, f64)>,
     pub(crate) unknowns: Vec<(String, f64)>,
-    /// Inputs and unknowns with their dimensions.
-    pub(crate) declared: Vec<String>,
+    declared: [Vec<String>; 2],
+    /// The links that have a length.
+    measured: BTreeSet<LinkId>,
     /// The angle of a body that others turn with.
     angles: BTreeMap<Body, String>,
     /// The distance of a slide, and the angle of its line.
@@ -34,12 +36,13 @@ impl<'s> Quantities<'s> {
             sketch,
             placement,
             names,
-            zero: 1e-9 * sketch.size(),
+            zero: sketch.negligible(),
             fields: Vec::new(),
             dimensions: Vec::new(),
             inputs: Vec::new(),
             unknowns: Vec::new(),
-            declared: Vec::new(),
+            declared: [const { Vec::new() }; 2],
+            measured: BTreeSet::new(),
             angles: BTreeMap::new(),
             distances: BTreeMap::new(),
             lines: BTreeMap::new(),
@@ -48,14 +51,6 @@ impl<'s> Quantities<'s> {
 
     pub(crate) fn frame(&self, body: Body) -> Frame {
         self.placement.frames[index(body)]
-    }
-
-    /// The word that links and their quantities share: its name, or the number that the notes give it.
-    pub(crate) fn stem(&self, link: usize, prefix: &str) -> String {
-        match &*self.sketch.links[link].name {
-            "" => format!("{prefix}{}", link + 2),
-            name => name.to_owned(),
-        }
     }
 
     /// The angle of a slide's line, if it is not that of the ground.
@@ -92,13 +87,7 @@ impl<'s> Quantities<'s> {
         };
         let offset = self.sketch.offset(self.frame(drawn.on), drawn.point);
         let value = rotated(offset, -drawn.direction)[0];
-        let quantities = if self.sketch.is_driven(slide) {
-            &mut self.inputs
-        } else {
-            &mut self.unknowns
-        };
-        quantities.push((name.clone(), value));
-        self.declared.push(format!("{name}: Length"));
+        self.declare(&name, "Length", value, self.sketch.is_driven(slide));
         self.distances.insert(slide, name.clone());
         name
     }
@@ -118,14 +107,12 @@ impl<'s> Quantities<'s> {
         let axis = self.frame(root).axis;
         let angle = match self.sketch.driven_from(root) {
             None => {
-                self.unknowns.push((name.clone(), axis));
-                self.declared.push(format!("{name}: Angle"));
+                self.declare(&name, "Angle", axis, false);
                 name
             }
             Some(base) => {
-                self.declared.push(format!("{name}: Angle"));
                 let axis_of_base = self.frame(self.sketch.root(base)).axis;
-                self.inputs.push((name.clone(), axis - axis_of_base));
+                self.declare(&name, "Angle", axis - axis_of_base, true);
                 match self.angle(base) {
                     Some(base) => format!("{base} + {name}"),
                     None => name,
@@ -148,18 +135,33 @@ impl<'s> Quantities<'s> {
         Some(format!("vec2({length}, 0)"))
     }
 
+    fn declare(&mut self, name: &str, dimension: &str, value: f64, is_input: bool) {
+        let [inputs, unknowns] = &mut self.declared;
+        let (quantities, declared) = if is_input {
+            (&mut self.inputs, inputs)
+        } else {
+            (&mut self.unknowns, unknowns)
+        };
+        quantities.push((name.to_owned(), value));
+        declared.push(format!("{name}: {dimension}"));
+    }
+
     /// The statements of inputs and unknowns.
     pub(crate) fn declared(&self) -> String {
-        let is_input = |declared: &&String| {
-            let names = self.inputs.iter().map(|(name, _)| name);
-            names.into_iter().any(|name| declared.starts_with(&format!("{name}:")))
-        };
-        let (inputs, unknowns): (Vec<&String>, Vec<&String>) = self.declared.iter().partition(is_input);
-        let listed = |names: Vec<&String>| names.into_iter().cloned().collect::<Vec<_>>().join(", ");
-        let inputs = format!("input {};\n", listed(inputs));
-        match &*listed(unknowns) {
+        let [inputs, unknowns] = &self.declared;
+        let inputs = format!("input {};\n", inputs.join(", "));
+        match &*unknowns.join(", ") {
             "" => inputs,
             unknowns => format!("{inputs}unknown {unknowns};\n"),
+        }
+    }
+
+    /// The name of a point's distance along the x axis of its link, the first of which is the length of the link.
+    pub(crate) fn length(&mut self, link: LinkId, of_point: &str) -> String {
+        if self.measured.insert(link) {
+            self.names.take(&self.sketch.stem(link, "r"))
+        } else {
+            self.names.take(of_point)
         }
     }
 

@@ -166,4 +166,39 @@ impl Sketch {
     pub(crate) fn is_driven(&self, slide: SlideId) -> bool {
         self.drives.contains(&Drive::Slide(slide))
     }
+
+    /// Whether a link carries the line of a slide, or is guided by one.
+    pub(crate) fn is_of_slide(&self, link: LinkId) -> bool {
+        let mut slides = self.slides.iter();
+        slides.any(|slide| slide.on == Body::Link(link) || slide.guided == Some(link))
+    }
+
+    /// The word that a link and its quantities share: its name, or the number that the notes give it.
+    pub(crate) fn stem(&self, link: LinkId, prefix: &str) -> String {
+        match &*self.links[link].name {
+            "" => format!("{prefix}{}", link + 2),
+            name => name.to_owned(),
+        }
+    }
+
+    /// The drawing without a link that is of no slide and no drive.
+    pub(crate) fn without(&self, link: LinkId) -> Self {
+        let moved_up = |other: LinkId| other - usize::from(other > link);
+        let body = |body: Body| match body {
+            Body::Ground => Body::Ground,
+            Body::Link(other) => Body::Link(moved_up(other)),
+        };
+        let mut rest = self.clone();
+        rest.links.remove(link);
+        for slide in &mut rest.slides {
+            slide.on = body(slide.on);
+            slide.guided = slide.guided.map(moved_up);
+        }
+        for drive in &mut rest.drives {
+            if let Drive::Angle { of, to } = drive {
+                (*of, *to) = (moved_up(*of), body(*to));
+            }
+        }
+        rest
+    }
 }

@@ -6,7 +6,7 @@ use crate::declaration::SketchDeclaration;
 use crate::names::Names;
 use crate::placement::{Placement, Step, StepKind};
 use crate::quantities::Quantities;
-use crate::sketch::{Body, Drive, PointId, Sketch, SketchSlide, SlideId};
+use crate::sketch::{Body, Drive, PointId, Sketch, SlideId};
 
 /// A declaration that is being written.
 struct Statements<'s> {
@@ -128,15 +128,14 @@ impl Statements<'_> {
             ground => format!("ground {ground};\n"),
         };
         for (link, drawn) in sketch.links.iter().enumerate() {
-            let is_of_slide = |slide: &SketchSlide| slide.on == Body::Link(link) || slide.guided == Some(link);
-            if drawn.points.len() > 1 || sketch.slides.iter().any(is_of_slide) {
-                let _ = writeln!(text, "body {}: {};", body_name(sketch, link), listed(&drawn.points));
+            if drawn.points.len() > 1 || sketch.is_of_slide(link) {
+                let _ = writeln!(text, "body {}: {};", sketch.stem(link, "link"), listed(&drawn.points));
             }
         }
         for (number, slide) in sketch.slides.iter().enumerate() {
             let rail = match slide.on {
                 Body::Ground => String::new(),
-                Body::Link(link) => format!(" on {}", body_name(sketch, link)),
+                Body::Link(link) => format!(" on {}", sketch.stem(link, "link")),
             };
             let along = self.direction(slide.on, number);
             let _ = writeln!(text, "slide {} along {along}{rail};", self.points[slide.point]);
@@ -156,12 +155,5 @@ impl Statements<'_> {
             Some(angle) => format!("cis({angle})"),
             None => "vec2(1, 0)".to_owned(),
         }
-    }
-}
-
-fn body_name(sketch: &Sketch, link: usize) -> String {
-    match &*sketch.links[link].name {
-        "" => format!("link{}", link + 2),
-        name => name.to_owned(),
     }
 }

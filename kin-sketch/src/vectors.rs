@@ -1,7 +1,6 @@
 //! The vectors from the origin of a body to its points.
 
 use crate::local::rotated;
-use crate::names::Names;
 use crate::quantities::Quantities;
 use crate::sketch::{Body, PointId, SlideId};
 
@@ -14,12 +13,9 @@ impl Quantities<'_> {
             unreachable!("the points of the ground are placed first, and no loop closes through two of them");
         };
         let angle = self.angle(body);
-        let stem = self.stem(link, "r");
-        let of_point = format!("{stem}_{}", self.sketch.points[point].name);
-        let is_first = !self.fields.iter().any(|field| field.starts_with(&format!("{stem}:")));
-        let take = |names: &mut Names| names.take(if is_first { &stem } else { &of_point });
+        let of_point = format!("{}_{}", self.sketch.stem(link, "r"), self.sketch.points[point].name);
         if y.abs() <= self.zero {
-            let name = take(&mut self.names);
+            let name = self.length(link, &of_point);
             self.field(&name, "Length", x);
             match angle {
                 Some(angle) => format!("{name} * cis({angle})"),
