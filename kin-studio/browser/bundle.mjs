@@ -9,7 +9,7 @@ const page = fileURLToPath(new URL("../src/page/", import.meta.url));
 /** The files with their paths and texts, as they should be. */
 export async function bundle() {
   const { outputFiles } = await build({
-    entryPoints: [`${page}main.mjs`, `${page}page.css`],
+    entryPoints: { main: `${page}alone.mjs`, page: `${page}page.css` },
     outdir: `${page}bundle`,
     bundle: true,
     minify: true,

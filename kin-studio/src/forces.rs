@@ -26,7 +26,7 @@ pub(crate) struct Stated {
 
 /// A point, of coordinates in metres, or a direction of any length.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(not(feature = "program"), expect(dead_code, reason = "files state them"))]
+#[cfg_attr(not(feature = "case"), expect(dead_code, reason = "files state them"))]
 pub(crate) enum StatedPlace {
     /// One of the mechanism, by its name.
     Named(String),
@@ -36,7 +36,7 @@ pub(crate) enum StatedPlace {
 
 /// The radius of a pitch circle.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(not(feature = "program"), expect(dead_code, reason = "files state them"))]
+#[cfg_attr(not(feature = "case"), expect(dead_code, reason = "files state them"))]
 pub(crate) enum StatedRadius {
     /// A dimension of the mechanism, by its name.
     Dimension(String),
@@ -56,7 +56,7 @@ pub(crate) struct StatedContact {
 
 /// The pitch curves of two bodies: circles by their centres and radii, and the line of a rack by its direction.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(not(feature = "program"), expect(dead_code, reason = "files state them"))]
+#[cfg_attr(not(feature = "case"), expect(dead_code, reason = "files state them"))]
 pub(crate) enum StatedPitch {
     Gears([(StatedPlace, StatedRadius); 2]),
     Rack((StatedPlace, StatedRadius), StatedPlace),
@@ -171,12 +171,12 @@ pub(crate) enum Force {
     /// The effort of the drive of an input.
     Effort(usize),
     /// The power of the drive of an input.
-    #[cfg_attr(not(feature = "program"), expect(dead_code, reason = "pages have no powers"))]
+    #[cfg_attr(not(feature = "case"), expect(dead_code, reason = "pages have no powers"))]
     Power(usize),
     /// A part of the force in a joint.
     Reaction(String, ReactionPart),
     /// The power that friction turns into heat.
-    #[cfg_attr(not(feature = "program"), expect(dead_code, reason = "pages have no heat"))]
+    #[cfg_attr(not(feature = "case"), expect(dead_code, reason = "pages have no heat"))]
     Heat,
 }
 

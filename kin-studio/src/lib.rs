@@ -9,6 +9,12 @@
 //! cargo run -p kin-studio --features gallery --example figures
 //! ```
 
+#[cfg(feature = "case")]
+#[cfg_attr(
+    not(feature = "program"),
+    allow(dead_code, unused_imports, reason = "the program asks more of a case")
+)]
+mod case;
 pub mod drawing;
 #[cfg(feature = "gallery")]
 pub mod figures;

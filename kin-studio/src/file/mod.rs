@@ -1,21 +1,27 @@
 //! `.kin` files: mechanisms of people who write no Rust.
 
-#[cfg_attr(not(feature = "program"), allow(dead_code, reason = "the program formats files"))]
+#[cfg_attr(not(feature = "case"), allow(dead_code, reason = "the program formats files"))]
 mod declaration;
+#[cfg(feature = "case")]
+pub(crate) mod format;
 mod mistake;
 #[cfg_attr(
-    not(feature = "program"),
+    not(feature = "case"),
     allow(dead_code, reason = "the program reads the numbers of sections")
 )]
 mod sections;
 
 use std::path::Path;
 
-#[cfg(feature = "program")]
+#[cfg(feature = "case")]
+pub use crate::case::document::Document;
+#[cfg(feature = "case")]
+pub use crate::case::language::Language;
+#[cfg(feature = "case")]
 pub(crate) use declaration::tokens;
 pub(crate) use declaration::{KinDeclaration, in_order};
 pub(crate) use mistake::Mistake;
-#[cfg(feature = "program")]
+#[cfg(feature = "case")]
 pub(crate) use sections::{Entry, Part, Section, is_ident, is_punct, parts, range_of};
 
 /// The declaration in a `.kin` file, in the form that [`kin_live::Mechanism::declare`] takes. The numbers of the file
@@ -29,7 +35,24 @@ pub fn declaration(path: &Path) -> Result<String, String> {
         [] => Ok(file.text),
         mistakes => Err(mistakes.to_vec()),
     });
-    file.map_err(|mistakes| shown(&in_order(mistakes, &text), path, &text))
+    file.map_err(|mistakes| shown(&in_order(mistakes, &text), &path.display().to_string(), &text))
+}
+
+/// The mistakes of a `.kin` file, or its outline, as one object of JSON for editors: the output of `kin check --json`.
+/// The text is known under this name.
+#[cfg(feature = "case")]
+#[must_use]
+pub fn check(text: &str, name: &str) -> String {
+    crate::case::file::check_as_json(text, name).0
+}
+
+/// The text of a `.kin` file as `kin fmt` writes it.
+///
+/// # Errors
+/// Every mistake of a text whose statements cannot be told apart, each with its line under this name.
+#[cfg(feature = "case")]
+pub fn formatted(text: &str, name: &str) -> Result<String, String> {
+    crate::case::file::formatted(text, name)
 }
 
 /// A mistake of a declaration as people read it: the message, and the line with a mark below the tokens at fault. The
@@ -68,9 +91,8 @@ pub(crate) fn text_of(path: &Path) -> Result<String, String> {
     Ok(text.trim_start_matches('\u{feff}').replace("\r\n", "\n"))
 }
 
-/// The mistakes in a text, each with its line and a mark.
-pub(crate) fn shown(mistakes: &[Mistake], path: &Path, text: &str) -> String {
-    let file = path.display().to_string();
-    let shown: Vec<String> = mistakes.iter().map(|mistake| mistake.shown(&file, text)).collect();
+/// The mistakes in the text of a file of this name, each with its line and a mark.
+pub(crate) fn shown(mistakes: &[Mistake], name: &str, text: &str) -> String {
+    let shown: Vec<String> = mistakes.iter().map(|mistake| mistake.shown(name, text)).collect();
     shown.join("\n\n")
 }

@@ -61,12 +61,18 @@ const LONGEST_FORCE = 0.24;
 /** The part of the plots that the paths of force vectors take. */
 const HODOGRAPHS = 0.52;
 
-/** Starts the page. */
-function start(report, solver) {
+/**
+ * Starts the page.
+ *
+ * @param {object | null} kept the view of an earlier page, as `keep` of the returned object gives it
+ * @returns {{keep: () => object, design: () => {name: string, dimension: string, value: number}[]} | null} the view of
+ *   the page, and the dimensions and standing inputs that it shows by their declared names
+ */
+export function start(report, solver, kept = null) {
   const refusal = reasonToRefuse(report);
   if (refusal) {
     refuse(report, refusal);
-    return;
+    return null;
   }
   const model = createModel(report, solver);
   const given = givenDesign(model);
@@ -99,6 +105,12 @@ function start(report, solver) {
   };
   // many other assemblies are a tangle
   state.shows.ghosts = report.assemblies.length <= 2;
+  if (kept !== null) {
+    Object.assign(state.shows, kept.shows);
+    state.degrees = kept.degrees;
+    const same = report.assemblies.findIndex(({ name }) => name === kept.assembly);
+    state.assembly = same < 0 || !kept.chosen ? state.assembly : same;
+  }
   const view = createView(model.space);
   let sweep = createSweep(model, state.design, assemblyNow());
   let anatomy = anatomyOf(sweep);
@@ -1047,11 +1059,38 @@ function start(report, solver) {
   showPeaks();
   if (sweep.spans.length === 0) {
     unsolved = true;
+  } else if (kept !== null) {
+    state.x = heldInput(sweep, kept.x);
+    state.once = kept.once;
+    openDrawer(kept.drawer);
+    setPlaying(kept.playing);
   } else if (!still) {
     state.once = model.width;
     setPlaying(true);
   }
   ask();
+
+  const shown = (group) => (entry) => ({
+    name: entry.declared,
+    dimension: entry.dimension,
+    value: state.design[group][entry.name],
+  });
+  return {
+    keep: () => ({
+      x: state.x,
+      once: state.once,
+      playing: state.playing,
+      shows: state.shows,
+      degrees: state.degrees,
+      assembly: assemblyNow().name,
+      chosen: state.assembly !== (report.assembly ?? 0),
+      drawer: !part("dimensions").hidden,
+    }),
+    design: () => [
+      ...model.parameters.map(shown("parameters")),
+      ...model.inputs.filter(({ moves }) => !moves).map(shown("standing")),
+    ],
+  };
 }
 
 /** Shows why nothing is shown. */
@@ -1062,6 +1101,3 @@ function refuse(report, reason) {
     made("main", { className: "refused" }, made("h1", {}, title), made("p", { role: "alert", id: "refusal" }, reason)),
   );
 }
-
-// the solver stands before this script
-start(JSON.parse(part("report").textContent), kinSolver);

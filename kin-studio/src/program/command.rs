@@ -4,8 +4,9 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand, ValueEnum};
 
-use super::case::Typed;
-use super::file::Settings;
+use crate::case::Typed;
+use crate::case::file::Settings;
+use crate::case::language::Language;
 
 /// The command that takes a file instead of a mechanism of the library, which has no loads.
 pub(crate) const FORCES: &str = "forces";
@@ -94,17 +95,17 @@ pub(crate) struct Setup {
 impl Setup {
     /// The typed case, in which options follow the statements of the file.
     pub(crate) fn typed(&self, settings: &Settings) -> Typed {
-        let behind = |settings: &[String], own: &[String]| settings.iter().chain(own).cloned().collect();
+        let mut typed = settings.typed();
+        typed.set.extend_from_slice(&self.set);
+        typed.over.extend_from_slice(&self.over);
         Typed {
-            set: behind(&settings.set, &self.set),
-            over: behind(&settings.over, &self.over),
             speed: self.speed.clone(),
             law: self.law.clone(),
             time: self.time.clone(),
-            assembly: self.assembly.clone().or_else(|| settings.assembly.clone()),
+            assembly: self.assembly.clone().or(typed.assembly),
             units: self.units.clone(),
             radians: self.radians,
-            loads: settings.loads.clone(),
+            ..typed
         }
     }
 }
@@ -155,19 +156,6 @@ pub(crate) struct Forces {
     /// Write JSON, to a file or to the output
     #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-", conflicts_with = "csv")]
     pub(crate) json: Option<PathBuf>,
-}
-
-/// A language.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Language {
-    /// C99, in two files and an example
-    C,
-    /// A JavaScript module
-    #[value(name = "js", alias = "javascript")]
-    JavaScript,
-    /// A Python module for NumPy arrays
-    #[value(alias = "numpy", alias = "py")]
-    Python,
 }
 
 /// Options of `code`.

@@ -3,24 +3,13 @@
 //! [`main`] makes a program of a declared mechanism, [`library()`] is the binary `kin`.
 
 mod advice;
-mod assembly;
-mod case;
-mod columns;
 mod command;
-mod fault;
-mod file;
-mod format;
-mod loads;
-mod motion;
 mod progress;
 mod server;
-mod subject;
 mod tasks;
 mod text;
-mod units;
-mod value;
 
-use subject::Subject;
+use crate::case::subject::Subject;
 
 use std::ffi::OsString;
 use std::iter;
@@ -32,9 +21,9 @@ use clap::{Arg, ArgAction, Command, FromArgMatches, Subcommand};
 use clap_complete::Shell;
 use kin_core::{Mechanism, in_small_letters};
 
+use crate::case::fault::{Fault, similar};
+use crate::case::file::{self, Settings};
 use command::{FORCES, Task};
-use fault::{Fault, similar};
-use file::Settings;
 
 use crate::library::DESIGNS;
 
@@ -173,7 +162,8 @@ fn run_library(arguments: &[OsString]) -> Result<(), Fault> {
             if !given.get_flag("json") {
                 return tasks::print(&file::check(&path, given.get_flag("steps"))?);
             }
-            let (text, mistakes) = file::check_as_json(&path)?;
+            let text = crate::file::text_of(&path).map_err(Fault::wrong)?;
+            let (text, mistakes) = file::check_as_json(&text, &path.display().to_string());
             tasks::print(&text)?;
             match mistakes {
                 0 => Ok(()),

@@ -4,7 +4,7 @@ use std::io::{self, BufRead as _, BufReader, Read as _, Write as _};
 use std::net::{Ipv4Addr, Shutdown, TcpListener, TcpStream};
 use std::time::Duration;
 
-use super::fault::Fault;
+use crate::case::fault::Fault;
 
 /// The longest head of a request.
 const LONGEST_HEAD: u64 = 16 * 1024;

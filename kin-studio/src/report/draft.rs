@@ -49,6 +49,8 @@ pub(crate) struct Wishes<'l> {
     pub(crate) time: String,
     pub(crate) degrees: bool,
     pub(crate) loads: Option<WishedLoads>,
+    /// Whether peaks and means are found, which takes most of the time.
+    pub(crate) has_peaks: bool,
 }
 
 /// Loads, and the metres of the unit of lengths.
@@ -102,6 +104,7 @@ impl<'l> Wishes<'l> {
             time: "s".to_owned(),
             degrees: true,
             loads: None,
+            has_peaks: true,
         }
     }
 

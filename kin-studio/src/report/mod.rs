@@ -22,7 +22,7 @@ mod model;
 mod read;
 
 pub use draft::{Draft, Untyped};
-#[cfg(feature = "program")]
+#[cfg(feature = "case")]
 pub(crate) use draft::{WayWished, WishedLoads, Wishes};
 pub use error::ReportError;
 pub use functions::ReportFunctions;

@@ -5,16 +5,14 @@ use std::path::Path;
 
 use kin_core::tape::Options;
 
-use super::super::case::Typed;
-use super::super::command::{Code, Language};
-use super::super::fault::Fault;
-use super::super::file::Settings;
+use super::super::command::Code;
 use super::super::progress::watched;
-use super::super::subject::Subject;
 use super::print;
-
-/// The file of the example. Many people's programs have one of this name.
-const EXAMPLE: &str = "main.c";
+use crate::case::Typed;
+use crate::case::fault::Fault;
+use crate::case::file::Settings;
+use crate::case::language::{self, EXAMPLE, Language};
+use crate::case::subject::Subject;
 
 pub(super) fn run(subject: &Subject, code: &Code, settings: &Settings) -> Result<(), Fault> {
     let mut options = Options::new();
@@ -36,15 +34,7 @@ pub(super) fn run(subject: &Subject, code: &Code, settings: &Settings) -> Result
     if code.language == Language::C {
         spare(&code.output.join(EXAMPLE), &c.example, subject.description().name)?;
     }
-    let files = match code.language {
-        Language::C => vec![
-            (format!("{}.h", c.name), c.header),
-            (format!("{}.c", c.name), c.source),
-            (EXAMPLE.to_owned(), c.example),
-        ],
-        Language::JavaScript => vec![(format!("{}.mjs", c.name), tape.java_script())],
-        Language::Python => vec![(format!("{}.py", c.name), tape.python())],
-    };
+    let files = language::files(&tape, code.language);
     let refused = |error: std::io::Error| Fault::wrong(format!("{} cannot be written: {error}", code.output.display()));
     std::fs::create_dir_all(&code.output).map_err(refused)?;
     let mut out = String::new();

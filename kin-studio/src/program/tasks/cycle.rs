@@ -6,12 +6,12 @@ use kin_core::cycle::{BlockClass, Branch, EndKind};
 use kin_core::in_small_letters;
 
 use super::super::command::Setup;
-use super::super::fault::Fault;
-use super::super::file::Settings;
 use super::super::progress::watched;
-use super::super::subject::Subject;
 use super::super::text::{self, Column, Units};
 use super::print;
+use crate::case::fault::Fault;
+use crate::case::file::Settings;
+use crate::case::subject::Subject;
 
 pub(super) fn run(subject: &Subject, setup: &Setup, settings: &Settings) -> Result<(), Fault> {
     // the cycle covers all values of the input in all assemblies

@@ -6,16 +6,16 @@ use kin_core::Dimension;
 use kin_core::any::{Description, Quantity};
 use kin_fit::{Candidate, Deviation, Fit, FitError, Measured, Objective, usual_bounds};
 
-use super::super::case::Case;
 use super::super::command::Fit as Options;
-use super::super::fault::{Fault, similar};
-use super::super::file::Settings;
-use super::super::motion::InputMotion;
 use super::super::progress::watched;
-use super::super::subject::Subject;
 use super::super::text::{self, Column, Units};
-use super::super::value::{self, Lengths};
 use super::print;
+use crate::case::Case;
+use crate::case::fault::{Fault, similar};
+use crate::case::file::Settings;
+use crate::case::motion::InputMotion;
+use crate::case::subject::Subject;
+use crate::case::value::{self, Lengths};
 
 pub(super) fn run(subject: &Subject, options: &Options, settings: &Settings) -> Result<(), Fault> {
     let typed = options.setup.typed(settings);

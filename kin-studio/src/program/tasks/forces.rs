@@ -3,17 +3,17 @@
 use kin_core::reaction::{Efficiency, ReactionPart};
 use serde_json::{Map, Value, json};
 
-use super::super::case::Case;
 use super::super::command::Forces;
-use super::super::fault::Fault;
-use super::super::file::Settings;
-use super::super::loads::{ForceColumn, HEAT};
 use super::super::progress::watched;
-use super::super::subject::{CaseForces, Extent, Subject};
 use super::super::text::{self, Column};
 use super::peaks::{Variable, moves_at};
 use super::sweep::{headed, note_speed_jumps};
 use super::{print, prove, write};
+use crate::case::Case;
+use crate::case::fault::Fault;
+use crate::case::file::Settings;
+use crate::case::loads::{ForceColumn, HEAT};
+use crate::case::subject::{CaseForces, Extent, Subject};
 use crate::forces::{Force, ROUNDING, Reached, ratio};
 use crate::tables::quoted;
 

@@ -2,10 +2,10 @@
 
 use kin_core::in_small_letters;
 
-use super::super::fault::Fault;
-use super::super::subject::Subject;
 use super::super::text::{self, Column};
 use super::print;
+use crate::case::fault::Fault;
+use crate::case::subject::Subject;
 use crate::library::DESIGNS;
 
 pub(crate) fn list() -> Result<(), Fault> {

@@ -23,9 +23,9 @@ pub(super) use watch::watch;
 use std::path::Path;
 
 use super::command::{Report, Setup, Task};
-use super::fault::Fault;
-use super::file::Settings;
-use super::subject::Subject;
+use crate::case::fault::Fault;
+use crate::case::file::Settings;
+use crate::case::subject::Subject;
 
 /// Runs a command.
 pub(super) fn run(subject: &Subject, task: &Task, settings: &Settings) -> Result<(), Fault> {

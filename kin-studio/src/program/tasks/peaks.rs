@@ -3,17 +3,18 @@
 use kin_core::Dimension;
 use kin_core::any::Quantity;
 
-use super::super::case::Case;
-use super::super::columns::{self, label};
 use super::super::command::Peaks;
-use super::super::fault::Fault;
-use super::super::file::Settings;
-use super::super::loads::ForceColumn;
 use super::super::progress::watched;
-use super::super::subject::{Extent, Subject};
 use super::super::text::{self, Column, Units};
 use super::print;
-use super::sweep::{columns_of, headed, note_speed_jumps};
+use super::sweep::{headed, note_speed_jumps};
+use crate::case::Case;
+use crate::case::columns::columns_of;
+use crate::case::columns::{self, label};
+use crate::case::fault::Fault;
+use crate::case::file::Settings;
+use crate::case::loads::ForceColumn;
+use crate::case::subject::{Extent, Subject};
 use crate::forces::Reached;
 
 /// The highest order of a rate that is shown.

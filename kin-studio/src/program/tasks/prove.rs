@@ -2,14 +2,14 @@
 
 use kin_core::reaction::{ForceProof, ForceVerdict, ProofError, UndecidedReason};
 
-use super::super::case::Case;
-use super::super::fault::{Fault, similar};
-use super::super::loads::ForceColumn;
 use super::super::progress::watched;
-use super::super::subject::Subject;
 use super::super::text;
-use super::super::value::{self, Lengths};
 use super::peaks::Variable;
+use crate::case::Case;
+use crate::case::fault::{Fault, similar};
+use crate::case::loads::ForceColumn;
+use crate::case::subject::Subject;
+use crate::case::value::{self, Lengths};
 
 /// A limit of a force, as it was typed.
 struct Limit<'t> {

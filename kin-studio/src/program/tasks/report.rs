@@ -2,17 +2,15 @@
 
 use std::path::Path;
 
-use kin_core::any::Quantity;
 use kin_core::in_small_letters;
 
-use super::super::columns::label;
 use super::super::command::Report;
-use super::super::fault::Fault;
-use super::super::file::Settings;
 use super::super::progress::watched;
-use super::super::subject::{PageWishes, Subject};
-use super::sweep::columns_of;
 use super::write;
+use crate::case::fault::Fault;
+use crate::case::file::Settings;
+use crate::case::page::PageWishes;
+use crate::case::subject::Subject;
 
 pub(super) fn run(subject: &Subject, options: &Report, settings: &Settings) -> Result<(), Fault> {
     if let Some(path) = &options.output {
@@ -61,35 +59,7 @@ pub(super) fn page(subject: &Subject, options: &Report, settings: &Settings) -> 
     }
     let wishes = PageWishes {
         title: options.title.clone(),
-        plots: plots(subject, options, settings)?,
-        documentation: settings.documentation.clone(),
-        declaration: Some(settings.declaration.clone()).filter(|text| !text.is_empty()),
-        has_range: typed.has_range(),
+        ..PageWishes::of(subject, &options.plots, settings, typed.has_range())?
     };
-    watched("making the page", 1, |_| subject.page(&case, &wishes))
-}
-
-/// The quantities that were typed, or else those of the file's columns.
-fn plots(subject: &Subject, options: &Report, settings: &Settings) -> Result<Vec<String>, Fault> {
-    if !options.plots.is_empty() {
-        return Ok(options.plots.clone());
-    }
-    let columns = columns_of(subject, &[], settings)?;
-    let description = subject.description();
-    let results = || description.unknowns.iter().chain(description.outputs);
-    let forces = subject.forces(&settings.loads.stated(1.0)).all;
-    let shown = columns.iter().filter_map(|name| {
-        let is_wanted =
-            |quantity: &&Quantity<'_>| (0..=description.order).any(|order| label(quantity.name, order) == *name);
-        let force = || forces.iter().find(|force| force.name(description) == *name);
-        let quantity = results().find(is_wanted).map(|quantity| quantity.name.to_owned());
-        quantity.or_else(|| force()?.plot(description))
-    });
-    let mut plots: Vec<String> = Vec::new();
-    for name in shown {
-        if !plots.contains(&name) {
-            plots.push(name);
-        }
-    }
-    Ok(plots)
+    watched("making the page", 1, |_| subject.report(&case, &wishes)).map(|report| report.html())
 }

@@ -3,11 +3,11 @@
 use std::sync::OnceLock;
 
 use super::super::command::Serve;
-use super::super::fault::Fault;
-use super::super::file::Settings;
 use super::super::server::{Answer, serve};
-use super::super::subject::Subject;
 use super::report::page;
+use crate::case::fault::Fault;
+use crate::case::file::Settings;
+use crate::case::subject::Subject;
 
 static PAGE: OnceLock<String> = OnceLock::new();
 

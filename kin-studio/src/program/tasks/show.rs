@@ -5,12 +5,12 @@ use std::fmt::Write as _;
 use kin_core::Dimension;
 use kin_core::any::Quantity;
 
-use super::super::case::{Known, Typed};
-use super::super::fault::Fault;
-use super::super::file::Settings;
-use super::super::subject::Subject;
 use super::super::text::{self, Column, Units};
 use super::print;
+use crate::case::fault::Fault;
+use crate::case::file::Settings;
+use crate::case::subject::Subject;
+use crate::case::{Known, Typed};
 
 pub(super) fn run(subject: &Subject, settings: &Settings) -> Result<(), Fault> {
     print(&shown(subject, settings)?)
@@ -130,8 +130,8 @@ fn shortened(text: &str, room: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::subject::Subject;
     use super::*;
+    use crate::case::subject::Subject;
     use kin_core::library::{Pantograph, SliderCrank};
 
     /// The values of a file have its unit, and an input of which it says nothing has no value.

@@ -5,16 +5,16 @@ use std::fmt::Write as _;
 use kin_core::batch::Outcome;
 use kin_core::sweep::{ColumnOf, Table};
 
-use super::super::case::Case;
-use super::super::columns;
 use super::super::command::Sweep;
-use super::super::fault::Fault;
-use super::super::file::Settings;
-use super::super::loads::{ForceColumn, ForceColumns};
 use super::super::progress::watched;
-use super::super::subject::Subject;
 use super::super::text::{self, Column};
 use super::{print, write};
+use crate::case::Case;
+use crate::case::columns::columns_of;
+use crate::case::fault::Fault;
+use crate::case::file::Settings;
+use crate::case::loads::ForceColumn;
+use crate::case::subject::Subject;
 use crate::forces::Force;
 use crate::tables::{Columns, Export as _, quoted};
 
@@ -66,21 +66,6 @@ pub(super) fn note_speed_jumps(subject: &Subject, case: &Case) -> Result<(), Fau
         }
     }
     Ok(())
-}
-
-/// The columns that were typed, or else those of the file; none for those that are shown without being asked for.
-pub(super) fn columns_of(subject: &Subject, typed: &[String], settings: &Settings) -> Result<Vec<String>, Fault> {
-    let forces = if settings.loads.is_empty() {
-        ForceColumns::default()
-    } else {
-        subject.forces(&settings.loads.stated(1.0))
-    };
-    let names = columns::names(subject.description(), &forces);
-    let wanted = if typed.is_empty() { &settings.columns } else { typed };
-    columns::chosen(wanted, &names).map_err(|message| {
-        let advice = wanted.iter().find_map(|name| forces.advice(name));
-        Fault::Wrong(advice.unwrap_or(message))
-    })
 }
 
 /// The text of one of several assemblies, below its name.

@@ -4,12 +4,12 @@ use kin_core::exact::Precision;
 use kin_core::{RATES, in_small_letters};
 
 use super::super::command::{ExactTable, Form};
-use super::super::fault::Fault;
-use super::super::file::Settings;
 use super::super::progress::watched;
-use super::super::subject::Subject;
 use super::super::text::{self, Column};
 use super::print;
+use crate::case::fault::Fault;
+use crate::case::file::Settings;
+use crate::case::subject::Subject;
 use crate::tables::ExactJson as _;
 
 pub(super) fn run(subject: &Subject, options: &ExactTable, settings: &Settings) -> Result<(), Fault> {

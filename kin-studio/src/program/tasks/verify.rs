@@ -1,11 +1,11 @@
 //! `kin verify`: the solver beside two oracles.
 
 use super::super::command::Setup;
-use super::super::fault::Fault;
-use super::super::file::Settings;
 use super::super::progress::watched;
-use super::super::subject::Subject;
 use super::print;
+use crate::case::fault::Fault;
+use crate::case::file::Settings;
+use crate::case::subject::Subject;
 
 pub(super) fn run(subject: &Subject, setup: &Setup, settings: &Settings) -> Result<(), Fault> {
     let typed = setup.typed(settings);

@@ -6,9 +6,9 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, SystemTime};
 
 use super::super::command::{Report, Serve};
-use super::super::fault::Fault;
-use super::super::file;
 use super::super::server::{Answer, escaped, hash, serve};
+use crate::case::fault::Fault;
+use crate::case::file;
 
 /// The time between two looks at the file.
 const PAUSE: Duration = Duration::from_millis(100);

@@ -121,7 +121,11 @@ fn moved<D: SmoothDrive>(
         return Err(ReportError::ClosesNowhere { error: *error });
     }
     let quantities = quantities(description, known.drive.variable, &standing);
-    let found = peaks::find(wishes, way, &quantities, drive::dwells(&known.drive));
+    let found = if wishes.has_peaks {
+        peaks::find(wishes, way, &quantities, drive::dwells(&known.drive))
+    } else {
+        peaks::Found::default()
+    };
     let (assemblies, assembly) = known.assemblies;
     let forces = forces::of(wishes, way);
     Ok(Report {

@@ -8,7 +8,7 @@ use super::subject::Wanted;
 use super::value::{self, Lengths};
 
 /// The assemblies between `or`, or all assemblies.
-pub(super) fn each(text: &str, names: &[String]) -> Vec<String> {
+pub(crate) fn each(text: &str, names: &[String]) -> Vec<String> {
     if text.trim() == "all" {
         return names.to_vec();
     }
@@ -16,7 +16,7 @@ pub(super) fn each(text: &str, names: &[String]) -> Vec<String> {
 }
 
 /// One assembly.
-pub(super) fn wanted(
+pub(crate) fn wanted(
     names: &[String],
     unknowns: &[Quantity<'_>],
     text: &str,

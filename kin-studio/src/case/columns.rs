@@ -3,14 +3,16 @@
 use kin_core::RATES;
 use kin_core::any::{Description, Quantity};
 
-use super::fault::similar;
+use super::fault::{Fault, similar};
+use super::file::Settings;
 use super::loads::ForceColumns;
+use super::subject::Subject;
 
 /// The word for all columns.
-pub(super) const ALL: &str = "all";
+pub(crate) const ALL: &str = "all";
 
 /// The name of a derivative.
-pub(super) fn label(quantity: &str, order: usize) -> String {
+pub(crate) fn label(quantity: &str, order: usize) -> String {
     match order.checked_sub(1) {
         None => quantity.to_owned(),
         Some(rate) => format!("{quantity}_{}", RATES[rate]),
@@ -18,7 +20,7 @@ pub(super) fn label(quantity: &str, order: usize) -> String {
 }
 
 /// The names of all columns: inputs, unknowns and outputs with their rates, and the forces if there are loads.
-pub(super) fn names(description: &Description<'_>, forces: &ForceColumns) -> Vec<String> {
+pub(crate) fn names(description: &Description<'_>, forces: &ForceColumns) -> Vec<String> {
     let quantities = [description.inputs, description.unknowns, description.outputs];
     let of_one = |quantity: &Quantity<'_>| {
         let name = quantity.name.to_owned();
@@ -31,7 +33,7 @@ pub(super) fn names(description: &Description<'_>, forces: &ForceColumns) -> Vec
 }
 
 /// The columns of a name: one, or the coordinates of a point, as in `tip` and `tip_velocity`.
-pub(super) fn named<'n>(name: &str, names: &'n [String]) -> Result<Vec<&'n str>, String> {
+pub(crate) fn named<'n>(name: &str, names: &'n [String]) -> Result<Vec<&'n str>, String> {
     let exact: Vec<&str> = names
         .iter()
         .map(String::as_str)
@@ -72,7 +74,7 @@ pub(super) fn named<'n>(name: &str, names: &'n [String]) -> Result<Vec<&'n str>,
 }
 
 /// The columns of several names, in their order, each once; none if there are no names, or if all are wanted.
-pub(super) fn chosen(wanted: &[String], names: &[String]) -> Result<Vec<String>, String> {
+pub(crate) fn chosen(wanted: &[String], names: &[String]) -> Result<Vec<String>, String> {
     let mut all: Vec<String> = Vec::new();
     for name in wanted.iter().filter(|name| *name != ALL) {
         for column in named(name, names)? {
@@ -85,6 +87,21 @@ pub(super) fn chosen(wanted: &[String], names: &[String]) -> Result<Vec<String>,
         all.clear();
     }
     Ok(all)
+}
+
+/// The columns that were typed, or else those of the file; none for those that are shown without being asked for.
+pub(crate) fn columns_of(subject: &Subject, typed: &[String], settings: &Settings) -> Result<Vec<String>, Fault> {
+    let forces = if settings.loads.is_empty() {
+        ForceColumns::default()
+    } else {
+        subject.forces(&settings.loads.stated(1.0))
+    };
+    let names = names(subject.description(), &forces);
+    let wanted = if typed.is_empty() { &settings.columns } else { typed };
+    chosen(wanted, &names).map_err(|message| {
+        let advice = wanted.iter().find_map(|name| forces.advice(name));
+        Fault::Wrong(advice.unwrap_or(message))
+    })
 }
 
 #[cfg(test)]

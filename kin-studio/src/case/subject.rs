@@ -12,24 +12,23 @@ use kin_core::extremes::{
     AskedQuantity, Extreme, ExtremeKind, ExtremesError, Mean, Over, QuantityAlong, QuantitySource,
 };
 use kin_core::law::{Piecewise, Side};
-use kin_core::linkage::{AnyCycle, AnyLinkage, AnySweep, TabledMechanism};
+use kin_core::linkage::{AnyCycle, AnyLinkage, AnySweep};
 use kin_core::load::NamedLoads;
 use kin_core::prelude::*;
 use kin_core::reaction::{Efficiency, ForceProof, NamedReactions};
 use kin_core::sweep::{Laws, SmoothDrive, StraightLine, SweepError, Table};
 use kin_core::tape::structure::Tape;
 use kin_core::tape::{self, RecordError};
-use kin_core::verify::{self, Sampling, VerifiedFunctions};
-use kin_fit::{Choice, FitFunctions};
 
-use super::case::Case;
 use super::fault::Fault;
+use super::functions::CaseFunctions;
 use super::loads::{ForceColumn, ForceColumns};
-use super::motion::InputMotion;
+use super::page::PageWishes;
 use super::text;
+use super::typed::Case;
 use crate::forces::{Causes, Force, ForceQuestion, OfPeak, OfRows, Reached, Stated};
 use crate::library::{Design, DesignAssembly};
-use crate::report::{ReportError, ReportFunctions, WayWished, WishedLoads, Wishes};
+use crate::report::{Report, ReportError, WayWished, WishedLoads, Wishes};
 
 /// The assembly that is wanted.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,30 +70,10 @@ pub(crate) struct Extent {
     pub(crate) rms: Result<Mean, ExtremesError>,
 }
 
-/// What is wanted of a page.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct PageWishes {
-    /// The title.
-    pub(crate) title: Option<String>,
-    /// The quantities that are plotted at first.
-    pub(crate) plots: Vec<String>,
-    /// What the mechanism is.
-    pub(crate) documentation: String,
-    /// The declaration as it was typed.
-    pub(crate) declaration: Option<String>,
-    /// Whether the range of the input was given.
-    pub(crate) has_range: bool,
-}
-
-/// The functions of a mechanism for the program. All else is compiled once, in this crate.
-pub(crate) trait ProgramFunctions: ReportFunctions + TabledMechanism + VerifiedFunctions + FitFunctions {}
-
-impl<F: ReportFunctions + TabledMechanism + VerifiedFunctions + FitFunctions> ProgramFunctions for F {}
-
 /// A mechanism of the program, with an example if there is one.
 #[derive(Clone, Debug)]
 pub(crate) struct Subject {
-    functions: Arc<dyn ProgramFunctions>,
+    pub(super) functions: Arc<dyn CaseFunctions>,
     example: Option<Example>,
 }
 
@@ -232,7 +211,7 @@ impl Subject {
     }
 
     /// A mechanism by its functions.
-    pub(crate) fn new(functions: impl ProgramFunctions + 'static) -> Self {
+    pub(crate) fn new(functions: impl CaseFunctions + 'static) -> Self {
         Self {
             functions: Arc::new(functions),
             example: None,
@@ -259,7 +238,7 @@ impl Subject {
         self.functions.assembly_names()
     }
 
-    fn linkage(&self, parameters: &[f64]) -> AnyLinkage<'_> {
+    pub(super) fn linkage(&self, parameters: &[f64]) -> AnyLinkage<'_> {
         AnyLinkage::new(&*self.functions, parameters)
     }
 
@@ -408,19 +387,13 @@ impl Subject {
         classes.collect()
     }
 
-    /// Both oracles.
-    pub(crate) fn verify(&self, case: &Case) -> verify::Report {
-        let ranges: Vec<(f64, f64)> = case.motions.iter().map(InputMotion::extent).collect();
-        Sampling::default().of_any(&*self.functions, &case.parameters, &ranges)
-    }
-
     /// The solver as data.
     pub(crate) fn tape(&self, options: &tape::Options) -> Result<Tape<'_>, RecordError> {
         tape::record_any::<f64>(&*self.functions, options)
     }
 
-    /// The page.
-    pub(crate) fn page(&self, case: &Case, wishes: &PageWishes) -> Result<String, Fault> {
+    /// The report, which is the content of a page.
+    pub(crate) fn report(&self, case: &Case, wishes: &PageWishes) -> Result<Report, Fault> {
         let motion = &case.motions[case.lead];
         let ends = case.ends();
         let wished = Wishes {
@@ -431,6 +404,7 @@ impl Subject {
             declaration: wishes.declaration.clone(),
             length: case.length.to_owned(),
             degrees: case.in_degrees,
+            has_peaks: wishes.has_peaks,
             loads: case.loads.clone().map(|loads| WishedLoads {
                 loads,
                 stated: case.stated.clone(),
@@ -460,7 +434,7 @@ impl Subject {
             }
             .report()
         };
-        report.map(|report| report.html()).map_err(|error| match error {
+        report.map_err(|error| match error {
             ReportError::ClosesNowhere { .. } | ReportError::NoPosition { .. } => Fault::failed(error),
             error => Fault::wrong(error),
         })
@@ -474,29 +448,6 @@ impl Subject {
             Some(duration) => self.under_laws(case, duration, ROWS, |sweep| sweep.exact_table(precision))?,
         }
         .map_err(of_exact_table)
-    }
-
-    /// The functions from which it is fitted. They stay until the program ends, which a fit is the last task of.
-    pub(crate) fn fit_functions(&self) -> &'static dyn FitFunctions {
-        let functions: &'static Arc<_> = Box::leak(Box::new(Arc::clone(&self.functions)));
-        &**functions
-    }
-
-    /// The choice of a position for all dimensions. Values nearby are those where the motion begins, and other
-    /// positions are reached from there.
-    pub(crate) fn choice(&self, case: &Case, start: &[f64]) -> Result<Choice, Fault> {
-        let from = |inputs: &[f64], near: &[f64]| Choice::From {
-            inputs: inputs.to_vec(),
-            near: near.to_vec(),
-        };
-        match &case.assembly {
-            Wanted::Near(near) => Ok(from(start, near)),
-            Wanted::At { inputs, near } => Ok(from(inputs, near)),
-            wanted @ (Wanted::Named(_) | Wanted::Unknown) => {
-                let found = assembly_at(wanted, &self.linkage(&case.parameters), start)?;
-                Ok(found.index().map_or_else(|| from(start, &[]), Choice::Assembly))
-            }
-        }
     }
 }
 
@@ -627,7 +578,7 @@ fn laws_of(case: &Case, duration: f64) -> Result<Vec<Box<dyn Piecewise<f64>>>, F
     laws.map_err(Fault::wrong)
 }
 
-fn assembly_at(wanted: &Wanted, linkage: &AnyLinkage<'_>, start: &[f64]) -> Result<AssemblyChoice, Fault> {
+pub(super) fn assembly_at(wanted: &Wanted, linkage: &AnyLinkage<'_>, start: &[f64]) -> Result<AssemblyChoice, Fault> {
     match wanted {
         Wanted::Named(index) if *index < linkage.assembly_count() => Ok(AssemblyChoice::Index(*index)),
         Wanted::Named(_) => Err(Fault::wrong("there is no assembly of this number")),

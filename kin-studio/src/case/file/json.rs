@@ -7,8 +7,8 @@ use kin_core::any::Described as _;
 use proc_macro2::{TokenStream, TokenTree};
 use serde_json::{Value, json};
 
-use super::super::case::Typed;
 use super::super::subject::Subject;
+use super::super::typed::Typed;
 use super::read::KinFile;
 use crate::file::{Mistake, is_ident, is_punct, range_of};
 

@@ -69,7 +69,7 @@ pub(crate) fn in_si(kind: Kind, text: &str) -> Result<f64, String> {
 }
 
 /// A number and the text behind it.
-pub(super) fn split(text: &str) -> Result<(f64, &str), String> {
+pub(crate) fn split(text: &str) -> Result<(f64, &str), String> {
     let text = text.trim();
     let is_number = |end: &usize| text.is_char_boundary(*end) && text[..*end].trim_end().parse::<f64>().is_ok();
     let begins = |text: &str| text.starts_with(|letter: char| letter.is_ascii_digit() || "+-.".contains(letter));

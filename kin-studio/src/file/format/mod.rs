@@ -13,7 +13,7 @@ const WIDTH: usize = 100;
 const STEP: usize = 4;
 
 /// The text in one form. The tokens are those of the text with blanks instead of its first line.
-pub(super) fn formatted(text: &str, tokens: &TokenStream) -> String {
+pub(crate) fn formatted(text: &str, tokens: &TokenStream) -> String {
     let (first, rest) = text.split_once('\n').unwrap_or((text, ""));
     let skipped = text.len() - rest.len();
     let mut page = Page {
@@ -26,7 +26,7 @@ pub(super) fn formatted(text: &str, tokens: &TokenStream) -> String {
 }
 
 /// Whether two texts have the same tokens and comments.
-pub(super) fn is_same(one: (&str, &TokenStream), other: (&str, &TokenStream)) -> bool {
+pub(crate) fn is_same(one: (&str, &TokenStream), other: (&str, &TokenStream)) -> bool {
     let words = |(text, tokens)| atoms(text, tokens).into_iter().map(|atom| atom.text);
     words(one).eq(words(other))
 }

@@ -1,0 +1,103 @@
+//! `kin run` and `kin check`: mechanisms of people who write no Rust.
+
+mod assemblies;
+mod joints;
+mod json;
+mod loads;
+mod numbers;
+mod read;
+
+use std::path::Path;
+
+use super::fault::Fault;
+use super::loads::Loads;
+use super::subject::Subject;
+use super::typed::Typed;
+use crate::file::format;
+use crate::file::{shown, text_of, tokens};
+use read::KinFile;
+
+/// What a file says besides the declaration.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Settings {
+    /// Dimensions and inputs that stand.
+    pub(crate) set: Vec<String>,
+    /// Motions of inputs.
+    pub(crate) over: Vec<String>,
+    /// The assembly, or several.
+    pub(crate) assembly: Option<String>,
+    /// The columns to print.
+    pub(crate) columns: Vec<String>,
+    /// The loads.
+    pub(crate) loads: Loads,
+    /// The doc comment of the mechanism.
+    pub(crate) documentation: String,
+    /// The declaration as it was typed.
+    pub(crate) declaration: String,
+}
+
+impl Settings {
+    /// The case that the file asks for.
+    pub(crate) fn typed(&self) -> Typed {
+        Typed {
+            set: self.set.clone(),
+            over: self.over.clone(),
+            assembly: self.assembly.clone(),
+            loads: self.loads.clone(),
+            ..Typed::default()
+        }
+    }
+}
+
+/// Reads the text of a file of this name, and compiles its declaration. The error holds every mistake with its line.
+fn compiled(text: &str, name: &str) -> Result<KinFile, String> {
+    KinFile::read(text).map_err(|mistakes| shown(&mistakes, name, text))
+}
+
+/// The text of a file in one form. Files whose statements cannot be told apart are mistakes.
+pub(crate) fn formatted(text: &str, name: &str) -> Result<String, String> {
+    let tokens = |text: &str| tokens(text).map_err(|mistakes| shown(&mistakes, name, text));
+    let before = tokens(text)?;
+    let formatted = format::formatted(text, &before);
+    let is_same = format::is_same((text, &before), (&formatted, &tokens(&formatted)?));
+    let changed = || format!("{name} cannot be formatted, so it is left alone");
+    is_same.then_some(formatted).ok_or_else(changed)
+}
+
+/// The mechanism of a text, and what the text says of it. The name of the file stands in its mistakes.
+pub(crate) fn of_text(text: &str, name: &str) -> Result<(Subject, Settings), String> {
+    let file = compiled(text, name)?;
+    let settings = Settings {
+        set: file.set,
+        over: file.over,
+        assembly: file.assembly,
+        columns: file.columns,
+        loads: file.loads,
+        documentation: file.mechanism.declaration().documentation().to_owned(),
+        declaration: file.declaration,
+    };
+    Ok((Subject::new(file.mechanism), settings))
+}
+
+/// The mechanism of a file, and what the file says of it.
+pub(crate) fn read(path: &Path) -> Result<(Subject, Settings), Fault> {
+    let text = text_of(path).map_err(Fault::wrong)?;
+    of_text(&text, &path.display().to_string()).map_err(Fault::wrong)
+}
+
+/// What is said of a file without mistakes: its mechanism, and the steps of its solvers where they are wanted.
+pub(crate) fn check(path: &Path, steps: bool) -> Result<String, Fault> {
+    let text = text_of(path).map_err(Fault::wrong)?;
+    let file = compiled(&text, &path.display().to_string()).map_err(Fault::wrong)?;
+    let declaration = file.mechanism.declaration();
+    let said = format!("{}: {} has no mistakes\n", path.display(), declaration.name());
+    let steps = if steps { declaration.printout() } else { "" };
+    Ok(said + steps)
+}
+
+/// The mistakes of a text for an editor, and how many there are.
+pub(crate) fn check_as_json(text: &str, name: &str) -> (String, usize) {
+    let read = KinFile::read(text);
+    let count = read.as_ref().err().map_or(0, Vec::len);
+    (json::checked(name, text, read), count)
+}

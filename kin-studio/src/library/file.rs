@@ -1,0 +1,107 @@
+//! Designs of the library as `.kin` files.
+
+use std::fmt::Write as _;
+
+use kin_core::Dimension;
+use kin_core::any::{Described as _, Quantity};
+
+use super::{Design, DesignAssembly};
+
+impl Design {
+    /// The design as a `.kin` file: the declaration, its dimensions, the motion of its first input, and its assembly.
+    ///
+    /// ```
+    /// use kin_studio::file::Document;
+    /// use kin_studio::library::DESIGNS;
+    ///
+    /// let text = DESIGNS[0].file();
+    /// assert!(text.contains("r2 = 30;"), "{text}");
+    /// assert!(Document::read(&text, "four_bar.kin").is_ok());
+    /// ```
+    ///
+    /// # Panics
+    /// Never for a design of the library, whose declarations are tested.
+    #[must_use]
+    pub fn file(&self) -> String {
+        let mechanism = kin_live::Mechanism::declare(self.declaration()).expect("the library has no mistakes");
+        let description = mechanism.description();
+        let mut text = String::from("kin 1\n");
+        for line in self.declaration().lines() {
+            let line = line.strip_prefix("    ").unwrap_or(line);
+            let _ = writeln!(text, "{}", line.replacen("pub struct", "struct", 1).replace("pub ", ""));
+        }
+        if !self.parameters.is_empty() {
+            let _ = writeln!(
+                text,
+                "\ndimensions {{ {} }}",
+                entries(description.parameters, self.parameters)
+            );
+        }
+        let moving = &description.inputs[0];
+        let range = match moving.dimension {
+            Dimension::Angle => "0deg..360deg at 60rpm".to_owned(),
+            _ => {
+                let (at, speed) = (self.inputs[0], self.inputs[0].abs().max(1.0));
+                format!("{}..{} at {speed}", 0.9 * at, 1.1 * at)
+            }
+        };
+        let standing = entries(&description.inputs[1..], &self.inputs[1..]);
+        let _ = writeln!(text, "motion {{ {} = {range}; {standing} }}", moving.name);
+        let _ = match self.assembly {
+            DesignAssembly::Named("") => Ok(()),
+            DesignAssembly::Named(name) => writeln!(text, "assembly = {name};"),
+            DesignAssembly::Near(near) => {
+                let near = entries(description.unknowns, near);
+                writeln!(text, "assembly = {};", near.trim_end_matches(';').replace("; ", ", "))
+            }
+        };
+        crate::file::formatted(&text, self.name).unwrap_or(text)
+    }
+}
+
+/// Quantities with their values: `r1 = 90; r2 = 30;`. The coordinates of a point stand in one pair of brackets.
+fn entries(quantities: &[Quantity<'_>], values: &[f64]) -> String {
+    let mut entries: Vec<(String, Vec<String>)> = Vec::new();
+    for (quantity, value) in quantities.iter().zip(values) {
+        let (name, is_part) = match quantity.name.split_once('.') {
+            Some((point, _)) => (point, true),
+            None => (quantity.name, false),
+        };
+        let value = match quantity.dimension {
+            Dimension::Angle => format!("{}deg", degrees(*value)),
+            _ => value.to_string(),
+        };
+        match entries.last_mut() {
+            Some((last, parts)) if is_part && last == name => parts.push(value),
+            _ => entries.push((name.to_owned(), vec![value])),
+        }
+    }
+    let entry = |(name, parts): &(String, Vec<String>)| match parts.as_slice() {
+        [only] => format!("{name} = {only};"),
+        parts => format!("{name} = ({});", parts.join(", ")),
+    };
+    entries.iter().map(entry).collect::<Vec<_>>().join(" ")
+}
+
+/// An angle in degrees, without the rounding of a round number of degrees.
+fn degrees(angle: f64) -> f64 {
+    let degrees = angle.to_degrees();
+    let round = (degrees * 1e9).round() / 1e9;
+    if round.to_radians() == angle { round } else { degrees }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::case::file::of_text;
+    use crate::library::DESIGNS;
+
+    #[test]
+    fn every_design_is_a_file_with_its_dimensions() {
+        for design in DESIGNS {
+            let text = design.file();
+            let (subject, settings) = of_text(&text, design.name).unwrap_or_else(|mistakes| panic!("{mistakes}"));
+            let case = settings.typed().case(&subject).unwrap_or_else(|fault| panic!("{fault}"));
+            assert_eq!(case.parameters, design.parameters, "{}", design.name);
+        }
+    }
+}

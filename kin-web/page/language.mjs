@@ -1,0 +1,68 @@
+/** The language of `.kin` files for the editor: its colours and its completions. */
+import { HighlightStyle, LanguageSupport, StreamLanguage, syntaxHighlighting } from "@codemirror/language";
+import { tags } from "@lezer/highlight";
+
+const KEYWORDS = [
+  "kin", "struct", "input", "unknown", "output", "let", "dimensions", "motion", "assembly", "columns", "loads", "at",
+  "under", "over",
+];
+const TYPES = ["Length", "Angle", "Scalar", "Vector", "Vector3", "Direction"];
+const FUNCTIONS = [
+  "cis", "polar", "vec2", "vec3", "rot", "rot_x", "rot_y", "rot_z", "dot", "cross", "norm", "sin", "cos", "tan", "asin",
+  "acos", "atan", "atan2", "sqrt", "pow",
+];
+
+const parser = {
+  name: "kin",
+  token(stream) {
+    if (stream.match(/^\/\/.*/)) {
+      return "comment";
+    }
+    if (stream.match(/^\d+(\.(?!\.)\d*)?(e[+-]?\d+)?/i)) {
+      stream.match(/^[a-zµ°]+/i);
+      return "number";
+    }
+    const word = stream.match(/^[\p{L}_][\p{L}\p{N}_]*/u)?.[0];
+    if (word) {
+      const kinds = [
+        [KEYWORDS, "keyword"],
+        [TYPES, "typeName"],
+        [FUNCTIONS, "function"],
+      ];
+      return kinds.find(([words]) => words.includes(word))?.[1] ?? "variableName";
+    }
+    stream.next();
+    return null;
+  },
+  languageData: { commentTokens: { line: "//" } },
+  tokenTable: { function: tags.function(tags.variableName) },
+};
+
+const style = HighlightStyle.define([
+  { tag: tags.comment, class: "token-comment" },
+  { tag: tags.keyword, class: "token-keyword" },
+  { tag: tags.number, class: "token-number" },
+  { tag: tags.typeName, class: "token-type" },
+  { tag: tags.function(tags.variableName), class: "token-function" },
+]);
+
+export const kin = new LanguageSupport(StreamLanguage.define(parser), syntaxHighlighting(style));
+
+/** Completions: the words of the language, and the names of the last text without mistakes. */
+export function completionsFrom(outlineNow) {
+  const words = [
+    ...KEYWORDS.map((label) => ({ label, type: "keyword" })),
+    ...TYPES.map((label) => ({ label, type: "type" })),
+    ...FUNCTIONS.map((label) => ({ label, type: "function" })),
+  ];
+  return (context) => {
+    const word = context.matchBefore(/[\p{L}_][\p{L}\p{N}_]*/u);
+    if (!word && !context.explicit) {
+      return null;
+    }
+    const outline = outlineNow();
+    const quantities = ["dimensions", "inputs", "unknowns", "outputs"].flatMap((kind) => outline?.[kind] ?? []);
+    const names = quantities.map(({ name, documentation }) => ({ label: name, type: "variable", info: documentation }));
+    return { from: word?.from ?? context.pos, options: [...names, ...words] };
+  };
+}

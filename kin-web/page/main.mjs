@@ -1,0 +1,189 @@
+/** The page of kin: text on the left, the moving page on the right. */
+import { addressOf, textOf } from "./address.mjs";
+import { createAsking } from "./asking.mjs";
+import { createEditor } from "./editor.mjs";
+import { createFrames } from "./frame.mjs";
+import { changesFor } from "./numbers.mjs";
+import { kinModule, startWorker, view } from "./parts.mjs";
+
+/** The times in milliseconds that answers may take. */
+const LIMITS = { check: 4000, motion: 10_000, report: 60_000 };
+/** The pause after which a text that is typed is compiled. */
+const PAUSE = 40;
+
+const part = (id) => document.getElementById(id);
+const module = kinModule();
+/** Each kind of question has a worker, so that peaks, which take time, hold nothing up. */
+const quick = createAsking(startWorker, module);
+const slow = createAsking(startWorker, module);
+let outline = null;
+let timer = 0;
+let version = 0;
+
+const editor = createEditor(part("editor"), typed, () => outline);
+const frames = createFrames(part("moving"), view, (design) => editor.change(changesFor(editor.text(), design)));
+
+function typed() {
+  clearTimeout(timer);
+  timer = setTimeout(compile, PAUSE);
+}
+
+function say(text) {
+  part("state").textContent = text;
+}
+
+/** Lists mistakes below the text. A click leads to the place. */
+function list(mistakes) {
+  const items = mistakes.map((mistake) => {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.className = mistake.severity;
+    button.textContent = `${mistake.range.start.line + 1}: ${mistake.message}`;
+    button.addEventListener("click", () => editor.goTo(mistake));
+    const item = document.createElement("li");
+    item.append(button);
+    return item;
+  });
+  part("mistakes").replaceChildren(...items);
+}
+
+function refuse(message) {
+  part("moving").classList.add("stale");
+  say("");
+  list([{ severity: "error", message, range: { start: { line: 0, character: 0 }, end: { line: 0, character: 0 } } }]);
+}
+
+async function compile() {
+  version += 1;
+  const mine = version;
+  const text = editor.text();
+  const begin = performance.now();
+  const { check, refused, superseded } = await quick({ ask: "check", text }, LIMITS.check);
+  if (superseded || mine !== version) {
+    return;
+  }
+  if (refused) {
+    refuse(refused);
+    return;
+  }
+  editor.mark(check.mistakes);
+  list(check.mistakes);
+  if (check.outline === null) {
+    part("moving").classList.add("stale");
+    say(check.mistakes.length === 1 ? "1 mistake" : `${check.mistakes.length} mistakes`);
+    return;
+  }
+  outline = check.outline;
+  history.replaceState(null, "", `#${await addressOf(text)}`);
+  if (await show("motion", text, mine, quick)) {
+    document.body.dataset.moved = (performance.now() - begin).toFixed(0);
+    say("finding peaks …");
+    if (await show("report", text, mine, slow)) {
+      say("");
+    }
+  }
+}
+
+/** Shows the answer to a question about the text, unless the text has changed since. */
+async function show(ask, text, mine, asking) {
+  const answer = await asking({ ask, text }, LIMITS[ask]);
+  if (answer.superseded || mine !== version) {
+    return false;
+  }
+  if (answer.refused && ask === "report") {
+    say("the peaks are the page's own");
+  } else if (answer.refused) {
+    refuse(answer.refused);
+  } else {
+    part("moving").classList.remove("stale");
+    frames.show(answer.report);
+  }
+  return !answer.refused;
+}
+
+function handOver(name, content, type) {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([content], { type }));
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}
+
+async function save(kind) {
+  const text = editor.text();
+  const name = (outline?.name ?? "mechanism").replace(/(?!^)(?=[A-Z])/g, "_").toLowerCase();
+  if (kind === "kin") {
+    handOver(`${name}.kin`, text, "text/plain");
+    return;
+  }
+  const question = kind === "page" ? { ask: "page", text } : { ask: "code", text, language: kind };
+  say("writing …");
+  const { text: page, files, refused } = await slow(question, LIMITS.report);
+  say(refused ?? "");
+  for (const [file, content] of page ? [[`${name}.html`, page]] : (files ?? [])) {
+    handOver(file, content, page ? "text/html" : "text/plain");
+  }
+}
+
+async function copyLink() {
+  const address = `${location.href.split("#")[0]}#${await addressOf(editor.text())}`;
+  history.replaceState(null, "", address);
+  try {
+    await navigator.clipboard.writeText(address);
+    say("The link is copied: it holds the whole mechanism.");
+  } catch {
+    say("The link stands in the address bar: it holds the whole mechanism.");
+  }
+}
+
+async function format() {
+  const { text, refused } = await quick({ ask: "format", text: editor.text() }, LIMITS.check);
+  if (text && text !== editor.text()) {
+    editor.set(text);
+  }
+  say(refused ? "A text with such mistakes cannot be formatted." : "");
+}
+
+async function begin() {
+  const asked = quick({ ask: "examples" }, LIMITS.motion);
+  const fromAddress = await textOf(location.hash);
+  const { examples = [] } = await asked;
+  const choices = examples.map(({ name }) => new Option(name.replace(/(?!^)(?=[A-Z])/g, " "), name));
+  part("examples").append(new Option("of one's own", ""), ...choices);
+  part("examples").value = fromAddress === null ? "FourBar" : "";
+  const textOfExample = (name) => examples.find((one) => one.name === name)?.text;
+  part("examples").addEventListener("change", () => {
+    const text = textOfExample(part("examples").value);
+    if (text) {
+      editor.set(text);
+    }
+  });
+  editor.set(fromAddress ?? textOfExample("FourBar") ?? "kin 1\n");
+  if (location.hash && fromAddress === null) {
+    say("The link is damaged: it holds no mechanism.");
+  }
+}
+
+part("open").addEventListener("click", () => part("file").click());
+part("file").addEventListener("change", async () => {
+  const [file] = part("file").files;
+  part("file").value = "";
+  if (file) {
+    editor.set((await file.text()).replace(/^\uFEFF/, "").replaceAll("\r\n", "\n"));
+  }
+});
+part("format").addEventListener("click", format);
+part("link").addEventListener("click", copyLink);
+for (const button of document.querySelectorAll("[data-save]")) {
+  button.addEventListener("click", () => {
+    button.closest("details").open = false;
+    save(button.dataset.save);
+  });
+}
+addEventListener("hashchange", async () => {
+  const text = await textOf(location.hash);
+  if (text !== null && text !== editor.text()) {
+    editor.set(text);
+  }
+});
+begin();
