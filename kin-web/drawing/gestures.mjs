@@ -13,7 +13,7 @@ export function handlePointers(svg, desk) {
 
   svg.addEventListener("pointerdown", (event) => {
     const start = within(svg, event);
-    desk.setRadius(RADII[event.pointerType] ?? RADII.mouse);
+    desk.hold(RADII[event.pointerType] ?? RADII.mouse);
     fingers.set(event.pointerId, start);
     if (fingers.size === 2) {
       gesture = null;
@@ -52,6 +52,7 @@ export function handlePointers(svg, desk) {
         }
         if (fingers.size === 0) {
           [gesture, spread] = [null, null];
+          desk.release();
         }
       },
     );

@@ -14,12 +14,30 @@ export function handleKeys(svg, tools, desk) {
   };
   svg.addEventListener("keydown", onKey);
   tools.addEventListener("keydown", onKey);
+  // a focus that a pointer gave shows neither the pen nor an outline
+  const showFocus = () => {
+    svg.toggleAttribute("data-keyboard", isKeyLast);
+    desk.showPen(isKeyLast && document.activeElement === svg);
+  };
+  let isKeyLast = false;
+  for (const [kind, isKey] of Object.entries({ keydown: true, pointerdown: false })) {
+    document.addEventListener(
+      kind,
+      () => {
+        isKeyLast = isKey;
+        if (svg.contains(document.activeElement)) {
+          showFocus();
+        }
+      },
+      true,
+    );
+  }
   svg.addEventListener("focusin", (event) => {
     const part = desk.partOf(event.target);
-    if (part !== null && event.target.matches(":focus-visible")) {
+    if (part !== null && isKeyLast) {
       desk.select(part);
     }
-    desk.showPen(event.target === svg && svg.matches(":focus-visible"));
+    showFocus();
   });
   svg.addEventListener("focusout", () => desk.showPen(false));
 }

@@ -54,10 +54,11 @@ export function createDrawing(svg, tools, { declare, changed }) {
   let isPenShown = false;
   let isSnapping = true;
   let radius = 12;
+  let isHeld = false;
   let faults = [];
   let timer = 0;
   let asked = 0;
-  let size = { width: 0, height: 0 };
+  let size = { width: 0, height: 0, top: 0 };
 
   svg.classList.add("drawing");
   svg.setAttribute("role", "application");
@@ -97,7 +98,16 @@ export function createDrawing(svg, tools, { declare, changed }) {
       }
       return part === null ? { at: desk.snapped(place, isFree) } : { link: part.index, at: onLink(part.index, place) };
     },
-    setRadius: (value) => (radius = value),
+    /** A pointer went down, with its radius. Until it is lifted nothing above the picture moves it away. */
+    hold(value) {
+      radius = value;
+      isHeld = true;
+    },
+    release() {
+      isHeld = false;
+      list.update(faults, sketch());
+      render();
+    },
     setPending(target) {
       pending = target;
       looseEnd = null;
@@ -145,13 +155,15 @@ export function createDrawing(svg, tools, { declare, changed }) {
       desk.select(part);
       picture.hits.focus(part);
     },
-    say: (words) => setText(hint, words),
+    say(words) {
+      setText(hint, words);
+      render();
+    },
     render: () => render(),
     choose(chosen) {
       tool = chosen;
       [pending, looseEnd] = [null, null];
       desk.say(tool.hint);
-      render();
     },
     undo: () => step(history.undo),
     redo: () => step(history.redo),
@@ -184,7 +196,6 @@ export function createDrawing(svg, tools, { declare, changed }) {
     toggleSnapping() {
       isSnapping = !isSnapping;
       desk.say(isSnapping ? "New places lie on the grid." : "New places lie anywhere.");
-      render();
     },
     setLength(link, from, to, length) {
       const result = setLength(history.present(), link, from, to, length);
@@ -236,8 +247,8 @@ export function createDrawing(svg, tools, { declare, changed }) {
   tools.replaceChildren(bar.element, panel.element, hint, list.element);
   handlePointers(svg, desk);
   handleKeys(svg, tools, desk);
-  new ResizeObserver(() => resize()).observe(svg);
-  resize();
+  new ResizeObserver(() => render()).observe(svg);
+  render();
 
   /** The place on a link that is nearest to a place in the picture; its middle, if that is near. */
   function onLink(link, place) {
@@ -260,16 +271,17 @@ export function createDrawing(svg, tools, { declare, changed }) {
     refresh();
   }
 
-  function resize() {
-    const { width, height } = svg.getBoundingClientRect();
+  /** Fields that come and go above the picture leave the drawing where it is on the screen. */
+  function measure() {
+    const { width, height, top } = svg.getBoundingClientRect();
+    const now = { width, height, top: top + window.scrollY };
     if (size.width === 0) {
       [view.x, view.y] = [width / 2, height / 2];
     } else {
       view.x += (width - size.width) / 2;
-      view.y += (height - size.height) / 2;
+      view.y += size.top - now.top;
     }
-    size = { width, height };
-    render();
+    size = now;
   }
 
   function fit() {
@@ -294,6 +306,13 @@ export function createDrawing(svg, tools, { declare, changed }) {
   }
 
   function render() {
+    describe(svg, sketch());
+    svg.setAttribute("data-tool", tool.id);
+    bar.update({ tool, canUndo: history.canUndo(), canRedo: history.canRedo(), selection, isSnapping });
+    if (!isHeld || panel.shows(selection)) {
+      panel.update(sketch(), selection);
+    }
+    measure();
     if (size.width === 0) {
       return;
     }
@@ -304,16 +323,13 @@ export function createDrawing(svg, tools, { declare, changed }) {
       places: places(),
       view,
       step: gridStep(view.scale),
-      ...size,
+      width: size.width,
+      height: size.height,
       selection,
       faulty: posed === null ? faultyParts(faults) : NO_FAULTS,
       looseEnd: looseEnd && { from: looseEnd.from && toPicture(looseEnd.from), to: toPicture(looseEnd.to), text },
       pen: isPenShown ? toPicture(pen) : null,
     });
-    describe(svg, sketch());
-    svg.setAttribute("data-tool", tool.id);
-    bar.update({ tool, canUndo: history.canUndo(), canRedo: history.canRedo(), selection, isSnapping });
-    panel.update(sketch(), selection);
   }
 
   /** Has the drawing declared once it rests. */
@@ -325,7 +341,9 @@ export function createDrawing(svg, tools, { declare, changed }) {
       if (own === asked) {
         const isEmpty = drawn.points.length === 0;
         faults = isEmpty ? [] : (result.faults ?? []);
-        list.update(faults, drawn);
+        if (!isHeld) {
+          list.update(faults, drawn);
+        }
         render();
         changed(result, drawn);
       }

@@ -52,14 +52,18 @@ const bodyOf = (value) => (value === "ground" ? value : Number(value));
 export function createPanel(desk) {
   const element = made("div", { className: "panel", role: "group" });
   let shown = "";
+  let part = "";
   return {
     element,
+    /** Whether the fields are those of a part. */
+    shows: (selection) => part === JSON.stringify(selection),
     update(sketch, selection) {
       const now = JSON.stringify([sketch, selection]);
       if (now === shown) {
         return;
       }
       shown = now;
+      part = JSON.stringify(selection);
       const field = element.contains(document.activeElement) ? document.activeElement.getAttribute("data-field") : null;
       const content =
         selection === null
@@ -146,16 +150,17 @@ function ofLink(desk, sketch, link) {
     desk.edit((draft) => driveLink(draft, link, value === "" ? null : bodyOf(value))),
   );
   const removals = points.map((point) => {
-    const words = `Take ${sketch.points[point].name} from it`;
-    return button(words, {}, () => desk.edit((draft) => takeFromLink(draft, link, point)));
+    const words = { "aria-label": `Take ${letters(point)} from link ${numberOf(link)}` };
+    return button(`${letters(point)} ×`, words, () => desk.edit((draft) => takeFromLink(draft, link, point)));
   });
+  const pins = made("span", { className: "field", role: "group", "aria-label": "Pins" }, "Pins", ...removals);
   const fields = [
     textField("name", "Name", name, String(numberOf(link)), (text) =>
       desk.edit((draft) => (draft.links[link].name = text)),
     ),
     ...lengths,
     labelled("drive", "Driven from", drive),
-    ...(points.length > 2 ? removals : []),
+    ...(points.length > 2 ? [pins] : []),
   ];
   return { title, fields };
 }
