@@ -19,9 +19,11 @@ function firstPart(fault, sketch) {
 
 export function createFaultList(desk) {
   const element = made("ul", { className: "faults", "aria-label": "What is left to do" });
-  const sentence = ({ message, advice }) => {
+  // what stands between backticks is a name
+  const worded = ({ message, advice }) => {
     const text = advice ? `${message}: ${advice}.` : `${message}.`;
-    return text[0].toUpperCase() + text.slice(1);
+    const pieces = (text[0].toUpperCase() + text.slice(1)).split("`");
+    return pieces.map((piece, index) => (index % 2 === 0 ? piece : made("code", {}, piece)));
   };
   return {
     element,
@@ -29,8 +31,12 @@ export function createFaultList(desk) {
       element.replaceChildren(
         ...faults.map((fault) => {
           const part = firstPart(fault, sketch);
-          const content = part === null ? sentence(fault) : button(sentence(fault), {}, () => desk.show(part));
-          return made("li", {}, content);
+          if (part === null) {
+            return made("li", {}, ...worded(fault));
+          }
+          const leading = button("", {}, () => desk.show(part));
+          leading.append(...worded(fault));
+          return made("li", {}, leading);
         }),
       );
     },
