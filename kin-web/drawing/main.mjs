@@ -12,6 +12,7 @@ import { setLength } from "./model/lengths.mjs";
 import { fromSegment, pick, pickLink, pickPoint } from "./model/picking.mjs";
 import { turnSlides } from "./model/rails.mjs";
 import { at, completed, emptySketch } from "./model/sketch.mjs";
+import { mistakeIn } from "./model/validity.mjs";
 import { createPanel } from "./panel.mjs";
 import { createPicture, describe } from "./picture.mjs";
 import { toolset } from "./toolset.mjs";
@@ -350,23 +351,31 @@ export function createDrawing(svg, tools, { declare, changed }) {
     }, REST);
   }
 
+  /**
+   * Shows another drawing. It can be undone.
+   * @throws {RangeError} if the data is no drawing
+   */
+  function load(loaded) {
+    const next = completed(loaded);
+    const mistake = mistakeIn(next);
+    if (mistake !== null) {
+      throw new RangeError(mistake);
+    }
+    preview = null;
+    [selection, pending, looseEnd, posed] = [null, null, null, null];
+    history.push(next);
+    fit();
+    refresh();
+  }
+
   return {
-    /** Shows another drawing. It can be undone. */
-    load(loaded) {
-      preview = null;
-      [selection, pending, looseEnd, posed] = [null, null, null, null];
-      history.push(completed(loaded));
-      fit();
-      refresh();
-    },
+    load,
     /** The drawing as it is. */
     sketch: () => structuredClone(sketch()),
     undo: desk.undo,
     redo: desk.redo,
     /** Begins an empty drawing. It can be undone. */
-    clear() {
-      this.load(emptySketch());
-    },
+    clear: () => load(emptySketch()),
     /** Shows the drawing with its points elsewhere, until null is given or the drawing is changed. */
     pose(points) {
       posed = points && structuredClone(sketch());

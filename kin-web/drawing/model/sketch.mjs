@@ -15,9 +15,13 @@ export function emptySketch() {
   return { name: "Linkage", points: [], ground: [], links: [], slides: [], drives: [] };
 }
 
-/** A copy in which every list stands, whichever the text left out. @returns {Sketch} */
+/** A copy in which every list stands, and each slide says what it guides, whichever the text left out. @returns {Sketch} */
 export function completed(sketch) {
-  return { ...emptySketch(), ...structuredClone(sketch) };
+  const copy = { ...emptySketch(), ...structuredClone(sketch) };
+  if (Array.isArray(copy.slides)) {
+    copy.slides = copy.slides.map((slide) => ({ guided: null, ...slide }));
+  }
+  return copy;
 }
 
 /** @returns {[number, number]} */

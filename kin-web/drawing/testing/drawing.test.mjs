@@ -398,6 +398,16 @@ test("the shell loads examples, shows poses and gets what changed", () =>
     assert.deepEqual(await sketchOf(page), drawn);
     await page.evaluate(() => window.drawing.pose(null));
     assert.deepEqual(await partAt(page, "point", 1), before);
+    const refused = await page.evaluate(() => {
+      try {
+        window.drawing.load({ name: "Broken", ground: [0] });
+        return "it was taken";
+      } catch (error) {
+        return String(error);
+      }
+    });
+    assert.match(refused, /^RangeError: .* not drawn$/);
+    assert.deepEqual(await sketchOf(page), drawn);
   }));
 
 test("axe finds no serious fault, and targets are large enough", async () => {

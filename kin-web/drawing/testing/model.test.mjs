@@ -25,6 +25,7 @@ import { createHistory } from "../model/history.mjs";
 import { lengthOf, setLength, sidesOf } from "../model/lengths.mjs";
 import { pick, pickLink } from "../model/picking.mjs";
 import { at, completed, emptySketch, isDriven, unusedName } from "../model/sketch.mjs";
+import { mistakeIn } from "../model/validity.mjs";
 import { startKin } from "./kin.mjs";
 
 const kin = startKin();
@@ -249,4 +250,28 @@ test("names are letters that are free", () => {
   addToLink(sketch, link, 2);
   addToLink(sketch, link, 2);
   assert.deepEqual(sketch.links[link].points, [0, 1, 2]);
+});
+
+test("data that is no drawing is refused", () => {
+  for (const { sketch } of examples) {
+    assert.equal(mistakeIn(sketch), null);
+  }
+  const refused = (change, words) => {
+    const sketch = structuredClone(lift);
+    change(sketch);
+    assert.match(mistakeIn(completed(sketch)), words);
+  };
+  refused((sketch) => (sketch.links = null), /has lists/);
+  refused((sketch) => (sketch.points[0].x = NaN), /two finite coordinates/);
+  refused((sketch) => (sketch.points[0] = null), /two finite coordinates/);
+  refused((sketch) => sketch.ground.push(6), /not drawn/);
+  refused((sketch) => sketch.links[0].points.push(-1), /not drawn/);
+  refused((sketch) => (sketch.links[0] = 3), /not drawn/);
+  refused((sketch) => (sketch.slides[0].on = "air"), /not drawn/);
+  refused((sketch) => (sketch.slides[0].guided = 9), /not drawn/);
+  refused((sketch) => (sketch.drives[0].slide = 2), /not drawn/);
+  refused((sketch) => sketch.drives.push({ angle: { of: 0, to: 5 } }), /not drawn/);
+  const withoutGuide = structuredClone(lift);
+  delete withoutGuide.slides[0].guided;
+  assert.equal(mistakeIn(completed(withoutGuide)), null);
 });
