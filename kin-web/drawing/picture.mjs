@@ -32,7 +32,7 @@ const COLOURS = 6;
  * @property {number} height
  * @property {import("./model/sketch.mjs").Part | null} selection
  * @property {{points: number[], links: number[], slides: number[]}} faulty
- * @property {{from: number[] | null, to: number[], text: string} | null} looseEnd of what is being drawn, in the picture
+ * @property {{from: number[] | null, to: number[], text: string} | null} looseEnd of what is being drawn, in pixels
  * @property {number[] | null} pen where the keyboard draws
  */
 

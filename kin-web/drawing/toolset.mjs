@@ -15,9 +15,10 @@ import { snapDirection } from "./model/grid.mjs";
 import { at, nameOf, slidesAt } from "./model/sketch.mjs";
 
 /**
- * @typedef {{move(place: number[], isFree: boolean): void, end(place: number[], isMoved: boolean, isFree: boolean): void}}
- *   Gesture
- * @typedef {{point: number} | {link: number, at: number[]} | {at: number[]}} Target a pin, a place on a link, or a place
+ * @typedef {object} Gesture
+ * @property {(place: number[], isFree: boolean) => void} move isFree: without the grid
+ * @property {(place: number[], isMoved: boolean, isFree: boolean) => void} end isMoved: a drag and not a click
+ * @typedef {{point: number} | {link: number, at: number[]} | {at: number[]}} Target a pin, a place on a link, a place
  * @typedef {object} Tool
  * @property {string} id
  * @property {string} key

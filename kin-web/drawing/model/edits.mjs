@@ -1,6 +1,6 @@
 /** Changes of a drawing. Each changes the draft that it is given. */
 import { at, drivenFrom, isDriven, linksAt, unusedName } from "./sketch.mjs";
-import { turnSlides } from "./rails.mjs";
+import { turnLevers, turnSlides } from "./rails.mjs";
 
 /** The drawing after a change. The one before stays as it is. */
 export function changed(sketch, action) {
@@ -71,9 +71,12 @@ export function toggleDrive(draft, link) {
   driveLink(draft, link, drivenFrom(draft, link) === null ? "ground" : null);
 }
 
-/** Moves a point. The lines of slides turn with the links that carry them. */
+/** Moves a point. A slotted lever turns with the pin in its slot, and the lines of slides turn with their links. */
 export function movePoint(draft, point, to) {
-  movePoints(draft, new Map([[point, to]]));
+  const before = structuredClone(draft);
+  [draft.points[point].x, draft.points[point].y] = to;
+  turnLevers(before, draft, [point]);
+  turnSlides(before, draft);
 }
 
 /** Moves several points: their indices and where they go. */

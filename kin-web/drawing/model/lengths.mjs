@@ -1,7 +1,7 @@
 /**
- * A length that is typed. The linkage is closed again with all its other lengths: Newton's method moves the points as
- * little as it can, at first without turning what is driven. A linkage that cannot close so gives up lengths: the end of
- * the link moves along the link, and the links that share the end follow.
+ * A length that is typed. Newton's method closes the linkage again with all its other lengths: it moves the points as
+ * little as it can, at first without turning what is driven. If the linkage cannot close so, the end of the link moves
+ * along the link, and the links that share the end get other lengths.
  */
 import { movePoint, movePoints, changed } from "./edits.mjs";
 import { at, linksAt, pivotOf } from "./sketch.mjs";

@@ -15,7 +15,7 @@ export function emptySketch() {
   return { name: "Linkage", points: [], ground: [], links: [], slides: [], drives: [] };
 }
 
-/** A copy in which every list stands, and each slide says what it guides, whichever the text left out. @returns {Sketch} */
+/** A copy with every list, and with what each slide guides, where the text left them out. @returns {Sketch} */
 export function completed(sketch) {
   const copy = { ...emptySketch(), ...structuredClone(sketch) };
   if (Array.isArray(copy.slides)) {

@@ -148,6 +148,19 @@ test("slides turn with their links, and leave the ground", () => {
   assert.deepEqual(fixed.slides, []);
 });
 
+test("a slotted lever turns with the pin in its slot", async () => {
+  const turned = changed(inverted, (draft) => movePoint(draft, 1, [1, 1]));
+  near(turned.slides[0].direction, Math.atan2(1, -2));
+  const [x, y] = at(turned, 3);
+  near(x, 3 - 2 * Math.SQRT2 * Math.sqrt(4));
+  near(y, Math.SQRT2 * Math.sqrt(4));
+  near(lengthOf(turned, 2, 3), lengthOf(inverted, 2, 3));
+  assert.match((await kin.declare(turned)).text, /a == d \+ s \* cis\(theta3\);/);
+  // the table of the lift turns about its joint
+  const lifted = changed(lift, (draft) => movePoint(draft, 4, [4, 3.5]));
+  near(lifted.slides[1].direction, lift.slides[1].direction + Math.atan2(0.5, 4));
+});
+
 test("drives are where a part suggests them", () => {
   const drives = (sketch, part) => changed(sketch, (draft) => driveAt(draft, part)).drives;
   assert.deepEqual(drives(fourBar, { kind: "link", index: 0 }), []);
