@@ -58,7 +58,7 @@ pub enum SketchFaultKind {
     Missing,
     /// A part cannot have its name.
     Name,
-    /// A coordinate or a direction is not finite.
+    /// A coordinate or a direction is not finite, or too large to compute with.
     NotFinite,
     /// A part is drawn in a way that means nothing.
     Meaningless,

@@ -3,6 +3,9 @@
 use crate::fault::{SketchFault, SketchFaultKind, SketchParts, listed};
 use crate::sketch::{Body, Drive, LinkId, PointId, Sketch, SketchPoint, SketchSlide, SlideId};
 
+/// Products of coordinates that are not larger are finite.
+const FARTHEST: f64 = 1e100;
+
 impl Sketch {
     /// What a person calls a body.
     pub(crate) fn name_of(&self, body: Body) -> String {
@@ -100,10 +103,15 @@ impl Sketch {
 
     fn unfinite(&self, faults: &mut Vec<SketchFault>) {
         for (index, point) in self.points.iter().enumerate() {
-            if !(point.x.is_finite() && point.y.is_finite()) {
-                let SketchPoint { name, x, y } = point;
+            let SketchPoint { name, x, y } = point;
+            let far = x.abs().max(y.abs());
+            if !(x.is_finite() && y.is_finite()) {
                 let message = format!("`{name}` stands at ({x}, {y})");
                 faults.push(SketchFault::new(SketchFaultKind::NotFinite, message, "").at_points(&[index]));
+            } else if far > FARTHEST {
+                let message = format!("`{name}` stands {far:e} away from the origin");
+                let fault = SketchFault::new(SketchFaultKind::NotFinite, message, "choose another unit of length");
+                faults.push(fault.at_points(&[index]));
             }
         }
         for (index, slide) in self.slides.iter().enumerate() {

@@ -115,6 +115,13 @@ fn parts_without_sense() {
     );
 
     let mut sketch = four_bar();
+    sketch.points[2].x = -1e200;
+    assert_eq!(
+        told(&sketch),
+        ["`b` stands 1e200 away from the origin: choose another unit of length"]
+    );
+
+    let mut sketch = four_bar();
     sketch.points[2].x = f64::NAN;
     sketch.links.push(sketch.links[0].clone());
     sketch.links[3].points.clear();
