@@ -1,14 +1,15 @@
 //! The declaration of a drawing.
 
-use crate::fault::SketchFault;
+use crate::fault::{SketchFault, SketchFaultKind};
 use crate::freedom;
 use crate::names::Names;
 use crate::placement::place;
-use crate::sketch::Sketch;
+use crate::sketch::{LinkId, PointId, Sketch};
 use crate::statements;
 
 /// A drawing as a declaration, with the values that the drawing has.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SketchDeclaration {
     /// The text of the declaration, as it stands between the braces of `mechanism!`.
     pub text: String,
@@ -45,22 +46,33 @@ impl Sketch {
 
     /// Takes the names of the points, and complains of names that cannot be.
     fn name_faults(&self, names: &mut Names) -> Vec<SketchFault> {
-        let links = self.links.iter().map(|link| &link.name).filter(|name| !name.is_empty());
-        let all = std::iter::once(&self.name)
-            .chain(links)
-            .chain(self.points.iter().map(|point| &point.name));
-        let complaints = all.filter_map(|name| kin_compiler::name_mistake(name));
-        let mut faults: Vec<_> = complaints.map(SketchFault::Name).collect();
-        for point in &self.points {
+        let mut faults = Vec::new();
+        let mut complain = |name: &str, points: &[PointId], links: &[LinkId]| {
+            let fault = kin_compiler::name_mistake(name).map(|it| SketchFault::new(SketchFaultKind::Name, it, ""));
+            faults.extend(fault.map(|fault| fault.at_points(points).at_links(links)));
+        };
+        complain(&self.name, &[], &[]);
+        for (number, link) in self.links.iter().enumerate().filter(|(_, link)| !link.name.is_empty()) {
+            complain(&link.name, &[], &[number]);
+        }
+        for (number, point) in self.points.iter().enumerate() {
+            complain(&point.name, &[number], &[]);
+        }
+        let twice = |kind: &str, name: &str| {
+            let message = format!("two {kind} are called `{name}`");
+            SketchFault::new(SketchFaultKind::Name, message, "choose another name for one")
+        };
+        for (number, point) in self.points.iter().enumerate() {
             if !names.take_as_it_is(&point.name) {
-                let message = format!("two points are called `{}`: choose another name for one", point.name);
-                faults.push(SketchFault::Name(message));
+                let others = (0..=number).filter(|other| self.points[*other].name == point.name);
+                faults.push(twice("points", &point.name).at_points(&others.collect::<Vec<_>>()));
             }
         }
         for (number, link) in self.links.iter().enumerate() {
-            if !link.name.is_empty() && self.links[..number].iter().any(|other| other.name == link.name) {
-                let message = format!("two links are called `{}`: choose another name for one", link.name);
-                faults.push(SketchFault::Name(message));
+            let others = (0..=number).filter(|other| self.links[*other].name == link.name);
+            let others: Vec<LinkId> = others.collect();
+            if !link.name.is_empty() && others.len() > 1 {
+                faults.push(twice("links", &link.name).at_links(&others));
             }
         }
         faults

@@ -3,28 +3,73 @@
 use std::error::Error;
 use std::fmt;
 
-/// What keeps a drawing from being a mechanism. The message of `Display` says what to change.
+use crate::sketch::{LinkId, PointId, SlideId};
+
+/// What keeps a drawing from being a mechanism, what to change, and the parts that it is about. `Display` writes the
+/// message and the advice.
+///
+/// ```
+/// use kin_sketch::{Body, Drive, Sketch};
+///
+/// let mut sketch = Sketch::new("Crank");
+/// let o = sketch.point("o", 0.0, 0.0);
+/// sketch.fix(o);
+/// let crank = sketch.link("crank", &[o, o]);
+/// sketch.drives.push(Drive::Angle { of: crank, to: Body::Ground });
+///
+/// let faults = sketch.declaration().unwrap_err();
+/// assert_eq!(faults[0].message, "`crank` has the point `o` twice");
+/// assert_eq!(faults[0].advice, "remove one of them");
+/// assert_eq!((&*faults[0].parts.links, &*faults[0].parts.points), (&[crank][..], &[o][..]));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
-pub enum SketchFault {
+pub struct SketchFault {
+    /// The kind of the fault, with its numbers.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub kind: SketchFaultKind,
+    /// What is wrong.
+    pub message: String,
+    /// What to change; empty if the message says it.
+    pub advice: String,
+    /// The parts that are at fault, by their indices.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub parts: SketchParts,
+}
+
+/// Parts of a drawing by their indices, each of which is one of the drawing.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct SketchParts {
+    /// Indices of [`Sketch::points`](crate::Sketch::points).
+    pub points: Vec<PointId>,
+    /// Indices of [`Sketch::links`](crate::Sketch::links).
+    pub links: Vec<LinkId>,
+    /// Indices of [`Sketch::slides`](crate::Sketch::slides).
+    pub slides: Vec<SlideId>,
+}
+
+/// The kind of a fault.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SketchFaultKind {
     /// A link, a slide, a drive or the ground names a part that does not exist.
-    Missing(String),
+    Missing,
     /// A part cannot have its name.
-    Name(String),
-    /// A coordinate or a direction is not finite.
-    NotFinite(String),
+    Name,
+    /// A coordinate or a direction is not finite, or too large to compute with.
+    NotFinite,
     /// A part is drawn in a way that means nothing.
-    Meaningless(String),
-    /// No joint connects these links with the ground.
-    Loose(Vec<String>),
-    /// The drawing moves in more ways than it has drives. The links named move although all drives stand still.
+    Meaningless,
+    /// No joint connects the links with the ground.
+    Loose,
+    /// The drawing moves in more ways than it has drives. The parts move although all drives stand still.
     NeedsDrives {
         /// The number of ways in which the drawing moves.
         freedom: usize,
         /// The number of drives.
         drives: usize,
-        /// The links that move although all drives stand still.
-        undetermined: Vec<String>,
     },
     /// The drawing moves in fewer ways than it has drives.
     TooManyDrives {
@@ -33,85 +78,65 @@ pub enum SketchFault {
         /// The number of drives.
         drives: usize,
     },
-    /// Some equations repeat others: the drawing moves only because its lengths happen to fit.
+    /// Some equations repeat others: the drawing moves only because its lengths happen to fit. Each of the links can be
+    /// removed without another motion.
     Overconstrained {
         /// The number of equations that follow from the others.
         redundant: usize,
-        /// The links each of which can be removed without another motion.
-        removable: Vec<String>,
     },
-    /// The drives do not determine the motion in the pose that is drawn, a limit position or a change point.
-    DeadPoint {
-        /// The links that move although all drives stand still.
-        undetermined: Vec<String>,
-    },
+    /// The drives do not determine the motion in the pose that is drawn, a limit position or a change point. The parts
+    /// move although all drives stand still.
+    DeadPoint,
+}
+
+impl SketchFault {
+    pub(crate) fn new(kind: SketchFaultKind, message: impl Into<String>, advice: impl Into<String>) -> Self {
+        Self {
+            kind,
+            message: message.into(),
+            advice: advice.into(),
+            parts: SketchParts::default(),
+        }
+    }
+
+    pub(crate) fn meaningless(message: impl Into<String>, advice: impl Into<String>) -> Self {
+        Self::new(SketchFaultKind::Meaningless, message, advice)
+    }
+
+    pub(crate) fn at(self, parts: SketchParts) -> Self {
+        Self { parts, ..self }
+    }
+
+    pub(crate) fn at_points(mut self, points: &[PointId]) -> Self {
+        self.parts.points.extend(points);
+        self
+    }
+
+    pub(crate) fn at_links(mut self, links: &[LinkId]) -> Self {
+        self.parts.links.extend(links);
+        self
+    }
+
+    pub(crate) fn at_slide(mut self, slide: SlideId) -> Self {
+        self.parts.slides.push(slide);
+        self
+    }
 }
 
 impl fmt::Display for SketchFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Missing(message) | Self::Name(message) | Self::NotFinite(message) | Self::Meaningless(message) => {
-                f.write_str(message)
-            }
-            Self::Loose(links) => write!(
-                f,
-                "no joint connects {} with the ground: give one of its points to another link, or fix it",
-                listed(links)
-            ),
-            Self::NeedsDrives {
-                freedom,
-                drives,
-                undetermined,
-            } => {
-                write!(
-                    f,
-                    "the drawing moves in {} and has {}",
-                    counted(*freedom, "way"),
-                    counted(*drives, "drive")
-                )?;
-                if !undetermined.is_empty() {
-                    write!(f, "; {} can move while the drives stand still", listed(undetermined))?;
-                }
-                f.write_str(": add a drive, or a link")
-            }
-            Self::TooManyDrives { freedom: 0, .. } => f.write_str("the drawing cannot move: remove a link"),
-            Self::TooManyDrives { freedom, drives } => write!(
-                f,
-                "the drawing moves in {} and has {}: remove a drive",
-                counted(*freedom, "way"),
-                counted(*drives, "drive")
-            ),
-            Self::Overconstrained { redundant, removable } => {
-                write!(
-                    f,
-                    "the drawing moves only because its lengths fit: {} from the others",
-                    match redundant {
-                        1 => "one equation follows".to_owned(),
-                        count => format!("{count} equations follow"),
-                    }
-                )?;
-                match &removable[..] {
-                    [] => f.write_str("; remove a link that only supports the others"),
-                    [link] => write!(f, "; remove {link}, and nothing moves differently"),
-                    links => write!(
-                        f,
-                        "; remove one of these, and nothing moves differently: {}",
-                        links.join(", ")
-                    ),
-                }
-            }
-            Self::DeadPoint { undetermined } => write!(
-                f,
-                "in the pose that is drawn the drives do not move {}: draw the linkage a little further",
-                listed(undetermined)
-            ),
+        f.write_str(&self.message)?;
+        if self.advice.is_empty() {
+            return Ok(());
         }
+        write!(f, ": {}", self.advice)
     }
 }
 
 impl Error for SketchFault {}
 
-fn counted(count: usize, word: &str) -> String {
+/// A number of things in words.
+pub(crate) fn counted(count: usize, word: &str) -> String {
     match count {
         0 => format!("no {word}"),
         1 => format!("one {word}"),
@@ -119,7 +144,8 @@ fn counted(count: usize, word: &str) -> String {
     }
 }
 
-fn listed(names: &[String]) -> String {
+/// Names in a sentence.
+pub(crate) fn listed(names: &[String]) -> String {
     match names {
         [] => "the links".to_owned(),
         [one] => one.clone(),

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use nalgebra::DMatrix;
 
-use crate::fault::SketchFault;
+use crate::fault::{SketchFault, SketchFaultKind, SketchParts, counted, listed};
 use crate::local::Variable;
 use crate::placement::{Placement, Step, StepKind, index, place};
 use crate::sketch::{Body, Drive, PointId, Sketch};
@@ -129,52 +129,99 @@ pub(crate) fn check(sketch: &Sketch, placement: &Placement) -> Option<SketchFaul
     let of_unknowns = jacobian.matrix(&unknowns);
     let (freedom, drives) = (jacobian.freedom(), inputs.len());
     if freedom > drives {
-        let undetermined = undetermined(sketch, &unknowns, &of_unknowns);
-        return Some(SketchFault::NeedsDrives {
+        return Some(needs_drives(
+            sketch,
             freedom,
             drives,
-            undetermined,
-        });
+            undetermined(&unknowns, &of_unknowns),
+        ));
     }
     // without drives nothing moves, whatever repeats
     if freedom < drives || drives == 0 {
-        return Some(SketchFault::TooManyDrives { freedom, drives });
+        return Some(too_many_drives(freedom, drives));
     }
     if rank(&of_unknowns) < unknowns.len() {
-        let undetermined = undetermined(sketch, &unknowns, &of_unknowns);
-        return Some(SketchFault::DeadPoint { undetermined });
+        let parts = undetermined(&unknowns, &of_unknowns);
+        let message = format!(
+            "in the pose that is drawn the drives do not move {}",
+            listed(&sketch.names_of(&parts))
+        );
+        let advice = "draw the linkage a little further";
+        return Some(SketchFault::new(SketchFaultKind::DeadPoint, message, advice).at(parts));
     }
     let independent = jacobian.variables.len() - freedom;
     let redundant = 2 * jacobian.rows.len() - independent;
-    (redundant > 0).then(|| SketchFault::Overconstrained {
-        redundant,
-        removable: removable(sketch, freedom),
-    })
+    (redundant > 0).then(|| overconstrained(sketch, redundant, removable(sketch, freedom)))
 }
 
-/// The links that move although all drives stand still.
-fn undetermined(sketch: &Sketch, unknowns: &[Variable], matrix: &DMatrix<f64>) -> Vec<String> {
+fn needs_drives(sketch: &Sketch, freedom: usize, drives: usize, parts: SketchParts) -> SketchFault {
+    let mut message = format!(
+        "the drawing moves in {} and has {}",
+        counted(freedom, "way"),
+        counted(drives, "drive")
+    );
+    let names = sketch.names_of(&parts);
+    if !names.is_empty() {
+        message = format!("{message}; {} can move while the drives stand still", listed(&names));
+    }
+    let kind = SketchFaultKind::NeedsDrives { freedom, drives };
+    SketchFault::new(kind, message, "add a drive, or a link").at(parts)
+}
+
+fn too_many_drives(freedom: usize, drives: usize) -> SketchFault {
+    let kind = SketchFaultKind::TooManyDrives { freedom, drives };
+    if freedom == 0 {
+        return SketchFault::new(kind, "the drawing cannot move", "remove a link");
+    }
+    let message = format!(
+        "the drawing moves in {} and has {}",
+        counted(freedom, "way"),
+        counted(drives, "drive")
+    );
+    SketchFault::new(kind, message, "remove a drive")
+}
+
+fn overconstrained(sketch: &Sketch, redundant: usize, parts: SketchParts) -> SketchFault {
+    let equations = match redundant {
+        1 => "one equation follows".to_owned(),
+        count => format!("{count} equations follow"),
+    };
+    let message = format!("the drawing moves only because its lengths fit, {equations} from the others");
+    let advice = match &sketch.names_of(&parts)[..] {
+        [] => "remove a link that only supports the others".to_owned(),
+        [link] => format!("remove {link}, and nothing moves differently"),
+        links => format!(
+            "remove one of these, and nothing moves differently: {}",
+            links.join(", ")
+        ),
+    };
+    SketchFault::new(SketchFaultKind::Overconstrained { redundant }, message, advice).at(parts)
+}
+
+/// The links and slides that move although all drives stand still.
+fn undetermined(unknowns: &[Variable], matrix: &DMatrix<f64>) -> SketchParts {
     let full = rank(matrix);
     let is_free = |column: usize| {
         // a column that the others determine leaves the rank without it as it is, minus one
         let others = matrix.clone().remove_column(column);
         rank(&others) == full
     };
-    let mut names = Vec::new();
+    let mut parts = SketchParts::default();
     for (column, variable) in unknowns.iter().enumerate() {
-        let name = match variable {
-            Variable::Angle(body) | Variable::Turned(body) => sketch.name_of(*body),
-            Variable::Slide(slide) => format!("`{}`", sketch.points[sketch.slides[*slide].point].name),
-        };
-        if is_free(column) && !names.contains(&name) {
-            names.push(name);
+        if !is_free(column) {
+            continue;
+        }
+        match *variable {
+            Variable::Angle(Body::Link(link)) | Variable::Turned(Body::Link(link)) => parts.links.push(link),
+            Variable::Angle(Body::Ground) | Variable::Turned(Body::Ground) => {}
+            Variable::Slide(slide) => parts.slides.push(slide),
         }
     }
-    names
+    parts
 }
 
 /// The links without which the drawing moves as it does.
-fn removable(sketch: &Sketch, freedom: usize) -> Vec<String> {
+fn removable(sketch: &Sketch, freedom: usize) -> SketchParts {
     let is_of_drive = |link: usize| {
         let mut drives = sketch.drives.iter();
         drives.any(|drive| matches!(*drive, Drive::Angle { of, to } if of == link || to == Body::Link(link)))
@@ -187,8 +234,8 @@ fn removable(sketch: &Sketch, freedom: usize) -> Vec<String> {
         }
     };
     let links = (0..sketch.links.len()).filter(|link| !is_of_drive(*link) && !sketch.is_of_slide(*link));
-    links
-        .filter(moves_alike)
-        .map(|link| sketch.name_of(Body::Link(link)))
-        .collect()
+    SketchParts {
+        links: links.filter(moves_alike).collect(),
+        ..SketchParts::default()
+    }
 }

@@ -25,6 +25,8 @@
 mod declaration;
 mod fault;
 mod freedom;
+#[cfg(feature = "serde")]
+mod json;
 mod local;
 mod names;
 mod parts;
@@ -36,5 +38,5 @@ mod vectors;
 mod ways;
 
 pub use declaration::SketchDeclaration;
-pub use fault::SketchFault;
+pub use fault::{SketchFault, SketchFaultKind, SketchParts};
 pub use sketch::{Body, Drive, LinkId, PointId, Sketch, SketchLink, SketchPoint, SketchSlide, SlideId};

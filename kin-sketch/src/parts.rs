@@ -1,7 +1,10 @@
 //! The parts of a drawing, looked at one by one.
 
-use crate::fault::SketchFault;
-use crate::sketch::{Body, Drive, PointId, Sketch, SketchPoint, SketchSlide, SlideId};
+use crate::fault::{SketchFault, SketchFaultKind, SketchParts, listed};
+use crate::sketch::{Body, Drive, LinkId, PointId, Sketch, SketchPoint, SketchSlide, SlideId};
+
+/// Products of coordinates that are not larger are finite.
+const FARTHEST: f64 = 1e100;
 
 impl Sketch {
     /// What a person calls a body.
@@ -11,6 +14,19 @@ impl Sketch {
             Body::Link(link) if self.links[link].name.is_empty() => format!("link {}", link + 2),
             Body::Link(link) => format!("`{}`", self.links[link].name),
         }
+    }
+
+    /// What a person calls some links and slides, each name once.
+    pub(crate) fn names_of(&self, parts: &SketchParts) -> Vec<String> {
+        let links = parts.links.iter().map(|link| self.name_of(Body::Link(*link)));
+        let slides = parts.slides.iter().map(|slide| self.slides[*slide].point);
+        let mut names: Vec<String> = links.collect();
+        for name in slides.map(|point| format!("`{}`", self.points[point].name)) {
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        names
     }
 
     /// What can be seen of the drawing part by part. If it is empty, every index of the drawing is one of a part.
@@ -33,81 +49,100 @@ impl Sketch {
 
     /// Indices that name no part.
     fn missing(&self) -> Vec<SketchFault> {
-        let mut uses: Vec<(String, &str, usize)> = Vec::new();
-        let of_body = |uses: &mut Vec<_>, of: &str, body: Body| {
-            if let Body::Link(link) = body {
-                uses.push((of.to_owned(), "link", link));
-            }
-        };
-        for body in self.bodies() {
-            uses.extend(
-                self.points_of(body)
-                    .iter()
-                    .map(|point| (self.name_of(body), "point", *point)),
-            );
-        }
-        for slide in &self.slides {
-            uses.push(("a slide".to_owned(), "point", slide.point));
-            of_body(&mut uses, "a slide", slide.on);
-            uses.extend(slide.guided.map(|link| ("a slide".to_owned(), "link", link)));
-        }
-        for drive in &self.drives {
-            match *drive {
-                Drive::Angle { of, to } => {
-                    uses.push(("a drive".to_owned(), "link", of));
-                    of_body(&mut uses, "a drive", to);
-                }
-                Drive::Slide(slide) => uses.push(("a drive".to_owned(), "slide", slide)),
-            }
-        }
-        let is_missing = |(_, kind, index): &(_, &str, usize)| {
-            let count = match *kind {
+        let mut faults = Vec::new();
+        let mut uses = |of: &str, kind: &str, index: usize, parts: SketchParts| {
+            let count = match kind {
                 "point" => self.points.len(),
                 "link" => self.links.len(),
                 _ => self.slides.len(),
             };
-            *index >= count
+            if index >= count {
+                let message = format!("{of} has the {kind} {index}, which is not drawn");
+                faults.push(SketchFault::new(SketchFaultKind::Missing, message, "").at(parts));
+            }
         };
-        uses.retain(is_missing);
-        let message = |(of, kind, index)| format!("{of} has the {kind} {index}, which is not drawn");
-        uses.into_iter().map(|one| SketchFault::Missing(message(one))).collect()
+        for body in self.bodies() {
+            for point in self.points_of(body) {
+                let links = match body {
+                    Body::Link(link) => vec![link],
+                    Body::Ground => Vec::new(),
+                };
+                let parts = SketchParts {
+                    links,
+                    ..SketchParts::default()
+                };
+                uses(&self.name_of(body), "point", *point, parts);
+            }
+        }
+        for (index, slide) in self.slides.iter().enumerate() {
+            let parts = SketchParts {
+                slides: vec![index],
+                ..SketchParts::default()
+            };
+            uses("a slide", "point", slide.point, parts.clone());
+            if let Body::Link(link) = slide.on {
+                uses("a slide", "link", link, parts.clone());
+            }
+            if let Some(link) = slide.guided {
+                uses("a slide", "link", link, parts);
+            }
+        }
+        for drive in &self.drives {
+            match *drive {
+                Drive::Angle { of, to } => {
+                    uses("a drive", "link", of, SketchParts::default());
+                    if let Body::Link(link) = to {
+                        uses("a drive", "link", link, SketchParts::default());
+                    }
+                }
+                Drive::Slide(slide) => uses("a drive", "slide", slide, SketchParts::default()),
+            }
+        }
+        faults
     }
 
     fn unfinite(&self, faults: &mut Vec<SketchFault>) {
-        for point in &self.points {
-            if !(point.x.is_finite() && point.y.is_finite()) {
-                let SketchPoint { name, x, y } = point;
-                faults.push(SketchFault::NotFinite(format!("`{name}` stands at ({x}, {y})")));
+        for (index, point) in self.points.iter().enumerate() {
+            let SketchPoint { name, x, y } = point;
+            let far = x.abs().max(y.abs());
+            if !(x.is_finite() && y.is_finite()) {
+                let message = format!("`{name}` stands at ({x}, {y})");
+                faults.push(SketchFault::new(SketchFaultKind::NotFinite, message, "").at_points(&[index]));
+            } else if far > FARTHEST {
+                let message = format!("`{name}` stands {far:e} away from the origin");
+                let fault = SketchFault::new(SketchFaultKind::NotFinite, message, "choose another unit of length");
+                faults.push(fault.at_points(&[index]));
             }
         }
-        for slide in &self.slides {
+        for (index, slide) in self.slides.iter().enumerate() {
             if !slide.direction.is_finite() {
                 let name = &self.points[slide.point].name;
-                faults.push(SketchFault::NotFinite(format!(
-                    "`{name}` slides in the direction {}",
-                    slide.direction
-                )));
+                let message = format!("`{name}` slides in the direction {}", slide.direction);
+                faults.push(SketchFault::new(SketchFaultKind::NotFinite, message, "").at_slide(index));
             }
         }
     }
 
     fn links_without_sense(&self, faults: &mut Vec<SketchFault>) {
-        let mut meaningless = |message: String| faults.push(SketchFault::Meaningless(message));
         for link in 0..self.links.len() {
             let points = &self.links[link].points;
             let name = self.name_of(Body::Link(link));
             if points.is_empty() {
-                meaningless(format!("{name} has no point: draw it through a joint"));
+                let fault = SketchFault::meaningless(format!("{name} has no point"), "draw it through a joint");
+                faults.push(fault.at_links(&[link]));
             }
             for (index, &p) in points.iter().enumerate() {
                 for &q in &points[..index] {
                     let ([px, py], [qx, qy]) = (self.at(p), self.at(q));
-                    let is_same = p == q;
-                    let (p, q) = (&self.points[p].name, &self.points[q].name);
-                    if is_same {
-                        meaningless(format!("{name} has the point `{p}` twice: remove one of them"));
+                    let (of_p, of_q) = (&self.points[p].name, &self.points[q].name);
+                    if p == q {
+                        let message = format!("{name} has the point `{of_p}` twice");
+                        let fault = SketchFault::meaningless(message, "remove one of them");
+                        faults.push(fault.at_links(&[link]).at_points(&[p]));
                     } else if (px - qx).hypot(py - qy) <= self.negligible() {
-                        meaningless(format!("`{q}` and `{p}` of {name} lie on each other: move one of them"));
+                        let message = format!("`{of_q}` and `{of_p}` of {name} lie on each other");
+                        let fault = SketchFault::meaningless(message, "move one of them");
+                        faults.push(fault.at_links(&[link]).at_points(&[q, p]));
                     }
                 }
             }
@@ -117,63 +152,66 @@ impl Sketch {
     fn slide_without_sense(&self, slide: SlideId, faults: &mut Vec<SketchFault>) {
         let SketchSlide { point, on, guided, .. } = self.slides[slide];
         let name = &self.points[point].name;
-        let mut meaningless = |message: String| faults.push(SketchFault::Meaningless(message));
+        let mut meaningless = |message: String, advice: &str| {
+            faults.push(SketchFault::meaningless(message, advice).at_slide(slide));
+        };
         if self.points_of(on).contains(&point) {
-            meaningless(format!(
-                "`{name}` slides along {}, of which it is a point: take it from there",
-                self.name_of(on)
-            ));
+            let on = self.name_of(on);
+            meaningless(
+                format!("`{name}` slides along {on}, of which it is a point"),
+                "take it from there",
+            );
         }
         if let Body::Link(_) = on
             && self.points_of(on).is_empty()
         {
-            meaningless(format!(
-                "{} carries a slide and has no point: give it one",
-                self.name_of(on)
-            ));
+            meaningless(
+                format!("{} carries a slide and has no point", self.name_of(on)),
+                "give it one",
+            );
         }
         let Some(link) = guided else { return };
-        let guided = Body::Link(link);
-        if !self.points_of(guided).contains(&point) {
-            meaningless(format!(
-                "{} is guided at `{name}`, which is no point of it: give it the point",
-                self.name_of(guided)
-            ));
+        let guided = self.name_of(Body::Link(link));
+        if !self.links[link].points.contains(&point) {
+            let message = format!("{guided} is guided at `{name}`, which is no point of it");
+            meaningless(message, "give it the point");
         }
         if self.slides[..slide].iter().any(|other| other.guided == Some(link)) {
-            meaningless(format!(
-                "{} is guided twice: one of its slides holds its angle already",
-                self.name_of(guided)
-            ));
+            meaningless(
+                format!("{guided} is guided twice"),
+                "one of its slides holds its angle already",
+            );
         }
     }
 
     fn drives_without_sense(&self, faults: &mut Vec<SketchFault>) {
-        let mut meaningless = |message: String| faults.push(SketchFault::Meaningless(message));
         for (index, drive) in self.drives.iter().enumerate() {
+            let earlier = &self.drives[..index];
             match *drive {
                 Drive::Angle { of, .. } => {
                     let link = Body::Link(of);
                     let name = self.name_of(link);
                     if self.guide(link).is_some() {
-                        meaningless(format!("{name} is guided and cannot be turned: remove its drive"));
+                        let message = format!("{name} is guided and cannot be turned");
+                        faults.push(SketchFault::meaningless(message, "remove its drive").at_links(&[of]));
                     }
-                    let is_second = self.drives[..index]
-                        .iter()
-                        .any(|other| matches!(other, Drive::Angle { of: other, .. } if *other == of));
-                    if is_second {
-                        meaningless(format!("{name} is turned by two drives: remove one of them"));
+                    let turns_it = |other: &Drive| matches!(other, Drive::Angle { of: other, .. } if *other == of);
+                    if earlier.iter().any(turns_it) {
+                        let message = format!("{name} is turned by two drives");
+                        faults.push(SketchFault::meaningless(message, "remove one of them").at_links(&[of]));
                     }
                 }
                 Drive::Slide(slide) => {
-                    if self.drives[..index].contains(drive) {
+                    if earlier.contains(drive) {
                         let name = &self.points[self.slides[slide].point].name;
-                        meaningless(format!("`{name}` is moved by two drives: remove one of them"));
+                        let message = format!("`{name}` is moved by two drives");
+                        faults.push(SketchFault::meaningless(message, "remove one of them").at_slide(slide));
                     }
                 }
             }
         }
-        for body in self.bodies() {
+        for link in 0..self.links.len() {
+            let body = Body::Link(link);
             let mut base = body;
             for _ in 0..=self.links.len() {
                 let Some(next) = self.guide(base).or_else(|| self.driven_from(base)) else {
@@ -181,10 +219,9 @@ impl Sketch {
                 };
                 base = next;
                 if base == body {
-                    meaningless(format!(
-                        "the angle of {} counts from itself: guide or drive it from another body",
-                        self.name_of(body)
-                    ));
+                    let message = format!("the angle of {} counts from itself", self.name_of(body));
+                    let fault = SketchFault::meaningless(message, "guide or drive it from another body");
+                    faults.push(fault.at_links(&[link]));
                     break;
                 }
             }
@@ -215,10 +252,12 @@ impl Sketch {
                 }
             }
         }
-        let names = (0..self.links.len()).filter(|link| !is_held[*link]);
-        let names: Vec<String> = names.map(|link| self.name_of(Body::Link(link))).collect();
-        if !names.is_empty() {
-            faults.push(SketchFault::Loose(names));
+        let loose: Vec<LinkId> = (0..self.links.len()).filter(|link| !is_held[*link]).collect();
+        if !loose.is_empty() {
+            let names: Vec<String> = loose.iter().map(|link| self.name_of(Body::Link(*link))).collect();
+            let message = format!("no joint connects {} with the ground", listed(&names));
+            let advice = "give one of its points to another link, or fix it";
+            faults.push(SketchFault::new(SketchFaultKind::Loose, message, advice).at_links(&loose));
         }
     }
 

@@ -9,6 +9,11 @@ pub type SlideId = usize;
 
 /// A rigid body of the drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(from = "crate::json::BodyJson", into = "crate::json::BodyJson")
+)]
 pub enum Body {
     /// The body that stands still.
     Ground,
@@ -18,6 +23,8 @@ pub enum Body {
 
 /// A point of the drawing: a joint, if several bodies share it.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct SketchPoint {
     /// Its name: an identifier.
     pub name: String,
@@ -29,6 +36,8 @@ pub struct SketchPoint {
 
 /// A rigid body that moves.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct SketchLink {
     /// Its name: an identifier, or empty for a link that has a number alone.
     pub name: String,
@@ -38,6 +47,8 @@ pub struct SketchLink {
 
 /// A point that slides along a straight line of a body.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct SketchSlide {
     /// The point that slides. It is no point of the body that carries the line.
     pub point: PointId,
@@ -52,6 +63,8 @@ pub struct SketchSlide {
 
 /// A quantity that is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase", deny_unknown_fields))]
 pub enum Drive {
     /// The angle of a link, from the x axis or from another link.
     Angle {
@@ -66,6 +79,8 @@ pub enum Drive {
 
 /// A drawing of a plane linkage.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Sketch {
     /// The name of the mechanism: an identifier.
     pub name: String,

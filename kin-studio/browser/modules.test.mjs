@@ -17,7 +17,7 @@ import { nearestInput } from "../src/page/kinematics/nearest.mjs";
 import { paceText, pacesAround, secondsOf, watchablePace } from "../src/page/pace.mjs";
 import { numberText, steadyText, ticks, unitText, withUnit } from "../src/page/numbers.mjs";
 import { givenPeaks, ownPeaks } from "../src/page/kinematics/peaks.mjs";
-import { hull } from "../src/page/picture.mjs";
+import { hull } from "../src/page/notation.mjs";
 import { circleOfCurvature, instantCentre, ratesOfJoints } from "../src/page/kinematics/rates.mjs";
 import { gapText, shortfallOf } from "../src/page/reasons.mjs";
 import { quotedCell, sweepTable } from "../src/page/saving.mjs";

@@ -4,7 +4,7 @@ import { angleOf } from "./kinematics/anatomy.mjs";
 import { forcesAt } from "./kinematics/forces.mjs";
 import { allRows } from "./kinematics/sweep.mjs";
 import { numberText, ticks } from "./numbers.mjs";
-import { arrowHead } from "./picture.mjs";
+import { arrowHead } from "./notation.mjs";
 
 const HEAD = 34;
 const GAP = 14;

@@ -2,13 +2,13 @@
 import { coordinatesOf } from "./kinematics/anatomy.mjs";
 import { change, drawn, line, setText, tenth } from "./elements.mjs";
 import { createRoom, keepLines, keepSquare, placeName } from "./labels.mjs";
+import { arcOfDrive, arrowHead, belowOf, BLOCK, blockOf, footOf, hatch, hull, unitOf } from "./notation.mjs";
 import { numberText, ticks, withUnit } from "./numbers.mjs";
 import { alongSlide } from "./kinematics/sweep.mjs";
 import { ROUNDING } from "./kinematics/tolerances.mjs";
+import { pool } from "./pool.mjs";
 import { flat, onPage } from "./view.mjs";
 
-/** Half the length and half the width of a slider's block, in pixels. */
-const BLOCK = [13, 7.5];
 const LAYERS = [
   "grid",
   "trails",
@@ -77,35 +77,6 @@ export function createPicture(svg, model) {
       arrows(layers.arrows, scene, room);
       forces(layers.forces, scene, room);
       names(layers.names, model, scene, joints, room, choices);
-    },
-  };
-}
-
-/** Elements that are used again for the next frame. */
-function pool(layer) {
-  const kept = new Map();
-  const counts = new Map();
-  return {
-    begin() {
-      counts.clear();
-    },
-    add(name, attributes) {
-      const list = kept.get(name) ?? [];
-      kept.set(name, list);
-      const count = counts.get(name) ?? 0;
-      counts.set(name, count + 1);
-      const element = list[count] ?? drawn(name, {}, layer);
-      list[count] = element;
-      element.removeAttribute("display");
-      change(element, attributes);
-      return element;
-    },
-    end() {
-      for (const [name, list] of kept) {
-        for (const element of list.slice(counts.get(name) ?? 0)) {
-          element.setAttribute("display", "none");
-        }
-      }
     },
   };
 }
@@ -233,26 +204,6 @@ function cornersOf(model, scene, body, joints, pose) {
   return corners;
 }
 
-function unitOf(from, to) {
-  const [x, y] = [to[0] - from[0], to[1] - from[1]];
-  const length = Math.hypot(x, y);
-  return length > 1e-9 ? [x / length, y / length] : [1, 0];
-}
-
-/** Short lines on one side of a line. */
-function hatch(from, to, below) {
-  const [x, y] = unitOf(from, to);
-  const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
-  const count = Math.max(1, Math.floor(length / 6));
-  let data = "";
-  for (let index = 0; index < count; index += 1) {
-    const distance = (length * (index + 0.5)) / count;
-    const start = [from[0] + x * distance, from[1] + y * distance];
-    data += line([start, [start[0] + 5.5 * below[0] - 5 * x, start[1] + 5.5 * below[1] - 5 * y]]);
-  }
-  return data;
-}
-
 function ground(layer, model, scene, joints, room) {
   layer.begin();
   model.outline.slides.forEach(({ guide }, slide) => {
@@ -261,10 +212,7 @@ function ground(layer, model, scene, joints, room) {
     }
     const [start, end] = guideOf(model, scene, slide, scene.pose);
     const [x, y] = directionOf(model, scene, slide);
-    let below = [-y, x];
-    if (below[1] < -1e-9 || (Math.abs(below[1]) <= 1e-9 && below[0] < 0)) {
-      below = [y, -x];
-    }
+    const below = belowOf([x, y]);
     const shift = (point, sign) => [
       point[0] + sign * 18 * x + below[0] * (BLOCK[1] + 1),
       point[1] + sign * 18 * y + below[1] * (BLOCK[1] + 1),
@@ -279,23 +227,10 @@ function ground(layer, model, scene, joints, room) {
     if (!scene.anatomy.pins[joint] || !scene.anatomy.fixed[joint]) {
       return;
     }
-    layer.add("path", {
-      d: line(
-        [
-          [x, y],
-          [x - 9, y + 16],
-          [x + 9, y + 16],
-        ],
-        true,
-      ),
-      class: "foot",
-    });
-    const [from, to] = [
-      [x - 14, y + 16],
-      [x + 14, y + 16],
-    ];
-    layer.add("path", { d: line([from, to]), class: "ground-line" });
-    layer.add("path", { d: hatch(from, to, [0, 1]), class: "hatch" });
+    const { foot, base, hatching } = footOf([x, y]);
+    layer.add("path", { d: foot, class: "foot" });
+    layer.add("path", { d: base, class: "ground-line" });
+    layer.add("path", { d: hatching, class: "hatch" });
     room.boxes.push([x - 15, y - 5, x + 15, y + 22]);
   });
   layer.end();
@@ -356,12 +291,7 @@ function sliders(layer, model, scene, joints, room) {
     if (isCylinder(model, scene, slide) || standsStill(model, scene, slide)) {
       return;
     }
-    const [x, y] = directionOf(model, scene, slide);
-    const corner = (along, across) => [
-      joints[joint][0] + along * BLOCK[0] * x - across * BLOCK[1] * y,
-      joints[joint][1] + along * BLOCK[0] * y + across * BLOCK[1] * x,
-    ];
-    const d = line([corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)], true);
+    const d = blockOf(joints[joint], directionOf(model, scene, slide));
     layer.add("path", { d, class: `block${fadedJoint(model, scene, joint)}` });
     keepSquare(room, joints[joint], 12);
   });
@@ -399,10 +329,7 @@ function marks(layer, model, scene, joints, room) {
       return;
     }
     const from = -Math.atan2(joints[arm][1] - joints[centre][1], joints[arm][0] - joints[centre][0]);
-    const arc = [...Array(17).keys()].map((step) => {
-      const angle = from + sign * (0.4 + (1.4 * step) / 16);
-      return [joints[centre][0] + 19 * Math.cos(angle), joints[centre][1] - 19 * Math.sin(angle)];
-    });
+    const arc = arcOfDrive(joints[centre], from, sign);
     layer.add("path", { d: line(arc), class: "drive" });
     layer.add("path", { d: arrowHead(arc[16], arc[15]), class: "drive-head" });
     keepLines(
@@ -427,14 +354,6 @@ function marks(layer, model, scene, joints, room) {
     }
   }
   layer.end();
-}
-
-/** The head of an arrow whose shaft ends at a point. */
-export function arrowHead(tip, from) {
-  const [x, y] = unitOf(from, tip);
-  const end = [tip[0] + 4 * x, tip[1] + 4 * y];
-  const back = [end[0] - 9 * x, end[1] - 9 * y];
-  return line([end, [back[0] - 3.4 * y, back[1] + 3.4 * x], [back[0] + 3.4 * y, back[1] - 3.4 * x]], true);
 }
 
 function arrows(layer, scene, room) {
@@ -564,34 +483,4 @@ function names(layer, model, scene, joints, room, choices) {
     });
   }
   layer.end();
-}
-
-/** The corners of the smallest convex polygon around some points; two if all lie on one line. @returns {number[][]} */
-export function hull(points) {
-  const sorted = [...points].sort((one, other) => one[0] - other[0] || one[1] - other[1]);
-  const chain = (all) => {
-    const found = [];
-    for (const point of all) {
-      while (found.length > 1) {
-        const [before, last] = found.slice(-2);
-        const cross = (last[0] - before[0]) * (point[1] - last[1]) - (last[1] - before[1]) * (point[0] - last[0]);
-        // less than a pixel beside the line is on it
-        if (cross > 0.5 * Math.hypot(point[0] - before[0], point[1] - before[1])) {
-          break;
-        }
-        found.pop();
-      }
-      const last = found[found.length - 1];
-      if (!last || Math.hypot(point[0] - last[0], point[1] - last[1]) > 0.5) {
-        found.push(point);
-      }
-    }
-    return found;
-  };
-  const lower = chain(sorted);
-  const upper = chain(sorted.reverse());
-  if (lower.length === 1) {
-    return lower;
-  }
-  return [...lower.slice(0, -1), ...upper.slice(0, -1)];
 }

@@ -1,35 +1,7 @@
 /** Pointers on the picture, the plots and the scrubber. */
 import { followedAt, coordinatesOf } from "./kinematics/anatomy.mjs";
+import { follow, STILL, within } from "./gesture.mjs";
 import { flat, onPage, orbitView, zoomView } from "./view.mjs";
-
-/** The motion of a pointer from which a click is a drag, in pixels. */
-const STILL = 4;
-
-/** The position of a pointer within an element. */
-function within(element, event) {
-  const box = element.getBoundingClientRect();
-  return [event.clientX - box.left, event.clientY - box.top];
-}
-
-/** Follows a pointer from where it went down until it is lifted. */
-function follow(element, event, move, end) {
-  element.setPointerCapture(event.pointerId);
-  const ofPointer = (handler) => (next) => {
-    if (next.pointerId === event.pointerId) {
-      handler(next);
-    }
-  };
-  const onMove = ofPointer(move);
-  const onEnd = ofPointer((next) => {
-    element.removeEventListener("pointermove", onMove);
-    element.removeEventListener("pointerup", onEnd);
-    element.removeEventListener("pointercancel", onEnd);
-    end(next);
-  });
-  element.addEventListener("pointermove", onMove);
-  element.addEventListener("pointerup", onEnd);
-  element.addEventListener("pointercancel", onEnd);
-}
 
 /** Links are dragged; the empty plane is shifted, and space is turned. */
 export function handlePicture(svg, model, actions) {

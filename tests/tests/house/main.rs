@@ -62,7 +62,7 @@ const SKETCH: Package = Package {
     name: "kin-sketch",
     faces: &["lib"],
     root_items: &[],
-    rooms: "sketch names local fault parts ways placement freedom quantities+vectors statements+declaration",
+    rooms: "sketch+json names local fault parts ways placement freedom quantities+vectors statements+declaration",
 };
 
 const STUDIO: Package = Package {
