@@ -18,7 +18,8 @@ use crate::sweep::{Sweep, ask};
 /// A table of a sweep: a column for the position and each derivative of every quantity, NaN where the mechanism does
 /// not close.
 ///
-/// `table["theta4_jerk"]` is a column as an array, which is read-only: copy it to change it. pandas and polars take the table by `to_pandas` and `to_polars`.
+/// `table["theta4_jerk"]` is a column as an array, which is read-only: copy it to change it. pandas and polars take the
+/// table by `to_pandas` and `to_polars`.
 ///
 /// >>> import kin
 /// >>> linkage = kin.library.four_bar(r1=90, r2=30, r3=70, r4=60)

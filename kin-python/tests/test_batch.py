@@ -239,8 +239,8 @@ def kept(shape, orders=5):
 
 
 def same(one, other):
-    columns = zip((*one.theta3.derivatives, *one.theta4.derivatives), (*other.theta3.derivatives, *other.theta4.derivatives))
-    return all(mine.tobytes() == others.tobytes() for mine, others in columns) and all(
+    mine, others = ((*batch.theta3.derivatives, *batch.theta4.derivatives) for batch in (one, other))
+    return all(mine.tobytes() == others.tobytes() for mine, others in zip(mine, others, strict=True)) and all(
         getattr(one, name).tobytes() == getattr(other, name).tobytes() for name in ("solved", "singular", "margin")
     )
 
