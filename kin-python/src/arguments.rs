@@ -220,6 +220,29 @@ pub(crate) fn inputs<'py>(
     Ok(values(given, &[wanted])?.pop().unwrap_or_default())
 }
 
+/// The index of an input by its name, which may be left out if there is one.
+pub(crate) fn input_index(description: &Description<'_>, name: Option<&str>) -> PyResult<usize> {
+    let names = || {
+        description
+            .inputs
+            .iter()
+            .map(|input| input.name)
+            .collect::<Vec<_>>()
+            .join(", ")
+    };
+    let Some(name) = name else {
+        if description.inputs.len() == 1 {
+            return Ok(0);
+        }
+        return Err(PyTypeError::new_err(format!(
+            "which input is meant? there are {}",
+            names()
+        )));
+    };
+    let index = description.inputs.iter().position(|input| input.name == name);
+    index.ok_or_else(|| PyTypeError::new_err(format!("no input is called `{name}`: inputs are {}", names())))
+}
+
 /// The name of a quantity as in the columns of tables, `theta4_jerk`, which may be written as `theta4.jerk`.
 pub(crate) fn column_name(name: &str) -> Cow<'_, str> {
     match name.rsplit_once('.') {

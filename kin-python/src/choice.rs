@@ -6,8 +6,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arguments::{self, Wanted};
+use crate::declared::Declared;
 use crate::fault::named;
-use crate::mechanism::Declared;
 use crate::pose::Pose;
 
 /// The choice that the arguments `assembly` and `near` make.

@@ -4,8 +4,8 @@ use kin_core::tape::{Options, record_any};
 use pyo3::prelude::*;
 
 use crate::answers::answer;
+use crate::declared::Declared;
 use crate::fault;
-use crate::mechanism::Declared;
 
 /// The languages.
 #[derive(Clone, Copy)]

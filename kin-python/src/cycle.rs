@@ -11,12 +11,12 @@ use pyo3::types::{PyDict, PyTuple};
 use self_cell::self_cell;
 
 use crate::answers::{answer, shown};
-use crate::arguments::{column_name, number};
+use crate::arguments::{column_name, input_index, number};
+use crate::declared::Declared;
 use crate::fault;
 use crate::linkage::Linkage;
-use crate::mechanism::Declared;
+use crate::made::{Reduced, reduced};
 use crate::pose::Pose;
-use crate::sweep::input_index;
 
 self_cell! {
     /// A cycle with the mechanism that it borrows from.
@@ -214,7 +214,7 @@ impl Cycle {
         if let Some(velocity) = inputs[self.moving * orders..].get_mut(1).filter(|_| orders > 1) {
             *velocity = speed;
         }
-        self.linkage.pose(py, inputs, &AssemblyChoice::Near(unknowns))
+        Pose::at(py, &self.linkage, inputs, &AssemblyChoice::Near(unknowns))
     }
 
     fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
@@ -230,5 +230,27 @@ impl Cycle {
             cycle.circuits().len(),
             cycle.branches().len()
         )
+    }
+
+    /// A cycle is searched again where it is unpickled.
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
+        let keywords = PyDict::new(py);
+        let quantities = self.linkage.declared.description().inputs;
+        for (index, (quantity, start)) in quantities.iter().zip(&self.start).enumerate() {
+            if index != self.moving {
+                keywords.set_item(quantity.name, start)?;
+            }
+        }
+        keywords.set_item("moving", self.moving())?;
+        let linkage = Bound::new(py, self.linkage.clone())?;
+        reduced(linkage.getattr("cycle")?, [], &keywords)
+    }
+
+    fn __copy__(slf: Py<Self>) -> Py<Self> {
+        slf
+    }
+
+    fn __deepcopy__(slf: Py<Self>, _memo: &Bound<'_, PyAny>) -> Py<Self> {
+        slf
     }
 }

@@ -12,10 +12,9 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 
 use crate::answers::answer;
-use crate::arguments::number;
+use crate::arguments::{input_index, number};
 use crate::fault;
 use crate::linkage::Linkage;
-use crate::sweep::input_index;
 
 /// How the inputs of the rows are found that no column gives.
 pub(crate) struct FitWay<'a, 'py> {

@@ -10,6 +10,9 @@ use kin_core::law::{
 };
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+
+use crate::made::{Argument, Call, Reduced, reduced};
 
 /// A motion law: an input over the time. `kin.rise`, `kin.dwell` and their like make laws, and `+` puts one behind
 /// another.
@@ -23,15 +26,21 @@ use pyo3::prelude::*;
 #[pyclass(frozen, module = "kin")]
 #[derive(Clone)]
 pub(crate) struct Law {
-    parts: Vec<Arc<dyn Part>>,
+    parts: Vec<Arc<Part>>,
+}
+
+/// A law of one kind, and the function of this module that made it.
+struct Part {
+    law: Box<dyn Repeated>,
+    made: Call,
 }
 
 /// A law that can be put into a sequence as often as it is asked for.
-trait Part: Send + Sync {
+trait Repeated: Send + Sync {
     fn boxed(&self) -> Box<dyn Piecewise<f64>>;
 }
 
-impl<L: Piecewise<f64> + Copy + Send + Sync + 'static> Part for L {
+impl<L: Piecewise<f64> + Copy + Send + Sync + 'static> Repeated for L {
     fn boxed(&self) -> Box<dyn Piecewise<f64>> {
         Box::new(*self)
     }
@@ -48,15 +57,16 @@ fn refused(error: LawError) -> PyErr {
 }
 
 impl Law {
-    fn of(law: Result<impl Part + 'static, LawError>) -> PyResult<Self> {
+    fn of(law: Result<impl Repeated + 'static, LawError>, made: Call) -> PyResult<Self> {
+        let law = Box::new(law.map_err(refused)?);
         Ok(Self {
-            parts: vec![Arc::new(law.map_err(refused)?)],
+            parts: vec![Arc::new(Part { law, made })],
         })
     }
 
     /// The law as a sweep takes it.
     pub(crate) fn piecewise(&self) -> PyResult<Box<dyn Piecewise<f64>>> {
-        let mut parts: Vec<_> = self.parts.iter().map(|part| part.boxed()).collect();
+        let mut parts: Vec<_> = self.parts.iter().map(|part| part.law.boxed()).collect();
         if let [_] = parts.as_slice() {
             return Ok(parts.remove(0));
         }
@@ -88,6 +98,37 @@ impl Law {
     fn __repr__(&self) -> PyResult<String> {
         Ok(format!("<kin.Law of the duration {}>", self.duration()?))
     }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
+        if let [part] = self.parts.as_slice() {
+            let (arguments, keywords) = part.made.arguments(py)?;
+            return reduced(
+                py.import("kin._kin")?.getattr(part.made.function)?,
+                arguments,
+                &keywords,
+            );
+        }
+        let parts = self.parts.iter().map(|part| Self {
+            parts: vec![Arc::clone(part)],
+        });
+        let parts = PyTuple::new(
+            py,
+            parts.map(|part| Bound::new(py, part)).collect::<PyResult<Vec<_>>>()?,
+        )?;
+        let add = py.import("operator")?.getattr("add")?;
+        Ok((
+            py.import("functools")?.getattr("reduce")?,
+            (add, parts).into_pyobject(py)?,
+        ))
+    }
+
+    fn __copy__(slf: Py<Self>) -> Py<Self> {
+        slf
+    }
+
+    fn __deepcopy__(slf: Py<Self>, _memo: &Bound<'_, PyAny>) -> Py<Self> {
+        slf
+    }
 }
 
 const SHAPES: [(&str, Shape); 8] = [
@@ -117,6 +158,11 @@ pub(crate) enum ShapeName {
 #[pyfunction]
 #[pyo3(signature = (shape, start, end, duration))]
 pub(crate) fn rise(shape: ShapeName, start: f64, end: f64, duration: f64) -> PyResult<Law> {
+    let named = match &shape {
+        ShapeName::Shares(sine, constant, cosine) => Argument::Triple((*sine, *constant, *cosine)),
+        ShapeName::Named(name) => name.as_str().into(),
+    };
+    let made = Call::new("rise", [named, start.into(), end.into(), duration.into()]);
     let shape = match shape {
         ShapeName::Shares(sine, constant, cosine) => Shape::Scca(Scca::new(sine, constant, cosine).map_err(refused)?),
         ShapeName::Named(name) => {
@@ -128,19 +174,21 @@ pub(crate) fn rise(shape: ShapeName, start: f64, end: f64, duration: f64) -> PyR
             found.1
         }
     };
-    Law::of(Rise::new(shape, start, end, duration))
+    Law::of(Rise::new(shape, start, end, duration), made)
 }
 
 /// The law of an input that stands still for a time.
 #[pyfunction]
 pub(crate) fn dwell(value: f64, duration: f64) -> PyResult<Law> {
-    Law::of(Dwell::new(value, duration))
+    let made = Call::new("dwell", [value.into(), duration.into()]);
+    Law::of(Dwell::new(value, duration), made)
 }
 
 /// The law of an input that moves at constant speed for a time.
 #[pyfunction]
 pub(crate) fn constant_speed(start: f64, speed: f64, duration: f64) -> PyResult<Law> {
-    Law::of(ConstantSpeed::new(start, speed, duration))
+    let made = Call::new("constant_speed", [start.into(), speed.into(), duration.into()]);
+    Law::of(ConstantSpeed::new(start, speed, duration), made)
 }
 
 /// The S-curve from rest to rest within limits of velocity, acceleration, jerk, and snap if it is given: the law of a
@@ -165,17 +213,21 @@ pub(crate) fn s_curve(
         jerk,
         snap,
     };
-    Law::of(SCurve::new(start, end, limits))
+    let given = [("velocity", velocity), ("acceleration", acceleration), ("jerk", jerk)];
+    let given = given.into_iter().chain(snap.map(|snap| ("snap", snap)));
+    let made = Call::new("s_curve", [start.into(), end.into()]);
+    let made = made.with_keywords(given.map(|(name, limit)| (name.to_owned(), limit)));
+    Law::of(SCurve::new(start, end, limits), made)
 }
 
 /// Calls `Polynomial::between` for states of these lengths.
 macro_rules! between {
-    ($start:expr, $end:expr, $duration:expr; $($count:literal + $other:literal = $all:literal),+) => {
+    ($start:expr, $end:expr, $duration:expr, $made:expr; $($count:literal + $other:literal = $all:literal),+) => {
         match ($start.len(), $end.len()) {
             $(($count, $other) => {
                 let start: Motion<f64, $count> = Motion::new(std::array::from_fn(|order| $start[order]));
                 let end: Motion<f64, $other> = Motion::new(std::array::from_fn(|order| $end[order]));
-                Law::of(Polynomial::<f64, $all>::between(start, end, $duration))
+                Law::of(Polynomial::<f64, $all>::between(start, end, $duration), $made)
             })+
             _ => Err(PyValueError::new_err(
                 "a state is the value and behind it up to 4 derivatives, for both ends as many",
@@ -193,7 +245,10 @@ macro_rules! between {
 #[pyfunction]
 #[expect(clippy::needless_pass_by_value, reason = "Python gives the numbers away")]
 pub(crate) fn polynomial(start: Vec<f64>, end: Vec<f64>, duration: f64) -> PyResult<Law> {
-    between!(start, end, duration; 1 + 1 = 2, 2 + 2 = 4, 3 + 3 = 6, 4 + 4 = 8, 5 + 5 = 10)
+    let states = [&start, &end].map(|state| Argument::Numbers(state.clone()));
+    let [from, to] = states;
+    let made = Call::new("polynomial", [from, to, duration.into()]);
+    between!(start, end, duration, made; 1 + 1 = 2, 2 + 2 = 4, 3 + 3 = 6, 4 + 4 = 8, 5 + 5 = 10)
 }
 
 /// The most harmonics of a Fourier series.
@@ -201,7 +256,6 @@ const HARMONICS: usize = 16;
 
 /// The Fourier series of a mean and harmonics over a period: `(a, b)` is a cos kωt + b sin kωt, for k = 1, 2, …
 #[pyfunction]
-#[expect(clippy::needless_pass_by_value, reason = "Python gives the numbers away")]
 pub(crate) fn fourier(mean: f64, harmonics: Vec<(f64, f64)>, period: f64) -> PyResult<Law> {
     if harmonics.len() > HARMONICS {
         return Err(PyValueError::new_err(format!(
@@ -210,9 +264,7 @@ pub(crate) fn fourier(mean: f64, harmonics: Vec<(f64, f64)>, period: f64) -> PyR
         )));
     }
     let harmonic = |index: usize| harmonics.get(index).map_or([0.0; 2], |(cosine, sine)| [*cosine, *sine]);
-    Law::of(Fourier::<f64, HARMONICS>::new(
-        mean,
-        std::array::from_fn(harmonic),
-        period,
-    ))
+    let law = Fourier::<f64, HARMONICS>::new(mean, std::array::from_fn(harmonic), period);
+    let made = Call::new("fourier", [mean.into(), Argument::Pairs(harmonics), period.into()]);
+    Law::of(law, made)
 }

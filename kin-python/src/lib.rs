@@ -8,6 +8,7 @@ mod batch;
 mod choice;
 mod code;
 mod cycle;
+mod declared;
 mod exact;
 mod fault;
 mod fit;
@@ -15,7 +16,9 @@ mod law;
 mod library;
 mod linkage;
 mod loads;
+mod made;
 mod mechanism;
+mod methods;
 mod motion;
 mod pose;
 mod proof;
@@ -28,7 +31,7 @@ mod table;
 #[pyo3::pymodule]
 mod _kin {
     #[pymodule_export]
-    use crate::batch::Batch;
+    use crate::batch::{Batch, restored_batch};
     #[pymodule_export]
     use crate::cycle::Cycle;
     #[pymodule_export]
@@ -40,11 +43,11 @@ mod _kin {
     #[pymodule_export]
     use crate::linkage::{Linkage, restored_linkage};
     #[pymodule_export]
-    use crate::loads::Loads;
+    use crate::loads::{Loads, restored_loads};
     #[pymodule_export]
     use crate::mechanism::Mechanism;
     #[pymodule_export]
-    use crate::motion::Motion;
+    use crate::motion::{Motion, restored_motion};
     #[pymodule_export]
     use crate::pose::{Pose, restored_pose};
     #[pymodule_export]
@@ -52,9 +55,9 @@ mod _kin {
     #[pymodule_export]
     use crate::quantity::Quantity;
     #[pymodule_export]
-    use crate::report::Page;
+    use crate::report::{Page, restored_page};
     #[pymodule_export]
     use crate::sweep::Sweep;
     #[pymodule_export]
-    use crate::table::Table;
+    use crate::table::{Table, restored_table};
 }

@@ -9,11 +9,12 @@ use kin_core::reaction::{Friction, NamedReactions, Reaction, ReactionError, Reac
 use kin_core::{Motion, Plane, Space};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyList, PyTuple};
 
 use crate::answers::answer;
 use crate::fault;
 use crate::linkage::Linkage;
+use crate::made::{Argument, Call};
 
 /// Loads on the points, angles and bodies of a linkage. `kin.Linkage.loads` makes an empty list, and each method
 /// returns the list with one more load.
@@ -35,10 +36,9 @@ pub(crate) struct Loads {
     frictions: Vec<(String, Friction)>,
     /// The rates of the inputs of the motion that is about to begin where they rest.
     about_to_move: Vec<f64>,
-    /// The names of the inputs.
-    inputs: Vec<String>,
-    /// The text of the mechanism.
-    text: String,
+    linkage: Linkage,
+    /// The methods that added the loads.
+    calls: Vec<Call>,
 }
 
 fn refused(error: &NoSuchPlace) -> PyErr {
@@ -62,21 +62,35 @@ fn with_place<T>(place: &Bound<'_, PyAny>, use_it: impl FnOnce(PointPlace<'_>) -
     }
 }
 
+impl From<Space<f64>> for Argument {
+    fn from(vector: Space<f64>) -> Self {
+        Self::Triple((vector.x, vector.y, vector.z))
+    }
+}
+
+impl From<PointPlace<'_>> for Argument {
+    fn from(place: PointPlace<'_>) -> Self {
+        match place {
+            PointPlace::Named(name) => name.into(),
+            PointPlace::Fixed(place) => place.into(),
+        }
+    }
+}
+
 impl Loads {
     pub(crate) fn new(linkage: &Linkage) -> Self {
-        let inputs = linkage.declared.description().inputs;
         Self {
             named: linkage.any().loads(),
             frictions: Vec::new(),
             about_to_move: Vec::new(),
-            inputs: inputs.iter().map(|input| input.name.to_owned()).collect(),
-            text: linkage.declared.text.clone(),
+            linkage: linkage.clone(),
+            calls: Vec::new(),
         }
     }
 
     /// Refuses the loads of another mechanism.
     pub(crate) fn check(&self, linkage: &Linkage) -> PyResult<()> {
-        if self.text == linkage.declared.text {
+        if self.linkage.declared.text == linkage.declared.text {
             return Ok(());
         }
         let name = linkage.declared.description().name;
@@ -85,16 +99,24 @@ impl Loads {
         )))
     }
 
-    fn with(&self, add: impl FnOnce(NamedLoads) -> Result<NamedLoads, NoSuchPlace>) -> PyResult<Self> {
+    fn with(&self, call: Call, add: impl FnOnce(NamedLoads) -> Result<NamedLoads, NoSuchPlace>) -> PyResult<Self> {
+        let named = add(self.named.clone()).map_err(|error| refused(&error))?;
         Ok(Self {
-            named: add(self.named.clone()).map_err(|error| refused(&error))?,
-            ..self.clone()
+            named,
+            ..self.called(call)
         })
     }
 
-    fn with_friction(&self, joint: &str, friction: Friction) -> Self {
-        let mut loads = self.clone();
+    fn with_friction(&self, call: Call, joint: &str, friction: Friction) -> Self {
+        let mut loads = self.called(call);
         loads.frictions.push((joint.to_owned(), friction));
+        loads
+    }
+
+    /// The same loads, after a call.
+    fn called(&self, call: Call) -> Self {
+        let mut loads = self.clone();
+        loads.calls.push(call);
         loads
     }
 
@@ -138,65 +160,81 @@ impl Loads {
     /// The acceleration of gravity: a vector, for all masses.
     fn gravity(&self, acceleration: &Bound<'_, PyAny>) -> PyResult<Self> {
         let acceleration = vector(acceleration, "acceleration")?;
-        self.with(|loads| Ok(loads.gravity(acceleration)))
+        self.with(Call::new("gravity", [acceleration.into()]), |loads| {
+            Ok(loads.gravity(acceleration))
+        })
     }
 
     /// A mass at a point.
     fn mass(&self, mass: f64, point: &str) -> PyResult<Self> {
-        self.with(|loads| loads.mass(mass, point))
+        self.with(Call::new("mass", [mass.into(), point.into()]), |loads| {
+            loads.mass(mass, point)
+        })
     }
 
     /// The mass of a body, its centre, and its moment of inertia about the centre. The centre is the name of a point,
     /// or a vector in the frame of the body, from its first joint along the line to its second one.
     fn mass_of(&self, body: &str, mass: f64, centre: &Bound<'_, PyAny>, inertia: f64) -> PyResult<Self> {
         let add = |centre: PointPlace<'_>| {
+            let call = Call::new("mass_of", [body.into(), mass.into(), centre.into(), inertia.into()]);
             let centre = match centre {
                 PointPlace::Fixed(centre) => Plane::new(centre.x, centre.y).into(),
                 named @ PointPlace::Named(_) => named,
             };
-            self.with(|loads| loads.mass_of(body, mass, centre, inertia))
+            self.with(call, |loads| loads.mass_of(body, mass, centre, inertia))
         };
         with_place(centre, add)?
     }
 
     /// The moment of inertia of a link about its centre of mass, by its angle.
     fn inertia(&self, inertia: f64, angle: &str) -> PyResult<Self> {
-        self.with(|loads| loads.inertia(inertia, angle))
+        let call = Call::new("inertia", [inertia.into(), angle.into()]);
+        self.with(call, |loads| loads.inertia(inertia, angle))
     }
 
     /// A constant force at a point: a vector.
     fn force(&self, force: &Bound<'_, PyAny>, point: &str) -> PyResult<Self> {
         let force = vector(force, "force")?;
-        self.with(|loads| loads.force(force, point))
+        let call = Call::new("force", [force.into(), point.into()]);
+        self.with(call, |loads| loads.force(force, point))
     }
 
     /// A constant torque on an angle, or a constant force along a distance.
     fn torque(&self, torque: f64, angle: &str) -> PyResult<Self> {
-        self.with(|loads| loads.torque(torque, angle))
+        let call = Call::new("torque", [torque.into(), angle.into()]);
+        self.with(call, |loads| loads.torque(torque, angle))
     }
 
     /// A spring between two places, with its stiffness and its length at rest.
     fn spring(&self, stiffness: f64, rest: f64, start: &Bound<'_, PyAny>, end: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let add =
-            |from: PointPlace<'_>| with_place(end, |to| self.with(|loads| loads.spring(stiffness, rest, from, to)))?;
-        with_place(start, add)?
+        let add = |from: PointPlace<'_>, to: PointPlace<'_>| {
+            let call = Call::new("spring", [stiffness.into(), rest.into(), from.into(), to.into()]);
+            self.with(call, |loads| loads.spring(stiffness, rest, from, to))
+        };
+        with_place(start, |from| with_place(end, |to| add(from, to)))??
     }
 
     /// A damper between two places.
     fn damper(&self, damping: f64, start: &Bound<'_, PyAny>, end: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let add = |from: PointPlace<'_>| with_place(end, |to| self.with(|loads| loads.damper(damping, from, to)))?;
-        with_place(start, add)?
+        let add = |from: PointPlace<'_>, to: PointPlace<'_>| {
+            let call = Call::new("damper", [damping.into(), from.into(), to.into()]);
+            self.with(call, |loads| loads.damper(damping, from, to))
+        };
+        with_place(start, |from| with_place(end, |to| add(from, to)))??
     }
 
     /// Coulomb friction in a pin, with its coefficient and the radius of the pin.
     fn pin_friction(&self, joint: &str, coefficient: f64, radius: f64) -> Self {
-        self.with_friction(joint, Friction::Pin { coefficient, radius })
+        let call = Call::new("pin_friction", [joint.into(), coefficient.into(), radius.into()]);
+        self.with_friction(call, joint, Friction::Pin { coefficient, radius })
     }
 
     /// Coulomb friction on a slide, with its coefficient, and the length of the bushing if its moment shall count.
     #[pyo3(signature = (joint, coefficient, length=None))]
     fn slide_friction(&self, joint: &str, coefficient: f64, length: Option<f64>) -> Self {
-        self.with_friction(joint, Friction::Slide { coefficient, length })
+        let call = Call::new("slide_friction", [joint.into(), coefficient.into()]);
+        let call = call.with_keywords(length.map(|length| ("length".to_owned(), length)));
+        self.with_friction(call, joint, Friction::Slide { coefficient, length })
     }
 
     /// Where all inputs rest, friction opposes a motion with these rates of the inputs: efforts are those at which it
@@ -204,16 +242,25 @@ impl Loads {
     #[pyo3(signature = (**rates))]
     fn about_to_move(&self, rates: Option<BTreeMap<String, f64>>) -> PyResult<Self> {
         let mut rates = rates.unwrap_or_default();
-        let about_to_move = self.inputs.iter().map(|input| rates.remove(input).unwrap_or(0.0));
+        let call = Call::new("about_to_move", []).with_keywords(rates.clone());
+        let inputs = || {
+            self.linkage
+                .declared
+                .description()
+                .inputs
+                .iter()
+                .map(|input| input.name)
+        };
+        let about_to_move = inputs().map(|input| rates.remove(input).unwrap_or(0.0));
         let loads = Self {
             about_to_move: about_to_move.collect(),
-            ..self.clone()
+            ..self.called(call)
         };
         match rates.keys().next() {
             None => Ok(loads),
             Some(name) => Err(PyTypeError::new_err(format!(
                 "no input is called `{name}`: inputs are {}",
-                self.inputs.join(", ")
+                inputs().collect::<Vec<_>>().join(", ")
             ))),
         }
     }
@@ -222,6 +269,38 @@ impl Loads {
         let (points, angles) = (self.named.points().join(", "), self.named.angles().join(", "));
         format!("<kin.Loads on points {points}; angles and distances {angles}>")
     }
+
+    #[expect(clippy::type_complexity, reason = "as pickle wants it")]
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (Linkage, Bound<'py, PyList>))> {
+        let calls = PyList::empty(py);
+        for call in &self.calls {
+            let (arguments, keywords) = call.arguments(py)?;
+            calls.append((call.function, arguments, keywords))?;
+        }
+        let restore = py.import("kin._kin")?.getattr("restored_loads")?;
+        Ok((restore, (self.linkage.clone(), calls)))
+    }
+
+    fn __copy__(slf: Py<Self>) -> Py<Self> {
+        slf
+    }
+
+    fn __deepcopy__(slf: Py<Self>, _memo: &Bound<'_, PyAny>) -> Py<Self> {
+        slf
+    }
+}
+
+/// Loads that were pickled: those of the methods of `kin.Loads` with these arguments.
+#[pyfunction]
+pub(crate) fn restored_loads<'py>(
+    linkage: &Bound<'py, Linkage>,
+    calls: Vec<(String, Bound<'py, PyTuple>, Bound<'py, PyDict>)>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let mut loads = Bound::new(linkage.py(), Loads::new(linkage.get()))?.into_any();
+    for (method, arguments, keywords) in calls {
+        loads = loads.call_method(method.as_str(), arguments, Some(&keywords))?;
+    }
+    Ok(loads)
 }
 
 const PARTS: [(&str, ReactionPart); 8] = [

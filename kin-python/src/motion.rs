@@ -1,7 +1,7 @@
 //! A quantity with its derivatives with respect to time.
 
 use kin_core::RATES;
-use pyo3::exceptions::{PyAttributeError, PyIndexError, PyTypeError};
+use pyo3::exceptions::{PyAttributeError, PyIndexError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 
 use crate::arguments::Group;
@@ -25,17 +25,17 @@ use crate::arguments::Group;
 #[pyclass(frozen, module = "kin")]
 pub(crate) struct Motion {
     name: String,
-    unit: &'static str,
+    unit: String,
     /// For each order a float, or an array.
     orders: Vec<Py<PyAny>>,
     is_point: bool,
 }
 
 impl Motion {
-    pub(crate) fn new(group: &Group<'_>, unit: &'static str, orders: Vec<Py<PyAny>>) -> Self {
+    pub(crate) fn new(group: &Group<'_>, unit: &str, orders: Vec<Py<PyAny>>) -> Self {
         Self {
             name: group.name.to_owned(),
-            unit,
+            unit: unit.to_owned(),
             orders,
             is_point: group.is_point,
         }
@@ -73,7 +73,7 @@ impl Motion {
         };
         Ok(Self {
             name: format!("{}.{name}", self.name),
-            unit: self.unit,
+            unit: self.unit.clone(),
             orders: self.orders.iter().map(part).collect::<PyResult<_>>()?,
             is_point: false,
         })
@@ -84,7 +84,7 @@ impl Motion {
 impl Motion {
     /// The name of the quantity.
     #[getter]
-    fn name(&self) -> &str {
+    pub(crate) fn name(&self) -> &str {
         &self.name
     }
 
@@ -132,7 +132,7 @@ impl Motion {
 
     /// All orders, the position first.
     #[getter]
-    fn derivatives<'py>(&self, py: Python<'py>) -> Vec<Bound<'py, PyAny>> {
+    pub(crate) fn derivatives<'py>(&self, py: Python<'py>) -> Vec<Bound<'py, PyAny>> {
         self.orders.iter().map(|value| value.bind(py).clone()).collect()
     }
 
@@ -179,4 +179,27 @@ impl Motion {
         let space = if self.unit.is_empty() { "" } else { " " };
         Ok(format!("{}: {shown}{space}{}", self.name, self.unit))
     }
+
+    #[expect(clippy::type_complexity, reason = "as pickle wants it")]
+    fn __reduce__<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Bound<'py, PyAny>, (&str, &str, Vec<Bound<'py, PyAny>>, bool))> {
+        let restore = py.import("kin._kin")?.getattr("restored_motion")?;
+        Ok((restore, (&self.name, &self.unit, self.derivatives(py), self.is_point)))
+    }
+}
+
+/// A motion that was pickled.
+#[pyfunction]
+pub(crate) fn restored_motion(name: String, unit: String, orders: Vec<Py<PyAny>>, is_point: bool) -> PyResult<Motion> {
+    if orders.is_empty() {
+        return Err(PyValueError::new_err("a motion has a position"));
+    }
+    Ok(Motion {
+        name,
+        unit,
+        orders,
+        is_point,
+    })
 }

@@ -1,6 +1,6 @@
 //! A pose.
 
-use kin_core::any::{AssemblyChoice, Described, NearOver, OutputsOver, Quantity};
+use kin_core::any::{AssemblyChoice, Described, MotionOver, NearOver, OutputsOver, Quantity};
 use kin_core::{Changing, Dimension, Number as _};
 use pyo3::exceptions::{PyAttributeError, PyKeyError};
 use pyo3::prelude::*;
@@ -8,9 +8,9 @@ use pyo3::types::{PyDict, PyTuple};
 
 use crate::arguments::{Group, groups};
 use crate::arrays::array;
+use crate::declared::Declared;
 use crate::fault;
 use crate::linkage::Linkage;
-use crate::mechanism::Declared;
 use crate::motion::Motion;
 
 /// A pose of a linkage: its inputs, unknowns and outputs as attributes, each a `kin.Motion` with all derivatives.
@@ -72,8 +72,32 @@ pub(crate) fn find<'d>(kinds: &[&'d [Quantity<'d>]], name: &str) -> Option<(Grou
 }
 
 impl Pose {
-    pub(crate) fn new(linkage: Linkage, numbers: Vec<f64>) -> Self {
-        Self { linkage, numbers }
+    /// The pose of a linkage at inputs with all orders.
+    pub(crate) fn at(
+        py: Python<'_>,
+        linkage: &Linkage,
+        mut inputs: Vec<f64>,
+        choice: &AssemblyChoice,
+    ) -> PyResult<Self> {
+        let description = linkage.declared.description();
+        let orders = linkage.declared.orders();
+        let mut unknowns = vec![0.0; description.unknowns.len() * orders];
+        let mut outputs = vec![0.0; description.outputs.len() * orders];
+        let mechanism: &dyn MotionOver<f64> = &linkage.declared.mechanism;
+        let found = mechanism.motion(
+            &linkage.parameters,
+            &inputs,
+            choice.position(),
+            &mut unknowns,
+            &mut outputs,
+        );
+        found.map_err(|error| fault::of_solver(py, &linkage.declared.mechanism, &error))?;
+        inputs.append(&mut unknowns);
+        inputs.append(&mut outputs);
+        Ok(Self {
+            linkage: linkage.clone(),
+            numbers: inputs,
+        })
     }
 
     /// The positions of a kind of quantities: 0 is inputs, 1 is unknowns.
@@ -244,7 +268,7 @@ impl Pose {
         let (from, unknowns) = (self.positions(0), self.positions(1));
         let found = py.detach(|| linkage.any().track(&from, &unknowns, &to));
         let found = found.map_err(|error| fault::of_track(py, &linkage.declared.mechanism, &error))?;
-        linkage.pose(py, inputs, &AssemblyChoice::Near(found))
+        Self::at(py, linkage, inputs, &AssemblyChoice::Near(found))
     }
 
     fn __getattr__(&self, py: Python<'_>, name: &str) -> PyResult<Motion> {
@@ -301,5 +325,5 @@ pub(crate) fn restored_pose(linkage: &Bound<'_, Linkage>, numbers: Vec<f64>) -> 
             "these are not the numbers of a pose of this linkage",
         ));
     }
-    Ok(Pose::new(linkage, numbers))
+    Ok(Pose { linkage, numbers })
 }

@@ -10,8 +10,13 @@ use pyo3::types::PyDict;
 use crate::answers::answer;
 use crate::fault;
 use crate::linkage::Linkage;
-use crate::loads::{Loads, refused_reaction};
+use crate::loads::{Loads, part_name, refused_reaction};
+use crate::made::{Reduced, reduced};
 use crate::quantity::OfLoads;
+use crate::sweep::{Sweep, Way};
+
+/// The rows of the sweep, of which proofs take the ends alone.
+const ROWS: usize = 2;
 
 /// A force of which something is proved, for all inputs of a way and all dimensions within tolerances.
 /// `kin.Sweep.proof` makes it.
@@ -63,7 +68,7 @@ impl ForceProof {
             let [from, to] = &self.ends;
             let sweep = linkage
                 .sweep(self.choice.clone())
-                .between(from, to, 2)
+                .between(from, to, ROWS)
                 .speed(self.speed);
             let mut proof = sweep.proof(&reactions);
             for (name, tolerance) in &self.tolerances {
@@ -123,5 +128,43 @@ impl ForceProof {
     fn peak<'py>(&self, py: Python<'py>, part: f64) -> PyResult<Bound<'py, PyAny>> {
         let found = self.prove(py, |force| force.peak(part))?;
         answer(py, "PeakBounds", (self.place(py, &found.lower)?, found.upper))
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
+        let sweep = Sweep {
+            linkage: self.linkage.clone(),
+            choice: self.choice.clone(),
+            way: Way::Line {
+                ends: self.ends.clone(),
+                speed: self.speed,
+            },
+            rows: ROWS,
+        };
+        let keywords = PyDict::new(py);
+        match &self.wanted {
+            OfLoads::Reaction(joint, part, _) => {
+                keywords.set_item("joint", joint)?;
+                keywords.set_item("part", part_name(*part))?;
+            }
+            OfLoads::Effort(input, _) => {
+                let inputs = self.linkage.declared.description().inputs;
+                keywords.set_item("input", inputs[*input].name)?;
+            }
+            OfLoads::Power(_) | OfLoads::Heat => unreachable!("proofs are made for forces and efforts"),
+        }
+        keywords.set_item("tolerances", &self.tolerances)?;
+        keywords.set_item("speeds", self.speeds)?;
+        keywords.set_item("accelerations", self.accelerations)?;
+        keywords.set_item("budget", self.budget)?;
+        let loads = Bound::new(py, self.loads.clone())?.into_any();
+        reduced(Bound::new(py, sweep)?.getattr("proof")?, [loads], &keywords)
+    }
+
+    fn __copy__(slf: Py<Self>) -> Py<Self> {
+        slf
+    }
+
+    fn __deepcopy__(slf: Py<Self>, _memo: &Bound<'_, PyAny>) -> Py<Self> {
+        slf
     }
 }

@@ -10,9 +10,10 @@ use pyo3::types::{PyDict, PyList, PyTuple};
 
 use crate::answers::{self, answer, shown};
 use crate::arrays::array;
+use crate::declared::measure;
 use crate::fault;
 use crate::loads::{Loads, part_name};
-use crate::mechanism::measure;
+use crate::made::Reduced;
 use crate::sweep::{Sweep, ask};
 
 /// What is asked of a sweep.
@@ -253,5 +254,35 @@ impl Quantity {
 
     fn __repr__(&self) -> String {
         format!("<kin.Quantity {}>", self.name())
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
+        let sweep = Bound::new(py, self.sweep.clone())?;
+        let input = |index: usize| self.description().inputs[index].name;
+        let (method, arguments) = match &self.asked {
+            Asked::Name(name) => ("of", (name,).into_pyobject(py)?),
+            Asked::TransmissionAngle(dyad) => ("of_transmission_angle", (dyad,).into_pyobject(py)?),
+            Asked::OfLoads(loads, asked) => {
+                let loads = loads.as_ref().clone();
+                match asked {
+                    OfLoads::Effort(index, order) => ("of_effort", (loads, input(*index), order).into_pyobject(py)?),
+                    OfLoads::Power(index) => ("of_power", (loads, input(*index)).into_pyobject(py)?),
+                    OfLoads::Reaction(joint, part, order) => {
+                        let arguments = (loads, joint, part_name(*part), order);
+                        ("of_reaction", arguments.into_pyobject(py)?)
+                    }
+                    OfLoads::Heat => ("of_heat", (loads,).into_pyobject(py)?),
+                }
+            }
+        };
+        Ok((sweep.getattr(method)?, arguments))
+    }
+
+    fn __copy__(slf: Py<Self>) -> Py<Self> {
+        slf
+    }
+
+    fn __deepcopy__(slf: Py<Self>, _memo: &Bound<'_, PyAny>) -> Py<Self> {
+        slf
     }
 }

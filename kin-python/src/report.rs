@@ -85,4 +85,22 @@ impl Page {
     fn __repr__(&self) -> String {
         format!("<kin.Page of {} kB>", self.html.len().div_ceil(1000))
     }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (&str,))> {
+        Ok((py.import("kin._kin")?.getattr("restored_page")?, (&self.html,)))
+    }
+
+    fn __copy__(slf: Py<Self>) -> Py<Self> {
+        slf
+    }
+
+    fn __deepcopy__(slf: Py<Self>, _memo: &Bound<'_, PyAny>) -> Py<Self> {
+        slf
+    }
+}
+
+/// A page that was pickled.
+#[pyfunction]
+pub(crate) fn restored_page(html: String) -> Page {
+    Page { html }
 }

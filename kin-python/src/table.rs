@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use kin_core::batch::Outcome;
-use kin_core::sweep::Table as CoreTable;
+use kin_core::sweep::{ColumnOf, Table as CoreTable};
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
 use pyo3::types::{PyCapsule, PyDict, PyList, PyTuple};
@@ -12,13 +12,14 @@ use crate::answers::answer;
 use crate::arguments::column_name;
 use crate::arrays::array;
 use crate::arrow;
-use crate::fault::named;
-use crate::mechanism::Declared;
+use crate::fault::{self, named};
+use crate::sweep::{Sweep, ask};
 
 /// A table of a sweep: a column for the position and each derivative of every quantity, NaN where the mechanism does
 /// not close.
 ///
-/// `table["theta4_jerk"]` is a column as an array. pandas and polars take the table by `to_pandas` and `to_polars`.
+/// `table["theta4_jerk"]` is a column as an array, which is read-only: copy it to change it. pandas and polars take the
+/// table by `to_pandas` and `to_polars`.
 ///
 /// >>> import kin
 /// >>> linkage = kin.library.four_bar(r1=90, r2=30, r3=70, r4=60)
@@ -29,42 +30,54 @@ use crate::mechanism::Declared;
 /// [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0]
 #[pyclass(frozen, module = "kin")]
 pub(crate) struct Table {
+    sweep: Sweep,
     rows: CoreTable,
     columns: Vec<(String, Py<PyAny>)>,
-    limits: Py<PyList>,
     /// The names of blocks at the limits.
     blocks: Vec<String>,
+    /// The methods that changed its units.
+    changes: Vec<Change>,
+}
+
+/// A change of the units of a table.
+#[derive(Clone)]
+enum Change {
+    Degrees,
+    Units { length: String, time: String },
 }
 
 /// The rows at the beginning and at the end that are shown.
 const SHOWN: usize = 5;
 
 impl Table {
-    pub(crate) fn new(py: Python<'_>, declared: &Declared, table: CoreTable) -> PyResult<Self> {
-        let limits = table.limits().iter();
+    /// The table of a sweep.
+    pub(crate) fn of(py: Python<'_>, sweep: &Sweep) -> PyResult<Self> {
+        let declared = &sweep.linkage.declared;
+        let rows = py.detach(|| ask!(sweep, |sweep| sweep.table(&declared.mechanism)));
+        let rows = rows.map_err(|error| fault::of_answer(py, &declared.mechanism, error, None))?;
+        let limits = rows.limits().iter();
         let blocks = limits.map(|limit| named(limit.block, declared.description()));
-        let blocks = blocks.collect();
-        Self::with_blocks(py, table, blocks)
+        Ok(Self {
+            columns: columns(py, &rows)?,
+            blocks: blocks.collect(),
+            rows,
+            sweep: sweep.clone(),
+            changes: Vec::new(),
+        })
     }
 
-    fn with_blocks(py: Python<'_>, table: CoreTable, blocks: Vec<String>) -> PyResult<Self> {
-        let count = table.count();
-        let column = |column: kin_core::sweep::ColumnOf<'_>| {
-            let values = array(py, column.values.to_vec(), &[count])?;
-            Ok((column.label.to_string(), values.unbind()))
+    fn changed(&self, py: Python<'_>, change: Change) -> PyResult<Self> {
+        let rows = self.rows.clone();
+        let rows = match &change {
+            Change::Degrees => rows.in_degrees(),
+            Change::Units { length, time } => rows.units(length.as_str(), time.as_str()),
         };
-        let columns = table.columns().map(column).collect::<PyResult<_>>()?;
-        let limits = PyList::empty(py);
-        for (limit, block) in table.limits().iter().zip(&blocks) {
-            let kind = limit.kind.to_string();
-            let fields = (limit.at, kind, limit.row, limit.closes_before, block.as_str());
-            limits.append(answer(py, "Limit", fields)?)?;
-        }
         Ok(Self {
-            columns,
-            limits: limits.unbind(),
-            blocks,
-            rows: table,
+            columns: columns(py, &rows)?,
+            blocks: self.blocks.clone(),
+            rows,
+            sweep: self.sweep.clone(),
+            changes: self.changes.iter().cloned().chain([change]).collect(),
         })
     }
 
@@ -82,6 +95,16 @@ impl Table {
         let before = (0..SHOWN).map(Some);
         before.chain([None]).chain((count - SHOWN..count).map(Some)).collect()
     }
+}
+
+/// The columns as arrays. They are read-only, because every other view of the table has the same numbers.
+fn columns(py: Python<'_>, rows: &CoreTable) -> PyResult<Vec<(String, Py<PyAny>)>> {
+    let column = |column: ColumnOf<'_>| {
+        let values = array(py, column.values.to_vec(), &[rows.count()])?;
+        values.getattr("flags")?.setattr("writeable", false)?;
+        Ok((column.label.to_string(), values.unbind()))
+    };
+    rows.columns().map(column).collect()
 }
 
 #[pymethods]
@@ -118,18 +141,24 @@ impl Table {
 
     /// The points between rows where the mechanism begins or ceases to close.
     #[getter]
-    fn limits(&self, py: Python<'_>) -> Py<PyList> {
-        self.limits.clone_ref(py)
+    fn limits<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
+        let limits = PyList::empty(py);
+        for (limit, block) in self.rows.limits().iter().zip(&self.blocks) {
+            let kind = limit.kind.to_string();
+            let fields = (limit.at, kind, limit.row, limit.closes_before, block.as_str());
+            limits.append(answer(py, "Limit", fields)?)?;
+        }
+        Ok(limits)
     }
 
     /// The table with degrees instead of radians, in all columns of angles and of their derivatives.
     fn in_degrees(&self, py: Python<'_>) -> PyResult<Self> {
-        Self::with_blocks(py, self.rows.clone().in_degrees(), self.blocks.clone())
+        self.changed(py, Change::Degrees)
     }
 
     /// The table with names for the units of length and time. The numbers stay the same.
-    fn in_units(&self, py: Python<'_>, length: &str, time: &str) -> PyResult<Self> {
-        Self::with_blocks(py, self.rows.clone().units(length, time), self.blocks.clone())
+    fn in_units(&self, py: Python<'_>, length: String, time: String) -> PyResult<Self> {
+        self.changed(py, Change::Units { length, time })
     }
 
     /// All columns by their names, as arrays.
@@ -198,6 +227,28 @@ impl Table {
         )
     }
 
+    /// The rows are solved again where a table is unpickled.
+    #[expect(clippy::type_complexity, reason = "as pickle wants it")]
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (Sweep, Bound<'py, PyList>))> {
+        let changes = PyList::empty(py);
+        for change in &self.changes {
+            match change {
+                Change::Degrees => changes.append(("in_degrees", PyTuple::empty(py)))?,
+                Change::Units { length, time } => changes.append(("in_units", (length, time)))?,
+            }
+        }
+        let restore = py.import("kin._kin")?.getattr("restored_table")?;
+        Ok((restore, (self.sweep.clone(), changes)))
+    }
+
+    fn __copy__(slf: Py<Self>) -> Py<Self> {
+        slf
+    }
+
+    fn __deepcopy__(slf: Py<Self>, _memo: &Bound<'_, PyAny>) -> Py<Self> {
+        slf
+    }
+
     fn _repr_html_(&self) -> String {
         let mut html = String::from("<table><thead><tr>");
         for column in self.rows.columns() {
@@ -219,6 +270,20 @@ impl Table {
         let _ = write!(html, "</tbody></table><p>{} rows</p>", self.rows.count());
         html
     }
+}
+
+/// A table that was pickled: that of a sweep, after methods of `kin.Table` with these arguments.
+#[pyfunction]
+pub(crate) fn restored_table<'py>(
+    sweep: &Bound<'py, Sweep>,
+    changes: Vec<(String, Bound<'py, PyTuple>)>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let py = sweep.py();
+    let mut table = Bound::new(py, Table::of(py, sweep.get())?)?.into_any();
+    for (method, arguments) in changes {
+        table = table.call_method1(method.as_str(), arguments)?;
+    }
+    Ok(table)
 }
 
 /// A text as HTML, also between quotation marks.

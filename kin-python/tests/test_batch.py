@@ -231,3 +231,130 @@ def test_coupled_blocks():
     assert batch.solved.all()
     for unknown in linkage.mechanism.unknowns:
         assert abs(batch[unknown].position[0] - pose[unknown].position) < 1e-11
+
+
+def kept(shape, orders=5):
+    """Arrays for a batch, which nothing has written to."""
+    return {name: tuple(np.full(shape, 7.0) for _ in range(orders)) for name in ("theta3", "theta4")}
+
+
+def same(one, other):
+    mine, others = ((*batch.theta3.derivatives, *batch.theta4.derivatives) for batch in (one, other))
+    return all(mine.tobytes() == others.tobytes() for mine, others in zip(mine, others, strict=True)) and all(
+        getattr(one, name).tobytes() == getattr(other, name).tobytes() for name in ("solved", "singular", "margin")
+    )
+
+
+@pytest.mark.parametrize("shape", [(), (0,), (3, 5), (20_000,)])
+@pytest.mark.parametrize("order", [0, 2, None])
+def test_a_batch_is_solved_into_another(shape, order):
+    angles = np.linspace(-3, 3, int(np.prod(shape))).reshape(shape)
+    expected = solve(r3=60, r4=45, theta2=(angles, 10.0), order=order)
+    first = solve(theta2=(angles, 3.0), order=order)
+    memory = [first.solved, first.singular, first.margin, *first.theta3.derivatives, *first.theta4.derivatives]
+    again = solve(r3=60, r4=45, theta2=(angles, 10.0), order=order, out=first)
+    used = [again.solved, again.singular, again.margin, *again.theta3.derivatives, *again.theta4.derivatives]
+    assert all(one is other for one, other in zip(memory, used, strict=True))
+    assert same(again, expected) and again.shape == shape
+    assert str(again.first_failure) == str(expected.first_failure)
+
+
+def test_a_batch_is_solved_into_arrays():
+    angles = np.linspace(-3, 3, 12_000).reshape(3, 4000)
+    expected = solve(r3=60, r4=45, theta2=(angles, 10.0))
+    out = {**kept(angles.shape), "solved": np.ones(angles.shape, bool), "margin": np.zeros(angles.shape)}
+    found = solve(r3=60, r4=45, theta2=(angles, 10.0), out=out)
+    assert found.theta4.snap is out["theta4"][4] and found.solved is out["solved"] and found.margin is out["margin"]
+    assert same(found, expected)
+    # rows of one array, a list, and one array for positions alone; what is left out is allocated
+    rows = np.zeros((5, *angles.shape))
+    found = FOUR_BAR(**DIMENSIONS).solve_batch(theta2=(angles, 10.0), assembly="open", out={"theta3": list(rows)})
+    assert (rows[4] == solve(theta2=(angles, 10.0)).theta3.snap).all()
+    assert not np.shares_memory(rows, found.theta4.snap)
+    positions = np.zeros(angles.shape)
+    assert solve(theta2=angles, order=0, out={"theta4": positions}).theta4.position is positions
+    assert (positions == solve(theta2=angles).theta4.position).all()
+
+
+def test_points_are_solved_into_arrays():
+    linkage, at = kin.library.example("five_bar")
+    alpha = at["alpha"] + np.linspace(0, 0.1, 20).reshape(4, 5)
+    expected = linkage.solve_batch(**{**at, "alpha": alpha}).hand.position
+    hand = np.zeros((2, 4, 5))
+    linkage.solve_batch(**{**at, "alpha": alpha}, order=0, out={"hand": hand})
+    assert (hand == expected).all()
+    with pytest.raises(ValueError, match=r"the position of `hand` has the shape \(4, 5\), and \(2, 4, 5\) is needed"):
+        linkage.solve_batch(**{**at, "alpha": alpha}, order=0, out={"hand": hand[0]})
+
+
+def test_inputs_may_be_the_memory_of_the_result():
+    angles = np.linspace(0, 3, 20_000)
+    expected = solve(theta2=angles, order=0).theta4.position
+    solve(theta2=angles, order=0, out={"theta4": angles})
+    assert (angles == expected).all()
+
+
+def read_only(array):
+    array.flags.writeable = False
+    return array
+
+
+@pytest.mark.parametrize(
+    "out, kind, message",
+    [
+        (3, TypeError, "`out` is a kin.Batch, or a dictionary of arrays by the names of unknowns and outputs"),
+        ({"theta4": 3}, TypeError, "`out`: the position of `theta4` is of the type int: give an array of NumPy"),
+        ({"theta4": np.zeros(9, "f4")}, TypeError, "position of `theta4` is an array of float32: give one of float64"),
+        ({"theta4": np.zeros(9, ">f8")}, TypeError, "an array of >f8: give one of float64, in the byte order"),
+        ({"solved": np.zeros(9)}, TypeError, "`out`: `solved` is an array of float64: give one of bool"),
+        ({"solved": (np.zeros(9, "?"),) * 2}, TypeError, "`out`: give one array for `solved`"),
+        ({"theta4": np.zeros(8)}, ValueError, r"position of `theta4` has the shape \(8,\), and \(9,\) is needed"),
+        ({"theta4": np.zeros((9, 1))}, ValueError, r"has the shape \(9, 1\), and \(9,\) is needed"),
+        ({"theta4": np.zeros(18)[::2]}, ValueError, "numbers of the position of `theta4` do not lie one after the"),
+        ({"theta4": np.zeros(73, "u1")[1:].view("f8")}, ValueError, "numbers of the position of `theta4` do not lie"),
+        ({"theta4": read_only(np.zeros(9))}, ValueError, "`out`: the position of `theta4` is read-only"),
+        ({"theta4": (np.zeros(9),) * 2}, ValueError, "arrays of `theta4` is 2, and 1 are needed: its position$"),
+        ({"theta5": np.zeros(9)}, ValueError, "called `theta5`: there are theta3, theta4, and solved, singular and"),
+        ({7: np.zeros(9)}, TypeError, "'int' object"),
+    ],
+)  # fmt: skip
+def test_mistakes_in_memory(out, kind, message):
+    with pytest.raises(kind, match=message):
+        solve(theta2=np.linspace(0, 1, 9), order=0, out=out)
+
+
+def test_more_mistakes_in_memory():
+    angles = np.linspace(0, 1, 9)
+    with pytest.raises(ValueError, match="is 1, and 5 are needed: its position and 4 derivatives"):
+        solve(theta2=angles, out=solve(theta2=angles, order=0))
+    with pytest.raises(ValueError, match=r"has the shape \(9,\), and \(8,\) is needed"):
+        solve(theta2=angles[1:], out=solve(theta2=angles))
+    with pytest.raises(ValueError, match="called `phi`"):
+        solve(theta2=angles, out=kin.library.slider_crank.solve_batch(r=1, l=3, theta=angles, assembly="open"))
+    shared = np.zeros(10)
+    for one, other in ((shared[:9], shared[1:]), (shared[:9], shared[:9])):
+        with pytest.raises(ValueError, match="`out`: two arrays share memory, or another batch is being solved into"):
+            solve(theta2=angles, order=0, out={"theta3": one, "theta4": other})
+    assert (shared == 0).all()
+
+
+def test_two_batches_at_once_do_not_share_memory():
+    angles = np.linspace(0, 6, 200_000)
+    memory = solve(theta2=(angles, 10.0))
+    ended, refused = threading.Event(), []
+
+    def again():
+        while not ended.is_set():
+            try:
+                solve(theta2=(angles, 10.0), threads=1, out=memory)
+            except ValueError as error:
+                refused.append(str(error))
+
+    threads = [threading.Thread(target=again) for _ in range(2)]
+    for thread in threads:
+        thread.start()
+    threading.Event().wait(0.5)
+    ended.set()
+    for thread in threads:
+        thread.join()
+    assert set(refused) == {"`out`: two arrays share memory, or another batch is being solved into it"}

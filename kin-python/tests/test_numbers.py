@@ -26,11 +26,14 @@ def at_speed(name):
 
 
 @pytest.fixture(scope="session")
-def of_rust():
-    """The bits of every mechanism, from a program in Rust."""
+def of_rust(pytestconfig):
+    """The bits of every mechanism, from a program in Rust. No profile changes a bit, and `quick` is built soonest."""
     package = Path(__file__).parent.parent
-    profile = os.environ.get("KIN_PROFILE", "release")
+    profile = os.environ.get("KIN_PROFILE", "quick")
     command = ["cargo", "run", "--profile", profile, "--locked", "--quiet", "--example", "numbers"]
+    # the first build takes minutes, in which a person shall know what is waited for
+    if terminal := pytestconfig.pluginmanager.get_plugin("terminalreporter"):
+        terminal.write_line(f"\nbuilding the numbers of Rust: {' '.join(command)}")
     printed = subprocess.run(command, cwd=package, check=True, capture_output=True, text=True).stdout
     lines = [line.split() for line in printed.splitlines()]
     return {name: numbers for name, *numbers in lines}

@@ -31,6 +31,7 @@ from kin._errors import SolveError
 
 _Number: TypeAlias = SupportsFloat | SupportsIndex
 _Near: TypeAlias = Pose | Mapping[str, _Number] | Sequence[_Number] | NDArray[np.float64]
+_Kept: TypeAlias = NDArray[Any] | Sequence[NDArray[np.float64]]
 _Value = TypeVar("_Value", bound=float | NDArray[np.float64], covariant=True)
 
 @final
@@ -65,6 +66,7 @@ class Mechanism:
         near: _Near | None = None,
         order: int | None = None,
         threads: int | None = None,
+        out: Batch | Mapping[str, _Kept] | None = None,
         **given: ArrayLike | tuple[ArrayLike, ...],
     ) -> Batch: ...
     def to_c(self, order: int | None = None) -> C: ...
@@ -91,6 +93,7 @@ class Linkage:
         near: _Near | None = None,
         order: int | None = None,
         threads: int | None = None,
+        out: Batch | Mapping[str, _Kept] | None = None,
         **inputs: ArrayLike | tuple[ArrayLike, ...],
     ) -> Batch: ...
     def sweep(
@@ -369,3 +372,14 @@ class Page:
 def library_designs() -> dict[str, tuple[str, tuple[list[float], list[float]], dict[str, Any]]]: ...
 def restored_linkage(mechanism: Mechanism, parameters: list[float]) -> Linkage: ...
 def restored_pose(linkage: Linkage, numbers: list[float]) -> Pose: ...
+def restored_batch(
+    motions: Sequence[Motion[NDArray[np.float64]]],
+    solved: NDArray[np.bool_],
+    singular: NDArray[np.bool_],
+    margin: NDArray[np.float64],
+    first_failure: tuple[int, SolveError] | None,
+) -> Batch: ...
+def restored_loads(linkage: Linkage, calls: list[tuple[str, tuple[Any, ...], dict[str, float]]]) -> Loads: ...
+def restored_motion(name: str, unit: str, orders: list[_Value], is_point: bool) -> Motion[_Value]: ...
+def restored_page(html: str) -> Page: ...
+def restored_table(sweep: Sweep, changes: list[tuple[str, tuple[str, ...]]]) -> Table: ...

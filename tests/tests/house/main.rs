@@ -87,6 +87,14 @@ const SEARCH: Package = Package {
             cluster::ids+cluster::tables+cluster::codec+cluster::cut+cluster::parts cluster pages",
 };
 
+const PYTHON: Package = Package {
+    name: "kin-python",
+    faces: &["lib"],
+    root_items: &[],
+    rooms: "answers arguments arrays arrow made fault declared mechanism linkage motion pose choice batch code law \
+            loads sweep table exact quantity proof cycle fit report library methods",
+};
+
 /// So many lines are not too much for a room of any package.
 const SMALL: usize = 300;
 
@@ -163,7 +171,7 @@ fn root() -> PathBuf {
 
 #[test]
 fn every_package_is_layered() {
-    let faults: Vec<String> = [CORE, COMPILER, LIVE, FIT, SKETCH, STUDIO, SEARCH]
+    let faults: Vec<String> = [CORE, COMPILER, LIVE, FIT, SKETCH, STUDIO, SEARCH, PYTHON]
         .iter()
         .flat_map(Package::faults)
         .collect();
@@ -204,6 +212,7 @@ fn the_book_describes_every_room() {
         LIVE.rooms(),
         FIT.rooms(),
         SKETCH.rooms(),
+        PYTHON.rooms(),
     ]
     .into_iter()
     .flatten()
