@@ -24,7 +24,10 @@
 
 mod declaration;
 mod fault;
+#[cfg(feature = "foreign")]
+pub mod foreign;
 mod freedom;
+mod kin_file;
 mod local;
 mod names;
 mod parts;
@@ -37,4 +40,5 @@ mod ways;
 
 pub use declaration::SketchDeclaration;
 pub use fault::SketchFault;
+pub use kin_file::DriveMotion;
 pub use sketch::{Body, Drive, LinkId, PointId, Sketch, SketchLink, SketchPoint, SketchSlide, SlideId};

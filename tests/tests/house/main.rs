@@ -62,7 +62,8 @@ const SKETCH: Package = Package {
     name: "kin-sketch",
     faces: &["lib"],
     root_items: &[],
-    rooms: "sketch names local fault parts ways placement freedom quantities+vectors statements+declaration",
+    rooms: "sketch names local fault parts ways placement freedom quantities+vectors statements+declaration \
+            kin_file foreign",
 };
 
 const STUDIO: Package = Package {
