@@ -42,7 +42,7 @@ impl SketchDeclaration {
     /// the assembly that is drawn. `unit` is the unit of the drawing's lengths, or empty. The documentation of the
     /// mechanism is plain text.
     ///
-    /// Motions follow the order of the drives; a drive without one moves as by default.
+    /// Dimensions have thirteen digits. Motions follow the order of the drives; a drive without one moves as by default.
     ///
     /// ```
     /// # use kin_sketch::{Body, Drive, Sketch};
@@ -95,11 +95,11 @@ impl SketchDeclaration {
         while let Some((name, value)) = dimensions.next() {
             if let Some(vector) = name.strip_suffix(".x") {
                 let y = dimensions.next().map_or(0.0, |(_, y)| *y);
-                entries.push(format!("{vector} = ({value}{unit}, {y}{unit});"));
+                entries.push(format!("{vector} = ({}{unit}, {}{unit});", plain(*value), plain(y)));
             } else if self.is_angle(name) {
-                entries.push(format!("{name} = {}deg;", value.to_degrees()));
+                entries.push(format!("{name} = {}deg;", plain(value.to_degrees())));
             } else {
-                entries.push(format!("{name} = {value}{unit};"));
+                entries.push(format!("{name} = {}{unit};", plain(*value)));
             }
         }
         entries
@@ -146,6 +146,11 @@ impl SketchDeclaration {
             before.is_none_or(|letter| !letter.is_alphanumeric() && letter != '_')
         })
     }
+}
+
+/// A measured number without what its last digits lost.
+fn plain(value: f64) -> f64 {
+    format!("{value:.12e}").parse().unwrap_or(value) + 0.0
 }
 
 /// A number with so many decimals at most.

@@ -101,6 +101,8 @@ pub(super) fn read(text: &str) -> Result<Foreign, ForeignError> {
         }
         if number == 0 {
             draft.drive(Drive::Slide(slide), DriveMotion::default());
+            let note = "the slide has no stroke in the file: it moves by a tenth of its distance to both sides";
+            draft.notes.push(format!("line {}: {note}", row.line));
         }
     }
     if !rows.is_empty() {

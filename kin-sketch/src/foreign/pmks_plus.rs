@@ -114,6 +114,10 @@ pub(super) fn read(text: &str) -> Result<Foreign, ForeignError> {
         }
         if slot.flags & IS_INPUT != 0 {
             draft.drive(Drive::Slide(slide), translation);
+            draft.notes.push(format!(
+                "{} has no stroke in the file: it moves by a tenth of its distance to both sides",
+                joint(slot.id)
+            ));
         }
     }
     for input in joints
@@ -133,8 +137,9 @@ pub(super) fn read(text: &str) -> Result<Foreign, ForeignError> {
         draft.drive(drive, rotation);
     }
     if !forces.is_empty() {
-        let note = format!("{} forces were left out: write them as `loads {{ .. }}`", forces.len());
-        draft.notes.push(note);
+        draft
+            .notes
+            .push("the forces were left out: write them as `loads { .. }`".to_owned());
     }
     draft.notes.push("masses and colours were left out".to_owned());
     Ok(draft.done(ForeignFormat::PmksPlus, unit))
@@ -166,7 +171,7 @@ fn joint_of<'t>(draft: &mut Draft, text: &'t str) -> Result<Joint<'t>, ForeignEr
         id,
         flags: u32::try_from(flags).unwrap_or_default(),
         point,
-        angle: decimal(angle, &part)?,
+        angle: angle_of(decimal(angle, &part)?),
         slot: match slot {
             [carrier, from, to] if !carrier.is_empty() => Some([carrier, from, to]),
             _ => None,
@@ -278,6 +283,16 @@ fn decoded(text: &str) -> String {
         }
     }
     decoded
+}
+
+/// An angle of three decimals. If it is that of a whole degree, the degree was meant.
+fn angle_of(rounded: f64) -> f64 {
+    let degree = rounded.to_degrees().round().to_radians();
+    if (degree - rounded).abs() <= 0.000_5 {
+        degree
+    } else {
+        rounded
+    }
 }
 
 /// A whole number without a sign.

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use super::{all_files, declared, followed, linkage, mechanism, values};
 
-/// Rockers, sliders and cylinders, which do not go round.
-const TO_AND_FRO: [&str; 0] = [];
+/// Their drives come to a limit position before they have gone round.
+const TO_AND_FRO: [&str; 2] = ["pedaling_leg", "stephenson_2"];
 
 #[test]
 fn every_file_moves_over_a_turn() {
@@ -32,8 +32,8 @@ fn every_file_moves_over_a_turn() {
         followed(&linkage, &mut inputs, &mut unknowns, 0.01, 1).expect("it moves a little");
         let is_angle = declaration.inputs[0].0 != "s" && !declaration.inputs[0].0.starts_with("s_");
         let turn = if is_angle { TAU - 0.01 } else { 0.1 * start[0].abs() };
-        if let Err(error) = followed(&linkage, &mut inputs, &mut unknowns, turn, 360) {
-            stopped.push(format!("{}: {error}", file.name));
+        if followed(&linkage, &mut inputs, &mut unknowns, turn, 360).is_err() {
+            stopped.push(file.name);
         }
     }
     assert_eq!(stopped, TO_AND_FRO);
