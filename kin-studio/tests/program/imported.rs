@@ -54,8 +54,8 @@ fn mistakes_are_told_with_advice() {
     let folder = Folder::new("import-mistakes");
     for (text, says) in [
         (
-            PUMP.replace("P 4 0 0", "R 4 0"),
-            "pump.txt: the drawing cannot move: remove a link",
+            PUMP.replace("ground piston P 4 0 0\n", ""),
+            "pump.txt: the drawing moves in 3 ways and has one drive",
         ),
         (
             PUMP.replace("R 0 3", "R 0 x"),
