@@ -14,8 +14,8 @@ use std::path::PathBuf;
 
 use kin_core::linkage::AnyLinkage;
 use kin_live::Mechanism;
-use kin_sketch::foreign::{Foreign, read};
-use kin_sketch::{SketchDeclaration, foreign};
+use kin_sketch::SketchDeclaration;
+use kin_sketch::foreign::{Foreign, ForeignFormat, read};
 
 /// A file with its name.
 pub(crate) struct File {
@@ -108,12 +108,12 @@ pub(crate) fn followed(
 
 #[test]
 fn there_are_files_of_each_program() {
+    use ForeignFormat::{Linkage, Pmks, PmksPlus, Pylinkage};
     let count = |format| {
         all_files()
             .iter()
             .filter(|file| file.foreign().format == format)
             .count()
     };
-    use foreign::ForeignFormat::{Linkage, Pmks, PmksPlus, Pylinkage};
     assert_eq!([Pylinkage, PmksPlus, Pmks, Linkage].map(count), [13, 12, 5, 7]);
 }
