@@ -24,9 +24,12 @@
 
 mod declaration;
 mod fault;
+#[cfg(feature = "foreign")]
+pub mod foreign;
 mod freedom;
 #[cfg(feature = "serde")]
 mod json;
+mod kin_file;
 mod local;
 mod names;
 mod parts;
@@ -39,4 +42,5 @@ mod ways;
 
 pub use declaration::SketchDeclaration;
 pub use fault::{SketchFault, SketchFaultKind, SketchParts};
+pub use kin_file::DriveMotion;
 pub use sketch::{Body, Drive, LinkId, PointId, Sketch, SketchLink, SketchPoint, SketchSlide, SlideId};

@@ -14,7 +14,7 @@
     not(feature = "program"),
     allow(dead_code, unused_imports, reason = "the program asks more of a case")
 )]
-mod case;
+pub mod case;
 pub mod drawing;
 #[cfg(feature = "gallery")]
 pub mod figures;

@@ -1,6 +1,6 @@
 //! The questions of the page, and their answers.
 
-use kin_studio::file::{self, Document, Language};
+use kin_studio::case::{self, Document, Language};
 use kin_studio::report::Report;
 use serde::{Deserialize, Serialize};
 
@@ -94,13 +94,13 @@ fn answer_to(question: &Question) -> Result<Answer, String> {
     Ok(match question {
         Question::Examples => Answer::Examples(examples()),
         Question::Check { text } => {
-            let object = serde_json::value::RawValue::from_string(file::check(text, NAME));
+            let object = serde_json::value::RawValue::from_string(case::check(text, NAME));
             Answer::Check(object.map_err(|error| error.to_string())?)
         }
         Question::Motion { text } => Answer::Report(Box::new(Document::read(text, NAME)?.motion()?)),
         Question::Report { text } => Answer::Report(Box::new(Document::read(text, NAME)?.report()?)),
         Question::Page { text } => Answer::Text(Document::read(text, NAME)?.report()?.html()),
-        Question::Format { text } => Answer::Text(file::formatted(text, NAME)?),
+        Question::Format { text } => Answer::Text(case::formatted(text, NAME)?),
         Question::Code { text, language } => {
             let language = match language {
                 CodeLanguage::C => Language::C,

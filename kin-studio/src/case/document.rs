@@ -12,7 +12,7 @@ use crate::report::Report;
 /// A `.kin` file that was read: its mechanism, and the case that it states.
 ///
 /// ```
-/// use kin_studio::file::Document;
+/// use kin_studio::case::Document;
 ///
 /// let text = "kin 1
 /// struct Crank { r: Length }

@@ -3,7 +3,8 @@
 
 mod assembly;
 pub(crate) mod columns;
-pub(crate) mod document;
+mod design;
+mod document;
 pub(crate) mod fault;
 pub(crate) mod file;
 mod functions;
@@ -20,3 +21,21 @@ pub(crate) mod units;
 pub(crate) mod value;
 
 pub(crate) use typed::{Case, Known, Typed};
+
+pub use document::Document;
+pub use language::Language;
+
+/// The mistakes of a `.kin` file, or its outline, as one object of JSON for editors: the output of `kin check --json`.
+/// The text is known under this name.
+#[must_use]
+pub fn check(text: &str, name: &str) -> String {
+    file::check_as_json(text, name).0
+}
+
+/// The text of a `.kin` file as `kin fmt` writes it.
+///
+/// # Errors
+/// Every mistake of a text whose statements cannot be told apart, each with its line under this name.
+pub fn formatted(text: &str, name: &str) -> Result<String, String> {
+    file::formatted(text, name)
+}

@@ -14,10 +14,6 @@ mod sections;
 use std::path::Path;
 
 #[cfg(feature = "case")]
-pub use crate::case::document::Document;
-#[cfg(feature = "case")]
-pub use crate::case::language::Language;
-#[cfg(feature = "case")]
 pub(crate) use declaration::tokens;
 pub(crate) use declaration::{KinDeclaration, in_order};
 pub(crate) use mistake::Mistake;
@@ -36,23 +32,6 @@ pub fn declaration(path: &Path) -> Result<String, String> {
         mistakes => Err(mistakes.to_vec()),
     });
     file.map_err(|mistakes| shown(&in_order(mistakes, &text), &path.display().to_string(), &text))
-}
-
-/// The mistakes of a `.kin` file, or its outline, as one object of JSON for editors: the output of `kin check --json`.
-/// The text is known under this name.
-#[cfg(feature = "case")]
-#[must_use]
-pub fn check(text: &str, name: &str) -> String {
-    crate::case::file::check_as_json(text, name).0
-}
-
-/// The text of a `.kin` file as `kin fmt` writes it.
-///
-/// # Errors
-/// Every mistake of a text whose statements cannot be told apart, each with its line under this name.
-#[cfg(feature = "case")]
-pub fn formatted(text: &str, name: &str) -> Result<String, String> {
-    crate::case::file::formatted(text, name)
 }
 
 /// A mistake of a declaration as people read it: the message, and the line with a mark below the tokens at fault. The

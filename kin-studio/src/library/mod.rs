@@ -1,8 +1,6 @@
 //! The mechanisms of the library, each with dimensions, inputs and an assembly for which it closes.
 
 mod designs;
-#[cfg(feature = "case")]
-mod file;
 
 pub use designs::{DESIGNS, Design, DesignAssembly};
 

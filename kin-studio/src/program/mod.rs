@@ -175,6 +175,11 @@ fn run_library(arguments: &[OsString]) -> Result<(), Fault> {
             let path = given.get_one::<PathBuf>("file").cloned().unwrap_or_default();
             tasks::fmt(&path, given.get_flag("check"))
         }
+        Some(("import", given)) => {
+            let from = given.get_one::<String>("from").map_or("", String::as_str);
+            let output = given.get_one::<PathBuf>("output").cloned();
+            tasks::import(from, &output.unwrap_or_else(|| PathBuf::from("-")))
+        }
         Some((FORCES, given)) => {
             let path = given.get_one::<PathBuf>("file").cloned().unwrap_or_default();
             let task = Task::from_arg_matches(&matches).map_err(Fault::wrong)?;
@@ -288,6 +293,28 @@ fn of_files(command: Command) -> Command {
                 )
                 .arg(file_argument().help("The file, or `-` for the input, which is formatted to the output"))
                 .after_help("Examples:\n  kin fmt pump.kin\n  kin fmt --check pump.kin"),
+        )
+        .subcommand(
+            Command::new("import")
+                .about("Write a .kin file from a file of pylinkage, PMKS, PMKS+ or Linkage")
+                .arg(
+                    Arg::new("from")
+                        .required(true)
+                        .value_name("FILE")
+                        .help("JSON of pylinkage 1.3, text of PMKS, `.linkage2`, or an address of PMKS+ in quotes"),
+                )
+                .arg(
+                    Arg::new("output")
+                        .short('o')
+                        .long("output")
+                        .value_name("FILE.kin")
+                        .value_parser(clap::value_parser!(PathBuf))
+                        .help("The file [default: the output]"),
+                )
+                .after_help(
+                    "Examples:\n  kin import leg.json -o leg.kin\n  \
+                     kin import 'https://app.pmksplus.com/?2P.Ay…' -o press.kin",
+                ),
         )
 }
 

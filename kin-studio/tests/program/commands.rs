@@ -26,6 +26,7 @@ fn help() {
         "report",
         "serve",
         "run",
+        "import",
         "completions",
     ] {
         let help = typed("help-all", &format!("kin {command} --help"));

@@ -3,6 +3,7 @@
 mod codes;
 mod commands;
 mod files;
+mod imported;
 mod mistakes;
 mod serving;
 mod typed;

@@ -62,7 +62,8 @@ const SKETCH: Package = Package {
     name: "kin-sketch",
     faces: &["lib"],
     root_items: &[],
-    rooms: "sketch+json names local fault parts ways placement freedom quantities+vectors statements+declaration",
+    rooms: "sketch+json names local fault parts ways placement freedom quantities+vectors statements+declaration \
+            kin_file foreign",
 };
 
 const STUDIO: Package = Package {
@@ -70,9 +71,17 @@ const STUDIO: Package = Package {
     faces: &["lib", "bin"],
     root_items: &[],
     rooms: "names drawing tables file forces report::error+report::model report library figures \
-            program::fault+program::text+program::units+program::value program::motion program::loads \
-            program::progress+program::server program::case+program::subject+program::assembly+program::columns \
-            program::format program::file program::command+program::advice program::tasks program",
+            case::fault+case::text+case::units+case::value case::motion case::loads \
+            case::typed+case::subject+case::assembly+case::columns+case::functions+case::oracles+case::page+case::file \
+            case::language case::design+case::document case program::text program::progress+program::server \
+            program::command+program::advice program::tasks program",
+};
+
+const WEB: Package = Package {
+    name: "kin-web",
+    faces: &["lib"],
+    root_items: &[],
+    rooms: "examples question border",
 };
 
 const SEARCH: Package = Package {
@@ -171,7 +180,7 @@ fn root() -> PathBuf {
 
 #[test]
 fn every_package_is_layered() {
-    let faults: Vec<String> = [CORE, COMPILER, LIVE, FIT, SKETCH, STUDIO, SEARCH, PYTHON]
+    let faults: Vec<String> = [CORE, COMPILER, LIVE, FIT, SKETCH, STUDIO, WEB, SEARCH, PYTHON]
         .iter()
         .flat_map(Package::faults)
         .collect();

@@ -5,6 +5,7 @@ mod cycle;
 mod fit;
 mod fmt;
 mod forces;
+mod import;
 mod list;
 mod peaks;
 mod prove;
@@ -17,6 +18,7 @@ mod verify;
 mod watch;
 
 pub(super) use fmt::fmt;
+pub(super) use import::import;
 pub(super) use list::list;
 pub(super) use watch::watch;
 

@@ -5,25 +5,26 @@ use std::fmt::Write as _;
 use kin_core::Dimension;
 use kin_core::any::{Described as _, Quantity};
 
-use super::{Design, DesignAssembly};
+use super::file;
+use crate::library::{Design, DesignAssembly};
 
 impl Design {
     /// The design as a `.kin` file: the declaration, its dimensions, the motion of its first input, and its assembly.
     ///
     /// ```
-    /// use kin_studio::file::Document;
+    /// use kin_studio::case::Document;
     /// use kin_studio::library::DESIGNS;
     ///
     /// let text = DESIGNS[0].file();
     /// assert!(text.contains("r2 = 30;"), "{text}");
     /// assert!(Document::read(&text, "four_bar.kin").is_ok());
     /// ```
-    ///
-    /// # Panics
-    /// Never for a design of the library, whose declarations are tested.
     #[must_use]
     pub fn file(&self) -> String {
-        let mechanism = kin_live::Mechanism::declare(self.declaration()).expect("the library has no mistakes");
+        let Ok(mechanism) = kin_live::Mechanism::declare(self.declaration()) else {
+            // the tests of the library declare each of them
+            return String::new();
+        };
         let description = mechanism.description();
         let mut text = String::from("kin 1\n");
         for line in self.declaration().lines() {
@@ -55,7 +56,7 @@ impl Design {
                 writeln!(text, "assembly = {};", near.trim_end_matches(';').replace("; ", ", "))
             }
         };
-        crate::file::formatted(&text, self.name).unwrap_or(text)
+        file::formatted(&text, self.name).unwrap_or(text)
     }
 }
 
@@ -100,7 +101,10 @@ mod tests {
         for design in DESIGNS {
             let text = design.file();
             let (subject, settings) = of_text(&text, design.name).unwrap_or_else(|mistakes| panic!("{mistakes}"));
-            let case = settings.typed().case(&subject).unwrap_or_else(|fault| panic!("{fault}"));
+            let case = settings
+                .typed()
+                .case(&subject)
+                .unwrap_or_else(|fault| panic!("{fault}"));
             assert_eq!(case.parameters, design.parameters, "{}", design.name);
         }
     }
