@@ -3,13 +3,43 @@ import { HighlightStyle, LanguageSupport, StreamLanguage, syntaxHighlighting } f
 import { tags } from "@lezer/highlight";
 
 const KEYWORDS = [
-  "kin", "struct", "input", "unknown", "output", "let", "dimensions", "motion", "assembly", "columns", "loads", "at",
-  "under", "over",
+  "kin",
+  "struct",
+  "input",
+  "unknown",
+  "output",
+  "let",
+  "dimensions",
+  "motion",
+  "assembly",
+  "columns",
+  "loads",
+  "at",
+  "under",
+  "over",
 ];
 const TYPES = ["Length", "Angle", "Scalar", "Vector", "Vector3", "Direction"];
 const FUNCTIONS = [
-  "cis", "polar", "vec2", "vec3", "rot", "rot_x", "rot_y", "rot_z", "dot", "cross", "norm", "sin", "cos", "tan", "asin",
-  "acos", "atan", "atan2", "sqrt", "pow",
+  "cis",
+  "polar",
+  "vec2",
+  "vec3",
+  "rot",
+  "rot_x",
+  "rot_y",
+  "rot_z",
+  "dot",
+  "cross",
+  "norm",
+  "sin",
+  "cos",
+  "tan",
+  "asin",
+  "acos",
+  "atan",
+  "atan2",
+  "sqrt",
+  "pow",
 ];
 
 const parser = {

@@ -25,7 +25,10 @@ async function begin({ report, kept }) {
   }
   const sliders = document.getElementById("sliders");
   sliders.addEventListener("change", () => tell({ design: page.design() }));
-  addEventListener("message", ({ source, data }) => source === shell && data.ask === "keep" && tell({ kept: page.keep() }));
+  addEventListener(
+    "message",
+    ({ source, data }) => source === shell && data.ask === "keep" && tell({ kept: page.keep() }),
+  );
   tell({ shown: true });
 }
 

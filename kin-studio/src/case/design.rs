@@ -27,7 +27,7 @@ impl Design {
         };
         let description = mechanism.description();
         let mut text = String::from("kin 1\n");
-        for line in self.declaration().lines() {
+        for line in without_examples(self.declaration()) {
             let line = line.strip_prefix("    ").unwrap_or(line);
             let _ = writeln!(text, "{}", line.replacen("pub struct", "struct", 1).replace("pub ", ""));
         }
@@ -58,6 +58,23 @@ impl Design {
         };
         file::formatted(&text, self.name).unwrap_or(text)
     }
+}
+
+/// The lines of a declaration without the examples in Rust, and without the empty line of documentation before each.
+fn without_examples(declaration: &str) -> impl Iterator<Item = &str> {
+    let mut lines = declaration.lines().peekable();
+    let mut is_example = false;
+    std::iter::from_fn(move || {
+        loop {
+            let line = lines.next()?;
+            let is_fence = |line: &str| line.trim().starts_with("/// ```");
+            if is_fence(line) {
+                is_example = !is_example;
+            } else if !is_example && !(line.trim() == "///" && lines.peek().is_some_and(|next| is_fence(next))) {
+                return Some(line);
+            }
+        }
+    })
 }
 
 /// Quantities with their values: `r1 = 90; r2 = 30;`. The coordinates of a point stand in one pair of brackets.

@@ -1,0 +1,126 @@
+/** The page in a browser: it is typed into, and moves. */
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
+
+import { chromium } from "playwright-core";
+
+const address = new URL("../site/kin.html", import.meta.url).href;
+const axe = fileURLToPath(new URL("../node_modules/axe-core/axe.min.js", import.meta.url));
+let browser;
+
+before(async () => {
+  browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: ["--no-sandbox"] });
+});
+after(() => browser.close());
+
+/** A page at an address, after its first motion. Requests of the network are faults. */
+async function opened(hash = "", options = {}) {
+  const context = await browser.newContext({ offline: true, acceptDownloads: true, ...options });
+  const page = await context.newPage();
+  const faults = [];
+  page.on("pageerror", (error) => faults.push(error.message));
+  page.on("console", (message) => message.type() === "error" && faults.push(message.text()));
+  page.on("request", (request) => /^https?:/.test(request.url()) && faults.push(request.url()));
+  await page.goto(address + hash);
+  await page.waitForFunction(() => document.body.dataset.moved);
+  return { page, faults };
+}
+
+/** Whether the frame in front shows a mechanism of this title. */
+async function shows(page, title) {
+  const frame = page.locator("#moving iframe:not(.behind)").contentFrame();
+  await frame.locator("#title", { hasText: title }).waitFor();
+}
+
+async function typeText(page, text) {
+  await page.locator(".cm-content").fill(text);
+}
+
+const CRANK = `kin 1
+struct Crank { r: Length, rod: Length }
+input theta: Angle;
+unknown x: Length, phi: Angle;
+r * cis(theta) + rod * cis(phi) == vec2(x, 0);
+dimensions { r = 30mm; rod = 80mm; }
+motion { theta = 0deg..360deg at 60rpm; }
+`;
+
+test("a mechanism moves as soon as the page is open, without network", async () => {
+  const { page, faults } = await opened();
+  await shows(page, "FourBar");
+  const frame = page.locator("#moving iframe:not(.behind)").contentFrame();
+  const scrubber = frame.locator("#scrubber");
+  const first = await scrubber.getAttribute("aria-valuenow");
+  await page.waitForFunction((first) => {
+    const inner = document.querySelector("#moving iframe:not(.behind)").contentDocument;
+    return inner && inner.getElementById("scrubber").getAttribute("aria-valuenow") !== first;
+  }, first);
+  assert.deepEqual(faults, []);
+});
+
+test("a mistake is underlined and listed, and the mended text moves", async () => {
+  const { page, faults } = await opened();
+  await typeText(page, CRANK.replace("rod * cis", "rodd * cis"));
+  await page.locator("#mistakes button", { hasText: "did you mean `rod`" }).waitFor();
+  await page.locator(".cm-lintRange-error").first().waitFor();
+  await page.locator("#moving.stale").waitFor();
+  await typeText(page, CRANK);
+  await shows(page, "Crank");
+  assert.equal(await page.locator("#mistakes li").count(), 0);
+  assert.deepEqual(faults, []);
+});
+
+test("a link holds the whole mechanism", async () => {
+  const { page } = await opened();
+  await typeText(page, CRANK);
+  await shows(page, "Crank");
+  await page.waitForFunction(() => location.hash.startsWith("#kin="));
+  const hash = await page.evaluate(() => location.hash);
+  const { page: other } = await opened(hash);
+  await shows(other, "Crank");
+  const text = await other.locator(".cm-content").innerText();
+  assert.match(text, /rod = 80mm/);
+});
+
+test("a slider writes its number into the text", async () => {
+  const { page } = await opened();
+  await typeText(page, CRANK);
+  await shows(page, "Crank");
+  const frame = page.locator("#moving iframe:not(.behind)").contentFrame();
+  await frame.locator("#open-dimensions").click();
+  const field = frame.getByLabel("rod, as a number");
+  await field.fill("95");
+  await field.press("Tab");
+  await page.waitForFunction(() => document.querySelector(".cm-content").innerText.includes("rod = 95mm"));
+  assert.match(await page.locator(".cm-content").innerText(), /r = 30mm/);
+});
+
+test("solvers and pages are saved", async () => {
+  const { page } = await opened();
+  await typeText(page, CRANK);
+  await shows(page, "Crank");
+  for (const [kind, name] of [
+    ["kin", "crank.kin"],
+    ["js", "crank.mjs"],
+    ["page", "crank.html"],
+  ]) {
+    await page.locator("summary").first().click();
+    const download = page.waitForEvent("download");
+    await page.locator(`[data-save="${kind}"]`).click();
+    assert.equal((await download).suggestedFilename(), name);
+  }
+});
+
+test("axe finds no serious fault", async () => {
+  for (const colorScheme of ["light", "dark"]) {
+    const { page } = await opened("", { colorScheme, bypassCSP: true });
+    await page.addScriptTag({ path: axe });
+    const found = await page.evaluate(() => globalThis.axe.run(document.body, { iframes: false }));
+    const serious = found.violations.filter(({ impact }) => ["serious", "critical"].includes(impact));
+    assert.deepEqual(
+      serious.map(({ id, nodes }) => [id, nodes[0].html]),
+      [],
+    );
+  }
+});
