@@ -12,8 +12,8 @@ const SHARE: f64 = 0.1;
 /// How a drive moves.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DriveMotion {
-    /// From where to where, counted from the drawn pose: radians, or lengths of the drawing. Without it an angle makes a
-    /// turn, and a slide moves a tenth of its distance to both sides.
+    /// From where to where, counted from the drawn pose: radians, or lengths of the drawing. Without it an angle makes
+    /// a turn, and a slide moves a tenth of its distance to both sides.
     pub range: Option<[f64; 2]>,
     /// The speed: radians or lengths for each second. A turn without range goes backwards if it is negative.
     pub speed: Option<f64>,
@@ -38,11 +38,12 @@ impl DriveMotion {
 }
 
 impl SketchDeclaration {
-    /// The text of a `.kin` file: the declaration, its dimensions, the motion of its drives from the drawn pose on, and
-    /// the assembly that is drawn. `unit` is the unit of the drawing's lengths, or empty. The documentation of the
+    /// The text of a `.kin` file: the declaration, its dimensions, the motion of its drives from the drawn pose on,
+    /// and the assembly that is drawn. `unit` is the unit of the drawing's lengths, or empty. The documentation of the
     /// mechanism is plain text.
     ///
-    /// Dimensions have thirteen digits. Motions follow the order of the drives; a drive without one moves as by default.
+    /// Dimensions have thirteen digits. Motions follow the order of the drives; a drive without one moves as by
+    /// default.
     ///
     /// ```
     /// # use kin_sketch::{Body, Drive, Sketch};

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::error::ForeignError;
-use super::{Foreign, ForeignFormat};
+use super::found::{Foreign, ForeignFormat};
 use crate::kin_file::DriveMotion;
 use crate::sketch::{Body, Drive, LinkId, PointId, Sketch};
 

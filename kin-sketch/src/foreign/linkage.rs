@@ -6,7 +6,7 @@ use roxmltree::{Document, Node, ParsingOptions};
 
 use super::draft::{Draft, shortened};
 use super::error::ForeignError;
-use super::{Foreign, ForeignFormat};
+use super::found::{Foreign, ForeignFormat};
 use crate::kin_file::DriveMotion;
 use crate::sketch::{Body, Drive, PointId};
 

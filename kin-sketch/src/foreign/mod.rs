@@ -10,7 +10,8 @@
 //! | Linkage 3 | `.linkage2` |
 //!
 //! ```
-//! let pump = kin_sketch::foreign::read("ground crank R 0 0\ncrank rod R 0 3\nrod piston R 4 0\nground piston P 4 0 0\n")?;
+//! let pump = "ground crank R 0 0\ncrank rod R 0 3\nrod piston R 4 0\nground piston P 4 0 0";
+//! let pump = kin_sketch::foreign::read(pump)?;
 //! let declared = pump.sketch.declaration().expect("it moves in one way, and its crank is driven");
 //! assert!(declared.text.contains("input crank_angle: Angle;"));
 //! assert_eq!(declared.dimensions[0], ("crank".to_owned(), 3.0));
@@ -19,60 +20,17 @@
 
 mod draft;
 mod error;
+mod found;
 mod linkage;
 mod pmks;
 mod pmks_plus;
 mod pylinkage;
 
 pub use error::ForeignError;
-
-use crate::kin_file::DriveMotion;
-use crate::sketch::Sketch;
+pub use found::{Foreign, ForeignFormat};
 
 /// More bytes than any file of these formats needs.
 const MOST_BYTES: usize = 1 << 20;
-
-/// The program that wrote a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum ForeignFormat {
-    /// pylinkage 1.3, JSON of a mechanism.
-    Pylinkage,
-    /// PMKS+, an address.
-    PmksPlus,
-    /// PMKS, a line for each joint.
-    Pmks,
-    /// Linkage 3, XML.
-    Linkage,
-}
-
-impl ForeignFormat {
-    /// The name of the program.
-    #[must_use]
-    pub fn program(self) -> &'static str {
-        match self {
-            Self::Pylinkage => "pylinkage",
-            Self::PmksPlus => "PMKS+",
-            Self::Pmks => "PMKS",
-            Self::Linkage => "Linkage",
-        }
-    }
-}
-
-/// A file that was read.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Foreign {
-    /// The program that wrote it.
-    pub format: ForeignFormat,
-    /// The drawing.
-    pub sketch: Sketch,
-    /// The motions of its drives, in their order, as far as the file states them.
-    pub motions: Vec<DriveMotion>,
-    /// The unit of its lengths: `mm`, `cm`, `m` or `in`; none if the file does not say.
-    pub unit: Option<&'static str>,
-    /// Each part of the file that the drawing lacks, or holds otherwise, in a sentence.
-    pub notes: Vec<String>,
-}
 
 /// Reads a file of another program.
 ///

@@ -1,12 +1,12 @@
 //! PMKS: text with a line for each joint, which names its links: `ground, crank, R, 0, 0`.
 //!
-//! The type is `R` for a pin, `P` for a slide that keeps the angle of its links, `RP` for a pin in a slot of the first
-//! link. Two coordinates follow, and for slides a direction in degrees. The first joint is the drive. The format is that
-//! of the examples of DesignEngrLab/PMKS.
+//! The type is `R` for a pin, `P` for a slide that keeps the angle of its links, `RP` for a pin in a slot of the
+//! first link. Two coordinates follow, and for slides a direction in degrees. The first joint is the drive. The format
+//! is that of the examples of DesignEngrLab/PMKS.
 
 use super::draft::{Draft, shortened};
 use super::error::ForeignError;
-use super::{Foreign, ForeignFormat};
+use super::found::{Foreign, ForeignFormat};
 use crate::kin_file::DriveMotion;
 use crate::sketch::{Body, Drive, LinkId, PointId};
 

@@ -1,12 +1,12 @@
 //! PMKS+: the address that it shares, or what stands behind the `?` of it.
 //!
-//! Settings, joints, links and forces stand between points, their entries between commas, and the last letter counts the
-//! others. Numbers have 64 digits, and coordinates three decimals. The format is that of
+//! Settings, joints, links and forces stand between points, their entries between commas, and the last letter counts
+//! the others. Numbers have 64 digits, and coordinates three decimals. The format is that of
 //! `src/app/services/transcoding/string-transcoder.ts` of PMKS-Web/PMKSWeb.
 
 use super::draft::{Draft, joint, shortened};
 use super::error::ForeignError;
-use super::{Foreign, ForeignFormat};
+use super::found::{Foreign, ForeignFormat};
 use crate::kin_file::DriveMotion;
 use crate::sketch::{Body, Drive, LinkId, PointId};
 

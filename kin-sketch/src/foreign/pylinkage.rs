@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use super::draft::{Draft, joint, shortened};
 use super::error::ForeignError;
-use super::{Foreign, ForeignFormat};
+use super::found::{Foreign, ForeignFormat};
 use crate::kin_file::DriveMotion;
 use crate::sketch::{Body, Drive, PointId};
 

@@ -39,12 +39,11 @@ impl Design {
             );
         }
         let moving = &description.inputs[0];
-        let range = match moving.dimension {
-            Dimension::Angle => "0deg..360deg at 60rpm".to_owned(),
-            _ => {
-                let (at, speed) = (self.inputs[0], self.inputs[0].abs().max(1.0));
-                format!("{}..{} at {speed}", 0.9 * at, 1.1 * at)
-            }
+        let (at, speed) = (self.inputs[0], self.inputs[0].abs().max(1.0));
+        let range = if moving.dimension == Dimension::Angle {
+            "0deg..360deg at 60rpm".to_owned()
+        } else {
+            format!("{}..{} at {speed}", 0.9 * at, 1.1 * at)
         };
         let standing = entries(&description.inputs[1..], &self.inputs[1..]);
         let _ = writeln!(text, "motion {{ {} = {range}; {standing} }}", moving.name);
@@ -68,10 +67,11 @@ fn without_examples(declaration: &str) -> impl Iterator<Item = &str> {
         loop {
             let line = lines.next()?;
             let is_fence = |line: &str| line.trim().starts_with("/// ```");
-            if is_fence(line) {
-                is_example = !is_example;
-            } else if !is_example && !(line.trim() == "///" && lines.peek().is_some_and(|next| is_fence(next))) {
-                return Some(line);
+            let is_before_example = line.trim() == "///" && lines.peek().is_some_and(|next| is_fence(next));
+            match (is_fence(line), is_example || is_before_example) {
+                (true, _) => is_example = !is_example,
+                (false, true) => {}
+                (false, false) => return Some(line),
             }
         }
     })

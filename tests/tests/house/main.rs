@@ -63,7 +63,8 @@ const SKETCH: Package = Package {
     faces: &["lib"],
     root_items: &[],
     rooms: "sketch+json names local fault parts ways placement freedom quantities+vectors statements+declaration \
-            kin_file foreign",
+            kin_file foreign::error foreign::found foreign::draft foreign::pylinkage foreign::pmks foreign::pmks_plus \
+            foreign::linkage foreign",
 };
 
 const STUDIO: Package = Package {
