@@ -49,7 +49,8 @@ export function createFrames(parent, view, moved) {
       element.srcdoc =
         `<!doctype html><html lang="en"><head><meta charset="utf-8">` +
         `<meta name="viewport" content="width=device-width, initial-scale=1"><title>kin</title>` +
-        `<style>${view.style}</style></head><body>${view.markup}<script type="module">${view.script}</script></body></html>`;
+        `<style>${view.style}</style></head><body>${view.markup}` +
+        `<script type="module">${view.script}</script></body></html>`;
       // a mechanism of another name is looked at anew
       back = { element, report, key: report.name, kept: null };
       parent.append(element);

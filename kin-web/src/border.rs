@@ -1,5 +1,5 @@
-//! The functions that JavaScript calls. A question in UTF-8 stands in memory that the caller reserves, and the answer in
-//! memory of the module until the next one.
+//! The functions that JavaScript calls. A question in UTF-8 stands in memory that the caller reserves, and the answer
+//! in memory of the module until the next one.
 
 // the names are those of C, and the functions take pointers
 #![allow(unsafe_code, unreachable_pub)]
@@ -24,7 +24,7 @@ pub extern "C" fn reserve(length: usize) -> *mut u8 {
 pub unsafe extern "C" fn ask(question: *mut u8, length: usize) -> usize {
     // SAFETY: `reserve` leaked a slice of this start and length.
     let bytes = unsafe { Box::from_raw(std::ptr::slice_from_raw_parts_mut(question, length)) };
-    let answer = crate::answer(&String::from_utf8_lossy(&bytes));
+    let answer = crate::question::answer(&String::from_utf8_lossy(&bytes));
     ANSWER.with_borrow_mut(|last| {
         *last = answer;
         last.len()

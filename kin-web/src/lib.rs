@@ -3,8 +3,9 @@
 //! Questions and answers are JSON. The page sends them to a worker, which runs this crate as WebAssembly.
 //!
 //! ```
-//! let question = r#"{ "ask": "format", "text": "kin 1\nstruct A{r:Length} input x:Length;unknown y:Length; y==r+x;" }"#;
-//! assert!(kin_web::answer(question).contains("struct A { r: Length }"));
+//! let text = r"kin 1\nstruct A{r:Length} input x:Length;unknown y:Length; y==r+x;";
+//! let question = format!(r#"{{ "ask": "format", "text": "{text}" }}"#);
+//! assert!(kin_web::answer(&question).contains("struct A { r: Length }"));
 //! ```
 
 mod border;

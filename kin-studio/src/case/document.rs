@@ -47,7 +47,8 @@ impl Document {
     /// The content of the page that `kin report` writes.
     ///
     /// # Errors
-    /// The reason why there is no page, in words: a missing value, or dimensions for which the mechanism does not close.
+    /// The reason why there is no page, in words: a missing value, or dimensions for which the mechanism does not
+    /// close.
     pub fn report(&self) -> Result<Report, String> {
         self.reported(true)
     }

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use kin_sketch::foreign::{self, Foreign};
 
-use super::super::file;
 use crate::case::fault::Fault;
+use crate::case::file;
 
 /// Reads the file of another program, or the address that it shares, and writes a `.kin` file.
 pub(crate) fn import(from: &str, output: &Path) -> Result<(), Fault> {
