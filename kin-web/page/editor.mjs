@@ -28,7 +28,7 @@ export function createEditor(parent, changed, outlineNow) {
         lintGutter(),
         keymap.of([indentWithTab, ...completionKeymap, ...defaultKeymap, ...historyKeymap, ...lintKeymap]),
         EditorView.lineWrapping,
-        EditorView.contentAttributes.of({ "aria-label": "The mechanism as text" }),
+        EditorView.contentAttributes.of({ "aria-label": "The mechanism as text", tabindex: "0" }),
         EditorView.updateListener.of((update) => update.docChanged && changed(view.state.doc.toString())),
       ],
     }),

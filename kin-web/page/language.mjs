@@ -9,16 +9,17 @@ const KEYWORDS = [
   "unknown",
   "output",
   "let",
+  "ground",
+  "body",
+  "slide",
   "dimensions",
   "motion",
   "assembly",
   "columns",
   "loads",
   "at",
-  "under",
-  "over",
 ];
-const TYPES = ["Length", "Angle", "Scalar", "Vector", "Vector3", "Direction"];
+const TYPES = ["Length", "Angle", "Scalar", "Vector", "Vector3", "Point", "Direction"];
 const FUNCTIONS = [
   "cis",
   "polar",

@@ -3,6 +3,7 @@ import { addressOf, textOf } from "./address.mjs";
 import { createAsking } from "./asking.mjs";
 import { createEditor } from "./editor.mjs";
 import { createFrames } from "./frame.mjs";
+import { createBoard } from "./board.mjs";
 import { changesFor } from "./numbers.mjs";
 import { kinModule, startWorker, view } from "./parts.mjs";
 
@@ -16,6 +17,8 @@ const module = kinModule();
 /** Each kind of question has a worker, so that peaks, which take time, hold nothing up. */
 const quick = createAsking(startWorker, module);
 const slow = createAsking(startWorker, module);
+const board = createBoard(createAsking(startWorker, module), (text) => editor.set(text));
+let examples = [];
 let outline = null;
 let timer = 0;
 let version = 0;
@@ -23,9 +26,17 @@ let version = 0;
 const editor = createEditor(part("editor"), typed, () => outline);
 const frames = createFrames(part("moving"), view, (design) => editor.change(changesFor(editor.text(), design)));
 
-function typed() {
+function typed(text) {
+  const chosen = part("examples").value;
+  if (chosen !== "" && text !== textOfExample(chosen)) {
+    part("examples").value = "";
+  }
   clearTimeout(timer);
   timer = setTimeout(compile, PAUSE);
+}
+
+function textOfExample(name) {
+  return examples.find((one) => one.name === name)?.text;
 }
 
 function say(text) {
@@ -101,6 +112,27 @@ async function show(ask, text, mine, asking) {
   return !answer.refused;
 }
 
+/** Takes the text of a file: one of kin, or one of another program, which becomes a drawing. */
+async function take(text) {
+  part("examples").value = "";
+  if (/^\s*(\/\/.*\n\s*)*kin\s+\d/.test(text)) {
+    editor.set(text);
+    return;
+  }
+  say("reading …");
+  const { imported, refused } = await slow({ ask: "import", text }, LIMITS.report);
+  if (refused) {
+    say("");
+    refuse(refused);
+    return;
+  }
+  board.load(imported.sketch);
+  if (imported.drawn.file) {
+    editor.set(imported.drawn.file);
+  }
+  say(imported.notes.join(" "));
+}
+
 function handOver(name, content, type) {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(new Blob([content], { type }));
@@ -147,11 +179,10 @@ async function format() {
 async function begin() {
   const asked = quick({ ask: "examples" }, LIMITS.motion);
   const fromAddress = await textOf(location.hash);
-  const { examples = [] } = await asked;
+  examples = (await asked).examples ?? [];
   const choices = examples.map(({ name }) => new Option(name.replace(/(?!^)(?=[A-Z])/g, " "), name));
   part("examples").append(new Option("of one's own", ""), ...choices);
   part("examples").value = fromAddress === null ? "FourBar" : "";
-  const textOfExample = (name) => examples.find((one) => one.name === name)?.text;
   part("examples").addEventListener("change", () => {
     const text = textOfExample(part("examples").value);
     if (text) {
@@ -169,7 +200,7 @@ part("file").addEventListener("change", async () => {
   const [file] = part("file").files;
   part("file").value = "";
   if (file) {
-    editor.set((await file.text()).replace(/^\uFEFF/, "").replaceAll("\r\n", "\n"));
+    await take((await file.text()).replace(/^\uFEFF/, "").replaceAll("\r\n", "\n"));
   }
 });
 part("format").addEventListener("click", format);

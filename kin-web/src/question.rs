@@ -1,5 +1,7 @@
 //! The questions of the page, and their answers.
 
+use kin_sketch::foreign;
+use kin_sketch::{DriveMotion, Sketch, SketchDeclaration, SketchFault};
 use kin_studio::case::{self, Document, Language};
 use kin_studio::report::Report;
 use serde::{Deserialize, Serialize};
@@ -47,6 +49,46 @@ pub enum Question {
         /// `c`, `js` or `python`.
         language: CodeLanguage,
     },
+    /// The declaration of a drawing.
+    Draw {
+        /// The drawing.
+        sketch: Sketch,
+    },
+    /// The drawing in a file of another program.
+    Import {
+        /// The text of the file, or the address that the program shares.
+        text: String,
+    },
+}
+
+/// A drawing that became a declaration, or the reasons why it did not.
+#[derive(Clone, Debug, Serialize)]
+#[serde(untagged)]
+pub enum Drawn {
+    /// The declaration, and the text of a whole `.kin` file.
+    Declared {
+        /// The declaration with its dimensions.
+        #[serde(flatten)]
+        declaration: SketchDeclaration,
+        /// The text of a `.kin` file.
+        file: String,
+    },
+    /// The faults of the drawing.
+    Faults {
+        /// Each fault with its advice and the parts that it is about.
+        faults: Vec<SketchFault>,
+    },
+}
+
+/// The drawing of another program.
+#[derive(Clone, Debug, Serialize)]
+pub struct Imported {
+    /// The drawing.
+    pub sketch: Sketch,
+    /// The parts of the file that the drawing lacks or holds otherwise, each in a sentence.
+    pub notes: Vec<String>,
+    /// The declared drawing with the motions and units of the file, or its faults.
+    pub drawn: Drawn,
 }
 
 /// A language of solvers, as the page names it.
@@ -75,6 +117,10 @@ pub enum Answer {
     Text(String),
     /// Files, each with its name.
     Files(Vec<(String, String)>),
+    /// A declared drawing, or its faults.
+    Drawn(Box<Drawn>),
+    /// The drawing of another program.
+    Imported(Box<Imported>),
     /// The reason why there is no answer, in words.
     Refused(String),
 }
@@ -109,5 +155,28 @@ fn answer_to(question: &Question) -> Result<Answer, String> {
             };
             Answer::Files(Document::read(text, NAME)?.code(language)?)
         }
+        Question::Draw { sketch } => Answer::Drawn(Box::new(drawn(sketch, "", "", &[]))),
+        Question::Import { text } => {
+            let found = foreign::read(text).map_err(|error| error.to_string())?;
+            let documentation = format!("Imported from {}.", found.format.program());
+            let unit = found.unit.unwrap_or_default();
+            Answer::Imported(Box::new(Imported {
+                drawn: drawn(&found.sketch, &documentation, unit, &found.motions),
+                sketch: found.sketch,
+                notes: found.notes,
+            }))
+        }
     })
+}
+
+/// Declares a drawing. The file begins with the documentation, and has lengths in the unit.
+fn drawn(sketch: &Sketch, documentation: &str, unit: &str, motions: &[DriveMotion]) -> Drawn {
+    match sketch.declaration() {
+        Ok(declaration) => {
+            let file = declaration.kin_file(documentation, unit, motions);
+            let file = case::formatted(&file, NAME).unwrap_or(file);
+            Drawn::Declared { declaration, file }
+        }
+        Err(faults) => Drawn::Faults { faults },
+    }
 }

@@ -34,7 +34,9 @@ async function shows(page, title) {
 }
 
 async function typeText(page, text) {
-  await page.locator(".cm-content").fill(text);
+  await page.locator(".cm-content").click();
+  await page.keyboard.press("Control+A");
+  await page.keyboard.insertText(text);
 }
 
 const CRANK = `kin 1
@@ -110,6 +112,26 @@ test("solvers and pages are saved", async () => {
     await page.locator(`[data-save="${kind}"]`).click();
     assert.equal((await download).suggestedFilename(), name);
   }
+});
+
+test("a drawing becomes text, and the text moves", async () => {
+  const { page, faults } = await opened();
+  await page.locator("#draw").click();
+  await page.locator("#drawings").selectOption({ label: "Toggle clamp" });
+  await shows(page, "ToggleClamp");
+  assert.match(await page.locator(".cm-content").innerText(), /b == d \+ r4 \* cis\(theta4\);/);
+  // the mechanism is changed by its text as well
+  await page.waitForFunction(() => location.hash.startsWith("#kin="));
+  assert.deepEqual(faults, []);
+});
+
+test("a file of another program becomes a drawing and a mechanism", async () => {
+  const { page, faults } = await opened();
+  const file = fileURLToPath(new URL("../../kin-sketch/tests/foreign/pmks/four_bar.txt", import.meta.url));
+  await page.locator("#file").setInputFiles(file);
+  await page.locator("#drawn").waitFor();
+  await page.waitForFunction(() => document.querySelector(".cm-content").innerText.includes("Imported from PMKS"));
+  assert.deepEqual(faults, []);
 });
 
 test("axe finds no serious fault", async () => {
