@@ -27,6 +27,7 @@ chapters! {
     languages: "../../docs/languages.md";
     live: "../../docs/live.md";
     python: "../../docs/python.md";
+    browser: "../../docs/browser.md";
     library: "../../docs/library.md";
     theory: "../../docs/theory.md";
     closed_forms: "../../docs/closed-forms.md";
