@@ -21,8 +21,9 @@ export { examples } from "./examples.mjs";
 
 /** How long a drawing rests before it is declared, in milliseconds. */
 const REST = 120;
-/** The distance of a fitted drawing from the edge, in pixels. */
+/** The distance of a fitted drawing from the edge in pixels, and the part of a small picture that it takes at most. */
 const MARGIN = 64;
+const MARGIN_PART = 0.18;
 /** Pixels to the unit of length at the start, and the largest that fitting makes them. */
 const SCALE = 60;
 const NO_FAULTS = { points: [], links: [], slides: [] };
@@ -286,7 +287,8 @@ export function createDrawing(svg, tools, { declare, changed }) {
   }
 
   function fit() {
-    const room = { left: MARGIN, top: MARGIN, right: size.width - MARGIN, bottom: size.height - MARGIN };
+    const margin = Math.min(MARGIN, MARGIN_PART * Math.min(size.width, size.height));
+    const room = { left: margin, top: margin, right: size.width - margin, bottom: size.height - margin };
     if (sketch().points.length > 0 && room.right > room.left && room.bottom > room.top) {
       fitView(
         view,
