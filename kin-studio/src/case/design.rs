@@ -41,7 +41,12 @@ impl Design {
         let moving = &description.inputs[0];
         let (at, speed) = (self.inputs[0], self.inputs[0].abs().max(1.0));
         let range = if moving.dimension == Dimension::Angle {
-            "0deg..360deg at 60rpm".to_owned()
+            // values of unknowns hold where the motion begins
+            let from = match self.assembly {
+                DesignAssembly::Named(_) => 0.0,
+                DesignAssembly::Near(_) => degrees(at),
+            };
+            format!("{from}deg..{}deg at 60rpm", from + 360.0)
         } else {
             format!("{}..{} at {speed}", 0.9 * at, 1.1 * at)
         };
