@@ -113,13 +113,15 @@ fn sum(mut left: Gradient, right: &Gradient, sign: f64) -> Gradient {
     left
 }
 
+/// The rank by QR with column pivoting, which ends for any numbers; iterations for singular values need not.
 fn rank(matrix: &DMatrix<f64>) -> usize {
     if matrix.is_empty() {
         return 0;
     }
-    let values = matrix.singular_values();
-    let least = RANK_TOLERANCE * values.max().max(1e-3);
-    values.iter().filter(|value| **value > least).count()
+    let triangle = matrix.clone().col_piv_qr().r();
+    let pivots = (0..triangle.nrows()).map(|index| triangle[(index, index)].abs());
+    let least = RANK_TOLERANCE * pivots.clone().fold(1e-3, f64::max);
+    pivots.filter(|pivot| *pivot > least).count()
 }
 
 /// Compares the ways in which a drawing moves with its drives.

@@ -195,6 +195,10 @@ impl Sketch {
                         let message = format!("{name} is guided and cannot be turned");
                         faults.push(SketchFault::meaningless(message, "remove its drive").at_links(&[of]));
                     }
+                    if self.links[of].points.len() == 1 && !self.is_of_slide(of) {
+                        let message = format!("the drive of {name} moves nothing: {name} has one point");
+                        faults.push(SketchFault::meaningless(message, "give it a second point").at_links(&[of]));
+                    }
                     let turns_it = |other: &Drive| matches!(other, Drive::Angle { of: other, .. } if *other == of);
                     if earlier.iter().any(turns_it) {
                         let message = format!("{name} is turned by two drives");

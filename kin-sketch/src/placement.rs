@@ -186,6 +186,8 @@ impl Placing<'_> {
                     }
                 }
                 self.set(body, frame);
+                // the body has placed its origin, which may slide on another one
+                self.close(|edge| edge.point == origin);
             }
         }
     }

@@ -1,9 +1,12 @@
 //! Drawings in JSON: their form, the way there and back, and drawings that no person would draw.
 #![allow(missing_docs, reason = "tests")]
 
+use std::cell::Cell;
+
 use kin_live::Mechanism;
 use kin_sketch::{Body, Drive, Sketch, SketchLink, SketchPoint, SketchSlide};
 use proptest::prelude::*;
+use proptest::test_runner::TestRunner;
 use serde_json::{Value, json};
 
 fn ram() -> (Sketch, Value) {
@@ -174,25 +177,117 @@ fn any_drawing() -> impl Strategy<Value = Sketch> {
     })
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig { cases: 4000, ..ProptestConfig::default() })]
+/// One part of a sound drawing, changed to anything.
+#[derive(Clone, Debug)]
+enum Damage {
+    Coordinate(usize, f64),
+    Fixed(usize),
+    OfLink(usize, usize),
+    Slide(usize, SketchSlide),
+    Drive(Drive),
+}
 
-    /// Whatever is drawn is declared or refused, with the indices of parts that are there.
-    #[test]
-    fn no_drawing_panics(sketch in any_drawing()) {
-        match sketch.declaration() {
-            Ok(declared) => {
-                let mechanism = Mechanism::declare(&declared.text);
-                prop_assert!(mechanism.is_ok(), "{}\n{}", mechanism.unwrap_err(), declared.text);
-            }
-            Err(faults) => {
-                prop_assert!(!faults.is_empty());
-                for fault in faults {
-                    prop_assert!(fault.parts.points.iter().all(|point| *point < sketch.points.len()), "{fault:?}");
-                    prop_assert!(fault.parts.links.iter().all(|link| *link < sketch.links.len()), "{fault:?}");
-                    prop_assert!(fault.parts.slides.iter().all(|slide| *slide < sketch.slides.len()), "{fault:?}");
-                }
+fn damage() -> impl Strategy<Value = Damage> {
+    let slide = (index(4), body(), coordinate(), prop::option::of(index(4)));
+    prop_oneof![
+        (0..4_usize, coordinate()).prop_map(|(point, x)| Damage::Coordinate(point, x)),
+        index(4).prop_map(Damage::Fixed),
+        (0..3_usize, index(4)).prop_map(|(link, point)| Damage::OfLink(link, point)),
+        (0..2_usize, slide).prop_map(|(at, (point, on, direction, guided))| {
+            Damage::Slide(
+                at,
+                SketchSlide {
+                    point,
+                    on,
+                    direction,
+                    guided,
+                },
+            )
+        }),
+        (index(4), body()).prop_map(|(of, to)| Damage::Drive(Drive::Angle { of, to })),
+        index(2).prop_map(|slide| Damage::Drive(Drive::Slide(slide))),
+    ]
+}
+
+/// A crank, a rod and a slide, of which some parts are changed.
+fn damaged() -> impl Strategy<Value = Sketch> {
+    prop::collection::vec(damage(), 0..4).prop_map(|all| {
+        let (mut sketch, _) = ram();
+        sketch.slides.pop();
+        sketch.drives.pop();
+        sketch.point("p", -1.0, 2.0);
+        for one in all {
+            match one {
+                Damage::Coordinate(point, x) => sketch.points[point].x = x,
+                Damage::Fixed(point) => sketch.ground.push(point),
+                Damage::OfLink(link, point) => sketch.links[link].points.push(point),
+                Damage::Slide(0, slide) => sketch.slides[0] = slide,
+                Damage::Slide(_, slide) => sketch.slides.push(slide),
+                Damage::Drive(drive) => sketch.drives = vec![drive],
             }
         }
+        sketch
+    })
+}
+
+/// The declaration of a drawing is one, or its faults name parts that are there.
+fn holds(sketch: &Sketch) -> Result<bool, TestCaseError> {
+    let faults = match sketch.declaration() {
+        Ok(declared) => {
+            let mechanism = Mechanism::declare(&declared.text);
+            prop_assert!(mechanism.is_ok(), "{}\n{}", mechanism.unwrap_err(), declared.text);
+            return Ok(true);
+        }
+        Err(faults) => faults,
+    };
+    prop_assert!(!faults.is_empty());
+    for fault in faults {
+        prop_assert!(
+            fault.parts.points.iter().all(|point| *point < sketch.points.len()),
+            "{fault:?}"
+        );
+        prop_assert!(
+            fault.parts.links.iter().all(|link| *link < sketch.links.len()),
+            "{fault:?}"
+        );
+        prop_assert!(
+            fault.parts.slides.iter().all(|slide| *slide < sketch.slides.len()),
+            "{fault:?}"
+        );
     }
+    Ok(false)
+}
+
+const CASES: u32 = 600;
+
+/// Whatever is drawn is declared or refused. Returns how many drawings were declared.
+fn sound_ones(drawings: &impl Strategy<Value = Sketch>) -> u32 {
+    let sound = Cell::new(0);
+    let config = ProptestConfig {
+        cases: CASES,
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    };
+    let counted = |sketch: Sketch| {
+        sound.set(sound.get() + u32::from(holds(&sketch)?));
+        Ok(())
+    };
+    TestRunner::new(config)
+        .run(drawings, counted)
+        .unwrap_or_else(|error| panic!("{error}"));
+    sound.get()
+}
+
+#[test]
+fn no_drawing_panics() {
+    sound_ones(&any_drawing());
+}
+
+#[test]
+fn no_damage_panics() {
+    let sound = sound_ones(&damaged());
+    assert!(
+        (CASES / 8..CASES - CASES / 8).contains(&sound),
+        "{sound} of {CASES} drawings are sound"
+    );
 }
