@@ -41,7 +41,9 @@ def test_types_are_those_of_the_module():
 
 
 def public(value):
-    return [(name, item) for name, item in vars(value).items() if not name.startswith("_")]
+    """The members of a class by their names. A class keeps them in another order in each process."""
+    members = [(name, item) for name, item in vars(value).items() if not name.startswith("_")]
+    return sorted(members, key=lambda member: member[0])
 
 
 def documented():
