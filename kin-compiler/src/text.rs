@@ -145,6 +145,15 @@ pub fn name_mistake(name: &str) -> Option<String> {
     })
 }
 
+/// Every name that an expression can call, in the order in which messages list the names.
+///
+/// ```
+/// assert!(kin_compiler::function_names().any(|name| name == "cis"));
+/// ```
+pub fn function_names() -> impl Iterator<Item = &'static str> {
+    syntax::function_names()
+}
+
 impl Declaration {
     /// Compiles the declaration of a mechanism, which is the text between the braces of `mechanism! { … }`. Its memory
     /// ends with the result.

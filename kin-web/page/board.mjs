@@ -1,4 +1,5 @@
 /** The drawing board: a drawing whose declaration goes into the text. */
+import { part } from "../../kin-studio/src/page/elements.mjs";
 import { createDrawing, examples } from "../drawing/main.mjs";
 
 /** The time in milliseconds that a declaration may take. */
@@ -6,7 +7,6 @@ const LIMIT = 8000;
 
 /** @param {(text: string) => void} declared what happens with the `.kin` file of each drawing without faults */
 export function createBoard(ask, declared) {
-  const part = (id) => document.getElementById(id);
   const [panel, button, choice] = [part("drawn"), part("draw"), part("drawings")];
   let isQuiet = false;
 

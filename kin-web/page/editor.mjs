@@ -11,8 +11,9 @@ import { completionsFrom, kin } from "./language.mjs";
 /**
  * @param {(text: string) => void} changed what happens after each change of the text
  * @param {() => object | null} outlineNow the outline of the last text without mistakes
+ * @param {() => string[]} functionsNow the names that an expression can call
  */
-export function createEditor(parent, changed, outlineNow) {
+export function createEditor(parent, changed, outlineNow, functionsNow) {
   const view = new EditorView({
     parent,
     state: EditorState.create({
@@ -24,7 +25,7 @@ export function createEditor(parent, changed, outlineNow) {
         bracketMatching(),
         indentUnit.of("    "),
         kin,
-        autocompletion({ override: [completionsFrom(outlineNow)] }),
+        autocompletion({ override: [completionsFrom(outlineNow, functionsNow)] }),
         lintGutter(),
         keymap.of([indentWithTab, ...completionKeymap, ...defaultKeymap, ...historyKeymap, ...lintKeymap]),
         EditorView.lineWrapping,

@@ -20,28 +20,6 @@ const KEYWORDS = [
   "at",
 ];
 const TYPES = ["Length", "Angle", "Scalar", "Vector", "Vector3", "Point", "Direction"];
-const FUNCTIONS = [
-  "cis",
-  "polar",
-  "vec2",
-  "vec3",
-  "rot",
-  "rot_x",
-  "rot_y",
-  "rot_z",
-  "dot",
-  "cross",
-  "norm",
-  "sin",
-  "cos",
-  "tan",
-  "asin",
-  "acos",
-  "atan",
-  "atan2",
-  "sqrt",
-  "pow",
-];
 
 const parser = {
   name: "kin",
@@ -58,9 +36,9 @@ const parser = {
       const kinds = [
         [KEYWORDS, "keyword"],
         [TYPES, "typeName"],
-        [FUNCTIONS, "function"],
       ];
-      return kinds.find(([words]) => words.includes(word))?.[1] ?? "variableName";
+      const kind = kinds.find(([words]) => words.includes(word))?.[1];
+      return kind ?? (stream.match(/^\s*\(/u, false) ? "function" : "variableName");
     }
     stream.next();
     return null;
@@ -79,12 +57,11 @@ const style = HighlightStyle.define([
 
 export const kin = new LanguageSupport(StreamLanguage.define(parser), syntaxHighlighting(style));
 
-/** Completions: the words of the language, and the names of the last text without mistakes. */
-export function completionsFrom(outlineNow) {
+/** Completions: the words of the language, its functions, and the names of the last text without mistakes. */
+export function completionsFrom(outlineNow, functionsNow) {
   const words = [
     ...KEYWORDS.map((label) => ({ label, type: "keyword" })),
     ...TYPES.map((label) => ({ label, type: "type" })),
-    ...FUNCTIONS.map((label) => ({ label, type: "function" })),
   ];
   return (context) => {
     const word = context.matchBefore(/[\p{L}_][\p{L}\p{N}_]*/u);
@@ -94,6 +71,7 @@ export function completionsFrom(outlineNow) {
     const outline = outlineNow();
     const quantities = ["dimensions", "inputs", "unknowns", "outputs"].flatMap((kind) => outline?.[kind] ?? []);
     const names = quantities.map(({ name, documentation }) => ({ label: name, type: "variable", info: documentation }));
-    return { from: word?.from ?? context.pos, options: [...names, ...words] };
+    const functions = functionsNow().map((label) => ({ label, type: "function" }));
+    return { from: word?.from ?? context.pos, options: [...names, ...words, ...functions] };
   };
 }

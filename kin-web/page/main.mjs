@@ -1,4 +1,6 @@
 /** The page of kin: text on the left, the moving page on the right. */
+import { button, made, part, setText } from "../../kin-studio/src/page/elements.mjs";
+import { handOver } from "../../kin-studio/src/page/saving.mjs";
 import { addressOf, textOf } from "./address.mjs";
 import { createAsking } from "./asking.mjs";
 import { createEditor } from "./editor.mjs";
@@ -8,22 +10,29 @@ import { changesFor } from "./numbers.mjs";
 import { kinModule, startWorker, view } from "./parts.mjs";
 
 /** The times in milliseconds that answers may take. */
-const LIMITS = { check: 4000, motion: 10_000, report: 60_000 };
+const LIMITS = { short: 4000, motion: 10_000, report: 60_000 };
 /** The pause after which a text that is typed is compiled. */
 const PAUSE = 40;
 
-const part = (id) => document.getElementById(id);
 const module = kinModule();
 /** Each kind of question has a worker, so that peaks, which take time, hold nothing up. */
 const quick = createAsking(startWorker, module);
 const slow = createAsking(startWorker, module);
 const board = createBoard(createAsking(startWorker, module), (text) => editor.set(text));
 let examples = [];
+let functions = [];
 let outline = null;
+/** The name of the mechanism that moves, in small letters, for files. */
+let fileName = "mechanism";
 let timer = 0;
 let version = 0;
 
-const editor = createEditor(part("editor"), typed, () => outline);
+const editor = createEditor(
+  part("editor"),
+  typed,
+  () => outline,
+  () => functions,
+);
 const frames = createFrames(part("moving"), view, (design) => editor.change(changesFor(editor.text(), design)));
 
 function typed(text) {
@@ -40,20 +49,18 @@ function textOfExample(name) {
 }
 
 function say(text) {
-  part("state").textContent = text;
+  setText(part("state"), text);
 }
 
 /** Lists mistakes below the text. A click leads to the place. */
 function list(mistakes) {
   const items = mistakes.map((mistake) => {
-    const button = document.createElement("button");
-    button.type = "button";
-    button.className = mistake.severity;
-    button.textContent = `${mistake.range.start.line + 1}: ${mistake.message}`;
-    button.addEventListener("click", () => editor.goTo(mistake));
-    const item = document.createElement("li");
-    item.append(button);
-    return item;
+    const words = `${mistake.range.start.line + 1}: ${mistake.message}`;
+    return made(
+      "li",
+      {},
+      button(words, { className: mistake.severity }, () => editor.goTo(mistake)),
+    );
   });
   part("mistakes").replaceChildren(...items);
 }
@@ -69,14 +76,15 @@ async function compile() {
   const mine = version;
   const text = editor.text();
   const begin = performance.now();
-  const { check, refused, superseded } = await quick({ ask: "check", text }, LIMITS.check);
-  if (superseded || mine !== version) {
+  const asked = await quick({ ask: "motion", text }, LIMITS.motion);
+  if (asked.superseded || mine !== version) {
     return;
   }
-  if (refused) {
-    refuse(refused);
+  if (asked.refused) {
+    refuse(asked.refused);
     return;
   }
+  const { check, report, refused } = asked.motion;
   editor.mark(check.mistakes);
   list(check.mistakes);
   if (check.outline === null) {
@@ -86,30 +94,27 @@ async function compile() {
   }
   outline = check.outline;
   history.replaceState(null, "", `#${await addressOf(text)}`);
-  if (await show("motion", text, mine, quick)) {
-    document.body.dataset.moved = (performance.now() - begin).toFixed(0);
-    say("finding peaks …");
-    if (await show("report", text, mine, slow)) {
-      say("");
-    }
+  if (refused) {
+    refuse(refused);
+    return;
+  }
+  show(report);
+  document.body.dataset.moved = (performance.now() - begin).toFixed(0);
+  say("finding peaks …");
+  const whole = await slow({ ask: "report", text }, LIMITS.report);
+  if (whole.superseded || mine !== version) {
+    return;
+  }
+  say(whole.refused ? "the peaks are the page's own" : "");
+  if (whole.report) {
+    show(whole.report);
   }
 }
 
-/** Shows the answer to a question about the text, unless the text has changed since. */
-async function show(ask, text, mine, asking) {
-  const answer = await asking({ ask, text }, LIMITS[ask]);
-  if (answer.superseded || mine !== version) {
-    return false;
-  }
-  if (answer.refused && ask === "report") {
-    say("the peaks are the page's own");
-  } else if (answer.refused) {
-    refuse(answer.refused);
-  } else {
-    part("moving").classList.remove("stale");
-    frames.show(answer.report);
-  }
-  return !answer.refused;
+function show(report) {
+  fileName = report.module;
+  part("moving").classList.remove("stale");
+  frames.show(report);
 }
 
 /** Takes the text of a file: one of kin, or one of another program, which becomes a drawing. */
@@ -133,27 +138,22 @@ async function take(text) {
   say(imported.notes.join(" "));
 }
 
-function handOver(name, content, type) {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([content], { type }));
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+function textFile(name, content, type) {
+  handOver(name, new Blob([content], { type }));
 }
 
 async function save(kind) {
   const text = editor.text();
-  const name = (outline?.name ?? "mechanism").replace(/(?!^)(?=[A-Z])/g, "_").toLowerCase();
   if (kind === "kin") {
-    handOver(`${name}.kin`, text, "text/plain");
+    textFile(`${fileName}.kin`, text, "text/plain");
     return;
   }
   const question = kind === "page" ? { ask: "page", text } : { ask: "code", text, language: kind };
   say("writing …");
   const { text: page, files, refused } = await slow(question, LIMITS.report);
   say(refused ?? "");
-  for (const [file, content] of page ? [[`${name}.html`, page]] : (files ?? [])) {
-    handOver(file, content, page ? "text/html" : "text/plain");
+  for (const [file, content] of page ? [[`${fileName}.html`, page]] : (files ?? [])) {
+    textFile(file, content, page ? "text/html" : "text/plain");
   }
 }
 
@@ -169,7 +169,7 @@ async function copyLink() {
 }
 
 async function format() {
-  const { text, refused } = await quick({ ask: "format", text: editor.text() }, LIMITS.check);
+  const { text, refused } = await quick({ ask: "format", text: editor.text() }, LIMITS.short);
   if (text && text !== editor.text()) {
     editor.set(text);
   }
@@ -179,7 +179,9 @@ async function format() {
 async function begin() {
   const asked = quick({ ask: "examples" }, LIMITS.motion);
   const fromAddress = await textOf(location.hash);
+  const askedFunctions = slow({ ask: "functions" }, LIMITS.motion);
   examples = (await asked).examples ?? [];
+  functions = (await askedFunctions).functions ?? [];
   const choices = examples.map(({ name }) => new Option(name.replace(/(?!^)(?=[A-Z])/g, " "), name));
   part("examples").append(new Option("of one's own", ""), ...choices);
   part("examples").value = fromAddress === null ? "FourBar" : "";

@@ -1,10 +1,11 @@
 //! The questions of the page, and their answers.
 
 use kin_sketch::foreign;
-use kin_sketch::{DriveMotion, Sketch, SketchDeclaration, SketchFault};
+use kin_sketch::{Sketch, SketchDeclaration, SketchFault};
 use kin_studio::case::{self, Document, Language};
 use kin_studio::report::Report;
 use serde::{Deserialize, Serialize};
+use serde_json::value::RawValue;
 
 use crate::examples::{Example, examples};
 
@@ -17,12 +18,9 @@ const NAME: &str = "mechanism.kin";
 pub enum Question {
     /// The mechanisms of the library as files.
     Examples,
-    /// The mistakes of a text, or its outline: the object that `kin check --json` prints.
-    Check {
-        /// The text of a `.kin` file.
-        text: String,
-    },
-    /// The content of the moving page without peaks, with the solver in JavaScript.
+    /// The names that an expression can call.
+    Functions,
+    /// The mistakes of a text; without any, its outline and the content of the moving page without peaks.
     Motion {
         /// The text of a `.kin` file.
         text: String,
@@ -103,14 +101,27 @@ pub enum CodeLanguage {
     Python,
 }
 
+/// A text that was checked, and its motion.
+#[derive(Clone, Debug, Serialize)]
+pub struct Moving {
+    /// The object that `kin check --json` prints.
+    pub check: Box<RawValue>,
+    /// The content of the moving page without peaks, with the solver in JavaScript.
+    pub report: Option<Report>,
+    /// The reason why there is no page of a text without mistakes, in words.
+    pub refused: Option<String>,
+}
+
 /// An answer to the page.
 #[derive(Clone, Debug, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Answer {
     /// The mechanisms of the library.
     Examples(Vec<Example>),
-    /// The mistakes, or the outline.
-    Check(Box<serde_json::value::RawValue>),
+    /// The names that an expression can call.
+    Functions(Vec<&'static str>),
+    /// The mistakes, or the outline with the content of the moving page.
+    Motion(Box<Moving>),
     /// The content of the moving page.
     Report(Box<Report>),
     /// A text: a page, or a file in one form.
@@ -139,11 +150,17 @@ pub fn answer(question: &str) -> String {
 fn answer_to(question: &Question) -> Result<Answer, String> {
     Ok(match question {
         Question::Examples => Answer::Examples(examples()),
-        Question::Check { text } => {
-            let object = serde_json::value::RawValue::from_string(case::check(text, NAME));
-            Answer::Check(object.map_err(|error| error.to_string())?)
+        Question::Functions => Answer::Functions(kin_compiler::function_names().collect()),
+        Question::Motion { text } => {
+            let (check, document) = Document::checked(text, NAME);
+            let check = RawValue::from_string(check).map_err(|error| error.to_string())?;
+            let report = document.map(|document| document.motion());
+            let (report, refused) = match report.transpose() {
+                Ok(report) => (report, None),
+                Err(refused) => (None, Some(refused)),
+            };
+            Answer::Motion(Box::new(Moving { check, report, refused }))
         }
-        Question::Motion { text } => Answer::Report(Box::new(Document::read(text, NAME)?.motion()?)),
         Question::Report { text } => Answer::Report(Box::new(Document::read(text, NAME)?.report()?)),
         Question::Page { text } => Answer::Text(Document::read(text, NAME)?.report()?.html()),
         Question::Format { text } => Answer::Text(case::formatted(text, NAME)?),
@@ -155,13 +172,11 @@ fn answer_to(question: &Question) -> Result<Answer, String> {
             };
             Answer::Files(Document::read(text, NAME)?.code(language)?)
         }
-        Question::Draw { sketch } => Answer::Drawn(Box::new(drawn(sketch, "", "", &[]))),
+        Question::Draw { sketch } => Answer::Drawn(Box::new(drawn(sketch, |declared| declared.kin_file("", "", &[])))),
         Question::Import { text } => {
             let found = foreign::read(text).map_err(|error| error.to_string())?;
-            let documentation = format!("Imported from {}.", found.format.program());
-            let unit = found.unit.unwrap_or_default();
             Answer::Imported(Box::new(Imported {
-                drawn: drawn(&found.sketch, &documentation, unit, &found.motions),
+                drawn: drawn(&found.sketch, |declared| found.kin_file(declared)),
                 sketch: found.sketch,
                 notes: found.notes,
             }))
@@ -169,11 +184,11 @@ fn answer_to(question: &Question) -> Result<Answer, String> {
     })
 }
 
-/// Declares a drawing. The file begins with the documentation, and has lengths in the unit.
-fn drawn(sketch: &Sketch, documentation: &str, unit: &str, motions: &[DriveMotion]) -> Drawn {
+/// Declares a drawing, and formats the file that is written of the declaration.
+fn drawn(sketch: &Sketch, write: impl FnOnce(&SketchDeclaration) -> String) -> Drawn {
     match sketch.declaration() {
         Ok(declaration) => {
-            let file = declaration.kin_file(documentation, unit, motions);
+            let file = write(&declaration);
             let file = case::formatted(&file, NAME).unwrap_or(file);
             Drawn::Declared { declaration, file }
         }

@@ -1,5 +1,6 @@
 //! What a reader has found.
 
+use crate::declaration::SketchDeclaration;
 use crate::kin_file::DriveMotion;
 use crate::sketch::Sketch;
 
@@ -43,4 +44,14 @@ pub struct Foreign {
     pub unit: Option<&'static str>,
     /// Each part of the file that the drawing lacks, or holds otherwise, in a sentence.
     pub notes: Vec<String>,
+}
+
+impl Foreign {
+    /// The text of a `.kin` file with the declaration of this drawing: it tells the program, and has the file's motions
+    /// and unit.
+    #[must_use]
+    pub fn kin_file(&self, declared: &SketchDeclaration) -> String {
+        let documentation = format!("Imported from {}.", self.format.program());
+        declared.kin_file(&documentation, self.unit.unwrap_or_default(), &self.motions)
+    }
 }

@@ -44,6 +44,15 @@ impl Document {
         Ok(Self { subject, settings })
     }
 
+    /// The mistakes of a text, or its outline, as one object of JSON for editors: the output of `kin check --json`. The
+    /// document of a text without mistakes comes with it, compiled once for both.
+    #[must_use]
+    pub fn checked(text: &str, name: &str) -> (String, Option<Self>) {
+        let (object, asked) = file::checked(text, name);
+        let document = asked.ok().map(|(subject, settings)| Self { subject, settings });
+        (object, document)
+    }
+
     /// The content of the page that `kin report` writes.
     ///
     /// # Errors

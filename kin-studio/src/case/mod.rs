@@ -25,13 +25,6 @@ pub(crate) use typed::{Case, Known, Typed};
 pub use document::Document;
 pub use language::Language;
 
-/// The mistakes of a `.kin` file, or its outline, as one object of JSON for editors: the output of `kin check --json`.
-/// The text is known under this name.
-#[must_use]
-pub fn check(text: &str, name: &str) -> String {
-    file::check_as_json(text, name).0
-}
-
 /// The text of a `.kin` file as `kin fmt` writes it.
 ///
 /// # Errors

@@ -163,12 +163,12 @@ fn run_library(arguments: &[OsString]) -> Result<(), Fault> {
                 return tasks::print(&file::check(&path, given.get_flag("steps"))?);
             }
             let text = crate::file::text_of(&path).map_err(Fault::wrong)?;
-            let (text, mistakes) = file::check_as_json(&text, &path.display().to_string());
+            let (text, asked) = file::checked(&text, &path.display().to_string());
             tasks::print(&text)?;
-            match mistakes {
-                0 => Ok(()),
-                1 => Err(Fault::wrong("there is a mistake")),
-                count => Err(Fault::wrong(format!("there are {count} mistakes"))),
+            match asked {
+                Ok(_) => Ok(()),
+                Err(1) => Err(Fault::wrong("there is a mistake")),
+                Err(count) => Err(Fault::wrong(format!("there are {count} mistakes"))),
             }
         }
         Some(("fmt", given)) => {

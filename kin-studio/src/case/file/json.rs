@@ -8,28 +8,36 @@ use proc_macro2::{TokenStream, TokenTree};
 use serde_json::{Value, json};
 
 use super::super::subject::Subject;
-use super::super::typed::Typed;
 use super::read::KinFile;
+use super::{Settings, asked};
 use crate::file::{Mistake, is_ident, is_punct, range_of};
 
 /// The version of the form, which grows when a member changes or goes.
 const VERSION: u32 = 1;
 
-/// One object: see the chapter on the program.
-pub(super) fn checked(file: &str, text: &str, read: Result<KinFile, Vec<Mistake>>) -> String {
-    let (mistakes, outline) = match read {
+/// One object: see the chapter on the program. The mechanism of a text without mistakes comes with it.
+pub(super) fn checked(
+    file: &str,
+    text: &str,
+    read: Result<KinFile, Vec<Mistake>>,
+) -> (String, Result<(Subject, Settings), usize>) {
+    let (mistakes, outline, asked) = match read {
         Err(mistakes) => {
-            let mistakes = mistakes.iter();
-            let mistakes = mistakes.map(|mistake| one(text, "error", &mistake.message, &mistake.range));
-            (mistakes.collect::<Vec<_>>(), Value::Null)
+            let all = mistakes.iter();
+            let all = all.map(|mistake| one(text, "error", &mistake.message, &mistake.range));
+            (all.collect::<Vec<_>>(), Value::Null, Err(mistakes.len()))
         }
         Ok(file) => {
             let outline = outline(text, &file);
-            (remarks(text, file), outline)
+            let section = file.sections.iter().find(|section| section.name == "dimensions");
+            let section = section.map_or(0..0, |section| section.whole.clone());
+            let (subject, settings) = asked(file);
+            let remarks = remarks(text, &section, &subject, &settings);
+            (remarks, outline, Ok((subject, settings)))
         }
     };
     let object = json!({ "version": VERSION, "file": file, "mistakes": mistakes, "outline": outline });
-    format!("{object}\n")
+    (format!("{object}\n"), asked)
 }
 
 fn one(text: &str, severity: &str, message: &str, range: &Range<usize>) -> Value {
@@ -64,16 +72,9 @@ fn range_in_lines(text: &str, range: &Range<usize>) -> Value {
     json!({ "start": position(range.start), "end": position(range.end.max(range.start)) })
 }
 
-/// What is remarkable about the dimensions, at their ranges.
-fn remarks(text: &str, file: KinFile) -> Vec<Value> {
-    let typed = Typed {
-        set: file.set,
-        over: file.over,
-        ..Typed::default()
-    };
-    let section = file.sections.iter().find(|section| section.name == "dimensions");
-    let section = section.map_or(0..0, |section| section.whole.clone());
-    let remarks = typed.remarks(&Subject::new(file.mechanism)).into_iter();
+/// What is remarkable about the dimensions, at their ranges in their section.
+fn remarks(text: &str, section: &Range<usize>, subject: &Subject, settings: &Settings) -> Vec<Value> {
+    let remarks = settings.typed().remarks(subject).into_iter();
     remarks
         .map(|(name, remark)| {
             let inside = text[section.clone()].parse::<TokenStream>().unwrap_or_default();

@@ -64,9 +64,8 @@ pub(crate) fn formatted(text: &str, name: &str) -> Result<String, String> {
     is_same.then_some(formatted).ok_or_else(changed)
 }
 
-/// The mechanism of a text, and what the text says of it. The name of the file stands in its mistakes.
-pub(crate) fn of_text(text: &str, name: &str) -> Result<(Subject, Settings), String> {
-    let file = compiled(text, name)?;
+/// The mechanism of a file that was read, and what the file says of it.
+fn asked(file: KinFile) -> (Subject, Settings) {
     let settings = Settings {
         set: file.set,
         over: file.over,
@@ -76,7 +75,12 @@ pub(crate) fn of_text(text: &str, name: &str) -> Result<(Subject, Settings), Str
         documentation: file.mechanism.declaration().documentation().to_owned(),
         declaration: file.declaration,
     };
-    Ok((Subject::new(file.mechanism), settings))
+    (Subject::new(file.mechanism), settings)
+}
+
+/// The mechanism of a text, and what the text says of it. The name of the file stands in its mistakes.
+pub(crate) fn of_text(text: &str, name: &str) -> Result<(Subject, Settings), String> {
+    compiled(text, name).map(asked)
 }
 
 /// The mechanism of a file, and what the file says of it.
@@ -95,9 +99,7 @@ pub(crate) fn check(path: &Path, steps: bool) -> Result<String, Fault> {
     Ok(said + steps)
 }
 
-/// The mistakes of a text for an editor, and how many there are.
-pub(crate) fn check_as_json(text: &str, name: &str) -> (String, usize) {
-    let read = KinFile::read(text);
-    let count = read.as_ref().err().map_or(0, Vec::len);
-    (json::checked(name, text, read), count)
+/// The object for an editor, and the mechanism of a text without mistakes, or else how many there are.
+pub(crate) fn checked(text: &str, name: &str) -> (String, Result<(Subject, Settings), usize>) {
+    json::checked(name, text, KinFile::read(text))
 }

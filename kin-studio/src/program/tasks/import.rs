@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use kin_sketch::foreign::{self, Foreign};
+use kin_sketch::foreign;
 
 use crate::case::fault::Fault;
 use crate::case::file;
@@ -25,11 +25,7 @@ pub(crate) fn import(from: &str, output: &Path) -> Result<(), Fault> {
     for note in &drawing.notes {
         eprintln!("note: {note}");
     }
-    let Foreign {
-        format, motions, unit, ..
-    } = &drawing;
-    let documentation = format!("Imported from {}.", format.program());
-    let written = declared.kin_file(&documentation, unit.unwrap_or_default(), motions);
+    let written = drawing.kin_file(&declared);
     super::write(
         output,
         &file::formatted(&written, &output.display().to_string()).map_err(Fault::wrong)?,
